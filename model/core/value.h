@@ -1,0 +1,108 @@
+// The operations a golden model may use, for machine integers.
+//
+// A model is a template over its value type V. V offers + and - (with V), comparisons, V(int), and
+// the functions below; a comparison gives a Condition<V>, which offers !, & and |. A model uses
+// nothing else, so that one text runs on machine integers, on vectors of them, and on symbols.
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <utility>
+
+namespace cosim {
+
+/// The machine integer that models run on. Codes of up to 64 bits are held as its bit pattern.
+using Word = std::int64_t;
+
+/// What comparing two values gives: bool for machine integers, a symbol for symbols.
+template <class V>
+using Condition = decltype(std::declval<V>() < std::declval<V>());
+
+/// The lower `width` bits of v as a number >= 0 (for width 64: the bit pattern). 1 <= width <= 64.
+constexpr Word low_bits(Word v, int width) {
+  return static_cast<Word>(static_cast<std::uint64_t>(v) & (~std::uint64_t{0} >> (64 - width)));
+}
+
+/// Bit i of v, 0 <= i <= 63, two's complement for v < 0.
+constexpr bool bit(Word v, int i) { return ((v >> i) & 1) != 0; }
+
+/// v * 2^n, 0 <= n <= 63, modulo 2^64.
+constexpr Word shift_left(Word v, int n) { return static_cast<Word>(static_cast<std::uint64_t>(v) << n); }
+
+/// floor(v / 2^n), 0 <= n <= 63.
+constexpr Word shift_right(Word v, int n) { return v >> n; }
+
+/// The bits set in both of two bit strings.
+constexpr Word both(Word a, Word b) { return a & b; }
+
+/// a where c holds, else b.
+constexpr Word select(bool c, Word a, Word b) { return c ? a : b; }
+
+/// then() where c holds, else otherwise(): only a symbolic condition runs both. For whole records
+/// and for results too costly to work out on every clock.
+template <class Then, class Otherwise>
+constexpr auto either(bool c, Then then, Otherwise otherwise) {
+  return c ? then() : otherwise();
+}
+template <class C, class Then, class Otherwise>
+  requires(!std::same_as<C, bool>)
+constexpr auto either(C c, Then then, Otherwise otherwise) {
+  return select(c, then(), otherwise());
+}
+
+// The rest is built from these.
+
+/// The condition a one-bit field stands for.
+template <class V>
+constexpr Condition<V> is_set(V flag) {
+  return !(flag == V(0));
+}
+
+/// 1 where c holds, else 0.
+template <class V>
+constexpr V flag(Condition<V> c) {
+  return select(c, V(1), V(0));
+}
+
+/// 2^n - 1, 1 <= n <= 64; as a bit pattern for n = 64.
+constexpr Word ones(int n) { return low_bits(-1, n); }
+
+/// The value of a two's complement code of `width` bits.
+template <class V>
+constexpr V from_twos_complement(V code, int width) {
+  return select(bit(code, width - 1), code - V(shift_left(1, width)), code);
+}
+
+/// The value of a ones' complement code of `width` bits; both zeros give 0.
+template <class V>
+constexpr V from_ones_complement(V code, int width) {
+  return select(bit(code, width - 1), code - V(ones(width)), code);
+}
+
+/// The ones' complement code of `width` bits of v, |v| < 2^(width-1); 0 gives +0, all zeros.
+template <class V>
+constexpr V to_ones_complement(V v, int width) {
+  return select(v < V(0), v + V(ones(width)), v);
+}
+
+/// The same with 0 as -0, all ones.
+template <class V>
+constexpr V to_ones_complement_minus_zero(V v, int width) {
+  return select(v > V(0), v, v + V(ones(width)));
+}
+
+/// Wraps a register of `width` bits that adds with end-around carry: v modulo 2^width - 1, brought
+/// to |v| < 2^(width-1). For |v| < 2^width - 1, the most a sum of two such values can reach.
+template <class V>
+constexpr V wrap_end_around(V v, int width) {
+  const Word largest = ones(width - 1);
+  return select(v > V(largest), v - V(ones(width)), select(v < V(-largest), v + V(ones(width)), v));
+}
+
+/// Wraps a counter of `width` bits: v modulo 2^width.
+template <class V>
+constexpr V wrap(V v, int width) {
+  return low_bits(v, width);
+}
+
+}  // namespace cosim

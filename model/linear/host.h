@@ -1,0 +1,44 @@
+// The device outside, SU 1631518: writes BP and UK, starts the line, waits for its end.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "model/linear/control_code.h"
+#include "model/linear/machine.h"
+
+namespace cosim::linear {
+
+/// A line for the host to draw.
+struct Job {
+  Line line;
+  /// Give the line up through input 17 after so many words, >= 0; a number past the end of the
+  /// line gives nothing up.
+  std::optional<std::int64_t> words;
+};
+
+/// Drives the machine's pins through a list of lines, one after the other. A line takes three
+/// clocks to write and start, one until its first word, one a word and one to see the end.
+class Host {
+ public:
+  using Job = linear::Job;
+
+  /// `jobs` must outlive the host.
+  Host(const Params&, std::span<const Job> jobs) : jobs_(jobs) {}
+
+  /// The inputs of the next clock; false when the last line is over. `seen`: the outputs of the
+  /// clock before (of no meaning on the first call).
+  bool next(Inputs<Word>& in, const Outputs<Word>& seen);
+
+  /// The line that the last inputs belong to, from 0.
+  std::size_t job() const { return job_; }
+
+ private:
+  std::span<const Job> jobs_;
+  std::size_t job_ = 0;
+  std::int64_t words_ = 0;
+  enum class Phase { bp, uk, start, rise, run } phase_ = Phase::bp;
+};
+
+}  // namespace cosim::linear

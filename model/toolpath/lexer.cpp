@@ -1,0 +1,145 @@
+#include "model/toolpath/lexer.h"
+
+#include <array>
+#include <charconv>
+#include <cstdio>
+#include <system_error>
+
+namespace cosim::toolpath {
+
+namespace {
+
+// Not <cctype>: its answers depend on the locale, and it has no answer for negative chars.
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
+bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
+
+std::string shown(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  if (byte > 0x20 && byte < 0x7f) return std::string("'") + c + "'";
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "byte 0x%02x", byte);
+  return text.data();
+}
+
+}  // namespace
+
+Lexer::Lexer(std::string_view text, std::string_view name) : text_(text), name_(name) {
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+  if (text_.starts_with(byte_order_mark)) text_.remove_prefix(byte_order_mark.size());
+}
+
+Place Lexer::here() const { return {line_, static_cast<std::uint32_t>(at_ - line_start_ + 1)}; }
+
+Token Lexer::next() {
+  for (;;) {
+    skip_blanks();
+    if (ended_ || at_end()) return {Token::Kind::end_of_program, 0, 0, here()};
+    if (at_line_end()) return end_line();
+    const char c = text_[at_];
+    if (c == '%' && line_blank_) {
+      ended_ = opened_;
+      opened_ = true;
+      if (!ended_) skip_rest_of_line();
+    } else if (c == '(') {
+      skip_comment();
+    } else if (c == ';') {
+      skip_rest_of_line();
+    } else if (is_upper(c) || is_lower(c)) {
+      return word();
+    } else {
+      refuse(c);
+    }
+    line_blank_ = false;
+  }
+}
+
+void Lexer::skip_blanks() {
+  while (!at_end() && is_blank(text_[at_])) ++at_;
+}
+
+void Lexer::skip_comment() {
+  const Place opened = here();
+  while (!at_line_end() && text_[at_] != ')') {
+    if (text_[at_] == '\0') refuse('\0');
+    ++at_;
+  }
+  if (at_line_end()) fail(name_, opened, "the comment is not closed on its line: ')' missing");
+  ++at_;
+}
+
+void Lexer::skip_rest_of_line() {
+  while (!at_line_end()) {
+    if (text_[at_] == '\0') refuse('\0');
+    ++at_;
+  }
+}
+
+Token Lexer::end_line() {
+  const Token token{Token::Kind::end_of_block, 0, 0, here()};
+  at_ += text_.substr(at_).starts_with("\r\n") ? 2 : 1;
+  line_start_ = at_;
+  ++line_;
+  line_blank_ = true;
+  return token;
+}
+
+Token Lexer::word() {
+  const Place place = here();
+  const char c = text_[at_++];
+  const char letter = is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c;
+  line_blank_ = false;
+  opened_ = true;
+  if (letter == 'O') fail(name_, place, "O-words (subprograms and flow control) are not supported");
+  return {Token::Kind::word, letter, number(letter, place), place};
+}
+
+double Lexer::number(char letter, Place place) {
+  digits_.clear();
+  bool any_digit = false;
+  bool any_point = false;
+  for (skip_blanks(); !at_end(); skip_blanks()) {
+    const char c = text_[at_];
+    const bool sign = (c == '+' || c == '-') && digits_.empty();
+    const bool point = c == '.' && !any_point;
+    if (!sign && !point && !is_digit(c)) break;
+    any_digit |= is_digit(c);
+    any_point |= point;
+    digits_ += c;
+    ++at_;
+  }
+  if (!any_digit) {
+    if (!at_end() && (text_[at_] == '#' || text_[at_] == '[')) refuse(text_[at_]);
+    fail(name_, place, std::string(1, letter) + " needs a number");
+  }
+  std::string_view digits = digits_;
+  if (digits.front() == '+') digits.remove_prefix(1);  // from_chars does not take it
+  double value = 0;
+  const auto end = digits.data() + digits.size();
+  if (std::from_chars(digits.data(), end, value, std::chars_format::fixed).ec != std::errc()) {
+    fail(name_, place, std::string("the number of ") + letter + " is out of range");
+  }
+  return value;
+}
+
+void Lexer::refuse(char c) const {
+  switch (c) {
+    case '\0':
+      fail(name_, here(), "NUL byte: this is not a text file");
+    case '/':
+      fail(name_, here(), "block delete '/' is not supported: a switch would set the path");
+    case '#':
+      fail(name_, here(), "parameters ('#') are not supported");
+    case '[':
+      fail(name_, here(), "expressions ('[') are not supported");
+    case '*':
+      fail(name_, here(), "checksums and expressions ('*') are not supported");
+    case ')':
+      fail(name_, here(), "')' without '('");
+    default:
+      fail(name_, here(), "unexpected " + shown(c));
+  }
+}
+
+}  // namespace cosim::toolpath

@@ -1,0 +1,29 @@
+// The text a person hands in: how it is opened, and how a place in it is named in an error.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace cosim::toolpath {
+
+/// A place in a text. Lines and columns count from 1; a column is a byte of its line, the
+/// UTF-8 byte order mark at the head of a file not counted.
+struct Place {
+  std::uint32_t line = 1;
+  std::uint32_t column = 1;
+  friend bool operator==(const Place&, const Place&) = default;
+};
+
+/// Throws InputError "name:line:column: what". Control characters in `name` are shown as '?', so
+/// that the text stays one line.
+[[noreturn]] void fail(std::string_view name, Place place, std::string_view what);
+
+/// The largest text that read_text takes, in bytes.
+inline constexpr std::size_t max_text_bytes = std::size_t{256} << 20;
+
+/// The whole of a regular file, byte for byte. InputError for a directory, a pipe or a device, a
+/// file that cannot be read and a file of more than max_text_bytes.
+std::string read_text(const std::string& path);
+
+}  // namespace cosim::toolpath

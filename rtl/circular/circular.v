@@ -1,0 +1,91 @@
+// Circular interpolator, SU 1665343: an arc of x^2 + y^2 = R^2 in the first quadrant, anticlockwise,
+// one step a clock, to (0, R). The sector change takes one clock without a step.
+//
+// Inputs are sampled at the rising edge of clk; what they do, in order of precedence:
+//   rst      clears everything: F to +0.75, CT7, CT8, T4 and T16 to 0.
+//   stop     the same, and no step is given on a clock with stop high. Works at any time.
+//   load, start, sector2 are taken only while T4 = 0, alone or together on one clock; while an arc
+//   runs they change nothing. A second load replaces the first. sector2 stays set until a clear.
+//   A start with nothing loaded runs from the cleared state: a step in Y, the correction, a step in
+//   X (the arc from (1, 0) with R^2 = 2).
+//
+// Each clock with T4 = 1 and stop low is one of
+//   end         CT7 < 0: everything is cleared, no step. A start with CT7 < 0 (R = 0) ends so at
+//               once.
+//   correction  sector 1 and CT8 < 0 (blocks 22, 23): F and CT7 pass to sector 2, no step.
+//   step        otherwise: step_y, step_x or both.
+//
+// Codes: f is floor(F) in two's complement, the fraction .75 is wired. ct7 and ct8 are ones'
+// complement; the all-ones zero is stored as zero. Every register wraps modulo 2^width - 1, as
+// addition with end-around carry does. An arc with round(R) < 2^W never wraps.
+`default_nettype none
+
+module circular #(
+    // Bits of a coordinate, 2 to 32.
+    parameter W = 16
+) (
+    input  wire         clk,
+    input  wire         rst,
+    // Start values
+    input  wire         load,      //     take f, ct7, ct8
+    input  wire [W+1:0] f,         // 29  floor of the evaluation function
+    input  wire [W:0]   ct7,       // 30  Y in sector 1, X - 1 in sector 2
+    input  wire [W:0]   ct8,       // 31  X - Y - 1 in sector 1, X - Y in sector 2
+    input  wire         sector2,   // 34  start in sector 2: Y >= X
+    // Control
+    input  wire         start,     // 33
+    input  wire         stop,      // 32  end of work and clear
+    // Steps
+    output wire         running,   //     T4
+    output wire         step_y,    // 35  Y + 1
+    output wire         step_x     // 36  X - 1
+);
+
+  wire         t4_q, t16_q;              // 4, 16
+  wire [W+3:0] f_q;                      // 1
+  wire [W:0]   ct7_q, ct7_up, ct7_down;  // 7
+  wire [W:0]   ct8_q, ct8_step;          // 8
+  wire [W+1:0] addend;                   // 6
+
+  wire clear, take, straight_y, straight_x, diagonal, variant1, variant2;
+
+  circular_control control (
+      .clk(clk), .rst(rst), .load(load), .start(start), .stop(stop), .sector2(sector2),
+      .f_negative(f_q[W+3]), .ct7_negative(ct7_q[W]), .ct8_negative(ct8_q[W]), .ct8_odd(~ct8_q[0]),
+      .t4_q(t4_q), .t16_q(t16_q), .clear(clear), .take(take),
+      .straight_y(straight_y), .straight_x(straight_x), .diagonal(diagonal),
+      .variant1(variant1), .variant2(variant2)
+  );
+
+  circular_counter7 #(.W(W)) counter7 (
+      .clk(clk), .clear(clear), .take(take), .ct7(ct7),
+      .up((straight_y | diagonal) & ~t16_q),
+      .down(straight_x | (diagonal & t16_q) | variant1), .down_two(variant2),
+      .ct7_q(ct7_q), .ct7_up(ct7_up), .ct7_down(ct7_down)
+  );
+
+  circular_counter8 #(.W(W)) counter8 (
+      .clk(clk), .clear(clear), .take(take), .ct8(ct8),
+      .down(straight_y | straight_x), .down_two(diagonal),
+      .variant1(variant1), .variant2(variant2),
+      .ct8_q(ct8_q), .ct8_step(ct8_step)
+  );
+
+  circular_commutator #(.W(W)) commutator (
+      .t16_q(t16_q), .ct7_q(ct7_q), .ct7_up(ct7_up), .ct7_down(ct7_down), .ct8_step(ct8_step),
+      .channel1(diagonal), .channel2(straight_x | variant2), .channel2_even(variant1),
+      .channel3(straight_y), .addend(addend)
+  );
+
+  circular_accumulator #(.W(W)) accumulator (
+      .clk(clk), .clear(clear), .take(take), .f(f), .addend(addend), .f_q(f_q)
+  );
+
+  // 27, 28: the steps of both sectors merged.
+  assign step_y  = straight_y | diagonal;
+  assign step_x  = straight_x | diagonal;
+  assign running = t4_q;
+
+endmodule
+
+`default_nettype wire

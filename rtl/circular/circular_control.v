@@ -1,0 +1,63 @@
+// Mode flip-flop 4, sector flip-flop 16, the step gates 2, 3, 10, 11 and the recognition of the
+// sector change 22, 23. One clock stands in for generator 5.
+`default_nettype none
+
+module circular_control (
+    input  wire clk,
+    input  wire rst,
+    input  wire load,
+    input  wire start,         // 33
+    input  wire stop,          // 32
+    input  wire sector2,       // 34
+    // State of the blocks
+    input  wire f_negative,    //     sign of accumulator 1
+    input  wire ct7_negative,  //     CT7 has passed below zero: X = 0
+    input  wire ct8_negative,
+    input  wire ct8_odd,
+    output reg  t4_q,          // 4
+    output reg  t16_q,         // 16
+    // What happens on this clock
+    output wire clear,
+    output wire take,          //     the start values
+    output wire straight_y,    // 3
+    output wire straight_x,    // 11
+    output wire diagonal,      // 2, 10 merged by 9
+    output wire variant1,      // 22
+    output wire variant2       // 23
+);
+
+  wire finish = t4_q & ct7_negative;
+
+  // 24, 25: no step while the correction runs.
+  wire correct = t4_q & ~ct7_negative & ~t16_q & ct8_negative;
+  wire step    = t4_q & ~ct7_negative & ~stop & (t16_q | ~ct8_negative);
+
+  assign clear = rst | stop | finish;
+  assign take  = load & ~t4_q;
+
+  // 2, 3, 10, 11
+  wire   sector1_diagonal = step & ~t16_q &  f_negative;  // 2
+  wire   sector2_diagonal = step &  t16_q & ~f_negative;  // 10
+  assign straight_y       = step & ~t16_q & ~f_negative;  // 3
+  assign straight_x       = step &  t16_q &  f_negative;  // 11
+  assign diagonal         = sector1_diagonal | sector2_diagonal;
+
+  // 22, 23: in sector 1 a negative CT8 is -1 or -2 and its lowest digit tells which. (A value below
+  // that can only have been loaded; it is taken for the one of the two that has its parity.)
+  assign variant1 = correct &  ct8_odd;
+  assign variant2 = correct & ~ct8_odd;
+
+  always @(posedge clk)
+    if (clear) begin
+      t4_q  <= 1'b0;
+      t16_q <= 1'b0;
+    end else if (t4_q) begin
+      t16_q <= t16_q | correct;  // 18
+    end else begin
+      t4_q  <= start;
+      t16_q <= t16_q | sector2;
+    end
+
+endmodule
+
+`default_nettype wire

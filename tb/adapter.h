@@ -1,0 +1,54 @@
+// What every adapter of a Verilated class shares. An adapter gives lockstep six things: the design,
+// its parameters, and drive(), eval(), outputs(), registers(); the design's field tables write them.
+#pragma once
+
+#include <verilated.h>
+
+#include <cstdint>
+#include <memory>
+
+#include "model/core/value.h"
+
+namespace cosim {
+
+/// Owns one instance of a Verilated class. Its registers power up at random from `power_up`, so
+/// that a register no reset reaches is seen.
+template <class Top>
+class Verilated {
+ public:
+  explicit Verilated(std::uint32_t power_up) {
+    context_->randReset(2);
+    context_->randSeed(static_cast<int>(power_up & 0x7fffffffU) | 1);
+    top_ = std::make_unique<Top>(context_.get(), "TOP");
+  }
+  ~Verilated() {
+    if (top_) top_->final();
+  }
+  Verilated(const Verilated&) = delete;
+  Verilated& operator=(const Verilated&) = delete;
+
+  /// Brings the clock pin to a level and settles everything behind it.
+  void eval(bool clk) {
+    top_->clk = clk;
+    top_->eval();
+  }
+
+ protected:
+  template <class Pin>
+  static void set(Pin& pin, Word value) {
+    pin = static_cast<Pin>(value);
+  }
+  template <class Pin>
+  static Word get(const Pin& pin) {
+    return static_cast<Word>(pin);
+  }
+
+  Top& top() { return *top_; }
+  const Top& top() const { return *top_; }
+
+ private:
+  std::unique_ptr<VerilatedContext> context_ = std::make_unique<VerilatedContext>();
+  std::unique_ptr<Top> top_;
+};
+
+}  // namespace cosim

@@ -1,0 +1,65 @@
+// Hostile stimulus: any value on any pin on any clock, resets too. Made from a design's field table
+// alone, so it fits every design.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "model/core/fields.h"
+#include "tb/random.h"
+
+namespace cosim {
+
+/// One reproducible run of hostile clocks.
+struct HostileCase {
+  std::uint64_t seed = 1;
+  std::uint64_t index = 0;   ///< the case's number under its seed
+  std::uint64_t clocks = 1000;
+};
+
+/// Each pin leaves its resting level with a probability of its own, 1 to 2^-10, drawn anew every
+/// few hundred clocks: so that some stretches reset on every clock and in others a line or an arc
+/// runs long enough to be disturbed. Wide pins take corner values; a wide pin may hold its value
+/// for a stretch.
+template <class Design>
+class HostileStimulus {
+ public:
+  using Inputs = typename Design::template Inputs<Word>;
+  using Outputs = typename Design::template Outputs<Word>;
+
+  HostileStimulus(const typename Design::Params& p, const HostileCase& c)
+      : fields_(Inputs::fields(p)), random_(Random::for_case(c.seed, c.index)), left_(c.clocks) {}
+
+  bool next(Inputs& in, const Outputs&) {
+    if (left_ == 0) return false;
+    if (left_-- % stretch == 0 || first_) redraw();
+    first_ = false;
+    in = rest_;
+    for_each_member<Inputs>([&](auto member, std::size_t i) {
+      if (fields_[i].width > 1) {
+        if (random_.one_in_power(rarity_[i])) held_.*member = random_.corner(fields_[i].width);
+        in.*member = held_.*member;
+      } else if (random_.one_in_power(rarity_[i])) {
+        in.*member = 1 - rest_.*member;
+      }
+    });
+    return true;
+  }
+
+ private:
+  static constexpr std::uint64_t stretch = 256;
+
+  void redraw() {
+    for (int& r : rarity_) r = static_cast<int>(random_.below(11));
+  }
+
+  std::array<Field, Inputs::size> fields_;
+  Random random_;
+  std::uint64_t left_;
+  Inputs rest_ = Design::rest();
+  Inputs held_{};
+  std::array<int, Inputs::size> rarity_{};
+  bool first_ = true;
+};
+
+}  // namespace cosim

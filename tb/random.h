@@ -1,0 +1,63 @@
+// The random numbers of every stimulus: SplitMix64, whose stream for a seed is the same on every
+// machine and standard library.
+#pragma once
+
+#include <cstdint>
+
+#include "model/core/value.h"
+
+namespace cosim {
+
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_(seed) {}
+
+  /// The stream of one case of a run: independent of all other cases'.
+  static Random for_case(std::uint64_t seed, std::uint64_t index) {
+    Random mixer(seed ^ (index * 0x9e3779b97f4a7c15ULL + 0x632be59bd9b4e019ULL));
+    return Random(mixer.next());
+  }
+
+  std::uint64_t next() {
+    state_ += 0x9e3779b97f4a7c15ULL;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
+    return z ^ (z >> 31);
+  }
+
+  /// Uniform over 0 .. n - 1, n >= 1 (to within 2^-32 for n <= 2^32).
+  std::uint64_t below(std::uint64_t n) {
+    __extension__ using Wide = unsigned __int128;
+    return static_cast<std::uint64_t>((static_cast<Wide>(next()) * n) >> 64);
+  }
+
+  /// True with probability 2^-n.
+  bool one_in_power(int n) { return n == 0 || (next() >> (64 - n)) == 0; }
+
+  /// A number of `width` bits that is often an end of the range, small, or a single bit: where
+  /// counters and carries have their corners.
+  Word corner(int width) {
+    const std::uint64_t r = next();
+    const Word uniform = low_bits(static_cast<Word>(next()), width);
+    switch (r & 15) {
+      case 0: return 0;
+      case 1: return ones(width);
+      case 2: return 1;
+      case 3: return low_bits(-2, width);
+      case 4: return low_bits(shift_left(1, static_cast<int>((r >> 8) % static_cast<unsigned>(width))), width);
+      case 5: return low_bits(-1 - shift_left(1, static_cast<int>((r >> 8) % static_cast<unsigned>(width))), width);
+      case 6:
+      case 7:
+      case 8:
+      case 9: return shift_right(uniform, static_cast<int>((r >> 8) % static_cast<unsigned>(width)));
+      case 10: return low_bits(-1 - shift_right(uniform, static_cast<int>((r >> 8) % static_cast<unsigned>(width))), width);
+      default: return uniform;
+    }
+  }
+
+ private:
+  std::uint64_t state_;
+};
+
+}  // namespace cosim

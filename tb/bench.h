@@ -26,6 +26,8 @@ class AnyBench {
   virtual std::vector<Parameter> parameters() const = 0;
   /// The registers and outputs compared on every clock, registers first.
   virtual std::vector<Field> compared() const = 0;
+  /// How many of them are registers.
+  virtual std::size_t registers() const = 0;
   virtual std::vector<Field> inputs() const = 0;
   /// Runs hostile clocks.
   virtual Run run_hostile(const HostileCase& c) const = 0;
@@ -34,22 +36,64 @@ class AnyBench {
   std::string title() const;
 };
 
-/// What a caller wants to see of a run of jobs: the model's outputs on every clock, which are the
-/// RTL's too, and the job they belong to.
+/// What a caller wants to see of a run of jobs: registers and outputs on every clock that matched,
+/// and the job they belong to.
 template <class Design>
 class Observer {
  public:
   virtual ~Observer() = default;
-  virtual void clock(std::size_t job, const typename Design::template Outputs<Word>& out) = 0;
+  virtual void clock(std::size_t job, const Compared<Design>& seen) = 0;
+};
+
+/// One machine in lockstep, at work for as long as the caller has jobs.
+template <class Design>
+class Session {
+ public:
+  using Job = typename Design::Host::Job;
+  virtual ~Session() = default;
+  /// Has the design's host draw the jobs one after the other, to their end or to the first
+  /// difference; after a difference the session is over. Clocks of a Run count from this call, the
+  /// clock of a Mismatch from the session's start.
+  virtual Run draw(std::span<const Job> jobs, Observer<Design>& observer) = 0;
 };
 
 template <class Design>
 class Bench : public AnyBench {
  public:
   virtual typename Design::Params params() const = 0;
-  /// Has the design's host draw the jobs one after the other on one machine.
-  virtual Run run_jobs(std::span<const typename Design::Host::Job> jobs, std::uint32_t power_up,
-                       Observer<Design>& observer) const = 0;
+  /// A machine of its own, powered up at random from `power_up`.
+  virtual std::unique_ptr<Session<Design>> open(std::uint32_t power_up) const = 0;
+};
+
+template <class Adapter>
+class AdapterSession final : public Session<typename Adapter::Design> {
+  using Design = typename Adapter::Design;
+  using Host = typename Design::Host;
+  using Job = typename Host::Job;
+
+ public:
+  explicit AdapterSession(std::uint32_t power_up) : power_up_(power_up), lockstep_(power_up) {}
+
+  Run draw(std::span<const Job> jobs, Observer<Design>& observer) override {
+    history_.insert(history_.end(), jobs.begin(), jobs.end());
+    Host host(Adapter::params, jobs);
+    Run result;
+    const bool same = clock_through(
+        lockstep_, host, result.clocks,
+        [&](const Host& h, const auto& seen) { observer.clock(h.job(), seen); });
+    clocks_ += result.clocks;
+    if (!same) {
+      result.mismatch =
+          examine<Adapter>(Host(Adapter::params, history_), power_up_, clocks_ - 1, Window{});
+    }
+    return result;
+  }
+
+ private:
+  std::uint32_t power_up_;
+  Lockstep<Adapter> lockstep_;
+  std::uint64_t clocks_ = 0;
+  std::vector<Job> history_;  // to come to the same clock again
 };
 
 /// The bench behind an adapter.
@@ -75,17 +119,15 @@ class AdapterBench final : public Bench<typename Adapter::Design> {
     all.insert(all.end(), outputs.begin(), outputs.end());
     return all;
   }
+  std::size_t registers() const override { return Design::template Registers<Word>::size; }
   typename Design::Params params() const override { return Adapter::params; }
 
   Run run_hostile(const HostileCase& c) const override {
     const auto power_up = static_cast<std::uint32_t>(Random::for_case(~c.seed, c.index).next());
-    return run<Adapter>(HostileStimulus<Design>(Adapter::params, c), power_up,
-                        [](const auto&, const auto&) {});
+    return run<Adapter>(HostileStimulus<Design>(Adapter::params, c), power_up);
   }
-  Run run_jobs(std::span<const typename Design::Host::Job> jobs, std::uint32_t power_up,
-               Observer<Design>& observer) const override {
-    return run<Adapter>(typename Design::Host(Adapter::params, jobs), power_up,
-                        [&](const auto& host, const auto& out) { observer.clock(host.job(), out); });
+  std::unique_ptr<Session<Design>> open(std::uint32_t power_up) const override {
+    return std::make_unique<AdapterSession<Adapter>>(power_up);
   }
 };
 

@@ -30,9 +30,6 @@ struct Mismatch {
   std::vector<Trace> traces;  ///< inputs, registers, outputs, in table order
 };
 
-/// A value as a person reads the field: bits, and the number they stand for.
-std::string show(const Field& field, Word value);
-
 /// The mismatch as text: what and where, then the table of the clocks around it, with expected
 /// above actual wherever they differ. Lines end in '\n'.
 std::string to_text(const Mismatch& mismatch);

@@ -46,6 +46,8 @@ void add_clock(Mismatch& m, std::size_t& at, const Record& expected, const Recor
   }
 }
 
+}  // namespace detail
+
 /// Runs the same case again up to `after` clocks past clock `clock` and keeps the window.
 template <class Adapter, class Stimulus>
 Mismatch examine(Stimulus stimulus, std::uint32_t power_up, std::uint64_t clock, Window window) {
@@ -53,9 +55,9 @@ Mismatch examine(Stimulus stimulus, std::uint32_t power_up, std::uint64_t clock,
   Mismatch m;
   m.clock = clock;
   m.first = clock > window.before ? clock - window.before : 0;
-  add_traces<typename Design::template Inputs<Word>>(m, Trace::Kind::input, Adapter::params);
-  add_traces<typename Design::template Registers<Word>>(m, Trace::Kind::reg, Adapter::params);
-  add_traces<typename Design::template Outputs<Word>>(m, Trace::Kind::output, Adapter::params);
+  detail::add_traces<typename Design::template Inputs<Word>>(m, Trace::Kind::input, Adapter::params);
+  detail::add_traces<typename Design::template Registers<Word>>(m, Trace::Kind::reg, Adapter::params);
+  detail::add_traces<typename Design::template Outputs<Word>>(m, Trace::Kind::output, Adapter::params);
 
   Lockstep<Adapter> lockstep(power_up);
   typename Design::template Inputs<Word> in;
@@ -66,30 +68,36 @@ Mismatch examine(Stimulus stimulus, std::uint32_t power_up, std::uint64_t clock,
     const Compared<Design>& expected = lockstep.expected();
     const Compared<Design>& actual = same ? expected : lockstep.actual();
     std::size_t at = 0;
-    add_clock(m, at, in, in);
-    add_clock(m, at, expected.registers, actual.registers);
-    add_clock(m, at, expected.outputs, actual.outputs);
+    detail::add_clock(m, at, in, in);
+    detail::add_clock(m, at, expected.registers, actual.registers);
+    detail::add_clock(m, at, expected.outputs, actual.outputs);
   }
   return m;
 }
 
-}  // namespace detail
-
-/// Runs `stimulus` to its end or to the first difference. `observe(stimulus, outputs)` is called
-/// after each clock that matched.
+/// Clocks `lockstep` from `source` until the source ends (true) or RTL and model differ (false), and
+/// counts the clocks, the differing one included. `observe(source, compared)` is called after each
+/// clock that matched.
 template <class Adapter, class Stimulus, class Observe>
-Run run(const Stimulus& stimulus, std::uint32_t power_up, Observe&& observe) {
+bool clock_through(Lockstep<Adapter>& lockstep, Stimulus& source, std::uint64_t& clocks,
+                   Observe&& observe) {
+  typename Adapter::Design::template Inputs<Word> in;
+  while (source.next(in, lockstep.expected().outputs)) {
+    ++clocks;
+    if (!lockstep.clock(in)) return false;
+    observe(source, lockstep.expected());
+  }
+  return true;
+}
+
+/// Runs a stimulus on a machine of its own, to its end or to the first difference.
+template <class Adapter, class Stimulus>
+Run run(const Stimulus& stimulus, std::uint32_t power_up) {
   Run result;
   Stimulus source = stimulus;
   Lockstep<Adapter> lockstep(power_up);
-  typename Adapter::Design::template Inputs<Word> in;
-  while (source.next(in, lockstep.expected().outputs)) {
-    ++result.clocks;
-    if (!lockstep.clock(in)) {
-      result.mismatch = detail::examine<Adapter>(stimulus, power_up, result.clocks - 1, Window{});
-      break;
-    }
-    observe(source, lockstep.expected().outputs);
+  if (!clock_through(lockstep, source, result.clocks, [](const auto&, const auto&) {})) {
+    result.mismatch = examine<Adapter>(stimulus, power_up, result.clocks - 1, Window{});
   }
   return result;
 }

@@ -29,7 +29,7 @@ Point bounded(Point p) {
 
 // The first point with x <= y of an arc that comes from row `row` of sector 1. With x nearest to
 // the circle on row y, x <= y means radius2 - y^2 < (y + 1/2)^2, that is radius2 <= 2y^2 + y: the
-// first such row is y = floor(sqrt(radius2 / 2)) or the one above. The row below had x >= y there,
+// first such row is y = floor(sqrt(radius2 / 2)) or the one above. The row below had x >= y,
 // and a step takes at most one from x.
 Point sector_change(std::int64_t row, std::uint64_t radius2) {
   const std::uint64_t y = floor_root(radius2 / 2);

@@ -49,9 +49,10 @@ ArcGeometry arc_about(Position start, Position end, Position offset, bool clockw
   const Position centre{start.x + offset.x, start.y + offset.y};
   const double radius = length_mm(centre, start);
   if (radius == 0) return {{}, 0, "the arc's radius is 0"};
+  if (centre == end) return {{}, 0, "the arc's end is its centre"};
   const double off = std::abs(length_mm(centre, end) - radius);
   const double tolerance = arc_tolerance(radius, floor_mm);
-  if (off > tolerance || centre == end) {
+  if (off > tolerance) {
     return none("the arc's end is %.6g mm off its circle; the tolerance is %.6g mm", off,
                 tolerance);
   }

@@ -225,7 +225,9 @@ TEST(ControlCodeArithmetic, IsTotal) {
   EXPECT_EQ(minor_steps(std::numeric_limits<int>::max(), Limits::max(), ~Code{0}), 0);
   EXPECT_EQ(minor_steps(63, Limits::max(), ~Code{0}), Limits::max());
   EXPECT_EQ(minor_steps(-1, 5, 1), 0);
+  EXPECT_EQ(minor_steps(64, 5, Code{1} << 63), 3);
   EXPECT_EQ(scaled(max_deviation(63, Limits::max(), 1)), (std::uint64_t{1} << 62) - 1);
+  EXPECT_EQ(scaled(max_deviation(63, Limits::max(), ~Code{0})), 0U);
   EXPECT_EQ(max_deviation(63, Limits::min(), 1), Deviation{});
 }
 

@@ -99,6 +99,8 @@ TEST(LinearOracleWords, AreTotal) {
   EXPECT_EQ(words_at(5, 6, {Limits::max(), 0}, (std::int64_t{1} << 57) - 1).major,
             ~std::uint64_t{1});
   EXPECT_FALSE(minor_steps_at(99, ~Code{0}, 1));
+  EXPECT_FALSE(minor_steps_at(std::numeric_limits<int>::min(), 7, 1));
+  EXPECT_FALSE(minor_steps_at(3, 7, -1));
   EXPECT_FALSE(minor_steps_at(3, 7, Limits::min()));
 }
 

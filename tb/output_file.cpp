@@ -1,0 +1,37 @@
+#include "tb/output_file.h"
+
+#include <cerrno>
+#include <cstring>
+
+#include "model/core/input_error.h"
+
+namespace cosim {
+
+OutputFile::OutputFile(const std::string& path) : path_(path) {
+  if (path_.empty()) return;
+  file_ = std::fopen(path_.c_str(), "w");
+  if (file_ == nullptr) fail();
+}
+
+OutputFile::~OutputFile() {
+  if (file_ != nullptr) std::fclose(file_);
+}
+
+void OutputFile::flush() {
+  if (std::fwrite(buffer_.data(), 1, buffer_.size(), file_) != buffer_.size()) fail();
+  buffer_.clear();
+}
+
+void OutputFile::close() {
+  if (file_ == nullptr) return;
+  flush();
+  std::FILE* file = file_;
+  file_ = nullptr;
+  if (std::fclose(file) != 0) fail();
+}
+
+void OutputFile::fail() const {
+  throw InputError(fmt::format("{}: cannot write: {}", path_, std::strerror(errno)));
+}
+
+}  // namespace cosim

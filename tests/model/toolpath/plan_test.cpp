@@ -1,0 +1,100 @@
+#include "model/toolpath/plan.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "tests/model/toolpath/helpers.h"
+
+namespace cosim::toolpath {
+namespace {
+
+TEST(Quantise, RoundsHalvesAwayFromZero) {
+  EXPECT_EQ(quantise({0.5, -0.5}, 1, 10), (Point{1, -1}));
+  EXPECT_EQ(quantise({1.25, -1.24}, 10, 100), (Point{13, -12}));
+  EXPECT_EQ(quantise({10.49, 0}, 1, 10), (Point{10, 0}));
+  EXPECT_EQ(quantise({10.5, 0}, 1, 10), std::nullopt);
+  EXPECT_EQ(quantise({0, std::nan("")}, 1, 10), std::nullopt);
+}
+
+TEST(Plan, TargetsAreQuantisedAbsolutely) {
+  std::string text = "G91 G1\n";
+  for (int i = 0; i < 1000; ++i) text += "X0.3 Y0.4\n";
+  const Plan p = plan(read(text), 1);
+  ASSERT_EQ(p.segments.size(), 1000u);
+  for (int i = 1; i <= 1000; ++i) {
+    const Point end = p.segments[static_cast<std::size_t>(i - 1)].end;
+    EXPECT_EQ(end, (Point{(3 * i + 5) / 10, (4 * i + 5) / 10})) << i;
+  }
+}
+
+TEST(Plan, SubStepMotionsCountAndNeedNoPiece) {
+  const Plan p = plan(read("G0 X5\nX5.2\nX5.4\nX6"), 1);
+  ASSERT_EQ(p.segments.size(), 4u);
+  EXPECT_EQ(p.segments[1].pieces, 0u);
+  EXPECT_EQ(p.segments[2].pieces, 0u);
+  ASSERT_EQ(p.pieces.size(), 2u);
+  EXPECT_EQ(p.pieces[1].segment, 4u);
+}
+
+TEST(Plan, ScalesByStepsPerMm) {
+  const Plan p = plan(read("G1 X10.004 Y-2"), 200);
+  EXPECT_EQ(p.segments[0].end, (Point{2001, -400}));
+  EXPECT_EQ(p.longest_line, 2001);
+  EXPECT_EQ(p.arc_width, 0);
+  EXPECT_NEAR(p.largest_quantisation, 0.2, 1e-9);  // 2000.8 to 2001
+}
+
+TEST(Plan, OfAnArcOnTheGridIsExact) {
+  const Plan p = plan(read("G0 X-5\nG2 X0 Y5 I5\n"), 10);
+  const Segment& arc = p.segments[1];
+  EXPECT_EQ(arc.centre, (Point{0, 0}));
+  EXPECT_EQ(arc.radius2, 2500u);
+  EXPECT_EQ(arc.closing, 0);
+  EXPECT_EQ(arc.quantisation, 0);
+  EXPECT_EQ(p.arc_width, 6);  // 50 steps
+  EXPECT_EQ(p.longest_line, 50);
+  ASSERT_EQ(p.pieces.size(), 2u);
+  EXPECT_FALSE(std::get<circular::Arc>(p.pieces[1].job).count);
+}
+
+// Centre (0.4, 0) falls to (0, 0); the ends (10.4, 0) and (0.4, 10) to (10, 0) and (0, 10).
+TEST(Plan, StatesTheQuantisationOfAnArcOffTheGrid) {
+  const Plan p = plan(read("G0 X10.4\nG3 X.4 Y10 I-10\n"), 1);
+  EXPECT_EQ(p.segments[1].radius2, 100u);
+  EXPECT_NEAR(p.segments[1].quantisation, 0.4, 1e-9);
+  EXPECT_EQ(p.segments[1].closing, 0);
+}
+
+TEST(Plan, ACircleOfLessThanHalfAStepIsAPoint) {
+  const Plan p = plan(read("G3 I.2\nG0 X9"), 1);
+  EXPECT_EQ(p.segments[0].pieces, 0u);
+  EXPECT_EQ(p.segments[0].radius2, 0u);
+  EXPECT_NEAR(p.segments[0].quantisation, 0.4, 1e-9);  // the circle's far side
+}
+
+TEST(Plan, RefusesWhatIsOutOfReach) {
+  const auto error = [](std::string_view text, double scale) {
+    return error_of([&] { plan(read(text), scale); });
+  };
+  EXPECT_EQ(error("G0 X2147483.647", 1000), "accepted");
+  EXPECT_EQ(error("G0 Y1\n  X2147483.648", 1000),
+            "p.ngc:2:3: the target is beyond the reach of 2147483647 steps");
+  EXPECT_EQ(error("G0 Y-2147483.648", 1000),
+            "p.ngc:1:4: the target is beyond the reach of 2147483647 steps");
+  EXPECT_EQ(error("G3 X1 R4294967.294", 1000), "accepted");
+  EXPECT_EQ(error("G3 X1 R4294967.297", 1000),
+            "p.ngc:1:4: the arc's radius is beyond the reach of 4294967295 steps");
+  EXPECT_EQ(error("G3 X1 R900000000", 1e9),
+            "p.ngc:1:4: the arc's radius is beyond the reach of 4294967295 steps");
+  EXPECT_EQ(error("G0 X1", 1e300), "p.ngc:1:4: the target is beyond the reach of 2147483647 steps");
+  const std::string scale = "the number of steps per mm must be finite and above 0";
+  for (const double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
+    EXPECT_EQ(error("G0 X1", bad), scale);
+  }
+}
+
+}  // namespace
+}  // namespace cosim::toolpath

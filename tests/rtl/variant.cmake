@@ -1,0 +1,56 @@
+# What stands in a variant's file:
+#
+#   variant("What is different, in a sentence" M=5 N=2)   and the parameters it is built with
+#   replace(linear.v [[                                   any number of these
+#     lines of rtl/linear/linear.v as shipped
+#   ]] [[
+#     the lines that stand there instead
+#   ]])
+#
+# Configuring stops where a file does not hold the lines to be replaced exactly once.
+
+function(variant what)
+  set(VARIANT_WHAT "${what}" PARENT_SCOPE)
+  set(VARIANT_PARAMETERS "${ARGN}" PARENT_SCOPE)
+endfunction()
+
+function(replace file shipped instead)
+  string(FIND "${text_${file}}" "${shipped}" first)
+  string(FIND "${text_${file}}" "${shipped}" last REVERSE)
+  if(shipped STREQUAL "" OR first EQUAL -1)
+    set(trouble "does not hold")
+  elseif(NOT first EQUAL last)
+    set(trouble "holds more than once")
+  else()
+    string(REPLACE "${shipped}" "${instead}" text "${text_${file}}")
+    set(text_${file} "${text}" PARENT_SCOPE)
+    return()
+  endif()
+  message(FATAL_ERROR
+    "${spec}: rtl/${DESIGN}/${file} ${trouble} the lines to be replaced:\n${shipped}")
+endfunction()
+
+# The names of a folder's modules in `names`, the text of each in text_<name>.
+function(read_shipped names folder)
+  file(GLOB paths CONFIGURE_DEPENDS ${folder}/*.v)
+  set(found)
+  foreach(path IN LISTS paths)
+    get_filename_component(name ${path} NAME)
+    list(APPEND found ${name})
+    file(READ ${path} text)
+    set(text_${name} "${text}" PARENT_SCOPE)
+  endforeach()
+  set(${names} ${found} PARENT_SCOPE)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${paths})
+endfunction()
+
+# An unchanged file keeps its time, so that nothing is verilated again for nothing.
+function(write_if_different path text)
+  if(EXISTS ${path})
+    file(READ ${path} present)
+    if("${present}" STREQUAL "${text}")
+      return()
+    endif()
+  endif()
+  file(WRITE ${path} "${text}")
+endfunction()

@@ -14,18 +14,23 @@ namespace cosim {
 /// Owns one instance of a Verilated class. Its registers power up at random from `power_up`, so
 /// that a register no reset reaches is seen.
 template <class Top>
-class Verilated {
+class VerilatedInstance {
  public:
-  explicit Verilated(std::uint32_t power_up) {
+  explicit VerilatedInstance(std::uint32_t power_up) {
+    context_->threads(1);
     context_->randReset(2);
     context_->randSeed(static_cast<int>(power_up & 0x7fffffffU) | 1);
     top_ = std::make_unique<Top>(context_.get(), "TOP");
   }
-  ~Verilated() {
-    if (top_) top_->final();
+  ~VerilatedInstance() {
+    // The class takes its scopes out of the thread's context, which is that of the instance built
+    // last; another one may be gone by now.
+    ::Verilated::threadContextp(context_.get());
+    top_->final();
+    top_.reset();
   }
-  Verilated(const Verilated&) = delete;
-  Verilated& operator=(const Verilated&) = delete;
+  VerilatedInstance(const VerilatedInstance&) = delete;
+  VerilatedInstance& operator=(const VerilatedInstance&) = delete;
 
   /// Brings the clock pin to a level and settles everything behind it.
   void eval(bool clk) {

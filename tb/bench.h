@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
 #include <span>
 #include <string>
@@ -43,6 +44,20 @@ class Observer {
  public:
   virtual ~Observer() = default;
   virtual void clock(std::size_t job, const Compared<Design>& seen) = 0;
+};
+
+/// Several observers as one; they must outlive it.
+template <class Design>
+class Observers final : public Observer<Design> {
+ public:
+  Observers(std::initializer_list<Observer<Design>*> list) : list_(list) {}
+  void add(Observer<Design>& one) { list_.push_back(&one); }
+  void clock(std::size_t job, const Compared<Design>& seen) override {
+    for (Observer<Design>* one : list_) one->clock(job, seen);
+  }
+
+ private:
+  std::vector<Observer<Design>*> list_;
 };
 
 /// One machine in lockstep, at work for as long as the caller has jobs.

@@ -24,6 +24,8 @@ class LineCheck final : public Observer<linear::Design> {
  public:
   LineCheck(const linear::Params& p, std::span<const linear::Job> jobs) : p_(p), jobs_(jobs) {}
   void clock(std::size_t job, const Compared<linear::Design>& seen) override;
+  /// What was found so far, the present job left open.
+  const Checked& so_far() const { return found_; }
   /// Closes the last job.
   Checked finish();
 
@@ -41,6 +43,8 @@ class ArcCheck final : public Observer<circular::Design> {
  public:
   explicit ArcCheck(std::span<const circular::Arc> arcs);
   void clock(std::size_t job, const Compared<circular::Design>& seen) override;
+  /// What was found so far, the present job left open.
+  const Checked& so_far() const { return found_; }
   /// Closes the last job.
   Checked finish();
 

@@ -41,13 +41,13 @@ Result run_arcs(const CircularBench& bench, std::span<const Arc> arcs, std::uint
 std::vector<Point> every_start(std::uint64_t radius2) {
   std::vector<Point> starts;
   for (std::int64_t y = 0;; ++y) {
-    const std::int64_t x = nearest_root(radius2 - square(y));
+    const std::int64_t x = nearest_on(y, radius2);
     if (x <= y) break;
     starts.push_back({x, y});
   }
   std::vector<Point> sector2;
   for (std::int64_t x = 0;; ++x) {
-    const std::int64_t y = nearest_root(radius2 - square(x));
+    const std::int64_t y = nearest_on(x, radius2);
     if (y < x) break;
     sector2.push_back({x, y});
   }

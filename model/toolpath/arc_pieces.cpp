@@ -33,7 +33,7 @@ Orientation orientation_of(int quadrant, bool clockwise) {
 }
 
 // Rule 1, in the machine's frame of start's quadrant (x >= 1, y >= 0). Start is next to the circle
-// where its stepping coordinate v is nearest: (v - 1/2)^2 < radius2 - (the other)^2 < (v + 1/2)^2.
+// where its resting coordinate v is nearest: (v - 1/2)^2 < radius2 - (the other)^2 < (v + 1/2)^2.
 std::uint64_t fitted_radius2(Point start, Point end) {
   const Int128 of_start = dot(start, start);
   const Int128 mean = (of_start + dot(end, end) + 1) / 2;

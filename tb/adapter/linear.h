@@ -8,11 +8,11 @@
 namespace cosim::linear {
 
 template <class Top, Params P>
-class Adapter : public Verilated<Top> {
+class Adapter : public VerilatedInstance<Top> {
  public:
   using Design = linear::Design;
   static constexpr Params params = P;
-  using Verilated<Top>::Verilated;
+  using VerilatedInstance<Top>::VerilatedInstance;
 
   void drive(const Inputs<Word>& in) {
 #define DRIVE(name, width, format, source, meaning) this->set(this->top().name, in.name);

@@ -70,6 +70,24 @@ TEST(ArcPieces, TheSweepDecidesWhatRoundingLeavesOpen) {
   EXPECT_EQ(drawn({5, 0}, {5, 1}, false, 0.2), "1:1 ");
 }
 
+// Behind by the angle, though a row further up: nothing is drawn back and forth.
+TEST(ArcPieces, AnEndBehindTheStartIsNotDrawn) {
+  EXPECT_EQ(drawn({5, 2}, {8, 3}, false, 0.05), "");
+}
+
+// For (20, 0) to be the nearest point of its row, 19.5^2 < radius2 < 20.5^2: 381 to 420.
+TEST(ArcPieces, TheCircleLiesBetweenTheEndsButNextToTheStart) {
+  const auto radius2 = [](Point end) {
+    return arc_pieces(1, {{20, 0}, end, {0, 0}, false, 1.5}).radius2;
+  };
+  EXPECT_EQ(radius2({0, 20}), 400u);
+  EXPECT_EQ(radius2({5, 20}), 413u);  // (400 + 425) / 2
+  EXPECT_EQ(radius2({0, 21}), 420u);  // not (400 + 441) / 2 = 420.5, rounded up
+  EXPECT_EQ(radius2({0, 30}), 420u);
+  EXPECT_EQ(radius2({7, 18}), 387u);  // (400 + 373) / 2
+  EXPECT_EQ(radius2({0, 10}), 381u);
+}
+
 TEST(ArcPieces, NoneWhereAnEndIsTheCentre) {
   EXPECT_EQ(drawn({0, 0}, {1, 0}, false, 1), "");
   EXPECT_EQ(drawn({1, 0}, {0, 0}, false, 1), "");

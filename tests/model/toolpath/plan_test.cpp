@@ -39,6 +39,14 @@ TEST(Plan, SubStepMotionsCountAndNeedNoPiece) {
   EXPECT_EQ(p.pieces[1].segment, 4u);
 }
 
+TEST(Plan, StatesTheQuantisationOfALineByItsFurtherEnd) {
+  const Plan p = plan(read("G0 X5.4\nX7.1\nX8.3"), 1);
+  EXPECT_NEAR(p.segments[0].quantisation, 0.4, 1e-9);
+  EXPECT_NEAR(p.segments[1].quantisation, 0.4, 1e-9);
+  EXPECT_NEAR(p.segments[2].quantisation, 0.3, 1e-9);
+  EXPECT_NEAR(p.largest_quantisation, 0.4, 1e-9);
+}
+
 TEST(Plan, ScalesByStepsPerMm) {
   const Plan p = plan(read("G1 X10.004 Y-2"), 200);
   EXPECT_EQ(p.segments[0].end, (Point{2001, -400}));
@@ -58,6 +66,19 @@ TEST(Plan, OfAnArcOnTheGridIsExact) {
   EXPECT_EQ(p.longest_line, 50);
   ASSERT_EQ(p.pieces.size(), 2u);
   EXPECT_FALSE(std::get<circular::Arc>(p.pieces[1].job).count);
+}
+
+// From (20, 0) about (0, 0) to (0, 21) on the grid: the circle next to the start has the squared
+// radius 420, meets the axis at 20, and a line of one step closes it.
+TEST(Plan, ClosesAnArcThatMissesItsEnd) {
+  const Plan p = plan(read("G0 X.02\nG3 X0 Y.021 I-.02"), 1000);
+  EXPECT_EQ(p.segments[1].radius2, 420u);
+  EXPECT_EQ(p.segments[1].closing, 1);
+  EXPECT_EQ(p.largest_closing, 1);
+  ASSERT_EQ(p.pieces.size(), 3u);
+  EXPECT_EQ(std::get<LineJob>(p.pieces[2].job).major, 1);
+  EXPECT_EQ(p.pieces[2].segment, 2u);
+  EXPECT_NEAR(p.segments[1].quantisation, 21 - std::sqrt(420), 1e-9);
 }
 
 // Centre (0.4, 0) falls to (0, 0); the ends (10.4, 0) and (0.4, 10) to (10, 0) and (0, 10).

@@ -1,0 +1,57 @@
+# shellcheck shell=bash
+# What the scripts share. A script sources it first: strict mode, the repository's root, and
+#   say TEXT...          a heading on standard error
+#   die TEXT...          one line on standard error; ends with status 2: could not be run
+#   usage                the caller's opening comment, as its --help
+#   quietly COMMAND...   COMMAND, its output only where it fails; on a terminal, one moving line
+#   build PRESET TARGET  configures where needed, then builds, quietly
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+say() { printf '== %s\n' "$*" >&2; }
+
+die() {
+  printf '%s: %s\n' "$(basename "$0")" "$*" >&2
+  exit 2
+}
+
+usage() { sed -n '2,${/^#/!q; s/^# \{0,1\}//p}' "$0"; }
+
+# The last line of standard input so far, on one line of the terminal that is cleared at the end.
+moving_line() {
+  local line
+  while IFS= read -r line; do
+    printf '\r\033[K%.79s' "$line"
+  done
+  printf '\r\033[K'
+}
+
+quietly() (
+  log=$(mktemp)
+  trap 'rm -f "$log"' EXIT
+  if [[ -t 2 ]]; then
+    "$@" < /dev/null 2>&1 | tee "$log" | moving_line >&2 && exit
+  else
+    "$@" < /dev/null > "$log" 2>&1 && exit
+  fi
+  cat "$log" >&2
+  exit 1
+)
+
+# Once ninja has its file, it sees for itself when CMake has to run again. The lock is for two
+# scripts at once; ccache, where there is one, is CMake's default compiler launcher.
+build() (
+  preset=$1 target=$2
+  folder=$root/build
+  [[ $preset == default ]] || folder+=/$preset
+  if [[ -z ${CMAKE_CXX_COMPILER_LAUNCHER-} ]] && command -v ccache > /dev/null; then
+    export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+  fi
+  mkdir -p "$folder"
+  cd "$root"
+  exec 9> "$folder/.lock"
+  flock 9
+  [[ -f $folder/build.ninja ]] || quietly cmake --preset "$preset"
+  quietly cmake --build --preset "$preset" --target "$target" -j "$(nproc)"
+)

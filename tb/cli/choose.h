@@ -1,0 +1,30 @@
+// Picks the bench a piece of work runs on: the smallest built one that holds it, unless named.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "model/circular/host.h"
+#include "model/linear/host.h"
+#include "tb/bench.h"
+
+namespace cosim::cli {
+
+/// What the person fixed of a machine; an absent one is free.
+struct LinearShape {
+  std::optional<int> m, n;
+};
+struct CircularShape {
+  std::optional<int> width;
+};
+
+/// All built benches of that shape, smallest first. InputError where none was built.
+std::vector<const Bench<linear::Design>*> matching(const LinearShape& shape);
+std::vector<const Bench<circular::Design>*> matching(const CircularShape& shape);
+
+/// The smallest of them with major < 2^m. InputError where none holds it.
+const Bench<linear::Design>& choose(const LinearShape& shape, std::int64_t major);
+/// The smallest of them at least `width` wide. InputError where none holds it.
+const Bench<circular::Design>& choose(const CircularShape& shape, int width);
+
+}  // namespace cosim::cli

@@ -1,0 +1,36 @@
+#include "tb/cli/number.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "model/core/input_error.h"
+
+namespace cosim::cli {
+
+std::uint64_t whole(const std::string& name, const std::string& text, std::uint64_t low,
+                    std::uint64_t high) {
+  std::uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (text.empty() || error != std::errc{} || rest != end || value < low || value > high) {
+    throw InputError(
+        fmt::format("{}: '{}' is not a whole number from {} to {}", name, text, low, high));
+  }
+  return value;
+}
+
+double positive(const std::string& name, const std::string& text, double high) {
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (text.empty() || error != std::errc{} || rest != end || !std::isfinite(value) || value <= 0 ||
+      value > high) {
+    throw InputError(
+        fmt::format("{}: '{}' is not a number above 0 and at most {}", name, text, high));
+  }
+  return value;
+}
+
+}  // namespace cosim::cli

@@ -1,0 +1,16 @@
+// Numbers as a person types them, with an error that names the option and the range.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace cosim::cli {
+
+/// A whole number from `low` to `high`, decimal. InputError "--name: ..." otherwise.
+std::uint64_t whole(const std::string& name, const std::string& text, std::uint64_t low,
+                    std::uint64_t high);
+
+/// A decimal number above 0 and at most `high`; neither nan nor infinite. InputError otherwise.
+double positive(const std::string& name, const std::string& text, double high);
+
+}  // namespace cosim::cli

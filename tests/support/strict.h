@@ -1,0 +1,36 @@
+// A value type that offers what model/core/value.h says a model may use and nothing else. Its
+// comparisons give a class of their own that does not turn into bool, so a model with an `if` or
+// an && on a value, with a product, a division or an index by a value, does not compile on it.
+#pragma once
+
+#include "model/core/value.h"
+
+namespace cosim::test {
+
+struct Truth {
+  bool holds = false;
+  friend constexpr Truth operator!(Truth a) { return {!a.holds}; }
+  friend constexpr Truth operator&(Truth a, Truth b) { return {a.holds && b.holds}; }
+  friend constexpr Truth operator|(Truth a, Truth b) { return {a.holds || b.holds}; }
+};
+
+struct Strict {
+  Word word = 0;
+  constexpr Strict() = default;
+  constexpr explicit Strict(Word w) : word(w) {}
+
+  friend constexpr Strict operator+(Strict a, Strict b) { return Strict(a.word + b.word); }
+  friend constexpr Strict operator-(Strict a, Strict b) { return Strict(a.word - b.word); }
+  friend constexpr Truth operator<(Strict a, Strict b) { return {a.word < b.word}; }
+  friend constexpr Truth operator>(Strict a, Strict b) { return {a.word > b.word}; }
+  friend constexpr Truth operator==(Strict a, Strict b) { return {a.word == b.word}; }
+};
+
+constexpr Strict low_bits(Strict v, int width) { return Strict(cosim::low_bits(v.word, width)); }
+constexpr Truth bit(Strict v, int i) { return {cosim::bit(v.word, i)}; }
+constexpr Strict shift_left(Strict v, int n) { return Strict(cosim::shift_left(v.word, n)); }
+constexpr Strict shift_right(Strict v, int n) { return Strict(cosim::shift_right(v.word, n)); }
+constexpr Strict both(Strict a, Strict b) { return Strict(a.word & b.word); }
+constexpr Strict select(Truth c, Strict a, Strict b) { return c.holds ? a : b; }
+
+}  // namespace cosim::test

@@ -1,13 +1,125 @@
+// Faults planted in the RTL, each of which hostile clocks must find; and where they find it must be
+// where the fault first shows.
 #include <gtest/gtest.h>
-#include "model/linear/machine.h"
+
+#include <functional>
+#include <map>
+#include <set>
+
+#include "model/circular/host.h"
 #include "model/linear/host.h"
-#include "tests/rtl/variant.h"
-namespace cosim { namespace {
-TEST(X, y) {
-  for (auto& v : variants<linear::Design>()) {
-    Run r;
-    r = v->bench().run_hostile({});
-    std::cout << v->name() << " " << v->what() << " " << (r.mismatch ? to_text(*r.mismatch) : "none") << "\n";
+#include "tests/rtl/straight.h"
+
+namespace cosim::test {
+namespace {
+
+constexpr std::uint64_t kSeed = 1;
+constexpr std::uint64_t kClocks = 1000;
+constexpr std::uint64_t kCases = 100;  // so within 100 000 clocks
+
+/// A case's inputs, and the power-up that Bench gives it.
+template <class Design>
+Script<Design> hostile_script(const typename Design::Params& p, const HostileCase& c) {
+  HostileStimulus<Design> hostile(p, c);
+  Script<Design> script;
+  for (typename Design::template Inputs<Word> in; hostile.next(in, {});) script.push_back(in);
+  return script;
+}
+std::uint32_t hostile_power_up(const HostileCase& c) {
+  return static_cast<std::uint32_t>(Random::for_case(~c.seed, c.index).next());
+}
+
+template <class Design>
+void expect_fault_found(const Variant<Design>& variant) {
+  std::uint64_t clocks = 0;
+  for (std::uint64_t i = 0; i < kCases; ++i) {
+    const HostileCase c{kSeed, i, kClocks};
+    const Run run = variant.bench().run_hostile(c);
+    clocks += run.clocks;
+    const auto script = hostile_script<Design>(variant.bench().params(), c);
+    const auto first = straight_run(variant, script, hostile_power_up(c));
+    ASSERT_EQ(reported(run), first) << variant.what() << "\ncase " << i;
+    ASSERT_EQ(run.clocks, first ? first->clock + 1 : kClocks) << variant.what() << "\ncase " << i;
+    if (first) {
+      testing::Test::RecordProperty("clocks", std::to_string(clocks));
+      testing::Test::RecordProperty("signal", first->signal);
+      return;
+    }
+  }
+  ADD_FAILURE() << variant.what() << "\nnot found in " << clocks << " clocks";
+}
+
+template <class Design>
+void expect_nothing_found(const Variant<Design>& variant) {
+  for (std::uint64_t i = 0; i < kCases; ++i) {
+    const HostileCase c{kSeed, i, kClocks};
+    const Run run = variant.bench().run_hostile(c);
+    ASSERT_FALSE(run.mismatch) << to_text(*run.mismatch) << "case " << i;
+    ASSERT_EQ(run.clocks, kClocks);
+    const auto script = hostile_script<Design>(variant.bench().params(), c);
+    ASSERT_EQ(straight_run(variant, script, hostile_power_up(c)), std::nullopt) << "case " << i;
   }
 }
-}}
+
+/// A test on one variant, whatever its design.
+struct Subject {
+  std::string name;
+  std::function<void()> check;
+  friend void PrintTo(const Subject& s, std::ostream* out) { *out << s.name; }
+};
+
+template <class Design>
+void add_subjects(std::vector<Subject>& all, const std::string& kind,
+                  void (*check)(const Variant<Design>&)) {
+  for (const auto& v : variants<Design>()) {
+    if (!v->name().starts_with(kind + "/")) continue;
+    std::string name = Design::name;
+    for (const Parameter& p : v->bench().parameters()) name += p.name + std::to_string(p.value);
+    if (kind != "shipped") name += "_" + v->name().substr(kind.size() + 1);
+    all.push_back({name, [&v, check] { check(*v); }});
+  }
+}
+std::vector<Subject> faults() {
+  std::vector<Subject> all;
+  add_subjects<linear::Design>(all, "faults", expect_fault_found);
+  add_subjects<circular::Design>(all, "faults", expect_fault_found);
+  return all;
+}
+std::vector<Subject> controls() {
+  std::vector<Subject> all;
+  add_subjects<linear::Design>(all, "shipped", expect_nothing_found);
+  add_subjects<circular::Design>(all, "shipped", expect_nothing_found);
+  return all;
+}
+
+std::string name_of(const testing::TestParamInfo<Subject>& info) { return info.param.name; }
+
+class HostileClocksFind : public testing::TestWithParam<Subject> {};
+TEST_P(HostileClocksFind, TheFaultWhereItFirstShows) { GetParam().check(); }
+INSTANTIATE_TEST_SUITE_P(Faults, HostileClocksFind, testing::ValuesIn(faults()), name_of);
+
+class HostileClocksFindNothing : public testing::TestWithParam<Subject> {};
+TEST_P(HostileClocksFindNothing, InTheRtlAsShipped) { GetParam().check(); }
+INSTANTIATE_TEST_SUITE_P(Shipped, HostileClocksFindNothing, testing::ValuesIn(controls()), name_of);
+
+// The files are found by a pattern, which may come to match nothing.
+template <class Design>
+void expect_enough() {
+  std::set<std::string> shipped;
+  std::map<std::string, int> planted;
+  for (const auto& v : variants<Design>()) {
+    if (v->name().starts_with("shipped/")) shipped.insert(v->bench().title());
+    if (v->name().starts_with("faults/")) ++planted[v->bench().title()];
+  }
+  int all = 0;
+  for (const auto& [title, count] : planted) {
+    EXPECT_TRUE(shipped.contains(title)) << "nothing to compare with at " << title;
+    all += count;
+  }
+  EXPECT_GE(all, 12);
+}
+TEST(Faults, AreManyForTheLinearDesign) { expect_enough<linear::Design>(); }
+TEST(Faults, AreManyForTheCircularDesign) { expect_enough<circular::Design>(); }
+
+}  // namespace
+}  // namespace cosim::test

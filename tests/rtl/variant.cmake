@@ -7,7 +7,8 @@
 #     the lines that stand there instead
 #   ]])
 #
-# Configuring stops where a file does not hold the lines to be replaced exactly once.
+# Configuring stops where a file does not hold the lines to be replaced exactly once. Lines with ]]
+# in them stand between [=[ and ]=].
 
 function(variant what)
   set(VARIANT_WHAT "${what}" PARENT_SCOPE)
@@ -17,7 +18,7 @@ endfunction()
 function(replace file shipped instead)
   string(FIND "${text_${file}}" "${shipped}" first)
   string(FIND "${text_${file}}" "${shipped}" last REVERSE)
-  if(shipped STREQUAL "" OR first EQUAL -1)
+  if(NOT file IN_LIST files OR shipped STREQUAL "" OR first EQUAL -1)
     set(trouble "does not hold")
   elseif(NOT first EQUAL last)
     set(trouble "holds more than once")
@@ -26,12 +27,13 @@ function(replace file shipped instead)
     set(text_${file} "${text}" PARENT_SCOPE)
     return()
   endif()
-  message(FATAL_ERROR
-    "${spec}: rtl/${DESIGN}/${file} ${trouble} the lines to be replaced:\n${shipped}")
+  # Indented lines are printed as they are.
+  message(FATAL_ERROR " ${spec}\n rtl/${DESIGN}/${file} ${trouble} the lines to be replaced:\n"
+    " ${shipped}")
 endfunction()
 
-# The names of a folder's modules in `names`, the text of each in text_<name>.
-function(read_shipped names folder)
+# The names of a folder's modules in `files`, the text of each in text_<name>.
+function(read_shipped folder)
   file(GLOB paths CONFIGURE_DEPENDS ${folder}/*.v)
   set(found)
   foreach(path IN LISTS paths)
@@ -40,7 +42,7 @@ function(read_shipped names folder)
     file(READ ${path} text)
     set(text_${name} "${text}" PARENT_SCOPE)
   endforeach()
-  set(${names} ${found} PARENT_SCOPE)
+  set(files ${found} PARENT_SCOPE)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${paths})
 endfunction()
 

@@ -7,11 +7,12 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tb/bench.h"
 
-namespace cosim {
+namespace cosim::test {
 
 /// One instance of the RTL by itself, stepped by the test: no model beside it, nothing compared.
 template <class Design>
@@ -37,15 +38,15 @@ class Variant {
   Variant(std::string name, std::string what) : name_(std::move(name)), what_(std::move(what)) {}
   virtual ~Variant() = default;
 
-  /// Its file under variants/<design>/, without the ending: "faults/stuck_bit".
+  /// Its file under variants/<design>/, without the ending: "faults/outputs_swapped".
   const std::string& name() const { return name_; }
   /// What is different, in a sentence.
   const std::string& what() const { return what_; }
 
   virtual const Bench<Design>& bench() const = 0;
-  /// Lockstep over the inputs given, one entry a clock.
+  /// Lockstep over the inputs given, one entry a clock, on a machine powered up from `power_up`.
   virtual Run run_inputs(std::span<const Inputs> inputs, std::uint32_t power_up) const = 0;
-  /// A machine whose registers hold random values from `power_up`, the same as a bench's.
+  /// A machine outside lockstep that powers up to the same random values.
   virtual std::unique_ptr<Machine<Design>> machine(std::uint32_t power_up) const = 0;
 
  private:
@@ -53,24 +54,23 @@ class Variant {
   std::string what_;
 };
 
-/// Fills the lists of all designs; made by CMake.
-void add_variants();
-
 template <class Design>
 using Variants = std::vector<std::unique_ptr<const Variant<Design>>>;
 
-/// The list that add_variants() fills.
+/// The list of one design, which add_variants() fills.
 template <class Design>
 Variants<Design>& variant_list() {
   static Variants<Design> list;
   return list;
 }
 
+/// Fills the lists of all designs, on the first call; made by CMake.
+void add_variants();
+
 /// The variants of one design, by name.
 template <class Design>
 const Variants<Design>& variants() {
-  static const bool filled = (add_variants(), true);
-  static_cast<void>(filled);
+  add_variants();
   return variant_list<Design>();
 }
 
@@ -83,4 +83,4 @@ const Variant<Design>& variant(const std::string& name) {
   throw std::out_of_range("no variant " + name + " of the " + Design::name + " interpolator");
 }
 
-}  // namespace cosim
+}  // namespace cosim::test

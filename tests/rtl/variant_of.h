@@ -3,7 +3,7 @@
 
 #include "tests/rtl/variant.h"
 
-namespace cosim {
+namespace cosim::test {
 
 template <class Adapter>
 class AdapterMachine final : public Machine<typename Adapter::Design> {
@@ -22,7 +22,7 @@ class AdapterMachine final : public Machine<typename Adapter::Design> {
 
 /// Inputs that are known beforehand.
 template <class Design>
-struct Script {
+struct Scripted {
   std::span<const typename Design::template Inputs<Word>> left;
 
   bool next(typename Design::template Inputs<Word>& in,
@@ -44,7 +44,7 @@ class AdapterVariant final : public Variant<typename Adapter::Design> {
   const Bench<Design>& bench() const override { return bench_; }
   Run run_inputs(std::span<const typename Base::Inputs> inputs,
                  std::uint32_t power_up) const override {
-    return run<Adapter>(Script<Design>{inputs}, power_up, [](const auto&, const auto&) {});
+    return run<Adapter>(Scripted<Design>{inputs}, power_up);
   }
   std::unique_ptr<Machine<Design>> machine(std::uint32_t power_up) const override {
     return std::make_unique<AdapterMachine<Adapter>>(power_up);
@@ -60,4 +60,4 @@ void add_variant(const char* name, const char* what) {
   variant_list<Design>().push_back(std::make_unique<AdapterVariant<Adapter>>(name, what));
 }
 
-}  // namespace cosim
+}  // namespace cosim::test

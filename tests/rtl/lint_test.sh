@@ -1,0 +1,89 @@
+#!/usr/bin/env bash
+# scripts/lint finds faults: each is planted in a copy of the RTL, and the tools that are to see it
+# must say what it is. Status: 0 all seen, 1 not, 77 where a tool is not installed.
+set -euo pipefail
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+for tool in verilator iverilog yosys; do
+  command -v "$tool" > /dev/null || { echo "skipped: no $tool" && exit 77; }
+done
+
+copy=$(mktemp -d)
+trap 'rm -rf "$copy"' EXIT
+cp -r "$root/rtl/circular" "$copy"
+echo 'circular W=8' > "$copy/shipped.txt"
+top=$copy/circular/circular.v
+original=$(< "$top")
+failures=0
+
+# lint: the RTL of the copy; `output` and `status` are what came of it.
+lint() {
+  status=0
+  output=$("$root/scripts/lint" --rtl "$copy" 2>&1) || status=$?
+}
+
+# expect TITLE STATUS [PATTERN...]: the last lint ended so, and its output has each pattern.
+expect() {
+  local title=$1 expected=$2 pattern missed=()
+  ((status == expected)) || missed+=("status $expected, but $status")
+  for pattern in "${@:3}"; do
+    grep -qE -- "$pattern" <<< "$output" || missed+=("$pattern")
+  done
+  if ((!${#missed[@]})); then
+    echo "seen: $title"
+    return
+  fi
+  echo "NOT SEEN: $title"
+  printf '  missed: %s\n' "${missed[@]}"
+  printf '%s\n' "$output"
+  failures=$((failures + 1))
+}
+
+# fault TITLE VERILOG PATTERN...: planted at the end of the top module.
+fault() {
+  printf '%s\n' "${original/$'\nendmodule'/$'\n'"$2"$'\nendmodule'}" > "$top"
+  lint
+  expect "$1" 1 "${@:3}"
+  printf '%s\n' "$original" > "$top"
+}
+
+lint
+expect "no fault" 0 '^verilator .* 1  clean$' '^iverilog .* 1  clean$' '^yosys .* 1  clean$' \
+  '^waivers .* clean$'
+
+fault "latch" 'reg planted; always @* if (clk) planted = rst;' \
+  'Warning-LATCH' '^yosys .* findings' 'proc_dlatch'
+fault "truncation" 'wire [3:0] planted = {5{clk}};' \
+  'Warning-WIDTH' "5 bits"
+fault "truncation at a port" \
+  'circular_accumulator #(.W(W)) planted
+     (.clk(clk), .clear(rst), .take(load), .f({f, rst}), .addend(f), .f_q());' \
+  'Warning-WIDTH' '^iverilog .* findings' 'warning: Port 4 .f. of circular_accumulator expects 10 bits' \
+  '^yosys .* findings' 'Warning: Resizing cell port'
+fault "unused signal" 'wire planted = clk;' \
+  'Warning-UNUSED.*planted'
+fault "undriven net" \
+  'wire planted;
+   circular_accumulator #(.W(W)) reader
+     (.clk(clk), .clear(planted), .take(load), .f(f), .addend(f), .f_q());' \
+  'Warning-UNDRIVEN.*planted' '^yosys .* findings' 'planted is used but has no driver'
+fault "input left open" \
+  'circular_accumulator #(.W(W)) planted
+     (.clk(clk), .take(load), .f(f), .addend(f), .f_q());' \
+  'Warning-PINMISSING' '^iverilog .* findings' 'dangling input port.*clear'
+fault "two drivers" 'assign running = rst;' \
+  '^yosys .* findings' 'multiple conflicting drivers'
+fault "waiver" \
+  '/* verilator lint_off UNUSED */ wire planted = clk; /* verilator lint_on UNUSED */' \
+  '^verilator .* clean$' '^waivers .* findings in 1$' 'circular\.v:[0-9]+:.*lint_off'
+
+mkdir "$copy/spare" && touch "$copy/spare/spare.v"
+lint
+expect "design that is not shipped" 1 '^waivers .* findings in 1$' 'spare\.v: no line'
+rm -r "$copy/spare"
+
+: > "$copy/shipped.txt"
+lint
+expect "nothing shipped" 1 '^verilator .* nothing to lint$'
+
+exit $((failures > 0))

@@ -1,0 +1,1 @@
+variant("As shipped, for comparison" M=16 N=13)

@@ -40,7 +40,7 @@ quietly() (
 )
 
 # Once ninja has its file, it sees for itself when CMake has to run again. The lock is for two
-# scripts at once; ccache, where there is one, is CMake's default compiler launcher.
+# scripts at once.
 build() (
   preset=$1 target=$2
   folder=$root/build
@@ -48,10 +48,7 @@ build() (
   if [[ -z ${CMAKE_CXX_COMPILER_LAUNCHER-} ]] && command -v ccache > /dev/null; then
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache
   fi
-  mkdir -p "$folder"
-  cd "$root"
-  exec 9> "$folder/.lock"
-  flock 9
-  [[ -f $folder/build.ninja ]] || quietly cmake --preset "$preset"
-  quietly cmake --build --preset "$preset" --target "$target" -j "$(nproc)"
+  mkdir -p "$folder" && cd "$root" && exec 9> "$folder/.lock" && flock 9 &&
+    { [[ -f $folder/build.ninja ]] || quietly cmake --preset "$preset"; } &&
+    quietly cmake --build --preset "$preset" --target "$target" -j "$(nproc)"
 )

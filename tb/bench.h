@@ -138,8 +138,7 @@ class AdapterBench final : public Bench<typename Adapter::Design> {
   typename Design::Params params() const override { return Adapter::params; }
 
   Run run_hostile(const HostileCase& c) const override {
-    const auto power_up = static_cast<std::uint32_t>(Random::for_case(~c.seed, c.index).next());
-    return run<Adapter>(HostileStimulus<Design>(Adapter::params, c), power_up);
+    return run<Adapter>(HostileStimulus<Design>(Adapter::params, c), c.power_up());
   }
   std::unique_ptr<Session<Design>> open(std::uint32_t power_up) const override {
     return std::make_unique<AdapterSession<Adapter>>(power_up);

@@ -15,12 +15,17 @@ struct HostileCase {
   std::uint64_t seed = 1;
   std::uint64_t index = 0;   ///< the case's number under its seed
   std::uint64_t clocks = 1000;
+
+  /// The power-up state of the case's machine.
+  std::uint32_t power_up() const {
+    return static_cast<std::uint32_t>(Random::for_case(~seed, index).next());
+  }
 };
 
 /// Each pin leaves its resting level with a probability of its own, 1 to 2^-10, drawn anew every
 /// few hundred clocks: so that some stretches reset on every clock and in others a line or an arc
-/// runs long enough to be disturbed. Wide pins take corner values; a wide pin may hold its value
-/// for a stretch.
+/// runs long enough to be disturbed. In half of the stretches the design's reset is never asked
+/// for. Wide pins take corner values, and may hold them for a stretch.
 template <class Design>
 class HostileStimulus {
  public:
@@ -37,9 +42,9 @@ class HostileStimulus {
     in = rest_;
     for_each_member<Inputs>([&](auto member, std::size_t i) {
       if (fields_[i].width > 1) {
-        if (random_.one_in_power(rarity_[i])) held_.*member = random_.corner(fields_[i].width);
+        if (happens(i)) held_.*member = random_.corner(fields_[i].width);
         in.*member = held_.*member;
-      } else if (random_.one_in_power(rarity_[i])) {
+      } else if (happens(i)) {
         in.*member = 1 - rest_.*member;
       }
     });
@@ -48,9 +53,17 @@ class HostileStimulus {
 
  private:
   static constexpr std::uint64_t stretch = 256;
+  static constexpr int never = 64;
+
+  bool happens(std::size_t i) { return rarity_[i] != never && random_.one_in_power(rarity_[i]); }
 
   void redraw() {
-    for (int& r : rarity_) r = static_cast<int>(random_.below(11));
+    const bool quiet = random_.one_in_power(1);
+    const Inputs clear = Design::clear();
+    for_each_member<Inputs>([&](auto member, std::size_t i) {
+      rarity_[i] = static_cast<int>(random_.below(11));
+      if (quiet && clear.*member != rest_.*member) rarity_[i] = never;
+    });
   }
 
   std::array<Field, Inputs::size> fields_;

@@ -13,11 +13,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool all_match(const std::vector<Outcome>& outcomes) {
-  return std::all_of(outcomes.begin(), outcomes.end(),
-                     [](const Outcome& o) { return o.result.match(); });
-}
-
 Json signal_names(const AnyBench& bench) {
   Json names = Json::array();
   for (const Field& f : bench.compared()) names.push_back(f.name);
@@ -57,7 +52,7 @@ Json mismatch(const Result& r) {
   return object;
 }
 
-Json outcome_json(const Outcome& o) {
+Json run_json(const Outcome& o) {
   Json object;
   object["verdict"] = o.result.match() ? "match" : "mismatch";
   object["design"] = o.bench->design();
@@ -65,17 +60,50 @@ Json outcome_json(const Outcome& o) {
   object["work"] = o.work;
   object["clocks"] = o.result.clocks;
   object["steps"] = o.result.checked.steps;
-  object["compared_signals"] = signal_names(*o.bench);
   object["max_deviation"] = o.result.checked.max_deviation;
   if (!o.result.match()) object["mismatch"] = mismatch(o.result);
   return object;
 }
 
+// The designs of the outcomes, each by its first bench, in order of appearance.
+std::vector<const AnyBench*> designs(const std::vector<Outcome>& outcomes) {
+  std::vector<const AnyBench*> found;
+  for (const Outcome& o : outcomes) {
+    const auto same = [&](const AnyBench* bench) { return bench->design() == o.bench->design(); };
+    if (std::none_of(found.begin(), found.end(), same)) found.push_back(o.bench);
+  }
+  return found;
+}
+
+std::uint64_t clocks_of(const std::vector<Outcome>& outcomes, const std::string& design) {
+  std::uint64_t sum = 0;
+  for (const Outcome& o : outcomes) sum += o.bench->design() == design ? o.result.clocks : 0;
+  return sum;
+}
+
 }  // namespace
+
+bool all_match(const std::vector<Outcome>& outcomes) {
+  return std::all_of(outcomes.begin(), outcomes.end(),
+                     [](const Outcome& o) { return o.result.match(); });
+}
 
 std::string compared_signals(const AnyBench& bench) {
   const std::size_t registers = bench.registers();
   return fmt::format("{} registers and {} outputs", registers, bench.compared().size() - registers);
+}
+
+std::string comparison_text(const std::vector<Outcome>& outcomes) {
+  std::string text;
+  const auto benches = designs(outcomes);
+  for (const AnyBench* bench : benches) {
+    const std::uint64_t clocks = clocks_of(outcomes, bench->design());
+    text += fmt::format("compared: {}{} on {} clock{}\n", compared_signals(*bench),
+                        benches.size() > 1 ? " of " + bench->design() : "",
+                        clocks == 1 ? "the one" : fmt::format("each of {}", clocks),
+                        clocks == 1 ? "" : "s");
+  }
+  return text;
 }
 
 std::string verdict_text(const std::vector<Outcome>& outcomes) {
@@ -94,37 +122,48 @@ std::string verdict_text(const std::vector<Outcome>& outcomes) {
 
 std::string report_json(const std::vector<Outcome>& outcomes, std::uint64_t seed,
                         const std::string& extra) {
+  Json runs = Json::array();
+  for (const Outcome& o : outcomes) runs.push_back(run_json(o));
+
   Json top;
   if (outcomes.size() == 1) {
-    top = outcome_json(outcomes.front());
+    top = runs.front();
   } else {
     top["verdict"] = all_match(outcomes) ? "match" : "mismatch";
     top["design"] = Json::array();
     top["parameters"] = Json::array();
-    top["clocks"] = std::uint64_t{0};
-    top["steps"] = std::uint64_t{0};
-    top["compared_signals"] = Json::object();
-    top["max_deviation"] = 0.0;
-    top["runs"] = Json::array();
+    std::uint64_t clocks = 0;
+    std::uint64_t steps = 0;
+    double max_deviation = 0;
     for (const Outcome& o : outcomes) {
-      const Json run = outcome_json(o);
-      const std::string design = o.bench->design();
-      if (std::find(top["design"].begin(), top["design"].end(), design) == top["design"].end()) {
-        top["design"].push_back(design);
-      }
-      top["parameters"].push_back(run["parameters"]);
-      top["clocks"] = top["clocks"].get<std::uint64_t>() + o.result.clocks;
-      top["steps"] = top["steps"].get<std::uint64_t>() + o.result.checked.steps;
-      top["compared_signals"][design] = run["compared_signals"];
-      top["max_deviation"] =
-          std::max(top["max_deviation"].get<double>(), o.result.checked.max_deviation);
+      top["parameters"].push_back(parameters(*o.bench));
+      clocks += o.result.clocks;
+      steps += o.result.checked.steps;
+      max_deviation = std::max(max_deviation, o.result.checked.max_deviation);
+    }
+    top["clocks"] = clocks;
+    top["steps"] = steps;
+    top["max_deviation"] = max_deviation;
+    for (const Json& run : runs) {
       if (run.contains("mismatch") && !top.contains("mismatch")) top["mismatch"] = run["mismatch"];
-      top["runs"].push_back(run);
+    }
+  }
+
+  const auto benches = designs(outcomes);
+  if (benches.size() == 1) {
+    top["design"] = benches.front()->design();
+    top["compared_signals"] = signal_names(*benches.front());
+  } else {
+    top["compared_signals"] = Json::object();
+    for (const AnyBench* bench : benches) {
+      top["design"].push_back(bench->design());
+      top["compared_signals"][bench->design()] = signal_names(*bench);
     }
   }
   top["seed"] = seed;
   top.update(Json::parse(extra));
-  return top.dump(2);
+  top["runs"] = std::move(runs);
+  return top.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
 void write_report(const std::string& path, const std::string& text) {

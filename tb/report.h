@@ -17,15 +17,25 @@ struct Outcome {
   Result result;
 };
 
+bool all_match(const std::vector<Outcome>& outcomes);
+
 /// "9 registers and 4 outputs"
 std::string compared_signals(const AnyBench& bench);
 
-/// The verdict of all outcomes in words, with the mismatch or the oracle's objection in full. Lines
-/// end in '\n'.
+/// What was compared and over how many clocks, a line a design, which is named where there are
+/// several. Lines end in '\n', here and below.
+std::string comparison_text(const std::vector<Outcome>& outcomes);
+
+/// The verdict of all outcomes in words, behind each mismatch or objection of the oracle in full.
 std::string verdict_text(const std::vector<Outcome>& outcomes);
 
-/// The report as JSON text. One outcome: its keys at the top. Several: sums at the top, and each
-/// outcome under `runs`. `extra` is a JSON object whose keys are added at the top.
+/// The report as JSON text: an object with `verdict`, `design`, `parameters`, `clocks`, `steps`,
+/// `compared_signals`, `max_deviation`, `seed`, where they do not match `mismatch`, and `runs`, an
+/// object for each outcome. Over several outcomes clocks and steps are sums, max_deviation is the
+/// largest, mismatch the first, and parameters an array of what would be one object; over several
+/// designs design is an array of names and compared_signals an object of arrays under these names.
+/// `extra` is a JSON object whose keys are added. Text that is not UTF-8 gets replacement
+/// characters.
 std::string report_json(const std::vector<Outcome>& outcomes, std::uint64_t seed,
                         const std::string& extra = "{}");
 

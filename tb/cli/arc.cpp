@@ -9,7 +9,9 @@
 #include "tb/cli/command.h"
 #include "tb/cli/conclude.h"
 #include "tb/cli/number.h"
+#include "tb/cli/outputs.h"
 #include "tb/cli/shape_options.h"
+#include "tb/cli/words.h"
 #include "tb/output_file.h"
 #include "tb/table.h"
 
@@ -20,17 +22,20 @@ constexpr std::uint64_t largest_coordinate = 0xffffffff;
 
 struct Options {
   Common common;
-  std::string from, radius, radius2, count;
+  Text from, radius, radius2, count;
   ShapeOptions shape;
 };
 
 circular::Point parse_point(const std::string& text) {
   const std::size_t comma = text.find(',');
-  if (comma == std::string::npos) {
-    throw InputError(fmt::format("--from: '{}' is not X,Y", text));
+  if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos) {
+    throw InputError(fmt::format("--from: {} is not X,Y", quoted(text)));
   }
-  return {static_cast<std::int64_t>(whole("--from", text.substr(0, comma), 0, largest_coordinate)),
-          static_cast<std::int64_t>(whole("--from", text.substr(comma + 1), 0, largest_coordinate))};
+  const auto coordinate = [](const char* name, const std::string& digits) {
+    return static_cast<std::int64_t>(whole(name, digits, 0, largest_coordinate));
+  };
+  return {coordinate("--from: X", text.substr(0, comma)),
+          coordinate("--from: Y", text.substr(comma + 1))};
 }
 
 // The point of the same row or column that is next to the circle, where there is one.
@@ -41,26 +46,36 @@ std::string suggestion(const circular::Arc& arc) {
 }
 
 circular::Arc parse_arc(const Options& o) {
-  if (o.radius.empty() == o.radius2.empty()) {
-    throw InputError("--radius or --radius2: exactly one of them is needed");
+  if (o.radius.has_value() == o.radius2.has_value()) {
+    throw InputError(o.radius ? "--radius: is given, and --radius2 too"
+                              : "--radius: is needed, or --radius2");
   }
   circular::Arc arc;
-  if (o.radius.empty()) {
-    arc.radius2 = whole("--radius2", o.radius2, 0, largest_coordinate * largest_coordinate);
-  } else {
-    const std::uint64_t r = whole("--radius", o.radius, 0, largest_coordinate);
+  if (o.radius) {
+    const std::uint64_t r = whole("--radius", *o.radius, 0, largest_coordinate);
     arc.radius2 = r * r;
+  } else {
+    arc.radius2 = whole("--radius2", *o.radius2, 0, largest_coordinate * largest_coordinate);
   }
-  arc.from = {circular::nearest_root(arc.radius2), 0};
-  if (!o.from.empty()) arc.from = parse_point(o.from);
+  arc.from =
+      o.from ? parse_point(*o.from) : circular::Point{circular::nearest_root(arc.radius2), 0};
   if (!circular::next_to_circle(arc.from, arc.radius2)) {
     throw InputError(fmt::format("--from: ({}, {}) is not next to the circle of R^2 = {}{}",
                                  arc.from.x, arc.from.y, arc.radius2, suggestion(arc)));
   }
-  if (!o.count.empty()) {
-    arc.count = static_cast<std::int64_t>(whole("--count", o.count, 0, std::uint64_t{1} << 40));
+  if (o.count) {
+    arc.count = static_cast<std::int64_t>(whole("--count", *o.count, 0, std::uint64_t{1} << 40));
   }
   return arc;
+}
+
+std::string describe(const Options& o, const circular::Arc& arc) {
+  return fmt::format(
+      "{} from ({}, {}){}",
+      o.radius ? fmt::format("R = {}", circular::nearest_root(arc.radius2))
+               : fmt::format("R^2 = {}", arc.radius2),
+      arc.from.x, arc.from.y,
+      arc.count ? ", at most " + count(static_cast<std::uint64_t>(*arc.count), "step") : "");
 }
 
 class Rows final : public Observer<circular::Design> {
@@ -83,14 +98,13 @@ int run(const Options& o) {
   const std::uint64_t seed = o.common.seed();
   const circular::Arc arc = parse_arc(o);
   const auto& bench = choose(o.shape.circular(), circular::width_needed(arc.radius2));
+  check_outputs(o.common);
 
-  const std::string work = fmt::format(
-      "R^2 = {} from ({}, {}){}", arc.radius2, arc.from.x, arc.from.y,
-      arc.count ? fmt::format(", stopped after {} steps", *arc.count) : std::string());
+  OutputFile csv(o.common.csv.value_or(""));
+  csv.line("clock,dx,dy,x,y");
+  const std::string work = describe(o, arc);
   fmt::print("{}: {}\n", bench.title(), work);
 
-  OutputFile csv(o.common.csv);
-  csv.line("clock,dx,dy,x,y");
   ArcCheck check({&arc, 1});
   Rows rows(csv, arc.from);
   Observers<circular::Design> observers{&check, &rows};
@@ -101,12 +115,8 @@ int run(const Options& o) {
 
   Run run = bench.open(static_cast<std::uint32_t>(seed))->draw({&arc, 1}, observers);
   csv.close();
-  Outcome outcome{&bench, work, {}};
-  outcome.result.clocks = run.clocks;
-  outcome.result.cases = 1;
-  outcome.result.mismatch = std::move(run.mismatch);
-  outcome.result.checked = outcome.result.mismatch ? check.so_far() : check.finish();
-  outcome.result.failed = work;
+  const Outcome outcome = outcome_of(bench, work, std::move(run), check);
+  fmt::print("drawn: {}\n", drawn(outcome.result));
   return conclude({outcome}, o.common);
 }
 
@@ -114,18 +124,20 @@ int run(const Options& o) {
 
 void add_arc(CLI::App& app, Action& action) {
   auto o = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand(
-      "arc", "An arc in the first quadrant, anticlockwise, on the circular machine");
-  command->add_option("--radius", o->radius, "R in steps, 0 to 2^32 - 1")->type_name("R");
-  command->add_option("--radius2", o->radius2, "R^2, where R is not whole")->type_name("Q");
-  command->add_option("--from", o->from, "A lattice point next to the circle; default R,0")
-      ->type_name("X,Y");
-  command->add_option("--count", o->count, "Stop after K steps through input 32")->type_name("K");
-  o->shape.add_circular(*command);
-  add_csv(*command, o->common, "clock,dx,dy,x,y");
-  add_table(*command, o->common);
-  add_common(*command, o->common);
-  command->callback([&action, o] { action = [o] { return run(*o); }; });
+  CLI::App& command = *app.add_subcommand(
+      "arc", "An arc in the first quadrant, anticlockwise to (0, R), on the circular machine");
+  add_text(command, "--radius", o->radius, "R", "Needed, or --radius2: R in steps, 0 to 2^W - 1");
+  add_text(command, "--radius2", o->radius2, "Q", "R^2, for an R that need not be whole");
+  add_text(command, "--from", o->from, "X,Y", "A lattice point next to the circle; default R,0");
+  add_text(command, "--count", o->count, "K", "Stop after K steps through input 32");
+  o->shape.add_circular(command);
+  add_csv(command, o->common,
+          "Write clock,dx,dy,x,y: a row a step, x and y after it; clock 1 is the first\n"
+          "of the running machine");
+  add_table(command, o->common);
+  add_common(command, o->common);
+  command.footer("Example: cosim arc --radius 12 --from 8,9 --csv arc.csv");
+  command.callback([&action, o] { action = [o] { return run(*o); }; });
 }
 
 }  // namespace cosim::cli

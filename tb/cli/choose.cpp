@@ -39,7 +39,8 @@ std::vector<const Bench<linear::Design>*> matching(const LinearShape& s) {
   if (s.m) asked += fmt::format("M={}", *s.m);
   if (s.n) asked += fmt::format("{}N={}", s.m ? " " : "", *s.n);
   return keep<linear::Design>(
-      asked, [&](const linear::Params& p) { return (!s.m || *s.m == p.m) && (!s.n || *s.n == p.n); },
+      asked,
+      [&](const linear::Params& p) { return (!s.m || *s.m == p.m) && (!s.n || *s.n == p.n); },
       [](const linear::Params& p) { return p.m; });
 }
 
@@ -64,8 +65,8 @@ const Bench<circular::Design>& choose(const CircularShape& shape, int width) {
   for (const auto* bench : found) {
     if (width <= bench->params().width) return *bench;
   }
-  throw InputError(fmt::format("an arc that needs {} bits does not fit {}", width,
-                               found.back()->title()));
+  throw InputError(
+      fmt::format("an arc that needs {} bits does not fit {}", width, found.back()->title()));
 }
 
 }  // namespace cosim::cli

@@ -5,20 +5,24 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace cosim::cli {
 
 using Action = std::function<int()>;
 
+/// The value of an option as typed; none where it was not given.
+using Text = std::optional<std::string>;
+
 /// Options that several commands have.
 struct Common {
-  std::string csv;
-  std::string report;
-  std::string seed_text = "1";
+  Text csv;
+  Text report;
+  Text seed_text;
   bool table = false;
 
-  std::uint64_t seed() const;
+  std::uint64_t seed() const;  ///< 1 where none was given
 };
 
 void add_list(CLI::App& app, Action& action);
@@ -27,10 +31,20 @@ void add_arc(CLI::App& app, Action& action);
 void add_path(CLI::App& app, Action& action);
 void add_sweep(CLI::App& app, Action& action);
 
+/// An option, or without dashes a positional, whose help reads "name TYPE help". A value of no
+/// characters is a value too.
+void add_text(CLI::App& command, const std::string& name, Text& value, const std::string& type,
+              const std::string& help);
+/// A switch.
+void add_switch(CLI::App& command, const std::string& name, bool& value, const std::string& help);
+
+/// The value; InputError "name: is needed" where there is none.
+const std::string& needed(const std::string& name, const Text& value);
+
 /// --report and --seed.
 void add_common(CLI::App& command, Common& common);
-/// --csv, whose columns are `columns`.
-void add_csv(CLI::App& command, Common& common, const std::string& columns);
+/// --csv, whose help is `rows`.
+void add_csv(CLI::App& command, Common& common, const std::string& rows);
 /// --table.
 void add_table(CLI::App& command, Common& common);
 

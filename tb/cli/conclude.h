@@ -1,7 +1,8 @@
-// How a command ends: the report, the lines for a person, the exit status.
+// How a command ends: the lines for a person, the report, the exit status.
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tb/cli/command.h"
@@ -9,8 +10,23 @@
 
 namespace cosim::cli {
 
-/// Writes the report where one is asked for (`extra`: more of its keys, a JSON object), prints what
-/// was compared and the verdict. 0 where all matched, else 1.
+/// What was drawn: "27 steps, largest deviation 1 step"; to be put behind a colon.
+std::string drawn(const Result& result);
+
+/// The outcome of one run of one job that `check` has watched.
+template <class Check>
+Outcome outcome_of(const AnyBench& bench, const std::string& work, Run run, Check& check) {
+  Outcome outcome{&bench, work, {}};
+  outcome.result.cases = 1;
+  outcome.result.clocks = run.clocks;
+  outcome.result.checked = run.mismatch ? check.so_far() : check.finish();
+  outcome.result.mismatch = std::move(run.mismatch);
+  outcome.result.failed = work;
+  return outcome;
+}
+
+/// Prints what was compared and the verdict, then writes the report where one is asked for
+/// (`extra`: more of its keys, a JSON object). 0 where all matched, else 1.
 int conclude(const std::vector<Outcome>& outcomes, const Common& common,
              const std::string& extra = "{}");
 

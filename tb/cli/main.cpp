@@ -1,53 +1,82 @@
+#include <fcntl.h>
 #include <fmt/format.h>
 
 #include <cstdio>
 #include <exception>
+#include <new>
 #include <string>
+#include <system_error>
 
 #include "model/core/input_error.h"
 #include "tb/cli/command.h"
+#include "tb/cli/usage_error.h"
+#include "tb/cli/words.h"
 
 namespace {
 
 constexpr int bad_input = 2;
 
 int refuse(const std::string& line) {
-  std::fflush(stdout);
-  fmt::print(stderr, "cosim: {}\n", line);
+  fmt::print(stderr, "cosim: {}\n", cosim::cli::one_line(line));
   return bad_input;
 }
 
-// What CLI11 has to say takes several lines; the first says it all.
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+// A closed stream's number would go to the next file opened, and the text into that file. Opened
+// the wrong way round it fails as a closed one does.
+void hold_standard_streams() {
+  for (int stream = 0; stream <= 2; ++stream) {
+    if (fcntl(stream, F_GETFD) == -1) open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY);
+  }
+}
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  CLI::App app{"Runs a digital interpolator in Verilog beside its golden model, and compares every\n"
-               "register and output on every clock. Exit status: 0 match, 1 mismatch, 2 bad input.",
-               "cosim"};
+int run(int argc, char** argv) {
+  CLI::App app{
+      "Runs a digital interpolator in Verilog beside its golden model, and compares every\n"
+      "register and output on every clock.",
+      "cosim"};
   app.require_subcommand(1);
   app.get_formatter()->column_width(24);
+  app.footer(
+      "Exit status: 0 match, 1 mismatch, 2 bad input.\n"
+      "cosim COMMAND --help tells of a command's options.");
   cosim::cli::Action action;
   cosim::cli::add_list(app, action);
   cosim::cli::add_line(app, action);
   cosim::cli::add_arc(app, action);
   cosim::cli::add_path(app, action);
   cosim::cli::add_sweep(app, action);
+  if (argc < 2) fmt::print("{}", app.help());
+  if (const std::string line = cosim::cli::empty_value(argc, argv); !line.empty()) {
+    return refuse(line);
+  }
   try {
     app.parse(argc, argv);
-    const int status = action();
-    if (std::fflush(stdout) != 0) return refuse("cannot write to standard output");
-    return status;
+    return action();
   } catch (const CLI::CallForHelp& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    return refuse(first_line(error.what()));
-  } catch (const cosim::InputError& error) {
-    return refuse(error.what());
-  } catch (const std::bad_alloc&) {
-    return refuse("not enough memory");
-  } catch (const std::exception& error) {
-    return refuse(fmt::format("failed: {}", first_line(error.what())));
+    return refuse(cosim::cli::usage_error(app, error));
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  hold_standard_streams();
+  int status = bad_input;
+  try {
+    status = run(argc, argv);
+  } catch (const cosim::InputError& error) {
+    status = refuse(error.what());
+  } catch (const std::bad_alloc&) {
+    status = refuse("not enough memory");
+  } catch (const std::system_error& error) {  // of a write to standard output, or of a thread
+    if (std::ferror(stdout) == 0) return refuse(error.code().message());
+  } catch (const std::exception& error) {
+    status = refuse(std::string("internal error: ") + error.what());
+  }
+  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+    return refuse("cannot write to standard output");
+  }
+  return status;
 }

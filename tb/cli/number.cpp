@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "model/core/input_error.h"
+#include "tb/cli/words.h"
 
 namespace cosim::cli {
 
@@ -14,9 +15,9 @@ std::uint64_t whole(const std::string& name, const std::string& text, std::uint6
   std::uint64_t value = 0;
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (text.empty() || error != std::errc{} || rest != end || value < low || value > high) {
+  if (error != std::errc{} || rest != end || value < low || value > high) {
     throw InputError(
-        fmt::format("{}: '{}' is not a whole number from {} to {}", name, text, low, high));
+        fmt::format("{}: {} is not a whole number from {} to {}", name, quoted(text), low, high));
   }
   return value;
 }
@@ -25,10 +26,9 @@ double positive(const std::string& name, const std::string& text, double high) {
   double value = 0;
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (text.empty() || error != std::errc{} || rest != end || !std::isfinite(value) || value <= 0 ||
-      value > high) {
+  if (error != std::errc{} || rest != end || !(value > 0 && value <= high)) {
     throw InputError(
-        fmt::format("{}: '{}' is not a number above 0 and at most {}", name, text, high));
+        fmt::format("{}: {} is not a number above 0 and at most {}", name, quoted(text), high));
   }
   return value;
 }

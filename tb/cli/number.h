@@ -6,7 +6,8 @@
 
 namespace cosim::cli {
 
-/// A whole number from `low` to `high`, decimal. InputError "--name: ..." otherwise.
+/// A whole number from `low` to `high`, in decimal digits alone. InputError "--name: ..."
+/// otherwise.
 std::uint64_t whole(const std::string& name, const std::string& text, std::uint64_t low,
                     std::uint64_t high);
 

@@ -1,15 +1,18 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "model/core/input_error.h"
 #include "model/toolpath/plan.h"
 #include "tb/cli/choose.h"
+#include "tb/cli/code_option.h"
 #include "tb/cli/command.h"
 #include "tb/cli/conclude.h"
 #include "tb/cli/number.h"
+#include "tb/cli/outputs.h"
 #include "tb/cli/shape_options.h"
+#include "tb/cli/words.h"
 #include "tb/output_file.h"
 #include "tb/path_run.h"
 
@@ -20,79 +23,103 @@ constexpr double finest_grid = 1e9;
 
 struct Options {
   Common common;
-  std::string file, steps_per_mm, code = "best";
+  Text file, steps_per_mm, code;
   ShapeOptions shape;
 };
 
+// The machines that had work, with what came of it.
+std::vector<Outcome> outcomes_of(const AnyBench& lines, const AnyBench& arcs,
+                                 const PathResult& result) {
+  std::vector<Outcome> outcomes;
+  const auto add = [&](const AnyBench& bench, const char* noun, const Result& r) {
+    if (r.cases != 0) outcomes.push_back({&bench, count(r.cases, noun), r});
+  };
+  add(lines, "line", result.lines);
+  add(arcs, "arc", result.arcs);
+  return outcomes;
+}
+
+std::string figures(const std::string& file, double scale, const toolpath::Program& program,
+                    const toolpath::Plan& plan, const PathResult& result) {
+  nlohmann::ordered_json json;
+  json["file"] = file;
+  json["steps_per_mm"] = scale;
+  json["segments"] = plan.segments.size();
+  json["lines"] = result.lines.cases;
+  json["arcs"] = result.arcs.cases;
+  json["other_axis_moves"] = program.other_axis_moves;
+  json["end"] = {result.end.x, result.end.y};
+  json["machine_error"] = result.max_deviation();
+  json["quantisation_error"] = plan.largest_quantisation;
+  json["largest_closing"] = plan.largest_closing;
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 int run(const Options& o) {
   const std::uint64_t seed = o.common.seed();
-  const double scale = positive("--steps-per-mm", o.steps_per_mm, finest_grid);
-  const toolpath::Program program = toolpath::read_gcode_file(o.file);
+  const std::string& file = needed("FILE", o.file);
+  if (file.empty()) throw InputError("FILE: names no file");
+  const double scale =
+      positive("--steps-per-mm", needed("--steps-per-mm", o.steps_per_mm), finest_grid);
+  const auto rule = code_rule(o.code);
+  const LinearShape line_shape = o.shape.linear();
+  const CircularShape arc_shape = o.shape.circular();
+  const toolpath::Program program = toolpath::read_gcode_file(file);
   const toolpath::Plan plan = toolpath::plan(program, scale);
-  const auto& lines = choose(o.shape.linear(), plan.longest_line);
-  const auto& arcs = choose(o.shape.circular(), plan.arc_width);
-  const auto code = o.code == "greedy" ? linear::greedy_code : linear::best_code;
+  if (plan.pieces.empty()) {
+    throw InputError(fmt::format("{}: no motion reaches a step at {} steps/mm", file, scale));
+  }
+  const auto& lines = choose(line_shape, plan.longest_line);
+  const auto& arcs = choose(arc_shape, plan.arc_width);
+  check_outputs(o.common, file);
 
-  fmt::print("{}: {} motions at {} steps/mm", o.file, plan.segments.size(), scale);
+  OutputFile csv(o.common.csv.value_or(""));
+  csv.line("segment,dx,dy,x,y");
+  fmt::print("{}: {} at {} steps/mm", one_line(file), count(plan.segments.size(), "motion"), scale);
   if (program.other_axis_moves != 0) {
-    fmt::print(", {} moves of other axes not drawn", program.other_axis_moves);
+    fmt::print(", {} of other axes not drawn", count(program.other_axis_moves, "move"));
   }
   fmt::print("\n");
 
-  OutputFile csv(o.common.csv);
-  csv.line("segment,dx,dy,x,y");
-  PathRun path(lines, arcs, code, static_cast<std::uint32_t>(seed));
-  const PathResult result = path.draw(plan, [&](std::uint32_t segment, toolpath::Point step,
-                                                toolpath::Point at) {
-    csv.line("{},{},{},{},{}", segment, step.x, step.y, at.x, at.y);
-  });
+  PathRun path(lines, arcs, rule, static_cast<std::uint32_t>(seed));
+  const PathResult result =
+      path.draw(plan, [&](std::uint32_t segment, toolpath::Point step, toolpath::Point at) {
+        csv.line("{},{},{},{},{}", segment, step.x, step.y, at.x, at.y);
+      });
   csv.close();
 
-  std::vector<Outcome> outcomes;
-  const auto add = [&](const AnyBench& bench, const char* what, const Result& r) {
-    if (r.cases == 0) return;
-    outcomes.push_back({&bench, fmt::format("{} {}", r.cases, what), r});
-    fmt::print("  {}: {} {}\n", bench.title(), r.cases, what);
-  };
-  add(lines, "lines", result.lines);
-  add(arcs, "arcs", result.arcs);
-  if (outcomes.empty()) outcomes.push_back({&lines, "0 lines", result.lines});
-
-  fmt::print("  path     {} steps, ends at ({}, {})\n", result.steps, result.end.x, result.end.y);
-  fmt::print("  machines at most {:.3f} steps from the quantised curve\n", result.max_deviation());
-  fmt::print("  grid     the quantised curve at most {:.3f} steps from the programmed one", plan.largest_quantisation);
-  if (plan.arc_width != 0) fmt::print(", arcs closed by at most {} steps", plan.largest_closing);
+  const std::vector<Outcome> outcomes = outcomes_of(lines, arcs, result);
+  for (const Outcome& one : outcomes) {
+    fmt::print("{}: {}, {}\n", one.bench->title(), one.work, drawn(one.result));
+  }
+  fmt::print("path: {}, ends at ({}, {})\n", count(result.steps, "step"), result.end.x,
+             result.end.y);
+  fmt::print("grid: largest quantisation error {}", in_steps(plan.largest_quantisation));
+  if (plan.arc_width != 0) {
+    const auto closing = static_cast<std::uint64_t>(plan.largest_closing);
+    fmt::print(", longest line to close an arc {}", count(closing, "step"));
+  }
   fmt::print("\n");
-
-  nlohmann::ordered_json extra;
-  extra["file"] = o.file;
-  extra["steps_per_mm"] = scale;
-  extra["segments"] = plan.segments.size();
-  extra["lines"] = result.lines.cases;
-  extra["arcs"] = result.arcs.cases;
-  extra["other_axis_moves"] = program.other_axis_moves;
-  extra["end"] = {result.end.x, result.end.y};
-  extra["machine_error"] = result.max_deviation();
-  extra["quantisation_error"] = plan.largest_quantisation;
-  extra["largest_closing"] = plan.largest_closing;
-  return conclude(outcomes, o.common, extra.dump());
+  return conclude(outcomes, o.common, figures(file, scale, program, plan, result));
 }
 
 }  // namespace
 
 void add_path(CLI::App& app, Action& action) {
   auto o = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("path", "The XY path of a G-code program on both machines");
-  command->add_option("FILE", o->file, "The program")->required();
-  command->add_option("--steps-per-mm", o->steps_per_mm, "Steps of the grid in a millimetre")
-      ->required()->type_name("S");
-  command->add_option("--code", o->code, "Control codes of lines: best (default) or greedy")
-      ->check(CLI::IsMember({"best", "greedy"}))->type_name("RULE");
-  o->shape.add_linear(*command);
-  o->shape.add_circular(*command);
-  add_csv(*command, o->common, "segment,dx,dy,x,y");
-  add_common(*command, o->common);
-  command->callback([&action, o] { action = [o] { return run(*o); }; });
+  CLI::App& command =
+      *app.add_subcommand("path", "The path in X and Y of a G-code program, on both machines");
+  add_text(command, "FILE", o->file, "", "Needed: the program");
+  add_text(command, "--steps-per-mm", o->steps_per_mm, "S", "Needed: steps of the grid to 1 mm");
+  add_text(command, "--code", o->code, "RULE", "Control codes of lines: best (default) or greedy");
+  o->shape.add_linear(command);
+  o->shape.add_circular(command);
+  add_csv(command, o->common,
+          "Write segment,dx,dy,x,y: a row a step, x and y after it in steps; a segment\n"
+          "is a block that moves X or Y, from 1");
+  add_common(command, o->common);
+  command.footer("Example: cosim path part.ngc --steps-per-mm 100 --csv path.csv");
+  command.callback([&action, o] { action = [o] { return run(*o); }; });
 }
 
 }  // namespace cosim::cli

@@ -12,11 +12,12 @@ class ProgressLine {
  public:
   explicit ProgressLine(std::string title);
 
-  /// To be called by the sweep; must not outlive this.
+  /// To be called by the sweep; must not outlive this. No call where standard output is no
+  /// terminal.
   Progress callback();
 
-  /// Leaves the line as a plain one: the title and the seconds taken.
-  void finish();
+  /// Leaves a plain line: `text` and the seconds taken.
+  void finish(const std::string& text);
 
  private:
   void draw(std::uint64_t done, std::uint64_t cases) const;

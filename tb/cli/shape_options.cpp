@@ -5,23 +5,21 @@
 namespace cosim::cli {
 namespace {
 
-std::optional<int> small(const std::string& name, const std::string& text, std::uint64_t low) {
-  if (text.empty()) return {};
-  return static_cast<int>(whole(name, text, low, 32));
+std::optional<int> small(const std::string& name, const Text& text, std::uint64_t low) {
+  if (!text) return {};
+  return static_cast<int>(whole(name, *text, low, 32));
 }
 
 }  // namespace
 
-void ShapeOptions::add_linear(CLI::App& command) {
-  command.add_option("--m", m, "Bits of BP and UK; default: the smallest built that holds the work")
-      ->type_name("M");
-  command.add_option("--n", n, "Low bits of UK for the serial multiplier; 2^(M-N) steps a clock")
-      ->type_name("N");
+void ShapeOptions::add_linear(CLI::App& command, const std::string& otherwise) {
+  add_text(command, "--m", m, "M", "Linear machine: bits of BP and UK; default " + otherwise);
+  add_text(command, "--n", n, "N", "Linear machine: bits of its tick count; 2^(M-N) steps a clock");
 }
 
-void ShapeOptions::add_circular(CLI::App& command) {
-  command.add_option("--width", width, "Bits of a coordinate; default: the smallest built that holds the work")
-      ->type_name("W");
+void ShapeOptions::add_circular(CLI::App& command, const std::string& otherwise) {
+  add_text(command, "--width", width, "W",
+           "Circular machine: bits of a coordinate; default " + otherwise);
 }
 
 LinearShape ShapeOptions::linear() const { return {small("--m", m, 2), small("--n", n, 1)}; }

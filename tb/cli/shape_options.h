@@ -1,20 +1,21 @@
 // The options that name a machine's shape.
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <string>
-
 #include "tb/cli/choose.h"
+#include "tb/cli/command.h"
 
 namespace cosim::cli {
 
 struct ShapeOptions {
-  std::string m, n, width;  ///< as typed; empty where not given
+  Text m, n, width;
 
-  void add_linear(CLI::App& command);
-  void add_circular(CLI::App& command);
+  /// `otherwise`: what is taken where they are not given, for the help.
+  void add_linear(CLI::App& command, const std::string& otherwise = smallest);
+  void add_circular(CLI::App& command, const std::string& otherwise = smallest);
   LinearShape linear() const;
   CircularShape circular() const;
+
+  static constexpr const char* smallest = "the smallest built that holds it";
 };
 
 }  // namespace cosim::cli

@@ -10,8 +10,10 @@
 #include "tb/cli/command.h"
 #include "tb/cli/conclude.h"
 #include "tb/cli/number.h"
+#include "tb/cli/outputs.h"
 #include "tb/cli/progress.h"
 #include "tb/cli/shape_options.h"
+#include "tb/cli/words.h"
 #include "tb/linear_sweeps.h"
 
 namespace cosim::cli {
@@ -21,7 +23,7 @@ constexpr std::uint64_t most = std::uint64_t{1} << 48;
 
 struct Options {
   Common common;
-  std::string random, hostile, jobs;
+  Text random, hostile, jobs;
   bool exhaustive = false;
   ShapeOptions shape;
 };
@@ -54,63 +56,94 @@ Sweep random(const Bench<circular::Design>& bench, std::uint64_t seed, std::uint
   return circular::random_arcs(bench, seed, count);
 }
 
-template <class Design>
-int run(const Options& o, const std::vector<const Bench<Design>*>& benches) {
-  const std::uint64_t seed = o.common.seed();
-  if ((o.exhaustive ? 1 : 0) + (o.random.empty() ? 0 : 1) + (o.hostile.empty() ? 0 : 1) != 1) {
-    throw InputError("sweep: exactly one of --exhaustive, --random and --hostile is needed");
+void check_kind(const Options& o) {
+  const int kinds = (o.exhaustive ? 1 : 0) + (o.random ? 1 : 0) + (o.hostile ? 1 : 0);
+  if (kinds != 1) {
+    throw InputError(fmt::format("sweep: one of --exhaustive, --random and --hostile is needed, {}",
+                                 kinds == 0 ? "none is given" : "more are given"));
   }
-  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-  const auto threads =
-      o.jobs.empty() ? cores : static_cast<unsigned>(whole("--jobs", o.jobs, 1, 1024));
-  const std::uint64_t cases = o.random.empty() ? 0 : whole("--random", o.random, 1, most);
-  const std::uint64_t clocks = o.hostile.empty() ? 0 : whole("--hostile", o.hostile, 1, most);
+}
 
-  std::vector<Outcome> outcomes;
+// All that is to be swept, each with the bench it runs on.
+template <class Design>
+std::vector<std::pair<const Bench<Design>*, Sweep>> planned(
+    const Options& o, const std::vector<const Bench<Design>*>& benches) {
+  const std::uint64_t seed = o.common.seed();
+  const std::uint64_t cases = o.random ? whole("--random", *o.random, 1, most) : 0;
+  const std::uint64_t clocks = o.hostile ? whole("--hostile", *o.hostile, 1, most) : 0;
+  std::vector<std::pair<const Bench<Design>*, Sweep>> all;
   for (const Bench<Design>* bench : benches) {
     Sweeps sweeps;
     if (o.exhaustive) sweeps = exhaustive(*bench);
-    if (cases != 0) sweeps = {random(*bench, seed, cases)};
-    if (clocks != 0) sweeps = {hostile_sweep(*bench, seed, clocks)};
-    for (const Sweep& sweep : sweeps) {
-      ProgressLine progress(fmt::format("{}, {}", bench->title(), sweep.name));
-      Outcome outcome{bench, sweep.name, run_sweep(sweep, threads, progress.callback())};
-      progress.finish();
-      outcomes.push_back(std::move(outcome));
-      if (!outcomes.back().result.match()) return conclude(outcomes, o.common);
-    }
+    if (o.random) sweeps = {random(*bench, seed, cases)};
+    if (o.hostile) sweeps = {hostile_sweep(*bench, seed, clocks)};
+    for (Sweep& sweep : sweeps) all.emplace_back(bench, std::move(sweep));
   }
-  if (outcomes.empty()) {
+  if (all.empty()) {
     throw InputError("--exhaustive: too wide to try everything; take M <= 8 or W <= 12");
+  }
+  return all;
+}
+
+// Hostile clocks are no lines or arcs: the oracle has nothing to count.
+std::string swept(const Result& r) {
+  if (r.checked.jobs == 0) return count(r.clocks, "clock");
+  return count(r.cases, "case") + ", " + drawn(r);
+}
+
+template <class Design>
+int run(const Options& o, const std::vector<const Bench<Design>*>& benches) {
+  check_kind(o);
+  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  const auto threads = o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores;
+  const auto sweeps = planned(o, benches);
+  check_outputs(o.common);
+
+  std::vector<Outcome> outcomes;
+  for (const auto& [bench, sweep] : sweeps) {
+    const std::string title = fmt::format("{}, {}", bench->title(), sweep.name);
+    ProgressLine progress(title);
+    outcomes.push_back({bench, sweep.name, run_sweep(sweep, threads, progress.callback())});
+    const Result& result = outcomes.back().result;
+    progress.finish(fmt::format("{}: {}", title, swept(result)));
+    if (!result.match()) break;
   }
   return conclude(outcomes, o.common);
 }
+
+void add_options(CLI::App& design, Options& o) {
+  add_switch(design, "--exhaustive", o.exhaustive, "Everything, at the widths small enough for it");
+  add_text(design, "--random", o.random, "COUNT", "COUNT random cases at each width");
+  add_text(design, "--hostile", o.hostile, "COUNT",
+           "COUNT clocks of any value on any pin at each width");
+  add_text(design, "--jobs", o.jobs, "J", "Threads, 1 to 1024; default one a core");
+  add_common(design, o.common);
+}
+
+constexpr const char* all_widths = "every one built";
 
 }  // namespace
 
 void add_sweep(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("sweep", "Many cases on every built width of a design");
   command->require_subcommand(1);
-  const auto common = [](CLI::App& design, const std::shared_ptr<Options>& o) {
-    design.add_flag("--exhaustive", o->exhaustive,
-                    "Everything, at the widths small enough for it");
-    design.add_option("--random", o->random, "COUNT random cases at each width")->type_name("COUNT");
-    design.add_option("--hostile", o->hostile,
-                      "COUNT clocks of any value on any pin at each width")->type_name("COUNT");
-    design.add_option("--jobs", o->jobs, "Threads; default: one a core")->type_name("J");
-    add_common(design, o->common);
-  };
+
   auto lines = std::make_shared<Options>();
-  CLI::App* linear = command->add_subcommand("linear", "The linear machine: lines");
-  common(*linear, lines);
-  lines->shape.add_linear(*linear);
+  CLI::App* linear = command->add_subcommand(
+      "linear", "Lines on the linear machine: one of --exhaustive, --random and --hostile");
+  add_options(*linear, *lines);
+  lines->shape.add_linear(*linear, all_widths);
+  linear->footer("Example: cosim sweep linear --random 1000 --seed 7");
   linear->callback([&action, lines] {
     action = [lines] { return run(*lines, matching(lines->shape.linear())); };
   });
+
   auto arcs = std::make_shared<Options>();
-  CLI::App* circular = command->add_subcommand("circular", "The circular machine: arcs");
-  common(*circular, arcs);
-  arcs->shape.add_circular(*circular);
+  CLI::App* circular = command->add_subcommand(
+      "circular", "Arcs on the circular machine: one of --exhaustive, --random and --hostile");
+  add_options(*circular, *arcs);
+  arcs->shape.add_circular(*circular, all_widths);
+  circular->footer("Example: cosim sweep circular --exhaustive --width 8");
   circular->callback([&action, arcs] {
     action = [arcs] { return run(*arcs, matching(arcs->shape.circular())); };
   });

@@ -17,16 +17,13 @@ constexpr std::uint64_t kSeed = 1;
 constexpr std::uint64_t kClocks = 1000;
 constexpr std::uint64_t kCases = 100;  // so within 100 000 clocks
 
-/// A case's inputs, and the power-up that Bench gives it.
+/// A case's inputs.
 template <class Design>
 Script<Design> hostile_script(const typename Design::Params& p, const HostileCase& c) {
   HostileStimulus<Design> hostile(p, c);
   Script<Design> script;
   for (typename Design::template Inputs<Word> in; hostile.next(in, {});) script.push_back(in);
   return script;
-}
-std::uint32_t hostile_power_up(const HostileCase& c) {
-  return static_cast<std::uint32_t>(Random::for_case(~c.seed, c.index).next());
 }
 
 template <class Design>
@@ -37,7 +34,7 @@ void expect_fault_found(const Variant<Design>& variant) {
     const Run run = variant.bench().run_hostile(c);
     clocks += run.clocks;
     const auto script = hostile_script<Design>(variant.bench().params(), c);
-    const auto first = straight_run(variant, script, hostile_power_up(c));
+    const auto first = straight_run(variant, script, c.power_up());
     ASSERT_EQ(reported(run), first) << variant.what() << "\ncase " << i;
     ASSERT_EQ(run.clocks, first ? first->clock + 1 : kClocks) << variant.what() << "\ncase " << i;
     if (first) {
@@ -57,7 +54,7 @@ void expect_nothing_found(const Variant<Design>& variant) {
     ASSERT_FALSE(run.mismatch) << to_text(*run.mismatch) << "case " << i;
     ASSERT_EQ(run.clocks, kClocks);
     const auto script = hostile_script<Design>(variant.bench().params(), c);
-    ASSERT_EQ(straight_run(variant, script, hostile_power_up(c)), std::nullopt) << "case " << i;
+    ASSERT_EQ(straight_run(variant, script, c.power_up()), std::nullopt) << "case " << i;
   }
 }
 

@@ -27,9 +27,8 @@ function(replace file shipped instead)
     set(text_${file} "${text}" PARENT_SCOPE)
     return()
   endif()
-  # Indented lines are printed as they are.
-  message(FATAL_ERROR " ${spec}\n rtl/${DESIGN}/${file} ${trouble} the lines to be replaced:\n"
-    " ${shipped}")
+  set(VARIANT_TROUBLE
+    "${spec}: rtl/${DESIGN}/${file} ${trouble} the lines to be replaced:\n${shipped}" PARENT_SCOPE)
 endfunction()
 
 # The names of a folder's modules in `files`, the text of each in text_<name>.

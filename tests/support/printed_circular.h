@@ -16,7 +16,7 @@ namespace cosim::circular::printed {
 /// What stands after a step. Table 1 has the steps and F; Table 2 the counters too, and beside some
 /// of them the code, lowest digit first.
 struct Row {
-  char step;      ///< '|' in Y, '/' in both, '-' in X, '=' the correction
+  char step;  ///< '|' in Y, '/' in both, '-' in X, '=' the correction
   Word ct7, ct8;
   double f;
   const char* code7 = "";

@@ -36,8 +36,8 @@ inline Clocks strobed(const Clocks& clocks, std::size_t job) {
   return found;
 }
 
-/// For shapes with 2^gamma = 8: the word of every address in register 9 and on the minor axis, whose
-/// position 8 the low code of zeros leaves 0.
+/// For shapes with 2^gamma = 8: the word of every address in register 9 and on the minor axis,
+/// whose position 8 the low code of zeros leaves 0.
 inline void expect_table1(const Bench<Design>& bench) {
   ASSERT_EQ(bench.params().gamma(), 3);
   std::vector<Job> jobs;

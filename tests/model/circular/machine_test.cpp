@@ -33,9 +33,7 @@ TEST(CircularModel, HoldsTheCodesOfTable2) {
   EXPECT_EQ(registers(p, State<Word>{1, 0, -49, 0, 0}).f, 0b11001110);  // -12.25 = -110001 / 4
 }
 
-TEST(CircularModelAgainstOracle, EveryRadius) {
-  counted::expect_every_radius(model<12>(), 4095);
-}
+TEST(CircularModelAgainstOracle, EveryRadius) { counted::expect_every_radius(model<12>(), 4095); }
 
 TEST(CircularModelAgainstOracle, EveryStart) { counted::expect_every_start(model<8>(), 255); }
 

@@ -200,7 +200,7 @@ TEST_F(CircularPins, CountersWrapWithTheCarryEndAround) {
   EXPECT_EQ(registers().ct7, 0b10000);      // -15
   EXPECT_EQ(machine.state.ct7, -15);
   clock({stop(), sector2(start(load(5, 3, 0b10000))), rest()});  // a diagonal: down two from -15
-  EXPECT_EQ(registers().ct8, 0b01110);                          // 14
+  EXPECT_EQ(registers().ct8, 0b01110);                           // 14
   EXPECT_EQ(machine.state.ct8, 14);
 }
 

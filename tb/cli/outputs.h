@@ -1,0 +1,16 @@
+// The files a command writes, looked at before it runs: a long run shall not end in an error that
+// was there from its start, and no file is written over that is read or written otherwise.
+#pragma once
+
+#include <string>
+
+#include "tb/cli/command.h"
+
+namespace cosim::cli {
+
+/// InputError where --csv or --report names no file, where they name one and the same, where one
+/// of them is the file `input` or the one that standard output goes to, and where the report cannot
+/// be written. Leaves all files as they are. To be called when all other input has proved good.
+void check_outputs(const Common& common, const std::string& input = "");
+
+}  // namespace cosim::cli

@@ -1,0 +1,78 @@
+#include "tb/cli/usage_error.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+
+#include "tb/cli/words.h"
+
+namespace cosim::cli {
+namespace {
+
+// The innermost command named: "sweep linear" is at linear.
+const CLI::App& innermost(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  return chosen.empty() ? app : innermost(*chosen.back());
+}
+
+// "cosim", "sweep", "sweep linear"
+std::string full_name(const CLI::App& app) {
+  const CLI::App* parent = app.get_parent();
+  if (parent == nullptr || parent->get_parent() == nullptr) return app.get_name();
+  return full_name(*parent) + " " + app.get_name();
+}
+
+std::string commands_of(const CLI::App& app) {
+  std::string text;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    text += (text.empty() ? "" : ", ") + command->get_name();
+  }
+  return text;
+}
+
+std::string unexpected(const CLI::App& app, const std::string& argument) {
+  if (argument.starts_with('-')) {
+    return fmt::format("{}: no such option: {}", full_name(app), quoted(argument));
+  }
+  const std::string commands = commands_of(app);
+  if (commands.empty()) return fmt::format("{}: takes no {}", full_name(app), quoted(argument));
+  return fmt::format("{}: no such command: {}; there are {}", full_name(app), quoted(argument),
+                     commands);
+}
+
+// Of "--minor: 1 required MP missing", "--minor: At Most 1 required but received 2" and "--table
+// was given a disallowed flag override".
+std::string wrong_count(const std::string& what) {
+  const std::string name = what.substr(0, what.find_first_of(": "));
+  if (what.find("missing") != std::string::npos) return name + ": needs a value";
+  if (what.find("At Most") != std::string::npos) return name + ": is given more than once";
+  return name + ": takes no value";
+}
+
+}  // namespace
+
+std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App& at = innermost(app);
+  const std::string what = error.what();
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) return wrong_count(what);
+  for (const CLI::App* one = &at; one != nullptr; one = one->get_parent()) {
+    if (const auto rest = one->remaining(); !rest.empty()) return unexpected(*one, rest.front());
+  }
+  // No option is required by CLI11's lights.
+  if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+    return fmt::format("{}: a command is needed: {}", full_name(at), commands_of(at));
+  }
+  return what.substr(0, what.find('\n'));
+}
+
+std::string empty_value(int argc, const char* const* argv) {
+  for (int i = 1; i < argc && std::string_view(argv[i]) != "--"; ++i) {
+    const std::string argument = argv[i];
+    if (argument.starts_with("--") && argument.find('=') == argument.size() - 1) {
+      return fmt::format("{}: needs a value", argument.substr(0, argument.size() - 1));
+    }
+  }
+  return {};
+}
+
+}  // namespace cosim::cli

@@ -1,0 +1,23 @@
+// Numbers and names as a person reads them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace cosim::cli {
+
+/// "1 step", "2 steps"
+std::string count(std::uint64_t n, const std::string& noun);
+
+/// A length in steps, rounded to three decimals, exact where it has no more: "0.369 steps", "1
+/// step". More decimals where three would round it to a multiple of a half that it is not: "0.4996
+/// steps".
+std::string in_steps(double length);
+
+/// The text on one line of a terminal: control characters as '?'.
+std::string one_line(std::string text);
+
+/// What a person typed, in quotes; cut where it is long.
+std::string quoted(const std::string& text);
+
+}  // namespace cosim::cli

@@ -1,0 +1,182 @@
+// The operations of models on machine integers, against their definitions tried out bit by bit.
+#include "model/core/value.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace cosim {
+namespace {
+
+constexpr Word kLeast = std::numeric_limits<Word>::min();
+constexpr Word kGreatest = std::numeric_limits<Word>::max();
+
+// The remainder in 0 .. m - 1.
+Word modulo(Word v, Word m) { return (v % m + m) % m; }
+
+// A ones' complement code read digit by digit: a negative number is the complement of its size.
+Word ones_complement_value(Word code, int width) {
+  Word size = 0;
+  const bool negative = (code >> (width - 1) & 1) != 0;
+  for (int i = 0; i < width; ++i) {
+    if (((code >> i & 1) != 0) != negative) size += Word{1} << i;
+  }
+  return negative ? -size : size;
+}
+
+TEST(LowBits, KeepBelowAndClearAbove) {
+  for (const Word v : {Word{0}, Word{1}, Word{-1}, kLeast, kGreatest, Word{0x0123456789abcdef}}) {
+    for (int width = 1; width <= 64; ++width) {
+      const Word low = low_bits(v, width);
+      for (int i = 0; i < 64; ++i) {
+        ASSERT_EQ(low >> i & 1, i < width ? v >> i & 1 : 0) << v << " width " << width;
+      }
+    }
+  }
+  EXPECT_EQ(low_bits(kLeast, 64), kLeast);
+  EXPECT_EQ(low_bits(-1, 63), kGreatest);
+}
+
+TEST(Wrap, IsModuloAPowerOfTwo) {
+  for (int width = 1; width <= 7; ++width) {
+    for (Word v = -300; v <= 300; ++v) ASSERT_EQ(wrap(v, width), modulo(v, Word{1} << width));
+  }
+}
+
+TEST(Ones, AreAllBits) {
+  Word expected = 0;
+  for (int n = 1; n <= 63; ++n) {
+    expected = 2 * expected + 1;
+    EXPECT_EQ(ones(n), expected);
+  }
+  EXPECT_EQ(ones(64), -1);
+}
+
+TEST(Bit, IsTwosComplementBelowZero) {
+  EXPECT_TRUE(bit(5, 0));
+  EXPECT_FALSE(bit(5, 1));
+  EXPECT_TRUE(bit(5, 2));
+  EXPECT_FALSE(bit(-2, 0));
+  EXPECT_TRUE(bit(-2, 63));
+  EXPECT_TRUE(bit(kLeast, 63));
+  EXPECT_FALSE(bit(kGreatest, 63));
+}
+
+TEST(Shift, RightIsTheFloor) {
+  for (Word v = -40; v <= 40; ++v) {
+    for (int n = 0; n < 8; ++n) {
+      const Word divisor = Word{1} << n;
+      ASSERT_EQ(shift_right(v, n) * divisor, v - modulo(v, divisor)) << v << " >> " << n;
+    }
+    EXPECT_EQ(shift_right(v, 63), v < 0 ? -1 : 0);
+  }
+}
+
+TEST(Shift, LeftMultipliesModuloTheWord) {
+  for (Word v = -40; v <= 40; ++v) {
+    for (int n = 0; n < 8; ++n) ASSERT_EQ(shift_left(v, n), v * (Word{1} << n));
+    EXPECT_EQ(shift_left(v, 63), v % 2 == 0 ? 0 : kLeast);
+  }
+  EXPECT_EQ(shift_left(kGreatest, 1), -2);
+}
+
+TEST(Both, IsBitwise) {
+  EXPECT_EQ(both(0b1100, 0b1010), 0b1000);
+  EXPECT_EQ(both(-1, kLeast), kLeast);
+}
+
+TEST(Condition, SelectsFlagsAndTests) {
+  EXPECT_EQ(select(true, Word{3}, Word{4}), 3);
+  EXPECT_EQ(select(false, Word{3}, Word{4}), 4);
+  EXPECT_EQ(flag<Word>(true), 1);
+  EXPECT_EQ(flag<Word>(false), 0);
+  EXPECT_TRUE(is_set(Word{1}));
+  EXPECT_FALSE(is_set(Word{0}));
+}
+
+TEST(Either, RunsOnlyTheSideThatHolds) {
+  int ran = 0;
+  const auto one = [&] { return ++ran, Word{1}; };
+  const auto two = [&] { return ran += 10, Word{2}; };
+  EXPECT_EQ(either(true, one, two), 1);
+  EXPECT_EQ(ran, 1);
+  EXPECT_EQ(either(false, one, two), 2);
+  EXPECT_EQ(ran, 11);
+}
+
+TEST(TwosComplement, CodesStandForTheirNumbers) {
+  for (int width = 1; width <= 9; ++width) {
+    const Word half = Word{1} << (width - 1);
+    for (Word v = -half; v < half; ++v) {
+      ASSERT_EQ(from_twos_complement(low_bits(v, width), width), v) << "width " << width;
+    }
+  }
+  EXPECT_EQ(from_twos_complement(ones(63), 63), -1);
+}
+
+TEST(OnesComplement, CodesStandForTheirNumbers) {
+  for (int width = 2; width <= 9; ++width) {
+    for (Word code = 0; code >> width == 0; ++code) {
+      ASSERT_EQ(from_ones_complement(code, width), ones_complement_value(code, width))
+          << code << " width " << width;
+    }
+  }
+}
+
+TEST(OnesComplement, NumbersComeBackFromTheirCodes) {
+  for (int width = 2; width <= 9; ++width) {
+    const Word half = Word{1} << (width - 1);
+    for (Word v = -half + 1; v < half; ++v) {
+      for (const Word code :
+           {to_ones_complement(v, width), to_ones_complement_minus_zero(v, width)}) {
+        ASSERT_EQ(low_bits(code, width), code) << v << " width " << width;
+        ASSERT_EQ(ones_complement_value(code, width), v) << "width " << width;
+      }
+    }
+  }
+}
+
+TEST(OnesComplement, HasTwoZeros) {
+  for (int width = 2; width <= 63; ++width) {
+    EXPECT_EQ(to_ones_complement(Word{0}, width), 0);
+    EXPECT_EQ(to_ones_complement_minus_zero(Word{0}, width), ones(width));
+    EXPECT_EQ(from_ones_complement(ones(width), width), 0);
+    EXPECT_EQ(from_ones_complement(Word{0}, width), 0);
+  }
+}
+
+TEST(WrapEndAround, IsTheNearestNumberModuloTwoToTheWidthLessOne) {
+  for (int width = 2; width <= 8; ++width) {
+    const Word modulus = (Word{1} << width) - 1;
+    const Word bound = Word{1} << (width - 1);
+    for (Word v = -modulus + 1; v < modulus; ++v) {
+      const Word wrapped = wrap_end_around(v, width);
+      ASSERT_EQ(modulo(wrapped, modulus), modulo(v, modulus)) << v << " width " << width;
+      ASSERT_LT(wrapped, bound) << v << " width " << width;
+      ASSERT_GT(wrapped, -bound) << v << " width " << width;
+    }
+  }
+}
+
+// An adder whose carry out comes back in, on the codes themselves.
+TEST(WrapEndAround, IsWhatAnEndAroundCarryDoes) {
+  for (int width = 2; width <= 6; ++width) {
+    for (Word a = 0; a >> width == 0; ++a) {
+      for (Word b = 0; b >> width == 0; ++b) {
+        const Word sum = a + b;
+        const Word code = ((sum & ((Word{1} << width) - 1)) + (sum >> width)) & ones(width);
+        ASSERT_EQ(
+            wrap_end_around(from_ones_complement(a, width) + from_ones_complement(b, width), width),
+            ones_complement_value(code, width))
+            << a << " + " << b << " width " << width;
+      }
+    }
+  }
+}
+
+// Models are evaluated at compile time too.
+static_assert(low_bits(-1, 64) == -1 && ones(64) == -1);
+static_assert(wrap_end_around(Word{8}, 4) == -7 && wrap_end_around(Word{-8}, 4) == 7);
+
+}  // namespace
+}  // namespace cosim

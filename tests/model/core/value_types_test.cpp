@@ -1,0 +1,133 @@
+// The models on value types other than machine integers: the same numbers on every clock.
+
+// Where conditions are not bool, GCC takes the models' `!a & b` for a slip of `!(a & b)`.
+#pragma GCC diagnostic ignored "-Wparentheses"
+
+#include <gtest/gtest.h>
+
+#include <concepts>
+#include <vector>
+
+#include "tb/hostile.h"
+#include "tests/support/lanes.h"
+#include "tests/support/model_machine.h"
+#include "tests/support/shapes.h"
+#include "tests/support/strict.h"
+
+namespace cosim::test {
+namespace {
+
+// What would make the strict type worthless.
+template <class V>
+concept branches = requires(Condition<V> c) {
+  static_cast<bool>(c);
+};
+template <class V>
+concept has_short_circuit = requires(Condition<V> c) {
+  c&& c;
+};
+template <class V>
+concept multiplies = requires(V v) {
+  v* v;
+};
+template <class V>
+concept divides = requires(V v) {
+  v / v;
+};
+template <class V>
+concept indexes = requires(V v, const int* table) {
+  table[v];
+};
+static_assert(branches<Word> && has_short_circuit<Word> && multiplies<Word> && divides<Word> &&
+              indexes<Word>);
+static_assert(!branches<Strict> && !has_short_circuit<Strict> && !multiplies<Strict> &&
+              !divides<Strict> && !indexes<Strict>);
+static_assert(!std::convertible_to<Word, Strict> && !std::convertible_to<Strict, Word>);
+
+// A record of one value type from a record of another, member by member.
+template <class To, class From, class Convert>
+To converted(const From& from, Convert convert) {
+  To to;
+  for_each_member<From>(
+      [&](auto member, std::size_t i) { to.*(To::members()[i]) = convert(from.*member); });
+  return to;
+}
+
+constexpr std::uint64_t kClocks = 20'000;
+
+template <class S>
+HostileStimulus<typename S::Design> stimulus(std::uint64_t index) {
+  return {S::params, HostileCase{7, index, kClocks}};
+}
+
+template <class S>
+class ValueTypes : public testing::Test {};
+TYPED_TEST_SUITE(ValueTypes, Shapes, ShapeNames);
+
+TYPED_TEST(ValueTypes, StrictStepsAsWordsDo) {
+  using Design = typename TypeParam::Design;
+  auto hostile = stimulus<TypeParam>(0);
+  ModelMachine<Design> machine(TypeParam::params);
+  auto state = Design::template cleared<Strict>();
+  const auto words = [](const auto& record) {
+    std::array<Word, std::decay_t<decltype(record)>::size> w{};
+    for_each_member<std::decay_t<decltype(record)>>(
+        [&](auto member, std::size_t i) { w[i] = (record.*member).word; });
+    return w;
+  };
+  typename Design::template Inputs<Word> in;
+  typename Design::template Outputs<Word> seen{};
+  std::uint64_t clocks = 0;
+  for (; hostile.next(in, seen); ++clocks) {
+    const auto strict_in =
+        converted<typename Design::template Inputs<Strict>>(in, [](Word w) { return Strict(w); });
+    const auto step = Design::next(TypeParam::params, state, strict_in);
+    ASSERT_EQ(words(Design::registers(TypeParam::params, state)), register_words(machine));
+    seen = machine.clock(in);
+    ASSERT_EQ(words(step.outputs), to_words(seen)) << "clock " << clocks;
+    ASSERT_EQ(words(step.state), to_words(machine.state)) << "clock " << clocks;
+    state = step.state;
+  }
+  EXPECT_EQ(clocks, kClocks);
+}
+
+TYPED_TEST(ValueTypes, EightLanesStepAsEightMachines) {
+  using Design = typename TypeParam::Design;
+  using Inputs = typename Design::template Inputs<Word>;
+  std::vector<HostileStimulus<Design>> hostile;
+  std::vector<ModelMachine<Design>> machines(kLanes, ModelMachine<Design>(TypeParam::params));
+  for (std::size_t i = 0; i < kLanes; ++i) hostile.push_back(stimulus<TypeParam>(i + 1));
+
+  auto state = Design::template cleared<Lanes>();
+  const auto words_of_lane = [](const auto& record, std::size_t i) {
+    std::array<Word, std::decay_t<decltype(record)>::size> w{};
+    for_each_member<std::decay_t<decltype(record)>>(
+        [&](auto member, std::size_t m) { w[m] = (record.*member).lane[i]; });
+    return w;
+  };
+  std::uint64_t clocks = 0;
+  for (;; ++clocks) {
+    std::array<Inputs, kLanes> in;
+    bool more = true;
+    for (std::size_t i = 0; i < kLanes; ++i) more = hostile[i].next(in[i], {}) && more;
+    if (!more) break;
+    typename Design::template Inputs<Lanes> lanes_in;
+    for_each_member<Inputs>([&](auto member, std::size_t m) {
+      lanes_in.*(decltype(lanes_in)::members()[m]) =
+          Lanes(each_lane([&](std::size_t i) { return in[i].*member; }));
+    });
+    const auto step = Design::next(TypeParam::params, state, lanes_in);
+    const auto registers = Design::registers(TypeParam::params, state);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+      ASSERT_EQ(words_of_lane(registers, i), register_words(machines[i]));
+      const auto seen = machines[i].clock(in[i]);
+      ASSERT_EQ(words_of_lane(step.outputs, i), to_words(seen)) << "lane " << i;
+      ASSERT_EQ(words_of_lane(step.state, i), to_words(machines[i].state)) << "lane " << i;
+    }
+    state = step.state;
+  }
+  EXPECT_EQ(clocks, kClocks);
+}
+
+}  // namespace
+}  // namespace cosim::test

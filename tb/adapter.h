@@ -1,5 +1,6 @@
 // What every adapter of a Verilated class shares. An adapter gives lockstep six things: the design,
-// its parameters, and drive(), eval(), outputs(), registers(); the design's field tables write them.
+// its parameters, and drive(), eval(), outputs(), registers(); the design's field tables write
+// them.
 #pragma once
 
 #include <verilated.h>

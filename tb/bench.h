@@ -93,9 +93,9 @@ class AdapterSession final : public Session<typename Adapter::Design> {
     history_.insert(history_.end(), jobs.begin(), jobs.end());
     Host host(Adapter::params, jobs);
     Run result;
-    const bool same = clock_through(
-        lockstep_, host, result.clocks,
-        [&](const Host& h, const auto& seen) { observer.clock(h.job(), seen); });
+    const bool same =
+        clock_through(lockstep_, host, result.clocks,
+                      [&](const Host& h, const auto& seen) { observer.clock(h.job(), seen); });
     clocks_ += result.clocks;
     if (!same) {
       result.mismatch =

@@ -20,9 +20,10 @@ void LineCheck::clock(std::size_t job, const Compared<linear::Design>& seen) {
   ++tick_;
   found_.steps += static_cast<std::uint64_t>(std::popcount(got.major));
   if (got == due) return;
-  found_.error = fmt::format("BP = {}, UK = {:0{}b}, word {}: oracle {:0{}b} {:0{}b}, machine {:0{}b} {:0{}b}",
-                             line.major, line.code, p_.m, tick_, due.major, p_.word(), due.minor,
-                             p_.word(), got.major, p_.word(), got.minor, p_.word());
+  found_.error =
+      fmt::format("BP = {}, UK = {:0{}b}, word {}: oracle {:0{}b} {:0{}b}, machine {:0{}b} {:0{}b}",
+                  line.major, line.code, p_.m, tick_, due.major, p_.word(), due.minor, p_.word(),
+                  got.major, p_.word(), got.minor, p_.word());
 }
 
 void LineCheck::close() {
@@ -32,9 +33,8 @@ void LineCheck::close() {
     found_.error = fmt::format("BP = {}, UK = {:0{}b}: oracle {} words, machine {}", job.line.major,
                                job.line.code, p_.m, due, tick_);
   }
-  found_.max_deviation =
-      std::max(found_.max_deviation,
-               linear::max_deviation(p_.m, job.line.major, job.line.code).value());
+  found_.max_deviation = std::max(
+      found_.max_deviation, linear::max_deviation(p_.m, job.line.major, job.line.code).value());
   ++found_.jobs;
   ++job_;
   tick_ = 0;
@@ -86,8 +86,9 @@ void ArcCheck::close() {
       found_.error = fmt::format("R^2 = {} from ({}, {}): oracle {} steps, machine {}", arc.radius2,
                                  arc.from.x, arc.from.y, due, steps_);
     } else if (due == whole && !(at_ == end)) {
-      found_.error = fmt::format("R^2 = {} from ({}, {}): oracle ends at ({}, {}), machine at ({}, {})",
-                                 arc.radius2, arc.from.x, arc.from.y, end.x, end.y, at_.x, at_.y);
+      found_.error =
+          fmt::format("R^2 = {} from ({}, {}): oracle ends at ({}, {}), machine at ({}, {})",
+                      arc.radius2, arc.from.x, arc.from.y, end.x, end.y, at_.x, at_.y);
     }
   }
   ++found_.jobs;

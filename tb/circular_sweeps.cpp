@@ -94,8 +94,10 @@ Arc random_arc(const Params& p, std::uint64_t seed, std::uint64_t i) {
   // Rows or columns up to the middle of the quadrant, there and back again.
   const std::int64_t middle = nearest_root(arc.radius2 / 2);
   const bool late = random.one_in_power(1);
-  std::int64_t along = static_cast<std::int64_t>(random.below(static_cast<std::uint64_t>(middle) + 1));
-  if (random.one_in_power(2)) along = std::max<std::int64_t>(middle - static_cast<std::int64_t>(random.below(20)), 0);
+  std::int64_t along =
+      static_cast<std::int64_t>(random.below(static_cast<std::uint64_t>(middle) + 1));
+  if (random.one_in_power(2))
+    along = std::max<std::int64_t>(middle - static_cast<std::int64_t>(random.below(20)), 0);
   const std::int64_t across = nearest_root(arc.radius2 - square(along));
   arc.from = late ? Point{along, across} : Point{across, along};
   if (!next_to_circle(arc.from, arc.radius2)) arc.from = {nearest_root(arc.radius2), 0};
@@ -112,8 +114,9 @@ Sweep random_arcs(const CircularBench& bench, std::uint64_t seed, std::uint64_t 
   const auto run = [&bench, seed](std::uint64_t i) {
     const Arc arc = random_arc(bench.params(), seed, i);
     Result result = run_arcs(bench, {&arc, 1}, static_cast<std::uint32_t>(i));
-    result.failed = fmt::format("R^2 = {} from ({}, {}), {} steps, seed {}", arc.radius2, arc.from.x,
-                                arc.from.y, arc.count ? fmt::format("{}", *arc.count) : "all", seed);
+    result.failed =
+        fmt::format("R^2 = {} from ({}, {}), {} steps, seed {}", arc.radius2, arc.from.x,
+                    arc.from.y, arc.count ? fmt::format("{}", *arc.count) : "all", seed);
     return result;
   };
   return {"random arcs", count, run};

@@ -13,7 +13,7 @@ namespace cosim {
 /// One reproducible run of hostile clocks.
 struct HostileCase {
   std::uint64_t seed = 1;
-  std::uint64_t index = 0;   ///< the case's number under its seed
+  std::uint64_t index = 0;  ///< the case's number under its seed
   std::uint64_t clocks = 1000;
 
   /// The power-up state of the case's machine.

@@ -43,8 +43,8 @@ Job random_line(const Params& p, std::uint64_t seed, std::uint64_t i) {
   job.line.major = random.corner(p.m);
   job.line.code = random.one_in_power(2)
                       ? best_code(p.m, job.line.major,
-                                  static_cast<std::int64_t>(random.below(
-                                      static_cast<std::uint64_t>(job.line.major) + 1)))
+                                  static_cast<std::int64_t>(
+                                      random.below(static_cast<std::uint64_t>(job.line.major) + 1)))
                       : static_cast<Code>(random.corner(p.m));
   if (ticks(p.gamma(), job.line.major) > longest) {
     job.words = static_cast<std::int64_t>(random.below(longest));

@@ -9,11 +9,16 @@
 namespace cosim {
 namespace {
 
+constexpr std::size_t widest_line = 120;
+
 const char* letter(Trace::Kind kind) {
   switch (kind) {
-    case Trace::Kind::input: return "in ";
-    case Trace::Kind::reg: return "reg";
-    case Trace::Kind::output: return "out";
+    case Trace::Kind::input:
+      return "in ";
+    case Trace::Kind::reg:
+      return "reg";
+    case Trace::Kind::output:
+      return "out";
   }
   return "";
 }
@@ -21,9 +26,10 @@ const char* letter(Trace::Kind kind) {
 }  // namespace
 
 std::string to_text(const Mismatch& m) {
-  std::string text = fmt::format("first difference: clock {}, {}{}{}\n  expected {}\n  actual   {}\n",
-                                 m.clock, m.signal, *m.field.source != '\0' ? ", block " : "",
-                                 m.field.source, show(m.field, m.expected), show(m.field, m.actual));
+  std::string text =
+      fmt::format("first difference: clock {}, {}{}{}\n  expected {}\n  actual   {}\n", m.clock,
+                  m.signal, *m.field.source != '\0' ? ", block " : "", m.field.source,
+                  show(m.field, m.expected), show(m.field, m.actual));
 
   // Every cell first: a column is as wide as its widest.
   struct Row {
@@ -54,10 +60,20 @@ std::string to_text(const Mismatch& m) {
     head = std::max(head, r.head.size());
     for (std::size_t c = 0; c < clocks; ++c) widths[c] = std::max(widths[c], r.cells[c].size());
   }
-  for (const Row& r : rows) {
-    text += fmt::format("  {:<{}}", r.head, head);
-    for (std::size_t c = 0; c < clocks; ++c) text += fmt::format("  {:>{}}", r.cells[c], widths[c]);
-    text += '\n';
+  // As many clocks side by side as fit, the others below.
+  for (std::size_t first = 0, end = 0; first < clocks; first = end) {
+    std::size_t width = 2 + head;
+    while (end < clocks && (end == first || width + 2 + widths[end] <= widest_line)) {
+      width += 2 + widths[end++];
+    }
+    if (first != 0) text += '\n';
+    for (const Row& r : rows) {
+      text += fmt::format("  {:<{}}", r.head, head);
+      for (std::size_t c = first; c < end; ++c) {
+        text += fmt::format("  {:>{}}", r.cells[c], widths[c]);
+      }
+      text += '\n';
+    }
   }
   return text;
 }

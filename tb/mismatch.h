@@ -31,7 +31,8 @@ struct Mismatch {
 };
 
 /// The mismatch as text: what and where, then the table of the clocks around it, with expected
-/// above actual wherever they differ. Lines end in '\n'.
+/// above actual wherever they differ, in parts one below the other where it is wider than 120
+/// columns. Lines end in '\n'.
 std::string to_text(const Mismatch& mismatch);
 
 }  // namespace cosim

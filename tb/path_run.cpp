@@ -95,8 +95,8 @@ PathResult PathRun::draw(const toolpath::Plan& plan, const StepSink& sink) {
   ArcPen arc_pen(pen);
   for (std::size_t s = 0; s < plan.segments.size(); ++s) {
     const toolpath::Segment& segment = plan.segments[s];
-    const std::string name = fmt::format("segment {}, line {} of the program", s + 1,
-                                         segment.place.line);
+    const std::string name =
+        fmt::format("segment {}, line {} of the program", s + 1, segment.place.line);
     Result* last = &result.lines;
     for (std::size_t i = 0; i < segment.pieces; ++i) {
       const toolpath::Piece& piece = plan.pieces[segment.first_piece + i];

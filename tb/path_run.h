@@ -1,4 +1,5 @@
-// Draws a planned toolpath on a linear and a circular machine, both in lockstep for the whole of it.
+// Draws a planned toolpath on a linear and a circular machine, both in lockstep for the whole of
+// it.
 #pragma once
 
 #include <cstdint>
@@ -23,7 +24,8 @@ struct PathResult {
 };
 
 /// Called for each elementary step: its segment, the step (dx, dy) and the position after it.
-using StepSink = std::function<void(std::uint32_t segment, toolpath::Point step, toolpath::Point at)>;
+using StepSink =
+    std::function<void(std::uint32_t segment, toolpath::Point step, toolpath::Point at)>;
 /// Chooses the control code of a line: (m, major, minor).
 using CodeChooser = std::function<linear::Code(int, std::int64_t, std::int64_t)>;
 

@@ -41,18 +41,31 @@ class Random {
     const std::uint64_t r = next();
     const Word uniform = low_bits(static_cast<Word>(next()), width);
     switch (r & 15) {
-      case 0: return 0;
-      case 1: return ones(width);
-      case 2: return 1;
-      case 3: return low_bits(-2, width);
-      case 4: return low_bits(shift_left(1, static_cast<int>((r >> 8) % static_cast<unsigned>(width))), width);
-      case 5: return low_bits(-1 - shift_left(1, static_cast<int>((r >> 8) % static_cast<unsigned>(width))), width);
+      case 0:
+        return 0;
+      case 1:
+        return ones(width);
+      case 2:
+        return 1;
+      case 3:
+        return low_bits(-2, width);
+      case 4:
+        return low_bits(shift_left(1, static_cast<int>((r >> 8) % static_cast<unsigned>(width))),
+                        width);
+      case 5:
+        return low_bits(
+            -1 - shift_left(1, static_cast<int>((r >> 8) % static_cast<unsigned>(width))), width);
       case 6:
       case 7:
       case 8:
-      case 9: return shift_right(uniform, static_cast<int>((r >> 8) % static_cast<unsigned>(width)));
-      case 10: return low_bits(-1 - shift_right(uniform, static_cast<int>((r >> 8) % static_cast<unsigned>(width))), width);
-      default: return uniform;
+      case 9:
+        return shift_right(uniform, static_cast<int>((r >> 8) % static_cast<unsigned>(width)));
+      case 10:
+        return low_bits(
+            -1 - shift_right(uniform, static_cast<int>((r >> 8) % static_cast<unsigned>(width))),
+            width);
+      default:
+        return uniform;
     }
   }
 

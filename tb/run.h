@@ -55,9 +55,12 @@ Mismatch examine(Stimulus stimulus, std::uint32_t power_up, std::uint64_t clock,
   Mismatch m;
   m.clock = clock;
   m.first = clock > window.before ? clock - window.before : 0;
-  detail::add_traces<typename Design::template Inputs<Word>>(m, Trace::Kind::input, Adapter::params);
-  detail::add_traces<typename Design::template Registers<Word>>(m, Trace::Kind::reg, Adapter::params);
-  detail::add_traces<typename Design::template Outputs<Word>>(m, Trace::Kind::output, Adapter::params);
+  detail::add_traces<typename Design::template Inputs<Word>>(m, Trace::Kind::input,
+                                                             Adapter::params);
+  detail::add_traces<typename Design::template Registers<Word>>(m, Trace::Kind::reg,
+                                                                Adapter::params);
+  detail::add_traces<typename Design::template Outputs<Word>>(m, Trace::Kind::output,
+                                                              Adapter::params);
 
   Lockstep<Adapter> lockstep(power_up);
   typename Design::template Inputs<Word> in;
@@ -75,9 +78,9 @@ Mismatch examine(Stimulus stimulus, std::uint32_t power_up, std::uint64_t clock,
   return m;
 }
 
-/// Clocks `lockstep` from `source` until the source ends (true) or RTL and model differ (false), and
-/// counts the clocks, the differing one included. `observe(source, compared)` is called after each
-/// clock that matched.
+/// Clocks `lockstep` from `source` until the source ends (true) or RTL and model differ (false),
+/// and counts the clocks, the differing one included. `observe(source, compared)` is called after
+/// each clock that matched.
 template <class Adapter, class Stimulus, class Observe>
 bool clock_through(Lockstep<Adapter>& lockstep, Stimulus& source, std::uint64_t& clocks,
                    Observe&& observe) {

@@ -18,7 +18,7 @@ struct Result {
   std::uint64_t clocks = 0;  ///< compared
   Checked checked;           ///< against the oracle; `error` is the first by case number
   std::optional<Mismatch> mismatch;
-  std::string failed;        ///< what the failing case was, one line; empty where none failed
+  std::string failed;  ///< what the failing case was, one line; empty where none failed
 
   bool match() const { return !mismatch && checked.error.empty(); }
 };

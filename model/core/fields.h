@@ -17,17 +17,17 @@ namespace cosim {
 
 /// How a person wants to read a field's bits.
 enum class Format {
-  flag,              ///< one bit
-  bits,              ///< a bit string
-  number,            ///< a number >= 0
-  twos_complement,   ///< a signed number
-  ones_complement,   ///< a signed number
-  ones_quarters,     ///< ones' complement with two fraction bits
+  flag,             ///< one bit
+  bits,             ///< a bit string
+  number,           ///< a number >= 0
+  twos_complement,  ///< a signed number
+  ones_complement,  ///< a signed number
+  ones_quarters,    ///< ones' complement with two fraction bits
 };
 
 struct Field {
   const char* name;
-  int width;           ///< bits, 1 to 64
+  int width;  ///< bits, 1 to 64
   Format format;
   const char* source;  ///< pin or block number, "" where the source has none
   const char* meaning;
@@ -46,18 +46,16 @@ using Words = std::array<Word, Record::size>;
 /// Calls visit(member, i) for each field's pointer to member, in the order of the table.
 template <class Record, class Visit>
 constexpr void for_each_member(Visit visit) {
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
-    (visit(Record::members()[I], I), ...);
-  }(std::make_index_sequence<Record::size>{});
+  [&]<std::size_t... I>(std::index_sequence<I...>) { (visit(Record::members()[I], I), ...); }
+  (std::make_index_sequence<Record::size>{});
 }
 
 /// a where c holds, else b, field by field.
 template <class Record, class C>
 constexpr Record select_record(C c, const Record& a, const Record& b) {
   Record r;
-  for_each_member<Record>([&](auto member, std::size_t) {
-    r.*member = select(c, a.*member, b.*member);
-  });
+  for_each_member<Record>(
+      [&](auto member, std::size_t) { r.*member = select(c, a.*member, b.*member); });
   return r;
 }
 
@@ -78,26 +76,27 @@ constexpr Record from_words(const Words<Record>& words) {
 }  // namespace cosim
 
 #define COSIM_MEMBER(name, width, format, source, meaning) V name{};
-#define COSIM_ONE(name, width, format, source, meaning) +1
+#define COSIM_INDEX(name, width, format, source, meaning) index_##name,
 #define COSIM_POINTER(name, width, format, source, meaning) &Self::name,
 #define COSIM_FIELD(name, width, format, source, meaning) \
   Field{#name, width, Format::format, source, meaning},
 
 /// Defines `template <class V> struct Record` with one member a row of TABLE, and its table as
 /// data. Params is the type of p in the rows' widths.
-#define COSIM_RECORD(Record, TABLE, Params)                                               \
-  template <class V>                                                                      \
-  struct Record {                                                                         \
-    TABLE(COSIM_MEMBER)                                                                   \
-    static constexpr std::size_t size = 0 TABLE(COSIM_ONE);                               \
-    static constexpr auto members() {                                                     \
-      using Self = Record;                                                                \
-      return std::array<V Self::*, size>{TABLE(COSIM_POINTER)};                           \
-    }                                                                                     \
-    static constexpr std::array<Field, size> fields([[maybe_unused]] const Params& p) {   \
-      return {TABLE(COSIM_FIELD)};                                                        \
-    }                                                                                     \
-    friend Record select(Condition<V> c, const Record& a, const Record& b) {              \
-      return select_record(c, a, b);                                                      \
-    }                                                                                     \
+#define COSIM_RECORD(Record, TABLE, Params)                                             \
+  template <class V>                                                                    \
+  struct Record {                                                                       \
+    TABLE(COSIM_MEMBER)                                                                 \
+    enum Index : std::size_t { TABLE(COSIM_INDEX) index_end };                          \
+    static constexpr std::size_t size = index_end;                                      \
+    static constexpr auto members() {                                                   \
+      using Self = Record;                                                              \
+      return std::array<V Self::*, size>{TABLE(COSIM_POINTER)};                         \
+    }                                                                                   \
+    static constexpr std::array<Field, size> fields([[maybe_unused]] const Params& p) { \
+      return {TABLE(COSIM_FIELD)};                                                      \
+    }                                                                                   \
+    friend Record select(Condition<V> c, const Record& a, const Record& b) {            \
+      return select_record(c, a, b);                                                    \
+    }                                                                                   \
   }

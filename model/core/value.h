@@ -27,7 +27,9 @@ constexpr Word low_bits(Word v, int width) {
 constexpr bool bit(Word v, int i) { return ((v >> i) & 1) != 0; }
 
 /// v * 2^n, 0 <= n <= 63, modulo 2^64.
-constexpr Word shift_left(Word v, int n) { return static_cast<Word>(static_cast<std::uint64_t>(v) << n); }
+constexpr Word shift_left(Word v, int n) {
+  return static_cast<Word>(static_cast<std::uint64_t>(v) << n);
+}
 
 /// floor(v / 2^n), 0 <= n <= 63.
 constexpr Word shift_right(Word v, int n) { return v >> n; }
@@ -45,8 +47,7 @@ constexpr auto either(bool c, Then then, Otherwise otherwise) {
   return c ? then() : otherwise();
 }
 template <class C, class Then, class Otherwise>
-  requires(!std::same_as<C, bool>)
-constexpr auto either(C c, Then then, Otherwise otherwise) {
+requires(!std::same_as<C, bool>) constexpr auto either(C c, Then then, Otherwise otherwise) {
   return select(c, then(), otherwise());
 }
 

@@ -11,7 +11,7 @@ namespace cosim::linear {
 struct Params {
   int m = 5;  ///< bits of BP and of the code UK, 2 to 32
   int n = 2;  ///< low bits of UK that the serial multiplier takes, 1 to m - 1
-  constexpr int gamma() const { return m - n; }     ///< 1 to 6
+  constexpr int gamma() const { return m - n; }        ///< 1 to 6
   constexpr int word() const { return 1 << gamma(); }  ///< positions in a word
 };
 
@@ -172,8 +172,9 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
         return either(
             !is_set(in.initial_set_n), [&] { return at_rest(s); },
             [&] {
-              return either(is_set(s.running), [&] { return advanced(p, s); },
-                            [&] { return idle(p, s, in); });
+              return either(
+                  is_set(s.running), [&] { return advanced(p, s); },
+                  [&] { return idle(p, s, in); });
             });
       });
   return result;
@@ -204,10 +205,14 @@ struct Design {
   static constexpr const char* name = "linear";
   static constexpr const char* source = "SU 1631518";
   using Params = linear::Params;
-  template <class V> using Inputs = linear::Inputs<V>;
-  template <class V> using Outputs = linear::Outputs<V>;
-  template <class V> using State = linear::State<V>;
-  template <class V> using Registers = linear::Registers<V>;
+  template <class V>
+  using Inputs = linear::Inputs<V>;
+  template <class V>
+  using Outputs = linear::Outputs<V>;
+  template <class V>
+  using State = linear::State<V>;
+  template <class V>
+  using Registers = linear::Registers<V>;
 
   /// The parameters by the RTL's names.
   static constexpr std::array<Parameter, 2> parameters(const Params& p) {
@@ -226,7 +231,9 @@ struct Design {
     return in;
   }
   template <class V>
-  static constexpr State<V> cleared() { return {}; }
+  static constexpr State<V> cleared() {
+    return {};
+  }
   template <class V>
   static constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) {
     return linear::next(p, s, in);

@@ -1,4 +1,5 @@
-// The circular machine's pins and registers, tied to the Verilated class by the model's field tables.
+// The circular machine's pins and registers, tied to the Verilated class by the model's field
+// tables.
 #pragma once
 
 #include "model/circular/host.h"

@@ -125,7 +125,7 @@ int run(const Options& o) {
 void add_arc(CLI::App& app, Action& action) {
   auto o = std::make_shared<Options>();
   CLI::App& command = *app.add_subcommand(
-      "arc", "An arc in the first quadrant, anticlockwise to (0, R), on the circular machine");
+      "arc", "An arc of the first quadrant, anticlockwise, on the circular machine");
   add_text(command, "--radius", o->radius, "R", "Needed, or --radius2: R in steps, 0 to 2^W - 1");
   add_text(command, "--radius2", o->radius2, "Q", "R^2, for an R that need not be whole");
   add_text(command, "--from", o->from, "X,Y", "A lattice point next to the circle; default R,0");

@@ -19,8 +19,8 @@ linear::Code parse_code(const std::string& text, int m) {
   const bool is_number = error == std::errc{} && rest == end && !digits.starts_with('-');
   const bool fits = hexadecimal ? value >> m == 0 : digits.size() == static_cast<std::size_t>(m);
   if (!is_number || !fits) {
-    throw InputError(fmt::format("--code: {} is not best, greedy, {} bits, or 0x0 to {:#x}",
-                                 quoted(text), m, (std::uint64_t{1} << m) - 1));
+    throw InputError(fmt::format("--code: {} is not best, greedy, {} bits (M={}) or 0x0 to {:#x}",
+                                 quoted(text), m, m, (std::uint64_t{1} << m) - 1));
   }
   return value;
 }

@@ -33,8 +33,8 @@ void add_sweep(CLI::App& app, Action& action);
 
 /// An option, or without dashes a positional, whose help reads "name TYPE help". A value of no
 /// characters is a value too.
-void add_text(CLI::App& command, const std::string& name, Text& value, const std::string& type,
-              const std::string& help);
+CLI::Option* add_text(CLI::App& command, const std::string& name, Text& value,
+                      const std::string& type, const std::string& help);
 /// A switch.
 void add_switch(CLI::App& command, const std::string& name, bool& value, const std::string& help);
 

@@ -8,9 +8,9 @@ std::uint64_t Common::seed() const {
   return seed_text ? whole("--seed", *seed_text, 0, ~std::uint64_t{0}) : 1;
 }
 
-void add_text(CLI::App& command, const std::string& name, Text& value, const std::string& type,
-              const std::string& help) {
-  command
+CLI::Option* add_text(CLI::App& command, const std::string& name, Text& value,
+                      const std::string& type, const std::string& help) {
+  return command
       .add_option_function<std::string>(
           name, [&value](const std::string& text) { value = text; }, help)
       ->type_name(type);

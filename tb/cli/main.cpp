@@ -15,6 +15,7 @@
 namespace {
 
 constexpr int bad_input = 2;
+constexpr const char* no_output = "cannot write to standard output";
 
 int refuse(const std::string& line) {
   fmt::print(stderr, "cosim: {}\n", cosim::cli::one_line(line));
@@ -71,12 +72,12 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     status = refuse("not enough memory");
   } catch (const std::system_error& error) {  // of a write to standard output, or of a thread
-    if (std::ferror(stdout) == 0) return refuse(error.code().message());
+    status = refuse(std::ferror(stdout) == 0 ? error.code().message() : no_output);
   } catch (const std::exception& error) {
     status = refuse(std::string("internal error: ") + error.what());
   }
-  if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-    return refuse("cannot write to standard output");
+  if (status != bad_input && (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)) {
+    return refuse(no_output);
   }
   return status;
 }

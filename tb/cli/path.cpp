@@ -57,7 +57,7 @@ std::string figures(const std::string& file, double scale, const toolpath::Progr
 
 int run(const Options& o) {
   const std::uint64_t seed = o.common.seed();
-  const std::string& file = needed("FILE", o.file);
+  const std::string& file = *o.file;
   if (file.empty()) throw InputError("FILE: names no file");
   const double scale =
       positive("--steps-per-mm", needed("--steps-per-mm", o.steps_per_mm), finest_grid);
@@ -95,9 +95,9 @@ int run(const Options& o) {
   fmt::print("path: {}, ends at ({}, {})\n", count(result.steps, "step"), result.end.x,
              result.end.y);
   fmt::print("grid: largest quantisation error {}", in_steps(plan.largest_quantisation));
-  if (plan.arc_width != 0) {
+  if (plan.largest_closing != 0) {
     const auto closing = static_cast<std::uint64_t>(plan.largest_closing);
-    fmt::print(", longest line to close an arc {}", count(closing, "step"));
+    fmt::print(", arcs closed by lines of at most {}", count(closing, "step"));
   }
   fmt::print("\n");
   return conclude(outcomes, o.common, figures(file, scale, program, plan, result));
@@ -109,7 +109,7 @@ void add_path(CLI::App& app, Action& action) {
   auto o = std::make_shared<Options>();
   CLI::App& command =
       *app.add_subcommand("path", "The path in X and Y of a G-code program, on both machines");
-  add_text(command, "FILE", o->file, "", "Needed: the program");
+  add_text(command, "FILE", o->file, "", "The program")->required();
   add_text(command, "--steps-per-mm", o->steps_per_mm, "S", "Needed: steps of the grid to 1 mm");
   add_text(command, "--code", o->code, "RULE", "Control codes of lines: best (default) or greedy");
   o->shape.add_linear(command);

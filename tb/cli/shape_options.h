@@ -15,7 +15,7 @@ struct ShapeOptions {
   LinearShape linear() const;
   CircularShape circular() const;
 
-  static constexpr const char* smallest = "the smallest built that holds it";
+  static constexpr const char* smallest = "the smallest that holds it";
 };
 
 }  // namespace cosim::cli

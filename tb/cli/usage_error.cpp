@@ -15,11 +15,13 @@ const CLI::App& innermost(const CLI::App& app) {
   return chosen.empty() ? app : innermost(*chosen.back());
 }
 
-// "cosim", "sweep", "sweep linear"
-std::string full_name(const CLI::App& app) {
-  const CLI::App* parent = app.get_parent();
-  if (parent == nullptr || parent->get_parent() == nullptr) return app.get_name();
-  return full_name(*parent) + " " + app.get_name();
+// "", "sweep: ", "sweep linear: "
+std::string prefix(const CLI::App& app) {
+  std::string name;
+  for (const CLI::App* one = &app; one->get_parent() != nullptr; one = one->get_parent()) {
+    name = one->get_name() + (name.empty() ? "" : " ") + name;
+  }
+  return name.empty() ? name : name + ": ";
 }
 
 std::string commands_of(const CLI::App& app) {
@@ -32,18 +34,19 @@ std::string commands_of(const CLI::App& app) {
 
 std::string unexpected(const CLI::App& app, const std::string& argument) {
   if (argument.starts_with('-')) {
-    return fmt::format("{}: no such option: {}", full_name(app), quoted(argument));
+    return fmt::format("{}no such option: {}", prefix(app), quoted(argument));
   }
   const std::string commands = commands_of(app);
-  if (commands.empty()) return fmt::format("{}: takes no {}", full_name(app), quoted(argument));
-  return fmt::format("{}: no such command: {}; there are {}", full_name(app), quoted(argument),
+  if (commands.empty()) return fmt::format("{}takes no {}", prefix(app), quoted(argument));
+  return fmt::format("{}no such command: {}; there are {}", prefix(app), quoted(argument),
                      commands);
 }
 
 // Of "--minor: 1 required MP missing", "--minor: At Most 1 required but received 2" and "--table
 // was given a disallowed flag override".
 std::string wrong_count(const std::string& what) {
-  const std::string name = what.substr(0, what.find_first_of(": "));
+  std::string name = what.substr(0, what.find_first_of(": "));
+  if (!name.starts_with('-')) name.insert(0, "--");
   if (what.find("missing") != std::string::npos) return name + ": needs a value";
   if (what.find("At Most") != std::string::npos) return name + ": is given more than once";
   return name + ": takes no value";
@@ -58,9 +61,10 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
   for (const CLI::App* one = &at; one != nullptr; one = one->get_parent()) {
     if (const auto rest = one->remaining(); !rest.empty()) return unexpected(*one, rest.front());
   }
-  // No option is required by CLI11's lights.
   if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
-    return fmt::format("{}: a command is needed: {}", full_name(at), commands_of(at));
+    const std::string commands = commands_of(at);
+    if (!commands.empty()) return fmt::format("{}a command is needed: {}", prefix(at), commands);
+    return what.substr(0, what.find(' ')) + ": is needed";  // "FILE is required"
   }
   return what.substr(0, what.find('\n'));
 }

@@ -48,14 +48,16 @@ auto inputs();
 template <>
 auto inputs<Linear>() {
   std::vector<linear::Job> jobs;
-  for (std::uint64_t i = 0; i < 1000; ++i) jobs.push_back(linear::random_line(Linear::params, 1, i));
+  for (std::uint64_t i = 0; i < 1000; ++i)
+    jobs.push_back(linear::random_line(Linear::params, 1, i));
   return inputs_of<Linear>(jobs);
 }
 
 template <>
 auto inputs<Circular>() {
   std::vector<circular::Arc> arcs;
-  for (std::uint64_t i = 0; i < 1000; ++i) arcs.push_back(circular::random_arc(Circular::params, 1, i));
+  for (std::uint64_t i = 0; i < 1000; ++i)
+    arcs.push_back(circular::random_arc(Circular::params, 1, i));
   return inputs_of<Circular>(arcs);
 }
 

@@ -101,9 +101,11 @@ TEST(Mismatch, ShowsTheClocksAround) {
 
 TEST(Mismatch, WindowEndsAtEitherEndOfTheRun) {
   const Mismatch early = drawn<Fault{0, 0, kStepY, 0}>(kR12, 1);
+  ASSERT_FALSE(early.traces.empty());
   EXPECT_EQ(early.first, 0U);
   EXPECT_EQ(early.traces.front().expected.size(), 5U);  // clocks 0 to 4
   const Mismatch late = drawn<Fault{20, 20, kStepY, 0}>(kR12, 21);
+  ASSERT_FALSE(late.traces.empty());
   EXPECT_EQ(late.first, 12U);
   EXPECT_EQ(late.traces.front().expected.size(), 9U);  // clocks 12 to 20
 }

@@ -1,0 +1,95 @@
+#include "tests/cli/program.h"
+
+#include <fcntl.h>
+#include <pty.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <sstream>
+#include <stdexcept>
+
+#include "tests/cli/folder.h"
+
+namespace cosim::cli {
+namespace {
+
+// Replaces this process. _exit, for the tests' own buffers are not to be written twice.
+[[noreturn]] void become(const char* program, const Arguments& arguments) {
+  std::vector<char*> argv{const_cast<char*>(program)};
+  for (const std::string& a : arguments) argv.push_back(const_cast<char*>(a.c_str()));
+  argv.push_back(nullptr);
+  execv(program, argv.data());
+  _exit(126);
+}
+
+void send(int stream, const std::string& path) {
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  if (file < 0 || dup2(file, stream) < 0) _exit(125);
+  close(file);
+}
+
+int status_of(pid_t child) {
+  int status = 0;
+  if (waitpid(child, &status, 0) != child) throw std::runtime_error("waitpid");
+  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+Ended run(const char* program, const Arguments& arguments, const Output& output) {
+  const Folder folder;
+  const std::string out = output.path.empty() ? folder.path("out") : output.path;
+  const std::string err = folder.path("err");
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("fork");
+  if (child == 0) {
+    dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
+    send(STDERR_FILENO, err);
+    if (output.closed) {
+      close(STDOUT_FILENO);
+    } else {
+      send(STDOUT_FILENO, out);
+    }
+    become(program, arguments);
+  }
+  Ended ended;
+  ended.status = status_of(child);
+  if (output.path.empty() && !output.closed) ended.out = folder.text("out");
+  ended.err = folder.text("err");
+  return ended;
+}
+
+}  // namespace
+
+Ended cosim(const Arguments& arguments, const Output& output) {
+  return run(COSIM_PROGRAM, arguments, output);
+}
+
+Ended faulty(const Arguments& arguments) { return run(COSIM_FAULTY_PROGRAM, arguments, {}); }
+
+Ended cosim_on_terminal(const Arguments& arguments, unsigned short columns) {
+  winsize size{};
+  size.ws_row = 24;
+  size.ws_col = columns;
+  int terminal = -1;
+  const pid_t child = forkpty(&terminal, nullptr, nullptr, &size);
+  if (child < 0) throw std::runtime_error("forkpty");
+  if (child == 0) become(COSIM_PROGRAM, arguments);
+  Ended ended;
+  std::string part(4096, '\0');
+  // A terminal whose last writer is gone gives an error, not an end.
+  for (ssize_t n = 0; (n = read(terminal, part.data(), part.size())) > 0;) {
+    ended.out.append(part, 0, static_cast<std::size_t>(n));
+  }
+  ended.status = status_of(child);
+  close(terminal);
+  return ended;
+}
+
+std::vector<std::string> lines(const std::string& text) {
+  std::vector<std::string> all;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) all.push_back(line);
+  return all;
+}
+
+}  // namespace cosim::cli

@@ -1,0 +1,37 @@
+// Runs the program and takes down what it says.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace cosim::cli {
+
+using Arguments = std::vector<std::string>;
+
+/// How a run ended. A status of 128 + n is a death by signal n.
+struct Ended {
+  int status = -1;
+  std::string out;
+  std::string err;
+};
+
+/// Where standard output goes: into Ended::out, to the file of that path (opened as a shell's >
+/// does), or nowhere, closed.
+struct Output {
+  std::string path;
+  bool closed = false;
+};
+
+/// The program as shipped, with standard input from /dev/null.
+Ended cosim(const Arguments& arguments, const Output& output = {});
+
+/// The one with faults in its benches (faulty_benches.cpp).
+Ended faulty(const Arguments& arguments);
+
+/// The program on a terminal of so many columns. Ended::out is all that the terminal was sent.
+Ended cosim_on_terminal(const Arguments& arguments, unsigned short columns);
+
+/// The lines of a text without their '\n'. A text not ended by one has a last line all the same.
+std::vector<std::string> lines(const std::string& text);
+
+}  // namespace cosim::cli

@@ -10,10 +10,14 @@ std::uint64_t Common::seed() const {
 
 CLI::Option* add_text(CLI::App& command, const std::string& name, Text& value,
                       const std::string& type, const std::string& help) {
-  return command
-      .add_option_function<std::string>(
-          name, [&value](const std::string& text) { value = text; }, help)
-      ->type_name(type);
+  const auto take = [&value, name](const std::string& text) {
+    // CLI11 takes what follows, be it the next option. A file of such a name is ./--name.
+    if (name.starts_with("--") && text.starts_with("--")) {
+      throw InputError(name + ": needs a value");
+    }
+    value = text;
+  };
+  return command.add_option_function<std::string>(name, take, help)->type_name(type);
 }
 
 void add_switch(CLI::App& command, const std::string& name, bool& value, const std::string& help) {

@@ -1,0 +1,53 @@
+// Benches with the model in the RTL's place, right at the smallest width and wrong at the largest
+// from one clock on: so that the program has a mismatch to show.
+#include "model/circular/host.h"
+#include "model/linear/host.h"
+#include "tb/bench.h"
+#include "tests/support/model_adapter.h"
+
+namespace cosim {
+namespace {
+
+/// From clock `first` on, the lowest bit of register `index` is turned over.
+template <class D, typename D::Params P, std::uint64_t first, std::size_t index>
+class FaultyAdapter : public test::ModelAdapter<D, P> {
+  using Base = test::ModelAdapter<D, P>;
+  using Registers = typename D::template Registers<Word>;
+
+ public:
+  using Base::Base;
+  void eval(bool clk) {
+    edges_ += clk ? 1 : 0;
+    Base::eval(clk);
+  }
+  Registers registers() const {
+    auto words = to_words(Base::registers());
+    if (edges_ > first) words[index] ^= 1;  // edge 1 is the clear's
+    return from_words<Registers>(words);
+  }
+
+ private:
+  std::uint64_t edges_ = 0;
+};
+
+}  // namespace
+
+const std::vector<std::unique_ptr<AnyBench>>& benches() {
+  static const auto list = [] {
+    using Linear = linear::Design;
+    using Circular = circular::Design;
+    constexpr linear::Params narrow{5, 2}, wide{32, 26};
+    constexpr std::size_t counter4 = 3, ct7 = 3;
+    std::vector<std::unique_ptr<AnyBench>> all;
+    all.push_back(std::make_unique<AdapterBench<test::ModelAdapter<Linear, narrow>>>());
+    all.push_back(std::make_unique<AdapterBench<FaultyAdapter<Linear, wide, 20, counter4>>>());
+    all.push_back(
+        std::make_unique<AdapterBench<test::ModelAdapter<Circular, circular::Params{4}>>>());
+    all.push_back(
+        std::make_unique<AdapterBench<FaultyAdapter<Circular, circular::Params{32}, 20, ct7>>>());
+    return all;
+  }();
+  return list;
+}
+
+}  // namespace cosim

@@ -1,0 +1,156 @@
+// Files and streams that cannot be written, or are wanted for something else.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <filesystem>
+#include <future>
+
+#include "tests/cli/folder.h"
+#include "tests/cli/program.h"
+
+namespace cosim::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+Ended line(const Arguments& more, const Output& output = {}) {
+  Arguments command{"line", "--major", "27", "--minor", "9"};
+  command.insert(command.end(), more.begin(), more.end());
+  return cosim(command, output);
+}
+
+void expect_error(const Ended& ended, const std::string& error) {
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_EQ(ended.err, "cosim: " + error + "\n");
+}
+
+TEST(Streams, ThatCannotBeWrittenIsSaid) {
+  const Folder folder;
+  for (const char* option : {"--csv", "--report"}) {
+    expect_error(line({option, folder.path("none/x")}),
+                 folder.path("none/x") + ": cannot write: No such file or directory");
+    expect_error(line({option, folder.path("")}),
+                 folder.path("") + ": cannot write: Is a directory");
+    expect_error(line({option, "/dev/full"}), "/dev/full: cannot write: No space left on device");
+    expect_error(line({option, std::string(5000, 'x')}),
+                 std::string(5000, 'x') + ": cannot write: File name too long");
+  }
+  expect_error(line({"--csv", "a\nb/c"}), "a?b/c: cannot write: No such file or directory");
+}
+
+// Long before the run is over.
+TEST(Streams, ThatCannotBeWrittenIsSaidFirst) {
+  const Folder folder;
+  const std::string bad = folder.path("none/x");
+  const Ended ended = cosim({"sweep", "linear", "--random", "281474976710656", "--report", bad});
+  expect_error(ended, bad + ": cannot write: No such file or directory");
+  EXPECT_EQ(ended.out, "");
+  // And with nothing lost of the other file.
+  folder.write("csv", "kept\n");
+  expect_error(line({"--csv", folder.path("csv"), "--report", bad}),
+               bad + ": cannot write: No such file or directory");
+  EXPECT_EQ(folder.text("csv"), "kept\n");
+}
+
+TEST(Streams, WithoutRoomKeepsTheVerdict) {
+  const Ended ended = line({"--report", "/dev/full"});
+  EXPECT_NE(ended.out.find("verdict: match\n"), std::string::npos) << ended.out;
+}
+
+TEST(Streams, OfBothKindsNeedsTwoFiles) {
+  const Folder folder;
+  const std::string a = folder.path("a");
+  expect_error(line({"--csv", a, "--report", a}), "--report: " + a + " is the file of --csv");
+  EXPECT_FALSE(folder.holds("a"));
+  const std::string roundabout =
+      folder.path("./../" + fs::path(folder.path("")).parent_path().filename().string() + "/a");
+  expect_error(line({"--csv", a, "--report", roundabout}),
+               "--report: " + roundabout + " is the file of --csv");
+  folder.write("a", "kept\n");
+  fs::create_hard_link(a, folder.path("hard"));
+  fs::create_symlink(a, folder.path("soft"));
+  for (const char* link : {"hard", "soft"}) {
+    expect_error(line({"--csv", a, "--report", folder.path(link)}),
+                 "--report: " + folder.path(link) + " is the file of --csv");
+  }
+  EXPECT_EQ(folder.text("a"), "kept\n");
+  EXPECT_EQ(line({"--csv", "/dev/null", "--report", "/dev/null"}).status, 0);
+}
+
+TEST(Streams, IsNotWrittenOverTheProgramRead) {
+  const Folder folder;
+  const std::string program = "G0 X10\n";
+  const std::string file = folder.write("p.ngc", program);
+  for (const char* option : {"--csv", "--report"}) {
+    expect_error(
+        cosim({"path", file, "--steps-per-mm", "10", option, folder.path("./p.ngc")}),
+        std::string(option) + ": " + folder.path("./p.ngc") + " is the program that is read");
+    EXPECT_EQ(folder.text("p.ngc"), program);
+  }
+}
+
+TEST(Streams, IsNotWrittenOverTheText) {
+  const Folder folder;
+  for (const std::string& file : {folder.path("text"), std::string("/dev/stdout")}) {
+    expect_error(line({"--csv", file}, {folder.path("text")}),
+                 "--csv: " + file + " is where standard output goes");
+  }
+}
+
+TEST(Streams, ReplacesWhatStoodThere) {
+  const Folder folder;
+  folder.write("csv", std::string(100000, 'x'));
+  folder.write("report", std::string(100000, 'x'));
+  EXPECT_EQ(line({"--csv", folder.path("csv"), "--report", folder.path("report")}).status, 0);
+  EXPECT_EQ(lines(folder.text("csv")).size(), 5U);
+  EXPECT_EQ(folder.text("report").find("xxx"), std::string::npos);
+}
+
+TEST(Streams, GoesIntoAPipe) {
+  const Folder folder;
+  ASSERT_EQ(mkfifo(folder.path("pipe").c_str(), 0600), 0);
+  auto read = std::async(std::launch::async, [&] { return folder.text("pipe"); });
+  EXPECT_EQ(line({"--report", folder.path("pipe")}).status, 0);
+  EXPECT_EQ(read.get().substr(0, 2), "{\n");
+}
+
+TEST(StandardOutput, WithoutRoomIsAnError) {
+  for (const Arguments& more : {Arguments{}, Arguments{"--table"}}) {
+    expect_error(line(more, {"/dev/full"}), "cannot write to standard output");
+  }
+  expect_error(cosim({"list"}, {"/dev/full"}), "cannot write to standard output");
+  expect_error(cosim({"--help"}, {"/dev/full"}), "cannot write to standard output");
+  // More than any buffer holds.
+  expect_error(cosim({"arc", "--radius", "5000", "--table"}, {"/dev/full"}),
+               "cannot write to standard output");
+}
+
+// The CSV must not become the standard output that is missing.
+TEST(StandardOutput, ClosedIsAnError) {
+  const Folder folder;
+  Output closed;
+  closed.closed = true;
+  expect_error(line({"--csv", folder.path("csv")}, closed), "cannot write to standard output");
+  EXPECT_EQ(lines(folder.text("csv")).size(), 5U) << folder.text("csv");
+}
+
+// A reader that has seen enough ends the program without a word, as it does any other.
+TEST(StandardOutput, OfAReaderGoneEndsTheProgram) {
+  const Folder folder;
+  ASSERT_EQ(mkfifo(folder.path("pipe").c_str(), 0600), 0);
+  auto read = std::async(std::launch::async, [&] {
+    std::ifstream pipe(folder.path("pipe"));
+    std::string line;
+    std::getline(pipe, line);
+    return line;
+  });
+  const Ended ended = cosim({"arc", "--radius", "100000", "--table"}, {folder.path("pipe")});
+  EXPECT_EQ(read.get().substr(0, 14), "circular W=24:");
+  EXPECT_EQ(ended.status, 128 + SIGPIPE);
+  EXPECT_EQ(ended.err, "");
+}
+
+}  // namespace
+}  // namespace cosim::cli

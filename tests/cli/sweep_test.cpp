@@ -1,0 +1,128 @@
+// Sweeps: what they say they ran, and that a seed gives the same again.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/circle.h"
+#include "tests/cli/folder.h"
+#include "tests/cli/program.h"
+
+namespace cosim::cli {
+namespace {
+
+using nlohmann::json;
+
+struct Swept {
+  Ended ended;
+  json report;
+};
+
+Swept sweep(Arguments arguments) {
+  const Folder folder;
+  arguments.insert(arguments.begin(), "sweep");
+  arguments.insert(arguments.end(), {"--report", folder.path("r")});
+  Swept s;
+  s.ended = cosim(arguments);
+  EXPECT_EQ(s.ended.status, 0);
+  EXPECT_EQ(s.ended.err, "");
+  EXPECT_TRUE(s.ended.out.ends_with("\nverdict: match\n")) << s.ended.out;
+  s.report = json::parse(folder.text("r"), nullptr, false);
+  return s;
+}
+
+// The clocks of the runs, which must add up to the report's.
+std::vector<std::uint64_t> clocks_of_runs(const json& report) {
+  std::vector<std::uint64_t> clocks;
+  std::uint64_t sum = 0;
+  for (const json& run : report["runs"]) {
+    clocks.push_back(run["clocks"].get<std::uint64_t>());
+    sum += clocks.back();
+  }
+  EXPECT_EQ(report["clocks"], sum);
+  return clocks;
+}
+
+TEST(Sweep, RunsOnEveryWidthBuilt) {
+  const Swept lines_swept = sweep({"linear", "--random", "20"});
+  for (const char* machine :
+       {"linear M=5 N=2, ", "linear M=6 N=3, ", "linear M=8 N=5, ", "linear M=16 N=12, ",
+        "linear M=16 N=13, ", "linear M=24 N=21, ", "linear M=32 N=26, "}) {
+    EXPECT_NE(lines_swept.ended.out.find(machine), std::string::npos) << machine;
+  }
+  EXPECT_EQ(lines_swept.report["design"], "linear");
+  EXPECT_EQ(clocks_of_runs(lines_swept.report).size(), 7U);
+  const Swept arcs = sweep({"circular", "--random", "20"});
+  for (const char* machine : {"circular W=4, ", "circular W=8, ", "circular W=12, ",
+                              "circular W=16, ", "circular W=24, ", "circular W=32, "}) {
+    EXPECT_NE(arcs.ended.out.find(machine), std::string::npos) << machine;
+  }
+  EXPECT_EQ(arcs.report["design"], "circular");
+  EXPECT_EQ(clocks_of_runs(arcs.report).size(), 6U);
+}
+
+// Every BP of five bits with every UK of five bits: BP steps each, and at least BP / 8 clocks.
+TEST(Sweep, ExhaustsTheLinesOfFiveBits) {
+  const Swept s = sweep({"linear", "--exhaustive", "--m", "5"});
+  EXPECT_EQ(s.report["steps"], 32 * (31 * 32 / 2));
+  EXPECT_EQ(s.report["parameters"], (json{{"M", 5}, {"N", 2}}));
+}
+
+// Every start of every radius of four bits, and each of these arcs stopped after every number of
+// steps from 0 to one past its end.
+TEST(Sweep, ExhaustsTheArcsOfFourBits) {
+  std::int64_t whole = 0, stopped = 0;
+  for (std::int64_t r = 1; r <= 15; ++r) {
+    const auto radius2 = static_cast<std::uint64_t>(r * r);
+    const auto add = [&](Lattice from) {
+      std::int64_t n = 0;
+      for (Lattice p = from; p.x > 0; p = next_on_circle(p, radius2)) ++n;
+      whole += n;
+      stopped += n * (n + 1) / 2 + n;
+    };
+    for (std::int64_t along = 0; along <= r; ++along) {
+      const std::int64_t across = across_from(along, radius2);
+      if (across > along) add({across, along});
+      if (across >= along) add({along, across});
+    }
+  }
+  const Swept s = sweep({"circular", "--exhaustive", "--width", "4"});
+  ASSERT_EQ(s.report["runs"].size(), 2U);
+  EXPECT_EQ(s.report["runs"][0]["steps"], whole);
+  EXPECT_EQ(s.report["runs"][1]["steps"], stopped);
+}
+
+TEST(Sweep, RunsSoManyHostileClocks) {
+  for (const char* design : {"linear", "circular"}) {
+    const Swept s = sweep({design, "--hostile", "1234"});
+    for (const std::uint64_t clocks : clocks_of_runs(s.report)) EXPECT_EQ(clocks, 1234U);
+    // Hostile clocks draw nothing: nothing is said of steps.
+    EXPECT_EQ(s.ended.out.find("step"), std::string::npos) << s.ended.out;
+    EXPECT_NE(s.ended.out.find(": 1234 clocks ("), std::string::npos) << s.ended.out;
+  }
+  EXPECT_NE(sweep({"linear", "--hostile", "1", "--m", "5"}).ended.out.find(" on the one clock\n"),
+            std::string::npos);
+}
+
+// Whatever the threads do.
+TEST(Sweep, GivesTheSameForTheSameSeed) {
+  const auto report = [](const char* design, const char* seed, const char* jobs) {
+    json r = sweep({design, "--random", "200", "--seed", seed, "--jobs", jobs}).report;
+    r.erase("seed");
+    return r;
+  };
+  for (const char* design : {"linear", "circular"}) {
+    EXPECT_EQ(report(design, "7", "1"), report(design, "7", "4"));
+    EXPECT_NE(report(design, "7", "1"), report(design, "8", "1"));
+  }
+}
+
+TEST(Sweep, ReportsItsSeed) {
+  EXPECT_EQ(sweep({"linear", "--random", "1", "--m", "5"}).report["seed"], 1);
+  EXPECT_EQ(sweep({"linear", "--random", "1", "--m", "5", "--seed", "18446744073709551615"})
+                .report["seed"],
+            18446744073709551615U);
+}
+
+}  // namespace
+}  // namespace cosim::cli

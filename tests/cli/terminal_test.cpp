@@ -1,0 +1,88 @@
+// The bar of a sweep on a terminal, and nothing of it elsewhere.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/cli/program.h"
+
+namespace cosim::cli {
+namespace {
+
+const Arguments kSweep{"sweep", "circular", "--exhaustive", "--width", "8"};
+
+// What was drawn between one return to the line's start and the next, without the escape code that
+// clears the rest of the line.
+std::vector<std::string> drawn(const std::string& sent) {
+  const std::string clear = "\x1b[K";
+  std::vector<std::string> all;
+  std::string line;
+  for (std::size_t i = 0; i < sent.size(); ++i) {
+    if (sent[i] == '\r' || sent[i] == '\n') {
+      all.push_back(line);
+      line.clear();
+    } else if (sent.compare(i, clear.size(), clear) == 0) {
+      i += clear.size() - 1;
+    } else {
+      line += sent[i];
+    }
+  }
+  all.push_back(line);
+  return all;
+}
+
+TEST(Terminal, ShowsABar) {
+  const Ended ended = cosim_on_terminal(kSweep, 200);
+  EXPECT_EQ(ended.status, 0);
+  int bars = 0, whole = 0;
+  for (const std::string& line : drawn(ended.out)) {
+    const std::size_t open = line.find(" % [");
+    if (open == std::string::npos) continue;
+    ++bars;
+    EXPECT_EQ(line.find(']'), open + 4 + 30) << line;
+    EXPECT_NE(line.find("] circular W=8, every"), std::string::npos) << line;
+    whole += line.find("100 % [##############################]") == 0 ? 1 : 0;
+  }
+  EXPECT_GE(bars, 2);
+  EXPECT_EQ(whole, 2);  // both sweeps come to their end
+  EXPECT_NE(ended.out.find("verdict: match"), std::string::npos);
+}
+
+// The bar is gone once the sweep is over: in its place stands the plain line.
+TEST(Terminal, IsLeftWithPlainLines) {
+  const Ended ended = cosim_on_terminal(kSweep, 200);
+  std::string screen;
+  for (const std::string& line : lines(ended.out)) {  // each ends in \r\n
+    const std::string text = line.substr(0, line.size() - 1);
+    const std::size_t redrawn = text.rfind("\r\x1b[K");
+    screen += (redrawn == std::string::npos ? text : text.substr(redrawn + 4)) + "\n";
+  }
+  EXPECT_EQ(screen.find('%'), std::string::npos) << screen;
+  EXPECT_EQ(screen.find('\r'), std::string::npos) << screen;
+  EXPECT_EQ(screen.find('\x1b'), std::string::npos) << screen;
+  EXPECT_EQ(lines(screen).size(), 4U) << screen;
+}
+
+TEST(Terminal, ThatIsNarrowHasABarThatFits) {
+  const Ended ended = cosim_on_terminal(kSweep, 40);
+  EXPECT_EQ(ended.status, 0);
+  bool bar = false;
+  for (const std::string& line : drawn(ended.out)) {
+    if (line.find(" % [") == std::string::npos) continue;
+    bar = true;
+    EXPECT_LT(line.size(), 40U) << line;
+  }
+  EXPECT_TRUE(bar);
+}
+
+TEST(NoTerminal, HasPlainLinesAlone) {
+  const Ended ended = cosim(kSweep);
+  EXPECT_EQ(ended.status, 0);
+  EXPECT_EQ(ended.out.find('\r'), std::string::npos);
+  EXPECT_EQ(ended.out.find('\x1b'), std::string::npos);
+  EXPECT_EQ(ended.out.find('%'), std::string::npos);
+  EXPECT_EQ(lines(ended.out).size(), 4U)
+      << ended.out;  // two sweeps, what was compared, the verdict
+}
+
+}  // namespace
+}  // namespace cosim::cli

@@ -40,7 +40,7 @@ class Command : public testing::Test {
   };
 
   Said run(const std::string& arguments) const {
-    const std::string line = "cd '" + folder_.string() + "' && '" COSIM_BINARY "' " + arguments +
+    const std::string line = "cd '" + folder_.string() + "' && '" COSIM_PROGRAM "' " + arguments +
                              " > out.txt 2> err.txt < /dev/null";
     const int status = std::system(line.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, slurp(folder_ / "out.txt"),

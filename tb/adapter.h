@@ -7,10 +7,19 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "model/core/value.h"
+#include "tb/wave/signal.h"
 
 namespace cosim {
+
+/// The signals of the instance in `context`.
+std::vector<Signal> signals_of(VerilatedContext& context);
+/// Sets name_q wherever it stands in the hierarchy: the register and the wires it goes through.
+/// std::logic_error where it stands nowhere.
+void load_register(VerilatedContext& context, const std::string& name, Word value);
 
 /// Owns one instance of a Verilated class. Its registers power up at random from `power_up`, so
 /// that a register no reset reaches is seen.
@@ -38,6 +47,11 @@ class VerilatedInstance {
     top_->clk = clk;
     top_->eval();
   }
+
+  /// Every signal of the hierarchy. None but in a class Verilated with --vpi --public-flat-rw.
+  std::vector<Signal> signals() const { return signals_of(*context_); }
+  /// Sets the register that the field `name` stands for, before the first eval; in such a class.
+  void load(const char* name, Word value) { load_register(*context_, name, value); }
 
  protected:
   template <class Pin>

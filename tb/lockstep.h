@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 
 #include "model/core/fields.h"
 
@@ -35,6 +36,7 @@ class Lockstep {
  public:
   using Design = typename Adapter::Design;
   using Inputs = typename Design::template Inputs<Word>;
+  using State = typename Design::template State<Word>;
 
   /// Powers up at random from `power_up`, then clears both sides: one clock, not compared, for
   /// before it the RTL's registers hold anything.
@@ -43,16 +45,25 @@ class Lockstep {
     dut_.drive(Design::clear());
     edge();
   }
+  /// Starts both sides from `state` instead, for an adapter that can load registers.
+  Lockstep(std::uint32_t power_up, const State& state) : dut_(power_up), state_(state) {
+    const auto fields = Design::template Registers<Word>::fields(Adapter::params);
+    const auto words = to_words(Design::registers(Adapter::params, state));
+    for (std::size_t i = 0; i < fields.size(); ++i) dut_.load(fields[i].name, words[i]);
+  }
 
   /// One clock: drives, settles, compares, then the rising edge. False where anything differs; the
   /// clock is completed all the same, so that the clocks behind a difference can be shown.
+  /// `sample(expected, actual)` is called before the edge.
   /// Flattened, so that the model sees its parameters as constants.
-  [[gnu::flatten]] bool clock(const Inputs& in) {
+  template <class Sample>
+  [[gnu::flatten]] bool clock(const Inputs& in, Sample&& sample) {
     const auto step = Design::next(Adapter::params, state_, in);
     expected_ = {Design::registers(Adapter::params, state_), step.outputs};
     dut_.drive(in);
     dut_.eval(false);
     const Compared<Design> actual = {dut_.registers(), dut_.outputs()};
+    sample(std::as_const(expected_), actual);
     dut_.eval(true);
     state_ = step.state;
     if (!differ(expected_, actual)) [[likely]]
@@ -60,7 +71,13 @@ class Lockstep {
     actual_ = actual;
     return false;
   }
+  bool clock(const Inputs& in) {
+    return clock(in, [](const auto&, const auto&) {});
+  }
 
+  /// The model's state before the next clock.
+  const State& state() const { return state_; }
+  const Adapter& dut() const { return dut_; }
   /// What the model gave on the last clock.
   const Compared<Design>& expected() const { return expected_; }
   /// What the RTL gave on the last clock that differed.
@@ -73,7 +90,7 @@ class Lockstep {
   }
 
   Adapter dut_;
-  typename Design::template State<Word> state_;
+  State state_;
   Compared<Design> expected_{};
   Compared<Design> actual_{};
 };

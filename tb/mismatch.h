@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "model/core/fields.h"
+#include "tb/stimulus.h"
 
 namespace cosim {
 
@@ -19,8 +21,23 @@ struct Trace {
   std::vector<Word> actual;
 };
 
+/// Clocks shown before and after the first difference.
+struct Window {
+  std::uint64_t before = 8;
+  std::uint64_t after = 4;
+};
+
+/// A case that is smaller and fails as well.
+struct SmallerCase {
+  std::string what;  ///< the case, one line
+  Stimulus stimulus;
+};
+
 /// Where RTL and model part.
 struct Mismatch {
+  /// What the stimulus has behind the first difference, for a wave to show.
+  static constexpr std::uint64_t clocks_behind = 200;
+
   std::uint64_t clock = 0;  ///< clocks after the clear, from 0: the first with a difference
   std::string signal;       ///< the first differing signal in table order, registers before outputs
   Field field{};
@@ -28,6 +45,12 @@ struct Mismatch {
   Word actual = 0;
   std::uint64_t first = 0;    ///< the clock of the traces' first entry
   std::vector<Trace> traces;  ///< inputs, registers, outputs, in table order
+  /// Runs into the difference again; machine and origin are left to who knows them. It may start
+  /// from a state, long after clock 0.
+  Stimulus stimulus;
+  /// Looks for a smaller case of the same kind, a shorter line or arc; empty where there is no such
+  /// kind.
+  std::function<SmallerCase()> smaller_case;
 };
 
 /// The mismatch as text: what and where, then the table of the clocks around it, with expected

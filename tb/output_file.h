@@ -18,6 +18,12 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
+  /// Writes text as it is.
+  void text(const std::string& text) {
+    if (file_ == nullptr) return;
+    buffer_.append(text);
+    flush();
+  }
   /// Writes a line.
   template <class... Values>
   void line(fmt::format_string<Values...> format, Values&&... values) {

@@ -39,6 +39,9 @@ class PathRun {
   /// machine and oracle, or of a segment's end and its target.
   PathResult draw(const toolpath::Plan& plan, const StepSink& sink);
 
+  const Session<linear::Design>& lines() const { return *lines_; }
+  const Session<circular::Design>& arcs() const { return *arcs_; }
+
  private:
   linear::Params line_params_;
   std::unique_ptr<Session<linear::Design>> lines_;

@@ -17,12 +17,6 @@ struct Run {
   std::optional<Mismatch> mismatch;
 };
 
-/// The clocks shown before and after the first difference.
-struct Window {
-  std::uint64_t before = 8;
-  std::uint64_t after = 4;
-};
-
 namespace detail {
 
 template <class Record, class Params>
@@ -46,11 +40,23 @@ void add_clock(Mismatch& m, std::size_t& at, const Record& expected, const Recor
   }
 }
 
+template <class Inputs>
+void add_inputs(Stimulus& stimulus, const Inputs& in) {
+  const auto words = to_words(in);
+  stimulus.clocks.emplace_back(words.begin(), words.end());
+}
+
 }  // namespace detail
 
-/// Runs the same case again up to `after` clocks past clock `clock` and keeps the window.
-template <class Adapter, class Stimulus>
-Mismatch examine(Stimulus stimulus, std::uint32_t power_up, std::uint64_t clock, Window window) {
+/// The most clocks before a difference that its stimulus has. A longer one starts from the state
+/// that the model had so many clocks before: until then RTL and model were the same.
+inline constexpr std::uint64_t most_kept = 1U << 20;
+
+/// Runs a failing case again: `lockstep`, which has just started, is clocked through `source` until
+/// `window.after` clocks past `clock`, the first that differs. Keeps every signal of the window,
+/// and the inputs with what a wave wants before and after it.
+template <class Adapter, class Source>
+Mismatch examine(Lockstep<Adapter>& lockstep, Source source, std::uint64_t clock, Window window) {
   using Design = typename Adapter::Design;
   Mismatch m;
   m.clock = clock;
@@ -62,12 +68,17 @@ Mismatch examine(Stimulus stimulus, std::uint32_t power_up, std::uint64_t clock,
   detail::add_traces<typename Design::template Outputs<Word>>(m, Trace::Kind::output,
                                                               Adapter::params);
 
-  Lockstep<Adapter> lockstep(power_up);
+  const std::uint64_t kept = clock > most_kept ? clock - most_kept : 0;
   typename Design::template Inputs<Word> in;
-  for (std::uint64_t c = 0; c <= clock + window.after; ++c) {
-    if (!stimulus.next(in, lockstep.expected().outputs)) break;
+  for (std::uint64_t c = 0; c <= clock + Mismatch::clocks_behind; ++c) {
+    if (c == kept && c != 0) {
+      const auto state = to_words(lockstep.state());
+      m.stimulus.state.emplace(state.begin(), state.end());
+    }
+    if (!source.next(in, lockstep.expected().outputs)) break;
     const bool same = lockstep.clock(in);
-    if (c < m.first) continue;
+    if (c >= kept) detail::add_inputs(m.stimulus, in);
+    if (c < m.first || c > clock + window.after) continue;
     const Compared<Design>& expected = lockstep.expected();
     const Compared<Design>& actual = same ? expected : lockstep.actual();
     std::size_t at = 0;
@@ -81,8 +92,8 @@ Mismatch examine(Stimulus stimulus, std::uint32_t power_up, std::uint64_t clock,
 /// Clocks `lockstep` from `source` until the source ends (true) or RTL and model differ (false),
 /// and counts the clocks, the differing one included. `observe(source, compared)` is called after
 /// each clock that matched.
-template <class Adapter, class Stimulus, class Observe>
-bool clock_through(Lockstep<Adapter>& lockstep, Stimulus& source, std::uint64_t& clocks,
+template <class Adapter, class Source, class Observe>
+bool clock_through(Lockstep<Adapter>& lockstep, Source& source, std::uint64_t& clocks,
                    Observe&& observe) {
   typename Adapter::Design::template Inputs<Word> in;
   while (source.next(in, lockstep.expected().outputs)) {
@@ -93,14 +104,16 @@ bool clock_through(Lockstep<Adapter>& lockstep, Stimulus& source, std::uint64_t&
   return true;
 }
 
-/// Runs a stimulus on a machine of its own, to its end or to the first difference.
-template <class Adapter, class Stimulus>
-Run run(const Stimulus& stimulus, std::uint32_t power_up) {
+/// Runs a source on a machine of its own, to its end or to the first difference.
+template <class Adapter, class Source>
+Run run(const Source& source, std::uint32_t power_up) {
   Run result;
-  Stimulus source = stimulus;
+  Source left = source;
   Lockstep<Adapter> lockstep(power_up);
-  if (!clock_through(lockstep, source, result.clocks, [](const auto&, const auto&) {})) {
-    result.mismatch = examine<Adapter>(stimulus, power_up, result.clocks - 1, Window{});
+  if (!clock_through(lockstep, left, result.clocks, [](const auto&, const auto&) {})) {
+    Lockstep<Adapter> again(power_up);
+    result.mismatch = examine(again, source, result.clocks - 1, Window{});
+    result.mismatch->stimulus.power_up = power_up;
   }
   return result;
 }

@@ -3,9 +3,12 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "model/circular/arc.h"
 #include "model/circular/machine.h"
+#include "model/circular/view.h"
 
 namespace cosim::circular {
 
@@ -21,6 +24,12 @@ class Host {
   /// The inputs of the next clock; false when the last arc is over. `seen`: the outputs of the
   /// clock before (of no meaning on the first call).
   bool next(Inputs<Word>& in, const Outputs<Word>& seen);
+
+  /// Arcs that are less in one way, the least first: what to try in place of an arc that shows a
+  /// fault.
+  static std::vector<Arc> smaller(const Params& p, const Arc& arc);
+  /// "R^2 = 144 from (12, 0)"
+  static std::string describe(const Params& p, const Arc& arc);
 
   /// The arc that the last inputs belong to, from 0.
   std::size_t job() const { return job_; }

@@ -153,10 +153,12 @@ constexpr Registers<V> registers(const Params& p, const State<V>& s) {
 }
 
 class Host;
+class View;
 
 /// The design as one type, for code that is generic over designs.
 struct Design {
   using Host = circular::Host;  ///< the device outside, host.h
+  using View = circular::View;  ///< what a person wants to see of it, view.h
   static constexpr const char* name = "circular";
   static constexpr const char* source = "SU 1665343";
   using Params = circular::Params;

@@ -33,6 +33,22 @@ struct Field {
   const char* meaning;
 };
 
+/// Whether a field of a model's state can be `number`: signed formats hold as much on both sides.
+constexpr bool is_state(const Field& field, Word number) {
+  switch (field.format) {
+    case Format::flag:
+    case Format::bits:
+    case Format::number:
+      return low_bits(number, field.width) == number;
+    case Format::twos_complement:
+      return from_twos_complement(low_bits(number, field.width), field.width) == number;
+    case Format::ones_complement:
+    case Format::ones_quarters:
+      return number <= ones(field.width - 1) && number >= -ones(field.width - 1);
+  }
+  return false;
+}
+
 /// One parameter of a design's RTL.
 struct Parameter {
   const char* name;

@@ -4,9 +4,12 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "model/linear/control_code.h"
 #include "model/linear/machine.h"
+#include "model/linear/view.h"
 
 namespace cosim::linear {
 
@@ -30,6 +33,12 @@ class Host {
   /// The inputs of the next clock; false when the last line is over. `seen`: the outputs of the
   /// clock before (of no meaning on the first call).
   bool next(Inputs<Word>& in, const Outputs<Word>& seen);
+
+  /// Lines that are less in one way, the least first: what to try in place of a line that shows a
+  /// fault.
+  static std::vector<Job> smaller(const Params& p, const Job& job);
+  /// "BP = 27, UK = 01010"
+  static std::string describe(const Params& p, const Job& job);
 
   /// The line that the last inputs belong to, from 0.
   std::size_t job() const { return job_; }

@@ -198,10 +198,12 @@ constexpr Registers<V> registers(const Params& p, const State<V>& s) {
 }
 
 class Host;
+class View;
 
 /// The design as one type, for code that is generic over designs.
 struct Design {
   using Host = linear::Host;  ///< the device outside, host.h
+  using View = linear::View;  ///< what a person wants to see of it, view.h
   static constexpr const char* name = "linear";
   static constexpr const char* source = "SU 1631518";
   using Params = linear::Params;

@@ -11,6 +11,7 @@
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
 #include "tb/cli/shape_options.h"
+#include "tb/cli/wave.h"
 #include "tb/cli/words.h"
 #include "tb/output_file.h"
 #include "tb/table.h"
@@ -113,8 +114,10 @@ int run(const Options& o) {
     observers.add(*(table = std::make_unique<Table<circular::Design>>(bench.params())));
   }
 
-  Run run = bench.open(static_cast<std::uint32_t>(seed))->draw({&arc, 1}, observers);
+  const auto session = bench.open(static_cast<std::uint32_t>(seed));
+  Run run = session->draw({&arc, 1}, observers);
   csv.close();
+  draw_wave(o.common, bench, work, *session, run.mismatch);
   const Outcome outcome = outcome_of(bench, work, std::move(run), check);
   fmt::print("drawn: {}\n", drawn(outcome.result));
   return conclude({outcome}, o.common);
@@ -135,6 +138,8 @@ void add_arc(CLI::App& app, Action& action) {
           "Write clock,dx,dy,x,y: a row a step, x and y after it; clock 1 is the first\n"
           "of the running machine");
   add_table(command, o->common);
+  add_wave(command, o->common, "Draw the run as a waveform, with FILE.gtkw, its view for GTKWave");
+  add_failures(command, o->common);
   add_common(command, o->common);
   command.footer("Example: cosim arc --radius 12 --from 8,9 --csv arc.csv");
   command.callback([&action, o] { action = [o] { return run(*o); }; });

@@ -8,6 +8,8 @@
 #include <optional>
 #include <string>
 
+#include "tb/mismatch.h"
+
 namespace cosim::cli {
 
 using Action = std::function<int()>;
@@ -20,9 +22,15 @@ struct Common {
   Text csv;
   Text report;
   Text seed_text;
+  Text wave, wave_before, wave_after;
+  Text failures;
+  bool keeps_failures = false;
   bool table = false;
 
   std::uint64_t seed() const;  ///< 1 where none was given
+  Window window() const;       ///< of waves around a mismatch
+  /// Where a mismatch leaves its folder: --failures, else $COSIM_FAILURES, else failures.
+  std::string failures_folder() const;
 };
 
 void add_list(CLI::App& app, Action& action);
@@ -30,6 +38,7 @@ void add_line(CLI::App& app, Action& action);
 void add_arc(CLI::App& app, Action& action);
 void add_path(CLI::App& app, Action& action);
 void add_sweep(CLI::App& app, Action& action);
+void add_replay(CLI::App& app, Action& action);
 
 /// An option, or without dashes a positional, whose help reads "name TYPE help". A value of no
 /// characters is a value too.
@@ -45,6 +54,12 @@ const std::string& needed(const std::string& name, const Text& value);
 void add_common(CLI::App& command, Common& common);
 /// --csv, whose help is `rows`.
 void add_csv(CLI::App& command, Common& common, const std::string& rows);
+/// --failures; `kept`: failures are kept without it, too.
+void add_failures(CLI::App& command, Common& common, bool kept = true);
+/// --wave, and what of it is drawn.
+void add_wave(CLI::App& command, Common& common, const std::string& file);
+/// --wave-before and --wave-after.
+void add_window(CLI::App& command, Common& common);
 /// --table.
 void add_table(CLI::App& command, Common& common);
 

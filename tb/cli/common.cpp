@@ -1,11 +1,30 @@
+#include <fmt/format.h>
+
+#include <cstdlib>
+
 #include "model/core/input_error.h"
 #include "tb/cli/command.h"
 #include "tb/cli/number.h"
+#include "tb/failure.h"
 
 namespace cosim::cli {
 
 std::uint64_t Common::seed() const {
   return seed_text ? whole("--seed", *seed_text, 0, ~std::uint64_t{0}) : 1;
+}
+
+Window Common::window() const {
+  constexpr std::uint64_t most = 1'000'000;
+  Window window = FailureOptions{}.wave;
+  if (wave_before) window.before = whole("--wave-before", *wave_before, 0, most);
+  if (wave_after) window.after = whole("--wave-after", *wave_after, 0, Mismatch::clocks_behind);
+  return window;
+}
+
+std::string Common::failures_folder() const {
+  if (failures) return *failures;
+  const char* folder = std::getenv("COSIM_FAILURES");
+  return folder != nullptr && *folder != '\0' ? folder : "failures";
 }
 
 CLI::Option* add_text(CLI::App& command, const std::string& name, Text& value,
@@ -37,6 +56,25 @@ void add_common(CLI::App& command, Common& common) {
 
 void add_csv(CLI::App& command, Common& common, const std::string& rows) {
   add_text(command, "--csv", common.csv, "FILE", rows);
+}
+
+void add_failures(CLI::App& command, Common& common, bool kept) {
+  common.keeps_failures = kept;
+  add_text(command, "--failures", common.failures, "DIR",
+           kept ? "Where a mismatch leaves its folder; default $COSIM_FAILURES or failures"
+                : "Leave a folder in DIR where it does not match");
+  add_window(command, common);
+}
+
+void add_wave(CLI::App& command, Common& common, const std::string& file) {
+  add_text(command, "--wave", common.wave, "FILE.fst", file);
+}
+
+void add_window(CLI::App& command, Common& common) {
+  add_text(command, "--wave-before", common.wave_before, "N",
+           "Clocks that a wave shows before a mismatch; default 200");
+  add_text(command, "--wave-after", common.wave_after, "N",
+           fmt::format("and behind it, 0 to {}; default 50", Mismatch::clocks_behind));
 }
 
 void add_table(CLI::App& command, Common& common) {

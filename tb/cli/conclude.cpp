@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
+
+#include "model/core/input_error.h"
 #include "tb/cli/words.h"
+#include "tb/failure.h"
 
 namespace cosim::cli {
 
@@ -13,9 +17,31 @@ std::string drawn(const Result& result) {
   return steps + ", largest deviation " + in_steps(result.checked.max_deviation);
 }
 
+namespace {
+
+// What was found stands, also where it cannot be kept.
+void keep_failure(const std::vector<Outcome>& outcomes, const Common& common) {
+  if (!common.keeps_failures && !common.failures) return;
+  for (const Outcome& o : outcomes) {
+    if (!o.result.mismatch) continue;
+    std::fflush(stdout);
+    try {
+      const FailureOptions options{common.failures_folder(), common.window(), "cosim"};
+      fmt::print("\n{}",
+                 to_text(leave_failure(*o.bench, o.result.failed, *o.result.mismatch, options)));
+    } catch (const InputError& error) {
+      fmt::print(stderr, "cosim: the failure is not kept: {}\n", error.what());
+    }
+    return;
+  }
+}
+
+}  // namespace
+
 int conclude(const std::vector<Outcome>& outcomes, const Common& common, const std::string& extra) {
   fmt::print("{}{}", comparison_text(outcomes), verdict_text(outcomes));
   write_report(common.report.value_or(""), report_json(outcomes, common.seed(), extra));
+  keep_failure(outcomes, common);
   return all_match(outcomes) ? 0 : 1;
 }
 

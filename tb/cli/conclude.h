@@ -26,7 +26,8 @@ Outcome outcome_of(const AnyBench& bench, const std::string& work, Run run, Chec
 }
 
 /// Prints what was compared and the verdict, then writes the report where one is asked for
-/// (`extra`: more of its keys, a JSON object). 0 where all matched, else 1.
+/// (`extra`: more of its keys, a JSON object), then keeps the first mismatch in a folder. 0 where
+/// all matched, else 1.
 int conclude(const std::vector<Outcome>& outcomes, const Common& common,
              const std::string& extra = "{}");
 

@@ -11,6 +11,7 @@
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
 #include "tb/cli/shape_options.h"
+#include "tb/cli/wave.h"
 #include "tb/output_file.h"
 #include "tb/table.h"
 
@@ -73,8 +74,10 @@ int run(const Options& o) {
   std::unique_ptr<Table<linear::Design>> table;
   if (o.common.table) observers.add(*(table = std::make_unique<Table<linear::Design>>(p)));
 
-  Run run = bench.open(static_cast<std::uint32_t>(seed))->draw({&job, 1}, observers);
+  const auto session = bench.open(static_cast<std::uint32_t>(seed));
+  Run run = session->draw({&job, 1}, observers);
   csv.close();
+  draw_wave(o.common, bench, work, *session, run.mismatch);
   const Outcome outcome = outcome_of(bench, work, std::move(run), check);
   fmt::print("drawn: {}\n", drawn(outcome.result));
   return conclude({outcome}, o.common);
@@ -94,6 +97,8 @@ void add_line(CLI::App& app, Action& action) {
   add_csv(command, o->common,
           "Write tick,major,minor: a row a strobe, words in bits, first step leftmost");
   add_table(command, o->common);
+  add_wave(command, o->common, "Draw the run as a waveform, with FILE.gtkw, its view for GTKWave");
+  add_failures(command, o->common);
   add_common(command, o->common);
   command.footer("Example: cosim line --major 27 --minor 9");
   command.callback([&action, o] { action = [o] { return run(*o); }; });

@@ -60,6 +60,14 @@ void check_output(const char* name, const Text& path, const std::string& input) 
   }
 }
 
+void check_wave(const std::string& path, const std::string& input) {
+  check_output("--wave", path, input);
+  if (fs::path(path).extension() != ".fst" || fs::path(path).stem().empty()) {
+    throw InputError(fmt::format("--wave: {} does not end in .fst", path));
+  }
+  check_writable(path);
+}
+
 }  // namespace
 
 void check_outputs(const Common& common, const std::string& input) {
@@ -69,6 +77,8 @@ void check_outputs(const Common& common, const std::string& input) {
     throw InputError(fmt::format("--report: {} is the file of --csv", *common.report));
   }
   if (common.report) check_writable(*common.report);
+  if (common.wave) check_wave(*common.wave, input);
+  common.window();
 }
 
 }  // namespace cosim::cli

@@ -12,6 +12,7 @@
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
 #include "tb/cli/shape_options.h"
+#include "tb/cli/wave.h"
 #include "tb/cli/words.h"
 #include "tb/output_file.h"
 #include "tb/path_run.h"
@@ -55,6 +56,18 @@ std::string figures(const std::string& file, double scale, const toolpath::Progr
   return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
 
+// A wave for each machine that had work.
+void draw_waves(const Common& common, const AnyBench& lines, const AnyBench& arcs,
+                const PathRun& path, const PathResult& result) {
+  const std::string work = "path";
+  if (result.lines.cases != 0) {
+    draw_wave(common, lines, work, path.lines(), result.lines.mismatch, lines.design());
+  }
+  if (result.arcs.cases != 0) {
+    draw_wave(common, arcs, work, path.arcs(), result.arcs.mismatch, arcs.design());
+  }
+}
+
 int run(const Options& o) {
   const std::uint64_t seed = o.common.seed();
   const std::string& file = *o.file;
@@ -87,6 +100,7 @@ int run(const Options& o) {
         csv.line("{},{},{},{},{}", segment, step.x, step.y, at.x, at.y);
       });
   csv.close();
+  draw_waves(o.common, lines, arcs, path, result);
 
   const std::vector<Outcome> outcomes = outcomes_of(lines, arcs, result);
   for (const Outcome& one : outcomes) {
@@ -117,6 +131,9 @@ void add_path(CLI::App& app, Action& action) {
   add_csv(command, o->common,
           "Write segment,dx,dy,x,y: a row a step, x and y after it in steps; a segment\n"
           "is a block that moves X or Y, from 1");
+  add_wave(command, o->common,
+           "Draw the run as waveforms, one a machine: FILE.linear.fst, FILE.circular.fst");
+  add_failures(command, o->common);
   add_common(command, o->common);
   command.footer("Example: cosim path part.ngc --steps-per-mm 100 --csv path.csv");
   command.callback([&action, o] { action = [o] { return run(*o); }; });

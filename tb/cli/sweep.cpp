@@ -117,6 +117,7 @@ void add_options(CLI::App& design, Options& o) {
   add_text(design, "--hostile", o.hostile, "COUNT",
            "COUNT clocks of any value on any pin at each width");
   add_text(design, "--jobs", o.jobs, "J", "Threads, 1 to 1024; default one a core");
+  add_failures(design, o.common);
   add_common(design, o.common);
 }
 

@@ -27,7 +27,7 @@ Found find(Arguments command, std::uint64_t clock, const std::string& signal) {
   f.ended = faulty(command);
   EXPECT_EQ(f.ended.status, 1);
   EXPECT_EQ(f.ended.err, "");
-  EXPECT_TRUE(f.ended.out.ends_with("\nverdict: MISMATCH\n")) << f.ended.out;
+  EXPECT_NE(f.ended.out.find("\nverdict: MISMATCH\n"), std::string::npos) << f.ended.out;
   EXPECT_NE(f.ended.out.find("first difference: clock " + std::to_string(clock) + ", " + signal),
             std::string::npos)
       << f.ended.out;

@@ -44,7 +44,7 @@ void expect_unused(const Arguments& command, const std::string& error) {
 constexpr const char* kTo32Bits = " is not a whole number from 0 to 4294967295";
 
 TEST(Refusal, OfCommands) {
-  const std::string commands = "list, line, arc, path, sweep";
+  const std::string commands = "list, line, arc, path, sweep, replay";
   expect_unused({}, "a command is needed: " + commands);
   expect_unused({"draw"}, "no such command: 'draw'; there are " + commands);
   expect_unused({""}, "no such command: ''; there are " + commands);

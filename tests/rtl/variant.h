@@ -44,6 +44,7 @@ class Variant {
   const std::string& what() const { return what_; }
 
   virtual const Bench<Design>& bench() const = 0;
+  virtual std::unique_ptr<AnyBench> make_bench() const = 0;
   /// Lockstep over the inputs given, one entry a clock, on a machine powered up from `power_up`.
   virtual Run run_inputs(std::span<const Inputs> inputs, std::uint32_t power_up) const = 0;
   /// A machine outside lockstep that powers up to the same random values.

@@ -42,6 +42,9 @@ class AdapterVariant final : public Variant<typename Adapter::Design> {
  public:
   using Base::Base;
   const Bench<Design>& bench() const override { return bench_; }
+  std::unique_ptr<AnyBench> make_bench() const override {
+    return std::make_unique<AdapterBench<Adapter>>();
+  }
   Run run_inputs(std::span<const typename Base::Inputs> inputs,
                  std::uint32_t power_up) const override {
     return run<Adapter>(Scripted<Design>{inputs}, power_up);

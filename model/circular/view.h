@@ -1,0 +1,45 @@
+// What a person wants to see of the circular machine beside its registers: in a waveform, for
+// example.
+#pragma once
+
+#include <array>
+
+#include "model/circular/machine.h"
+
+namespace cosim::circular {
+
+/// Follows a machine through its clocks.
+class View {
+ public:
+  static constexpr std::array phases{"idle", "sector 1", "change", "sector 2", "end"};
+  static constexpr std::array steps{"-", "Y+", "X-", "X- Y+"};
+
+  /// One clock: the state before it and the outputs during it.
+  void clock(const Params&, const State<Word>& s, const Outputs<Word>& out) {
+    x_ = next_x_;
+    y_ = next_y_;
+    if (s.t4 && !running_) {
+      // An arc begins where the loaded counters say.
+      x_ = s.t16 ? s.ct7 + 1 : s.ct7 + s.ct8 + 1;
+      y_ = s.t16 ? s.ct7 + 1 - s.ct8 : s.ct7;
+    }
+    running_ = s.t4 != 0;
+    phase_ = !s.t4 ? 0 : s.ct7 < 0 ? 4 : s.t16 ? 3 : s.ct8 < 0 ? 2 : 1;
+    step_ = static_cast<std::size_t>(out.step_x * 2 + out.step_y);
+    next_x_ = x_ - out.step_x;
+    next_y_ = y_ + out.step_y;
+  }
+
+  /// The position in the plane of the arc before the clock's step; the last one after the end.
+  Word x() const { return x_; }
+  Word y() const { return y_; }
+  std::size_t phase() const { return phase_; }  ///< index into phases
+  std::size_t step() const { return step_; }    ///< index into steps
+
+ private:
+  Word x_ = 0, y_ = 0, next_x_ = 0, next_y_ = 0;
+  bool running_ = false;
+  std::size_t phase_ = 0, step_ = 0;
+};
+
+}  // namespace cosim::circular

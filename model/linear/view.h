@@ -1,0 +1,39 @@
+// What a person wants to see of the linear machine beside its registers: in a waveform, for
+// example.
+#pragma once
+
+#include <array>
+
+#include "model/linear/machine.h"
+
+namespace cosim::linear {
+
+/// Follows a machine through its clocks.
+class View {
+ public:
+  static constexpr std::array phases{"idle", "ready", "start", "words"};
+  static constexpr std::array steps{"-", "major", "both", "mixed"};
+
+  /// One clock: the state before it and the outputs during it.
+  void clock(const Params&, const State<Word>& s, const Outputs<Word>& out) {
+    x_ = next_x_;
+    y_ = next_y_;
+    phase_ = s.formed ? 3 : s.running ? 2 : s.coded ? 1 : 0;
+    if (phase_ == 2) x_ = y_ = 0;
+    step_ = out.major == 0 ? 0 : out.minor == 0 ? 1 : out.minor == out.major ? 2 : 3;
+    next_x_ = x_ + __builtin_popcountll(static_cast<unsigned long long>(out.major));
+    next_y_ = y_ + __builtin_popcountll(static_cast<unsigned long long>(out.minor));
+  }
+
+  /// The position in the present line before the clock's steps, in steps: x along the major axis.
+  Word x() const { return x_; }
+  Word y() const { return y_; }
+  std::size_t phase() const { return phase_; }  ///< index into phases
+  std::size_t step() const { return step_; }    ///< index into steps: those of the clock's word
+
+ private:
+  Word x_ = 0, y_ = 0, next_x_ = 0, next_y_ = 0;
+  std::size_t phase_ = 0, step_ = 0;
+};
+
+}  // namespace cosim::linear

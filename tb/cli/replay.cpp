@@ -1,0 +1,58 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "model/core/input_error.h"
+#include "tb/cli/command.h"
+#include "tb/cli/conclude.h"
+#include "tb/cli/outputs.h"
+#include "tb/cli/wave.h"
+#include "tb/cli/words.h"
+
+namespace cosim::cli {
+namespace {
+
+struct Options {
+  Common common;
+  Text file;
+};
+
+int run(const Options& o) {
+  std::string file = *o.file;
+  if (file.empty()) throw InputError("FILE: names no file");
+  if (std::filesystem::is_directory(file)) {
+    file = (std::filesystem::path(file) / "stimulus.stim").string();
+  }
+  const auto [bench, stimulus] = read_stimulus(file, benches());
+  check_outputs(o.common, file);
+
+  const std::string work = stimulus.origin.empty() ? file : stimulus.origin;
+  fmt::print("{}: {}, {}\n", bench->title(), one_line(file),
+             count(stimulus.clocks.size(), "clock"));
+  draw_wave(o.common, *bench, stimulus, work);
+  Run run = bench->replay(stimulus);
+  Outcome outcome{bench, file, {}};
+  outcome.result.cases = 1;
+  outcome.result.clocks = run.clocks;
+  outcome.result.mismatch = std::move(run.mismatch);
+  outcome.result.failed = work;
+  return conclude({outcome}, o.common);
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app, Action& action) {
+  auto o = std::make_shared<Options>();
+  CLI::App& command =
+      *app.add_subcommand("replay", "A stimulus file, or the folder of a failure, once more");
+  add_text(command, "FILE", o->file, "", "The stimulus; of a folder its stimulus.stim")->required();
+  add_wave(command, o->common, "Draw it as a waveform, with FILE.gtkw, its view for GTKWave");
+  add_failures(command, o->common, false);
+  add_text(command, "--report", o->common.report, "FILE",
+           "Write the verdict and the figures as JSON");
+  command.footer("Example: cosim replay failures/NAME/smallest.stim --wave again.fst");
+  command.callback([&action, o] { action = [o] { return run(*o); }; });
+}
+
+}  // namespace cosim::cli

@@ -1,0 +1,27 @@
+// --wave: what a run drew, drawn again as a waveform.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "tb/bench.h"
+#include "tb/cli/command.h"
+
+namespace cosim::cli {
+
+/// Draws the stimulus where --wave asks for it: the window around its mismatch, or all of it.
+/// `part` goes into the file's name, FILE.part.fst, where several are drawn. InputError where it is
+/// too long to be drawn.
+void draw_wave(const Common& common, const AnyBench& bench, Stimulus stimulus,
+               const std::string& work, const std::string& part = "");
+
+/// The same of all that a session drew; of a mismatch, with the clocks behind it.
+template <class Design>
+void draw_wave(const Common& common, const AnyBench& bench, const std::string& work,
+               const Session<Design>& session, const std::optional<Mismatch>& mismatch,
+               const std::string& part = "") {
+  if (!common.wave) return;
+  draw_wave(common, bench, mismatch ? mismatch->stimulus : session.stimulus(), work, part);
+}
+
+}  // namespace cosim::cli

@@ -1,0 +1,77 @@
+#include "tb/wave/fst.h"
+
+#include <fmt/format.h>
+#include <gtkwave/fstapi.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "model/core/input_error.h"
+#include "tb/output_file.h"
+
+namespace cosim {
+
+Fst::Fst(const std::string& path) : path_(path) {
+  OutputFile(path).close();  // says why where it cannot be written
+  writer_ = fstWriterCreate(path.c_str(), 1);
+  if (writer_ == nullptr) throw InputError(fmt::format("{}: cannot write", path));
+  fstWriterSetTimescale(writer_, -9);
+  fstWriterSetVersion(writer_, "cosim");
+  fstWriterSetDate(writer_, "");  // the same run gives the same file
+  fstWriterSetPackType(writer_, FST_WR_PT_LZ4);
+}
+
+Fst::~Fst() {
+  if (writer_ != nullptr) fstWriterClose(writer_);
+}
+
+void Fst::open_scope(const std::string& name) {
+  fstWriterSetScope(writer_, FST_ST_VCD_MODULE, name.c_str(), nullptr);
+}
+
+void Fst::close_scope() { fstWriterSetUpscope(writer_); }
+
+Fst::Handle Fst::variable(const std::string& name, int width) {
+  const std::string full = width == 1 ? name : fmt::format("{} [{}:0]", name, width - 1);
+  return fstWriterCreateVar(writer_, FST_VT_VCD_WIRE, FST_VD_IMPLICIT,
+                            static_cast<std::uint32_t>(width), full.c_str(), 0);
+}
+
+Fst::Handle Fst::real(const std::string& name) {
+  return fstWriterCreateVar(writer_, FST_VT_VCD_REAL, FST_VD_IMPLICIT, sizeof(double), name.c_str(),
+                            0);
+}
+
+void Fst::time(std::uint64_t t) { fstWriterEmitTimeChange(writer_, t); }
+
+void Fst::value(Handle handle, int width, Word value) {
+  digits_.resize(static_cast<std::size_t>(width));
+  for (int i = 0; i < width; ++i) {
+    digits_[static_cast<std::size_t>(width - 1 - i)] = (value >> i & 1) != 0 ? '1' : '0';
+  }
+  fstWriterEmitValueChange(writer_, handle, digits_.data());
+}
+
+void Fst::bytes(Handle handle, int width, const unsigned char* bytes) {
+  digits_.resize(static_cast<std::size_t>(width));
+  for (int i = 0; i < width; ++i) {
+    digits_[static_cast<std::size_t>(width - 1 - i)] =
+        (bytes[i / 8] >> (i % 8) & 1) != 0 ? '1' : '0';
+  }
+  fstWriterEmitValueChange(writer_, handle, digits_.data());
+}
+
+void Fst::number(Handle handle, double number) {
+  fstWriterEmitValueChange(writer_, handle, &number);
+}
+
+void Fst::close() {
+  fstWriterClose(writer_);
+  writer_ = nullptr;
+  // The writer does not say that the disk was full; a file that is not whole cannot be opened.
+  void* reader = fstReaderOpen(path_.c_str());
+  if (reader == nullptr) throw InputError(fmt::format("{}: cannot write it whole", path_));
+  fstReaderClose(reader);
+}
+
+}  // namespace cosim

@@ -1,0 +1,46 @@
+// An FST file being written.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "model/core/value.h"
+
+namespace cosim {
+
+/// Scopes and variables first, then times and values. A value stays until the next one.
+class Fst {
+ public:
+  using Handle = std::uint32_t;
+
+  /// InputError where the file cannot be written, here and in close().
+  explicit Fst(const std::string& path);
+  ~Fst();
+  Fst(const Fst&) = delete;
+  Fst& operator=(const Fst&) = delete;
+
+  void open_scope(const std::string& name);
+  void close_scope();
+  /// A variable of `width` bits.
+  Handle variable(const std::string& name, int width);
+  /// A variable that holds a real number.
+  Handle real(const std::string& name);
+
+  /// In nanoseconds; rising.
+  void time(std::uint64_t t);
+  /// The low `width` bits of `value`, width <= 64.
+  void value(Handle handle, int width, Word value);
+  /// `width` bits of any number, the lowest byte first.
+  void bytes(Handle handle, int width, const unsigned char* bytes);
+  void number(Handle handle, double number);
+
+  /// To be called when all is in.
+  void close();
+
+ private:
+  std::string path_;
+  void* writer_ = nullptr;
+  std::string digits_;
+};
+
+}  // namespace cosim

@@ -1,0 +1,66 @@
+// Draws a stimulus as a wave: runs it in lockstep on RTL whose whole hierarchy can be seen.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tb/replay.h"
+#include "tb/wave/view.h"
+#include "tb/wave/wave.h"
+
+namespace cosim {
+
+/// Draws the clocks of `around` the stimulus's first difference, all where none differs.
+template <class Adapter>
+void record_wave(const std::string& path, const Stimulus& stimulus, Window around,
+                 const WaveShape& shape) {
+  using Design = typename Adapter::Design;
+  WaveRange range;
+  range.last = stimulus.clocks.size() - 1;
+  range.mismatch = differing_clock<Adapter>(stimulus);
+  if (range.mismatch) {
+    range.first = *range.mismatch > around.before ? *range.mismatch - around.before : 0;
+    range.last = std::min(range.last, *range.mismatch + around.after);
+  }
+
+  const auto lockstep = started<Adapter>(stimulus);
+  std::vector<Signal> signals;
+  if constexpr (requires { lockstep->dut().signals(); }) signals = lockstep->dut().signals();
+  Wave wave(path, shape, signals);
+  typename Design::View expected, actual;
+  Rows<Design> rows(stimulus);
+  typename Design::template Inputs<Word> in;
+  const auto words = [](const Compared<Design>& seen) {
+    const auto registers = to_words(seen.registers);
+    const auto outputs = to_words(seen.outputs);
+    std::vector<Word> all(registers.begin(), registers.end());
+    all.insert(all.end(), outputs.begin(), outputs.end());
+    return all;
+  };
+  for (WaveClock now; now.clock <= range.last; ++now.clock) {
+    const auto state = lockstep->state();
+    rows.next(in, {});
+    lockstep->clock(in, [&](const Compared<Design>& model, const Compared<Design>& rtl) {
+      expected.clock(Adapter::params, state, model.outputs);
+      actual.clock(Adapter::params, state, rtl.outputs);
+      if (now.clock < range.first) return;
+      now.inputs = stimulus.clocks[now.clock];
+      now.expected = words(model);
+      now.actual = words(rtl);
+      now.expected_at = {expected.x(), expected.y()};
+      now.actual_at = {actual.x(), actual.y()};
+      now.phase = expected.phase();
+      now.step = actual.step();
+      if (range.signal.empty() && now.expected != now.actual) {
+        for (std::size_t i = 0; range.signal.empty(); ++i) {
+          if (now.expected[i] != now.actual[i]) range.signal = shape.compared[i].name;
+        }
+      }
+      wave.clock(now);
+    });
+  }
+  wave.close();
+  write_view(path, shape, range);
+}
+
+}  // namespace cosim

@@ -1,0 +1,18 @@
+// A signal of a running simulation, to be looked at on every clock.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace cosim {
+
+struct Signal {
+  std::vector<std::string> scope;  ///< the instances from the top module down to its own
+  std::string name;
+  int width = 1;  ///< bits
+  /// Where its bits lie, as long as the simulation lives: the lowest byte first.
+  const unsigned char* bytes = nullptr;
+};
+
+}  // namespace cosim

@@ -1,0 +1,212 @@
+#include "tb/wave/view.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "tb/output_file.h"
+
+namespace cosim {
+namespace {
+
+// What GTKWave's save file calls flags.
+enum Flag : unsigned {
+  hex = 0x22,
+  decimal = 0x24,
+  binary = 0x28,
+  signed_decimal = 0x420,
+  blank = 0x200,
+  stretch = 0x20000,
+  translated = 0x2000,
+  analog_step = 0x8000,
+  analog_full = 0x80000,
+  group_open = 0x800200,
+  group_end = 0x1000200,
+  group_closed = 0xc00200,
+  group_closed_end = 0x1401200,
+};
+
+enum Color { red = 1, orange = 2, yellow = 3, green = 4, blue = 5, indigo = 6, violet = 7 };
+
+unsigned format_of(const Field& f) {
+  switch (f.format) {
+    case Format::flag:
+      return binary;
+    case Format::bits:
+      return f.width <= 16 ? binary : hex;
+    case Format::number:
+      return decimal;
+    case Format::twos_complement:
+      return signed_decimal;
+    case Format::ones_complement:
+    case Format::ones_quarters:
+      return binary;
+  }
+  return hex;
+}
+
+std::string with_range(const std::string& name, int width) {
+  return width == 1 ? name : fmt::format("{}[{}:0]", name, width - 1);
+}
+
+class View {
+ public:
+  explicit View(OutputFile& file) : file_(file) {}
+
+  void signal(const std::string& name, int width, unsigned flags, const std::string& shown,
+              std::optional<Color> color = {}) {
+    if (color) file_.line("[color] {}", static_cast<int>(*color));
+    file_.line("@{:x}", flags);
+    file_.line("+{{{}}} {}", shown, with_range(name, width));
+  }
+  void words(const std::string& name, int width, const std::string& filter,
+             const std::string& shown) {
+    file_.line("[color] {}", static_cast<int>(yellow));
+    file_.line("@{:x}", hex | translated);
+    file_.line("^1 {}", filter);
+    file_.line("+{{{}}} {}", shown, with_range(name, width));
+  }
+  // Makes the analog trace before it higher.
+  void higher(int lines) {
+    file_.line("@{:x}", static_cast<unsigned>(stretch));
+    for (int i = 0; i < lines; ++i) file_.line("-");
+  }
+  void group(const std::string& name, bool open = true) {
+    file_.line("@{:x}", static_cast<unsigned>(open ? group_open : group_closed));
+    file_.line("-{}", name);
+  }
+  void end_group(const std::string& name, bool open = true) {
+    file_.line("@{:x}", static_cast<unsigned>(open ? group_end : group_closed_end));
+    file_.line("-{}", name);
+  }
+
+ private:
+  OutputFile& file_;
+};
+
+std::string source_of(const Field& f) {
+  return *f.source == '\0' ? "" : fmt::format(" ({})", f.source);
+}
+
+void add_pair(View& view, const Field& f) {
+  const std::string name = f.name;
+  view.signal("cosim.expected." + name, f.width, format_of(f), name + " expected", green);
+  view.signal("cosim.actual." + name, f.width, format_of(f), name + " actual", orange);
+  view.signal("cosim.mismatch." + name, 1, binary, name + " mismatch", red);
+}
+
+void add_path(View& view) {
+  constexpr unsigned analog = signed_decimal | analog_step | analog_full;
+  view.group("Path, in steps");
+  for (const char* axis : {"x", "y"}) {
+    view.signal(std::string("cosim.path.") + axis, position_width, analog, axis, green);
+    view.higher(3);
+  }
+  view.end_group("Path, in steps");
+}
+
+void add_registers(View& view, const WaveShape& shape) {
+  view.group("Registers (block of the source)");
+  for (std::size_t i = 0; i < shape.registers; ++i) {
+    const Field& f = shape.compared[i];
+    const std::string shown = f.name + source_of(f);
+    if (!has_number(f)) {
+      view.signal(std::string("cosim.actual.") + f.name, f.width, format_of(f), shown);
+    } else if (f.format == Format::ones_quarters) {
+      view.signal(std::string("cosim.number.") + f.name, 1,
+                  signed_decimal | analog_step | analog_full, shown, orange);
+      view.higher(3);
+    } else {
+      view.signal(std::string("cosim.number.") + f.name, 1, signed_decimal, shown);
+    }
+  }
+  view.end_group("Registers (block of the source)");
+}
+
+void lines_of_words(const std::string& path, const std::vector<std::string>& words) {
+  OutputFile file(path);
+  for (std::size_t i = 0; i < words.size(); ++i) file.line("{:x} {}", i, words[i]);
+  file.close();
+}
+
+}  // namespace
+
+bool has_number(const Field& field) {
+  return field.format == Format::ones_complement || field.format == Format::ones_quarters;
+}
+
+double number_of(const Field& field, Word value) {
+  const auto number = static_cast<double>(from_ones_complement(value, field.width));
+  return field.format == Format::ones_quarters ? number / 4 : number;
+}
+
+void write_view(const std::string& path, const WaveShape& shape, const WaveRange& range) {
+  const std::filesystem::path fst = path;
+  const std::string stem = fst.stem().string();
+  const auto beside = [&](const std::string& ending) {
+    return (fst.parent_path() / (stem + ending)).string();
+  };
+  lines_of_words(beside(".phase.txt"), shape.phases);
+  lines_of_words(beside(".step.txt"), shape.steps);
+
+  // A wave of many clocks is opened around the mismatch, or where it begins.
+  constexpr std::uint64_t shown_clocks = 32;
+  const std::uint64_t all = range.last - range.first + 1;
+  const std::uint64_t clocks = std::min(all, shown_clocks);
+  const std::uint64_t before =
+      range.mismatch ? std::min(*range.mismatch - range.first, clocks * 2 / 3) : 0;
+  const std::uint64_t from = range.mismatch ? *range.mismatch - before : range.first;
+
+  // GTKWave's zoom z is 2^-z ns to 200 pixels.
+  constexpr double frames = 1180 / 200.0;
+  const double zoom = -std::log2(static_cast<double>(clocks * wave_period) / frames);
+
+  OutputFile file(beside(".gtkw"));
+  file.line("[*] {}: to be opened in the folder it lies in", shape.title);
+  file.line("[dumpfile] \"{}\"", fst.filename().string());
+  file.line("[savefile] \"{}.gtkw\"", stem);
+  file.line("[timestart] {}", from * wave_period);
+  file.line("[size] 1480 960");
+  file.line("[pos] -1 -1");
+  // The primary marker, and 26 named ones that are not set.
+  std::string markers = range.mismatch ? std::to_string(*range.mismatch * wave_period) : "-1";
+  for (char name = 'A'; name <= 'Z'; ++name) markers += " -1";
+  file.line("*{:.6f} {}", zoom, markers);
+  file.line("[sst_width] 160");
+  file.line("[signals_width] 240");
+  file.line("[sst_expanded] 0");
+
+  View view(file);
+  view.signal("cosim.clk", 1, binary, "clk");
+  view.signal("cosim.clock", position_width, decimal, "clock");
+  view.signal("cosim.mismatch.any", 1, binary, "mismatch", red);
+  for (const Field& f : shape.compared) {
+    if (f.name != range.signal) continue;
+    view.group("First difference: " + range.signal);
+    add_pair(view, f);
+    view.end_group("First difference: " + range.signal);
+  }
+  view.words("cosim.words.phase", 4, stem + ".phase.txt", "phase");
+  view.words("cosim.words.step", 4, stem + ".step.txt", "step");
+  add_path(view);
+  view.group("Pins (of the source)");
+  for (const Field& f : shape.inputs) {
+    view.signal(std::string("cosim.inputs.") + f.name, f.width, format_of(f),
+                f.name + source_of(f));
+  }
+  for (std::size_t i = shape.registers; i < shape.compared.size(); ++i) {
+    const Field& f = shape.compared[i];
+    view.signal(std::string("cosim.actual.") + f.name, f.width, format_of(f), f.name + source_of(f),
+                orange);
+  }
+  view.end_group("Pins (of the source)");
+  add_registers(view, shape);
+  view.group("Expected, actual, mismatch", false);
+  for (const Field& f : shape.compared) add_pair(view, f);
+  view.end_group("Expected, actual, mismatch", false);
+  file.close();
+}
+
+}  // namespace cosim

@@ -1,0 +1,23 @@
+// The GTKWave view of a wave: its save file and the words for phases and steps.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "tb/wave/wave.h"
+
+namespace cosim {
+
+/// Nanoseconds of one clock in a wave.
+inline constexpr std::uint64_t wave_period = 10;
+
+/// True for a field that GTKWave cannot read by itself, so that the wave has its number too.
+bool has_number(const Field& field);
+/// That number: quarters as a fraction.
+double number_of(const Field& field, Word value);
+
+/// Writes the view of wave `path`, a file whose name ends in .fst, beside it: for x.fst the files
+/// x.gtkw, x.phase.txt and x.step.txt, which belong together. InputError where it cannot.
+void write_view(const std::string& path, const WaveShape& shape, const WaveRange& range);
+
+}  // namespace cosim

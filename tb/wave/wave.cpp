@@ -1,0 +1,119 @@
+#include "tb/wave/wave.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "tb/wave/fst.h"
+#include "tb/wave/view.h"
+
+namespace cosim {
+namespace {
+
+constexpr std::uint64_t period = wave_period;
+constexpr int clock_width = position_width;
+constexpr int word_width = 4;
+
+// Opens and closes scopes so that those of `to` are open; `from` are.
+void change_scope(Fst& fst, const std::vector<std::string>& from,
+                  const std::vector<std::string>& to) {
+  const auto [left, right] = std::mismatch(from.begin(), from.end(), to.begin(), to.end());
+  for (auto i = left; i != from.end(); ++i) fst.close_scope();
+  for (auto i = right; i != to.end(); ++i) fst.open_scope(*i);
+}
+
+std::vector<std::uint32_t> variables(Fst& fst, const char* scope, const std::vector<Field>& fields,
+                                     bool flags = false) {
+  fst.open_scope(scope);
+  std::vector<std::uint32_t> handles;
+  handles.reserve(fields.size());
+  for (const Field& f : fields) handles.push_back(fst.variable(f.name, flags ? 1 : f.width));
+  fst.close_scope();
+  return handles;
+}
+
+}  // namespace
+
+Wave::Wave(const std::string& path, const WaveShape& shape, std::vector<Signal> rtl)
+    : fst_(std::make_unique<Fst>(path)), shape_(shape), rtl_(std::move(rtl)) {
+  Fst& fst = *fst_;
+  fst.open_scope("cosim");
+  clk_ = fst.variable("clk", 1);
+  clock_ = fst.variable("clock", clock_width);
+  inputs_ = variables(fst, "inputs", shape.inputs);
+  expected_ = variables(fst, "expected", shape.compared);
+  actual_ = variables(fst, "actual", shape.compared);
+  fst.open_scope("mismatch");
+  any_ = fst.variable("any", 1);
+  for (const Field& f : shape.compared) mismatch_.push_back(fst.variable(f.name, 1));
+  fst.close_scope();
+  fst.open_scope("number");
+  for (const Field& f : shape.compared) {
+    numbers_.push_back(has_number(f) ? fst.real(f.name) : 0);
+  }
+  fst.close_scope();
+  fst.open_scope("path");
+  x_ = fst.variable("x", position_width);
+  y_ = fst.variable("y", position_width);
+  expected_x_ = fst.variable("expected_x", position_width);
+  expected_y_ = fst.variable("expected_y", position_width);
+  fst.close_scope();
+  fst.open_scope("words");
+  phase_ = fst.variable("phase", word_width);
+  step_ = fst.variable("step", word_width);
+  fst.close_scope();
+  fst.close_scope();
+  std::vector<std::string> scope;
+  for (const Signal& s : rtl_) {
+    change_scope(fst, scope, s.scope);
+    scope = s.scope;
+    rtl_handles_.push_back(fst.variable(s.name, s.width));
+  }
+  change_scope(fst, scope, {});
+}
+
+Wave::~Wave() = default;
+
+void Wave::clock(const WaveClock& now) {
+  Fst& fst = *fst_;
+  fst.time(now.clock * period);
+  fst.value(clk_, 1, 1);
+  fst.value(clock_, clock_width, static_cast<Word>(now.clock));
+  for (std::size_t i = 0; i < inputs_.size(); ++i) {
+    fst.value(inputs_[i], shape_.inputs[i].width, now.inputs[i]);
+  }
+  for (std::size_t i = 0; i < expected_.size(); ++i) {
+    const Field& field = shape_.compared[i];
+    fst.value(expected_[i], field.width, now.expected[i]);
+    fst.value(actual_[i], field.width, now.actual[i]);
+    fst.value(mismatch_[i], 1, now.expected[i] == now.actual[i] ? 0 : 1);
+    if (has_number(field)) fst.number(numbers_[i], number_of(field, now.actual[i]));
+  }
+  fst.value(any_, 1, now.expected == now.actual ? 0 : 1);
+  fst.value(x_, position_width, now.actual_at.x);
+  fst.value(y_, position_width, now.actual_at.y);
+  fst.value(expected_x_, position_width, now.expected_at.x);
+  fst.value(expected_y_, position_width, now.expected_at.y);
+  fst.value(phase_, word_width, static_cast<Word>(now.phase));
+  fst.value(step_, word_width, static_cast<Word>(now.step));
+  for (std::size_t i = 0; i < rtl_.size(); ++i) {
+    // The clock is drawn as it looks, not as it stands when the signals are read.
+    if (rtl_[i].name == "clk") {
+      fst.value(rtl_handles_[i], 1, 1);
+    } else {
+      fst.bytes(rtl_handles_[i], rtl_[i].width, rtl_[i].bytes);
+    }
+  }
+  fst.time(now.clock * period + period / 2);
+  fst.value(clk_, 1, 0);
+  for (std::size_t i = 0; i < rtl_.size(); ++i) {
+    if (rtl_[i].name == "clk") fst.value(rtl_handles_[i], 1, 0);
+  }
+  end_ = (now.clock + 1) * period;
+}
+
+void Wave::close() {
+  fst_->time(end_);
+  fst_->close();
+}
+
+}  // namespace cosim

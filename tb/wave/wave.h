@@ -1,0 +1,85 @@
+// A waveform of a run: the RTL's whole hierarchy, and beside it what the model expects. All values
+// of clock c stand from 10 c ns to 10 c + 10 ns, behind the rising edge that brought them about.
+//
+//   cosim.clk, cosim.clock         the clock, and its number
+//   cosim.mismatch.any             1 where any compared signal differs
+//   cosim.mismatch.NAME            1 where that one does
+//   cosim.expected.NAME            what the model has in it
+//   cosim.actual.NAME              what the RTL has in it
+//   cosim.inputs.NAME              the pins driven
+//   cosim.number.NAME              a ones' complement register of the RTL as the number it is
+//   cosim.path.x, y                the position by the RTL's outputs, two's complement
+//   cosim.path.expected_x, _y      the position by the model's
+//   cosim.words.phase, step        numbers for which the view has words
+//   DESIGN....                     the RTL
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/core/fields.h"
+#include "tb/wave/signal.h"
+
+namespace cosim {
+
+/// What there is to be drawn of a machine.
+struct WaveShape {
+  std::string title;
+  std::vector<Field> inputs;
+  std::vector<Field> compared;  ///< registers first
+  std::size_t registers = 0;
+  std::vector<std::string> phases;  ///< words for the phases, by number
+  std::vector<std::string> steps;   ///< words for the steps of a clock
+};
+
+struct WavePoint {
+  Word x = 0, y = 0;
+};
+
+/// One clock of a run.
+struct WaveClock {
+  std::uint64_t clock = 0;
+  std::vector<Word> inputs, expected, actual;
+  WavePoint expected_at, actual_at;
+  std::size_t phase = 0, step = 0;
+};
+
+/// The clocks of a run that a wave shows, and the first that differs.
+struct WaveRange {
+  std::uint64_t first = 0;
+  std::uint64_t last = ~std::uint64_t{0};
+  std::optional<std::uint64_t> mismatch;
+  std::string signal;  ///< the first that differs; empty where none does
+};
+
+/// Bits of the signed x and y.
+inline constexpr int position_width = 40;
+
+class Fst;
+
+class Wave {
+ public:
+  /// InputError where the file cannot be written, here and in close().
+  Wave(const std::string& path, const WaveShape& shape, std::vector<Signal> rtl);
+  ~Wave();
+
+  /// The next clock; the RTL's signals are read as they are now.
+  void clock(const WaveClock& now);
+  /// To be called behind the last clock.
+  void close();
+
+ private:
+  struct Variable;
+  std::unique_ptr<Fst> fst_;
+  const WaveShape& shape_;
+  std::vector<Signal> rtl_;
+  std::vector<std::uint32_t> rtl_handles_, inputs_, expected_, actual_, mismatch_, numbers_;
+  std::uint32_t clk_ = 0, clock_ = 0, any_ = 0, x_ = 0, y_ = 0, expected_x_ = 0, expected_y_ = 0,
+                phase_ = 0, step_ = 0;
+  std::uint64_t end_ = 0;
+};
+
+}  // namespace cosim

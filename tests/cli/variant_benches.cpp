@@ -1,0 +1,34 @@
+// The one machine to run on is RTL with a planted fault, tests/rtl/variants/$COSIM_VARIANT.cmake.
+#include <cstdlib>
+
+#include "model/circular/host.h"
+#include "model/core/input_error.h"
+#include "model/linear/host.h"
+#include "tests/rtl/variant.h"
+
+namespace cosim {
+namespace {
+
+template <class Design>
+void add(std::vector<std::unique_ptr<AnyBench>>& all, const std::string& name) {
+  for (const auto& v : test::variants<Design>()) {
+    if (Design::name + ("/" + v->name()) == name) all.push_back(v->make_bench());
+  }
+}
+
+}  // namespace
+
+const std::vector<std::unique_ptr<AnyBench>>& benches() {
+  static const auto list = [] {
+    const char* wanted = std::getenv("COSIM_VARIANT");
+    const std::string name = wanted != nullptr ? wanted : "";
+    std::vector<std::unique_ptr<AnyBench>> all;
+    add<linear::Design>(all, name);
+    add<circular::Design>(all, name);
+    if (all.empty()) throw InputError("COSIM_VARIANT: there is no variant '" + name + "'");
+    return all;
+  }();
+  return list;
+}
+
+}  // namespace cosim

@@ -33,7 +33,7 @@ read_rtl() {
 synthesis() {
   case $1 in
     generic) echo "synth -flatten -top $2;" ;;
-    ice40) echo "synth_ice40 -top $2;" ;;
+    ice40) echo "synth_ice40 -abc9 -device hx -top $2;" ;;
     *) die "no such netlist: $1 (generic, ice40)" ;;
   esac
 }

@@ -7,12 +7,18 @@
 #     the lines that stand there instead
 #   ]])
 #
+#   netlist(ice40)                                        what yosys makes of it, or of generic gates
+#
 # Configuring stops where a file does not hold the lines to be replaced exactly once. Lines with ]]
 # in them stand between [=[ and ]=].
 
 function(variant what)
   set(VARIANT_WHAT "${what}" PARENT_SCOPE)
   set(VARIANT_PARAMETERS "${ARGN}" PARENT_SCOPE)
+endfunction()
+
+function(netlist kind)
+  set(VARIANT_NETLIST ${kind} PARENT_SCOPE)
 endfunction()
 
 function(replace file shipped instead)

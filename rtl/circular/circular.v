@@ -41,49 +41,53 @@ module circular #(
     output wire         step_x     // 36  X - 1
 );
 
-  wire         t4_q, t16_q;              // 4, 16
-  wire [W+3:0] f_q;                      // 1
-  wire [W:0]   ct7_q, ct7_up, ct7_down;  // 7
-  wire [W:0]   ct8_q, ct8_step;          // 8
-  wire [W+1:0] addend;                   // 6
+  wire         t4_q, t16_q;                            // 4, 16
+  wire [W+3:0] f_q;                                    // 1
+  wire [W:0]   ct7_q, ct8_q;                           // 7, 8
+  wire [W-1:0] ct7_pairs, ct8_pairs;
+  wire         ct7_zero, ct8_zero_or_one, ct8_falls;
+  wire [W+1:0] addend;                                 // 6
+  wire         negative;
 
-  wire clear, take, straight_y, straight_x, diagonal, variant1, variant2;
+  wire clear, take, step, down, straight_y, straight_x, diagonal, variant1, variant2;
 
   circular_control control (
       .clk(clk), .rst(rst), .load(load), .start(start), .stop(stop), .sector2(sector2),
       .f_negative(f_q[W+3]), .ct7_negative(ct7_q[W]), .ct8_negative(ct8_q[W]), .ct8_odd(~ct8_q[0]),
-      .t4_q(t4_q), .t16_q(t16_q), .clear(clear), .take(take),
+      .t4_q(t4_q), .t16_q(t16_q), .clear(clear), .take(take), .step(step), .down(down),
       .straight_y(straight_y), .straight_x(straight_x), .diagonal(diagonal),
       .variant1(variant1), .variant2(variant2)
   );
 
   circular_counter7 #(.W(W)) counter7 (
       .clk(clk), .clear(clear), .take(take), .ct7(ct7),
-      .up((straight_y | diagonal) & ~t16_q),
-      .down(straight_x | (diagonal & t16_q) | variant1), .down_two(variant2),
-      .ct7_q(ct7_q), .ct7_up(ct7_up), .ct7_down(ct7_down)
+      .count(t4_q), .down(down), .two(variant2),
+      .ct7_q(ct7_q), .ct7_pairs(ct7_pairs), .ct7_zero(ct7_zero)
   );
 
   circular_counter8 #(.W(W)) counter8 (
       .clk(clk), .clear(clear), .take(take), .ct8(ct8),
-      .down(straight_y | straight_x), .down_two(diagonal),
-      .variant1(variant1), .variant2(variant2),
-      .ct8_q(ct8_q), .ct8_step(ct8_step)
+      .count(t4_q), .two(diagonal), .variant1(variant1), .variant2(variant2),
+      .ct8_q(ct8_q), .ct8_pairs(ct8_pairs), .ct8_zero_or_one(ct8_zero_or_one),
+      .ct8_falls(ct8_falls)
   );
 
   circular_commutator #(.W(W)) commutator (
-      .t16_q(t16_q), .ct7_q(ct7_q), .ct7_up(ct7_up), .ct7_down(ct7_down), .ct8_step(ct8_step),
-      .channel1(diagonal), .channel2(straight_x | variant2), .channel2_even(variant1),
-      .channel3(straight_y), .addend(addend)
+      .t16_q(t16_q), .ct7_q(ct7_q), .ct7_pairs(ct7_pairs), .ct7_zero(ct7_zero),
+      .ct8_odd(ct8_q[0]), .ct8_pairs(ct8_pairs), .ct8_zero_or_one(ct8_zero_or_one),
+      .ct8_falls(ct8_falls),
+      .channel1(diagonal), .channel2(straight_x | variant2), .channel3(straight_y),
+      .addend(addend), .negative(negative)
   );
 
   circular_accumulator #(.W(W)) accumulator (
-      .clk(clk), .clear(clear), .take(take), .f(f), .addend(addend), .f_q(f_q)
+      .clk(clk), .clear(clear), .take(take), .f(f),
+      .add(t4_q), .addend(addend), .negative(negative), .f_q(f_q)
   );
 
   // 27, 28: the steps of both sectors merged.
-  assign step_y  = straight_y | diagonal;
-  assign step_x  = straight_x | diagonal;
+  assign step_y  = step & (straight_y | diagonal);
+  assign step_x  = step & (straight_x | diagonal);
   assign running = t4_q;
 
 endmodule

@@ -1,5 +1,8 @@
 // Mode flip-flop 4, sector flip-flop 16, the step gates 2, 3, 10, 11 and the recognition of the
 // sector change 22, 23. One clock stands in for generator 5.
+//
+// One of straight_y, straight_x, diagonal, variant1 and variant2 is 1 on every clock. While the
+// machine does not run it means nothing; on the last clock clear wins over it.
 `default_nettype none
 
 module circular_control (
@@ -19,6 +22,8 @@ module circular_control (
     // What happens on this clock
     output wire clear,
     output wire take,          //     the start values
+    output wire step,          //     a step is given out
+    output wire down,          //     counter 7 counts down: sector 2 or the correction
     output wire straight_y,    // 3
     output wire straight_x,    // 11
     output wire diagonal,      // 2, 10 merged by 9
@@ -29,17 +34,18 @@ module circular_control (
   wire finish = t4_q & ct7_negative;
 
   // 24, 25: no step while the correction runs.
-  wire correct = t4_q & ~ct7_negative & ~t16_q & ct8_negative;
-  wire step    = t4_q & ~ct7_negative & ~stop & (t16_q | ~ct8_negative);
+  wire correct = ~t16_q & ct8_negative;
+  assign step  = t4_q & ~ct7_negative & ~stop & ~correct;
+  assign down  = t16_q | ct8_negative;
 
   assign clear = rst | stop | finish;
   assign take  = load & ~t4_q;
 
   // 2, 3, 10, 11
-  wire   sector1_diagonal = step & ~t16_q &  f_negative;  // 2
-  wire   sector2_diagonal = step &  t16_q & ~f_negative;  // 10
-  assign straight_y       = step & ~t16_q & ~f_negative;  // 3
-  assign straight_x       = step &  t16_q &  f_negative;  // 11
+  wire   sector1_diagonal = ~t16_q & ~ct8_negative &  f_negative;  // 2
+  wire   sector2_diagonal =  t16_q                 & ~f_negative;  // 10
+  assign straight_y       = ~t16_q & ~ct8_negative & ~f_negative;  // 3
+  assign straight_x       =  t16_q                 &  f_negative;  // 11
   assign diagonal         = sector1_diagonal | sector2_diagonal;
 
   // 22, 23: in sector 1 a negative CT8 is -1 or -2 and its lowest digit tells which. (A value below

@@ -1,7 +1,8 @@
 variant("Variant -1 adds 2X + 1" W=16)
 
 replace(circular_commutator.v [[
-                | ({W+2{channel2_even}} & {ct7_q, 1'b0})
+  wire last  = (channel1 & ~t16_q & ~ct8_zero_or_one) | (channel2 & ~ct7_zero);
 ]] [[
-                | ({W+2{channel2_even}} & {ct7_q, 1'b1})
+  wire last  = (channel1 & ~t16_q & ~ct8_zero_or_one)
+             | (~channel1 & ~channel3 & ~(channel2 & ct7_zero));
 ]])

@@ -1,7 +1,13 @@
 variant("Accumulator 1 drops the carry out of its sign" W=4)
 
 replace(circular_accumulator.v [[
-    else           f_q <= sum[W+3:0] + {{(W+3){1'b0}}, sum[W+4]};
+  wire passes  = take | low_more[L];
 ]] [[
-    else           f_q <= sum[W+3:0];
+  wire passes  = gives;
+]])
+
+replace(circular_accumulator.v [[
+  wire around    = gives ? take | high_more[H] : high[H] ^ passes;
+]] [[
+  wire around    = take;
 ]])

@@ -1,7 +1,7 @@
 variant("CT8 takes no more for a diagonal step from 1" W=4)
 
 replace(circular_counter8.v [[
-  assign ct8_step = down_two ? ct8_q - TWO - {{W{1'b0}}, zero_or_one}
+  wire [1:0] two_lowest = ct8_zero_or_one ? {ct8_q[0], ~ct8_q[0]} : {~ct8_q[1], ct8_q[0]};
 ]] [[
-  assign ct8_step = down_two ? ct8_q - TWO - {{W{1'b0}}, zero}
+  wire [1:0] two_lowest = ~|ct8_q ? {ct8_q[0], ~ct8_q[0]} : {~ct8_q[1], ct8_q[0]};
 ]])

@@ -1,7 +1,7 @@
 variant("CT7 passes below zero into its second code of zero" W=4)
 
 replace(circular_counter7.v [[
-  assign ct7_down = ct7_q - ONE - {{W{1'b0}}, zero};
+  wire       lowest      = ~ct7_q[0] & ~(down & ct7_zero);
 ]] [[
-  assign ct7_down = ct7_q - ONE;
+  wire       lowest      = ~ct7_q[0];
 ]])

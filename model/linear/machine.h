@@ -96,11 +96,8 @@ constexpr V pattern_of(const Params& p, V code) {
 /// place of k's lowest one; none where k is 0.
 template <class V>
 constexpr V last_bit_of(const Params& p, V low_code, V k) {
-  Condition<V> step = bit(k, p.n - 1) & bit(low_code, 0);
-  for (int i = p.n - 2; i >= 0; --i) {
-    step = (bit(k, i) & bit(low_code, p.n - 1 - i)) | (!bit(k, i) & step);
-  }
-  return flag<V>(step);
+  const V lowest_one = both(k, V(shift_left(1, p.n)) - k);
+  return flag<V>(!(both(lowest_one, reversed(low_code, p.n)) == V(0)));
 }
 
 /// The state with no line, keeping the code.

@@ -85,6 +85,19 @@ TEST(Both, IsBitwise) {
   EXPECT_EQ(both(-1, kLeast), kLeast);
 }
 
+TEST(Reversed, LastBitFirst) {
+  for (int width = 1; width <= 32; ++width) {
+    const Word step = width <= 12 ? 1 : ones(width) / 997;  // all values, or a thousand of them
+    for (Word v = 0; v <= ones(width); v += step) {
+      Word expected = 0;
+      for (int i = 0; i < width; ++i) {
+        if (bit(v, i)) expected += Word{1} << (width - 1 - i);
+      }
+      ASSERT_EQ(reversed(v, width), expected) << v << " of " << width << " bits";
+    }
+  }
+}
+
 TEST(Condition, SelectsFlagsAndTests) {
   EXPECT_EQ(select(true, Word{3}, Word{4}), 3);
   EXPECT_EQ(select(false, Word{3}, Word{4}), 4);

@@ -1,0 +1,151 @@
+// What a planted fault leaves behind: the folder is whole, its wave shows the difference where an
+// independent run finds it, and the smallest stimulus is small, fails there and not on good RTL.
+#include "tb/failure.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+
+#include "model/circular/host.h"
+#include "model/linear/host.h"
+#include "model/toolpath/source.h"
+#include "tests/rtl/straight.h"
+#include "tests/support/vcd.h"
+
+namespace cosim::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kCases = 100;
+constexpr std::size_t kSmall = 30;
+
+class Folder {
+ public:
+  Folder() : path_(fs::temp_directory_path() / ("cosim_failures." + std::to_string(getpid()))) {}
+  ~Folder() { fs::remove_all(path_); }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+template <class Design>
+Script<Design> script_of(const Stimulus& s) {
+  Script<Design> script;
+  Rows<Design> rows(s);
+  for (typename Design::template Inputs<Word> in; rows.next(in, {});) script.push_back(in);
+  return script;
+}
+
+// The RTL as shipped, of the same parameters.
+template <class Design>
+const AnyBench* shipped_for(const AnyBench& bench) {
+  for (const auto& v : variants<Design>()) {
+    if (v->name().starts_with("shipped/") && v->bench().title() == bench.title()) {
+      return &v->bench();
+    }
+  }
+  return nullptr;
+}
+
+std::string bits(Word value, int width) {
+  std::string text;
+  for (int i = width - 1; i >= 0; --i) text += (value >> i & 1) != 0 ? '1' : '0';
+  return text;
+}
+
+// The wave has the difference at its clock and none before, with the values of either side.
+void expect_wave(const fs::path& file, const AnyBench& bench, const Difference& first) {
+  const Vcd wave(file.string());
+  const std::uint64_t time = first.clock * wave_period;
+  for (const Field& f : bench.compared()) {
+    if (f.name != first.signal) continue;
+    EXPECT_EQ(wave.at("cosim.expected." + first.signal, time), bits(first.expected, f.width));
+    EXPECT_EQ(wave.at("cosim.actual." + first.signal, time), bits(first.actual, f.width));
+  }
+  EXPECT_EQ(wave.at("cosim.mismatch." + first.signal, time), "1");
+  EXPECT_EQ(wave.at("cosim.mismatch.any", time), "1");
+  if (first.clock > 0) {
+    EXPECT_EQ(wave.at("cosim.mismatch.any", time - 1), "0");
+  }
+  EXPECT_EQ(wave.at("cosim.clock", time), bits(static_cast<Word>(first.clock), position_width));
+  EXPECT_TRUE(wave.has(bench.design() + ".clk")) << "no RTL in the wave";
+}
+
+template <class Design>
+void expect_failure_explained(const Variant<Design>& variant) {
+  const Bench<Design>& bench = variant.bench();
+  std::optional<Mismatch> found;
+  for (std::uint64_t i = 0; i < kCases && !found; ++i) {
+    found = bench.run_hostile({1, i, 1000}).mismatch;
+  }
+  ASSERT_TRUE(found) << variant.what();
+
+  const Folder temporary;
+  const auto began = std::chrono::steady_clock::now();
+  const Failure failure = leave_failure(bench, "hostile", *found, {temporary.path(), {}, "cosim"});
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+  EXPECT_LT(took.count(), 10) << "seconds";
+  for (const char* name : {"report.txt", "report.json", "wave.gtkw", "wave.phase.txt",
+                           "wave.step.txt", "smallest.gtkw"}) {
+    EXPECT_GT(fs::file_size(failure.folder / name), 0U) << name;
+  }
+
+  using Pair = std::pair<std::string, const char*>;
+  for (const auto& [name, wave] :
+       {Pair{"stimulus", "wave.fst"}, Pair{"smallest", "smallest.fst"}}) {
+    const std::string text = toolpath::read_text((failure.folder / (name + ".stim")).string());
+    std::vector<std::unique_ptr<AnyBench>> one;
+    one.push_back(variant.make_bench());
+    const Stimulus s = parse_stimulus(name, text, one).stimulus;
+    const auto first = straight_run(variant, script_of<Design>(s), s.power_up);
+    ASSERT_TRUE(first) << name << " does not fail";
+    EXPECT_EQ(reported(bench.replay(s)), first) << name;
+    if (can_read_waves()) expect_wave(failure.folder / wave, bench, *first);
+    if (name == "stimulus") {
+      EXPECT_EQ(first->clock, found->clock);
+      EXPECT_EQ(first->signal, found->signal);
+      continue;
+    }
+    EXPECT_LT(s.clocks.size(), kSmall);
+    testing::Test::RecordProperty("clocks", std::to_string(s.clocks.size()));
+    const AnyBench* shipped = shipped_for<Design>(bench);
+    ASSERT_NE(shipped, nullptr) << "nothing to compare with at " << bench.title();
+    EXPECT_EQ(shipped->first_difference(s), std::nullopt) << "fails on good RTL";
+  }
+}
+
+struct Subject {
+  std::string name;
+  std::function<void()> check;
+  friend void PrintTo(const Subject& s, std::ostream* out) { *out << s.name; }
+};
+
+template <class Design>
+void add_subjects(std::vector<Subject>& all) {
+  for (const auto& v : variants<Design>()) {
+    if (!v->name().starts_with("faults/") && !v->name().starts_with("errata/")) continue;
+    std::string name = Design::name + ("_" + v->name());
+    std::replace(name.begin(), name.end(), '/', '_');
+    all.push_back({name, [&v] { expect_failure_explained(*v); }});
+  }
+}
+
+std::vector<Subject> subjects() {
+  std::vector<Subject> all;
+  add_subjects<linear::Design>(all);
+  add_subjects<circular::Design>(all);
+  return all;
+}
+
+class Failures : public testing::TestWithParam<Subject> {};
+TEST_P(Failures, AreExplained) { GetParam().check(); }
+std::string name_of(const testing::TestParamInfo<Subject>& info) { return info.param.name; }
+INSTANTIATE_TEST_SUITE_P(Planted, Failures, testing::ValuesIn(subjects()), name_of);
+
+}  // namespace
+}  // namespace cosim::test

@@ -5,14 +5,32 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 
 #include "model/core/input_error.h"
 #include "tb/output_file.h"
 
 namespace cosim {
 
+namespace {
+
+// The writer maps its file into memory, where a full disk is no error but a signal: so it is left
+// some room.
+void check_room(const std::string& path) {
+  constexpr std::uintmax_t needed = 4U << 20;
+  std::error_code error;
+  const auto folder = std::filesystem::absolute(path, error).parent_path();
+  const auto room = std::filesystem::space(folder, error);
+  if (!error && room.available < needed) {
+    throw InputError(fmt::format("{}: cannot write: {}", path, std::strerror(ENOSPC)));
+  }
+}
+
+}  // namespace
+
 Fst::Fst(const std::string& path) : path_(path) {
   OutputFile(path).close();  // says why where it cannot be written
+  check_room(path);
   writer_ = fstWriterCreate(path.c_str(), 1);
   if (writer_ == nullptr) throw InputError(fmt::format("{}: cannot write", path));
   fstWriterSetTimescale(writer_, -9);
@@ -42,7 +60,11 @@ Fst::Handle Fst::real(const std::string& name) {
                             0);
 }
 
-void Fst::time(std::uint64_t t) { fstWriterEmitTimeChange(writer_, t); }
+void Fst::time(std::uint64_t t) {
+  constexpr std::uint64_t seldom = 4096;
+  if (++times_ % seldom == 0) check_room(path_);
+  fstWriterEmitTimeChange(writer_, t);
+}
 
 void Fst::value(Handle handle, int width, Word value) {
   digits_.resize(static_cast<std::size_t>(width));

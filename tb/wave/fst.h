@@ -13,7 +13,7 @@ class Fst {
  public:
   using Handle = std::uint32_t;
 
-  /// InputError where the file cannot be written, here and in close().
+  /// InputError where the file cannot be written, here, in time() and in close().
   explicit Fst(const std::string& path);
   ~Fst();
   Fst(const Fst&) = delete;
@@ -40,6 +40,7 @@ class Fst {
  private:
   std::string path_;
   void* writer_ = nullptr;
+  std::uint64_t times_ = 0;
   std::string digits_;
 };
 

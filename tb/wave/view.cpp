@@ -94,6 +94,10 @@ void add_pair(View& view, const Field& f) {
   const std::string name = f.name;
   view.signal("cosim.expected." + name, f.width, format_of(f), name + " expected", green);
   view.signal("cosim.actual." + name, f.width, format_of(f), name + " actual", orange);
+  if (has_number(f)) {
+    view.signal("cosim.number.expected_" + name, 1, signed_decimal, name + " expected", green);
+    view.signal("cosim.number." + name, 1, signed_decimal, name + " actual", orange);
+  }
   view.signal("cosim.mismatch." + name, 1, binary, name + " mismatch", red);
 }
 

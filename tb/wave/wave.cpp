@@ -49,6 +49,7 @@ Wave::Wave(const std::string& path, const WaveShape& shape, std::vector<Signal> 
   fst.open_scope("number");
   for (const Field& f : shape.compared) {
     numbers_.push_back(has_number(f) ? fst.real(f.name) : 0);
+    expected_numbers_.push_back(has_number(f) ? fst.real(std::string("expected_") + f.name) : 0);
   }
   fst.close_scope();
   fst.open_scope("path");
@@ -86,7 +87,9 @@ void Wave::clock(const WaveClock& now) {
     fst.value(expected_[i], field.width, now.expected[i]);
     fst.value(actual_[i], field.width, now.actual[i]);
     fst.value(mismatch_[i], 1, now.expected[i] == now.actual[i] ? 0 : 1);
-    if (has_number(field)) fst.number(numbers_[i], number_of(field, now.actual[i]));
+    if (!has_number(field)) continue;
+    fst.number(numbers_[i], number_of(field, now.actual[i]));
+    fst.number(expected_numbers_[i], number_of(field, now.expected[i]));
   }
   fst.value(any_, 1, now.expected == now.actual ? 0 : 1);
   fst.value(x_, position_width, now.actual_at.x);

@@ -8,6 +8,7 @@
 //   cosim.actual.NAME              what the RTL has in it
 //   cosim.inputs.NAME              the pins driven
 //   cosim.number.NAME              a ones' complement register of the RTL as the number it is
+//   cosim.number.expected_NAME     and the model's
 //   cosim.path.x, y                the position by the RTL's outputs, two's complement
 //   cosim.path.expected_x, _y      the position by the model's
 //   cosim.words.phase, step        numbers for which the view has words
@@ -72,11 +73,11 @@ class Wave {
   void close();
 
  private:
-  struct Variable;
   std::unique_ptr<Fst> fst_;
   const WaveShape& shape_;
   std::vector<Signal> rtl_;
-  std::vector<std::uint32_t> rtl_handles_, inputs_, expected_, actual_, mismatch_, numbers_;
+  std::vector<std::uint32_t> rtl_handles_, inputs_, expected_, actual_, mismatch_, numbers_,
+      expected_numbers_;
   std::uint32_t clk_ = 0, clock_ = 0, any_ = 0, x_ = 0, y_ = 0, expected_x_ = 0, expected_y_ = 0,
                 phase_ = 0, step_ = 0;
   std::uint64_t end_ = 0;

@@ -50,8 +50,10 @@ class VerilatedInstance {
 
   /// Every signal of the hierarchy. None but in a class Verilated with --vpi --public-flat-rw.
   std::vector<Signal> signals() const { return signals_of(*context_); }
+#ifndef COSIM_NETLIST  // there a register is a wire from flip-flops that are cells
   /// Sets the register that the field `name` stands for, before the first eval; in such a class.
   void load(const char* name, Word value) { load_register(*context_, name, value); }
+#endif
 
  protected:
   template <class Pin>

@@ -8,9 +8,11 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/core/value.h"
+#include "tb/machine.h"
 #include "tb/wave/signal.h"
 
 namespace cosim {
@@ -26,19 +28,8 @@ void load_register(VerilatedContext& context, const std::string& name, Word valu
 template <class Top>
 class VerilatedInstance {
  public:
-  explicit VerilatedInstance(std::uint32_t power_up) {
-    context_->threads(1);
-    context_->randReset(2);
-    context_->randSeed(static_cast<int>(power_up & 0x7fffffffU) | 1);
-    top_ = std::make_unique<Top>(context_.get(), "TOP");
-  }
-  ~VerilatedInstance() {
-    // The class takes its scopes out of the thread's context, which is that of the instance built
-    // last; another one may be gone by now.
-    ::Verilated::threadContextp(context_.get());
-    top_->final();
-    top_.reset();
-  }
+  explicit VerilatedInstance(std::uint32_t power_up) : machine_(acquire<Top>(power_up)) {}
+  ~VerilatedInstance() { release(std::move(machine_)); }
   VerilatedInstance(const VerilatedInstance&) = delete;
   VerilatedInstance& operator=(const VerilatedInstance&) = delete;
 
@@ -49,10 +40,10 @@ class VerilatedInstance {
   }
 
   /// Every signal of the hierarchy. None but in a class Verilated with --vpi --public-flat-rw.
-  std::vector<Signal> signals() const { return signals_of(*context_); }
+  std::vector<Signal> signals() const { return signals_of(machine_->context()); }
 #ifndef COSIM_NETLIST  // there a register is a wire from flip-flops that are cells
   /// Sets the register that the field `name` stands for, before the first eval; in such a class.
-  void load(const char* name, Word value) { load_register(*context_, name, value); }
+  void load(const char* name, Word value) { load_register(machine_->context(), name, value); }
 #endif
 
  protected:
@@ -69,8 +60,8 @@ class VerilatedInstance {
   const Top& top() const { return *top_; }
 
  private:
-  std::unique_ptr<VerilatedContext> context_ = std::make_unique<VerilatedContext>();
-  std::unique_ptr<Top> top_;
+  std::unique_ptr<Machine<Top>> machine_;
+  Top* top_ = &machine_->top();
 };
 
 }  // namespace cosim

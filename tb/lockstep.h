@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "model/core/fields.h"
+#include "tb/coverage/counts.h"
 
 namespace cosim {
 
@@ -59,6 +60,7 @@ class Lockstep {
   template <class Sample>
   [[gnu::flatten]] bool clock(const Inputs& in, Sample&& sample) {
     const auto step = Design::next(Adapter::params, state_, in);
+    coverage::count<Adapter>(state_, in, step);
     expected_ = {Design::registers(Adapter::params, state_), step.outputs};
     dut_.drive(in);
     dut_.eval(false);

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <condition_variable>
 #include <exception>
+#include <map>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -24,12 +25,14 @@ void add(Result& sum, const Result& one) {
 
 }  // namespace
 
-Result run_sweep(const Sweep& sweep, unsigned threads, const Progress& progress) {
-  std::atomic<std::uint64_t> next{0};
+Result run_sweep(const Sweep& sweep, unsigned threads, const Progress& progress,
+                 const Resume& resume) {
+  std::atomic<std::uint64_t> next{resume.done.cases};
   std::atomic<std::uint64_t> end{sweep.cases};
   std::mutex guard;  // of all below
   std::condition_variable finished;
-  Result sum;
+  Result sum = resume.done;                 // of the first cases
+  std::map<std::uint64_t, Result> waiting;  // for a case before them
   std::exception_ptr thrown;
   unsigned running = std::max(threads, 1U);
 
@@ -38,12 +41,11 @@ Result run_sweep(const Sweep& sweep, unsigned threads, const Progress& progress)
       for (std::uint64_t i = next++; i < end; i = next++) {
         Result one = sweep.run(i);
         const std::lock_guard lock(guard);
-        add(sum, one);
-        if (!one.match() && i < end) {
-          end = i;
-          sum.mismatch = std::move(one.mismatch);
-          sum.checked.error = std::move(one.checked.error);
-          sum.failed = fmt::format("case {}: {}", i, one.failed);
+        if (!one.match() && i < end) end = i;
+        waiting.emplace(i, std::move(one));
+        while (!waiting.empty() && waiting.begin()->first == sum.cases && sum.cases < end) {
+          add(sum, waiting.begin()->second);
+          waiting.erase(waiting.begin());
         }
       }
     } catch (...) {
@@ -61,15 +63,23 @@ Result run_sweep(const Sweep& sweep, unsigned threads, const Progress& progress)
   {
     std::unique_lock lock(guard);
     while (!finished.wait_for(lock, std::chrono::milliseconds(100), [&] { return running == 0; })) {
-      if (!progress) continue;
-      const std::uint64_t done = sum.cases;
+      const std::uint64_t done = sum.cases + waiting.size();
+      const Result first = sum;
       lock.unlock();
-      progress(done, sweep.cases);
+      if (progress) progress(done, sweep.cases);
+      if (resume.keep) resume.keep(first);
       lock.lock();
     }
   }
   pool.clear();
   if (thrown) std::rethrow_exception(thrown);
+  if (sum.cases == end && end < sweep.cases) {
+    Result& one = waiting.at(end);
+    add(sum, one);
+    sum.mismatch = std::move(one.mismatch);
+    sum.checked.error = std::move(one.checked.error);
+    sum.failed = fmt::format("case {}: {}", end.load(), one.failed);
+  }
   if (progress) progress(sum.cases, sweep.cases);
   return sum;
 }

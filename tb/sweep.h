@@ -33,9 +33,18 @@ struct Sweep {
 /// Called now and then from the calling thread with the cases done so far.
 using Progress = std::function<void(std::uint64_t done, std::uint64_t cases)>;
 
+/// A sweep that goes on where another one was.
+struct Resume {
+  Result done;  ///< the first cases, as many as `done.cases`, all matching, added up
+  /// Called now and then from the calling thread with what to go on from.
+  std::function<void(const Result& done)> keep;
+};
+
 /// Runs the cases on `threads` threads, >= 1. Of several failing cases the one with the smallest
-/// number is reported, whatever the threads did; no case with a larger number is begun after it.
-Result run_sweep(const Sweep& sweep, unsigned threads, const Progress& progress = {});
+/// number is reported, and the result is the sum up to and with it, whatever the threads did; no
+/// case with a larger number is begun after it.
+Result run_sweep(const Sweep& sweep, unsigned threads, const Progress& progress = {},
+                 const Resume& resume = {});
 
 /// Hostile clocks for any bench, in cases of 1000.
 Sweep hostile_sweep(const AnyBench& bench, std::uint64_t seed, std::uint64_t clocks);

@@ -2,6 +2,7 @@
 // tables.
 #pragma once
 
+#include "model/circular/bins.h"
 #include "model/circular/host.h"
 #include "model/circular/machine.h"
 #include "tb/adapter.h"
@@ -13,6 +14,7 @@ class Adapter : public VerilatedInstance<Top> {
  public:
   using Design = circular::Design;
   static constexpr Params params = P;
+  static constexpr const auto& bins = circular::bins;
   using VerilatedInstance<Top>::VerilatedInstance;
 
   void drive(const Inputs<Word>& in) {

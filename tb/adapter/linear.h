@@ -1,6 +1,7 @@
 // The linear machine's pins and registers, tied to the Verilated class by the model's field tables.
 #pragma once
 
+#include "model/linear/bins.h"
 #include "model/linear/host.h"
 #include "model/linear/machine.h"
 #include "tb/adapter.h"
@@ -12,6 +13,7 @@ class Adapter : public VerilatedInstance<Top> {
  public:
   using Design = linear::Design;
   static constexpr Params params = P;
+  static constexpr const auto& bins = linear::bins;
   using VerilatedInstance<Top>::VerilatedInstance;
 
   void drive(const Inputs<Word>& in) {

@@ -21,6 +21,7 @@ using Text = std::optional<std::string>;
 struct Common {
   Text csv;
   Text report;
+  Text checkpoint;
   Text seed_text;
   Text wave, wave_before, wave_after;
   Text failures;

@@ -73,12 +73,17 @@ void check_wave(const std::string& path, const std::string& input) {
 void check_outputs(const Common& common, const std::string& input) {
   check_output("--csv", common.csv, input);
   check_output("--report", common.report, input);
+  check_output("--checkpoint", common.checkpoint, input);
   if (common.csv && common.report && same_file(*common.csv, *common.report)) {
     throw InputError(fmt::format("--report: {} is the file of --csv", *common.report));
+  }
+  if (common.report && common.checkpoint && same_file(*common.report, *common.checkpoint)) {
+    throw InputError(fmt::format("--checkpoint: {} is the file of --report", *common.report));
   }
   if (common.report) check_writable(*common.report);
   if (common.wave) check_wave(*common.wave, input);
   common.window();
+  if (common.checkpoint) check_writable(*common.checkpoint);
 }
 
 }  // namespace cosim::cli

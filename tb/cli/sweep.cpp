@@ -13,6 +13,7 @@
 #include "tb/cli/outputs.h"
 #include "tb/cli/progress.h"
 #include "tb/cli/shape_options.h"
+#include "tb/cli/sweep_checkpoint.h"
 #include "tb/cli/words.h"
 #include "tb/linear_sweeps.h"
 
@@ -98,17 +99,27 @@ int run(const Options& o, const std::vector<const Bench<Design>*>& benches) {
   const auto threads = o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores;
   const auto sweeps = planned(o, benches);
   check_outputs(o.common);
+  std::string work = fmt::format("seed {}, {} hostile clocks", o.common.seed(),
+                                 o.hostile.value_or("no"));
+  for (const auto& [bench, sweep] : sweeps) {
+    work += fmt::format("; {}, {}, {}", bench->title(), sweep.name, count(sweep.cases, "case"));
+  }
+  SweepCheckpoint checkpoint(o.common.checkpoint.value_or(""), work);
 
   std::vector<Outcome> outcomes;
   for (const auto& [bench, sweep] : sweeps) {
     const std::string title = fmt::format("{}, {}", bench->title(), sweep.name);
     ProgressLine progress(title);
-    outcomes.push_back({bench, sweep.name, run_sweep(sweep, threads, progress.callback())});
+    const Resume resume = checkpoint.resume(outcomes.size());
+    outcomes.push_back({bench, sweep.name, run_sweep(sweep, threads, progress.callback(), resume)});
     const Result& result = outcomes.back().result;
     progress.finish(fmt::format("{}: {}", title, swept(result)));
     if (!result.match()) break;
+    resume.keep(result);
   }
-  return conclude(outcomes, o.common);
+  const int status = conclude(outcomes, o.common);
+  checkpoint.done();
+  return status;
 }
 
 void add_options(CLI::App& design, Options& o) {
@@ -118,6 +129,8 @@ void add_options(CLI::App& design, Options& o) {
            "COUNT clocks of any value on any pin at each width");
   add_text(design, "--jobs", o.jobs, "J", "Threads, 1 to 1024; default one a core");
   add_failures(design, o.common);
+  add_text(design, "--checkpoint", o.common.checkpoint, "FILE",
+           "Keep what is done in FILE and, where it exists, go on from there");
   add_common(design, o.common);
 }
 

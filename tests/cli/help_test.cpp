@@ -42,7 +42,8 @@ TEST(Help, NamesEveryOption) {
                              "--report FILE", "--seed S"});
   for (const char* design : {"linear", "circular"}) {
     expect_in(help({"sweep", design}), {"--exhaustive", "--random COUNT", "--hostile COUNT",
-                                        "--jobs J", "--report FILE", "--seed S"});
+                                        "--jobs J", "--checkpoint FILE", "--report FILE",
+                                        "--seed S"});
   }
 }
 

@@ -5,9 +5,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
 #include "tests/cli/folder.h"
 
@@ -35,24 +38,28 @@ int status_of(pid_t child) {
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
+// An empty path for standard output closes it.
+pid_t start(const char* program, const Arguments& arguments, const std::string& out,
+            const std::string& err) {
+  const pid_t child = fork();
+  if (child < 0) throw std::runtime_error("fork");
+  if (child != 0) return child;
+  dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
+  send(STDERR_FILENO, err);
+  if (out.empty()) {
+    close(STDOUT_FILENO);
+  } else {
+    send(STDOUT_FILENO, out);
+  }
+  become(program, arguments);
+}
+
 Ended run(const char* program, const Arguments& arguments, const Output& output) {
   const Folder folder;
   const std::string out = output.path.empty() ? folder.path("out") : output.path;
   const std::string err = folder.path("err");
-  const pid_t child = fork();
-  if (child < 0) throw std::runtime_error("fork");
-  if (child == 0) {
-    dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
-    send(STDERR_FILENO, err);
-    if (output.closed) {
-      close(STDOUT_FILENO);
-    } else {
-      send(STDOUT_FILENO, out);
-    }
-    become(program, arguments);
-  }
   Ended ended;
-  ended.status = status_of(child);
+  ended.status = status_of(start(program, arguments, output.closed ? "" : out, err));
   if (output.path.empty() && !output.closed) ended.out = folder.text("out");
   ended.err = folder.text("err");
   return ended;
@@ -62,6 +69,13 @@ Ended run(const char* program, const Arguments& arguments, const Output& output)
 
 Ended cosim(const Arguments& arguments, const Output& output) {
   return run(COSIM_PROGRAM, arguments, output);
+}
+
+bool cosim_killed(const Arguments& arguments, int after) {
+  const pid_t child = start(COSIM_PROGRAM, arguments, "/dev/null", "/dev/null");
+  std::this_thread::sleep_for(std::chrono::milliseconds(after));
+  kill(child, SIGKILL);
+  return status_of(child) == 128 + SIGKILL;
 }
 
 Ended faulty(const Arguments& arguments) { return run(COSIM_FAULTY_PROGRAM, arguments, {}); }

@@ -25,6 +25,10 @@ struct Output {
 /// The program as shipped, with standard input from /dev/null.
 Ended cosim(const Arguments& arguments, const Output& output = {});
 
+/// The program as shipped, killed after so many milliseconds where it has not ended by then:
+/// whether it was.
+bool cosim_killed(const Arguments& arguments, int after);
+
 /// The one with faults in its benches (faulty_benches.cpp).
 Ended faulty(const Arguments& arguments);
 

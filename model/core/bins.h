@@ -1,0 +1,27 @@
+// Functional coverage: what the stimuli of a design must have brought about, each a condition over
+// one clock. A design declares its bins once; where a build measures coverage, lockstep counts
+// them.
+#pragma once
+
+#include "model/core/value.h"
+
+namespace cosim {
+
+/// All that the model knows of one clock: the state and the inputs it began with, and the outputs
+/// and the state it led to.
+template <class Design>
+struct Moment {
+  const typename Design::Params& p;
+  const typename Design::template State<Word>& before;
+  const typename Design::template Inputs<Word>& in;
+  const typename Design::template Outputs<Word>& out;
+  const typename Design::template State<Word>& after;
+};
+
+template <class Design>
+struct Bin {
+  const char* name;                    ///< what is to happen, a few words
+  bool (*hit)(const Moment<Design>&);  ///< whether it happens on this clock
+};
+
+}  // namespace cosim

@@ -1,0 +1,116 @@
+// A sweep that is killed goes on from its checkpoint and ends as if nothing had happened.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "tests/cli/folder.h"
+#include "tests/cli/program.h"
+
+namespace cosim::cli {
+namespace {
+
+constexpr int kKills = 20;
+
+class KilledSweep : public testing::Test {
+ protected:
+  /// Some seconds of work.
+  Arguments sweep(const Arguments& more) const {
+    Arguments all{"sweep", "linear", "--hostile", "9000000", "--seed", "3"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+  Arguments kept() const {
+    return sweep({"--checkpoint", folder_.path("state"), "--report", folder_.path("report")});
+  }
+  std::uint64_t cases_done() const {
+    std::uint64_t sum = 0;
+    if (!folder_.holds("state")) return sum;
+    const auto file = nlohmann::json::parse(folder_.text("state"));
+    for (const auto& one : file["state"]) sum += one["cases"].get<std::uint64_t>();
+    return sum;
+  }
+  Folder folder_;
+};
+
+TEST_F(KilledSweep, EndsWithTheSameReport) {
+  ASSERT_EQ(cosim(sweep({"--report", folder_.path("expected")})).status, 0);
+  const std::string expected = folder_.text("expected");
+
+  std::minstd_rand random(std::random_device{}());
+  std::uniform_int_distribution moment(0, 600);
+  std::uint64_t done = 0;
+  int killed = 0, advanced = 0;
+  for (int i = 0; i < kKills; ++i) {
+    if (!cosim_killed(kept(), moment(random))) {
+      // It was through: the report is whole, and the next run begins anew.
+      EXPECT_EQ(folder_.text("report"), expected);
+      std::filesystem::remove(folder_.path("report"));
+      done = 0;
+      continue;
+    }
+    ++killed;
+    // Killed between writing the report and taking the checkpoint away, it may have left both.
+    if (folder_.holds("report")) {
+      EXPECT_EQ(folder_.text("report"), expected);
+    }
+    const std::uint64_t now = cases_done();
+    EXPECT_GE(now, done) << "kill " << i;
+    advanced += now > done;
+    done = now;
+  }
+  EXPECT_GE(killed, kKills / 2);
+  EXPECT_GE(advanced, 2);
+
+  const Ended last = cosim(kept());
+  EXPECT_EQ(last.status, 0) << last.err;
+  EXPECT_EQ(folder_.text("report"), expected);
+  EXPECT_FALSE(folder_.holds("state"));
+}
+
+// A checkpoint of part of the work is really gone on from: a false sum in it shows in the result.
+TEST_F(KilledSweep, StartsFromWhatTheCheckpointSays) {
+  while (!folder_.holds("state")) cosim_killed(kept(), 400);
+  auto file = nlohmann::json::parse(folder_.text("state"));
+  file["state"][0]["clocks"] = file["state"][0]["clocks"].get<std::uint64_t>() + 7;
+  folder_.write("state", file.dump());
+  EXPECT_EQ(cosim(kept()).status, 0);
+  const auto report = nlohmann::json::parse(folder_.text("report"));
+  EXPECT_EQ(report["runs"][0]["clocks"], 9'000'007);
+}
+
+void expect_refused(const Ended& ended, const std::string& line) {
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_NE(ended.err.find(line), std::string::npos) << ended.err;
+  EXPECT_EQ(lines(ended.err).size(), 1U) << ended.err;
+}
+
+TEST_F(KilledSweep, RefusesACheckpointOfOtherWork) {
+  while (!folder_.holds("state")) cosim_killed(kept(), 400);
+  const std::string before = folder_.text("state");
+  expect_refused(cosim({"sweep", "linear", "--hostile", "9000001", "--seed", "3", "--checkpoint",
+                        folder_.path("state")}),
+                 folder_.path("state") + ": a checkpoint of other work or of another build");
+  expect_refused(cosim({"sweep", "linear", "--hostile", "9000000", "--seed", "4", "--checkpoint",
+                        folder_.path("state")}),
+                 folder_.path("state") + ": a checkpoint of other work or of another build");
+  EXPECT_EQ(folder_.text("state"), before);
+}
+
+TEST_F(KilledSweep, RefusesWhatIsNoCheckpoint) {
+  const auto with = [&](const std::string& path) { return sweep({"--checkpoint", path}); };
+  for (const char* text : {"", "hello", "[1,2]", "{\"work\":1}", "{\"work\":\"x\",\"state\":0"}) {
+    const std::string path = folder_.write("other", text);
+    expect_refused(cosim(with(path)), path + ": no checkpoint");
+    EXPECT_EQ(folder_.text("other"), text);
+  }
+  expect_refused(cosim(with("/dev/null")), "/dev/null: no checkpoint: not a regular file");
+  expect_refused(cosim(with(folder_.path("none/file"))), "cannot write");
+  expect_refused(cosim(with("")), "--checkpoint: names no file");
+  const std::string same = folder_.path("same");
+  expect_refused(cosim(sweep({"--checkpoint", same, "--report", same})),
+                 "--checkpoint: " + same + " is the file of --report");
+}
+
+}  // namespace
+}  // namespace cosim::cli

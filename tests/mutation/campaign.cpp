@@ -1,0 +1,170 @@
+#include "tests/mutation/campaign.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "model/core/input_error.h"
+
+namespace cosim::mutation {
+
+using End = Outcome::End;
+NLOHMANN_JSON_SERIALIZE_ENUM(End, {{End::open, "open"},
+                                   {End::killed, "killed"},
+                                   {End::equivalent, "equivalent"},
+                                   {End::survived, "survived"}})
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Outcome, end, stimulus, clock, signal)
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// The campaign as it goes on, in step with its checkpoint.
+class Course {
+ public:
+  Course(const Subject& subject, unsigned threads, Checkpoint& checkpoint)
+      : subject_(subject), threads_(std::max(threads, 1U)), checkpoint_(checkpoint) {
+    campaign_.outcomes.resize(subject.mutants().size());
+    const auto state = checkpoint.state();
+    if (state.is_null()) return;
+    try {
+      campaign_.seconds = state.at("seconds").get<double>();
+      auto outcomes = state.at("outcomes").get<std::vector<Outcome>>();
+      if (outcomes.size() != campaign_.outcomes.size()) throw InputError("");
+      campaign_.outcomes = std::move(outcomes);
+    } catch (const std::exception&) {
+      throw InputError("the checkpoint is not one of these mutants");
+    }
+  }
+
+  /// Numbers of the mutants not yet decided.
+  std::vector<unsigned> open() const {
+    std::vector<unsigned> found;
+    for (std::size_t i = 0; i < campaign_.outcomes.size(); ++i) {
+      if (campaign_.outcomes[i].end == End::open) found.push_back(static_cast<unsigned>(i + 1));
+    }
+    return found;
+  }
+
+  void decide(unsigned mutant, Outcome outcome) {
+    const std::lock_guard lock(guard_);
+    campaign_.outcomes[mutant - 1] = std::move(outcome);
+    if (checkpoint_.due()) save();
+  }
+
+  /// Calls work(mutant) for each of the mutants, some at a time.
+  template <class Work>
+  void each(const std::vector<unsigned>& mutants, const Work& work) {
+    std::atomic<std::size_t> next{0};
+    std::exception_ptr thrown;
+    const auto take = [&] {
+      try {
+        for (std::size_t i = next++; i < mutants.size(); i = next++) work(mutants[i]);
+      } catch (...) {
+        const std::lock_guard lock(guard_);
+        thrown = std::current_exception();
+        next = mutants.size();
+      }
+    };
+    {
+      std::vector<std::jthread> pool;
+      for (unsigned t = 0; t < threads_; ++t) pool.emplace_back(take);
+    }
+    if (thrown) std::rethrow_exception(thrown);
+  }
+
+  void attack_with(std::size_t first, std::size_t last, End otherwise) {
+    each(open(), [&](unsigned mutant) {
+      Outcome outcome = attack(subject_, mutant, first, last);
+      if (outcome.end == End::open) outcome.end = otherwise;
+      if (outcome.end != End::open) decide(mutant, std::move(outcome));
+    });
+    save();
+  }
+
+  void save() {
+    campaign_.seconds += std::chrono::duration<double>(Clock::now() - counted_).count();
+    counted_ = Clock::now();
+    checkpoint_.save({{"seconds", campaign_.seconds}, {"outcomes", campaign_.outcomes}});
+  }
+
+  const Campaign& campaign() const { return campaign_; }
+
+ private:
+  const Subject& subject_;
+  unsigned threads_;
+  Checkpoint& checkpoint_;
+  std::mutex guard_;  // of all below
+  Campaign campaign_;
+  Clock::time_point counted_ = Clock::now();
+};
+
+}  // namespace
+
+std::size_t Campaign::count(End end) const {
+  return static_cast<std::size_t>(std::count_if(outcomes.begin(), outcomes.end(),
+                                                [end](const auto& o) { return o.end == end; }));
+}
+
+Campaign run_campaign(const Subject& subject, const Prover& prover, unsigned threads,
+                      Checkpoint& checkpoint) {
+  const std::size_t quick = subject.quick();
+  const std::size_t all = subject.cases().size();
+  const Outcome control = attack(subject, 0, 0, quick);
+  if (control.end != End::open) {
+    throw InputError(subject.bench().title() + ": RTL and model part without a mutant: " +
+                     control.stimulus + ", " + control.signal);
+  }
+  Course course(subject, threads, checkpoint);
+  course.attack_with(0, quick, End::open);
+
+  // The prover is a program of its own: a few mutants a call, so that little is lost.
+  constexpr std::size_t a_call = 16;
+  std::vector<std::vector<unsigned>> calls;
+  for (const unsigned mutant : course.open()) {
+    if (calls.empty() || calls.back().size() == a_call) calls.emplace_back();
+    calls.back().push_back(mutant);
+  }
+  std::vector<unsigned> numbers(calls.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<unsigned>(i);
+  course.each(numbers, [&](unsigned i) {
+    const std::vector<bool> proved = prover(calls[i]);
+    for (std::size_t k = 0; k < proved.size(); ++k) {
+      if (proved[k]) course.decide(calls[i][k], {End::equivalent, "", 0, ""});
+    }
+  });
+  course.save();
+
+  course.attack_with(quick, all, End::survived);
+  return course.campaign();
+}
+
+std::string to_json(const Subject& subject, const Campaign& campaign) {
+  nlohmann::ordered_json top;
+  top["design"] = subject.bench().design();
+  for (const Parameter& p : subject.bench().parameters()) top["parameters"][p.name] = p.value;
+  top["verilog"] = subject.verilog();
+  top["mutants"] = campaign.outcomes.size();
+  top["killed"] = campaign.count(End::killed);
+  top["equivalent"] = campaign.count(End::equivalent);
+  top["survived"] = campaign.count(End::survived);
+  top["seconds"] = campaign.seconds;
+  top["outcomes"] = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < campaign.outcomes.size(); ++i) {
+    const Outcome& o = campaign.outcomes[i];
+    nlohmann::ordered_json one{{"mutant", i + 1}, {"what", subject.mutants()[i]}, {"end", o.end}};
+    if (o.end == End::killed) {
+      one["stimulus"] = o.stimulus;
+      one["clock"] = o.clock;
+      one["signal"] = o.signal;
+    }
+    top["outcomes"].push_back(std::move(one));
+  }
+  return top.dump(1) + '\n';
+}
+
+}  // namespace cosim::mutation

@@ -1,0 +1,36 @@
+// A whole run over a subject's mutants.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tb/checkpoint.h"
+#include "tests/mutation/mutants.h"
+
+namespace cosim::mutation {
+
+/// Says of each of the mutants given whether it was proved equivalent.
+using Prover = std::function<std::vector<bool>(const std::vector<unsigned>& mutants)>;
+
+struct Campaign {
+  std::vector<Outcome> outcomes;  ///< that of mutsel = 1 first, none open
+  double seconds = 0;             ///< taken, those of a run that was killed included
+
+  std::size_t count(Outcome::End end) const;
+};
+
+/// Attacks every mutant with the quick stimuli, has the prover look at what is left, and attacks
+/// what it did not prove with all the others; on `threads` threads, >= 1. Goes on from the
+/// checkpoint and leaves it in place. InputError where the RTL without a mutant differs from the
+/// model.
+Campaign run_campaign(const Subject& subject, const Prover& prover, unsigned threads,
+                      Checkpoint& checkpoint);
+
+/// The campaign as JSON text: an object with `design`, `parameters`, `verilog`, `mutants`,
+/// `killed`, `equivalent`, `survived`, `seconds`, and `outcomes`, an object for each mutant with
+/// `mutant`, its number, `what` and `end`, and where it was killed `stimulus`, `clock` and
+/// `signal`.
+std::string to_json(const Subject& subject, const Campaign& campaign);
+
+}  // namespace cosim::mutation

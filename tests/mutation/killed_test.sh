@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# killed_test.sh PROGRAM
+#
+# A run over mutants, killed at 20 random moments, ends with the same results as one that was not,
+# but for the seconds; its results file is whole whenever it is there.
+# Status: 0 so, 1 not.
+set -euo pipefail
+
+program=$1
+prover=$(dirname "${BASH_SOURCE[0]}")/prove.sh
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+
+# results FILE: what must be the same.
+results() { grep -v '"seconds"' "$1"; }
+
+"$program" "$folder/expected.json" --prover "$prover"
+kills=0 gone_on=0
+for ((i = 0; i < 20; ++i)); do
+  [[ ! -e $folder/results.json.part ]] || gone_on=$((gone_on + 1))
+  "$program" "$folder/results.json" --prover "$prover" --jobs 1 &
+  child=$!
+  sleep "0.$(printf '%03d' $((RANDOM % 900)))"
+  kill -KILL "$child" 2> /dev/null || true
+  status=0
+  wait "$child" 2> /dev/null || status=$?
+  ((status != 137)) || kills=$((kills + 1))
+  [[ -e $folder/results.json ]] || continue
+  diff <(results "$folder/expected.json") <(results "$folder/results.json")
+  rm "$folder/results.json"
+done
+"$program" "$folder/results.json" --prover "$prover"
+diff <(results "$folder/expected.json") <(results "$folder/results.json")
+[[ ! -e $folder/results.json.part ]]
+echo "killed $kills times, gone on from a checkpoint $gone_on times"
+((kills >= 5 && gone_on >= 1))

@@ -1,0 +1,65 @@
+// Mutants: small faults planted by a program, many in one Verilated class and chosen by a number.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tb/bench.h"
+
+namespace cosim::mutation {
+
+/// What became of a mutant.
+struct Outcome {
+  enum class End {
+    open,        ///< not yet decided
+    killed,      ///< RTL and model parted
+    equivalent,  ///< proved to be the same machine
+    survived,    ///< neither, after every stimulus
+  };
+  End end = End::open;
+  std::string stimulus;     ///< killed: by what
+  std::uint64_t clock = 0;  ///< killed: the clock of the first difference, from 0
+  std::string signal;       ///< killed: the first signal to differ
+};
+
+/// One run of a fixed number of clocks on a bench; it follows from its name alone.
+struct Case {
+  std::string name;  ///< "hostile clocks, seed 1 case 3"
+  std::function<Run()> run;
+};
+
+/// The RTL of one design at one set of parameters, with its mutants.
+class Subject {
+ public:
+  Subject(std::string verilog, std::string list);
+  virtual ~Subject() = default;
+
+  virtual const AnyBench& bench() const = 0;
+  /// What clears the machine in one clock: "reset=1", several inputs with commas between them.
+  virtual std::string clear() const = 0;
+  /// Chooses the mutant of all machines that the calling thread makes from now on, 1 to the number
+  /// of mutants; 0 is the RTL as it is.
+  virtual void choose(unsigned mutant) const = 0;
+  /// From the cheapest on. The first `quick()` of them kill nearly all that can be killed.
+  virtual const std::vector<Case>& cases() const = 0;
+  virtual std::size_t quick() const = 0;
+
+  /// The Verilog file that holds them, its input `mutsel` chooses.
+  const std::string& verilog() const { return verilog_; }
+  /// What each mutant is, in the words of yosys's `mutate`; that of mutsel = 1 first.
+  const std::vector<std::string>& mutants() const { return mutants_; }
+
+ private:
+  std::string verilog_;
+  std::vector<std::string> mutants_;
+};
+
+/// Runs the stimuli first .. last - 1 on a mutant, on the calling thread, until one kills it.
+/// Otherwise the outcome is open.
+Outcome attack(const Subject& subject, unsigned mutant, std::size_t first, std::size_t last);
+
+/// The program around a subject: `NAME RESULTS [--prover COMMAND] [--jobs J]`. The exit status.
+int main_of(const Subject& subject, int argc, char** argv);
+
+}  // namespace cosim::mutation

@@ -1,0 +1,56 @@
+// A subject from a design's adapter, the same that lockstep uses: mutants are found as any other
+// difference is.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/mutation/cases.h"
+#include "tests/mutation/mutants.h"
+
+namespace cosim::mutation {
+
+/// An adapter whose RTL has the input `mutsel`.
+template <class Base>
+class MutantAdapter : public Base {
+ public:
+  explicit MutantAdapter(std::uint32_t power_up) : Base(power_up) {
+    this->top().mutsel = static_cast<std::uint16_t>(chosen);
+  }
+  static inline thread_local unsigned chosen = 0;
+};
+
+template <class Base>
+class AdapterSubject final : public Subject {
+  using Adapter = MutantAdapter<Base>;
+
+ public:
+  AdapterSubject(std::string verilog, std::string list)
+      : Subject(std::move(verilog), std::move(list)) {}
+
+  const AnyBench& bench() const override { return bench_; }
+  std::string clear() const override {
+    using Inputs = typename Adapter::Design::template Inputs<Word>;
+    const auto fields = Inputs::fields(Adapter::params);
+    const auto clear = to_words(Adapter::Design::clear());
+    const auto rest = to_words(Adapter::Design::rest());
+    std::string text;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      if (clear[i] == rest[i]) continue;
+      text += fmt::format("{}{}={}", text.empty() ? "" : ",", fields[i].name, clear[i]);
+    }
+    return text;
+  }
+  void choose(unsigned mutant) const override { Adapter::chosen = mutant; }
+  const std::vector<Case>& cases() const override { return cases_; }
+  std::size_t quick() const override { return quick_; }
+
+ private:
+  AdapterBench<Adapter> bench_;
+  std::vector<Case> cases_ = quick_cases_of<typename Base::Design>(bench_);
+  std::size_t quick_ = add_thorough_cases<typename Base::Design>(cases_, bench_);
+};
+
+}  // namespace cosim::mutation

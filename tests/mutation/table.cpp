@@ -1,0 +1,82 @@
+// mutants_table OUT RESULTS...: prints the outcomes of several runs as a table, those of one shape
+// in one row, and the mutants that survived; writes all results to OUT, a JSON array. Status: 0
+// none survived, 1 some did, 2 bad input.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "tb/replace_file.h"
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Row {
+  std::size_t mutants = 0, killed = 0, equivalent = 0, survived = 0;
+  double seconds = 0;
+};
+
+std::string shape_of(const Json& results) {
+  std::string text;
+  for (const auto& [name, value] : results.at("parameters").items()) {
+    text += fmt::format("{}{}={}", text.empty() ? "" : " ", name, value.get<int>());
+  }
+  return text;
+}
+
+int run(const std::string& out, const std::vector<std::string>& paths) {
+  Json all = Json::array();
+  std::vector<std::string> order;
+  std::map<std::string, Row> rows;
+  std::string survivors;
+  std::size_t survived = 0;
+  for (const std::string& path : paths) {
+    const Json& results = all.emplace_back(Json::parse(cosim::text_of_file(path)));
+    const std::string name =
+        fmt::format("| {} | {} |", results.at("design").get<std::string>(), shape_of(results));
+    if (!rows.contains(name)) order.push_back(name);
+    Row& row = rows[name];
+    row.mutants += results.at("mutants").get<std::size_t>();
+    row.killed += results.at("killed").get<std::size_t>();
+    row.equivalent += results.at("equivalent").get<std::size_t>();
+    row.survived += results.at("survived").get<std::size_t>();
+    row.seconds += results.at("seconds").get<double>();
+    survived += results.at("survived").get<std::size_t>();
+    for (const Json& one : results.at("outcomes")) {
+      if (one.at("end") != "survived") continue;
+      survivors +=
+          fmt::format("survived: {} mutsel={}: {}\n", results.at("verilog").get<std::string>(),
+                      one.at("mutant").get<int>(), one.at("what").get<std::string>());
+    }
+  }
+  fmt::print(
+      "| design | parameters | mutants | killed | proved equivalent | survived | seconds |\n");
+  fmt::print("| --- | --- | --- | --- | --- | --- | --- |\n");
+  for (const std::string& name : order) {
+    const Row& row = rows[name];
+    fmt::print("{} {} | {} | {} | {} | {:.0f} |\n", name, row.mutants, row.killed, row.equivalent,
+               row.survived, row.seconds);
+  }
+  fmt::print("{}", survivors);
+  cosim::replace_file(out, all.dump(1) + '\n');
+  return survived == 0 ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 3) {
+    fmt::print(stderr, "mutants_table: needs a file to write to and results\n");
+    return 2;
+  }
+  try {
+    return run(argv[1], {argv + 2, argv + argc});
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "mutants_table: {}\n", error.what());
+    return 2;
+  }
+}

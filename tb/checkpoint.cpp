@@ -29,8 +29,7 @@ Checkpoint::Checkpoint(std::string path, std::string work) : path_(std::move(pat
   if (path_.empty()) return;
   work_ = fmt::format("{}, program {:016x}", work, program());
   std::error_code none;
-  if (std::filesystem::exists(path_, none) &&
-      !std::filesystem::is_regular_file(path_, none)) {
+  if (std::filesystem::exists(path_, none) && !std::filesystem::is_regular_file(path_, none)) {
     throw InputError(path_ + ": no checkpoint: not a regular file");
   }
 }
@@ -55,7 +54,8 @@ void Checkpoint::save(const Json& state) {
 }
 
 bool Checkpoint::due() const {
-  return !path_.empty() && std::chrono::steady_clock::now() - saved_ >= std::chrono::milliseconds(100);
+  return !path_.empty() &&
+         std::chrono::steady_clock::now() - saved_ >= std::chrono::milliseconds(100);
 }
 
 void Checkpoint::done() {

@@ -7,8 +7,8 @@
 namespace cosim {
 
 /// Writes `text` to a file of its own, `path` with ".cosim-new" behind it, and puts that in the
-/// place of `path`, which is a regular file or does not exist. InputError where that fails; then the
-/// old file stays.
+/// place of `path`, which is a regular file or does not exist. InputError where that fails; then
+/// the old file stays.
 void replace_file(const std::string& path, const std::string& text);
 
 /// The text of a file. InputError where it cannot be read.

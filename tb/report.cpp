@@ -92,7 +92,8 @@ std::string replaceable(const std::string& path) {
   std::error_code error;
   const fs::path place = fs::weakly_canonical(fs::absolute(path, error), error);
   const fs::file_type type = fs::status(place, error).type();
-  if (path.empty() || (type != fs::file_type::regular && type != fs::file_type::not_found)) return {};
+  if (path.empty() || (type != fs::file_type::regular && type != fs::file_type::not_found))
+    return {};
   return access(place.parent_path().c_str(), W_OK) == 0 ? place.string() : "";
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
 #include <thread>
 
@@ -9,6 +10,7 @@
 #include "tb/cli/choose.h"
 #include "tb/cli/command.h"
 #include "tb/cli/conclude.h"
+#include "tb/cli/interrupt.h"
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
 #include "tb/cli/progress.h"
@@ -92,6 +94,27 @@ std::string swept(const Result& r) {
   return count(r.cases, "case") + ", " + drawn(r);
 }
 
+// The same sweep, which ends with the case it is at when it is interrupted, and counts those that
+// matched.
+Sweep interruptible(const Sweep& sweep, std::atomic<std::uint64_t>& matched) {
+  Sweep all = sweep;
+  all.run = [run = sweep.run, &matched](std::uint64_t i) {
+    InterruptGuard::check();
+    Result result = run(i);
+    if (result.match()) ++matched;
+    return result;
+  };
+  return all;
+}
+
+// What there is to say of an interrupted run: the sweeps finished have their lines already.
+int stopped(const Interrupted& interrupted, ProgressLine& progress, const std::string& text,
+            const std::vector<Outcome>& finished, std::size_t sweeps) {
+  progress.finish(text);
+  fmt::print("interrupted: {} of {} finished\n", finished.size(), count(sweeps, "sweep"));
+  return 128 + interrupted.signal;
+}
+
 template <class Design>
 int run(const Options& o, const std::vector<const Bench<Design>*>& benches) {
   check_kind(o);
@@ -99,19 +122,29 @@ int run(const Options& o, const std::vector<const Bench<Design>*>& benches) {
   const auto threads = o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores;
   const auto sweeps = planned(o, benches);
   check_outputs(o.common);
-  std::string work = fmt::format("seed {}, {} hostile clocks", o.common.seed(),
-                                 o.hostile.value_or("no"));
+  std::string work =
+      fmt::format("seed {}, {} hostile clocks", o.common.seed(), o.hostile.value_or("no"));
   for (const auto& [bench, sweep] : sweeps) {
     work += fmt::format("; {}, {}, {}", bench->title(), sweep.name, count(sweep.cases, "case"));
   }
   SweepCheckpoint checkpoint(o.common.checkpoint.value_or(""), work);
 
+  const InterruptGuard interrupts;
   std::vector<Outcome> outcomes;
   for (const auto& [bench, sweep] : sweeps) {
     const std::string title = fmt::format("{}, {}", bench->title(), sweep.name);
     ProgressLine progress(title);
     const Resume resume = checkpoint.resume(outcomes.size());
-    outcomes.push_back({bench, sweep.name, run_sweep(sweep, threads, progress.callback(), resume)});
+    std::atomic<std::uint64_t> matched{0};
+    try {
+      const Result swept =
+          run_sweep(interruptible(sweep, matched), threads, progress.callback(), resume);
+      outcomes.push_back({bench, sweep.name, swept});
+    } catch (const Interrupted& interrupted) {
+      const std::string text = fmt::format("{}: not finished; {} of {} matched", title,
+                                           matched.load(), count(sweep.cases, "case"));
+      return stopped(interrupted, progress, text, outcomes, sweeps.size());
+    }
     const Result& result = outcomes.back().result;
     progress.finish(fmt::format("{}: {}", title, swept(result)));
     if (!result.match()) break;

@@ -41,9 +41,9 @@ TEST(Help, NamesEveryOption) {
   expect_in(help({"path"}), {"FILE", "--steps-per-mm S", "--csv FILE", "segment,dx,dy,x,y",
                              "--report FILE", "--seed S"});
   for (const char* design : {"linear", "circular"}) {
-    expect_in(help({"sweep", design}), {"--exhaustive", "--random COUNT", "--hostile COUNT",
-                                        "--jobs J", "--checkpoint FILE", "--report FILE",
-                                        "--seed S"});
+    expect_in(help({"sweep", design}),
+              {"--exhaustive", "--random COUNT", "--hostile COUNT", "--jobs J", "--checkpoint FILE",
+               "--report FILE", "--seed S"});
   }
 }
 

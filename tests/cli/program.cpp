@@ -78,6 +78,18 @@ bool cosim_killed(const Arguments& arguments, int after) {
   return status_of(child) == 128 + SIGKILL;
 }
 
+Ended cosim_signalled(const Arguments& arguments, int signal, int after) {
+  const Folder folder;
+  const pid_t child = start(COSIM_PROGRAM, arguments, folder.path("out"), folder.path("err"));
+  std::this_thread::sleep_for(std::chrono::milliseconds(after));
+  kill(child, signal);
+  Ended ended;
+  ended.status = status_of(child);
+  ended.out = folder.text("out");
+  ended.err = folder.text("err");
+  return ended;
+}
+
 Ended faulty(const Arguments& arguments) { return run(COSIM_FAULTY_PROGRAM, arguments, {}); }
 
 Ended cosim_on_terminal(const Arguments& arguments, unsigned short columns) {

@@ -29,6 +29,9 @@ Ended cosim(const Arguments& arguments, const Output& output = {});
 /// whether it was.
 bool cosim_killed(const Arguments& arguments, int after);
 
+/// The program as shipped, sent `signal` after so many milliseconds.
+Ended cosim_signalled(const Arguments& arguments, int signal, int after);
+
 /// The one with faults in its benches (faulty_benches.cpp).
 Ended faulty(const Arguments& arguments);
 

@@ -1,0 +1,32 @@
+// Ctrl-C in a sweep: it says what it had finished, and leaves nothing behind.
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+#include "tests/cli/folder.h"
+#include "tests/cli/program.h"
+
+namespace cosim::cli {
+namespace {
+
+void expect_stopped(int signal) {
+  const Folder folder;
+  const Ended e = cosim_signalled({"sweep", "linear", "--hostile", "400000000000", "--m", "5",
+                                   "--n", "2", "--failures", folder.path("failures")},
+                                  signal, 700);
+  EXPECT_EQ(e.status, 128 + signal);
+  EXPECT_EQ(e.err, "");
+  const std::vector<std::string> all = lines(e.out);
+  ASSERT_EQ(all.size(), 2U) << e.out;
+  EXPECT_NE(all[0].find("linear M=5 N=2, any value on any pin on any clock: not finished; "),
+            std::string::npos);
+  EXPECT_NE(all[0].find(" of 400000000 cases matched"), std::string::npos);
+  EXPECT_EQ(all[0].find("; 0 of"), std::string::npos) << "nothing done in 0.7 s";
+  EXPECT_EQ(all[1], "interrupted: 0 of 1 sweep finished");
+  EXPECT_FALSE(folder.holds("failures"));
+}
+TEST(InterruptedSweep, SaysWhatItHadFinished) { expect_stopped(SIGINT); }
+TEST(InterruptedSweep, EndsOnATerminateToo) { expect_stopped(SIGTERM); }
+
+}  // namespace
+}  // namespace cosim::cli

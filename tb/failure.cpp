@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cctype>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -27,7 +28,9 @@ void write(const fs::path& path, const std::string& text) {
 class Draft {
  public:
   Draft(const fs::path& root, const std::string& name)
-      : target_(root / name), folder_(root / fmt::format(".{}.{}", name, getpid())) {
+      : target_(root / name),
+        folder_(root / fmt::format(".{}.{}.{}", name, getpid(), drafts++)),
+        old_(folder_.string() + ".old") {
     std::error_code error;
     fs::create_directories(folder_, error);
     if (error) fail(error);
@@ -35,6 +38,7 @@ class Draft {
   ~Draft() {
     std::error_code ignored;
     fs::remove_all(folder_, ignored);
+    fs::remove_all(old_, ignored);
   }
   Draft(const Draft&) = delete;
   Draft& operator=(const Draft&) = delete;
@@ -42,20 +46,31 @@ class Draft {
   const fs::path& folder() const { return folder_; }
   const fs::path& target() const { return target_; }
 
+  // Another program may leave the same failure meanwhile: the last one stays.
   void finish() {
     std::error_code error;
-    fs::remove_all(target_, error);
-    if (!error) fs::rename(folder_, target_, error);
+    fs::rename(folder_, target_, error);
+    for (int i = 0; i < 100 && in_the_way(error); ++i) {
+      fs::remove_all(old_, error);
+      fs::rename(target_, old_, error);
+      fs::rename(folder_, target_, error);
+    }
     if (error) fail(error);
   }
 
  private:
+  static bool in_the_way(const std::error_code& error) {
+    return error == std::errc::directory_not_empty || error == std::errc::file_exists ||
+           error == std::errc::not_a_directory;
+  }
   [[noreturn]] void fail(const std::error_code& error) const {
     throw InputError(fmt::format("{}: cannot write: {}", target_.string(), error.message()));
   }
 
   fs::path target_;
   fs::path folder_;
+  fs::path old_;
+  static inline std::atomic<unsigned> drafts = 0;
 };
 
 std::string clocks_text(std::size_t clocks) {

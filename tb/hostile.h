@@ -42,7 +42,7 @@ class HostileStimulus {
     in = rest_;
     for_each_member<Inputs>([&](auto member, std::size_t i) {
       if (fields_[i].width > 1) {
-        if (happens(i)) held_.*member = random_.corner(fields_[i].width);
+        if (happens(i)) held_.*member = random_.corner(range(fields_[i]));
         in.*member = held_.*member;
       } else if (happens(i)) {
         in.*member = 1 - rest_.*member;
@@ -54,6 +54,15 @@ class HostileStimulus {
  private:
   static constexpr std::uint64_t stretch = 256;
   static constexpr int never = 64;
+
+  /// The bits that a value is drawn from: half of a signed field's values are >= 0, for the ends of
+  /// the numbers that it counts up and down through are not those of its codes.
+  int range(const Field& field) {
+    const bool is_signed = field.format == Format::twos_complement ||
+                           field.format == Format::ones_complement ||
+                           field.format == Format::ones_quarters;
+    return is_signed && random_.one_in_power(1) ? field.width - 1 : field.width;
+  }
 
   bool happens(std::size_t i) { return rarity_[i] != never && random_.one_in_power(rarity_[i]); }
 

@@ -35,14 +35,14 @@ unsigned format_of(const Field& f) {
     case Format::flag:
       return binary;
     case Format::bits:
-      return f.width <= 16 ? binary : hex;
+      return f.width <= 16 ? binary : hex;  // as the tables show it
     case Format::number:
       return decimal;
     case Format::twos_complement:
       return signed_decimal;
     case Format::ones_complement:
     case Format::ones_quarters:
-      return binary;
+      return f.width <= 8 ? binary : hex;  // its number stands beside it
   }
   return hex;
 }
@@ -164,7 +164,7 @@ void write_view(const std::string& path, const WaveShape& shape, const WaveRange
   const std::uint64_t from = range.mismatch ? *range.mismatch - before : range.first;
 
   // GTKWave's zoom z is 2^-z ns to 200 pixels.
-  constexpr double frames = 1180 / 200.0;
+  constexpr double frames = 1100 / 200.0;
   const double zoom = -std::log2(static_cast<double>(clocks * wave_period) / frames);
 
   OutputFile file(beside(".gtkw"));
@@ -179,7 +179,7 @@ void write_view(const std::string& path, const WaveShape& shape, const WaveRange
   for (char name = 'A'; name <= 'Z'; ++name) markers += " -1";
   file.line("*{:.6f} {}", zoom, markers);
   file.line("[sst_width] 160");
-  file.line("[signals_width] 240");
+  file.line("[signals_width] 330");
   file.line("[sst_expanded] 0");
 
   View view(file);

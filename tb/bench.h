@@ -126,6 +126,7 @@ class AdapterSession final : public Session<typename Adapter::Design> {
     if (!same) {
       Lockstep<Adapter> again(power_up_);
       result.mismatch = examine(again, Host(Adapter::params, history_), clocks_ - 1, Window{});
+      result.mismatch->bench = &bench_;
       result.mismatch->stimulus.power_up = power_up_;
       result.mismatch->smaller_case = [jobs = history_, power_up = power_up_] {
         return smaller_case<Adapter>(jobs, power_up);
@@ -180,14 +181,18 @@ class AdapterBench final : public Bench<typename Adapter::Design> {
     const HostileStimulus<Design> hostile(Adapter::params, c);
     draw_if_wanted(
         *this, [&] { return recorded<Design>(Adapter::params, hostile, c.power_up(), c.clocks); });
-    return run<Adapter>(hostile, c.power_up());
+    Run result = run<Adapter>(hostile, c.power_up());
+    if (result.mismatch) result.mismatch->bench = this;
+    return result;
   }
   std::unique_ptr<Session<Design>> open(std::uint32_t power_up) const override {
     return std::make_unique<AdapterSession<Adapter>>(*this, power_up);
   }
 
   Run replay(const Stimulus& s, Window window) const override {
-    return replayed<Instrumented>(s, window);
+    Run result = replayed<Instrumented>(s, window);
+    if (result.mismatch) result.mismatch->bench = this;
+    return result;
   }
   std::optional<std::uint64_t> first_difference(const Stimulus& s) const override {
     // From a clear the class that lockstep runs by does it, and faster.

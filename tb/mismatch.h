@@ -33,11 +33,14 @@ struct SmallerCase {
   Stimulus stimulus;
 };
 
+class AnyBench;
+
 /// Where RTL and model part.
 struct Mismatch {
   /// What the stimulus has behind the first difference, for a wave to show.
   static constexpr std::uint64_t clocks_behind = 200;
 
+  const AnyBench* bench = nullptr;  ///< the machine; none where it has none
   std::uint64_t clock = 0;  ///< clocks after the clear, from 0: the first with a difference
   std::string signal;       ///< the first differing signal in table order, registers before outputs
   Field field{};

@@ -8,11 +8,13 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
+#include <thread>
 
 #include "model/circular/host.h"
 #include "model/linear/host.h"
 #include "model/toolpath/source.h"
 #include "tests/rtl/straight.h"
+#include "tests/support/explain.h"
 #include "tests/support/vcd.h"
 
 namespace cosim::test {
@@ -146,6 +148,53 @@ class Failures : public testing::TestWithParam<Subject> {};
 TEST_P(Failures, AreExplained) { GetParam().check(); }
 std::string name_of(const testing::TestParamInfo<Subject>& info) { return info.param.name; }
 INSTANTIATE_TEST_SUITE_P(Planted, Failures, testing::ValuesIn(subjects()), name_of);
+
+Mismatch a_mismatch() {
+  for (const auto& v : variants<circular::Design>()) {
+    if (!v->name().starts_with("faults/")) continue;
+    for (std::uint64_t i = 0; i < kCases; ++i) {
+      if (auto found = v->bench().run_hostile({1, i, 1000}).mismatch) return *found;
+    }
+  }
+  throw std::runtime_error("no planted fault is found");
+}
+
+std::vector<std::string> names_in(const fs::path& folder) {
+  std::vector<std::string> all;
+  for (const auto& entry : fs::directory_iterator(folder)) all.push_back(entry.path().filename());
+  return all;
+}
+
+TEST(FailureFolder, IsLeftByATest) {
+  const Mismatch m = a_mismatch();
+  const Folder temporary;
+  ASSERT_EQ(setenv("COSIM_FAILURES", temporary.path().c_str(), 1), 0);
+  const fs::path folder = temporary.path() / failure_name(*m.bench, "FailureFolder.IsLeftByATest");
+  const std::string text = explain(m);
+  EXPECT_TRUE(text.starts_with(to_text(m)));
+  EXPECT_NE(text.find("cosim replay " + folder.string() + '\n'), std::string::npos) << text;
+  EXPECT_TRUE(fs::exists(folder / "report.txt"));
+}
+
+TEST(FailureFolder, ThatCannotBeWrittenIsSaid) {
+  const Mismatch m = a_mismatch();
+  ASSERT_EQ(setenv("COSIM_FAILURES", "/dev/null/x", 1), 0);
+  EXPECT_NE(explain(m).find("no failure folder: /dev/null/x"), std::string::npos);
+}
+
+// Each puts its own in the place of the other's.
+TEST(FailureFolder, MayBeLeftBySeveralAtOnce) {
+  const Mismatch m = a_mismatch();
+  const Folder temporary;
+  const auto leave = [&] {
+    for (int i = 0; i < 10; ++i)
+      leave_failure(*m.bench, "case", m, {temporary.path(), {}, "cosim"});
+  };
+  { const std::jthread one(leave), two(leave); }
+  const std::string name = failure_name(*m.bench, "case");
+  EXPECT_EQ(names_in(temporary.path()), (std::vector<std::string>{name}));
+  EXPECT_EQ(names_in(temporary.path() / name).size(), 12U);
+}
 
 }  // namespace
 }  // namespace cosim::test

@@ -9,6 +9,7 @@
 #include "model/circular/host.h"
 #include "model/linear/host.h"
 #include "tests/rtl/straight.h"
+#include "tests/support/explain.h"
 
 namespace cosim::test {
 namespace {
@@ -51,7 +52,7 @@ void expect_nothing_found(const Variant<Design>& variant) {
   for (std::uint64_t i = 0; i < kCases; ++i) {
     const HostileCase c{kSeed, i, kClocks};
     const Run run = variant.bench().run_hostile(c);
-    ASSERT_FALSE(run.mismatch) << to_text(*run.mismatch) << "case " << i;
+    ASSERT_FALSE(run.mismatch) << explain(*run.mismatch) << "case " << i;
     ASSERT_EQ(run.clocks, kClocks);
     const auto script = hostile_script<Design>(variant.bench().params(), c);
     ASSERT_EQ(straight_run(variant, script, c.power_up()), std::nullopt) << "case " << i;

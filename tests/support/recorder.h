@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "tb/bench.h"
+#include "tests/support/explain.h"
 
 namespace cosim::test {
 
@@ -30,7 +30,7 @@ std::vector<typename Recorder<Design>::Clock> draw(
     const Bench<Design>& bench, std::span<const typename Design::Host::Job> jobs) {
   Recorder<Design> recorder;
   const Run run = bench.open(1)->draw(jobs, recorder);
-  EXPECT_FALSE(run.mismatch) << to_text(*run.mismatch);
+  EXPECT_FALSE(run.mismatch) << explain(*run.mismatch);
   EXPECT_EQ(run.clocks, recorder.clocks.size());
   return recorder.clocks;
 }

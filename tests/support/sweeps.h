@@ -6,15 +6,13 @@
 #include <algorithm>
 #include <thread>
 
-#include "tb/sweep.h"
+#include "tests/support/explain.h"
 
 namespace cosim::test {
 
 inline Result expect_match(const Sweep& sweep) {
   const Result result = run_sweep(sweep, std::max(std::thread::hardware_concurrency(), 1U));
-  EXPECT_TRUE(result.match()) << sweep.name << ", " << result.failed << '\n'
-                              << (result.mismatch ? to_text(*result.mismatch)
-                                                  : result.checked.error);
+  EXPECT_TRUE(result.match()) << sweep.name << ", " << result.failed << '\n' << explain(result);
   EXPECT_EQ(result.cases, sweep.cases);
   EXPECT_EQ(result.failed, "");
   return result;

@@ -44,7 +44,7 @@ TEST(Benches, DrawTheSameFromAnyPowerUp) {
     for (std::uint32_t power_up = 0; power_up < 50; ++power_up) {
       Recorder<circular::Design> recorder;
       const auto run = bench->open(power_up)->draw(arcs, recorder);
-      ASSERT_FALSE(run.mismatch) << to_text(*run.mismatch);
+      ASSERT_FALSE(run.mismatch) << explain(*run.mismatch);
       ASSERT_EQ(recorder.clocks.size(), 21U);
       EXPECT_EQ(recorder.clocks.front().registers.f, 3);
     }

@@ -47,8 +47,7 @@ TEST_P(LargestQuarter, Matches) {
   const std::int64_t radius = ones(GetParam()->params().width);
   const std::vector<Arc> arcs = {{{radius, 0}, static_cast<std::uint64_t>(radius * radius), {}}};
   const Result result = run_arcs(*GetParam(), arcs, 1);
-  EXPECT_TRUE(result.match()) << (result.mismatch ? to_text(*result.mismatch)
-                                                  : result.checked.error);
+  EXPECT_TRUE(result.match()) << test::explain(result);
   EXPECT_NEAR(static_cast<double>(result.checked.steps),
               std::numbers::sqrt2 * static_cast<double>(radius), 2);
 }

@@ -52,8 +52,7 @@ TEST_P(LongestLine, Matches) {
   const auto positions = static_cast<std::uint64_t>(longest + longest / 2 + 1);
 
   const Result result = run_lines(*GetParam(), jobs, 1);
-  EXPECT_TRUE(result.match()) << (result.mismatch ? to_text(*result.mismatch)
-                                                  : result.checked.error);
+  EXPECT_TRUE(result.match()) << test::explain(result);
   EXPECT_EQ(result.checked.jobs, jobs.size());
   EXPECT_EQ(result.checked.steps, positions);
 }

@@ -47,7 +47,7 @@ void expect_cut_runs_go_on() {
                           rest.clocks.begin() + static_cast<std::ptrdiff_t>(cut));
         const auto run = bench->replay(rest);
         ASSERT_FALSE(run.mismatch) << bench->title() << ", cut at " << cut << "\n"
-                                   << to_text(*run.mismatch);
+                                   << explain(*run.mismatch);
         ASSERT_EQ(run.clocks, rest.clocks.size());
       }
     }

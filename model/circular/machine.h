@@ -119,7 +119,7 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
   // F is the midpoint test of the next two candidates. Negative: the midpoint is outside the
   // circle, so the inner one is next; that is the diagonal step in sector 1, the straight one in 2.
   const Flag negative = !(s.f > V(0));
-  const Flag diagonal = (sector2 & !negative) | (!sector2 & negative);
+  const Flag diagonal = (sector2 & !negative) | (negative & !sector2);
 
   Step<V> result;
   result.outputs.running = s.t4;

@@ -40,6 +40,7 @@ void add_arc(CLI::App& app, Action& action);
 void add_path(CLI::App& app, Action& action);
 void add_sweep(CLI::App& app, Action& action);
 void add_replay(CLI::App& app, Action& action);
+void add_prove(CLI::App& app, Action& action);
 
 /// An option, or without dashes a positional, whose help reads "name TYPE help". A value of no
 /// characters is a value too.

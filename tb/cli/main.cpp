@@ -47,6 +47,7 @@ int run(int argc, char** argv) {
   cosim::cli::add_path(app, action);
   cosim::cli::add_sweep(app, action);
   cosim::cli::add_replay(app, action);
+  cosim::cli::add_prove(app, action);
   if (argc < 2) fmt::print("{}", app.help());
   if (const std::string line = cosim::cli::empty_value(argc, argv); !line.empty()) {
     return refuse(line);

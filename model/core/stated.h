@@ -1,0 +1,15 @@
+// Sentences on a machine, each with its condition: what the proof assumes of a state, and what may
+// happen on a clock.
+#pragma once
+
+#include "model/core/value.h"
+
+namespace cosim {
+
+template <class V>
+struct Stated {
+  const char* sentence;
+  Condition<V> holds;
+};
+
+}  // namespace cosim

@@ -1,0 +1,179 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <sstream>
+#include <thread>
+
+#include "model/core/input_error.h"
+#include "tb/cli/command.h"
+#include "tb/cli/number.h"
+#include "tb/cli/words.h"
+#include "tb/failure.h"
+#include "tb/output_file.h"
+#include "tb/proof/decide.h"
+#include "tb/proof/explain.h"
+#include "tb/proof/machines.h"
+
+namespace cosim::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using proof::Claim;
+using proof::Decision;
+
+struct Options {
+  Common common;
+  std::vector<std::string> machine;
+  Text rtl, limit, jobs, scripts;
+};
+
+// A machine and what is claimed of it.
+struct Subject {
+  std::string title;
+  proof::MachineFormula formula;
+  std::vector<Claim> claims;
+};
+
+std::vector<Subject> chosen(const std::vector<std::string>& words) {
+  std::vector<Subject> all;
+  const std::string wanted = fmt::format("{}", fmt::join(words, " "));
+  for (const auto& machine : proof::built_machines()) {
+    if ((machine.title + ' ').starts_with(wanted.empty() ? "" : wanted + ' ')) {
+      all.push_back({machine.title, machine.formula(), {}});
+    }
+  }
+  if (all.empty()) throw InputError(wanted + ": is no machine that is built; see cosim list");
+  return all;
+}
+
+void print_row(const std::string& title, const Claim& claim, const Decision& decision) {
+  std::string times;
+  for (const double s : decision.seconds) times += fmt::format("{:6.2f}  ", s);
+  fmt::print("{:<20} {:<32}{}{}\n", title, claim.what, times, decision.verdict);
+}
+
+void keep_scripts(const std::string& folder, const std::vector<Subject>& subjects) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw InputError(fmt::format("{}: cannot be made: {}", folder, error.message()));
+  for (const Subject& s : subjects) {
+    for (const Claim& claim : s.claims) {
+      for (const proof::Query& query : claim.queries) {
+        const std::string what = query.asks.size() == 1 ? query.asks.front() : "each";
+        std::string name = fmt::format("{} {} {}.smt2", s.title, claim.what, what);
+        std::replace(name.begin(), name.end(), ' ', '_');
+        OutputFile file((fs::path(folder) / name).string());
+        file.line("; {}: {}; {}", s.title, claim.what, fmt::join(query.asks, ", "));
+        file.text(query.script);
+        file.close();
+      }
+    }
+  }
+}
+
+// RTL that is not what this program was built from has no bench here to be replayed on.
+void explain(const Options& o, const Subject& subject, const Claim& claim, const Decision& decision,
+             int limit) {
+  std::optional<proof::Counterexample> found;
+  for (std::size_t v = 0; v < decision.solved.size(); ++v) {
+    for (std::size_t q = 0; q < claim.queries.size() && !found; ++q) {
+      if (decision.solved[v][q].answer != proof::Answer::sat) continue;
+      found = proof::counterexample(
+          subject.formula,
+          values(proof::solvers()[v], claim.queries[q].script, claim.terms, limit));
+    }
+  }
+  if (!found) return;
+  const AnyBench* bench = nullptr;
+  for (const auto& b : benches()) {
+    if (b->title() == subject.title) bench = b.get();
+  }
+  const Stimulus stimulus = proof::stimulus_of(*found, *bench);
+  const Run run = bench->replay(stimulus);
+  if (run.mismatch) {
+    fmt::print("\n{}", to_text(*run.mismatch));
+    const Failure failure = leave_failure(*bench, "counterexample of the proof", *run.mismatch,
+                                          {o.common.failures_folder(), o.common.window(), "cosim"});
+    fmt::print("\n{}", to_text(failure));
+    return;
+  }
+  fmt::print("\n{}", to_text(*found));
+  fs::create_directories(o.common.failures_folder());
+  const fs::path kept = fs::path(o.common.failures_folder()) /
+                        (failure_name(*bench, "counterexample of the proof") + ".stim");
+  OutputFile file(kept.string());
+  file.text(to_text(stimulus, *bench));
+  file.close();
+  fmt::print(
+      "RTL as built here gives what the model gives: the counterexample is of another RTL, or of\n"
+      "the formulas. As a stimulus: {}\n",
+      kept.string());
+}
+
+int run(const Options& o) {
+  const int limit = static_cast<int>(whole("--limit", o.limit.value_or("60"), 1, 86400));
+  const unsigned cores = std::max(std::thread::hardware_concurrency(), 1U);
+  const auto jobs = o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores;
+  std::vector<Subject> subjects = chosen(o.machine);
+  const auto began = std::chrono::steady_clock::now();
+
+  proof::in_parallel(subjects.size(), jobs, [&](std::size_t i) {
+    Subject& s = subjects[i];
+    const proof::Rtl rtl(
+        proof::source_in(o.rtl.value_or("rtl"), s.formula.design, s.formula.parameters));
+    s.claims = {claim_clear(s.formula, rtl), claim_step(s.formula, rtl),
+                claim_cases(s.formula, rtl)};
+  });
+  if (o.scripts) keep_scripts(*o.scripts, subjects);
+
+  std::vector<const Claim*> claims;
+  for (const Subject& s : subjects) {
+    for (const Claim& c : s.claims) claims.push_back(&c);
+  }
+  const std::vector<Decision> decisions = proof::decide(claims, limit, jobs);
+
+  std::string heading;
+  for (const auto& solver : proof::solvers()) heading += fmt::format("{:>4} s  ", solver.name);
+  fmt::print("{:<53}{}\n", "", heading);
+  std::size_t proved = 0, at = 0;
+  std::function<void()> explain_first;
+  for (const Subject& s : subjects) {
+    for (const Claim& claim : s.claims) {
+      const Decision& d = decisions[at++];
+      print_row(&claim == s.claims.data() ? s.title : "", claim, d);
+      proved += d.proved ? 1 : 0;
+      if (d.proved || explain_first || claim.terms.empty()) continue;
+      explain_first = [&] { explain(o, s, claim, d, limit); };
+    }
+  }
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+  if (explain_first) explain_first();
+  fmt::print("{} of {} proved by all solvers, in {:.1f} s\n", proved, count(claims.size(), "claim"),
+             took.count());
+  return proved == claims.size() ? 0 : 1;
+}
+
+}  // namespace
+
+void add_prove(CLI::App& app, Action& action) {
+  auto o = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand(
+      "prove", "That RTL and model are the same from every state under every input, by solvers");
+  command.add_option("MACHINE", o->machine, "A design, or a line of cosim list; default all")
+      ->type_name("");
+  add_text(command, "--rtl", o->rtl, "DIR", "The RTL, a folder for each design; default rtl");
+  add_text(command, "--limit", o->limit, "S", "Seconds for one answer; default 60");
+  add_text(command, "--jobs", o->jobs, "J", "Solvers at a time; default one a core");
+  add_text(command, "--scripts", o->scripts, "DIR", "Leave what the solvers read in DIR");
+  add_failures(command, o->common);
+  command.footer(
+      "Needs yosys, cvc5 and z3; only what both solvers prove is proved.\n"
+      "Example: cosim prove linear M=8 N=5");
+  command.callback([&action, o] { action = [o] { return run(*o); }; });
+}
+
+}  // namespace cosim::cli

@@ -1,0 +1,186 @@
+#include "tb/proof/bits.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+namespace cosim::proof {
+namespace {
+
+constexpr int kWord = 64;
+constexpr Word kLeast = std::numeric_limits<Word>::min();
+constexpr Word kMost = std::numeric_limits<Word>::max();
+
+// The bits of a number's shortest two's complement code.
+int width_of(Word v) {
+  return kWord + 1 - std::countl_zero(static_cast<std::uint64_t>(v < 0 ? ~v : v));
+}
+
+struct Bounds {
+  Word least = kLeast;
+  Word most = kMost;
+  int width() const { return std::max(width_of(least), width_of(most)); }
+};
+
+// The operation on codes that are as wide as the result.
+Bits made(const char* head, const Bits& a, const Bits& b, const Bounds& bounds) {
+  const int width = bounds.width();
+  return {Expression(head, bit_vector(width), {a.code(width), b.code(width)}), width, bounds.least,
+          bounds.most};
+}
+
+Truth compared(const char* head, const Bits& a, const Bits& b) {
+  const int width = std::max(a.width(), b.width());
+  return Truth(Expression(head, boolean, {a.code(width), b.code(width)}));
+}
+
+Expression literal(Word v, int width) {
+  return {fmt::format("#b{:0{}b}", static_cast<std::uint64_t>(cosim::low_bits(v, width)), width),
+          bit_vector(width)};
+}
+
+}  // namespace
+
+Expression cut(const Expression& code, int low, int width) {
+  if (low == 0 && code.sort() == bit_vector(width)) return code;
+  return {fmt::format("(_ extract {} {})", low + width - 1, low), bit_vector(width), {code}};
+}
+
+Truth operator!(const Truth& a) {
+  if (a.known()) return !*a.known();
+  return Truth(negation(a.expression()));
+}
+Truth operator&(const Truth& a, const Truth& b) {
+  if (a.known()) return *a.known() ? b : a;
+  if (b.known()) return *b.known() ? a : b;
+  return Truth(conjunction(a.expression(), b.expression()));
+}
+Truth operator|(const Truth& a, const Truth& b) {
+  if (a.known()) return *a.known() ? a : b;
+  if (b.known()) return *b.known() ? b : a;
+  return Truth(disjunction(a.expression(), b.expression()));
+}
+
+Bits::Bits(Word known)
+    : least_(known),
+      most_(known),
+      width_(width_of(known)),
+      expression_(literal(known, width_of(known))) {}
+
+Bits::Bits(const Expression& e, int width, Word least, Word most, int zeros)
+    : least_(least),
+      most_(most),
+      width_(Bounds{least, most}.width()),
+      zeros_(zeros),
+      expression_(width > width_ ? cut(e, 0, width_) : e) {
+  if (width < width_) {
+    expression_ = {fmt::format("(_ sign_extend {})", width_ - width), bit_vector(width_), {e}};
+  }
+}
+
+Bits Bits::unsigned_code(const Expression& code, int width) {
+  if (width == kWord) return {code, kWord, kLeast, kMost};
+  const Expression e("(_ zero_extend 1)", bit_vector(width + 1), {code});
+  return {e, width + 1, 0, ones(width)};
+}
+Bits Bits::signed_code(const Expression& code, int width) {
+  const Word half = ones(width) / 2;
+  return width == kWord ? Bits{code, kWord, kLeast, kMost} : Bits{code, width, -half - 1, half};
+}
+
+std::optional<Word> Bits::known() const {
+  return least_ == most_ ? std::optional(least_) : std::nullopt;
+}
+
+Expression Bits::code(int width) const {
+  if (known()) return literal(*known(), width);
+  if (width <= width_) return cut(expression_, 0, width);
+  return {fmt::format("(_ sign_extend {})", width - width_), bit_vector(width), {expression_}};
+}
+
+Bits operator+(const Bits& a, const Bits& b) {
+  if (a.known() == 0) return b;
+  if (b.known() == 0) return a;
+  if (a.code(a.width()).identity() == b.code(b.width()).identity()) return shift_left(a, 1);
+  Bounds bounds;
+  if (__builtin_add_overflow(a.least(), b.least(), &bounds.least) ||
+      __builtin_add_overflow(a.most(), b.most(), &bounds.most)) {
+    bounds = {};
+  }
+  // What fits into the zeros of the other is put there.
+  if (a.zeros() > 0 && b.least() >= 0 && width_of(b.most()) <= a.zeros() + 1) {
+    const int width = bounds.width(), high = width - a.zeros();
+    return {Expression("concat", bit_vector(width),
+                       {cut(a.code(width), a.zeros(), high), b.code(a.zeros())}),
+            width, bounds.least, bounds.most};
+  }
+  return made("bvadd", a, b, bounds);
+}
+Bits operator-(const Bits& a, const Bits& b) {
+  if (b.known() == 0) return a;
+  Bounds bounds;
+  if (__builtin_sub_overflow(a.least(), b.most(), &bounds.least) ||
+      __builtin_sub_overflow(a.most(), b.least(), &bounds.most)) {
+    bounds = {};
+  }
+  return made("bvsub", a, b, bounds);
+}
+Truth operator<(const Bits& a, const Bits& b) {
+  if (a.most() < b.least()) return true;
+  if (a.least() >= b.most()) return false;
+  return compared("bvslt", a, b);
+}
+Truth operator>(const Bits& a, const Bits& b) { return b < a; }
+Truth operator==(const Bits& a, const Bits& b) {
+  if (a.known() && b.known()) return *a.known() == *b.known();
+  if (a.most() < b.least() || b.most() < a.least()) return false;
+  return compared("=", a, b);
+}
+Bits low_bits(const Bits& v, int width) {
+  if (v.known()) return Bits(cosim::low_bits(*v.known(), width));
+  if (width == kWord || (v.least() >= 0 && v.most() <= ones(width))) return v;
+  return Bits::unsigned_code(v.code(width), width);
+}
+Truth bit(const Bits& v, int i) {
+  if (v.known()) return cosim::bit(*v.known(), i);
+  return Truth(equal(cut(v.code(std::max(v.width(), i + 1)), i, 1), literal(1, 1)));
+}
+Bits shift_left(const Bits& v, int n) {
+  if (n == 0) return v;
+  if (v.known()) return Bits(cosim::shift_left(*v.known(), n));
+  const Word factor = Word{1} << std::min(n, kWord - 2);
+  Bounds bounds;
+  if (n > kWord - 2 || __builtin_mul_overflow(v.least(), factor, &bounds.least) ||
+      __builtin_mul_overflow(v.most(), factor, &bounds.most)) {
+    bounds = {};
+  }
+  const int width = bounds.width();
+  return {Expression("concat", bit_vector(width), {v.code(width - n), literal(0, n)}), width,
+          bounds.least, bounds.most, n + v.zeros()};
+}
+Bits shift_right(const Bits& v, int n) {
+  if (n == 0) return v;
+  const Word least = cosim::shift_right(v.least(), n), most = cosim::shift_right(v.most(), n);
+  if (least == most) return Bits(least);
+  const int width = std::max(v.width(), n + 1);
+  return {cut(v.code(width), n, width - n), width - n, least, most};
+}
+Bits both(const Bits& a, const Bits& b) {
+  if (a.known() && b.known()) return Bits(*a.known() & *b.known());
+  Bounds bounds;
+  if (a.least() >= 0) bounds = {0, a.most()};
+  if (b.least() >= 0) bounds = {0, a.least() >= 0 ? std::min(a.most(), b.most()) : b.most()};
+  return made("bvand", a, b, bounds);
+}
+Bits select(const Truth& c, const Bits& a, const Bits& b) {
+  if (c.known()) return *c.known() ? a : b;
+  const Bounds bounds{std::min(a.least(), b.least()), std::max(a.most(), b.most())};
+  if (bounds.least == bounds.most) return a;
+  const int width = bounds.width();
+  return {Expression("ite", bit_vector(width), {c.expression(), a.code(width), b.code(width)}),
+          width, bounds.least, bounds.most};
+}
+
+}  // namespace cosim::proof

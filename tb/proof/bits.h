@@ -1,0 +1,76 @@
+// The machine word of the golden models as a symbol: a model run on Bits instead of Word gives the
+// formula of what it does.
+#pragma once
+
+#include <optional>
+
+#include "model/core/value.h"
+#include "tb/proof/expression.h"
+
+namespace cosim::proof {
+
+/// A condition on symbols. What is known without a solver stays a plain truth value.
+class Truth {
+ public:
+  Truth(bool known) : known_(known), expression_(truth(known)) {}  // NOLINT: a truth value is one
+  explicit Truth(Expression e) : expression_(std::move(e)) {}
+
+  const std::optional<bool>& known() const { return known_; }
+  const Expression& expression() const { return expression_; }
+
+ private:
+  std::optional<bool> known_;
+  Expression expression_;
+};
+
+Truth operator!(const Truth& a);
+Truth operator&(const Truth& a, const Truth& b);
+Truth operator|(const Truth& a, const Truth& b);
+
+/// A Word within known bounds. Its expression is its two's complement code of as many bits as these
+/// need: what a Word does on 64 bits is done here on no more than make a difference, for a solver
+/// has to work for each bit. Where bounds would leave the 64 bits there are none, and it wraps as a
+/// Word does.
+class Bits {
+ public:
+  Bits() : Bits(0) {}
+  explicit Bits(Word known);
+  /// A code of `width` bits as the number it is without a sign, or in two's complement.
+  static Bits unsigned_code(const Expression& code, int width);
+  static Bits signed_code(const Expression& code, int width);
+  /// The number of least..most whose code is `e`, or the lower bits of `e`.
+  Bits(const Expression& e, int width, Word least, Word most, int zeros = 0);
+
+  Word least() const { return least_; }
+  Word most() const { return most_; }
+  std::optional<Word> known() const;
+  int width() const { return width_; }
+  /// So many low bits are known to be zeros.
+  int zeros() const { return zeros_; }
+  /// The lower `width` bits, of the number in two's complement.
+  Expression code(int width) const;
+
+ private:
+  Word least_;
+  Word most_;
+  int width_;
+  int zeros_ = 0;
+  Expression expression_;
+};
+
+/// `width` bits of a code, from bit `low` up.
+Expression cut(const Expression& code, int low, int width);
+
+Bits operator+(const Bits& a, const Bits& b);
+Bits operator-(const Bits& a, const Bits& b);
+Truth operator<(const Bits& a, const Bits& b);
+Truth operator>(const Bits& a, const Bits& b);
+Truth operator==(const Bits& a, const Bits& b);
+Bits low_bits(const Bits& v, int width);
+Truth bit(const Bits& v, int i);
+Bits shift_left(const Bits& v, int n);
+Bits shift_right(const Bits& v, int n);
+Bits both(const Bits& a, const Bits& b);
+Bits select(const Truth& c, const Bits& a, const Bits& b);
+
+}  // namespace cosim::proof

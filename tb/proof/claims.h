@@ -1,0 +1,64 @@
+// What is claimed of one machine: RTL and golden model are the same for ever.
+//
+//   clear   after a clock that clears the machine, whatever registers and state held before, the
+//           registers hold what they are to hold in the model's state after a clear, and that state
+//           satisfies the invariant
+//   step    from every state that satisfies the invariant, with the registers holding what they are
+//           to hold in it, under every input: outputs and registers after the clock are those of
+//           the model, and the state after it satisfies the invariant
+//   cases   the same hypotheses, and each of the design's cases, can be
+//
+// The first two are an induction over the clocks: nothing is assumed of the inputs, and no bound is
+// set. The third says that the second is not empty.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tb/proof/machine.h"
+#include "tb/proof/rtl.h"
+#include "tb/proof/solver.h"
+
+namespace cosim::proof {
+
+/// A script with one or more questions.
+struct Query {
+  std::vector<std::string> asks;  ///< what each question asks, a few words
+  std::string script;
+};
+/// A claim, as questions that must all be answered alike.
+struct Claim {
+  std::string what;  ///< a sentence
+  Answer wanted = Answer::unsat;
+  std::vector<Query> queries;
+  std::vector<std::string> terms;  ///< whose values are a counterexample; empty where there is none
+};
+
+/// InputError where the RTL's registers, inputs and outputs are not those of the machine's tables,
+/// one for one.
+Claim claim_clear(const MachineFormula& machine, const Rtl& rtl);
+Claim claim_step(const MachineFormula& machine, const Rtl& rtl);
+Claim claim_cases(const MachineFormula& machine, const Rtl& rtl);
+
+/// One value of a signal in a counterexample to claim_step.
+struct Value {
+  Field field;
+  Word expected = 0;
+  Word actual = 0;
+};
+/// A state and inputs under which RTL and model differ.
+struct Counterexample {
+  std::vector<Value> state;         ///< of the model
+  std::vector<Value> inputs;        ///< of the clock
+  std::vector<Value> outputs;       ///< during the clock
+  std::vector<Value> after;         ///< registers, after it
+  std::vector<std::string> broken;  ///< what of the invariant the model's next state breaks
+};
+/// What a solver found against claim_step, from the values of its terms; none where some are
+/// missing.
+std::optional<Counterexample> counterexample(const MachineFormula& machine,
+                                             const std::map<std::string, std::string>& values);
+
+}  // namespace cosim::proof

@@ -1,0 +1,113 @@
+#include "tb/proof/decide.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+namespace cosim::proof {
+namespace {
+
+// One solver's answers to one claim.
+struct Summary {
+  bool as_wanted = true;
+  bool opposite = false;
+  std::string text;  // of the first answer that is not as wanted
+};
+
+Summary summary(const Claim& claim, const std::vector<Solved>& solved) {
+  Summary all;
+  const Answer other = claim.wanted == Answer::sat ? Answer::unsat : Answer::sat;
+  for (std::size_t q = 0; q < solved.size(); ++q) {
+    const Query& query = claim.queries[q];
+    for (std::size_t i = 0; i < query.asks.size(); ++i) {
+      const bool answered = i < solved[q].answers.size();
+      const Answer answer = answered ? solved[q].answers[i] : solved[q].answer;
+      if (answered && answer == claim.wanted) continue;
+      all.as_wanted = false;
+      all.opposite = all.opposite || (answered && answer == other);
+      if (!all.text.empty() && answer != other) continue;
+      all.text = fmt::format("{} ({})", to_text(answer), query.asks[i]);
+      if (answer == Answer::failed) all.text += ": " + solved[q].said;
+    }
+  }
+  if (all.text.empty()) all.text = to_text(claim.wanted);
+  return all;
+}
+
+}  // namespace
+
+Decision judged(const Claim& claim, std::vector<std::vector<Solved>> solved) {
+  Decision d;
+  std::size_t yes = 0, no = 0;
+  std::string answers;
+  for (std::size_t v = 0; v < solved.size(); ++v) {
+    const Summary s = summary(claim, solved[v]);
+    yes += s.as_wanted ? 1 : 0;
+    no += s.opposite ? 1 : 0;
+    answers += fmt::format("{}{} {}", v == 0 ? "" : ", ", solvers()[v].name, s.text);
+    d.seconds.push_back(0);
+    for (const Solved& one : solved[v]) d.seconds.back() += one.seconds;
+  }
+  d.proved = !solved.empty() && yes == solved.size();
+  d.refuted = no > 0 && yes == 0;
+  if (d.proved) {
+    d.verdict = "proved";
+  } else if (d.refuted) {
+    d.verdict = "REFUTED: " + answers;
+  } else {
+    d.verdict = (yes > 0 && no > 0 ? "THE SOLVERS DISAGREE: " : "UNDECIDED: ") + answers;
+  }
+  d.solved = std::move(solved);
+  return d;
+}
+
+std::vector<Decision> decide(const std::vector<const Claim*>& claims, int limit, unsigned jobs) {
+  std::vector<std::array<std::size_t, 3>> work;  // claim, query, solver
+  std::vector<std::vector<std::vector<Solved>>> solved(claims.size());
+  for (std::size_t c = 0; c < claims.size(); ++c) {
+    const std::size_t queries = claims[c]->queries.size();
+    solved[c].assign(solvers().size(), std::vector<Solved>(queries));
+    for (std::size_t q = 0; q < queries; ++q) {
+      for (std::size_t v = 0; v < solvers().size(); ++v) work.push_back({c, q, v});
+    }
+  }
+  in_parallel(work.size(), jobs, [&](std::size_t i) {
+    const auto [c, q, v] = work[i];
+    solved[c][v][q] = solve(solvers()[v], claims[c]->queries[q].script, limit);
+  });
+  std::vector<Decision> all;
+  for (std::size_t c = 0; c < claims.size(); ++c) {
+    all.push_back(judged(*claims[c], std::move(solved[c])));
+  }
+  return all;
+}
+
+void in_parallel(std::size_t count, unsigned threads,
+                 const std::function<void(std::size_t)>& work) {
+  std::atomic<std::size_t> next = 0;
+  std::mutex mutex;
+  std::exception_ptr error;
+  const auto run = [&] {
+    for (std::size_t i = next++; i < count; i = next++) {
+      try {
+        work(i);
+      } catch (...) {
+        const std::scoped_lock lock(mutex);
+        if (!error) error = std::current_exception();
+        next = count;
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> all;
+    for (unsigned t = 1; t < threads; ++t) all.emplace_back(run);
+    run();
+  }
+  if (error) std::rethrow_exception(error);
+}
+
+}  // namespace cosim::proof

@@ -1,0 +1,31 @@
+// Claims put before the solvers, several questions at a time.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "tb/proof/claims.h"
+
+namespace cosim::proof {
+
+/// What the solvers say of a claim.
+struct Decision {
+  std::vector<std::vector<Solved>> solved;  ///< by solver and query
+  std::vector<double> seconds;              ///< by solver, of all queries
+  bool proved = false;                      ///< every solver answered every question as wanted
+  bool refuted = false;  ///< one answered one of them the other way, and none denied that
+  std::string verdict;   ///< "proved", "REFUTED", or why it is neither
+};
+
+/// Has every one of solvers() answer every query of the claims, `jobs` at a time, each for `limit`
+/// seconds at the most. What comes is in the claims' order.
+std::vector<Decision> decide(const std::vector<const Claim*>& claims, int limit, unsigned jobs);
+
+/// What answers come to, by solver and query.
+Decision judged(const Claim& claim, std::vector<std::vector<Solved>> solved);
+
+/// Calls work(0), ..., work(count - 1) on `threads` threads. The first exception ends it.
+void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work);
+
+}  // namespace cosim::proof

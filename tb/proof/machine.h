@@ -1,0 +1,150 @@
+// A golden model as formulas: one clock from any state, under any inputs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "model/core/fields.h"
+#include "tb/proof/bits.h"
+
+namespace cosim::proof {
+
+/// A field and its value, a code of the field's width.
+struct Wire {
+  Field field;
+  Expression code;
+};
+
+/// A condition with a name.
+struct Named {
+  std::string name;
+  Expression condition;
+};
+
+struct MachineFormula {
+  std::string design;
+  std::vector<Parameter> parameters;
+  std::vector<Wire> inputs;  ///< free
+  std::vector<Wire> state;   ///< free
+  std::vector<Named>
+      invariant;  ///< of the state before the clock: its fields are in range, and more
+  std::vector<Named> invariant_after;  ///< the same of the state after it
+  std::vector<Wire> registers;         ///< what the RTL's registers are to hold before the clock
+  std::vector<Wire> outputs;           ///< during it
+  std::vector<Wire> after;             ///< what the registers are to hold after it
+  std::vector<Named> parts;            ///< of all clocks: one by one they are easier
+  std::vector<Named> cases;  ///< what may happen on a clock, each of which must be possible
+  std::vector<Wire>
+      clearing;               ///< the inputs that clear the machine, with the values they have then
+  std::vector<Wire> cleared;  ///< the registers after that
+  std::vector<Named> invariant_cleared;
+};
+
+namespace detail {
+
+inline Expression symbol(const char* kind, const Field& f) {
+  return {std::string(kind) + '.' + f.name, bit_vector(f.width)};
+}
+
+inline bool is_signed(const Field& f) {
+  return f.format == Format::twos_complement || f.format == Format::ones_complement ||
+         f.format == Format::ones_quarters;
+}
+
+/// A record of free symbols. A state's signed field is a number, an input's is a code.
+template <class Record, class Fields>
+Record symbols(const char* kind, const Fields& fields, bool codes) {
+  Record r;
+  for_each_member<Record>([&](auto member, std::size_t i) {
+    const Expression e = symbol(kind, fields[i]);
+    r.*member = is_signed(fields[i]) && !codes ? Bits::signed_code(e, fields[i].width)
+                                               : Bits::unsigned_code(e, fields[i].width);
+  });
+  return r;
+}
+
+template <class Record, class Fields>
+std::vector<Wire> wires(const Record& r, const Fields& fields) {
+  std::vector<Wire> all;
+  for_each_member<Record>([&](auto member, std::size_t i) {
+    all.push_back({fields[i], (r.*member).code(fields[i].width)});
+  });
+  return all;
+}
+
+/// is_state() of every field, as a formula.
+template <class Record, class Fields>
+Truth in_range(const Record& r, const Fields& fields) {
+  Truth all = true;
+  for_each_member<Record>([&](auto member, std::size_t i) {
+    const Bits& v = r.*member;
+    if (is_signed(fields[i])) {
+      const Bits most(ones(fields[i].width - 1));
+      all = all & !(v > most) & !(v < Bits(0) - most);
+    } else {
+      all = all & (low_bits(v, fields[i].width) == v);
+    }
+  });
+  return all;
+}
+
+template <class Design>
+std::vector<Named> whole_invariant(const typename Design::Params& p,
+                                   const typename Design::template State<Bits>& s) {
+  std::vector<Named> all;
+  const auto fields = Design::template State<Word>::fields(p);
+  all.push_back({"every field of the state is in range", in_range(s, fields).expression()});
+  for (const auto& [name, condition] : invariant(p, s)) {
+    all.push_back({name, condition.expression()});
+  }
+  return all;
+}
+
+}  // namespace detail
+
+/// The formulas of one design at the parameters p.
+template <class Design>
+MachineFormula formula(const typename Design::Params& p) {
+  using detail::wires;
+  using State = typename Design::template State<Bits>;
+  using Inputs = typename Design::template Inputs<Bits>;
+  const auto state_fields = Design::template State<Word>::fields(p);
+  const auto input_fields = Design::template Inputs<Word>::fields(p);
+  const auto register_fields = Design::template Registers<Word>::fields(p);
+  const auto output_fields = Design::template Outputs<Word>::fields(p);
+
+  MachineFormula m;
+  m.design = Design::name;
+  const auto parameters = Design::parameters(p);
+  m.parameters.assign(parameters.begin(), parameters.end());
+  for (const Field& f : input_fields) m.inputs.push_back({f, detail::symbol("in", f)});
+  for (const Field& f : state_fields) m.state.push_back({f, detail::symbol("state", f)});
+  const auto s = detail::symbols<State>("state", state_fields, false);
+  const auto in = detail::symbols<Inputs>("in", input_fields, true);
+
+  const auto step = Design::next(p, s, in);
+  m.invariant = detail::whole_invariant<Design>(p, s);
+  m.invariant_after = detail::whole_invariant<Design>(p, step.state);
+  m.registers = wires(Design::registers(p, s), register_fields);
+  m.outputs = wires(step.outputs, output_fields);
+  m.after = wires(Design::registers(p, step.state), register_fields);
+  for (const auto& [name, condition] : parts(p, s)) {
+    m.parts.push_back({name, condition.expression()});
+  }
+  for (const auto& [name, condition] : cases(p, s, in)) {
+    m.cases.push_back({name, condition.expression()});
+  }
+
+  const auto cleared = Design::template cleared<Bits>();
+  m.cleared = wires(Design::registers(p, cleared), register_fields);
+  m.invariant_cleared = detail::whole_invariant<Design>(p, cleared);
+  const auto clear = to_words(Design::clear());
+  const auto rest = to_words(Design::rest());
+  for (std::size_t i = 0; i < input_fields.size(); ++i) {
+    if (clear[i] == rest[i]) continue;
+    m.clearing.push_back({input_fields[i], Bits(clear[i]).code(input_fields[i].width)});
+  }
+  return m;
+}
+
+}  // namespace cosim::proof

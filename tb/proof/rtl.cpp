@@ -1,0 +1,145 @@
+#include "tb/proof/rtl.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <regex>
+#include <sstream>
+
+#include "model/core/input_error.h"
+#include "tb/proof/process.h"
+
+namespace cosim::proof {
+namespace {
+
+namespace fs = std::filesystem;
+
+int width_of(const std::string& sort) {
+  return sort == boolean ? 1 : std::stoi(sort.substr(sort.find_last_of(' ')));
+}
+
+// Yosys defines a function of the state for every wire; here the state is what the free symbols
+// are, and the functions are plain names.
+std::string without_state(const std::string& text) {
+  static const std::regex applied(R"(\((\|[^|]*\|) state\))");
+  return std::regex_replace(text, applied, "$1");
+}
+
+std::string written_by_yosys(const Source& source) {
+  const Scratch scratch;
+  const fs::path file = scratch.path() / "rtl.smt2";
+  std::string commands = "read_verilog";
+  for (const fs::path& f : source.files) commands += " \"" + f.string() + '"';
+  commands += "; hierarchy -check -top " + source.top;
+  for (const Parameter& p : source.parameters) {
+    commands += fmt::format(" -chparam {} {}", p.name, p.value);
+  }
+  // What is undefined in the RTL is free in the formula.
+  commands += fmt::format(
+      "; rename -top {}; prep -flatten; async2sync; setundef -anyseq; write_smt2 -wires {}",
+      source.top, file.string());
+  const Ended ended = run_program({"yosys", "-q", "-p", commands});
+  if (ended.status == 127) throw InputError("needs yosys");
+  if (ended.status != 0) {
+    std::string error = ended.text.substr(std::min(ended.text.find("ERROR"), ended.text.size()));
+    error = error.substr(0, error.find('\n'));
+    throw InputError(fmt::format("{}: yosys cannot read it: {}", source.top, error));
+  }
+  std::ifstream stream(file);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+}  // namespace
+
+Source source_in(const fs::path& folder, const std::string& design,
+                 const std::vector<Parameter>& parameters) {
+  Source source{{}, design, parameters};
+  std::error_code error;
+  const fs::path own = fs::exists(folder / design, error) ? folder / design : folder;
+  for (const auto& entry : fs::directory_iterator(own, error)) {
+    if (entry.path().extension() == ".v") source.files.push_back(fs::absolute(entry.path()));
+  }
+  if (source.files.empty()) {
+    throw InputError(
+        fmt::format("{}: no Verilog of the {} interpolator", (folder / design).string(), design));
+  }
+  std::sort(source.files.begin(), source.files.end());
+  return source;
+}
+
+Rtl::Rtl(const Source& source) : Rtl(source.top, written_by_yosys(source)) {}
+
+Rtl::Rtl(std::string top, const std::string& smt2) : top_(std::move(top)) {
+  std::istringstream lines(smt2);
+  for (std::string line; std::getline(lines, line);) read_line(line);
+  if (free_.empty()) throw InputError(top_ + ": yosys wrote no machine");
+}
+
+void Rtl::read_line(const std::string& line) {
+  static const std::regex declaration(R"(\(declare-fun (\|[^|]*\|) \(\|[^|]*\|\) (.*)\) ;.*)");
+  static const std::regex relation(R"(  \(= (.*) \((\|[^|]*\|) next_state\)\).*)");
+  static const std::regex function(
+      R"(\(define-fun (\|[^|]*\|) \(\(state \|[^|]*\|\)\) (Bool|\(_ BitVec \d+\)) (.*)\)( ;.*)?)");
+  std::smatch part;
+  if (line.starts_with(';')) return;
+  if (line.starts_with("(define-fun |" + top_ + "_t|")) {
+    in_relation_ = true;
+  } else if (in_relation_ && std::regex_match(line, part, relation)) {
+    const auto found = std::find_if(free_.begin(), free_.end(),
+                                    [&](const Free& f) { return f.symbol == part[2]; });
+    if (found == free_.end()) throw InputError(top_ + ": a register that yosys did not declare");
+    found->after = without_state(part[1]);
+  } else if (!in_relation_ && std::regex_match(line, part, declaration)) {
+    free_.push_back({part[1], width_of(part[2]), part[2] == boolean, ""});
+  } else if (!in_relation_ && std::regex_match(line, part, function)) {
+    define(part[1], part[2], without_state(part[3]));
+  }
+}
+
+void Rtl::define(const std::string& name, const std::string& sort, const std::string& body) {
+  if ((name == "|" + top_ + "_u|" || name == "|" + top_ + "_i|") && body != "true") {
+    throw InputError(top_ + ": its Verilog assumes or initialises something");
+  }
+  definitions_ += definition(name, sort, body);
+  wires_[name] = {sort, body};
+}
+
+std::vector<std::size_t> Rtl::pieces(const std::string& wire) const {
+  static const std::regex word(R"(\(concat |\(= \(\(_ extract 0 0\) |\|[^|]*\||\) #b1\)| |\)+)");
+  std::vector<std::size_t> found;
+  const auto of = wires_.find(fmt::format("|{}_n {}|", top_, wire));
+  if (of == wires_.end()) return {};
+  const std::string& body = of->second.body;
+  std::size_t read = 0;
+  for (std::sregex_iterator i(body.begin(), body.end(), word), end; i != end; ++i) {
+    read += i->length();
+    if (!i->str().starts_with('|')) continue;
+    const auto symbol = std::find_if(free_.begin(), free_.end(),
+                                     [&](const Free& f) { return f.symbol == i->str(); });
+    if (symbol == free_.end()) return {};
+    found.push_back(static_cast<std::size_t>(symbol - free_.begin()));
+  }
+  if (read != body.size()) return {};  // there is something else in it
+  return found;
+}
+
+Expression Rtl::wire(const std::string& name) const {
+  const std::string symbol = fmt::format("|{}_n {}|", top_, name);
+  const auto of = wires_.find(symbol);
+  if (of == wires_.end()) throw InputError(fmt::format("{}: no output {}", top_, name));
+  return as_code({symbol, of->second.sort});
+}
+
+Expression as_code(const Expression& term) {
+  if (term.sort() != boolean) return term;
+  const std::string bit = bit_vector(1);
+  return {"ite", bit, {term, {"#b1", bit}, {"#b0", bit}}};
+}
+
+Expression as_sort(const Expression& code, const std::string& sort) {
+  if (sort != boolean) return code;
+  return equal(code, {"#b1", bit_vector(1)});
+}
+
+}  // namespace cosim::proof

@@ -1,0 +1,72 @@
+// The RTL as formulas, by yosys.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "model/core/fields.h"
+#include "tb/proof/expression.h"
+
+namespace cosim::proof {
+
+/// A machine in Verilog.
+struct Source {
+  std::vector<std::filesystem::path> files;
+  std::string top;
+  std::vector<Parameter> parameters;  ///< none where the files hold them
+};
+
+/// The RTL of `design`: the files of folder/design, or of the folder itself where there is no such
+/// folder in it. InputError where there are none.
+Source source_in(const std::filesystem::path& folder, const std::string& design,
+                 const std::vector<Parameter>& parameters);
+
+/// One clock of a machine as yosys writes it for SMT-LIB 2, but without its notion of a state: each
+/// register and each input is a symbol, and all else is defined from them.
+class Rtl {
+ public:
+  /// Runs yosys on `source`. InputError where it cannot be run or finds no such machine.
+  explicit Rtl(const Source& source);
+  /// Reads what yosys wrote of the machine `top`.
+  Rtl(std::string top, const std::string& smt2);
+
+  /// A symbol that the definitions need and do not give: an input or a register, or some bits of
+  /// one.
+  struct Free {
+    std::string symbol;
+    int width = 1;
+    bool is_bool = false;
+    std::string after;  ///< what it is after the clock, a term; empty where it is no register
+  };
+  const std::vector<Free>& free() const { return free_; }
+  /// The definitions, to stand behind those of the free symbols.
+  const std::string& definitions() const { return definitions_; }
+  /// The free symbols that a wire of the top is made of, highest bits first; empty where it is made
+  /// of anything else. Indices of free().
+  std::vector<std::size_t> pieces(const std::string& wire) const;
+  /// A wire of the top, as a code of its width. InputError where there is none.
+  Expression wire(const std::string& name) const;
+
+ private:
+  void read_line(const std::string& line);
+  void define(const std::string& name, const std::string& sort, const std::string& body);
+
+  std::string top_;
+  std::vector<Free> free_;
+  std::string definitions_;
+  struct Wire {
+    std::string sort;
+    std::string body;
+  };
+  std::map<std::string, Wire> wires_;  // by symbol
+  bool in_relation_ = false;
+};
+
+/// A term of either sort as a code: of Bool, one bit.
+Expression as_code(const Expression& term);
+/// A code of one bit or more as a term of `sort`.
+Expression as_sort(const Expression& code, const std::string& sort);
+
+}  // namespace cosim::proof

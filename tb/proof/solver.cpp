@@ -1,0 +1,108 @@
+#include "tb/proof/solver.h"
+
+#include <chrono>
+#include <regex>
+#include <sstream>
+#include <vector>
+
+#include "tb/output_file.h"
+#include "tb/proof/process.h"
+
+namespace cosim::proof {
+namespace {
+
+constexpr int kTimedOut = 124;  // what `timeout` ends with
+constexpr int kMissing = 127;
+
+std::map<std::string, std::string> values_in(const std::string& text) {
+  static const std::regex pair(
+      R"(\((\|[^|]*\||[^\s()]+)\s+(#[bx][0-9a-f]+|true|false|\d+|\(- \d+\))\))");
+  std::map<std::string, std::string> values;
+  for (std::sregex_iterator i(text.begin(), text.end(), pair), end; i != end; ++i) {
+    values[(*i)[1]] = (*i)[2];
+  }
+  return values;
+}
+
+// Runs a solver on a script, and says how long it took.
+Ended run(const Solver& solver, const std::string& script, int limit, double& seconds) {
+  const Scratch scratch;
+  const std::string name = (scratch.path() / "script.smt2").string();
+  OutputFile file(name);
+  file.text(script);
+  file.close();
+
+  std::vector<std::string> words{"timeout", std::to_string(limit)};
+  std::istringstream command(solver.command);
+  for (std::string word; command >> word;) words.push_back(word);
+  if (solver.name == "cvc5" && script.find("(push") != std::string::npos) {
+    words.emplace_back("--incremental");
+  }
+  words.push_back(name);
+
+  const auto began = std::chrono::steady_clock::now();
+  Ended ended = run_program(words);
+  seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  return ended;
+}
+
+}  // namespace
+
+std::string to_text(Answer answer) {
+  switch (answer) {
+    case Answer::sat:
+      return "sat";
+    case Answer::unsat:
+      return "unsat";
+    case Answer::unknown:
+      return "unknown";
+    case Answer::timed_out:
+      return "timed out";
+    case Answer::missing:
+      return "missing";
+    case Answer::failed:
+      return "failed";
+  }
+  return "failed";
+}
+
+const std::vector<Solver>& solvers() {
+  static const std::vector<Solver> list = {{"cvc5", "cvc5 --lang=smt2"}, {"z3", "z3 -smt2"}};
+  return list;
+}
+
+Solved solve(const Solver& solver, const std::string& script, int limit) {
+  Solved solved;
+  const Ended ended = run(solver, script, limit, solved.seconds);
+  std::istringstream lines(ended.text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line == "sat") {
+      solved.answers.push_back(Answer::sat);
+    } else if (line == "unsat") {
+      solved.answers.push_back(Answer::unsat);
+    } else if (line == "unknown") {
+      solved.answers.push_back(Answer::unknown);
+    } else if (solved.said.empty()) {
+      solved.said = line;  // anything else spoils the answers
+    }
+  }
+  if (ended.status == kTimedOut) {
+    solved.answer = Answer::timed_out;
+  } else if (ended.status == kMissing) {
+    solved.answer = Answer::missing;
+  } else if (ended.status == 0 && solved.said.empty() && !solved.answers.empty()) {
+    solved.answer = solved.answers.front();
+  }
+  if (solved.answer == Answer::failed) solved.answers.clear();
+  return solved;
+}
+
+std::map<std::string, std::string> values(const Solver& solver, const std::string& script,
+                                          const std::vector<std::string>& terms, int limit) {
+  std::string asking = script + "(get-value (";
+  for (const std::string& term : terms) asking += ' ' + term;
+  double seconds = 0;
+  return values_in(run(solver, asking + "))\n", limit, seconds).text);
+}
+
+}  // namespace cosim::proof

@@ -1,0 +1,45 @@
+// Solvers of SMT-LIB 2 scripts.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace cosim::proof {
+
+enum class Answer {
+  sat,      ///< it can be so
+  unsat,    ///< it cannot
+  unknown,  ///< the solver gave up
+  timed_out,
+  missing,  ///< there is no such solver
+  failed,   ///< the solver did not understand, or died
+};
+
+/// "unsat", "timed out", ...
+std::string to_text(Answer answer);
+
+struct Solver {
+  std::string name;  ///< for a person
+  /// The program and its options; the script's file is put behind them.
+  std::string command;
+};
+
+/// cvc5 and z3.
+const std::vector<Solver>& solvers();
+
+struct Solved {
+  Answer answer = Answer::failed;  ///< of the first question, or why there is none
+  std::vector<Answer> answers;     ///< of all that were answered
+  double seconds = 0;
+  std::string said;  ///< the solver's words where it failed
+};
+
+/// Has a solver answer the questions of a script, for `limit` seconds at the most.
+Solved solve(const Solver& solver, const std::string& script, int limit);
+
+/// What the terms are where the one question of a script is answered with "sat"; empty where not.
+std::map<std::string, std::string> values(const Solver& solver, const std::string& script,
+                                          const std::vector<std::string>& terms, int limit);
+
+}  // namespace cosim::proof

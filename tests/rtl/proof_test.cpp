@@ -1,0 +1,121 @@
+// The proof refutes every planted fault, and its counterexample is one: in simulation the RTL with
+// the fault differs on it and the RTL as shipped does not.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <set>
+
+#include "model/circular/host.h"
+#include "model/linear/host.h"
+#include "tb/proof/decide.h"
+#include "tb/proof/explain.h"
+#include "tb/proof/machines.h"
+#include "tb/proof/process.h"
+#include "tests/rtl/variant.h"
+
+namespace cosim::test {
+namespace {
+
+constexpr int kLimit = 60;
+
+bool can_prove() {
+  for (const char* program : {"yosys", "cvc5", "z3"}) {
+    if (proof::run_program({program, "--version"}).status == 127) return false;
+  }
+  return true;
+}
+
+proof::Rtl rtl_of(const std::string& design, const std::string& name, const AnyBench& bench) {
+  std::string id = design + '_' + name;
+  std::replace(id.begin(), id.end(), '/', '_');
+  return proof::Rtl(
+      proof::source_in(std::filesystem::path(COSIM_VARIANTS) / id, design, bench.parameters()));
+}
+
+proof::MachineFormula formula_of(const AnyBench& bench) {
+  for (const auto& machine : proof::built_machines()) {
+    if (machine.title == bench.title()) return machine.formula();
+  }
+  throw std::out_of_range(bench.title());
+}
+
+// What a claim's first query that is not as wanted gives, by the first solver.
+std::optional<proof::Counterexample> found(const proof::MachineFormula& formula,
+                                           const proof::Claim& claim,
+                                           const proof::Decision& decision) {
+  for (std::size_t q = 0; q < claim.queries.size(); ++q) {
+    if (decision.solved[0][q].answer != proof::Answer::sat) continue;
+    return counterexample(
+        formula, values(proof::solvers()[0], claim.queries[q].script, claim.terms, kLimit));
+  }
+  return std::nullopt;
+}
+
+struct Subject {
+  std::string design, name, what;
+  const AnyBench* bench = nullptr;
+  const AnyBench* shipped = nullptr;
+  friend void PrintTo(const Subject& s, std::ostream* out) { *out << s.design << ' ' << s.name; }
+};
+
+// A handful of all kinds, and with $COSIM_PROVE_ALL every variant there is.
+bool wanted(const std::string& variant) {
+  static const std::set<std::string> handful = {
+      "deep/tick_carry", "errata/l2",       "faults/rom11_off_by_one", "faults/start_without_code",
+      "errata/c5",       "errata/c10_load", "faults/variants_swapped", "faults/load_over_clear",
+  };
+  if (variant.starts_with("gates/") || variant.starts_with("shipped/")) return false;
+  return handful.contains(variant) || std::getenv("COSIM_PROVE_ALL") != nullptr;
+}
+
+template <class Design>
+void add_subjects(std::vector<Subject>& all) {
+  for (const auto& v : variants<Design>()) {
+    if (!wanted(v->name())) continue;
+    Subject s{Design::name, v->name(), v->what(), &v->bench(), nullptr};
+    for (const auto& b : benches()) {
+      if (b->title() == s.bench->title()) s.shipped = b.get();
+    }
+    all.push_back(s);
+  }
+}
+
+std::vector<Subject> subjects() {
+  std::vector<Subject> all;
+  add_subjects<linear::Design>(all);
+  add_subjects<circular::Design>(all);
+  return all;
+}
+
+class Proof : public testing::TestWithParam<Subject> {};
+TEST_P(Proof, Refutes) {
+  if (!can_prove()) GTEST_SKIP() << "needs yosys, cvc5 and z3";
+  const Subject& s = GetParam();
+  const proof::MachineFormula formula = formula_of(*s.bench);
+  const proof::Rtl rtl = rtl_of(s.design, s.name, *s.bench);
+  const proof::Claim clear = claim_clear(formula, rtl);
+  const proof::Claim step = claim_step(formula, rtl);
+  const auto decided = proof::decide({&clear, &step}, kLimit, 1);
+  ASSERT_TRUE(decided[0].refuted || decided[1].refuted)
+      << s.what << "\nclear: " << decided[0].verdict << "\nstep: " << decided[1].verdict;
+  if (!decided[1].refuted) return;
+
+  const auto c = found(formula, step, decided[1]);
+  ASSERT_TRUE(c);
+  const Stimulus stimulus = proof::stimulus_of(*c, *s.bench);
+  const auto run = s.bench->replay(stimulus);
+  ASSERT_TRUE(run.mismatch) << "no counterexample in simulation:\n" << to_text(*c);
+  EXPECT_LE(run.mismatch->clock, 1U);
+  EXPECT_FALSE(s.shipped->replay(stimulus).mismatch) << "one of good RTL:\n" << to_text(*c);
+}
+std::string name_of(const testing::TestParamInfo<Subject>& info) {
+  std::string name = info.param.design + '_' + info.param.name;
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
+}
+INSTANTIATE_TEST_SUITE_P(Planted, Proof, testing::ValuesIn(subjects()), name_of);
+
+}  // namespace
+}  // namespace cosim::test

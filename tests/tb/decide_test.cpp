@@ -1,0 +1,93 @@
+// What solvers that are missing, slow, undecided, wrong or of two minds come to: never a proof.
+#include "tb/proof/decide.h"
+
+#include <gtest/gtest.h>
+
+namespace cosim::proof {
+namespace {
+
+constexpr const char* kFalse = "(set-logic QF_BV)\n(assert false)\n(check-sat)\n";
+constexpr const char* kTrue = "(set-logic QF_BV)\n(check-sat)\n";
+
+Solved answer(Answer a) {
+  Solved s;
+  s.answer = a;
+  if (a == Answer::sat || a == Answer::unsat || a == Answer::unknown) s.answers = {a};
+  return s;
+}
+const Claim claim{"a claim", Answer::unsat, {{{"the question"}, ""}}, {}};
+
+Decision decision(Answer cvc5, Answer z3) { return judged(claim, {{answer(cvc5)}, {answer(z3)}}); }
+
+TEST(Decision, IsAProofWhereAllSolversAgree) {
+  const Decision d = decision(Answer::unsat, Answer::unsat);
+  EXPECT_TRUE(d.proved);
+  EXPECT_FALSE(d.refuted);
+  EXPECT_EQ(d.verdict, "proved");
+}
+
+TEST(Decision, IsARefutationWhereNoneDenies) {
+  const Decision d = decision(Answer::sat, Answer::sat);
+  EXPECT_FALSE(d.proved);
+  EXPECT_TRUE(d.refuted);
+  EXPECT_EQ(d.verdict, "REFUTED: cvc5 sat (the question), z3 sat (the question)");
+}
+
+TEST(Decision, IsNoProofWhereASolverIsMissingSlowOrUndecided) {
+  for (const Answer a : {Answer::missing, Answer::timed_out, Answer::unknown, Answer::failed}) {
+    for (const Decision& d : {decision(a, Answer::unsat), decision(Answer::unsat, a)}) {
+      EXPECT_FALSE(d.proved);
+      EXPECT_FALSE(d.refuted);
+      EXPECT_NE(d.verdict.find("UNDECIDED: "), std::string::npos) << d.verdict;
+      EXPECT_NE(d.verdict.find(to_text(a)), std::string::npos) << d.verdict;
+    }
+  }
+}
+
+TEST(Decision, IsNeitherWhereTheSolversDisagree) {
+  const Decision d = decision(Answer::sat, Answer::unsat);
+  EXPECT_FALSE(d.proved);
+  EXPECT_FALSE(d.refuted);
+  EXPECT_EQ(d.verdict, "THE SOLVERS DISAGREE: cvc5 sat (the question), z3 unsat");
+}
+
+// One answer of many that is missing or other than wanted is enough.
+TEST(Decision, NeedsEveryAnswer) {
+  const Claim two{"two", Answer::sat, {{{"first", "second"}, ""}}, {}};
+  Solved both, one, other;
+  both.answer = one.answer = other.answer = Answer::sat;
+  both.answers = {Answer::sat, Answer::sat};
+  one.answers = {Answer::sat};
+  other.answers = {Answer::sat, Answer::unsat};
+  EXPECT_TRUE(judged(two, {{both}, {both}}).proved);
+  EXPECT_FALSE(judged(two, {{both}, {one}}).proved);
+  EXPECT_FALSE(judged(two, {{both}, {other}}).proved);
+  EXPECT_NE(judged(two, {{both}, {other}}).verdict.find("unsat (second)"), std::string::npos);
+}
+
+TEST(Solver, ThatIsMissingIsSaidToBe) {
+  EXPECT_EQ(solve({"none", "no_such_solver"}, kFalse, 10).answer, Answer::missing);
+}
+TEST(Solver, ThatTakesTooLongIsStopped) {
+  EXPECT_EQ(solve({"slow", "tail -f"}, kFalse, 1).answer, Answer::timed_out);
+}
+TEST(Solver, ThatSaysMoreThanAnAnswerHasNotUnderstood) {
+  const std::string wrong = std::string("(assert (= no_such_symbol 1))\n") + kFalse;
+  for (const Solver& s : solvers()) {
+    const Solved solved = solve(s, wrong, 10);
+    if (solved.answer == Answer::missing) GTEST_SKIP() << "needs " << s.name;
+    EXPECT_EQ(solved.answer, Answer::failed) << s.name;
+    EXPECT_FALSE(solved.said.empty());
+  }
+}
+TEST(Solver, AnswersAQuestion) {
+  for (const Solver& s : solvers()) {
+    const Solved no = solve(s, kFalse, 10), yes = solve(s, kTrue, 10);
+    if (no.answer == Answer::missing) GTEST_SKIP() << "needs " << s.name;
+    EXPECT_EQ(no.answer, Answer::unsat) << s.name << no.said;
+    EXPECT_EQ(yes.answer, Answer::sat) << s.name << yes.said;
+  }
+}
+
+}  // namespace
+}  // namespace cosim::proof

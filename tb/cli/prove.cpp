@@ -17,6 +17,7 @@
 #include "tb/proof/decide.h"
 #include "tb/proof/explain.h"
 #include "tb/proof/machines.h"
+#include "tb/proof/theorems.h"
 
 namespace cosim::cli {
 namespace {
@@ -29,6 +30,7 @@ struct Options {
   Common common;
   std::vector<std::string> machine;
   Text rtl, limit, jobs, scripts;
+  bool theorems = false;
 };
 
 // A machine and what is claimed of it.
@@ -56,22 +58,20 @@ void print_row(const std::string& title, const Claim& claim, const Decision& dec
   fmt::print("{:<20} {:<32}{}{}\n", title, claim.what, times, decision.verdict);
 }
 
-void keep_scripts(const std::string& folder, const std::vector<Subject>& subjects) {
+// The scripts of a claim on `title`, a file each.
+void keep_scripts(const std::string& folder, const std::string& title, const Claim& claim) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw InputError(fmt::format("{}: cannot be made: {}", folder, error.message()));
-  for (const Subject& s : subjects) {
-    for (const Claim& claim : s.claims) {
-      for (const proof::Query& query : claim.queries) {
-        const std::string what = query.asks.size() == 1 ? query.asks.front() : "each";
-        std::string name = fmt::format("{} {} {}.smt2", s.title, claim.what, what);
-        std::replace(name.begin(), name.end(), ' ', '_');
-        OutputFile file((fs::path(folder) / name).string());
-        file.line("; {}: {}; {}", s.title, claim.what, fmt::join(query.asks, ", "));
-        file.text(query.script);
-        file.close();
-      }
-    }
+  for (const proof::Query& query : claim.queries) {
+    const std::string what = query.asks.size() == 1 ? query.asks.front() : "each";
+    std::string name = fmt::format("{} {:.60} {}.smt2", title, claim.what, what);
+    std::replace(name.begin(), name.end(), ' ', '_');
+    std::replace(name.begin(), name.end(), '/', '_');
+    OutputFile file((fs::path(folder) / name).string());
+    file.line("; {}: {}; {}", title, claim.what, fmt::join(query.asks, ", "));
+    file.text(query.script);
+    file.close();
   }
 }
 
@@ -114,10 +114,44 @@ void explain(const Options& o, const Subject& subject, const Claim& claim, const
       kept.string());
 }
 
+// Each by its sentence.
+int run_theorems(const Options& o, int limit, unsigned jobs) {
+  std::vector<proof::Theorem> theorems;
+  for (const auto& list : {proof::circular_theorems(), proof::linear_theorems()}) {
+    for (const proof::Theorem& t : list) {
+      if (o.machine.empty() || o.machine.front() == t.design) theorems.push_back(t);
+    }
+  }
+  if (theorems.empty() || o.machine.size() > 1) {
+    throw InputError(fmt::format("{}: is no design with theorems", fmt::join(o.machine, " ")));
+  }
+  std::vector<const Claim*> claims;
+  for (const auto& t : theorems) {
+    if (o.scripts) keep_scripts(*o.scripts, t.design, t.claim);
+    claims.push_back(&t.claim);
+    claims.push_back(&t.premises);
+  }
+  const auto decisions = proof::decide(claims, limit, jobs);
+  std::size_t proved = 0;
+  for (std::size_t i = 0; i < theorems.size(); ++i) {
+    const Decision &claim = decisions[2 * i], &premises = decisions[2 * i + 1];
+    std::string times;
+    for (std::size_t v = 0; v < claim.seconds.size(); ++v) {
+      times += fmt::format("{} {:.2f} s, ", proof::solvers()[v].name, claim.seconds[v]);
+    }
+    fmt::print("{}: {}.\n  {}{}\n", theorems[i].design, theorems[i].sentence, times, claim.verdict);
+    if (!premises.proved) fmt::print("  its premises: {}\n", premises.verdict);
+    proved += claim.proved && premises.proved ? 1 : 0;
+  }
+  fmt::print("{} of {} proved by all solvers\n", proved, count(theorems.size(), "theorem"));
+  return proved == theorems.size() ? 0 : 1;
+}
+
 int run(const Options& o) {
   const int limit = static_cast<int>(whole("--limit", o.limit.value_or("60"), 1, 86400));
   const unsigned cores = std::max(std::thread::hardware_concurrency(), 1U);
   const auto jobs = o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores;
+  if (o.theorems) return run_theorems(o, limit, jobs);
   std::vector<Subject> subjects = chosen(o.machine);
   const auto began = std::chrono::steady_clock::now();
 
@@ -128,11 +162,12 @@ int run(const Options& o) {
     s.claims = {claim_clear(s.formula, rtl), claim_step(s.formula, rtl),
                 claim_cases(s.formula, rtl)};
   });
-  if (o.scripts) keep_scripts(*o.scripts, subjects);
-
   std::vector<const Claim*> claims;
   for (const Subject& s : subjects) {
     for (const Claim& c : s.claims) claims.push_back(&c);
+    for (const Claim& c : s.claims) {
+      if (o.scripts) keep_scripts(*o.scripts, s.title, c);
+    }
   }
   const std::vector<Decision> decisions = proof::decide(claims, limit, jobs);
 
@@ -169,6 +204,8 @@ void add_prove(CLI::App& app, Action& action) {
   add_text(command, "--limit", o->limit, "S", "Seconds for one answer; default 60");
   add_text(command, "--jobs", o->jobs, "J", "Solvers at a time; default one a core");
   add_text(command, "--scripts", o->scripts, "DIR", "Leave what the solvers read in DIR");
+  add_switch(command, "--theorems", o->theorems,
+             "In place of that: what the sources claim, as theorems on the models");
   add_failures(command, o->common);
   command.footer(
       "Needs yosys, cvc5 and z3; only what both solvers prove is proved.\n"

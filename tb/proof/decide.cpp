@@ -77,7 +77,8 @@ std::vector<Decision> decide(const std::vector<const Claim*>& claims, int limit,
   }
   in_parallel(work.size(), jobs, [&](std::size_t i) {
     const auto [c, q, v] = work[i];
-    solved[c][v][q] = solve(solvers()[v], claims[c]->queries[q].script, limit);
+    const Query& query = claims[c]->queries[q];
+    solved[c][v][q] = solve(solvers()[v], query.script, limit, query.eager);
   });
   std::vector<Decision> all;
   for (std::size_t c = 0; c < claims.size(); ++c) {

@@ -25,7 +25,7 @@ std::map<std::string, std::string> values_in(const std::string& text) {
 }
 
 // Runs a solver on a script, and says how long it took.
-Ended run(const Solver& solver, const std::string& script, int limit, double& seconds) {
+Ended run(const Solver& solver, const std::string& script, int limit, bool eager, double& seconds) {
   const Scratch scratch;
   const std::string name = (scratch.path() / "script.smt2").string();
   OutputFile file(name);
@@ -33,7 +33,7 @@ Ended run(const Solver& solver, const std::string& script, int limit, double& se
   file.close();
 
   std::vector<std::string> words{"timeout", std::to_string(limit)};
-  std::istringstream command(solver.command);
+  std::istringstream command(solver.command + " " + (eager ? solver.eager : ""));
   for (std::string word; command >> word;) words.push_back(word);
   if (solver.name == "cvc5" && script.find("(push") != std::string::npos) {
     words.emplace_back("--incremental");
@@ -67,13 +67,14 @@ std::string to_text(Answer answer) {
 }
 
 const std::vector<Solver>& solvers() {
-  static const std::vector<Solver> list = {{"cvc5", "cvc5 --lang=smt2"}, {"z3", "z3 -smt2"}};
+  static const std::vector<Solver> list = {{"cvc5", "cvc5 --lang=smt2", "--bitblast=eager"},
+                                           {"z3", "z3 -smt2", ""}};
   return list;
 }
 
-Solved solve(const Solver& solver, const std::string& script, int limit) {
+Solved solve(const Solver& solver, const std::string& script, int limit, bool eager) {
   Solved solved;
-  const Ended ended = run(solver, script, limit, solved.seconds);
+  const Ended ended = run(solver, script, limit, eager, solved.seconds);
   std::istringstream lines(ended.text);
   for (std::string line; std::getline(lines, line);) {
     if (line == "sat") {
@@ -102,7 +103,7 @@ std::map<std::string, std::string> values(const Solver& solver, const std::strin
   std::string asking = script + "(get-value (";
   for (const std::string& term : terms) asking += ' ' + term;
   double seconds = 0;
-  return values_in(run(solver, asking + "))\n", limit, seconds).text);
+  return values_in(run(solver, asking + "))\n", limit, false, seconds).text);
 }
 
 }  // namespace cosim::proof

@@ -23,6 +23,8 @@ struct Solver {
   std::string name;  ///< for a person
   /// The program and its options; the script's file is put behind them.
   std::string command;
+  /// What to add where wide words are cut up and joined rather than added; may be empty.
+  std::string eager = "";
 };
 
 /// cvc5 and z3.
@@ -36,7 +38,7 @@ struct Solved {
 };
 
 /// Has a solver answer the questions of a script, for `limit` seconds at the most.
-Solved solve(const Solver& solver, const std::string& script, int limit);
+Solved solve(const Solver& solver, const std::string& script, int limit, bool eager = false);
 
 /// What the terms are where the one question of a script is answered with "sat"; empty where not.
 std::map<std::string, std::string> values(const Solver& solver, const std::string& script,

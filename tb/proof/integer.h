@@ -1,0 +1,45 @@
+// Integers without end as symbols: a model run on Integer gives the formula of what it does with
+// registers that never overflow. Whether a register of some width does is a theorem by itself.
+#pragma once
+
+#include <optional>
+
+#include "tb/proof/bits.h"
+
+namespace cosim::proof {
+
+class Integer {
+ public:
+  Integer() : Integer(0) {}
+  explicit Integer(Word known);
+  explicit Integer(Expression e) : expression_(std::move(e)) {}
+
+  const std::optional<Word>& known() const { return known_; }
+  const Expression& expression() const { return expression_; }
+
+ private:
+  std::optional<Word> known_;
+  Expression expression_;
+};
+
+Integer operator+(const Integer& a, const Integer& b);
+Integer operator-(const Integer& a, const Integer& b);
+Truth operator<(const Integer& a, const Integer& b);
+Truth operator>(const Integer& a, const Integer& b);
+Truth operator==(const Integer& a, const Integer& b);
+Integer low_bits(const Integer& v, int width);
+Truth bit(const Integer& v, int i);
+Integer shift_left(const Integer& v, int n);
+Integer shift_right(const Integer& v, int n);
+Integer select(const Truth& c, const Integer& a, const Integer& b);
+/// Itself: these registers have no width.
+Integer wrap_end_around(const Integer& v, int width);
+
+// For theorems alone; a model has no products.
+Integer operator*(const Integer& a, const Integer& b);
+Truth operator<=(const Integer& a, const Integer& b);
+Truth operator>=(const Integer& a, const Integer& b);
+/// Where a holds, b does.
+Truth implies(const Truth& a, const Truth& b);
+
+}  // namespace cosim::proof

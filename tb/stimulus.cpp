@@ -15,8 +15,8 @@ namespace cosim {
 namespace {
 
 constexpr const char* first_line = "cosim stimulus 1";
-// Twice what a mismatch leaves behind, and 200 MB.
-constexpr std::uint64_t most_clocks = 2'000'000;
+// A little more than a mismatch leaves behind: 100 MB.
+constexpr std::uint64_t most_clocks = 1'100'000;
 static_assert(most_clocks > most_kept + Mismatch::clocks_behind);
 // More than any machine has inputs.
 constexpr std::size_t most_words = 1000;

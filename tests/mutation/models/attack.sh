@@ -18,17 +18,21 @@ trap 'rm -rf "$scratch"' EXIT
 
 # A fault may leave a machine that never ends. Seconds of a processor, for a busy one is slow: all
 # the tests take 9.
-longest=60
+longest=30
 
-# attack NUMBER: the test that saw the fault, and how long it took, to files of its number.
+# attack NUMBER: the test that saw the fault, and how long it took, to files of its number. Those
+# that take long come after the others.
 attack() {
-  local number=$1 begin=$EPOCHREALTIME status=0
-  (ulimit -t "$longest" && COSIM_FAULT=$number exec "$program" --gtest_fail_fast --gtest_color=no) \
-    > "$scratch/$number.log" 2>&1 || status=$?
+  local number=$1 begin=$EPOCHREALTIME status=0 log=$scratch/$1.log filter
+  for filter in '-*AgainstOracle*:ValueTypes*:Reachable*' '*'; do
+    { (ulimit -t "$longest" && COSIM_FAULT=$number exec "$program" --gtest_fail_fast \
+      --gtest_color=no --gtest_filter="$filter") > "$log" 2>&1; } 2> /dev/null || status=$?
+    ((status == 0)) || break
+  done
   case $status in
-    0) : > "$scratch/$number" ;;
-    1) sed -nE 's/^\[  FAILED  \] ([^ ,]+).*/\1/p' "$scratch/$number.log" | head -n 1 ;;
-    *) sed -nE 's/^\[ RUN      \] (.*)/\1/p' "$scratch/$number.log" | tail -n 1 ;;
+    0) ;;
+    1) sed -nE 's/^\[  FAILED  \] ([^ ,]+).*/\1/p' "$log" | head -n 1 ;;
+    *) sed -nE 's/^\[ RUN      \] (.*)/\1/p' "$log" | tail -n 1 ;;  # it crashed or never ended
   esac > "$scratch/$number"
   awk -v a="$begin" -v b="$EPOCHREALTIME" 'BEGIN { print b - a }' > "$scratch/$number.time"
 }

@@ -23,6 +23,16 @@ std::uint64_t program() {
   return hash;
 }
 
+// More than any work keeps: what is no checkpoint may be of any size.
+constexpr std::uintmax_t most_bytes = std::uintmax_t{4} << 20;
+
+// The work of a checkpoint, short enough for an error.
+std::string shown(const Checkpoint::Json& work) {
+  constexpr std::size_t longest = 400;
+  const std::string text = work.dump(-1, ' ', true);  // ASCII: can be cut anywhere
+  return text.size() <= longest ? text : text.substr(0, longest) + "...";
+}
+
 }  // namespace
 
 Checkpoint::Checkpoint(std::string path, std::string work) : path_(std::move(path)) {
@@ -36,13 +46,16 @@ Checkpoint::Checkpoint(std::string path, std::string work) : path_(std::move(pat
 
 Checkpoint::Json Checkpoint::state() const {
   if (path_.empty() || !std::filesystem::exists(path_)) return {};
+  if (std::filesystem::file_size(path_) > most_bytes) {
+    throw InputError(path_ + ": no checkpoint: larger than 4 MiB");
+  }
   const Json file = Json::parse(text_of_file(path_), nullptr, false);
   if (!file.is_object() || !file.contains("work") || !file.contains("state")) {
     throw InputError(path_ + ": no checkpoint");
   }
   if (file["work"] != work_) {
     throw InputError(fmt::format("{}: a checkpoint of other work or of another build: {}", path_,
-                                 file["work"].dump()));
+                                 shown(file["work"])));
   }
   return file["state"];
 }

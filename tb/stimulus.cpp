@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
+#include <charconv>
+#include <string_view>
 
 #include "model/core/input_error.h"
 #include "model/toolpath/source.h"
@@ -14,32 +15,53 @@ namespace cosim {
 namespace {
 
 constexpr const char* first_line = "cosim stimulus 1";
-constexpr std::uint64_t most_clocks = 16'000'000;
+// A little more than a mismatch leaves behind: 100 MB.
+constexpr std::uint64_t most_clocks = 1'100'000;
+static_assert(most_clocks > most_kept + Mismatch::clocks_behind);
+// More than any machine has inputs.
+constexpr std::size_t most_words = 1000;
 
-std::vector<std::string> words_of(std::string line) {
-  line.resize(std::min(line.size(), line.find('#')));
-  std::istringstream in(line);
-  std::vector<std::string> words;
-  for (std::string word; in >> word;) words.push_back(word);
+// The words before a #, the first `most_words` of them and one more.
+std::vector<std::string_view> words_of(std::string_view line) {
+  constexpr std::string_view blanks = " \t\v\f\r";
+  line = line.substr(0, line.find('#'));
+  std::vector<std::string_view> words;
+  while (words.size() <= most_words) {
+    line.remove_prefix(std::min(line.size(), line.find_first_not_of(blanks)));
+    if (line.empty()) break;
+    words.push_back(line.substr(0, line.find_first_of(blanks)));
+    line.remove_prefix(words.back().size());
+  }
   return words;
 }
 
-std::optional<std::uint64_t> number(const std::string& text) {
-  if (text.empty() || text.size() > 18) return {};
-  if (text.find_first_not_of("0123456789") != std::string::npos) return {};
-  return std::stoull(text);
+std::optional<std::uint64_t> number(std::string_view text) {
+  constexpr std::size_t most_digits = 18;
+  if (text.empty() || text.size() > most_digits) return {};
+  std::uint64_t value = 0;
+  const char* end = text.data() + text.size();
+  if (std::from_chars(text.data(), end, value).ptr != end) return {};
+  return value;
+}
+
+std::string printable(std::string_view text) {
+  std::string clean(text);
+  for (char& c : clean) c = c >= ' ' && c <= '~' ? c : '?';
+  return clean;
 }
 
 // Printable, and short enough for one line of an error.
-std::string quoted(const std::string& text) {
-  std::string clean = text.substr(0, 40);
-  for (char& c : clean) c = c >= ' ' && c <= '~' ? c : '?';
-  return "'" + clean + (text.size() > 40 ? "..." : "") + "'";
+std::string quoted(std::string_view text) {
+  constexpr std::size_t longest = 40;
+  return "'" + printable(text.substr(0, longest)) + (text.size() > longest ? "..." : "") + "'";
 }
 
 class Parser {
  public:
-  Parser(const std::string& name, const std::string& text) : name_(name), in_(text) {}
+  Parser(const std::string& name, std::string_view text) : name_(name), left_(text) {
+    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
+    if (left_.starts_with(byte_order_mark)) left_.remove_prefix(byte_order_mark.size());
+  }
 
   Replay parse(const std::vector<std::unique_ptr<AnyBench>>& benches) {
     if (!next() || line_ != first_line) fail(fmt::format("is not '{}'", first_line));
@@ -59,15 +81,21 @@ class Parser {
   }
 
   bool next() {
-    if (!std::getline(in_, line_)) return false;
+    if (left_.empty()) return false;
     ++at_;
-    if (!line_.empty() && line_.back() == '\r') line_.pop_back();
+    line_ = left_.substr(0, left_.find('\n'));
+    left_.remove_prefix(std::min(left_.size(), line_.size() + 1));
+    if (line_.ends_with('\r')) line_.remove_suffix(1);
     return true;
   }
   bool next_words() {
     while (next()) {
       words_ = words_of(line_);
-      if (!words_.empty()) return true;
+      if (words_.empty()) continue;
+      if (words_.size() > most_words && words_[0] != "origin") {
+        fail(fmt::format("more than {} words in a line", most_words));
+      }
+      return true;
     }
     return false;
   }
@@ -78,14 +106,17 @@ class Parser {
   std::string rest() const {
     const std::size_t begin = line_.find(words_[0]) + words_[0].size();
     const std::size_t text = line_.find_first_not_of(" \t", begin);
-    return text == std::string::npos ? "" : line_.substr(text);
+    return text == std::string_view::npos ? "" : printable(line_.substr(text));
   }
 
   void machine(const std::vector<std::unique_ptr<AnyBench>>& benches) {
     need_line("'machine'");
     if (words_[0] != "machine") fail("is not 'machine DESIGN PARAMETER=VALUE...'");
     std::string title;
-    for (std::size_t i = 1; i < words_.size(); ++i) title += (i == 1 ? "" : " ") + words_[i];
+    for (std::size_t i = 1; i < words_.size(); ++i) {
+      title += i == 1 ? "" : " ";
+      title += words_[i];
+    }
     for (const auto& bench : benches) {
       if (bench->title() == title) replay_.bench = bench.get();
     }
@@ -116,9 +147,10 @@ class Parser {
     if (!replay_.stimulus.state) replay_.stimulus.state = replay_.bench->cleared();
     for (std::size_t w = 1; w < words_.size(); ++w) {
       const std::size_t equals = words_[w].find('=');
-      if (equals == std::string::npos)
+      if (equals == std::string_view::npos) {
         fail(fmt::format("{} is not NAME=NUMBER", quoted(words_[w])));
-      const std::string name = words_[w].substr(0, equals);
+      }
+      const std::string_view name = words_[w].substr(0, equals);
       const auto field = std::find_if(fields.begin(), fields.end(),
                                       [&](const Field& f) { return f.name == name; });
       if (field == fields.end()) {
@@ -130,7 +162,7 @@ class Parser {
     }
   }
 
-  static std::optional<Word> parse_state(const Field& field, const std::string& text) {
+  static std::optional<Word> parse_state(const Field& field, std::string_view text) {
     const bool negative = text.starts_with('-');
     const auto size = number(negative ? text.substr(1) : text);
     if (!size) return {};
@@ -164,7 +196,7 @@ class Parser {
     const std::vector<std::vector<Word>>& clocks = replay_.stimulus.clocks;
     const std::size_t dash = words_[0].find('-');
     const auto first = number(words_[0].substr(0, dash));
-    const auto last = dash == std::string::npos ? first : number(words_[0].substr(dash + 1));
+    const auto last = dash == std::string_view::npos ? first : number(words_[0].substr(dash + 1));
     if (!first || !last || *last < *first) {
       fail(fmt::format("{} is no clock and no range of clocks", quoted(words_[0])));
     }
@@ -193,10 +225,10 @@ class Parser {
   }
 
   const std::string& name_;
-  std::istringstream in_;
+  std::string_view left_;
   std::uint64_t at_ = 0;
-  std::string line_;
-  std::vector<std::string> words_;
+  std::string_view line_;
+  std::vector<std::string_view> words_;
   std::vector<Field> inputs_;
   std::vector<std::size_t> columns_;
   Replay replay_;

@@ -1,5 +1,6 @@
 #include "model/toolpath/source.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <fstream>
@@ -48,6 +49,9 @@ std::string read_text(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) fail_file(path, "cannot be read: " + reason(errno));
   std::string text;
+  // A guess, for a file may grow: it spares the copies of a text that does.
+  const auto size = std::filesystem::file_size(path, error);
+  if (!error) text.reserve(std::min<std::uintmax_t>(size, max_text_bytes));
   std::string part(std::size_t{1} << 16, '\0');
   while (file) {
     file.read(part.data(), static_cast<std::streamsize>(part.size()));

@@ -27,18 +27,6 @@ struct Options {
   ShapeOptions shape;
 };
 
-circular::Point parse_point(const std::string& text) {
-  const std::size_t comma = text.find(',');
-  if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos) {
-    throw InputError(fmt::format("--from: {} is not X,Y", quoted(text)));
-  }
-  const auto coordinate = [](const char* name, const std::string& digits) {
-    return static_cast<std::int64_t>(whole(name, digits, 0, largest_coordinate));
-  };
-  return {coordinate("--from: X", text.substr(0, comma)),
-          coordinate("--from: Y", text.substr(comma + 1))};
-}
-
 // The point of the same row or column that is next to the circle, where there is one.
 std::string suggestion(const circular::Arc& arc) {
   circular::Point p = arc.from;
@@ -58,8 +46,8 @@ circular::Arc parse_arc(const Options& o) {
   } else {
     arc.radius2 = whole("--radius2", *o.radius2, 0, largest_coordinate * largest_coordinate);
   }
-  arc.from =
-      o.from ? parse_point(*o.from) : circular::Point{circular::nearest_root(arc.radius2), 0};
+  arc.from = o.from ? point("--from", *o.from, largest_coordinate)
+                    : circular::Point{circular::nearest_root(arc.radius2), 0};
   if (!circular::next_to_circle(arc.from, arc.radius2)) {
     throw InputError(fmt::format("--from: ({}, {}) is not next to the circle of R^2 = {}{}",
                                  arc.from.x, arc.from.y, arc.radius2, suggestion(arc)));

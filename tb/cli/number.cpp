@@ -33,4 +33,13 @@ double positive(const std::string& name, const std::string& text, double high) {
   return value;
 }
 
+circular::Point point(const std::string& name, const std::string& text, std::uint64_t high) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos) {
+    throw InputError(fmt::format("{}: {} is not X,Y", name, quoted(text)));
+  }
+  return {static_cast<std::int64_t>(whole(name + ": X", text.substr(0, comma), 0, high)),
+          static_cast<std::int64_t>(whole(name + ": Y", text.substr(comma + 1), 0, high))};
+}
+
 }  // namespace cosim::cli

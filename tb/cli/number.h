@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include "model/circular/arc.h"
+
 namespace cosim::cli {
 
 /// A whole number from `low` to `high`, in decimal digits alone. InputError "--name: ..."
@@ -13,5 +15,8 @@ std::uint64_t whole(const std::string& name, const std::string& text, std::uint6
 
 /// A decimal number above 0 and at most `high`; neither nan nor infinite. InputError otherwise.
 double positive(const std::string& name, const std::string& text, double high);
+
+/// "X,Y", each a whole number from 0 to `high`. InputError otherwise.
+circular::Point point(const std::string& name, const std::string& text, std::uint64_t high);
 
 }  // namespace cosim::cli

@@ -134,7 +134,7 @@ int run(const Options& o, const std::vector<const Bench<Design>*>& benches) {
   for (const auto& [bench, sweep] : sweeps) {
     const std::string title = fmt::format("{}, {}", bench->title(), sweep.name);
     ProgressLine progress(title);
-    const Resume resume = checkpoint.resume(outcomes.size());
+    const Resume resume = checkpoint.resume(outcomes.size(), sweep.cases);
     std::atomic<std::uint64_t> matched{0};
     try {
       const Result swept =

@@ -17,12 +17,17 @@ Json to_json(const Result& r) {
           {"max_deviation", r.checked.max_deviation}};
 }
 
+void get_count(const Json& j, const char* name, std::uint64_t& count) {
+  if (!j.at(name).is_number_unsigned()) throw InputError(std::string(name) + ": no count");
+  j.at(name).get_to(count);
+}
+
 Result from_json(const Json& j) {
   Result r;
-  j.at("cases").get_to(r.cases);
-  j.at("clocks").get_to(r.clocks);
-  j.at("jobs").get_to(r.checked.jobs);
-  j.at("steps").get_to(r.checked.steps);
+  get_count(j, "cases", r.cases);
+  get_count(j, "clocks", r.clocks);
+  get_count(j, "jobs", r.checked.jobs);
+  get_count(j, "steps", r.checked.steps);
   j.at("max_deviation").get_to(r.checked.max_deviation);
   return r;
 }
@@ -30,16 +35,20 @@ Result from_json(const Json& j) {
 }  // namespace
 
 SweepCheckpoint::SweepCheckpoint(const std::string& path, const std::string& work)
-    : checkpoint_(path, work) {
+    : path_(path), checkpoint_(path, work) {
+  const Json state = checkpoint_.state();
   try {
-    for (const Json& one : checkpoint_.state()) done_.push_back(from_json(one));
-  } catch (const nlohmann::json::exception&) {
-    throw InputError(path + ": no checkpoint of sweeps");
+    for (const Json& one : state) done_.push_back(from_json(one));
+  } catch (const std::exception&) {
+    fail();
   }
 }
 
-Resume SweepCheckpoint::resume(std::size_t i) {
+void SweepCheckpoint::fail() const { throw InputError(path_ + ": no checkpoint of these sweeps"); }
+
+Resume SweepCheckpoint::resume(std::size_t i, std::uint64_t cases) {
   if (done_.size() <= i) done_.resize(i + 1);
+  if (done_[i].cases > cases) fail();
   const auto keep = [this, i](const Result& done) {
     done_[i] = done;
     if (!checkpoint_.due()) return;

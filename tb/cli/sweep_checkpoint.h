@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -17,12 +18,16 @@ class SweepCheckpoint {
   /// file cannot be gone on from.
   SweepCheckpoint(const std::string& path, const std::string& work);
 
-  /// What sweep number i goes on from, and the way it keeps its state; must not outlive this.
-  Resume resume(std::size_t i);
+  /// What sweep number i, of so many cases, goes on from, and the way it keeps its state; must not
+  /// outlive this. InputError where the file says that more cases are done.
+  Resume resume(std::size_t i, std::uint64_t cases);
   /// To be called when the report is written: the file goes.
   void done() { checkpoint_.done(); }
 
  private:
+  [[noreturn]] void fail() const;
+
+  std::string path_;
   Checkpoint checkpoint_;
   std::vector<Result> done_;  // a sweep each
 };

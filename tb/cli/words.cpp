@@ -40,10 +40,10 @@ std::string one_line(std::string text) {
 
 std::string quoted(const std::string& text) {
   constexpr std::size_t longest = 40;
-  if (text.size() <= longest) return "'" + text + "'";
+  if (text.size() <= longest) return "'" + one_line(text) + "'";
   std::size_t end = longest;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;  // UTF-8
-  return "'" + text.substr(0, end) + "...'";
+  return "'" + one_line(text.substr(0, end)) + "...'";
 }
 
 }  // namespace cosim::cli

@@ -17,7 +17,7 @@ std::string in_steps(double length);
 /// The text on one line of a terminal: control characters as '?'.
 std::string one_line(std::string text);
 
-/// What a person typed, in quotes; cut where it is long.
+/// What a person typed, in quotes and on one line; cut where it is long.
 std::string quoted(const std::string& text);
 
 }  // namespace cosim::cli

@@ -97,6 +97,16 @@ TEST_F(KilledSweep, RefusesACheckpointOfOtherWork) {
   EXPECT_EQ(folder_.text("state"), before);
 }
 
+TEST_F(KilledSweep, RefusesCountsThatCannotBe) {
+  while (!folder_.holds("state")) cosim_killed(kept(), 400);
+  auto file = nlohmann::json::parse(folder_.text("state"));
+  for (const char* cases : {"9001", "-1", "1e300", "\"1\"", "null"}) {
+    file["state"][0]["cases"] = nlohmann::json::parse(cases);
+    folder_.write("state", file.dump());
+    expect_refused(cosim(kept()), folder_.path("state") + ": no checkpoint of these sweeps");
+  }
+}
+
 TEST_F(KilledSweep, RefusesWhatIsNoCheckpoint) {
   const auto with = [&](const std::string& path) { return sweep({"--checkpoint", path}); };
   for (const char* text : {"", "hello", "[1,2]", "{\"work\":1}", "{\"work\":\"x\",\"state\":0"}) {

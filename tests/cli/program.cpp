@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <pty.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -32,9 +33,11 @@ void send(int stream, const std::string& path) {
   close(file);
 }
 
-int status_of(pid_t child) {
+int status_of(pid_t child, long* peak = nullptr) {
   int status = 0;
-  if (waitpid(child, &status, 0) != child) throw std::runtime_error("waitpid");
+  rusage used{};
+  if (wait4(child, &status, 0, &used) != child) throw std::runtime_error("wait4");
+  if (peak != nullptr) *peak = used.ru_maxrss * 1024;
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
@@ -59,7 +62,7 @@ Ended run(const char* program, const Arguments& arguments, const Output& output)
   const std::string out = output.path.empty() ? folder.path("out") : output.path;
   const std::string err = folder.path("err");
   Ended ended;
-  ended.status = status_of(start(program, arguments, output.closed ? "" : out, err));
+  ended.status = status_of(start(program, arguments, output.closed ? "" : out, err), &ended.peak);
   if (output.path.empty() && !output.closed) ended.out = folder.text("out");
   ended.err = folder.text("err");
   return ended;

@@ -13,6 +13,7 @@ struct Ended {
   int status = -1;
   std::string out;
   std::string err;
+  long peak = 0;  ///< of memory, in bytes; that of this test included, where it holds more
 };
 
 /// Where standard output goes: into Ended::out, to the file of that path (opened as a shell's >

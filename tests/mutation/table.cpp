@@ -61,7 +61,9 @@ int run(const std::string& out, const std::vector<std::string>& paths) {
     fmt::print("{} {} | {} | {} | {} | {:.0f} |\n", name, row.mutants, row.killed, row.equivalent,
                row.survived, row.seconds);
   }
-  fmt::print("{}", survivors);
+  if (!survivors.empty()) {
+    fmt::print("{}no failure folders: on these, RTL and model parted on no clock\n", survivors);
+  }
   cosim::replace_file(out, all.dump(1) + '\n');
   return survived == 0 ? 0 : 1;
 }

@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
-# scripts/lint finds faults: each is planted in a copy of the RTL, and the tools that are to see it
-# must say what it is. Status: 0 all seen, 1 not, 77 where a tool is not installed.
+# scripts/lint finds faults: each is planted in a copy of the RTL, or in a small tree of C++ and
+# scripts, and the tools that are to see it must say what it is. Those of C++ and scripts, which only
+# linting installs, are tested where they are there.
+# Status: 0 all seen, 1 not, 77 where a tool of the RTL is not installed.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -16,10 +18,11 @@ top=$copy/circular/circular.v
 original=$(< "$top")
 failures=0
 
-# lint: the RTL of the copy; `output` and `status` are what came of it.
+# lint [OPTION FOLDER]: the RTL of the copy, or what the option says; `output` and `status` are what
+# came of it.
 lint() {
   status=0
-  output=$("$root/scripts/lint" --rtl "$copy" 2>&1) || status=$?
+  output=$("$root/scripts/lint" "${1---rtl}" "${2-$copy}" 2>&1) || status=$?
 }
 
 # expect TITLE STATUS [PATTERN...]: the last lint ended so, and its output has each pattern.
@@ -57,19 +60,22 @@ fault "truncation" 'wire [3:0] planted = {5{clk}};' \
   'Warning-WIDTH' "5 bits"
 fault "truncation at a port" \
   'circular_accumulator #(.W(W)) planted
-     (.clk(clk), .clear(rst), .take(load), .f({f, rst}), .addend(f), .f_q());' \
-  'Warning-WIDTH' '^iverilog .* findings' 'warning: Port 4 .f. of circular_accumulator expects 10 bits' \
+     (.clk(clk), .clear(rst), .take(load), .add(rst), .f({f, rst}), .addend(f),
+      .f_q(), .negative());' \
+  'Warning-WIDTH' '^iverilog .* findings' 'warning: Port [0-9]+ .f. of circular_accumulator expects 10 bits' \
   '^yosys .* findings' 'Warning: Resizing cell port'
 fault "unused signal" 'wire planted = clk;' \
   'Warning-UNUSED.*planted'
 fault "undriven net" \
   'wire planted;
    circular_accumulator #(.W(W)) reader
-     (.clk(clk), .clear(planted), .take(load), .f(f), .addend(f), .f_q());' \
+     (.clk(clk), .clear(planted), .take(load), .add(rst), .f(f), .addend(f), .f_q(),
+      .negative());' \
   'Warning-UNDRIVEN.*planted' '^yosys .* findings' 'planted is used but has no driver'
 fault "input left open" \
   'circular_accumulator #(.W(W)) planted
-     (.clk(clk), .take(load), .f(f), .addend(f), .f_q());' \
+     (.clk(clk), .take(load), .add(rst), .f(f), .addend(f), .f_q(),
+      .negative());' \
   'Warning-PINMISSING' '^iverilog .* findings' 'dangling input port.*clear'
 fault "two drivers" 'assign running = rst;' \
   '^yosys .* findings' 'multiple conflicting drivers'
@@ -85,5 +91,43 @@ rm -r "$copy/spare"
 : > "$copy/shipped.txt"
 lint
 expect "nothing shipped" 1 '^verilator .* nothing to lint$'
+
+# ---- C++ and scripts --------------------------------------------------------------------------
+
+for tool in clang-format-14 clang-tidy cppcheck shellcheck; do
+  command -v "$tool" > /dev/null || { echo "not tested: no $tool" && exit $((failures > 0)); }
+done
+tree=$copy/tree
+mkdir -p "$tree"/{rtl,model,tb,tests,scripts,.ci}
+cp -r "$root/rtl/circular" "$tree/rtl"
+echo 'circular W=8' > "$tree/rtl/shipped.txt"
+cp "$root/.clang-format" "$root/.clang-tidy" "$tree"
+good='int third(const int* list) { return list == nullptr ? 0 : list[2]; }'
+printf '%s\n' "$good" | tee "$tree/model/good.cpp" > "$tree/tb/good.cpp"
+printf '%s\n' '#!/usr/bin/env bash' 'true' > "$tree/scripts/good"
+
+# planted TITLE FILE TEXT PATTERN...: beside the good ones.
+planted() {
+  printf '%s\n' "$3" > "$tree/$2"
+  lint --tree "$tree"
+  expect "$1" 1 "${@:4}"
+  rm "$tree/$2"
+}
+
+lint --tree "$tree"
+expect "no fault in the tree" 0 '^clang-format .* 2  clean$' '^cppcheck .* 2  clean$' \
+  '^clang-tidy .* 1  clean$' '^shellcheck .* 1  clean$'
+planted "text out of format" tests/planted.h 'int  third ( int );' \
+  '^clang-format .* findings in 1$' 'tests/planted.h.*clang-format-violations'
+planted "index out of bounds" tb/planted.cpp \
+  'int third() {
+  int list[2] = {1, 2};
+  return list[2];
+}' '^cppcheck .* findings in 1$' 'tb/planted.cpp:3.*arrayIndexOutOfBounds'
+planted "division of integers as a real number" model/planted.cpp \
+  'double half(int n) { return n / 2; }' \
+  '^clang-tidy .* findings in 1$' 'model/planted.cpp:1.*bugprone-integer-division'
+planted "unused variable" scripts/planted '#!/usr/bin/env bash
+planted=1' '^shellcheck .* findings in 1$' 'SC2034'
 
 exit $((failures > 0))

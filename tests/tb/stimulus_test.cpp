@@ -134,7 +134,7 @@ TEST(StimulusFile, IsRefusedWithTheLineAndTheReason) {
       {6, "1 1 0 1 0 0 3", "x.stim:7: clock 1 stands where clock 0 should"},
       {6, "x 1 0 1 0 0 3", "x.stim:7: 'x' is no clock and no range of clocks"},
       {7, "2-1 1 0 1 0 0 3", "x.stim:8: '2-1' is no clock and no range of clocks"},
-      {7, "1-99999999999 1 0 1 0 0 3", "x.stim:8: more than 16000000 clocks"},
+      {7, "1-99999999999 1 0 1 0 0 3", "x.stim:8: more than 1100000 clocks"},
       {7, "1-99999999999999999999 1 0 1 0 0 3",
        "x.stim:8: '1-99999999999999999999' is no clock and no range of clocks"},
       {8, "end here", "x.stim:9: text behind 'end'"},

@@ -204,6 +204,14 @@ TEST_F(CircularPins, CountersWrapWithTheCarryEndAround) {
   EXPECT_EQ(machine.state.ct8, 14);
 }
 
+// Channel 3 takes CT7's code with a 1 behind it, every digit inverted: of 10000, which is -15, it
+// makes 011110, which is 30.
+TEST_F(CircularPins, AStepToACt7BelowZeroAddsTwiceItsSize) {
+  clock({start(load(0, 15, 11)), rest()});
+  EXPECT_EQ(machine.state.ct7, -15);
+  EXPECT_EQ(machine.state.f, 4 * 30 + 3);
+}
+
 // F of 8 bits holds quarters from -127 to 127: -31.25 - 2(-12) ... goes out of range below.
 TEST_F(CircularPins, FWrapsWithTheCarryEndAround) {
   // Straight in Y from CT7 = 10 to 11 with F = 0.75 - 23 = -22.25, in range.

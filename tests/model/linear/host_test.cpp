@@ -86,6 +86,15 @@ TEST(LinearHost, GivesALineUp) {
   }
 }
 
+// The words of a line are counted from its own start.
+TEST(LinearHost, GivesEachLineUpByItself) {
+  const std::vector<Job> jobs(3, {{27, 0b01010}, 1});
+  const Clocks clocks = draw(jobs);
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    EXPECT_EQ(printed::strobed(clocks, i).size(), 2U) << "line " << i;
+  }
+}
+
 TEST(LinearHost, GivesNoEmptyLineUp) {
   const std::vector<Job> jobs = {{{0, 0b01010}, 0}, {{8, 0b01010}, {}}};
   const Clocks clocks = draw(jobs);

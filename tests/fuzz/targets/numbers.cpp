@@ -1,0 +1,76 @@
+// The words of the command line that are read as numbers: the same text as each kind.
+#include "tb/cli/number.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "model/linear/control_code.h"
+#include "tb/cli/code_option.h"
+#include "tests/fuzz/expect.h"
+
+namespace cosim::fuzz {
+namespace {
+
+const std::string option = "--option: ";
+
+// The number without leading zeros is the text.
+void check_digits(const std::string& text, std::uint64_t value) {
+  const std::size_t zeros = std::min(text.find_first_not_of('0'), text.size() - 1);
+  expect(text.substr(zeros) == std::to_string(value), "the digits are those of the number");
+}
+
+void check_whole(const std::string& text) {
+  struct Range {
+    std::uint64_t low, high;
+  };
+  for (const Range range : {Range{0, ~std::uint64_t{0}}, {1, 32}, {0, 0xffffffff}}) {
+    std::uint64_t value = 0;
+    const auto read = [&] { value = cli::whole("--option", text, range.low, range.high); };
+    if (!accepted(option, read)) continue;
+    expect(range.low <= value && value <= range.high, "the number is in its range");
+    check_digits(text, value);
+  }
+}
+
+void check_positive(const std::string& text) {
+  constexpr double high = 1e9;
+  double value = 0;
+  if (!accepted(option, [&] { value = cli::positive("--option", text, high); })) return;
+  expect(value > 0 && value <= high, "the number is in its range");
+  expect(value == std::strtod(text.c_str(), nullptr), "the number is that of the C library");
+}
+
+void check_point(const std::string& text) {
+  constexpr std::uint64_t high = 0xffffffff;
+  circular::Point p;
+  if (!accepted(option, [&] { p = cli::point("--option", text, high); })) return;
+  const std::size_t comma = text.find(',');
+  check_digits(text.substr(0, comma), static_cast<std::uint64_t>(p.x));
+  check_digits(text.substr(comma + 1), static_cast<std::uint64_t>(p.y));
+}
+
+void check_code(const std::string& text) {
+  for (const int m : {2, 5, 16, 32}) {
+    const std::int64_t major = (std::int64_t{1} << m) - 1;
+    cli::ChosenCode chosen;
+    if (!accepted("--code: ", [&] { chosen = cli::choose_code(text, m, major, major / 3); })) {
+      continue;
+    }
+    expect(chosen.code >> m == 0, "the code fits the machine");
+    expect(linear::minor_steps(m, major, chosen.code) == major / 3, "it gives the minor steps");
+  }
+}
+
+}  // namespace
+}  // namespace cosim::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string text = cosim::fuzz::text_of(data, size);
+  cosim::fuzz::check_whole(text);
+  cosim::fuzz::check_positive(text);
+  cosim::fuzz::check_point(text);
+  cosim::fuzz::check_code(text);
+  return 0;
+}

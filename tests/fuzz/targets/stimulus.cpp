@@ -1,0 +1,53 @@
+// A stimulus file: what is read comes back from its own text, and runs.
+#include "tb/stimulus.h"
+
+#include "model/circular/host.h"
+#include "model/linear/host.h"
+#include "tests/fuzz/expect.h"
+#include "tests/support/model_adapter.h"
+
+namespace cosim::fuzz {
+namespace {
+
+constexpr std::size_t most_clocks = 1000;  // of those run again
+
+template <class D, typename D::Params P>
+std::unique_ptr<AnyBench> bench() {
+  return std::make_unique<AdapterBench<test::ModelAdapter<D, P>>>();
+}
+
+const std::vector<std::unique_ptr<AnyBench>>& machines() {
+  static const auto list = [] {
+    std::vector<std::unique_ptr<AnyBench>> all;
+    all.push_back(bench<linear::Design, linear::Params{5, 2}>());
+    all.push_back(bench<linear::Design, linear::Params{32, 26}>());
+    all.push_back(bench<circular::Design, circular::Params{4}>());
+    all.push_back(bench<circular::Design, circular::Params{32}>());
+    return all;
+  }();
+  return list;
+}
+
+void check(const Replay& read, const std::string& name) {
+  const Stimulus& s = read.stimulus;
+  expect(!s.clocks.empty(), "a stimulus has a clock");
+  if (s.clocks.size() > most_clocks) return;
+  const auto [bench, again] = parse_stimulus(name, to_text(s, *read.bench), machines());
+  expect(bench == read.bench, "it comes back for its machine");
+  expect(again.origin == s.origin && again.power_up == s.power_up, "its head comes back");
+  expect(again.state == s.state && again.clocks == s.clocks, "its clocks come back");
+  if (!s.state) expect(!read.bench->first_difference(s), "the model is as the model");
+}
+
+}  // namespace
+}  // namespace cosim::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace cosim;
+  const std::string text = fuzz::text_of(data, size);
+  const std::string name = "x.stim";
+  Replay read;
+  if (!fuzz::accepted(name, [&] { read = parse_stimulus(name, text, fuzz::machines()); })) return 0;
+  fuzz::check(read, name);
+  return 0;
+}

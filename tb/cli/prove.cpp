@@ -197,7 +197,7 @@ int run(const Options& o) {
 void add_prove(CLI::App& app, Action& action) {
   auto o = std::make_shared<Options>();
   CLI::App& command = *app.add_subcommand(
-      "prove", "That RTL and model are the same from every state under every input, by solvers");
+      "prove", "Proves that RTL and model are the same, for every state and input");
   command.add_option("MACHINE", o->machine, "A design, or a line of cosim list; default all")
       ->type_name("");
   add_text(command, "--rtl", o->rtl, "DIR", "The RTL, a folder for each design; default rtl");

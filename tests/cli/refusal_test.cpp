@@ -44,7 +44,7 @@ void expect_unused(const Arguments& command, const std::string& error) {
 constexpr const char* kTo32Bits = " is not a whole number from 0 to 4294967295";
 
 TEST(Refusal, OfCommands) {
-  const std::string commands = "list, line, arc, path, sweep, replay";
+  const std::string commands = "list, line, arc, path, sweep, replay, prove";
   expect_unused({}, "a command is needed: " + commands);
   expect_unused({"draw"}, "no such command: 'draw'; there are " + commands);
   expect_unused({""}, "no such command: ''; there are " + commands);
@@ -56,6 +56,16 @@ TEST(Refusal, OfCommands) {
                 "sweep: no such command: 'spiral'; there are linear, circular");
   expect_unused({"sweep", "--random", "5"}, "sweep: no such option: '--random'");
   expect_unused({"sweep", "linear", "circular"}, "sweep linear: takes no 'circular'");
+}
+
+TEST(Refusal, OfProofs) {
+  expect_unused({"prove", "spiral"}, "spiral: is no machine that is built; see cosim list");
+  expect_unused({"prove", "linear", "M=7"},
+                "linear M=7: is no machine that is built; see cosim list");
+  expect_unused({"prove", "--limit", "0"}, "--limit: '0' is not a whole number from 1 to 86400");
+  expect_unused({"prove", "--theorems", "spiral"}, "spiral: is no design with theorems");
+  expect_unused({"prove", "linear", "--rtl", "/dev/null"},
+                "/dev/null: no Verilog of the linear interpolator");
 }
 
 TEST(Refusal, OfOptions) {

@@ -203,7 +203,7 @@ TEST(Refusal, OfSweeps) {
     expect_refused({"sweep", "linear", "--random", "1", "--jobs", n},
                    "--jobs: '" + std::string(n) + "' is not a whole number from 1 to 1024");
   }
-  const std::string wide = "--exhaustive: too wide to try everything; take M <= 8 or W <= 12";
+  const std::string wide = "--exhaustive: too wide to try everything; take M <= 8 or W <= 12, of the DDA W <= 8";
   expect_refused({"sweep", "linear", "--exhaustive", "--m", "16"}, wide);
   expect_refused({"sweep", "circular", "--exhaustive", "--width", "32"}, wide);
   expect_unused({"sweep", "linear", "--random", "1", "--width", "4"},

@@ -4,15 +4,12 @@
 #include <cstdint>
 #include <optional>
 
+#include "model/circular/arc.h"
 #include "model/dda/machine.h"
 
 namespace cosim::dda {
 
-struct Point {
-  std::int64_t x = 0;
-  std::int64_t y = 0;
-  friend bool operator==(const Point&, const Point&) = default;
-};
+using circular::Point;
 
 /// When the rate of Y follows a step of X.
 enum class Update {

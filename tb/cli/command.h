@@ -39,6 +39,7 @@ void add_line(CLI::App& app, Action& action);
 void add_arc(CLI::App& app, Action& action);
 void add_dda(CLI::App& app, Action& action);
 void add_path(CLI::App& app, Action& action);
+void add_compare(CLI::App& app, Action& action);
 void add_sweep(CLI::App& app, Action& action);
 void add_replay(CLI::App& app, Action& action);
 void add_prove(CLI::App& app, Action& action);

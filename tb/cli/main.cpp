@@ -46,6 +46,7 @@ int run(int argc, char** argv) {
   cosim::cli::add_arc(app, action);
   cosim::cli::add_dda(app, action);
   cosim::cli::add_path(app, action);
+  cosim::cli::add_compare(app, action);
   cosim::cli::add_sweep(app, action);
   cosim::cli::add_replay(app, action);
   cosim::cli::add_prove(app, action);

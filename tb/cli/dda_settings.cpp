@@ -21,7 +21,7 @@ bool is_second(const char* name, const Text& text, const char* first, const char
 
 void DdaSettings::add(CLI::App& command) {
   add_text(command, "--update", update, "HOW",
-           "parallel (default): the rates of the clock before; sequential: Y's follows X at once");
+           "parallel (default), as the source's hardware, or sequential, its flow chart");
   add_text(command, "--preload", preload, "S", "Accumulators at the start: zero (default) or half");
   add_switch(command, "--as-it-is", as_it_is, "Do not shift the rates of a line up first");
 }

@@ -212,7 +212,7 @@ void add_sweep(CLI::App& app, Action& action) {
 
   auto curves = std::make_shared<Options>();
   CLI::App* dda = command->add_subcommand(
-      "dda", "Lines, arcs and conics on the DDA: one of --exhaustive, --random and --hostile");
+      "dda", "Curves on the DDA: one of --exhaustive, --random and --hostile");
   add_options(*dda, *curves);
   curves->shape.add_dda(*dda, all_widths);
   dda->footer("Example: cosim sweep dda --exhaustive --width 6");

@@ -99,7 +99,8 @@ constexpr Increment<V> increment(const Params& p, V sum, Condition<V> may_step) 
 template <class V>
 constexpr Condition<V> is_full(const Params& p, V rate) {
   const V half = V(shift_left(1, p.width - 1));
-  return !(rate < half) | !(rate > V(0) - half);
+  const Condition<V> small = (rate < half) & (rate > V(0) - half);
+  return !small;
 }
 
 /// The state after the rates were added, and the steps that come of it.
@@ -170,7 +171,8 @@ template <class V>
 constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) {
   using Flag = Condition<V>;
   const Flag running = is_set(s.running);
-  const Flag done = !is_set(s.free) & (s.left_x == V(0)) & (s.left_y == V(0));
+  const Flag counted = !is_set(s.free);
+  const Flag done = counted & (s.left_x == V(0)) & (s.left_y == V(0));
   const Flag over = is_set(in.stop) | done;
   const Flag shift = is_set(s.normalise) & !is_full(p, s.rate_x) & !is_full(p, s.rate_y);
   const Flag step = running & !over & !shift;

@@ -32,6 +32,24 @@ std::vector<const Bench<Design>*> keep(const std::string& asked, Keep keep, Size
   return found;
 }
 
+template <class Design, class Shape>
+std::vector<const Bench<Design>*> of_width(const Shape& s) {
+  return keep<Design>(
+      s.width ? fmt::format("W={}", *s.width) : "",
+      [&](const auto& p) { return !s.width || *s.width == p.width; },
+      [](const auto& p) { return p.width; });
+}
+
+template <class Design>
+const Bench<Design>& at_least(const std::vector<const Bench<Design>*>& found, int width,
+                              const char* work) {
+  for (const auto* bench : found) {
+    if (width <= bench->params().width) return *bench;
+  }
+  throw InputError(
+      fmt::format("{} that needs {} bits does not fit {}", work, width, found.back()->title()));
+}
+
 }  // namespace
 
 std::vector<const Bench<linear::Design>*> matching(const LinearShape& s) {
@@ -45,10 +63,11 @@ std::vector<const Bench<linear::Design>*> matching(const LinearShape& s) {
 }
 
 std::vector<const Bench<circular::Design>*> matching(const CircularShape& s) {
-  return keep<circular::Design>(
-      s.width ? fmt::format("W={}", *s.width) : "",
-      [&](const circular::Params& p) { return !s.width || *s.width == p.width; },
-      [](const circular::Params& p) { return p.width; });
+  return of_width<circular::Design>(s);
+}
+
+std::vector<const Bench<dda::Design>*> matching(const DdaShape& s) {
+  return of_width<dda::Design>(s);
 }
 
 const Bench<linear::Design>& choose(const LinearShape& shape, std::int64_t major) {
@@ -61,12 +80,11 @@ const Bench<linear::Design>& choose(const LinearShape& shape, std::int64_t major
 }
 
 const Bench<circular::Design>& choose(const CircularShape& shape, int width) {
-  const auto found = matching(shape);
-  for (const auto* bench : found) {
-    if (width <= bench->params().width) return *bench;
-  }
-  throw InputError(
-      fmt::format("an arc that needs {} bits does not fit {}", width, found.back()->title()));
+  return at_least(matching(shape), width, "an arc");
+}
+
+const Bench<dda::Design>& choose(const DdaShape& shape, int width) {
+  return at_least(matching(shape), width, "a curve");
 }
 
 }  // namespace cosim::cli

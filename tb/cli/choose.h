@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "model/circular/host.h"
+#include "model/dda/host.h"
 #include "model/linear/host.h"
 #include "tb/bench.h"
 
@@ -17,14 +18,19 @@ struct LinearShape {
 struct CircularShape {
   std::optional<int> width;
 };
+struct DdaShape {
+  std::optional<int> width;
+};
 
 /// All built benches of that shape, smallest first. InputError where none was built.
 std::vector<const Bench<linear::Design>*> matching(const LinearShape& shape);
 std::vector<const Bench<circular::Design>*> matching(const CircularShape& shape);
+std::vector<const Bench<dda::Design>*> matching(const DdaShape& shape);
 
 /// The smallest of them with major < 2^m. InputError where none holds it.
 const Bench<linear::Design>& choose(const LinearShape& shape, std::int64_t major);
 /// The smallest of them at least `width` wide. InputError where none holds it.
 const Bench<circular::Design>& choose(const CircularShape& shape, int width);
+const Bench<dda::Design>& choose(const DdaShape& shape, int width);
 
 }  // namespace cosim::cli

@@ -37,7 +37,9 @@ struct Common {
 void add_list(CLI::App& app, Action& action);
 void add_line(CLI::App& app, Action& action);
 void add_arc(CLI::App& app, Action& action);
+void add_dda(CLI::App& app, Action& action);
 void add_path(CLI::App& app, Action& action);
+void add_compare(CLI::App& app, Action& action);
 void add_sweep(CLI::App& app, Action& action);
 void add_replay(CLI::App& app, Action& action);
 void add_prove(CLI::App& app, Action& action);

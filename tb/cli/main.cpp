@@ -44,7 +44,9 @@ int run(int argc, char** argv) {
   cosim::cli::add_list(app, action);
   cosim::cli::add_line(app, action);
   cosim::cli::add_arc(app, action);
+  cosim::cli::add_dda(app, action);
   cosim::cli::add_path(app, action);
+  cosim::cli::add_compare(app, action);
   cosim::cli::add_sweep(app, action);
   cosim::cli::add_replay(app, action);
   cosim::cli::add_prove(app, action);

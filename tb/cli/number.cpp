@@ -22,6 +22,17 @@ std::uint64_t whole(const std::string& name, const std::string& text, std::uint6
   return value;
 }
 
+std::int64_t integer(const std::string& name, const std::string& text, std::int64_t size) {
+  std::int64_t value = 0;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || rest != end || value < -size || value > size) {
+    throw InputError(
+        fmt::format("{}: {} is not a whole number from {} to {}", name, quoted(text), -size, size));
+  }
+  return value;
+}
+
 double positive(const std::string& name, const std::string& text, double high) {
   double value = 0;
   const char* end = text.data() + text.size();

@@ -13,6 +13,9 @@ namespace cosim::cli {
 std::uint64_t whole(const std::string& name, const std::string& text, std::uint64_t low,
                     std::uint64_t high);
 
+/// A whole number of either sign, at most `size` in size. InputError "--name: ..." otherwise.
+std::int64_t integer(const std::string& name, const std::string& text, std::int64_t size);
+
 /// A decimal number above 0 and at most `high`; neither nan nor infinite. InputError otherwise.
 double positive(const std::string& name, const std::string& text, double high);
 

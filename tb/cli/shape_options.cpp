@@ -22,8 +22,14 @@ void ShapeOptions::add_circular(CLI::App& command, const std::string& otherwise)
            "Circular machine: bits of a coordinate; default " + otherwise);
 }
 
+void ShapeOptions::add_dda(CLI::App& command, const std::string& otherwise) {
+  add_text(command, "--width", width, "W", "DDA: bits of an accumulator; default " + otherwise);
+}
+
 LinearShape ShapeOptions::linear() const { return {small("--m", m, 2), small("--n", n, 1)}; }
 
 CircularShape ShapeOptions::circular() const { return {small("--width", width, 2)}; }
+
+DdaShape ShapeOptions::dda() const { return {small("--width", width, 2)}; }
 
 }  // namespace cosim::cli

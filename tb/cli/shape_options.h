@@ -12,8 +12,10 @@ struct ShapeOptions {
   /// `otherwise`: what is taken where they are not given, for the help.
   void add_linear(CLI::App& command, const std::string& otherwise = smallest);
   void add_circular(CLI::App& command, const std::string& otherwise = smallest);
+  void add_dda(CLI::App& command, const std::string& otherwise = smallest);
   LinearShape linear() const;
   CircularShape circular() const;
+  DdaShape dda() const;
 
   static constexpr const char* smallest = "the smallest that holds it";
 };

@@ -17,6 +17,7 @@
 #include "tb/cli/shape_options.h"
 #include "tb/cli/sweep_checkpoint.h"
 #include "tb/cli/words.h"
+#include "tb/dda_sweeps.h"
 #include "tb/linear_sweeps.h"
 
 namespace cosim::cli {
@@ -51,12 +52,25 @@ Sweeps exhaustive(const Bench<circular::Design>& bench) {
           circular::every_stop(bench, std::min<std::int64_t>(largest, 40))};
 }
 
+Sweeps exhaustive(const Bench<dda::Design>& bench) {
+  constexpr int every_line_widest = 6;
+  constexpr int every_quarter_widest = 8;
+  const int width = bench.params().width;
+  if (width > every_quarter_widest) return {};
+  if (width > every_line_widest) return {dda::every_quarter(bench)};
+  return {dda::every_line(bench), dda::every_quarter(bench)};
+}
+
 Sweep random(const Bench<linear::Design>& bench, std::uint64_t seed, std::uint64_t count) {
   return linear::random_lines(bench, seed, count);
 }
 
 Sweep random(const Bench<circular::Design>& bench, std::uint64_t seed, std::uint64_t count) {
   return circular::random_arcs(bench, seed, count);
+}
+
+Sweep random(const Bench<dda::Design>& bench, std::uint64_t seed, std::uint64_t count) {
+  return dda::random_jobs(bench, seed, count);
 }
 
 void check_kind(const Options& o) {
@@ -83,7 +97,8 @@ std::vector<std::pair<const Bench<Design>*, Sweep>> planned(
     for (Sweep& sweep : sweeps) all.emplace_back(bench, std::move(sweep));
   }
   if (all.empty()) {
-    throw InputError("--exhaustive: too wide to try everything; take M <= 8 or W <= 12");
+    throw InputError(
+        "--exhaustive: too wide to try everything; take M <= 8 or W <= 12, of the DDA W <= 8");
   }
   return all;
 }
@@ -193,6 +208,16 @@ void add_sweep(CLI::App& app, Action& action) {
   circular->footer("Example: cosim sweep circular --exhaustive --width 8");
   circular->callback([&action, arcs] {
     action = [arcs] { return run(*arcs, matching(arcs->shape.circular())); };
+  });
+
+  auto curves = std::make_shared<Options>();
+  CLI::App* dda = command->add_subcommand(
+      "dda", "Curves on the DDA: one of --exhaustive, --random and --hostile");
+  add_options(*dda, *curves);
+  curves->shape.add_dda(*dda, all_widths);
+  dda->footer("Example: cosim sweep dda --exhaustive --width 6");
+  dda->callback([&action, curves] {
+    action = [curves] { return run(*curves, matching(curves->shape.dda())); };
   });
 }
 

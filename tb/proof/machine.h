@@ -80,7 +80,8 @@ Truth in_range(const Record& r, const Fields& fields) {
     const Bits& v = r.*member;
     if (is_signed(fields[i])) {
       const Bits most(ones(fields[i].width - 1));
-      all = all & !(v > most) & !(v < Bits(0) - most);
+      const bool one_more_below = fields[i].format == Format::twos_complement;
+      all = all & !(v > most) & !(v < Bits(0) - most - Bits(one_more_below ? 1 : 0));
     } else {
       all = all & (low_bits(v, fields[i].width) == v);
     }

@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"path huge.ngc --steps-per-mm 1", "huge.ngc:1:6"},
         Bad{"path nan.ngc --steps-per-mm 1", "nan.ngc:1:4"},
         Bad{"path far.ngc --steps-per-mm 100", "far.ngc:1:4"}, Bad{"sweep", ""},
-        Bad{"sweep dda --random 5", "dda"}, Bad{"sweep linear", "--exhaustive"},
+        Bad{"sweep spiral --random 5", "spiral"}, Bad{"sweep linear", "--exhaustive"},
         Bad{"sweep linear --random 5 --hostile 5", "--random"},
         Bad{"sweep linear --random 0", "--random"},
         Bad{"sweep linear --random 5 --jobs 0", "--jobs"},

@@ -27,20 +27,27 @@ void expect_in(const std::string& text, const std::vector<std::string>& words) {
 TEST(Help, FitsATerminal) {
   for (const Arguments& command :
        {Arguments{}, Arguments{"list"}, Arguments{"line"}, Arguments{"arc"}, Arguments{"path"},
-        Arguments{"sweep"}, Arguments{"sweep", "linear"}, Arguments{"sweep", "circular"}}) {
+        Arguments{"dda"}, Arguments{"compare"}, Arguments{"sweep"}, Arguments{"sweep", "linear"},
+        Arguments{"sweep", "circular"}, Arguments{"sweep", "dda"}}) {
     for (const std::string& line : lines(help(command))) EXPECT_LE(line.size(), 100U) << line;
   }
 }
 
 TEST(Help, NamesEveryOption) {
-  expect_in(help({}), {"list", "line", "arc", "path", "sweep", "0 match, 1 mismatch, 2 bad input"});
+  expect_in(help({}), {"list", "line", "arc", "dda", "path", "compare", "sweep",
+                       "0 match, 1 mismatch, 2 bad input"});
   expect_in(help({"line"}), {"--major BP", "--minor MP", "--code UK", "--m M", "--n N",
                              "--csv FILE", "tick,major,minor", "--report FILE", "--seed S"});
   expect_in(help({"arc"}), {"--from X,Y", "--radius R", "--radius2 Q", "--count K", "--width W",
                             "--csv FILE", "clock,dx,dy,x,y", "--report FILE", "--seed S"});
   expect_in(help({"path"}), {"FILE", "--steps-per-mm S", "--csv FILE", "segment,dx,dy,x,y",
                              "--report FILE", "--seed S"});
-  for (const char* design : {"linear", "circular"}) {
+  expect_in(help({"dda"}),
+            {"--line X,Y", "--circle R", "--conic A,B,C,D,E,F", "--from X,Y", "--clocks N",
+             "--update HOW", "--preload S", "--as-it-is", "--width W"});
+  expect_in(help({"compare"}), {"FILE", "--steps-per-mm S", "--line BP,MP", "--arc R",
+                                "--algorithms LIST", "--report FILE"});
+  for (const char* design : {"linear", "circular", "dda"}) {
     expect_in(help({"sweep", design}),
               {"--exhaustive", "--random COUNT", "--hostile COUNT", "--jobs J", "--checkpoint FILE",
                "--report FILE", "--seed S"});
@@ -55,8 +62,9 @@ TEST(Help, ComesWithoutACommandToo) {
 
 // The examples of the help run as they stand.
 TEST(Help, HasExamplesThatRun) {
-  for (const Arguments& command : {Arguments{"line"}, Arguments{"arc"},
-                                   Arguments{"sweep", "linear"}, Arguments{"sweep", "circular"}}) {
+  for (const Arguments& command :
+       {Arguments{"line"}, Arguments{"arc"}, Arguments{"dda"}, Arguments{"compare"},
+        Arguments{"sweep", "linear"}, Arguments{"sweep", "circular"}, Arguments{"sweep", "dda"}}) {
     const std::string text = help(command);
     const std::string start = "Example: cosim ";
     const std::size_t at = text.find(start);
@@ -84,7 +92,7 @@ TEST(List, NamesAllThatIsShipped) {
     if (!line.empty() && line.front() != '#') shipped.push_back(line);
   }
   EXPECT_EQ(machines, shipped);
-  EXPECT_EQ(shipped.size(), 13U);
+  EXPECT_EQ(shipped.size(), 17U);
 }
 
 }  // namespace

@@ -93,7 +93,7 @@ TEST(Sweep, ExhaustsTheArcsOfFourBits) {
 }
 
 TEST(Sweep, RunsSoManyHostileClocks) {
-  for (const char* design : {"linear", "circular"}) {
+  for (const char* design : {"linear", "circular", "dda"}) {
     const Swept s = sweep({design, "--hostile", "1234"});
     for (const std::uint64_t clocks : clocks_of_runs(s.report)) EXPECT_EQ(clocks, 1234U);
     // Hostile clocks draw nothing: nothing is said of steps.
@@ -111,7 +111,7 @@ TEST(Sweep, GivesTheSameForTheSameSeed) {
     r.erase("seed");
     return r;
   };
-  for (const char* design : {"linear", "circular"}) {
+  for (const char* design : {"linear", "circular", "dda"}) {
     EXPECT_EQ(report(design, "7", "1"), report(design, "7", "4"));
     EXPECT_NE(report(design, "7", "1"), report(design, "8", "1"));
   }

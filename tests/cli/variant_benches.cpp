@@ -3,6 +3,7 @@
 
 #include "model/circular/host.h"
 #include "model/core/input_error.h"
+#include "model/dda/host.h"
 #include "model/linear/host.h"
 #include "tests/rtl/variant.h"
 
@@ -25,6 +26,7 @@ const std::vector<std::unique_ptr<AnyBench>>& benches() {
     std::vector<std::unique_ptr<AnyBench>> all;
     add<linear::Design>(all, name);
     add<circular::Design>(all, name);
+    add<dda::Design>(all, name);
     if (all.empty()) throw InputError("COSIM_VARIANT: there is no variant '" + name + "'");
     return all;
   }();

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "model/circular/host.h"
+#include "model/dda/host.h"
 #include "model/linear/host.h"
 #include "model/toolpath/source.h"
 #include "tests/rtl/straight.h"
@@ -141,6 +142,7 @@ std::vector<Subject> subjects() {
   std::vector<Subject> all;
   add_subjects<linear::Design>(all);
   add_subjects<circular::Design>(all);
+  add_subjects<dda::Design>(all);
   return all;
 }
 

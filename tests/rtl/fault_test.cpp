@@ -7,6 +7,7 @@
 #include <set>
 
 #include "model/circular/host.h"
+#include "model/dda/host.h"
 #include "model/linear/host.h"
 #include "tests/rtl/straight.h"
 #include "tests/support/explain.h"
@@ -81,12 +82,14 @@ std::vector<Subject> faults() {
   std::vector<Subject> all;
   add_subjects<linear::Design>(all, "faults", expect_fault_found);
   add_subjects<circular::Design>(all, "faults", expect_fault_found);
+  add_subjects<dda::Design>(all, "faults", expect_fault_found);
   return all;
 }
 std::vector<Subject> controls() {
   std::vector<Subject> all;
   add_subjects<linear::Design>(all, "shipped", expect_nothing_found);
   add_subjects<circular::Design>(all, "shipped", expect_nothing_found);
+  add_subjects<dda::Design>(all, "shipped", expect_nothing_found);
   return all;
 }
 
@@ -118,6 +121,7 @@ void expect_enough() {
 }
 TEST(Faults, AreManyForTheLinearDesign) { expect_enough<linear::Design>(); }
 TEST(Faults, AreManyForTheCircularDesign) { expect_enough<circular::Design>(); }
+TEST(Faults, AreManyForTheDda) { expect_enough<dda::Design>(); }
 
 }  // namespace
 }  // namespace cosim::test

@@ -2,6 +2,7 @@
 // the work there is at a small width.
 #include <gtest/gtest.h>
 
+#include "tb/dda_sweeps.h"
 #include "tests/rtl/variant.h"
 #include "tests/support/circular_counts.h"
 #include "tests/support/linear_counts.h"
@@ -47,6 +48,19 @@ TEST(CircularNetlist, DrawsEveryArc) {
   circular::printed::expect_tables(*bench);
   circular::counted::expect_every_start(*bench, ones(bench->params().width));
   circular::counted::expect_every_stop(*bench, ones(bench->params().width));
+}
+
+TEST(DdaNetlist, MatchesOnHostileClocks) {
+  const auto* bench = netlist<dda::Design>();
+  if (bench == nullptr) GTEST_SKIP() << "no yosys";
+  EXPECT_EQ(test::expect_match(hostile_sweep(*bench, 1, kHostileClocks)).clocks, kHostileClocks);
+}
+
+TEST(DdaNetlist, DrawsEveryQuarter) {
+  const auto* bench = netlist<dda::Design>();
+  if (bench == nullptr) GTEST_SKIP() << "no yosys";
+  test::expect_match(dda::every_quarter(*bench));
+  test::expect_match(dda::random_jobs(*bench, 1, 500));
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "model/circular/host.h"
+#include "model/dda/host.h"
 #include "model/linear/host.h"
 #include "tb/proof/decide.h"
 #include "tb/proof/explain.h"
@@ -86,6 +87,7 @@ std::vector<Subject> subjects() {
   std::vector<Subject> all;
   add_subjects<linear::Design>(all);
   add_subjects<circular::Design>(all);
+  add_subjects<dda::Design>(all);
   return all;
 }
 

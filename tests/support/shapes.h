@@ -6,6 +6,7 @@
 #include <string>
 
 #include "model/circular/machine.h"
+#include "model/dda/machine.h"
 #include "model/linear/machine.h"
 
 namespace cosim::test {
@@ -25,7 +26,9 @@ using Shapes = testing::Types<
     Shape<circular::Design, circular::Params{2}>, Shape<circular::Design, circular::Params{4}>,
     Shape<circular::Design, circular::Params{8}>, Shape<circular::Design, circular::Params{12}>,
     Shape<circular::Design, circular::Params{16}>, Shape<circular::Design, circular::Params{24}>,
-    Shape<circular::Design, circular::Params{32}>>;
+    Shape<circular::Design, circular::Params{32}>, Shape<dda::Design, dda::Params{2}>,
+    Shape<dda::Design, dda::Params{6}>, Shape<dda::Design, dda::Params{8}>,
+    Shape<dda::Design, dda::Params{16}>, Shape<dda::Design, dda::Params{32}>>;
 
 /// "linearM5N2"
 struct ShapeNames {

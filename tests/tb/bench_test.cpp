@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <map>
 
 #include "tests/support/model_adapter.h"
 #include "tests/support/recorder.h"
@@ -20,20 +21,30 @@ TEST(Benches, AreTheLinesOfShippedTxt) {
   }
   for (const auto& bench : benches()) titles.push_back(bench->title());
   EXPECT_EQ(titles, lines);
-  EXPECT_EQ(benches_of<linear::Design>().size() + benches_of<circular::Design>().size(),
+  EXPECT_EQ(benches_of<linear::Design>().size() + benches_of<circular::Design>().size() +
+                benches_of<dda::Design>().size(),
             lines.size());
 }
 
+struct Expected {
+  std::size_t registers, outputs, inputs;
+  const char *first_register, *first_output, *source;
+};
+
 TEST(Benches, CompareRegistersThenOutputs) {
+  const std::map<std::string, Expected> designs = {
+      {"linear", {9, 4, 6, "trigger30", "busy", "SU 1631518"}},
+      {"circular", {5, 3, 8, "t4", "running", "SU 1665343"}},
+      {"dda", {15, 7, 6, "running", "busy", "the method of differential increments"}}};
   for (const auto& bench : benches()) {
     const std::vector<Field> compared = bench->compared();
-    const bool linear = bench->design() == "linear";
-    ASSERT_EQ(bench->registers(), linear ? 9U : 5U);
-    ASSERT_EQ(compared.size(), linear ? 13U : 8U);
-    EXPECT_STREQ(compared.front().name, linear ? "trigger30" : "t4");
-    EXPECT_STREQ(compared[bench->registers()].name, linear ? "busy" : "running");
-    EXPECT_EQ(bench->inputs().size(), linear ? 6U : 8U);
-    EXPECT_EQ(bench->source(), linear ? "SU 1631518" : "SU 1665343");
+    const Expected& expected = designs.at(bench->design());
+    ASSERT_EQ(bench->registers(), expected.registers);
+    ASSERT_EQ(compared.size(), expected.registers + expected.outputs);
+    EXPECT_STREQ(compared.front().name, expected.first_register);
+    EXPECT_STREQ(compared[bench->registers()].name, expected.first_output);
+    EXPECT_EQ(bench->inputs().size(), expected.inputs);
+    EXPECT_EQ(bench->source(), expected.source);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/circular/host.h"
+#include "model/dda/host.h"
 #include "model/linear/host.h"
 #include "tb/bench.h"
 

@@ -41,6 +41,15 @@ void expect_recovered(const circular::Params& p, const circular::State<Word>& s)
   ASSERT_NE(r.ct8, ones(p.width + 1));
 }
 
+void expect_recovered(const dda::Params& p, const dda::State<Word>& s) {
+  const auto fields = dda::State<Word>::fields(p);
+  const auto numbers = to_words(s), codes = to_words(dda::registers(p, s));
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    ASSERT_TRUE(is_state(fields[i], numbers[i])) << fields[i].name << ' ' << numbers[i];
+    ASSERT_EQ(dda::value_of(fields[i], codes[i]), numbers[i]) << fields[i].name;
+  }
+}
+
 template <class S>
 class Reachable : public testing::Test {};
 TYPED_TEST_SUITE(Reachable, Shapes, ShapeNames);

@@ -1,0 +1,62 @@
+// What the method leaves to the device outside: what to write into the registers for a curve.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "model/circular/arc.h"
+#include "model/dda/machine.h"
+
+namespace cosim::dda {
+
+using circular::Point;
+
+/// When the rate of Y follows a step of X.
+enum class Update {
+  parallel,    ///< on the next clock: the source's hardware
+  sequential,  ///< on the same one: the source's flow chart
+};
+
+/// What stands in an accumulator at the start, of the 2^width that make a step. An axis that goes
+/// backwards starts from the ones' complement of it, so that both directions step alike.
+enum class Preload { zero, half };
+
+struct Settings {
+  Update update = Update::parallel;
+  Preload preload = Preload::zero;
+  bool normalise = true;  ///< of a line: shift both rates up first
+};
+
+/// A x^2 + B xy + C y^2 + D x + E y + F = 0.
+struct Conic {
+  std::int64_t a = 0, b = 0, c = 0, d = 0, e = 0, f = 0;
+};
+
+/// One piece of work for the machine: the registers at its start, and the clocks it may run, those
+/// that shift included, before it is stopped; none: to its own end, which it then has.
+struct Job {
+  State<Word> start;  ///< `running` has no meaning
+  std::optional<std::int64_t> clocks;
+};
+
+/// The line from (0, 0) to `to`. InputError where a coordinate is 2^width or more in size.
+Job line(const Params& p, Point to, const Settings& settings);
+
+/// The arc about (0, 0) in the first quadrant, anticlockwise, as many steps as lie between the two
+/// ends. InputError where they are not 0 <= to.x <= from.x < 2^width, 0 <= from.y <= to.y <
+/// 2^width, where `from` is (0, 0) and where their radii are one step or more apart.
+Job arc(const Params& p, Point from, Point to, const Settings& settings);
+
+/// A circle about (0, 0) from (radius, 0), anticlockwise, until a stop after `clocks`, or after a
+/// full turn. InputError as for a conic.
+Job circle(const Params& p, std::int64_t radius, const Settings& settings,
+           std::optional<std::int64_t> clocks = {});
+
+/// A conic from `from` until a stop after `clocks`; an ellipse may do without: one turn. InputError
+/// where a coefficient or a coordinate does not fit, the conic is degenerate, `from` is more than a
+/// step off the curve, another curve than an ellipse has no `clocks`, there are 2^28 of them or
+/// more, or a rate or a code leaves its register on the way.
+Job conic(const Params& p, const Conic& conic, Point from, const Settings& settings,
+          std::optional<std::int64_t> clocks = {});
+
+}  // namespace cosim::dda

@@ -1,0 +1,44 @@
+// The exact definition of the DDA's points, by sums and the curve's equation: an axis stands where
+// the whole part of the sum of all its rates so far says, and each rate is that of the point.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "model/dda/curve.h"
+
+namespace cosim::dda {
+
+/// The points of a job, a clock at a time. Its numbers do not wrap.
+class Track {
+ public:
+  Track(const Params& p, const Job& job);
+
+  /// The steps of the next running clock, -1 to 1 on each axis; none where the job is over.
+  std::optional<Point> next();
+
+  Point at() const { return at_; }
+  Point rates() const;                    ///< of the point
+  Point added() const { return added_; }  ///< the rates of the last clock
+
+ private:
+  __extension__ typedef __int128 Sum;
+  std::int64_t rate_x(Point p) const;
+  std::int64_t rate_y(Point p) const;
+  // The whole steps that the sum has come to.
+  std::int64_t whole(Sum sum) const;
+
+  int width_;
+  Job job_;
+  int shifts_ = 0;
+  std::int64_t clocks_ = 0;
+  Sum sum_x_, sum_y_;
+  Point at_, added_;
+  std::int64_t left_x_, left_y_;
+};
+
+/// How far `at` is off the curve of a job, in steps: of a line along the axis with fewer steps, of
+/// a conic across the curve, by its equation over its gradient.
+double deviation(const Job& job, Point at);
+
+}  // namespace cosim::dda

@@ -1,0 +1,201 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <memory>
+
+#include "model/core/input_error.h"
+#include "tb/cli/choose.h"
+#include "tb/cli/command.h"
+#include "tb/cli/conclude.h"
+#include "tb/cli/dda_settings.h"
+#include "tb/cli/number.h"
+#include "tb/cli/outputs.h"
+#include "tb/cli/shape_options.h"
+#include "tb/cli/wave.h"
+#include "tb/cli/words.h"
+#include "tb/dda_check.h"
+#include "tb/output_file.h"
+#include "tb/table.h"
+
+namespace cosim::cli {
+namespace {
+
+using dda::Point;
+
+constexpr std::int64_t largest = 0xffffffff;
+constexpr std::int64_t largest_factor = 0x7fffffff;
+constexpr std::int64_t largest_constant = std::int64_t{1} << 57;
+
+struct Options {
+  Common common;
+  Text line, circle, conic, from, clocks;
+  DdaSettings settings;
+  ShapeOptions shape;
+};
+
+// The numbers of a list of exactly N.
+template <std::size_t N>
+std::array<std::int64_t, N> numbers(const char* name, const std::string& text, const char* form,
+                                    std::int64_t size) {
+  std::array<std::int64_t, N> all{};
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < N; ++i) {
+    const std::size_t comma = text.find(',', begin);
+    if ((comma == std::string::npos) != (i + 1 == N)) {
+      throw InputError(fmt::format("{}: {} is not {}", name, quoted(text), form));
+    }
+    all[i] = integer(name, text.substr(begin, comma - begin), i == 5 ? largest_constant : size);
+    begin = comma + 1;
+  }
+  return all;
+}
+
+Point point(const char* name, const std::string& text) {
+  const auto [x, y] = numbers<2>(name, text, "X,Y", largest);
+  return {x, y};
+}
+
+int bits(std::int64_t size) {
+  return std::max(2, static_cast<int>(std::bit_width(static_cast<std::uint64_t>(std::abs(size)))));
+}
+
+dda::Conic parse_conic(const std::string& text) {
+  const auto [a, b, c, d, e, f] = numbers<6>("--conic", text, "A,B,C,D,E,F", largest_factor);
+  return {a, b, c, d, e, f};
+}
+
+// What is drawn, and the bits it needs at least.
+struct Work {
+  std::string text;
+  int width = 2;
+  std::function<dda::Job(const dda::Params&)> job;
+};
+
+Work parse_work(const Options& o) {
+  const dda::Settings settings = o.settings.parse();
+  std::optional<std::int64_t> clocks;
+  if (o.clocks) clocks = static_cast<std::int64_t>(whole("--clocks", *o.clocks, 0, 0xfffffff));
+  if (o.line) {
+    const Point to = point("--line", *o.line);
+    return {fmt::format("line to ({}, {})", to.x, to.y), std::max(bits(to.x), bits(to.y)),
+            [=](const dda::Params& p) {
+              dda::Job job = line(p, to, settings);
+              job.clocks = clocks;
+              return job;
+            }};
+  }
+  if (o.circle) {
+    const auto radius = static_cast<std::int64_t>(whole("--circle", *o.circle, 1, largest));
+    if (clocks) {
+      return {fmt::format("R = {} from ({}, 0), {} clocks", radius, radius, *clocks),
+              bits(radius + 8),
+              [=](const dda::Params& p) { return circle(p, radius, settings, clocks); }};
+    }
+    return {fmt::format("R = {} from ({}, 0)", radius, radius), bits(radius),
+            [=](const dda::Params& p) {
+              return arc(p, {radius, 0}, {0, radius}, settings);
+            }};
+  }
+  const dda::Conic q = parse_conic(*o.conic);
+  const Point from = point("--from", needed("--from", o.from));
+  const int width = std::max({bits(2 * q.a), bits(q.b), bits(2 * q.c), bits(from.x), bits(from.y)});
+  return {fmt::format("conic {} from ({}, {})", *o.conic, from.x, from.y), width,
+          [=](const dda::Params& p) { return conic(p, q, from, settings, clocks); }};
+}
+
+void check_kind(const Options& o) {
+  const int kinds = (o.line ? 1 : 0) + (o.circle ? 1 : 0) + (o.conic ? 1 : 0);
+  if (kinds != 1) {
+    throw InputError(fmt::format("dda: one of --line, --circle and --conic is needed, {}",
+                                 kinds == 0 ? "none is given" : "more are given"));
+  }
+  if (o.from && !o.conic) throw InputError("--from: belongs to --conic");
+}
+
+class Rows final : public Observer<dda::Design> {
+ public:
+  Rows(OutputFile& file, Point from) : file_(file), at_(from) {}
+  void clock(std::size_t, const Compared<dda::Design>& seen) override {
+    if (!seen.outputs.busy) return;
+    ++clock_;
+    const Point step{seen.outputs.x_up - seen.outputs.x_down,
+                     seen.outputs.y_up - seen.outputs.y_down};
+    if (step == Point{}) return;
+    at_ = {at_.x + step.x, at_.y + step.y};
+    file_.line("{},{},{},{},{}", clock_, step.x, step.y, at_.x, at_.y);
+  }
+
+ private:
+  OutputFile& file_;
+  Point at_;
+  std::uint64_t clock_ = 0;
+};
+
+// The smallest bench that holds the work on its whole way, and the job.
+std::pair<const Bench<dda::Design>*, dda::Job> chosen_for(const DdaShape& shape, const Work& work) {
+  const auto found = matching(shape);
+  const auto* bench = &choose(shape, work.width);
+  for (auto at = std::find(found.begin(), found.end(), bench);; ++at) {
+    try {
+      return {*at, work.job((*at)->params())};
+    } catch (const InputError&) {
+      if (at + 1 == found.end()) throw;
+    }
+  }
+}
+
+int run(const Options& o) {
+  const std::uint64_t seed = o.common.seed();
+  check_kind(o);
+  const Work work = parse_work(o);
+  const auto [chosen, job] = chosen_for(o.shape.dda(), work);
+  const auto& bench = *chosen;
+  check_outputs(o.common);
+
+  OutputFile csv(o.common.csv.value_or(""));
+  csv.line("clock,dx,dy,x,y");
+  fmt::print("{}: {}\n", bench.title(), work.text);
+
+  DdaCheck check(bench.params(), {&job, 1});
+  Rows rows(csv, {job.start.x, job.start.y});
+  Observers<dda::Design> observers{&check, &rows};
+  std::unique_ptr<Table<dda::Design>> table;
+  if (o.common.table) {
+    observers.add(*(table = std::make_unique<Table<dda::Design>>(bench.params())));
+  }
+
+  const auto session = bench.open(static_cast<std::uint32_t>(seed));
+  Run run = session->draw({&job, 1}, observers);
+  csv.close();
+  draw_wave(o.common, bench, work.text, *session, run.mismatch);
+  const Outcome outcome = outcome_of(bench, work.text, std::move(run), check);
+  fmt::print("drawn: {}\n", drawn(outcome.result));
+  return conclude({outcome}, o.common);
+}
+
+}  // namespace
+
+void add_dda(CLI::App& app, Action& action) {
+  auto o = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand("dda", "A line, a circle or a conic on the DDA");
+  add_text(command, "--line", o->line, "X,Y", "From (0, 0) to X,Y");
+  add_text(command, "--circle", o->circle, "R",
+           "A quarter from R,0, anticlockwise; with --clocks as far as these go");
+  add_text(command, "--conic", o->conic, "A,B,C,D,E,F",
+           "A x^2 + B xy + C y^2 + D x + E y + F = 0; an ellipse for one turn");
+  add_text(command, "--from", o->from, "X,Y", "Where a conic starts");
+  add_text(command, "--clocks", o->clocks, "N", "Stop after N running clocks");
+  o->settings.add(command);
+  o->shape.add_dda(command);
+  add_csv(command, o->common, "Write clock,dx,dy,x,y: a row a step, x and y after it");
+  add_table(command, o->common);
+  add_wave(command, o->common, "Draw the run as a waveform, with FILE.gtkw, its view for GTKWave");
+  add_failures(command, o->common);
+  add_common(command, o->common);
+  command.footer("Example: cosim dda --conic 1,1,2,0,0,-10000 --from 100,0 --width 16");
+  command.callback([&action, o] { action = [o] { return run(*o); }; });
+}
+
+}  // namespace cosim::cli

@@ -1,0 +1,112 @@
+// cosim compare: figures that follow from the sources.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/folder.h"
+#include "tests/cli/program.h"
+#include "tests/support/root.h"
+
+namespace cosim::cli {
+namespace {
+
+using nlohmann::json;
+
+const std::string kFlange = (test::project_root() / "tests/toolpaths/flange.ngc").string();
+
+std::map<std::string, json> compared(Arguments arguments) {
+  const Folder folder;
+  arguments.insert(arguments.begin(), "compare");
+  arguments.insert(arguments.end(), {"--report", folder.path("r.json")});
+  const Ended ended = cosim(arguments);
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.out.find("verdict: match"), std::string::npos) << ended.out;
+  std::map<std::string, json> all;
+  const json report = json::parse(folder.text("r.json"));
+  for (const json& one : report["algorithms"]) {
+    all[one["algorithm"]] = one;
+    EXPECT_NE(ended.out.find("\n" + one["algorithm"].get<std::string>() + " "), std::string::npos);
+  }
+  return all;
+}
+
+// The printed line: Table 3's minor steps are on 2 6 8 10 14 18 22 24 26.
+TEST(Compare, OfThePrintedLine) {
+  const auto all = compared({"--line", "27,9"});
+  const json& machine = all.at("su1631518-greedy");
+  EXPECT_EQ(machine["clocks"], 4);
+  EXPECT_EQ(machine["steps"], 27);
+  EXPECT_EQ(machine["combinations"], 2);
+  EXPECT_DOUBLE_EQ(machine["gaps"][0].get<double>(), 2 / 3.0);
+  EXPECT_DOUBLE_EQ(machine["gaps"][1].get<double>(), 4 / 3.0);
+  double worst = 0;
+  long minor = 0;
+  for (long q = 1; q <= 27; ++q) {
+    for (const long step : {2, 6, 8, 10, 14, 18, 22, 24, 26}) minor += step == q;
+    worst = std::max(worst, std::fabs(static_cast<double>(minor) - static_cast<double>(q) / 3));
+  }
+  EXPECT_DOUBLE_EQ(machine["axial_deviation"]["max"].get<double>(), worst);
+  EXPECT_NEAR(machine["radial_deviation"]["max"].get<double>(), worst * 3 / std::sqrt(10), 1e-12);
+
+  EXPECT_EQ(all.at("rate-multiplier")["clocks"], 32 / 8);  // 2^5 positions, 8 a clock
+  EXPECT_EQ(all.at("bresenham")["clocks"], 27);
+  EXPECT_LE(all.at("bresenham")["axial_deviation"]["max"].get<double>(), 0.5);
+  EXPECT_EQ(all.at("dda")["clocks"], 32 + 1);  // 2^(6 - 1), and one shift
+  for (const auto& [name, one] : all) EXPECT_EQ(one["end_error"], 0) << name;
+}
+
+// The printed arc: 17 steps, and the clock of the sector change.
+TEST(Compare, OfThePrintedArc) {
+  const auto all = compared({"--arc", "12"});
+  const json& machine = all.at("su1665343");
+  EXPECT_EQ(machine["steps"], 17);
+  EXPECT_EQ(machine["clocks"], 18);
+  EXPECT_EQ(machine["machine"], "circular W=4");
+  EXPECT_LT(machine["axial_deviation"]["max"].get<double>(), 0.5);
+  EXPECT_EQ(all.at("midpoint")["axial_deviation"], machine["axial_deviation"]);
+  EXPECT_EQ(all.at("single-axis")["steps"], 24);
+  EXPECT_EQ(all.at("single-axis")["combinations"], 2);
+  EXPECT_GT(all.at("su875343")["end_error"].get<double>(), 4);
+  EXPECT_EQ(all.size(), 7U);
+}
+
+TEST(Compare, OfAToolpath) {
+  const auto all = compared({kFlange, "--steps-per-mm", "2"});
+  EXPECT_EQ(all.at("su1631518")["paths"], all.at("bresenham")["paths"]);
+  EXPECT_EQ(all.at("su1665343")["paths"], all.at("midpoint")["paths"]);
+  EXPECT_EQ(all.at("su1665343")["steps"], all.at("midpoint")["steps"]);
+}
+
+TEST(Compare, OnlyWhatIsAskedFor) {
+  EXPECT_EQ(compared({"--arc", "40", "--algorithms", "dda,midpoint"}).size(), 2U);
+}
+
+void expect_refused_compare(Arguments arguments, const std::string& error) {
+  arguments.insert(arguments.begin(), "compare");
+  const Ended ended = cosim(arguments);
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_EQ(ended.out, "");
+  EXPECT_EQ(ended.err, "cosim: " + error + "\n");
+}
+
+TEST(Compare, RefusesWhatItCannotCompare) {
+  const std::string one = "compare: one of --line, --arc and FILE is needed, ";
+  expect_refused_compare({}, one + "none is given");
+  expect_refused_compare({"--line", "27,9", "--arc", "12"}, one + "more are given");
+  expect_refused_compare({"--line", "27"}, "--line: '27' is not BP,MP");
+  expect_refused_compare({"--line", "9,27"}, "--line: MP: '27' is not a whole number from 0 to 9");
+  expect_refused_compare({"--arc", "70000"},
+                         "--arc: '70000' is not a whole number from 1 to 65535");
+  expect_refused_compare({"--line", "27,9", "--algorithms", "midpoint"},
+                         "--algorithms: 'midpoint' cannot do this work; there are su1631518, "
+                         "su1631518-greedy, rate-multiplier, dda, dda-half, bresenham");
+  expect_refused_compare({kFlange, "--steps-per-mm", "2", "--algorithms", "fast"},
+                         "--algorithms: 'fast' cannot do this work; there are su1631518, "
+                         "su1631518-greedy, rate-multiplier, dda, dda-half, bresenham, su1665343, "
+                         "su875343, dda, dda-half, dda-sequential, midpoint, single-axis");
+}
+
+}  // namespace
+}  // namespace cosim::cli

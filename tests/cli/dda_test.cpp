@@ -1,0 +1,128 @@
+// cosim dda: lines, circles and conics, against the curves' own equations.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "tests/cli/folder.h"
+#include "tests/cli/program.h"
+
+namespace cosim::cli {
+namespace {
+
+struct Row {
+  long clock = 0, dx = 0, dy = 0, x = 0, y = 0;
+};
+
+std::vector<Row> rows(Arguments arguments) {
+  const Folder folder;
+  arguments.insert(arguments.begin(), "dda");
+  arguments.insert(arguments.end(), {"--csv", folder.path("x.csv")});
+  const Ended ended = cosim(arguments);
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.out.find("verdict: match"), std::string::npos) << ended.out;
+  std::istringstream text(folder.text("x.csv"));
+  std::string line;
+  std::getline(text, line);
+  EXPECT_EQ(line, "clock,dx,dy,x,y");
+  std::vector<Row> all;
+  char comma = 0;
+  for (Row r; text >> r.clock >> comma >> r.dx >> comma >> r.dy >> comma >> r.x >> comma >> r.y;) {
+    all.push_back(r);
+  }
+  return all;
+}
+
+// 2^6 clocks, one less for the shift, and one that shifts; the k-th step of an axis of D steps on
+// the clock ceil(64 k / 2 D).
+TEST(Dda, DrawsALine) {
+  const auto all = rows({"--line", "27,-9", "--width", "6"});
+  ASSERT_FALSE(all.empty());
+  long x = 0, y = 0;
+  for (const Row& r : all) {
+    if (r.dx != 0) {
+      EXPECT_EQ(r.clock, 1 + (64 * ++x + 53) / 54);
+    }
+    if (r.dy != 0) {
+      EXPECT_EQ(r.clock, 1 + (64 * ++y + 17) / 18);
+    }
+    EXPECT_EQ(r.x, x);
+    EXPECT_EQ(r.y, -y);
+  }
+  EXPECT_EQ(all.back().x, 27);
+  EXPECT_EQ(all.back().y, -9);
+  EXPECT_EQ(all.back().clock, 33);
+}
+
+TEST(Dda, DrawsAQuarterCircle) {
+  for (const char* update : {"parallel", "sequential"}) {
+    const auto all = rows({"--circle", "200", "--preload", "half", "--update", update});
+    for (const Row& r : all) EXPECT_NEAR(std::hypot(r.x, r.y), 200, 1.3);
+    EXPECT_EQ(all.back().x, 0);
+    EXPECT_EQ(all.back().y, 200);
+  }
+}
+
+// x^2 + xy + 2 y^2 = 10000, once round: F / |grad F| is about the distance.
+TEST(Dda, DrawsAConic) {
+  const auto all =
+      rows({"--conic", "1,1,2,0,0,-10000", "--from", "100,0", "--update", "sequential"});
+  long left = 0, below = 0;
+  for (const Row& r : all) {
+    const auto x = static_cast<double>(r.x), y = static_cast<double>(r.y);
+    const double off = (x * x + x * y + 2 * y * y - 10000) / std::hypot(2 * x + y, x + 4 * y);
+    EXPECT_LT(std::fabs(off), 2) << r.x << ' ' << r.y;
+    left = std::min(left, r.x);
+    below = std::min(below, r.y);
+  }
+  EXPECT_NEAR(static_cast<double>(left), -100 * std::sqrt(8.0 / 7), 2);
+  EXPECT_NEAR(static_cast<double>(below), -100 * std::sqrt(4.0 / 7), 2);
+  EXPECT_NEAR(static_cast<double>(all.back().x), 100, 2);
+}
+
+TEST(Dda, TakesTheSmallestMachineThatHoldsTheCurve) {
+  const auto machine = [](const Arguments& arguments) {
+    const Ended ended = cosim(arguments);
+    return ended.out.substr(0, ended.out.find(':'));
+  };
+  EXPECT_EQ(machine({"dda", "--line", "63,1"}), "dda W=6");
+  EXPECT_EQ(machine({"dda", "--line", "63,-64"}), "dda W=8");
+  EXPECT_EQ(machine({"dda", "--circle", "256"}), "dda W=16");
+  // Its codes fit 8 bits, its rates do not.
+  EXPECT_EQ(machine({"dda", "--conic", "1,1,2,0,0,-10000", "--from", "100,0"}), "dda W=16");
+}
+
+void expect_refused_dda(Arguments arguments, const std::string& error) {
+  arguments.insert(arguments.begin(), "dda");
+  const Ended ended = cosim(arguments);
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_EQ(ended.out, "");
+  EXPECT_EQ(ended.err.substr(0, error.size() + 7), "cosim: " + error);
+  EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1);
+}
+
+TEST(Dda, RefusesWhatItCannotDraw) {
+  const std::string one = "dda: one of --line, --circle and --conic is needed, ";
+  expect_refused_dda({}, one + "none is given\n");
+  expect_refused_dda({"--line", "1,2", "--circle", "4"}, one + "more are given\n");
+  expect_refused_dda({"--line", "1,2,3"}, "--line: '1,2,3' is not X,Y\n");
+  expect_refused_dda({"--line", "1,x"}, "--line: 'x' is not a whole number from ");
+  expect_refused_dda({"--line", "64,1", "--width", "6"},
+                     "a curve that needs 7 bits does not fit dda W=6\n");
+  expect_refused_dda({"--line", "1,2", "--update", "late"},
+                     "--update: 'late' is not parallel or sequential\n");
+  expect_refused_dda({"--line", "1,2", "--preload", "full"},
+                     "--preload: 'full' is not zero or half\n");
+  expect_refused_dda({"--line", "1,2", "--from", "1,1"}, "--from: belongs to --conic\n");
+  expect_refused_dda({"--conic", "1,0,1,0,0,-9"}, "--from: is needed\n");
+  expect_refused_dda({"--conic", "1,0,1,0,0,-9", "--from", "5,0"},
+                     "conic: it does not pass (5, 0)\n");
+  expect_refused_dda({"--conic", "1,0,-1,0,0,0", "--from", "5,5"}, "conic: it is degenerate");
+  expect_refused_dda(
+      {"--conic", "1,0,1,0,0,-2500", "--from", "50,0", "--width", "6"},
+      "conic: its rates overflow dda W=6 at (50, 0) on clock 0: they are (0, 100)\n");
+  expect_refused_dda({"--conic", "1,0,0,0,-4,0", "--from", "0,0"}, "conic: it is no ellipse");
+}
+
+}  // namespace
+}  // namespace cosim::cli

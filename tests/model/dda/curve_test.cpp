@@ -1,0 +1,155 @@
+// What is written for a curve, and what is refused.
+#include "model/dda/curve.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+#include "model/core/input_error.h"
+#include "model/dda/host.h"
+#include "model/dda/oracle.h"
+
+namespace cosim::dda {
+namespace {
+
+constexpr Params kP{8};
+
+TEST(DdaCurve, OfALine) {
+  const Job job = line(kP, {27, -9}, {});
+  EXPECT_EQ(to_words(job.start), (Words<State<Word>>{0, 0, 1, 0, 0, 255, 27, -9, 0, 0, 27, 9}));
+  EXPECT_FALSE(job.clocks);
+}
+
+// Half of 2^8 forwards, and its ones' complement for X, which goes back.
+TEST(DdaCurve, OfAQuarter) {
+  const Job job = arc(kP, {12, 0}, {0, 12}, {Update::sequential, Preload::half, true});
+  EXPECT_EQ(to_words(job.start),
+            (Words<State<Word>>{0, 1, 0, 0, 127, 128, 0, 12, 12, 0, 12, 12, 1, 0, 1}));
+}
+
+TEST(DdaCurve, OfAnEllipseIsOneTurn) {
+  const Job job = conic(kP, {1, 0, 4, 0, 0, -400}, {20, 0}, {});
+  EXPECT_EQ(job.start.two_a, 2);
+  EXPECT_EQ(job.start.two_c, 8);
+  EXPECT_EQ(job.start.rate_x, 0);
+  EXPECT_EQ(job.start.rate_y, 40);
+  EXPECT_EQ(job.start.free, 1);
+  EXPECT_EQ(job.clocks, 402);  // 2 pi 256 / sqrt(16) = 402.1
+  Track track(kP, job);
+  while (track.next()) continue;
+  EXPECT_LT(deviation(job, track.at()), 3);
+  EXPECT_NEAR(static_cast<double>(track.at().x), 20, 3);
+}
+
+TEST(DdaCurve, IsOffByItsEquation) {
+  const Job job = arc(kP, {100, 0}, {0, 100}, {});
+  EXPECT_EQ(deviation(job, {100, 0}), 0);
+  EXPECT_EQ(deviation(job, {60, 80}), 0);
+  EXPECT_NEAR(deviation(job, {103, 0}), 3, 0.05);
+  EXPECT_EQ(deviation(line(kP, {10, 5}, {}), {4, 3}), 1);
+}
+
+struct Refused {
+  const char* says;
+  std::function<void()> job;
+};
+
+TEST(DdaCurve, IsRefusedInOneLine) {
+  const Refused all[] = {
+      {"line: DX = 256 does not fit dda W=8",
+       [] {
+         line(kP, {256, 0}, {});
+       }},
+      {"line: DY = -256 does not fit dda W=8",
+       [] {
+         line(kP, {0, -256}, {});
+       }},
+      {"arc: (0, 12) to (12, 0) does not go left and up",
+       [] {
+         arc(kP, {0, 12}, {12, 0}, {});
+       }},
+      {"arc: (0, 13) is off the circle of (12, 0)",
+       [] {
+         arc(kP, {12, 0}, {0, 13}, {});
+       }},
+      {"circle: R = 0 is no radius", [] { circle(kP, 0, {}); }},
+      {"circle: its rates overflow dda W=8 at ", [] { circle(kP, 255, {}); }},
+      {"conic: 2 A = 256 does not fit",
+       [] {
+         conic(kP, {128, 0, 1, 0, 0, -4}, {2, 0}, {});
+       }},
+      {"conic: it is degenerate",
+       [] {
+         conic(kP, {1, 0, -1, 0, 0, 0}, {2, 2}, {});
+       }},
+      {"conic: it is degenerate",
+       [] {
+         conic(kP, {0, 0, 0, 1, -1, 0}, {2, 2}, {});
+       }},
+      {"conic: it does not pass (5, 0)",
+       [] {
+         conic(kP, {1, 0, 1, 0, 0, -9}, {5, 0}, {});
+       }},
+      {"conic: (0, 0) is its centre",
+       [] {
+         conic(kP, {1, 0, 1, 0, 0, -9}, {0, 0}, {});
+       }},
+      {"conic: it is no ellipse",
+       [] {
+         conic(kP, {1, 0, 0, 0, -4, 0}, {0, 0}, {});
+       }},
+      {"conic: its rates overflow dda W=8 at ",
+       [] {
+         conic(kP, {1, 0, 4, 0, 0, -10000}, {100, 0}, {});
+       }},
+      {"conic: 268435456 clocks are not",
+       [] {
+         conic(kP, {1, 0, 1, 0, 0, -9}, {3, 0}, {}, 1 << 28);
+       }},
+  };
+  for (const Refused& r : all) {
+    try {
+      r.job();
+      ADD_FAILURE() << "taken: " << r.says;
+    } catch (const InputError& error) {
+      EXPECT_EQ(std::string(error.what()).substr(0, std::string(r.says).size()), r.says);
+    }
+  }
+}
+
+// ---- The host -----------------------------------------------------------------------------------
+
+TEST(DdaHost, WritesTheModesThenEveryRegister) {
+  const std::vector<Job> jobs{line(kP, {27, -9}, {Update::sequential, Preload::zero, true})};
+  Host host(kP, jobs);
+  Inputs<Word> in;
+  const Word data[] = {3, 0, 255, 27, 512 - 9, 0, 0, 27, 9, 0, 0, 0};
+  for (Word address = 0; address < 12; ++address) {
+    ASSERT_TRUE(host.next(in, {}));
+    EXPECT_EQ(to_words(in), (Words<Inputs<Word>>{0, 1, address, data[address], address == 11, 0}));
+  }
+  ASSERT_TRUE(host.next(in, {}));
+  EXPECT_EQ(to_words(in), to_words(Design::rest()));
+  EXPECT_FALSE(host.next(in, {}));  // not busy: over
+}
+
+TEST(DdaHost, HasNothingToDoWithoutJobs) {
+  Host host(kP, {});
+  Inputs<Word> in;
+  EXPECT_FALSE(host.next(in, {}));
+}
+
+TEST(DdaHost, TriesSmallerJobs) {
+  for (const Job& job : Host::smaller(kP, line(kP, {27, 9}, {}))) {
+    EXPECT_LT(job.start.left_x + job.start.left_y, 36);
+    EXPECT_NE(Host::describe(kP, job), "");
+  }
+  const auto arcs = Host::smaller(kP, arc(kP, {12, 0}, {0, 12}, {}));
+  ASSERT_EQ(arcs.size(), 2U);
+  EXPECT_EQ(arcs[0].clocks, 512);
+  EXPECT_EQ(arcs[1].clocks, 1023);
+}
+
+}  // namespace
+}  // namespace cosim::dda

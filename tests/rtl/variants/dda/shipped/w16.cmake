@@ -1,0 +1,1 @@
+variant("As shipped, for comparison" W=16)

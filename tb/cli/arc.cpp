@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 
 #include "model/circular/arc.h"
+#include "model/circular/oracle.h"
 #include "model/core/input_error.h"
 #include "tb/check.h"
 #include "tb/cli/choose.h"
@@ -14,6 +16,7 @@
 #include "tb/cli/wave.h"
 #include "tb/cli/words.h"
 #include "tb/output_file.h"
+#include "tb/plot/plot.h"
 #include "tb/table.h"
 
 namespace cosim::cli {
@@ -83,6 +86,24 @@ class Rows final : public Observer<circular::Design> {
   std::uint64_t clock_ = 0;
 };
 
+// The points for a picture.
+class Drawn final : public Observer<circular::Design> {
+ public:
+  Drawn(Series& series, const circular::Arc& arc) : series_(series), radius2_(arc.radius2) {
+    series_.add(arc.from, circular::radial_deviation(arc.from, radius2_));
+  }
+  void clock(std::size_t, const Compared<circular::Design>& seen) override {
+    if (!(seen.outputs.step_x | seen.outputs.step_y)) return;
+    const circular::Point at = series_.points.back();
+    const circular::Point next{at.x - seen.outputs.step_x, at.y + seen.outputs.step_y};
+    series_.add(next, circular::radial_deviation(next, radius2_));
+  }
+
+ private:
+  Series& series_;
+  std::uint64_t radius2_;
+};
+
 int run(const Options& o) {
   const std::uint64_t seed = o.common.seed();
   const circular::Arc arc = parse_arc(o);
@@ -97,6 +118,9 @@ int run(const Options& o) {
   ArcCheck check({&arc, 1});
   Rows rows(csv, arc.from);
   Observers<circular::Design> observers{&check, &rows};
+  Series series{bench.title(), {}, {}};
+  Drawn points(series, arc);
+  if (o.common.plot) observers.add(points);
   std::unique_ptr<Table<circular::Design>> table;
   if (o.common.table) {
     observers.add(*(table = std::make_unique<Table<circular::Design>>(bench.params())));
@@ -105,6 +129,10 @@ int run(const Options& o) {
   const auto session = bench.open(static_cast<std::uint32_t>(seed));
   Run run = session->draw({&arc, 1}, observers);
   csv.close();
+  if (o.common.plot) {
+    const double radius = std::sqrt(static_cast<double>(arc.radius2));
+    draw_plot(*o.common.plot, {work, ideal_arc(radius, arc.from, series.points.back()), {series}});
+  }
   draw_wave(o.common, bench, work, *session, run.mismatch);
   const Outcome outcome = outcome_of(bench, work, std::move(run), check);
   fmt::print("drawn: {}\n", drawn(outcome.result));
@@ -126,6 +154,7 @@ void add_arc(CLI::App& app, Action& action) {
           "Write clock,dx,dy,x,y: a row a step, x and y after it; clock 1 is the first\n"
           "of the running machine");
   add_table(command, o->common);
+  add_plot(command, o->common);
   add_wave(command, o->common, "Draw the run as a waveform, with FILE.gtkw, its view for GTKWave");
   add_failures(command, o->common);
   add_common(command, o->common);

@@ -23,6 +23,7 @@ struct Common {
   Text report;
   Text checkpoint;
   Text seed_text;
+  Text plot;
   Text wave, wave_before, wave_after;
   Text failures;
   bool keeps_failures = false;
@@ -64,6 +65,8 @@ void add_failures(CLI::App& command, Common& common, bool kept = true);
 void add_wave(CLI::App& command, Common& common, const std::string& file);
 /// --wave-before and --wave-after.
 void add_window(CLI::App& command, Common& common);
+/// --plot.
+void add_plot(CLI::App& command, Common& common);
 /// --table.
 void add_table(CLI::App& command, Common& common);
 

@@ -77,6 +77,11 @@ void add_window(CLI::App& command, Common& common) {
            fmt::format("and behind it, 0 to {}; default 50", Mismatch::clocks_behind));
 }
 
+void add_plot(CLI::App& command, Common& common) {
+  add_text(command, "--plot", common.plot, "FILE",
+           "Draw the path over the curve, and how far it is off it: .svg or .png");
+}
+
 void add_table(CLI::App& command, Common& common) {
   add_switch(command, "--table", common.table, "Print every compared signal on every clock");
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <memory>
 
 #include "model/circular/oracle.h"
@@ -14,6 +15,7 @@
 #include "tb/cli/outputs.h"
 #include "tb/cli/words.h"
 #include "tb/compare/contest.h"
+#include "tb/plot/plot.h"
 
 namespace cosim::cli {
 namespace {
@@ -176,6 +178,33 @@ void check_known(const Text& asked, const std::vector<bool>& known, const Work& 
   }
 }
 
+// One line or arc by every algorithm.
+template <class W>
+void draw(Plot& plot, const std::vector<Entry>& entries, const W& work) {
+  for (const Entry& e : entries) {
+    Series series{e.name, {}, {}};
+    for (const circular::Point& at : e.points) {
+      if (!series.points.empty() && series.points.back() == at) continue;
+      series.add(at, compare::radial(work, at));
+    }
+    plot.series.push_back(std::move(series));
+  }
+}
+
+void draw_plot_of(const std::string& path, const Work& work, const std::vector<Entry>& entries) {
+  Plot plot{work.text, {}, {}};
+  if (work.arcs.empty()) {
+    const Line& line = work.lines.front();
+    plot.ideal = ideal_line({line.major, line.minor});
+    draw(plot, entries, line);
+  } else {
+    const Arc& arc = work.arcs.front();
+    plot.ideal = ideal_arc(std::sqrt(static_cast<double>(arc.radius2)), arc.from, arc.to);
+    draw(plot, entries, arc);
+  }
+  draw_plot(path, plot);
+}
+
 int run(const Options& o) {
   const std::uint64_t seed = o.common.seed();
   const Work work = parse_work(o);
@@ -184,12 +213,15 @@ int run(const Options& o) {
   const auto by_arc = chosen(compare::arc_algorithms(), o.algorithms, work.arcs, known);
   check_known(o.algorithms, known, work);
   const compare::Machines machines = machines_for(work, seed);
+  if (o.common.plot && o.file) throw InputError("--plot: draws one line or arc, no FILE");
   check_outputs(o.common, o.file.value_or(""));
 
   fmt::print("{}\n", work.text);
   std::vector<Entry> entries = contest("line", by_line, machines, work.lines);
   std::vector<Entry> arcs = contest("arc", by_arc, machines, work.arcs);
   std::move(arcs.begin(), arcs.end(), std::back_inserter(entries));
+
+  if (o.common.plot) draw_plot_of(*o.common.plot, work, entries);
 
   std::vector<Outcome> outcomes;
   for (Entry& e : entries) {
@@ -217,6 +249,7 @@ void add_compare(CLI::App& app, Action& action) {
   add_text(command, "--line", o->line, "BP,MP", "A line, BP at most 65535");
   add_text(command, "--arc", o->arc, "R", "A quarter circle, R at most 65535");
   add_text(command, "--algorithms", o->algorithms, "LIST", "Only these, with commas between them");
+  add_plot(command, o->common);
   add_failures(command, o->common);
   add_common(command, o->common);
   command.footer(

@@ -12,7 +12,9 @@
 #include "tb/cli/outputs.h"
 #include "tb/cli/shape_options.h"
 #include "tb/cli/wave.h"
+#include "tb/compare/figures.h"
 #include "tb/output_file.h"
+#include "tb/plot/plot.h"
 #include "tb/table.h"
 
 namespace cosim::cli {
@@ -50,6 +52,27 @@ class Rows final : public Observer<linear::Design> {
   std::uint64_t tick_ = 0;
 };
 
+// The points for a picture.
+class Drawn final : public Observer<linear::Design> {
+ public:
+  Drawn(Series& series, compare::Line line, int word) : series_(series), line_(line), word_(word) {
+    series_.add({0, 0}, 0);
+  }
+  void clock(std::size_t, const Compared<linear::Design>& seen) override {
+    for (int i = word_ - 1; i >= 0; --i) {
+      if (!bit(seen.outputs.major, i)) continue;
+      const circular::Point at = series_.points.back();
+      const circular::Point next{at.x + 1, at.y + bit(seen.outputs.minor, i)};
+      series_.add(next, compare::radial(line_, next));
+    }
+  }
+
+ private:
+  Series& series_;
+  compare::Line line_;
+  int word_;
+};
+
 int run(const Options& o) {
   const std::uint64_t seed = o.common.seed();
   const auto major =
@@ -72,11 +95,15 @@ int run(const Options& o) {
   Rows rows(csv, p.word());
   Observers<linear::Design> observers{&check, &rows};
   std::unique_ptr<Table<linear::Design>> table;
+  Series series{bench.title(), {}, {}};
+  Drawn points(series, {major, code.minor}, p.word());
+  if (o.common.plot) observers.add(points);
   if (o.common.table) observers.add(*(table = std::make_unique<Table<linear::Design>>(p)));
 
   const auto session = bench.open(static_cast<std::uint32_t>(seed));
   Run run = session->draw({&job, 1}, observers);
   csv.close();
+  if (o.common.plot) draw_plot(*o.common.plot, {work, ideal_line({major, code.minor}), {series}});
   draw_wave(o.common, bench, work, *session, run.mismatch);
   const Outcome outcome = outcome_of(bench, work, std::move(run), check);
   fmt::print("drawn: {}\n", drawn(outcome.result));
@@ -97,6 +124,7 @@ void add_line(CLI::App& app, Action& action) {
   add_csv(command, o->common,
           "Write tick,major,minor: a row a strobe, words in bits, first step leftmost");
   add_table(command, o->common);
+  add_plot(command, o->common);
   add_wave(command, o->common, "Draw the run as a waveform, with FILE.gtkw, its view for GTKWave");
   add_failures(command, o->common);
   add_common(command, o->common);

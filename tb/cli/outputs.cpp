@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "model/core/input_error.h"
+#include "tb/plot/plot.h"
 
 namespace cosim::cli {
 namespace {
@@ -74,6 +75,7 @@ void check_outputs(const Common& common, const std::string& input) {
   check_output("--csv", common.csv, input);
   check_output("--report", common.report, input);
   check_output("--checkpoint", common.checkpoint, input);
+  check_output("--plot", common.plot, input);
   if (common.csv && common.report && same_file(*common.csv, *common.report)) {
     throw InputError(fmt::format("--report: {} is the file of --csv", *common.report));
   }
@@ -81,6 +83,10 @@ void check_outputs(const Common& common, const std::string& input) {
     throw InputError(fmt::format("--checkpoint: {} is the file of --report", *common.report));
   }
   if (common.report) check_writable(*common.report);
+  if (common.plot) {
+    check_plot(*common.plot);
+    check_writable(*common.plot);
+  }
   if (common.wave) check_wave(*common.wave, input);
   common.window();
   if (common.checkpoint) check_writable(*common.checkpoint);

@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "model/circular/oracle.h"
 #include "model/core/input_error.h"
 #include "model/toolpath/plan.h"
 #include "tb/cli/choose.h"
@@ -14,8 +16,10 @@
 #include "tb/cli/shape_options.h"
 #include "tb/cli/wave.h"
 #include "tb/cli/words.h"
+#include "tb/compare/figures.h"
 #include "tb/output_file.h"
 #include "tb/path_run.h"
+#include "tb/plot/plot.h"
 
 namespace cosim::cli {
 namespace {
@@ -68,6 +72,18 @@ void draw_waves(const Common& common, const AnyBench& lines, const AnyBench& arc
   }
 }
 
+// How far a point of a segment is off its line or circle.
+double off(const toolpath::Segment& s, toolpath::Point at) {
+  const toolpath::Point from{at.x - s.start.x, at.y - s.start.y};
+  if (s.radius2 != 0) {
+    return circular::radial_deviation({at.x - s.centre.x, at.y - s.centre.y}, s.radius2);
+  }
+  const toolpath::Point along{s.end.x - s.start.x, s.end.y - s.start.y};
+  const double length = std::hypot(static_cast<double>(along.x), static_cast<double>(along.y));
+  return length == 0 ? 0
+                     : std::fabs(static_cast<double>(along.x * from.y - along.y * from.x)) / length;
+}
+
 int run(const Options& o) {
   const std::uint64_t seed = o.common.seed();
   const std::string& file = *o.file;
@@ -95,11 +111,16 @@ int run(const Options& o) {
   fmt::print("\n");
 
   PathRun path(lines, arcs, rule, static_cast<std::uint32_t>(seed));
+  Series series{"", {}, {}};
   const PathResult result =
       path.draw(plan, [&](std::uint32_t segment, toolpath::Point step, toolpath::Point at) {
         csv.line("{},{},{},{},{}", segment, step.x, step.y, at.x, at.y);
+        if (o.common.plot) series.add(at, off(plan.segments[segment - 1], at));
       });
   csv.close();
+  if (o.common.plot) {
+    draw_plot(*o.common.plot, {fmt::format("{}, {} steps/mm", file, scale), {}, {series}});
+  }
   draw_waves(o.common, lines, arcs, path, result);
 
   const std::vector<Outcome> outcomes = outcomes_of(lines, arcs, result);
@@ -131,6 +152,7 @@ void add_path(CLI::App& app, Action& action) {
   add_csv(command, o->common,
           "Write segment,dx,dy,x,y: a row a step, x and y after it in steps; a segment\n"
           "is a block that moves X or Y, from 1");
+  add_plot(command, o->common);
   add_wave(command, o->common,
            "Draw the run as waveforms, one a machine: FILE.linear.fst, FILE.circular.fst");
   add_failures(command, o->common);

@@ -14,6 +14,7 @@ struct Entry {
   Figures figures;
   const AnyBench* bench = nullptr;  ///< of a machine
   Result result;                    ///< of its runs, added up; the first that does not match
+  Points points;                    ///< of the last path
 };
 
 /// Lines or arcs, drawn one after the other.
@@ -37,6 +38,7 @@ Entry entry_of(const Algorithm<Work>& algorithm, const Machines& machines,
       sum.mismatch = std::move(drawing.result.mismatch);
     }
     entry.figures.add(measured(work, drawing.points, drawing.clocks));
+    entry.points = std::move(drawing.points);
     if (!entry.result.match()) break;
   }
   return entry;

@@ -1,0 +1,84 @@
+// --plot: a picture is drawn, or one line says why not.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "tests/cli/folder.h"
+#include "tests/cli/program.h"
+#include "tests/support/root.h"
+
+namespace cosim::cli {
+namespace {
+
+const std::string kFlange = (test::project_root() / "tests/toolpaths/flange.ngc").string();
+
+bool can_plot() { return std::system("gnuplot --version > /dev/null 2>&1") == 0; }
+
+std::vector<Arguments> drawings() {
+  return {{"line", "--major", "27", "--minor", "9"},
+          {"arc", "--radius", "12"},
+          {"path", kFlange, "--steps-per-mm", "1"},
+          {"compare", "--line", "27,9"},
+          {"compare", "--arc", "12"}};
+}
+
+TEST(Plot, DrawsEitherFormat) {
+  if (!can_plot()) GTEST_SKIP() << "no gnuplot";
+  for (Arguments arguments : drawings()) {
+    const Folder folder;
+    const Arguments plain = arguments;
+    for (const char* name : {"a.svg", "a.png"}) {
+      arguments = plain;
+      arguments.insert(arguments.end(), {"--plot", folder.path(name)});
+      const Ended ended = cosim(arguments);
+      ASSERT_EQ(ended.status, 0) << ended.err;
+      EXPECT_EQ(ended.out, cosim(plain).out);
+    }
+    EXPECT_EQ(folder.text("a.png").substr(1, 3), "PNG");
+    EXPECT_NE(folder.text("a.svg").find("<svg"), std::string::npos);
+    EXPECT_NE(folder.text("a.svg").find("how far off"), std::string::npos);
+  }
+}
+
+// Of the printed line's 28 points each is in the picture, beside a panel for each algorithm.
+TEST(Plot, HasEveryAlgorithm) {
+  if (!can_plot()) GTEST_SKIP() << "no gnuplot";
+  const Folder folder;
+  ASSERT_EQ(cosim({"compare", "--line", "27,9", "--plot", folder.path("a.svg")}).status, 0);
+  const std::string text = folder.text("a.svg");
+  for (const char* name :
+       {"su1631518", "su1631518-greedy", "rate-multiplier", "dda", "dda-half", "bresenham"}) {
+    EXPECT_NE(text.find(name), std::string::npos) << name;
+  }
+}
+
+void expect_refused(const std::string& file, const std::string& error) {
+  for (Arguments arguments : drawings()) {
+    arguments.insert(arguments.end(), {"--plot", file});
+    const Ended ended = cosim(arguments);
+    EXPECT_EQ(ended.status, 2) << arguments.front();
+    EXPECT_EQ(ended.out, "");
+    EXPECT_EQ(ended.err, "cosim: " + error + "\n");
+  }
+}
+
+TEST(Plot, RefusesWhatItCannotDraw) {
+  expect_refused("a.pdf", "--plot: a.pdf does not end in .svg or .png");
+  expect_refused("png", "--plot: png does not end in .svg or .png");
+  expect_refused(".png", "--plot: .png does not end in .svg or .png");
+  if (!can_plot()) GTEST_SKIP() << "no gnuplot";
+  expect_refused("/nowhere/a.png", "/nowhere/a.png: cannot write: No such file or directory");
+}
+
+TEST(Plot, SaysThatGnuplotIsMissing) {
+  const std::string path = std::getenv("PATH");
+  const Folder folder;
+  setenv("PATH", folder.path("empty").c_str(), 1);
+  expect_refused(folder.path("a.png"),
+                 "--plot: needs gnuplot, which is not installed (apt-get install gnuplot-nox)");
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_FALSE(folder.holds("a.png"));
+}
+
+}  // namespace
+}  // namespace cosim::cli

@@ -41,8 +41,8 @@ struct Mismatch {
   static constexpr std::uint64_t clocks_behind = 200;
 
   const AnyBench* bench = nullptr;  ///< the machine; none where it has none
-  std::uint64_t clock = 0;  ///< clocks after the clear, from 0: the first with a difference
-  std::string signal;       ///< the first differing signal in table order, registers before outputs
+  std::uint64_t clock = 0;          ///< clocks after the clear, from 0: the first with a difference
+  std::string signal;  ///< the first differing signal in table order, registers before outputs
   Field field{};
   Word expected = 0;
   Word actual = 0;

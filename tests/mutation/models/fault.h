@@ -13,8 +13,6 @@ inline const int chosen_fault = [] {
 }();
 
 /// Whether fault `number` is there. A constant expression has none.
-constexpr bool fault(int number) {
-  return !std::is_constant_evaluated() && chosen_fault == number;
-}
+constexpr bool fault(int number) { return !std::is_constant_evaluated() && chosen_fault == number; }
 
 }  // namespace cosim

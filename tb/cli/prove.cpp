@@ -17,6 +17,7 @@
 #include "tb/proof/decide.h"
 #include "tb/proof/explain.h"
 #include "tb/proof/machines.h"
+#include "tb/proof/mutants.h"
 #include "tb/proof/theorems.h"
 
 namespace cosim::cli {
@@ -29,7 +30,7 @@ using proof::Decision;
 struct Options {
   Common common;
   std::vector<std::string> machine;
-  Text rtl, limit, jobs, scripts;
+  Text rtl, limit, jobs, scripts, mutants, count;
   bool theorems = false;
 };
 
@@ -147,11 +148,55 @@ int run_theorems(const Options& o, int limit, unsigned jobs) {
   return proved == theorems.size() ? 0 : 1;
 }
 
+// Mutants of one machine, each refuted or proved to be the same.
+int run_mutants(const Options& o, int limit, unsigned jobs) {
+  const std::vector<Subject> subjects = chosen(o.machine);
+  if (subjects.size() != 1) throw InputError("--mutants: needs one machine");
+  const proof::MachineFormula& formula = subjects.front().formula;
+  const fs::path file = *o.mutants;
+  if (!fs::is_regular_file(file)) throw InputError(file.string() + ": no such file");
+  const proof::Rtl rtl(proof::Source{{fs::absolute(file)}, formula.design, {}});
+  const auto number = static_cast<unsigned>(whole("--count", o.count.value_or("100"), 1, 65535));
+
+  std::vector<Claim> steps, clears;
+  std::vector<const Claim*> step_list, clear_list;
+  for (unsigned k = 1; k <= number; ++k) {
+    steps.push_back(proof::mutant_step(formula, rtl, k));
+    clears.push_back(proof::mutant_clear(formula, rtl, k));
+  }
+  for (const Claim& c : steps) step_list.push_back(&c);
+  const auto step = proof::decide(step_list, limit, jobs);
+  std::vector<unsigned> same;
+  for (unsigned k = 0; k < number; ++k) {
+    if (!step[k].proved) continue;
+    same.push_back(k);
+    clear_list.push_back(&clears[k]);
+  }
+  const auto clear = proof::decide(clear_list, limit, jobs);
+
+  std::size_t refuted = 0, equal = 0;
+  const auto count_one = [&](unsigned k, const Decision& d) {
+    refuted += d.refuted ? 1 : 0;
+    if (!d.refuted) fmt::print("mutant {}: {}\n", k + 1, d.verdict);
+  };
+  for (unsigned k = 0; k < number; ++k) {
+    if (!step[k].proved) count_one(k, step[k]);
+  }
+  for (std::size_t i = 0; i < same.size(); ++i) {
+    equal += clear[i].proved ? 1 : 0;
+    if (!clear[i].proved) count_one(same[i], clear[i]);
+  }
+  fmt::print("{}: {} mutants, {} refuted, {} proved to be the same, {} undecided\n",
+             subjects.front().title, number, refuted, equal, number - refuted - equal);
+  return refuted + equal == number ? 0 : 1;
+}
+
 int run(const Options& o) {
   const int limit = static_cast<int>(whole("--limit", o.limit.value_or("60"), 1, 86400));
   const unsigned cores = std::max(std::thread::hardware_concurrency(), 1U);
   const auto jobs = o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores;
   if (o.theorems) return run_theorems(o, limit, jobs);
+  if (o.mutants) return run_mutants(o, limit, jobs);
   std::vector<Subject> subjects = chosen(o.machine);
   const auto began = std::chrono::steady_clock::now();
 
@@ -206,6 +251,9 @@ void add_prove(CLI::App& app, Action& action) {
   add_text(command, "--scripts", o->scripts, "DIR", "Leave what the solvers read in DIR");
   add_switch(command, "--theorems", o->theorems,
              "In place of that: what the sources claim, as theorems on the models");
+  add_text(command, "--mutants", o->mutants, "FILE.v",
+           "In place of that: the mutants that this RTL's input mutsel turns on, of one machine");
+  add_text(command, "--count", o->count, "N", "The first N of them; default 100");
   add_failures(command, o->common);
   command.footer(
       "Needs yosys, cvc5 and z3; only what both solvers prove is proved.\n"

@@ -137,29 +137,34 @@ Claim claim_step(const MachineFormula& m, const Rtl& rtl) {
     claim.terms.push_back(named("rtl", w.field.name) + what);
     return q.differs(what, w, actual);
   };
-  Expression after = any_fails(m.invariant_after);
+  std::vector<Named> registers, outputs;
   for (std::size_t i = 0; i < m.after.size(); ++i) {
-    after = disjunction(after, differs(kAfter, m.after[i], q.after(i)));
+    const Wire& w = m.after[i];
+    registers.push_back({w.field.name, differs(kAfter, w, q.after(i))});
   }
-  std::vector<Named> outputs;
   for (const Wire& w : m.outputs) {
     outputs.push_back({w.field.name, differs(kOutput, w, q.output(w))});
   }
 
-  // Two wide outputs at once take a solver many times as long as one after the other.
-  for (const Named& output : outputs) {
+  // Many wide words at once take a solver many times as long as one after the other.
+  const auto ask = [&](const std::string& what, const Expression& wrong) {
     Script script = q.script();
-    script.ask(output.condition);
-    claim.queries.push_back({{"output " + output.name}, script.text()});
+    script.ask(wrong);
+    claim.queries.push_back({{what}, script.text()});
+  };
+  for (const Named& output : outputs) ask("output " + output.name, output.condition);
+  if (m.parts.empty()) {
+    for (const Named& reg : registers) ask("register " + reg.name, reg.condition);
+    ask("invariant", any_fails(m.invariant_after));
+    return claim;
   }
+  Expression after = any_fails(m.invariant_after);
+  for (const Named& reg : registers) after = disjunction(after, reg.condition);
   for (const Named& part : m.parts) {
-    Script script = q.script();
-    script.ask(conjunction(part.condition, after));
-    claim.queries.push_back({{part.name}, script.text()});
+    ask(part.name, conjunction(part.condition, after));
     q.script().assume(negation(part.condition));
   }
-  q.script().ask(after);
-  claim.queries.push_back({{m.parts.empty() ? "any clock" : "any other clock"}, q.script().text()});
+  ask("any other clock", after);
   return claim;
 }
 

@@ -61,7 +61,7 @@ void load_register(VerilatedContext& context, const std::string& name, Word valu
     if (var == scope->varsp()->end()) continue;
     auto* bytes = static_cast<unsigned char*>(var->second.datap());
     for (std::size_t i = 0; i < var->second.entSize(); ++i) {
-      bytes[i] = i < sizeof value ? static_cast<unsigned char>(value >> (8 * i)) : 0;
+      bytes[i] = static_cast<unsigned char>(i < sizeof value ? value >> (8 * i) : 0);
     }
     found = true;
   }

@@ -137,29 +137,31 @@ Claim claim_step(const MachineFormula& m, const Rtl& rtl) {
     claim.terms.push_back(named("rtl", w.field.name) + what);
     return q.differs(what, w, actual);
   };
-  std::vector<Named> registers, outputs;
-  for (std::size_t i = 0; i < m.after.size(); ++i) {
-    const Wire& w = m.after[i];
-    registers.push_back({w.field.name, differs(kAfter, w, q.after(i))});
-  }
-  for (const Wire& w : m.outputs) {
-    outputs.push_back({w.field.name, differs(kOutput, w, q.output(w))});
-  }
-
   // Many wide words at once take a solver many times as long as one after the other.
+  Expression narrow = any_fails(m.invariant_after), after = narrow;
+  std::vector<Named> wide;
+  const auto sort_in = [&](const std::string& what, const Wire& w, const Expression& wrong) {
+    if (w.field.width == 1) {
+      narrow = disjunction(narrow, wrong);
+    } else {
+      wide.push_back({what + w.field.name, wrong});
+    }
+  };
+  for (std::size_t i = 0; i < m.after.size(); ++i) {
+    const Expression wrong = differs(kAfter, m.after[i], q.after(i));
+    after = disjunction(after, wrong);
+    if (m.parts.empty()) sort_in("register ", m.after[i], wrong);
+  }
+  for (const Wire& w : m.outputs) sort_in("output ", w, differs(kOutput, w, q.output(w)));
+
   const auto ask = [&](const std::string& what, const Expression& wrong) {
     Script script = q.script();
     script.ask(wrong);
-    claim.queries.push_back({{what}, script.text()});
+    claim.queries.push_back({{what}, script.text(), m.parts.empty()});
   };
-  for (const Named& output : outputs) ask("output " + output.name, output.condition);
-  if (m.parts.empty()) {
-    for (const Named& reg : registers) ask("register " + reg.name, reg.condition);
-    ask("invariant", any_fails(m.invariant_after));
-    return claim;
-  }
-  Expression after = any_fails(m.invariant_after);
-  for (const Named& reg : registers) after = disjunction(after, reg.condition);
+  for (const Named& w : wide) ask(w.name, w.condition);
+  ask("single bits and the invariant", narrow);
+  if (m.parts.empty()) return claim;
   for (const Named& part : m.parts) {
     ask(part.name, conjunction(part.condition, after));
     q.script().assume(negation(part.condition));

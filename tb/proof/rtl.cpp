@@ -43,7 +43,7 @@ std::string written_by_yosys(const Source& source) {
   if (ended.status == 127) throw InputError("needs yosys");
   if (ended.status != 0) {
     std::string error = ended.text.substr(std::min(ended.text.find("ERROR"), ended.text.size()));
-    error = error.substr(0, error.find('\n'));
+    error.resize(std::min(error.find('\n'), error.size()));
     throw InputError(fmt::format("{}: yosys cannot read it: {}", source.top, error));
   }
   std::ifstream stream(file);
@@ -61,8 +61,7 @@ Source source_in(const fs::path& folder, const std::string& design,
     if (entry.path().extension() == ".v") source.files.push_back(fs::absolute(entry.path()));
   }
   if (source.files.empty()) {
-    throw InputError(
-        fmt::format("{}: no Verilog of the {} interpolator", (folder / design).string(), design));
+    throw InputError(fmt::format("{}: no Verilog of the {} interpolator", folder.string(), design));
   }
   std::sort(source.files.begin(), source.files.end());
   return source;

@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# scripts/wave with nothing to draw: one clear line and status 2. Status 77 where it cannot be tried.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+for tool in gtkwave Xvfb xauth; do
+  command -v "$tool" > /dev/null || { echo "skipped: there is no $tool"; exit 77; }
+done
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+unset DISPLAY WAYLAND_DISPLAY
+
+# refused LINE ARGUMENTS...: that is all that scripts/wave says, and its status is 2.
+refused() {
+  local line="wave: $1" said status=0
+  shift
+  said=$("$root/scripts/wave" "$@" 2>&1) || status=$?
+  [[ $status == 2 && $said == "$line" ]] && return
+  printf 'scripts/wave %s: status %d, it said\n%s\nin place of\n%s\n' "$*" "$status" "$said" "$line"
+  exit 1
+}
+
+shot=(--shot "$folder/shot.png")
+export COSIM_FAILURES=$folder/none
+refused "there is no failure in $folder/none" "${shot[@]}"
+refused "$folder: is no folder of a failure, and no line, arc or test" "${shot[@]}" "$folder"
+refused "there is no display; --shot FILE.png renders without one" "$folder"
+refused "--shot: shot.gif does not end in .png" --shot shot.gif
+refused "--shot: there is no folder $folder/none" --shot "$folder/none/shot.png"
+refused "--shot needs a name" --shot
+refused "no such option: --size" --size
+refused "line needs BP and MP" "${shot[@]}" line 27
+refused "arc needs R" "${shot[@]}" arc
+
+# A machine without GTKWave, and nothing to install it with.
+mkdir "$folder/bin"
+for tool in bash basename dirname sed env sort comm paste; do
+  ln -s "$(command -v "$tool")" "$folder/bin/$tool"
+done
+printf '#!/bin/sh\n' > "$folder/bin/dpkg-query"
+chmod +x "$folder/bin/dpkg-query"
+said=$(PATH=$folder/bin "$root/scripts/wave" arc 12 2>&1) && status=0 || status=$?
+[[ $status == 2 && $said == "setup: no apt-get to install what is missing: "*gtkwave* &&
+  $(wc -l <<< "$said") == 1 ]] ||
+  { printf 'without GTKWave: status %d, it said\n%s\n' "$status" "$said" && exit 1; }
+echo "all refused"

@@ -7,11 +7,15 @@
 
 #include "VcircularW16.h"
 #include "VcircularW16___024root.h"
+#include "VddaW16.h"
+#include "VddaW16___024root.h"
 #include "VlinearM16N13.h"
 #include "VlinearM16N13___024root.h"
 #include "tb/adapter/circular.h"
+#include "tb/adapter/dda.h"
 #include "tb/adapter/linear.h"
 #include "tb/circular_sweeps.h"
+#include "tb/dda_sweeps.h"
 #include "tb/linear_sweeps.h"
 #include "tb/lockstep.h"
 
@@ -21,6 +25,7 @@ using namespace cosim;
 
 using Linear = linear::Adapter<VlinearM16N13, linear::Params{16, 13}>;
 using Circular = circular::Adapter<VcircularW16, circular::Params{16}>;
+using Dda = dda::Adapter<VddaW16, dda::Params{16}>;
 
 constexpr std::size_t rows = 1 << 14;
 
@@ -61,6 +66,13 @@ auto inputs<Circular>() {
   return inputs_of<Circular>(arcs);
 }
 
+template <>
+auto inputs<Dda>() {
+  std::vector<dda::Job> jobs;
+  for (std::uint64_t i = 0; i < 1000; ++i) jobs.push_back(dda::random_job(Dda::params, 1, i));
+  return inputs_of<Dda>(jobs);
+}
+
 template <class Adapter>
 void bare(benchmark::State& state) {
   const auto list = inputs<Adapter>();
@@ -91,6 +103,8 @@ BENCHMARK_TEMPLATE(bare, Linear)->Name("linear_M16N13/bare");
 BENCHMARK_TEMPLATE(lockstep, Linear)->Name("linear_M16N13/lockstep");
 BENCHMARK_TEMPLATE(bare, Circular)->Name("circular_W16/bare");
 BENCHMARK_TEMPLATE(lockstep, Circular)->Name("circular_W16/lockstep");
+BENCHMARK_TEMPLATE(bare, Dda)->Name("dda_W16/bare");
+BENCHMARK_TEMPLATE(lockstep, Dda)->Name("dda_W16/lockstep");
 
 }  // namespace
 

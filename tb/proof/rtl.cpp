@@ -35,9 +35,9 @@ std::string written_by_yosys(const Source& source) {
   for (const Parameter& p : source.parameters) {
     commands += fmt::format(" -chparam {} {}", p.name, p.value);
   }
-  // What is undefined in the RTL is free in the formula.
+  // A register that nothing reads stays one, and what is undefined is free in the formula.
   commands += fmt::format(
-      "; rename -top {}; prep -flatten; async2sync; setundef -anyseq; write_smt2 -wires {}",
+      "; rename -top {}; setattr -set keep 1 w:*_q; prep -flatten; async2sync; setundef -anyseq; write_smt2 -wires {}",
       source.top, file.string());
   const Ended ended = run_program({"yosys", "-q", "-p", commands});
   if (ended.status == 127) throw InputError("needs yosys");

@@ -118,10 +118,8 @@ void explain(const Options& o, const Subject& subject, const Claim& claim, const
 // Each by its sentence.
 int run_theorems(const Options& o, int limit, unsigned jobs) {
   std::vector<proof::Theorem> theorems;
-  for (const auto& list : {proof::circular_theorems(), proof::linear_theorems()}) {
-    for (const proof::Theorem& t : list) {
-      if (o.machine.empty() || o.machine.front() == t.design) theorems.push_back(t);
-    }
+  for (const proof::Theorem& t : proof::theorems()) {
+    if (o.machine.empty() || o.machine.front() == t.design) theorems.push_back(t);
   }
   if (theorems.empty() || o.machine.size() > 1) {
     throw InputError(fmt::format("{}: is no design with theorems", fmt::join(o.machine, " ")));

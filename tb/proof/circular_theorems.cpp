@@ -1,7 +1,6 @@
-// SU 1665343 on integers without end. X and Y are the point, Q is R^2, an integer,
-// and D is Q - X^2 - Y^2.
-#include "model/circular/machine.h"
+// SU 1665343 on integers without end: every radius and every width. Q is R^2, an integer.
 #include "tb/proof/integer.h"
+#include "tb/proof/points.h"
 #include "tb/proof/theorems.h"
 
 namespace cosim::proof {
@@ -10,37 +9,15 @@ namespace {
 using circular::Inputs;
 using circular::Params;
 using circular::State;
-
-// A point and how far the circle is from it: d = R^2 - x^2 - y^2, with which everything is linear.
-struct Point {
-  Integer x, y, d;
-};
-
-// F is the midpoint of the next two points, between their values of d: in quarters, for it always
-// has a fraction of 3/4. The midpoint of (x, y + 1) and (x - 1, y + 1) has d + x - 2y - 1 - 1/4,
-// that of (x - 1, y) and (x - 1, y + 1) has d + 2x - 1 - y - 1/4.
-Integer f_in_sector1(const Point& p) {
-  return Integer(4) * (p.d + p.x - p.y - p.y - Integer(1)) - Integer(1);
-}
-Integer f_in_sector2(const Point& p) {
-  return Integer(4) * (p.d + p.x + p.x - Integer(1) - p.y) - Integer(1);
-}
-
-// What the machine holds on its way, at a point.
-State<Integer> in_sector1(const Point& p) {
-  return {Integer(1), Integer(0), f_in_sector1(p), p.y, p.x - p.y - Integer(1)};
-}
-State<Integer> in_sector2(const Point& p) {
-  return {Integer(1), Integer(1), f_in_sector2(p), p.x - Integer(1), p.x - p.y};
-}
+using IntegerPoint = Point<Integer>;
 
 // The circle crosses the point's row, or column, less than half a step away: (x - 1/2)^2 < R^2 -
 // y^2 < (x + 1/2)^2, which on integers is -x < d <= x.
 Truth nearest(const Integer& resting, const Integer& d) {
   return (Integer(0) - resting < d) & (d <= resting);
 }
-Truth nearest_in_row(const Point& p) { return nearest(p.x, p.d); }
-Truth nearest_in_column(const Point& p) { return nearest(p.y, p.d); }
+Truth nearest_in_row(const IntegerPoint& p) { return nearest(p.x, p.d); }
+Truth nearest_in_column(const IntegerPoint& p) { return nearest(p.y, p.d); }
 
 Truth same(const State<Integer>& a, const State<Integer>& b) {
   Truth all = true;
@@ -66,7 +43,7 @@ class Proposition {
             {"its premises", Answer::sat, {{{"any"}, premises.text()}}, {}}};
   }
 
-  const Point p{integer("X"), integer("Y"), integer("D")};
+  const IntegerPoint p{integer("X"), integer("Y"), integer("D")};
   /// D, where the radius matters and not only the distance from it.
   Integer d_of(const Integer& q) const { return q - p.x * p.x - p.y * p.y; }
   /// One clock of the golden model with all pins at rest. Its width plays no part.
@@ -74,7 +51,7 @@ class Proposition {
     return circular::next(Params{}, s, Inputs<Integer>{});
   }
   /// The point after the steps that the clock puts out; distance() proves its d.
-  Point moved(const circular::Step<Integer>& step) const {
+  IntegerPoint moved(const circular::Step<Integer>& step) const {
     const Truth left = step.outputs.step_x == Integer(1), up = step.outputs.step_y == Integer(1);
     const Integer zero(0), one(1);
     return {p.x - step.outputs.step_x, p.y + step.outputs.step_y,
@@ -89,7 +66,7 @@ Theorem distance() {
   circular::Step<Integer> step;
   step.outputs.step_x = i;
   step.outputs.step_y = j;
-  const Point next = a.moved(step);
+  const IntegerPoint next = a.moved(step);
   return a.follows(
       "a step changes D = Q - X^2 - Y^2 by 2X - 1 where X falls and by -2Y - 1 where Y rises",
       next.d == q - next.x * next.x - next.y * next.y);
@@ -106,7 +83,7 @@ Theorem sector1() {
   Proposition a;
   a.assume((a.p.y >= Integer(0)) & (a.p.x > a.p.y) & nearest_in_row(a.p));
   const auto step = a.clock(in_sector1(a.p));
-  const Point next = a.moved(step);
+  const IntegerPoint next = a.moved(step);
   return a.follows(
       "in sector 1 a point nearest in its row is followed by the one nearest in the next row, or "
       "past the diagonal in its column; F, CT7 and CT8 are those of the new point",
@@ -119,8 +96,6 @@ Theorem change() {
   Proposition a;
   a.assume((a.p.y >= Integer(0)) & (a.p.x <= a.p.y) & (a.p.x >= a.p.y - Integer(1)) &
            nearest_in_column(a.p));
-  // Where Y = 0 the arc is over before it changes its sector: R = 1 goes there in one step.
-  a.assume(a.p.x >= Integer(0));
   const auto step = a.clock(in_sector1(a.p));
   return a.follows(
       "the change to sector 2, which moves nothing, has F, CT7 and CT8 of sector 2 at this point",
@@ -132,7 +107,7 @@ Theorem sector2() {
   Proposition a;
   a.assume((a.p.x >= Integer(1)) & (a.p.y >= a.p.x) & nearest_in_column(a.p));
   const auto step = a.clock(in_sector2(a.p));
-  const Point next = a.moved(step);
+  const IntegerPoint next = a.moved(step);
   return a.follows(
       "in sector 2 a point nearest in its column is followed by the one nearest in the next "
       "column; F, CT7 and CT8 are those of the new point",
@@ -173,15 +148,20 @@ Theorem end() {
                        same(step.state, circular::cleared<Integer>()));
 }
 
-Theorem progress() {
+Theorem progress1() {
   Proposition a;
   a.assume((a.p.y >= Integer(0)) & (a.p.x > a.p.y));
-  const auto first = a.clock(in_sector1(a.p));
+  const State<Integer> before = in_sector1(a.p);
+  return a.follows("sector 1 ends: CT8 falls on each of its steps",
+                   a.clock(before).state.ct8 < before.ct8);
+}
+
+Theorem progress2() {
+  Proposition a;
+  a.assume((a.p.x >= Integer(1)) & (a.p.y >= a.p.x));
   const State<Integer> before = in_sector2(a.p);
-  const auto second = a.clock(before);
-  return a.follows(
-      "every arc ends: CT8 falls on each step of sector 1, CT7 on each step of sector 2",
-      (first.state.ct8 < in_sector1(a.p).ct8) & (second.state.ct7 < before.ct7));
+  return a.follows("sector 2 ends: CT7 falls on each of its steps",
+                   a.clock(before).state.ct7 < before.ct7);
 }
 
 // Of the nearer coordinate of the two; where that is the row's the other one is less, or more by
@@ -219,8 +199,8 @@ Theorem bounds() {
 }  // namespace
 
 std::vector<Theorem> circular_theorems() {
-  return {distance(), start(),      sector1(), change(), sector2(), steps(),
-          progress(), last_point(), end(),     extent(), bounds()};
+  return {distance(),  start(),     sector1(),    change(), sector2(), steps(),
+          progress1(), progress2(), last_point(), end(),    extent(),  bounds()};
 }
 
 }  // namespace cosim::proof

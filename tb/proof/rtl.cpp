@@ -37,7 +37,8 @@ std::string written_by_yosys(const Source& source) {
   }
   // A register that nothing reads stays one, and what is undefined is free in the formula.
   commands += fmt::format(
-      "; rename -top {}; setattr -set keep 1 w:*_q; prep -flatten; async2sync; setundef -anyseq; write_smt2 -wires {}",
+      "; rename -top {}; setattr -set keep 1 w:*_q; prep -flatten; async2sync; setundef -anyseq; "
+      "write_smt2 -wires {}",
       source.top, file.string());
   const Ended ended = run_program({"yosys", "-q", "-p", commands});
   if (ended.status == 127) throw InputError("needs yosys");

@@ -15,9 +15,16 @@ struct Theorem {
   Claim premises;        ///< what it assumes can be: it says something
 };
 
-/// Integers without end: every radius and every width.
+/// All of them.
+std::vector<Theorem> theorems();
+
+// By what they speak of. SU 1665343, on integers without end: every radius and every width.
 std::vector<Theorem> circular_theorems();
-/// Integers without end, and every shipped width where a word is meant.
-std::vector<Theorem> linear_theorems();
+/// The same, from the pins to the first point: every shipped width.
+std::vector<Theorem> arc_theorems();
+/// SU 1631518: what a code gives, for every BP of up to 32 bits.
+std::vector<Theorem> code_theorems();
+/// The same, from the pins to the words: every shipped width.
+std::vector<Theorem> word_theorems();
 
 }  // namespace cosim::proof

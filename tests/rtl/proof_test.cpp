@@ -64,8 +64,17 @@ struct Subject {
 // A handful of all kinds, and with $COSIM_PROVE_ALL every variant there is.
 bool wanted(const std::string& variant) {
   static const std::set<std::string> handful = {
-      "deep/tick_carry", "errata/l2",       "faults/rom11_off_by_one", "faults/start_without_code",
-      "errata/c5",       "errata/c10_load", "faults/variants_swapped", "faults/load_over_clear",
+      "deep/tick_carry",
+      "errata/l2",
+      "faults/rom11_off_by_one",
+      "faults/start_without_code",
+      "errata/c5",
+      "errata/c10_load",
+      "faults/variants_swapped",
+      "faults/load_over_clear",
+      "errata/d4",
+      "faults/borrow_missed",
+      "faults/two_c_for_two_a",
   };
   if (variant.starts_with("gates/") || variant.starts_with("shipped/")) return false;
   return handful.contains(variant) || std::getenv("COSIM_PROVE_ALL") != nullptr;

@@ -1,77 +1,18 @@
 #include "tb/failure.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <atomic>
 #include <cctype>
 #include <nlohmann/json.hpp>
-#include <system_error>
 
 #include "model/core/input_error.h"
+#include "tb/draft.h"
 #include "tb/output_file.h"
 #include "tb/report.h"
 #include "tb/shrink.h"
 
 namespace cosim {
 namespace {
-
-namespace fs = std::filesystem;
-
-void write(const fs::path& path, const std::string& text) {
-  OutputFile file(path.string());
-  file.text(text);
-  file.close();
-}
-
-// Under a name that no reader takes for a failure, until it is whole.
-class Draft {
- public:
-  Draft(const fs::path& root, const std::string& name)
-      : target_(root / name),
-        folder_(root / fmt::format(".{}.{}.{}", name, getpid(), drafts++)),
-        old_(folder_.string() + ".old") {
-    std::error_code error;
-    fs::create_directories(folder_, error);
-    if (error) fail(error);
-  }
-  ~Draft() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-    fs::remove_all(old_, ignored);
-  }
-  Draft(const Draft&) = delete;
-  Draft& operator=(const Draft&) = delete;
-
-  const fs::path& folder() const { return folder_; }
-  const fs::path& target() const { return target_; }
-
-  // Another program may leave the same failure meanwhile: the last one stays.
-  void finish() {
-    std::error_code error;
-    fs::rename(folder_, target_, error);
-    for (int i = 0; i < 100 && in_the_way(error); ++i) {
-      fs::remove_all(old_, error);
-      fs::rename(target_, old_, error);
-      fs::rename(folder_, target_, error);
-    }
-    if (error) fail(error);
-  }
-
- private:
-  static bool in_the_way(const std::error_code& error) {
-    return error == std::errc::directory_not_empty || error == std::errc::file_exists ||
-           error == std::errc::not_a_directory;
-  }
-  [[noreturn]] void fail(const std::error_code& error) const {
-    throw InputError(fmt::format("{}: cannot write: {}", target_.string(), error.message()));
-  }
-
-  fs::path target_;
-  fs::path folder_;
-  fs::path old_;
-  static inline std::atomic<unsigned> drafts = 0;
-};
 
 std::string clocks_text(std::size_t clocks) {
   return fmt::format("{} clock{}", clocks, clocks == 1 ? "" : "s");
@@ -103,7 +44,7 @@ Failure leave_failure(const AnyBench& bench, const std::string& what, const Mism
   Stimulus stimulus = mismatch.stimulus;
   stimulus.machine = bench.title();
   stimulus.origin = what;
-  write(draft.folder() / "stimulus.stim", to_text(stimulus, bench));
+  draft.write("stimulus.stim", to_text(stimulus, bench));
   bench.draw_wave((draft.folder() / "wave.fst").string(), stimulus, options.wave);
 
   SmallerCase smallest{"", stimulus};
@@ -111,7 +52,7 @@ Failure leave_failure(const AnyBench& bench, const std::string& what, const Mism
   smallest.stimulus.machine = bench.title();
   smallest.stimulus = shrink(bench, smallest.stimulus);
   smallest.stimulus.origin = "the smallest found of: " + what;
-  write(draft.folder() / "smallest.stim", to_text(smallest.stimulus, bench));
+  draft.write("smallest.stim", to_text(smallest.stimulus, bench));
   bench.draw_wave((draft.folder() / "smallest.fst").string(), smallest.stimulus, options.wave);
   const Run again = bench.replay(smallest.stimulus);
 
@@ -126,9 +67,9 @@ Failure leave_failure(const AnyBench& bench, const std::string& what, const Mism
   outcome.result.clocks = mismatch.clock + 1;
   outcome.result.mismatch = mismatch;
   outcome.result.failed = what;
-  write(draft.folder() / "report.txt",
-        fmt::format("{}\n{}{}\nreplay: {}\n", verdict_text({outcome}), failure.smallest,
-                    again.mismatch ? to_text(*again.mismatch) : "", failure.replay));
+  draft.write("report.txt",
+              fmt::format("{}\n{}{}\nreplay: {}\n", verdict_text({outcome}), failure.smallest,
+                          again.mismatch ? to_text(*again.mismatch) : "", failure.replay));
   nlohmann::ordered_json more;
   more["replay"] = failure.replay;
   more["smallest_case"] = smallest.what;

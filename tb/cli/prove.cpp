@@ -30,7 +30,7 @@ using proof::Decision;
 struct Options {
   Common common;
   std::vector<std::string> machine;
-  Text rtl, limit, jobs, scripts, mutants, count;
+  Text rtl, limit, jobs, scripts, mutants, mutant, count;
   bool theorems = false;
 };
 
@@ -154,11 +154,16 @@ int run_mutants(const Options& o, int limit, unsigned jobs) {
   const fs::path file = *o.mutants;
   if (!fs::is_regular_file(file)) throw InputError(file.string() + ": no such file");
   const proof::Rtl rtl(proof::Source{{fs::absolute(file)}, formula.design, {}});
-  const auto number = static_cast<unsigned>(whole("--count", o.count.value_or("100"), 1, 65535));
+  if (o.mutant && o.count) throw InputError("--mutant: is one, with no --count");
+  const auto pick = [](const char* option, const std::string& text) {
+    return static_cast<unsigned>(whole(option, text, 1, 65535));
+  };
+  const unsigned first = o.mutant ? pick("--mutant", *o.mutant) : 1;
+  const unsigned number = o.mutant ? 1 : pick("--count", o.count.value_or("100"));
 
   std::vector<Claim> steps, clears;
   std::vector<const Claim*> step_list, clear_list;
-  for (unsigned k = 1; k <= number; ++k) {
+  for (unsigned k = first; k < first + number; ++k) {
     steps.push_back(proof::mutant_step(formula, rtl, k));
     clears.push_back(proof::mutant_clear(formula, rtl, k));
   }
@@ -175,7 +180,7 @@ int run_mutants(const Options& o, int limit, unsigned jobs) {
   std::size_t refuted = 0, equal = 0;
   const auto count_one = [&](unsigned k, const Decision& d) {
     refuted += d.refuted ? 1 : 0;
-    if (!d.refuted) fmt::print("mutant {}: {}\n", k + 1, d.verdict);
+    if (!d.refuted) fmt::print("mutant {}: {}\n", first + k, d.verdict);
   };
   for (unsigned k = 0; k < number; ++k) {
     if (!step[k].proved) count_one(k, step[k]);
@@ -184,8 +189,8 @@ int run_mutants(const Options& o, int limit, unsigned jobs) {
     equal += clear[i].proved ? 1 : 0;
     if (!clear[i].proved) count_one(same[i], clear[i]);
   }
-  fmt::print("{}: {} mutants, {} refuted, {} proved to be the same, {} undecided\n",
-             subjects.front().title, number, refuted, equal, number - refuted - equal);
+  fmt::print("{}: {}, {} refuted, {} proved to be the same, {} undecided\n", subjects.front().title,
+             count(number, "mutant"), refuted, equal, number - refuted - equal);
   return refuted + equal == number ? 0 : 1;
 }
 
@@ -250,8 +255,9 @@ void add_prove(CLI::App& app, Action& action) {
   add_switch(command, "--theorems", o->theorems,
              "In place of that: what the sources claim, as theorems on the models");
   add_text(command, "--mutants", o->mutants, "FILE.v",
-           "In place of that: the mutants that this RTL's input mutsel turns on, of one machine");
+           "In place of that: mutants of one machine, this RTL with mutsel = 1, 2, ...");
   add_text(command, "--count", o->count, "N", "The first N of them; default 100");
+  add_text(command, "--mutant", o->mutant, "K", "Of them the one with mutsel = K");
   add_failures(command, o->common);
   command.footer(
       "Needs yosys, cvc5 and z3; only what both solvers prove is proved.\n"

@@ -11,6 +11,7 @@
 #include "model/core/input_error.h"
 #include "tb/replace_file.h"
 #include "tests/mutation/campaign.h"
+#include "tests/mutation/survivor.h"
 
 namespace cosim::mutation {
 namespace {
@@ -49,11 +50,16 @@ Prover program(const std::string& command, const Subject& subject) {
 }
 
 int run(const Subject& subject, const std::string& results, const std::string& prover,
-        unsigned threads) {
+        unsigned threads, const std::string& failures) {
   Checkpoint checkpoint(results + ".part", "mutants of " + subject.bench().title());
   const Campaign campaign = run_campaign(subject, program(prover, subject), threads, checkpoint);
   replace_file(results, to_json(subject, campaign));
   checkpoint.done();
+  for (std::size_t i = 0; i < campaign.outcomes.size(); ++i) {
+    if (campaign.outcomes[i].end != Outcome::End::survived) continue;
+    const auto kept = leave_survivor(subject, static_cast<unsigned>(i + 1), failures);
+    fmt::print("survived: {}, kept in: {}\n", subject.mutants()[i], kept.string());
+  }
   return campaign.count(Outcome::End::survived) == 0 ? 0 : 1;
 }
 
@@ -62,14 +68,15 @@ int run(const Subject& subject, const std::string& results, const std::string& p
 int main_of(const Subject& subject, int argc, char** argv) {
   CLI::App app{"Attacks the mutants of " + subject.bench().title() +
                ".\nStatus: 0 none survived, 1 some did, 2 could not be run."};
-  std::string results, prover;
+  std::string results, prover, failures = "failures";
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   app.add_option("RESULTS", results, "Write the outcomes to this file, as JSON")->required();
   app.add_option("--prover", prover, "Program that proves mutants equivalent");
+  app.add_option("--failures", failures, "Where a survivor leaves its folder");
   app.add_option("--jobs", threads, "Threads")->check(CLI::Range(1, 1024));
   try {
     app.parse(argc, argv);
-    return run(subject, results, prover, threads);
+    return run(subject, results, prover, threads, failures);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const std::exception& error) {

@@ -59,7 +59,8 @@ class Subject {
 /// Otherwise the outcome is open.
 Outcome attack(const Subject& subject, unsigned mutant, std::size_t first, std::size_t last);
 
-/// The program around a subject: `NAME RESULTS [--prover COMMAND] [--jobs J]`. The exit status.
+/// The program around a subject: `NAME RESULTS [--prover COMMAND] [--failures DIR] [--jobs J]`. The
+/// exit status.
 int main_of(const Subject& subject, int argc, char** argv);
 
 }  // namespace cosim::mutation

@@ -1,0 +1,43 @@
+#include "tests/mutation/survivor.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tb/draft.h"
+#include "tb/failure.h"
+#include "tb/replace_file.h"
+
+namespace cosim::mutation {
+
+std::filesystem::path leave_survivor(const Subject& subject, unsigned mutant,
+                                     const std::filesystem::path& root) {
+  const std::string title = subject.bench().title();
+  const std::string& what = subject.mutants()[mutant - 1];
+  Draft draft(root, failure_name(subject.bench(), fmt::format("mutant {}", mutant)));
+  const std::string prove = fmt::format("scripts/prove {} --mutants {} --mutant {}", title,
+                                        (draft.target() / "mutants.v").string(), mutant);
+
+  nlohmann::ordered_json json{{"verdict", "survived"}, {"design", subject.bench().design()}};
+  for (const Parameter& p : subject.bench().parameters()) json["parameters"][p.name] = p.value;
+  json["mutant"] = mutant;
+  json["what"] = what;
+  json["prove"] = prove;
+  std::string text = fmt::format(
+      "{}: mutant {} survived: {}\nNo proof that it is the same machine, and RTL and model part on "
+      "no clock of\n",
+      title, mutant, what);
+  for (const Case& tried : subject.cases()) {
+    text += fmt::format("  {}\n", tried.name);
+    json["stimuli"].push_back(tried.name);
+  }
+  text += fmt::format("To have the solvers look for a state in which they part:\n  {}\n", prove);
+
+  draft.write("report.txt", text);
+  draft.write("report.json", json.dump(1) + '\n');
+  draft.write("mutants.v", text_of_file(subject.verilog()));
+  draft.finish();
+  return draft.target();
+}
+
+}  // namespace cosim::mutation

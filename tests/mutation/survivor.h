@@ -1,0 +1,19 @@
+// The folder that a mutant leaves which nothing told from the RTL.
+//
+//   report.txt   what it is, what was tried, how to have the solvers look at it
+//   report.json  the same for a program
+//   mutants.v    the RTL with its mutants; mutsel is the number
+#pragma once
+
+#include <filesystem>
+
+#include "tests/mutation/mutants.h"
+
+namespace cosim::mutation {
+
+/// Writes root/<design>-<parameters>-mutant-<number> and returns it. InputError where it cannot be
+/// written.
+std::filesystem::path leave_survivor(const Subject& subject, unsigned mutant,
+                                     const std::filesystem::path& root);
+
+}  // namespace cosim::mutation

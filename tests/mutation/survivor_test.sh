@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# survivor_test.sh PROGRAM COSIM
+#
+# A mutant that nothing kills and, here, nobody proves to be the same machine has survived: status 1,
+# and a folder that says what it is and from which it can be proved.
+# Status: 0 so, 1 not.
+set -euo pipefail
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+status=0
+"$1" "$folder/results.json" --failures "$folder/failures" > "$folder/said" || status=$?
+((status == 1)) || { echo "status $status with survivors" && exit 1; }
+survived=$(grep -c '"end": "survived"' "$folder/results.json")
+kept=("$folder"/failures/*)
+((survived == ${#kept[@]})) || { echo "$survived survived, ${#kept[@]} kept" && exit 1; }
+
+for one in "${kept[@]}"; do
+  grep -qF "kept in: $one" "$folder/said"
+  what=$(sed -n 's/.* survived: //p' "$one/report.txt")
+  grep -F "\"what\": \"${what//\\/\\\\}" "$one/report.json" > /dev/null
+  grep -q 'hostile clocks' "$one/report.txt"
+done
+command -v cvc5 z3 > /dev/null || { echo "no solvers: not proved" && exit 0; }
+read -ra prove < <(sed -n 's|^  scripts/prove ||p' "$one/report.txt")
+"$2" prove "${prove[@]}" | tee "$folder/proof"
+grep -q '1 proved to be the same' "$folder/proof"

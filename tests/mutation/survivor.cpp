@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "tb/draft.h"
@@ -9,6 +10,18 @@
 #include "tb/replace_file.h"
 
 namespace cosim::mutation {
+namespace {
+
+// Thousands of cases by what they are called in front of their number, and how many there are.
+std::map<std::string, std::size_t> kinds_of(const std::vector<Case>& cases) {
+  std::map<std::string, std::size_t> kinds;
+  for (const Case& c : cases) {
+    ++kinds[c.name.substr(0, c.name.find_last_not_of(" 0123456789") + 1)];
+  }
+  return kinds;
+}
+
+}  // namespace
 
 std::filesystem::path leave_survivor(const Subject& subject, unsigned mutant,
                                      const std::filesystem::path& root) {
@@ -25,11 +38,11 @@ std::filesystem::path leave_survivor(const Subject& subject, unsigned mutant,
   json["prove"] = prove;
   std::string text = fmt::format(
       "{}: mutant {} survived: {}\nNo proof that it is the same machine, and RTL and model part on "
-      "no clock of\n",
+      "no clock of these runs\n",
       title, mutant, what);
-  for (const Case& tried : subject.cases()) {
-    text += fmt::format("  {}\n", tried.name);
-    json["stimuli"].push_back(tried.name);
+  for (const auto& [kind, runs] : kinds_of(subject.cases())) {
+    text += fmt::format("  {}: {}\n", kind, runs);
+    json["stimuli"][kind] = runs;
   }
   text += fmt::format("To have the solvers look for a state in which they part:\n  {}\n", prove);
 

@@ -102,10 +102,11 @@ TEST(Compare, RefusesWhatItCannotCompare) {
   expect_refused_compare({"--line", "27,9", "--algorithms", "midpoint"},
                          "--algorithms: 'midpoint' cannot do this work; there are su1631518, "
                          "su1631518-greedy, rate-multiplier, dda, dda-half, bresenham");
-  expect_refused_compare({kFlange, "--steps-per-mm", "2", "--algorithms", "fast"},
-                         "--algorithms: 'fast' cannot do this work; there are su1631518, "
-                         "su1631518-greedy, rate-multiplier, dda, dda-half, bresenham, su1665343, "
-                         "su875343, dda, dda-half, dda-sequential, midpoint, single-axis");
+  expect_refused_compare(
+      {kFlange, "--steps-per-mm", "2", "--algorithms", "fast"},
+      "--algorithms: 'fast' cannot do this work; there are su1631518, "
+      "su1631518-greedy, rate-multiplier, dda, dda-half, bresenham, su1665343, "
+      "su875343, dda, dda-half, dda-sequential, dda-sequential-half, midpoint, single-axis");
 }
 
 }  // namespace

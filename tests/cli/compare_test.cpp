@@ -69,7 +69,7 @@ TEST(Compare, OfThePrintedArc) {
   EXPECT_EQ(all.at("single-axis")["steps"], 24);
   EXPECT_EQ(all.at("single-axis")["combinations"], 2);
   EXPECT_GT(all.at("su875343")["end_error"].get<double>(), 4);
-  EXPECT_EQ(all.size(), 7U);
+  EXPECT_EQ(all.size(), 8U);
 }
 
 TEST(Compare, OfAToolpath) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <system_error>
 
 #include "tb/output_file.h"
@@ -151,8 +152,9 @@ std::string report_json(const std::vector<Outcome>& outcomes, std::uint64_t seed
     std::uint64_t clocks = 0;
     std::uint64_t steps = 0;
     double max_deviation = 0;
+    std::set<const AnyBench*> named;
     for (const Outcome& o : outcomes) {
-      top["parameters"].push_back(parameters(*o.bench));
+      if (named.insert(o.bench).second) top["parameters"].push_back(parameters(*o.bench));
       clocks += o.result.clocks;
       steps += o.result.checked.steps;
       max_deviation = std::max(max_deviation, o.result.checked.max_deviation);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr GCode accepted[] = {
     {0, Group::motion},          {10, Group::motion},         {20, Group::motion},
-    {30, Group::motion},         {800, Group::motion},        {170, Group::plane},
+    {30, Group::motion},         {800, Group::canned_cycle},  {170, Group::plane},
     {200, Group::units},         {210, Group::units},         {900, Group::distance},
     {910, Group::distance},      {911, Group::arc_distance},  {400, Group::compensation},
     {430, Group::length_offset}, {490, Group::length_offset}, {540, Group::coordinates},

@@ -6,9 +6,11 @@
 
 namespace cosim::toolpath {
 
-/// The modal groups of RS274; two codes of one group may not stand in one block.
+/// The modal groups of RS274; two codes of one group may not stand in one block. G80 has one of its
+/// own: no canned cycle is ever on, so it ends none, and leaves G0 to G3 as they are.
 enum class Group : std::uint8_t {
-  motion,         ///< G0 G1 G2 G3, G80
+  motion,         ///< G0 G1 G2 G3
+  canned_cycle,   ///< G80
   plane,          ///< G17
   units,          ///< G20 G21
   distance,       ///< G90 G91
@@ -22,7 +24,7 @@ enum class Group : std::uint8_t {
   retract,        ///< G98 G99
   non_modal,      ///< G4 G9
 };
-inline constexpr int group_count = 13;
+inline constexpr int group_count = 14;
 
 /// A G code that is taken. `tenths` is ten times its number: 911 for G91.1.
 struct GCode {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double pm_per_mm = 1e9;
 constexpr double reach_mm = 1e9;
-constexpr int no_motion_mode = 800;  // G80
+constexpr int no_motion_mode = -1;  // at the start
 
 PointMm in_mm(Position p) {
   return {static_cast<double>(p.x) / pm_per_mm, static_cast<double>(p.y) / pm_per_mm};

@@ -45,7 +45,7 @@ inline constexpr std::size_t max_motions = 1'000'000;
 
 /// Reads a program; what a line may hold stands in lexer.h, the codes in codes.h. The rules:
 ///  - At the start X, Y and all other axes are 0, G17 G21 G90 hold and no motion mode: axis words
-///    before any of G0 G1 G2 G3 are an error, as they are after G80.
+///    before any of G0 G1 G2 G3 are an error. G80 changes nothing, for no canned cycle is taken.
 ///  - A block whose X and Y words repeat the present position moves nothing: it is no motion. The
 ///    exception is an arc with I or J, which is then a full circle. Positions are kept in whole
 ///    picometres, so that this is exact and increments (G91) add up without error.

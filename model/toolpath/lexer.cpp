@@ -40,12 +40,14 @@ Token Lexer::next() {
     const char c = text_[at_];
     if (c == '%' && line_blank_) {
       ended_ = opened_;
-      opened_ = true;
-      if (!ended_) skip_rest_of_line();
+      opened_ = opening_line_ = true;
+      ++at_;
     } else if (c == '(') {
       skip_comment();
     } else if (c == ';') {
       skip_rest_of_line();
+    } else if (opening_line_) {
+      fail(name_, here(), "the '%' that opens the program stands alone on its line");
     } else if (is_upper(c) || is_lower(c)) {
       return word();
     } else {
@@ -82,6 +84,7 @@ Token Lexer::end_line() {
   line_start_ = at_;
   ++line_;
   line_blank_ = true;
+  opening_line_ = false;
   return token;
 }
 

@@ -22,8 +22,8 @@ struct Token {
 ///  - A word is a letter of either case and a decimal number without an exponent: `X10`, `x-.5`,
 ///    `G01`, `Y+1.`. Blanks and tabs mean nothing, even within a number: `x +0. 12` is `X0.12`.
 ///  - Comments: `( ... )` within a line, `;` to its end. In them any byte but NUL may stand.
-///  - `%` at the start of a line before any word opens the program; any other one ends it. The
-///    rest of that line, and all that follows the end, is not read.
+///  - `%` at the start of a line before any word opens the program, with nothing but a comment
+///    behind it; any other one ends it, and what follows the end is not read.
 ///  - A UTF-8 byte order mark at the head of the text is skipped.
 /// Everything else is an InputError: block delete `/` (a switch of the machine would decide on the
 /// path), parameters, expressions, checksums, other bytes, an unclosed comment, a letter without a
@@ -52,10 +52,11 @@ class Lexer {
   std::size_t at_ = 0;
   std::size_t line_start_ = 0;
   std::uint32_t line_ = 1;
-  bool line_blank_ = true;  ///< nothing but blanks so far on this line
-  bool opened_ = false;     ///< a word or a `%` has been read
-  bool ended_ = false;      ///< the `%` that ends the program has been read
-  std::string digits_;      ///< the number at hand without its blanks
+  bool line_blank_ = true;     ///< nothing but blanks so far on this line
+  bool opening_line_ = false;  ///< behind the opening %
+  bool opened_ = false;        ///< a word or a `%` has been read
+  bool ended_ = false;         ///< the `%` that ends the program has been read
+  std::string digits_;         ///< the number at hand without its blanks
 };
 
 }  // namespace cosim::toolpath

@@ -72,8 +72,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"G1 X0 Y0\n", "2:1: the program ends without a motion in X or Y"},
                     Case{"G21\nX5", "2:1: X without a motion mode: G0, G1, G2 or G3"},
                     Case{"Z5", "1:1: Z without a motion mode: G0, G1, G2 or G3"},
-                    Case{"G1 X1\nG80 Y5", "2:5: Y without a motion mode: G0, G1, G2 or G3"},
-                    Case{"G1 X1\nG80\nY5", "3:1: Y without a motion mode: G0, G1, G2 or G3"},
+                    Case{"G80 Y5", "1:5: Y without a motion mode: G0, G1, G2 or G3"},
                     Case{"G1 X1\nG4 X2", "2:4: X beside G4 is either a move or a time"},
                     Case{"G1 X1 I5", "1:7: I outside of an arc: it needs G2 or G3"},
                     Case{"R5", "1:1: R outside of an arc: it needs G2 or G3"}));

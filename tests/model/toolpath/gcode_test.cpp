@@ -78,6 +78,15 @@ TEST(Gcode, WordsThatLeaveThePathAlone) {
   EXPECT_EQ(p.lines, 18u);
 }
 
+// The line with which many programs begin, and a mode that it leaves.
+TEST(Gcode, G80EndsNoMotion) {
+  const Program p = read("G0 G17 G40 G49 G80 G90 X5\nG1 X6\nG80\nY7\n");
+  ASSERT_EQ(p.motions.size(), 3u);
+  EXPECT_EQ(p.motions[0].kind, MotionKind::rapid);
+  EXPECT_EQ(p.motions[2].kind, MotionKind::feed);
+  EXPECT_EQ(p.motions[2].end, (PointMm{6, 7}));
+}
+
 TEST(Gcode, TheProgramEndsAtM2M30AndPercent) {
   EXPECT_EQ(read("G0 X1 M2\nX2").motions.size(), 1u);
   EXPECT_EQ(read("G0 X1\nM30\n#").motions.size(), 1u);

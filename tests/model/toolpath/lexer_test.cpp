@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"(a ; b) X1 (c) Y2 ; d ( e\nX3", "X1@1:9 Y2@1:16 | X3@2:1 "},
                     Case{"( ( ) X1", "X1@1:7 "}, Case{"( \xc3\xa9 ) X1 ; \xff\x01", "X1@1:8 "},
                     Case{"\xef\xbb\xbfX1", "X1@1:1 "}, Case{"%\nX1\n%\nX2", "| X1@2:1 | "},
-                    Case{" % flange\nX1\n", "| X1@2:1 | "}, Case{"X1\n%\nX2", "X1@1:1 | "},
+                    Case{" % (flange) ; 1\nX1\n", "| X1@2:1 | "}, Case{"X1\n%\nX2", "X1@1:1 | "},
                     Case{"; head\n%\nX1", "| | X1@3:1 "}, Case{"%\n%\nX1", "| "},
                     Case{"X00012.50", "X12.5@1:1 "}));
 
@@ -58,6 +58,8 @@ TEST(Lexer, RefusesWithThePlace) {
   EXPECT_EQ(error("X1\n (open\nX2)"),
             "p.ngc:2:2: the comment is not closed on its line: ')' missing");
   EXPECT_EQ(error("X1 )"), "p.ngc:1:4: ')' without '('");
+  EXPECT_EQ(error("% G0 X1\nX2"),
+            "p.ngc:1:3: the '%' that opens the program stands alone on its line");
   EXPECT_EQ(error("X"), "p.ngc:1:1: X needs a number");
   EXPECT_EQ(error("X Y1"), "p.ngc:1:1: X needs a number");
   EXPECT_EQ(error("X+-1"), "p.ngc:1:1: X needs a number");

@@ -14,6 +14,13 @@ namespace {
 TEST(Quantise, RoundsHalvesAwayFromZero) {
   EXPECT_EQ(quantise({0.5, -0.5}, 1, 10), (Point{1, -1}));
   EXPECT_EQ(quantise({1.25, -1.24}, 10, 100), (Point{13, -12}));
+  // Halves of what was written in decimals, most of which no double is.
+  EXPECT_EQ(quantise({4.475, 4.485}, 100, 1000), (Point{448, 449}));
+  EXPECT_EQ(quantise({0.145, -0.155}, 100, 1000), (Point{15, -16}));
+  EXPECT_EQ(quantise({1.005, -1.015}, 100, 1000), (Point{101, -102}));
+  EXPECT_EQ(quantise({5, -15}, 0.3, 1000), (Point{2, -5}));
+  EXPECT_EQ(quantise({1000.004999999, 20000000.005}, 100, max_coordinate),
+            (Point{100000, 2000000001}));
   EXPECT_EQ(quantise({10.49, 0}, 1, 10), (Point{10, 0}));
   EXPECT_EQ(quantise({10.5, 0}, 1, 10), std::nullopt);
   EXPECT_EQ(quantise({0, std::nan("")}, 1, 10), std::nullopt);

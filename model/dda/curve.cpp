@@ -76,7 +76,7 @@ void check_start(const Conic& q, Point at, Point rates) {
                      static_cast<Real>(q.e) * y + static_cast<Real>(q.f);
   const Real slope = std::hypot(static_cast<Real>(rates.x), static_cast<Real>(rates.y));
   if (slope == 0) refuse("conic", text(at) + " is its centre, where nothing moves");
-  if (std::fabs(value) > slope) refuse("conic", "it does not pass " + text(at));
+  if (2 * std::fabs(value) > slope) refuse("conic", "it does not pass " + text(at));
 }
 
 // Walks the whole way.

@@ -38,7 +38,7 @@ class Track {
 };
 
 /// How far `at` is off the curve of a job, in steps: of a line along the axis with fewer steps, of
-/// a conic across the curve, by its equation over its gradient.
+/// a circle along its radius, of another conic across the curve, by its equation over its gradient.
 double deviation(const Job& job, Point at);
 
 }  // namespace cosim::dda

@@ -46,7 +46,13 @@ TEST(DdaCurve, IsOffByItsEquation) {
   const Job job = arc(kP, {100, 0}, {0, 100}, {});
   EXPECT_EQ(deviation(job, {100, 0}), 0);
   EXPECT_EQ(deviation(job, {60, 80}), 0);
-  EXPECT_NEAR(deviation(job, {103, 0}), 3, 0.05);
+  EXPECT_NEAR(deviation(job, {103, 0}), 3, 1e-12);
+  EXPECT_NEAR(deviation(job, {0, 0}), 100, 1e-12);
+  // The same circle about (10, -20).
+  const Job moved = conic(kP, {-1, 0, -1, 20, -40, 9500}, {110, -20}, {});
+  EXPECT_NEAR(deviation(moved, {10, 70}), 10, 1e-12);
+  // Of x^2 + 4 y^2 = 400 at (0, 11): 84 / 88.
+  EXPECT_NEAR(deviation(conic(kP, {1, 0, 4, 0, 0, -400}, {20, 0}, {}), {0, 11}), 84 / 88.0, 1e-12);
   EXPECT_EQ(deviation(line(kP, {10, 5}, {}), {4, 3}), 1);
 }
 
@@ -86,6 +92,10 @@ TEST(DdaCurve, IsRefusedInOneLine) {
       {"conic: it is degenerate",
        [] {
          conic(kP, {0, 0, 0, 1, -1, 0}, {2, 2}, {});
+       }},
+      {"conic: it does not pass (11, 0)",
+       [] {
+         conic(kP, {1, 0, 1, 0, 0, -109}, {11, 0}, {});
        }},
       {"conic: it does not pass (5, 0)",
        [] {

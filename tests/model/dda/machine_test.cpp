@@ -76,7 +76,7 @@ TEST(DdaModel, DrawsTheQuartersOfTheFlowChart) {
 
 // A rate is what the curve's equation says of the point, all the way round.
 TEST(DdaModel, KeepsTheRatesOfAConicByAdditions) {
-  const Conic q{2, 1, 3, -5, 4, -1500};  // 2 x^2 + xy + 3 y^2 - 5 x + 4 y = 1500
+  const Conic q{2, 1, 3, -5, 4, -1428};  // 2 x^2 + xy + 3 y^2 - 5 x + 4 y = 1428
   for (const Settings& settings : kEverySettings) {
     const Job job = conic({8}, q, {28, 0}, settings);
     std::size_t moved = 0;

@@ -16,7 +16,7 @@
 #include "tb/cli/wave.h"
 #include "tb/cli/words.h"
 #include "tb/output_file.h"
-#include "tb/plot/plot.h"
+#include "tb/plot/drawn.h"
 #include "tb/table.h"
 
 namespace cosim::cli {
@@ -94,7 +94,7 @@ class Drawn final : public Observer<circular::Design> {
   }
   void clock(std::size_t, const Compared<circular::Design>& seen) override {
     if (!(seen.outputs.step_x | seen.outputs.step_y)) return;
-    const circular::Point at = series_.points.back();
+    const circular::Point at = series_.marks.back().at;
     const circular::Point next{at.x - seen.outputs.step_x, at.y + seen.outputs.step_y};
     series_.add(next, circular::radial_deviation(next, radius2_));
   }
@@ -118,7 +118,7 @@ int run(const Options& o) {
   ArcCheck check({&arc, 1});
   Rows rows(csv, arc.from);
   Observers<circular::Design> observers{&check, &rows};
-  Series series{bench.title(), {}, {}};
+  Series series{bench.title(), {}};
   Drawn points(series, arc);
   if (o.common.plot) observers.add(points);
   std::unique_ptr<Table<circular::Design>> table;
@@ -130,8 +130,8 @@ int run(const Options& o) {
   Run run = session->draw({&arc, 1}, observers);
   csv.close();
   if (o.common.plot) {
-    const double radius = std::sqrt(static_cast<double>(arc.radius2));
-    draw_plot(*o.common.plot, {work, ideal_arc(radius, arc.from, series.points.back()), {series}});
+    const compare::Arc drawn{arc.from, arc.radius2, series.marks.back().at};
+    draw_plot(*o.common.plot, {work, {curve_of(drawn)}, {series}});
   }
   draw_wave(o.common, bench, work, *session, run.mismatch);
   const Outcome outcome = outcome_of(bench, work, std::move(run), check);

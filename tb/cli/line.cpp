@@ -14,7 +14,7 @@
 #include "tb/cli/wave.h"
 #include "tb/compare/figures.h"
 #include "tb/output_file.h"
-#include "tb/plot/plot.h"
+#include "tb/plot/drawn.h"
 #include "tb/table.h"
 
 namespace cosim::cli {
@@ -61,7 +61,7 @@ class Drawn final : public Observer<linear::Design> {
   void clock(std::size_t, const Compared<linear::Design>& seen) override {
     for (int i = word_ - 1; i >= 0; --i) {
       if (!bit(seen.outputs.major, i)) continue;
-      const circular::Point at = series_.points.back();
+      const circular::Point at = series_.marks.back().at;
       const circular::Point next{at.x + 1, at.y + bit(seen.outputs.minor, i)};
       series_.add(next, compare::radial(line_, next));
     }
@@ -95,7 +95,7 @@ int run(const Options& o) {
   Rows rows(csv, p.word());
   Observers<linear::Design> observers{&check, &rows};
   std::unique_ptr<Table<linear::Design>> table;
-  Series series{bench.title(), {}, {}};
+  Series series{bench.title(), {}};
   Drawn points(series, {major, code.minor}, p.word());
   if (o.common.plot) observers.add(points);
   if (o.common.table) observers.add(*(table = std::make_unique<Table<linear::Design>>(p)));
@@ -103,7 +103,9 @@ int run(const Options& o) {
   const auto session = bench.open(static_cast<std::uint32_t>(seed));
   Run run = session->draw({&job, 1}, observers);
   csv.close();
-  if (o.common.plot) draw_plot(*o.common.plot, {work, ideal_line({major, code.minor}), {series}});
+  if (o.common.plot) {
+    draw_plot(*o.common.plot, {work, {curve_of(compare::Line{major, code.minor})}, {series}});
+  }
   draw_wave(o.common, bench, work, *session, run.mismatch);
   const Outcome outcome = outcome_of(bench, work, std::move(run), check);
   fmt::print("drawn: {}\n", drawn(outcome.result));

@@ -19,7 +19,7 @@
 #include "tb/compare/figures.h"
 #include "tb/output_file.h"
 #include "tb/path_run.h"
-#include "tb/plot/plot.h"
+#include "tb/plot/drawn.h"
 
 namespace cosim::cli {
 namespace {
@@ -111,19 +111,25 @@ int run(const Options& o) {
   fmt::print("\n");
 
   PathRun path(lines, arcs, rule, static_cast<std::uint32_t>(seed));
-  Series series{"", {}, {}};
+  Series series;
+  series.add({0, 0}, 0);
   const PathResult result =
       path.draw(plan, [&](std::uint32_t segment, toolpath::Point step, toolpath::Point at) {
         csv.line("{},{},{},{},{}", segment, step.x, step.y, at.x, at.y);
         if (o.common.plot) series.add(at, off(plan.segments[segment - 1], at));
       });
   csv.close();
-  if (o.common.plot) {
-    draw_plot(*o.common.plot, {fmt::format("{}, {} steps/mm", file, scale), {}, {series}});
-  }
   draw_waves(o.common, lines, arcs, path, result);
 
   const std::vector<Outcome> outcomes = outcomes_of(lines, arcs, result);
+  if (o.common.plot) {
+    for (const Outcome& one : outcomes) {
+      series.name += (series.name.empty() ? "" : ", ") + one.bench->title();
+    }
+    draw_plot(*o.common.plot, {fmt::format("{} at {} steps/mm", one_line(file), scale),
+                               curves_of(compare::work_of(plan)),
+                               {series}});
+  }
   for (const Outcome& one : outcomes) {
     fmt::print("{}: {}, {}\n", one.bench->title(), one.work, drawn(one.result));
   }

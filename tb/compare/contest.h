@@ -1,6 +1,7 @@
 // The same work by several algorithms.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,16 +15,19 @@ struct Entry {
   Figures figures;
   const AnyBench* bench = nullptr;  ///< of a machine
   Result result;                    ///< of its runs, added up; the first that does not match
-  Points points;                    ///< of the last path
 };
+
+/// Called with the number of each work, from 0, and its points.
+using PointsSink = std::function<void(std::size_t, const Points&)>;
 
 /// Lines or arcs, drawn one after the other.
 template <class Work>
 Entry entry_of(const Algorithm<Work>& algorithm, const Machines& machines,
-               const std::vector<Work>& works) {
+               const std::vector<Work>& works, const PointsSink& sink = {}) {
   Entry entry;
   entry.name = algorithm.name;
-  for (const Work& work : works) {
+  for (std::size_t i = 0; i < works.size(); ++i) {
+    const Work& work = works[i];
     Drawing drawing = algorithm.draw(machines, work);
     entry.bench = drawing.bench;
     if (entry.bench != nullptr) {
@@ -38,7 +42,7 @@ Entry entry_of(const Algorithm<Work>& algorithm, const Machines& machines,
       sum.mismatch = std::move(drawing.result.mismatch);
     }
     entry.figures.add(measured(work, drawing.points, drawing.clocks));
-    entry.points = std::move(drawing.points);
+    if (sink) sink(i, drawing.points);
     if (!entry.result.match()) break;
   }
   return entry;

@@ -6,18 +6,17 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <ostream>
 
 #include "model/core/input_error.h"
+#include "tb/plot/layout.h"
+#include "tb/plot/thin.h"
 #include "tb/proof/process.h"
 
 namespace cosim {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t most_points = 500'000;
-constexpr int panel_width = 460;  // of a path, in pixels
-constexpr int columns = 3;        // of paths
 
 // A single quote ends a text of gnuplot.
 std::string plain(const std::string& text) {
@@ -32,108 +31,165 @@ std::string plain(const std::string& text) {
   return safe;
 }
 
-void add_data(std::string& script, const Plot& plot) {
-  script += "$ideal << EOD\n";
-  // Without a curve: the path's own start, for there has to be something.
-  if (plot.ideal.empty()) {
-    const circular::Point& at = plot.series.front().points.front();
-    script += fmt::format("{} {}\n", at.x, at.y);
+// Single points of the grid can be told apart, and are joined by what the machine did.
+bool shows_steps(const Layout& all) { return all.pixels_a_step() >= 6; }
+
+void write_marks(std::ostream& out, const std::string& name, const std::vector<Mark>& marks) {
+  out << '$' << name << " << EOD\n";
+  for (const Mark& m : marks) {
+    out << fmt::format("{} {} {:.4f} {:.6g}\n", m.at.x, m.at.y, m.off, m.along);
   }
-  for (const auto& [x, y] : plot.ideal) script += fmt::format("{:.6g} {:.6g}\n", x, y);
-  script += "EOD\n";
+  out << "EOD\n";
+}
+
+// An empty line ends what is joined.
+void write_joined(std::ostream& out, int panel, const std::vector<Mark>& marks) {
+  out << "$way" << panel << " << EOD\n";
+  circular::Point last = marks.front().at;
+  for (const Mark& m : marks) {
+    if (std::abs(m.at.x - last.x) > 1 || std::abs(m.at.y - last.y) > 1) out << '\n';
+    out << m.at.x << ' ' << m.at.y << '\n';
+    last = m.at;
+  }
+  out << "EOD\n";
+}
+
+void write_data(std::ostream& out, const Plot& plot, const Layout& all) {
+  out << "$ideal << EOD\n";
+  for (const Curve& curve : plot.ideal) {
+    for (const auto& [x, y] : curve) out << fmt::format("{:.8g} {:.8g}\n", x, y);
+    out << '\n';
+  }
+  out << "EOD\n";
+  const auto pixel = [&](double value) { return static_cast<std::int64_t>(std::floor(value)); };
+  const double scale = all.pixels_a_step() / 1.5;
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
-    const Series& s = plot.series[i];
-    script += fmt::format("$path{} << EOD\n", i);
-    for (std::size_t k = 0; k < s.points.size(); ++k) {
-      script += fmt::format("{} {} {:.5f}\n", s.points[k].x, s.points[k].y, s.deviations[k]);
-    }
-    script += "EOD\n";
+    const std::vector<Mark>& marks = plot.series[i].marks;
+    write_marks(out, fmt::format("spots{}", i), worst_of_cells(marks, [&](const Mark& m) {
+                  return std::pair(pixel(static_cast<double>(m.at.x) * scale),
+                                   pixel(static_cast<double>(m.at.y) * scale));
+                }));
+    write_marks(out, fmt::format("bars{}", i), worst_of_cells(marks, [&](const Mark& m) {
+                  return std::pair(pixel(m.along / all.length * all.bars.width), std::int64_t{0});
+                }));
+    if (shows_steps(all)) write_joined(out, static_cast<int>(i), marks);
   }
 }
 
-// The pixels that the tallest path needs in a panel, and whether its lattice can be shown.
-struct Extent {
-  int height = 0;
-  bool small = false;
-};
+std::string margins(const Layout& all, const Box& box) {
+  const double wide = all.width, high = all.height;
+  return fmt::format(
+      "set lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\n"
+      "set tmargin at screen {:.6f}\nset bmargin at screen {:.6f}\n",
+      box.x / wide, (box.x + box.width) / wide, 1 - box.y / high, 1 - (box.y + box.height) / high);
+}
 
-Extent extent_of(const Plot& plot) {
-  std::int64_t x0 = 0, x1 = 0, y0 = 0, y1 = 0;
+double worst_of(const Plot& plot) {
+  double worst = 0;
   for (const Series& s : plot.series) {
-    for (const auto& p : s.points) {
-      x0 = std::min(x0, p.x), x1 = std::max(x1, p.x), y0 = std::min(y0, p.y),
-      y1 = std::max(y1, p.y);
-    }
+    for (const Mark& m : s.marks) worst = std::max(worst, m.off);
   }
-  const double wide = std::max<double>(1, static_cast<double>(x1 - x0));
-  const double ratio = static_cast<double>(y1 - y0) / wide;
-  return {std::clamp(static_cast<int>(panel_width * 0.75 * ratio) + 90, 150, 420),
-          std::max(x1 - x0, y1 - y0) <= 30};
+  return worst;
 }
 
-std::string script_of(const std::string& path, const Plot& plot) {
-  const auto panels = static_cast<int>(plot.series.size());
-  const int wide = std::min(panels, columns), high = (panels + columns - 1) / columns;
-  const int width = std::max(wide * panel_width, 640);
-  constexpr int curve = 240, heading = 40;
-  const Extent extent = extent_of(plot);
-  const int height = high * extent.height + curve + heading;
+std::string title_of(const Series& series) {
+  double largest = 0, squares = 0;
+  for (const Mark& m : series.marks) {
+    largest = std::max(largest, m.off);
+    squares += m.off * m.off;
+  }
+  return fmt::format("{}: max {:.3f}, RMS {:.3f}", plain(series.name), largest,
+                     std::sqrt(squares / static_cast<double>(series.marks.size())));
+}
 
-  std::string script = fmt::format(
-      "set terminal {} size {},{} font 'DejaVu Sans,10' noenhanced\nset output '{}'\n",
-      path.ends_with(".svg") ? "svg background 'white'" : "pngcairo", width, height, plain(path));
-  add_data(script, plot);
-  script += fmt::format("set multiplot title '{}'\n", plain(plot.title));
+// 1, 2 or 5 times a power of ten, at most so many of them in a range.
+double tic(double range, double most) {
+  const double least = range / most, ten = std::pow(10, std::floor(std::log10(least)));
+  for (const double times : {1.0, 2.0, 5.0}) {
+    if (times * ten >= least) return std::max(1.0, times * ten);
+  }
+  return std::max(1.0, 10 * ten);
+}
+
+void write_path(std::ostream& out, const Plot& plot, const Layout& all, int panel) {
+  const double between = tic(all.x1 - all.x0, all.path.width / 40.0);
+  out << margins(all, all.in(panel, all.path))
+      << fmt::format("set title '{}'\n", title_of(plot.series[static_cast<std::size_t>(panel)]))
+      << fmt::format("set xrange [{:.6f}:{:.6f}]\nset yrange [{:.6f}:{:.6f}]\n", all.x0, all.x1,
+                     all.y0, all.y1)
+      << fmt::format("unset xlabel\nset xtics {0}\nset ytics {0}\n", between);
+  if (shows_steps(all)) out << fmt::format("set mxtics {0}\nset mytics {0}\n", between);
+  out << "plot ";
+  if (!plot.ideal.empty()) out << "$ideal using 1:2 with lines lw 1 lc rgb '#555555', ";
+  if (shows_steps(all)) {
+    out << fmt::format("$way{} using 1:2 with lines lw 0.8 lc rgb '#999999', ", panel);
+  }
+  out << fmt::format("$spots{} using 1:2:3 with points pt 7 ps {:.2f} lc palette\n", panel,
+                     std::clamp(all.pixels_a_step() / 16, 0.25, 1.1));
+}
+
+void write_bars(std::ostream& out, const Plot& plot, const Layout& all, int panel) {
+  const auto marks = static_cast<double>(plot.series[static_cast<std::size_t>(panel)].marks.size());
+  const double bars = std::max(marks, all.length);
+  const bool few = bars < 100;
+  const double bar = all.length / std::min<double>(bars, all.bars.width);
+  const double margin = std::max(0.5, 0.01 * all.length);
+  out << margins(all, all.in(panel, all.bars))
+      << fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", -margin, all.length + margin,
+                     -0.1 * all.top, all.top)
+      << "unset title\nunset mxtics\nunset mytics\n"
+      << fmt::format("set ytics {}\nset xtics {}\n", all.top > 1.5 ? 1 : 0.5,
+                     tic(all.length, all.bars.width / 60.0))
+      << "set xlabel 'step along the path' offset 0,0.6\n"
+      // The dots tell points without a deviation from those that are not drawn.
+      << fmt::format(
+             "plot $bars{0} using 4:($3 > {1} ? {1} : $3):({2}):3 with boxes lc palette, "
+             "$bars{0} using 4:({3}):3 with points pt 7 ps {4} lc palette, "
+             "0.5 with lines dt 2 lw 0.8 lc rgb '#555555'\n",
+             panel, all.top, few ? 0.8 * bar : 1.6 * bar, -0.05 * all.top, few ? 0.4 : 0.2);
+}
+
+void write_script(std::ostream& out, const std::string& path, const Plot& plot) {
+  const Layout all = layout_of(plot);
+  const double wide = all.width, high = all.height;
+  out << fmt::format("set terminal {} size {},{} font 'DejaVu Sans,10' noenhanced\n",
+                     path.ends_with(".svg") ? "svg background 'white'" : "pngcairo", all.width,
+                     all.height)
+      << fmt::format("set output '{}'\n", plain(path));
+  write_data(out, plot, all);
   // One scale of colours for all pictures: half a step and a step are what one looks for.
-  script +=
-      "set palette defined (0 '#1a9850', 0.5 '#fdae61', 1 '#d73027', 2 '#762a83')\n"
-      "set cbrange [0:2]\nset cblabel 'steps off'\nset grid lt 1 lc rgb '#d0d0d0'\nunset key\n";
-  if (extent.small) script += "set xtics 1 format ''\nset ytics 1 format ''\n";
-  const double below = static_cast<double>(curve) / height;
-  const double one = (1 - below - static_cast<double>(heading) / height) / high;
-  for (int i = 0; i < panels; ++i) {
-    const std::size_t points = plot.series[static_cast<std::size_t>(i)].points.size();
-    const double size = points < 60 ? 1.1 : points < 200 ? 0.7 : points < 1000 ? 0.4 : 0.2;
-    script += fmt::format(
-        "set size ratio -1\nset origin {:.4f},{:.4f}\nset size {:.4f},{:.4f}\nset title '{}'\n"
-        "plot $ideal using 1:2 with lines lw 1.2 lc rgb '#4575b4', "
-        "$path{} using 1:2 with lines lw 0.8 lc rgb '#999999', "
-        "$path{} using 1:2:3 with points pt 7 ps {} lc palette\n",
-        static_cast<double>(i % columns) / wide, below + one * (high - 1 - i / columns), 1.0 / wide,
-        one, plain(plot.series[static_cast<std::size_t>(i)].name), i, i, size);
+  out << "set multiplot\n"
+      << fmt::format("set label 1 '{}' at screen 0.5,{:.6f} center font ',12'\n", plain(plot.title),
+                     1 - 18 / high)
+      << fmt::format(
+             "set label 2 'paths over the curve; below them how far each point is off it, in "
+             "steps{}' at screen 0.5,{:.6f} center\n",
+             worst_of(plot) > worst_shown ? fmt::format(", cut at {}", worst_shown) : "",
+             1 - 40 / high)
+      << "set palette defined (0 '#2c7bb6', 0.25 '#5ab4ac', 0.5 '#fdae61', 1 '#d7191c', 2 "
+         "'#5e1065')\n"
+      << fmt::format("set cbrange [0:{0}]\nset cblabel 'steps off'\nset cbtics 0.5\n", worst_shown)
+      << fmt::format("set colorbox user origin screen {:.6f},{:.6f} size screen {:.6f},{:.6f}\n",
+                     all.colours.x / wide, 1 - (all.colours.y + all.colours.height) / high,
+                     all.colours.width / wide, all.colours.height / high)
+      << "set grid xtics mxtics ytics mytics lt 1 lc rgb '#d4d4d4', lt 1 lc rgb '#e8e8e8'\n"
+      << "set style fill solid 1 noborder\nunset key\nset tics nomirror\n";
+  for (int i = 0; i < static_cast<int>(plot.series.size()); ++i) {
+    write_path(out, plot, all, i);
+    if (i == 0) out << "unset colorbox\nunset label\n";
+    write_bars(out, plot, all, i);
   }
-  script += fmt::format(
-      "set size noratio\nset origin 0,0\nset size 1,{:.4f}\nset title 'how far off, in steps, "
-      "along the path'\nset key outside right\nset xrange [0:1]\nset yrange [0:*]\n"
-      "set xtics auto format '%.1f'\nset ytics auto format '%.1f'\nplot ",
-      below);
-  for (int i = 0; i < panels; ++i) {
-    const Series& s = plot.series[static_cast<std::size_t>(i)];
-    script +=
-        fmt::format("{}$path{} using ($0/{}):3 with lines lw 1.4 title '{}'", i == 0 ? "" : ", ", i,
-                    std::max<std::size_t>(s.points.size(), 2) - 1, plain(s.name));
-  }
-  return script + "\nunset multiplot\n";
+  out << "unset multiplot\n";
 }
 
 }  // namespace
 
-std::vector<std::pair<double, double>> ideal_line(circular::Point to) {
-  return {{0, 0}, {static_cast<double>(to.x), static_cast<double>(to.y)}};
-}
-
-std::vector<std::pair<double, double>> ideal_arc(double radius, circular::Point from,
-                                                 circular::Point to) {
-  constexpr int pieces = 256;
-  const auto angle = [](circular::Point p) {
-    return std::atan2(static_cast<double>(p.y), static_cast<double>(p.x));
-  };
-  std::vector<std::pair<double, double>> all;
-  for (int i = 0; i <= pieces; ++i) {
-    const double at = angle(from) + (angle(to) - angle(from)) * i / pieces;
-    all.emplace_back(radius * std::cos(at), radius * std::sin(at));
+void Series::add(const Mark& mark) {
+  if (marks.size() == most_marks) {
+    throw InputError(
+        fmt::format("--plot: a path of more than {} steps is too long to draw", most_marks - 1));
   }
-  return all;
+  marks.push_back(mark);
 }
 
 void check_plot(const std::string& path) {
@@ -147,15 +203,12 @@ void check_plot(const std::string& path) {
 }
 
 void draw_plot(const std::string& path, const Plot& plot) {
-  std::size_t points = 0;
-  for (const Series& s : plot.series) points += s.points.size();
-  if (points > most_points) {
-    throw InputError(
-        fmt::format("--plot: {} points are too many to draw, at most {}", points, most_points));
-  }
   const proof::Scratch scratch;
   const std::string script = scratch.path() / "plot.gp";
-  std::ofstream(script) << script_of(path, plot);
+  {
+    std::ofstream out(script);
+    write_script(out, path, plot);
+  }
   const auto ended = proof::run_program({"gnuplot", script});
   if (ended.status != 0) throw InputError(fmt::format("--plot: {}: gnuplot failed", path));
 }

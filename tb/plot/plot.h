@@ -9,34 +9,40 @@
 
 namespace cosim {
 
-/// One path: a point and how far it is off the curve, in steps, for each step.
-struct Series {
-  std::string name;
-  std::vector<circular::Point> points;
-  std::vector<double> deviations;
+/// A curve as a polyline, in steps.
+using Curve = std::vector<std::pair<double, double>>;
 
-  void add(circular::Point at, double deviation) {
-    points.push_back(at);
-    deviations.push_back(deviation);
-  }
+/// A point of a path.
+struct Mark {
+  circular::Point at;
+  double off = 0;    ///< its distance from the curve, in steps
+  double along = 0;  ///< where it lies on the path, in steps from its start
+};
+
+/// One path. Marks are in the order they were drawn; two that are no neighbours on the grid are not
+/// joined.
+struct Series {
+  static constexpr std::size_t most_marks = 1'000'000;
+
+  std::string name;
+  std::vector<Mark> marks;  ///< at least one
+
+  /// InputError where there are more than a picture holds.
+  void add(const Mark& mark);
+  /// The next step of a path that is drawn step by step.
+  void add(circular::Point at, double off) { add({at, off, static_cast<double>(marks.size())}); }
 };
 
 struct Plot {
   std::string title;
-  std::vector<std::pair<double, double>> ideal;  ///< the curve, as a polyline
-  std::vector<Series> series;                    ///< side by side, at least one
+  std::vector<Curve> ideal;    ///< what was to be drawn
+  std::vector<Series> series;  ///< side by side, at least one
 };
-
-/// The points of an ideal line, from (0, 0) to `to`, and of an arc about (0, 0).
-std::vector<std::pair<double, double>> ideal_line(circular::Point to);
-std::vector<std::pair<double, double>> ideal_arc(double radius, circular::Point from,
-                                                 circular::Point to);
 
 /// InputError where `path` does not end in .svg or .png, and where there is no gnuplot.
 void check_plot(const std::string& path);
 
-/// Draws it into the file. InputError where gnuplot fails, or there are more points than it can
-/// show, 500,000.
+/// Draws it into the file. InputError where gnuplot fails.
 void draw_plot(const std::string& path, const Plot& plot);
 
 }  // namespace cosim

@@ -38,6 +38,17 @@ class Picture {
   /// The dots of a path, or those below its bars; panels count from 0.
   std::vector<Dot> path(int panel) const { return dots("$spots" + std::to_string(panel)); }
   std::vector<Dot> bars(int panel) const { return dots("$bars" + std::to_string(panel)); }
+  /// The corners of the curve in the first panel.
+  std::vector<Dot> curve() const {
+    static const std::regex corner(R"(([\d.]+),([\d.]+))");
+    const std::size_t at = svg_.find(" d='", svg_.find("<title>$ideal "));
+    const std::string line = svg_.substr(at, svg_.find("'/>", at) - at);
+    std::vector<Dot> found;
+    for (std::sregex_iterator one(line.begin(), line.end(), corner), end; one != end; ++one) {
+      found.push_back({std::stod((*one)[1]), std::stod((*one)[2]), ""});
+    }
+    return found;
+  }
 
  private:
   // Those of what is drawn of `data`: up to the next title.

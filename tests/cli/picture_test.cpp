@@ -82,6 +82,37 @@ TEST(Picture, OfAProgramsArc) {
   EXPECT_EQ(picture.path(1).size(), 25U);  // 12 steps on each axis
 }
 
+// The arc's points begin where the lines' end; the curve goes through (0, 0), (8, 4) and (8, 20),
+// and from there keeps 12 steps off (8, 8) up to (20, 8).
+TEST(Picture, OfAProgramIsOfOnePiece) {
+  if (!can_plot()) GTEST_SKIP() << "no gnuplot";
+  const Folder folder;
+  const Picture picture(program(folder, "bresenham,midpoint"));
+  const std::vector<Dot> lines = picture.path(0), curve = picture.curve();
+  ASSERT_EQ(lines.size(), 25U);
+  ASSERT_GT(curve.size(), 12U);
+  double left = lines[0].x, low = lines[0].y, high = low, top_of_arc = low;
+  for (const Dot& d : lines) {
+    left = std::min(left, d.x), low = std::max(low, d.y), high = std::min(high, d.y);
+  }
+  const double step = (low - high) / 20;
+  for (const Dot& d : picture.path(1)) top_of_arc = std::min(top_of_arc, d.y);
+  EXPECT_NEAR(top_of_arc, high, 0.1);
+  const auto expect_at = [&](const Dot& d, double x, double y) {
+    EXPECT_NEAR((d.x - left) / step, x, 0.01);
+    EXPECT_NEAR((low - d.y) / step, y, 0.01);
+  };
+  expect_at(curve[0], 0, 0);
+  expect_at(curve[1], 8, 4);
+  expect_at(curve[2], 8, 20);
+  expect_at(curve.back(), 20, 8);
+  for (std::size_t i = 2; i < curve.size(); ++i) {
+    const double x = (curve[i].x - left) / step - 8, y = (low - curve[i].y) / step - 8;
+    EXPECT_NEAR(std::hypot(x, y), 12, 0.01);
+    EXPECT_GE(std::min(x, y), -0.01);
+  }
+}
+
 // 8 + 16 steps of lines, then 17 of the arc: each where it lies on the whole path.
 TEST(Picture, HasTheStepsAlongThePath) {
   if (!can_plot()) GTEST_SKIP() << "no gnuplot";

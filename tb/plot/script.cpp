@@ -1,0 +1,181 @@
+#include "tb/plot/script.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ostream>
+
+#include "tb/plot/layout.h"
+#include "tb/plot/thin.h"
+
+namespace cosim {
+namespace {
+
+// A single quote ends a text of gnuplot.
+std::string plain(const std::string& text) {
+  std::string safe;
+  for (const char c : text) {
+    if (c == '\'') {
+      safe += "''";
+    } else if (c != '\n') {
+      safe += c;
+    }
+  }
+  return safe;
+}
+
+// Single points of the grid can be told apart, and are joined by what the machine did.
+bool shows_steps(const Layout& all) { return all.pixels_a_step() >= 6; }
+
+void write_marks(std::ostream& out, const std::string& name, const std::vector<Mark>& marks) {
+  out << '$' << name << " << EOD\n";
+  for (const Mark& m : marks) {
+    out << fmt::format("{} {} {:.4f} {:.6g}\n", m.at.x, m.at.y, m.off, m.along);
+  }
+  out << "EOD\n";
+}
+
+// An empty line ends what is joined.
+void write_joined(std::ostream& out, int panel, const std::vector<Mark>& marks) {
+  out << "$way" << panel << " << EOD\n";
+  circular::Point last = marks.front().at;
+  for (const Mark& m : marks) {
+    if (std::abs(m.at.x - last.x) > 1 || std::abs(m.at.y - last.y) > 1) out << '\n';
+    out << m.at.x << ' ' << m.at.y << '\n';
+    last = m.at;
+  }
+  out << "EOD\n";
+}
+
+void write_data(std::ostream& out, const Plot& plot, const Layout& all) {
+  out << "$ideal << EOD\n";
+  for (const Curve& curve : plot.ideal) {
+    for (const auto& [x, y] : curve) out << fmt::format("{:.8g} {:.8g}\n", x, y);
+    out << '\n';
+  }
+  out << "EOD\n";
+  const auto pixel = [&](double value) { return static_cast<std::int64_t>(std::floor(value)); };
+  const double scale = all.pixels_a_step() / 1.5;
+  for (std::size_t i = 0; i < plot.series.size(); ++i) {
+    const std::vector<Mark>& marks = plot.series[i].marks;
+    write_marks(out, fmt::format("spots{}", i), worst_of_cells(marks, [&](const Mark& m) {
+                  return std::pair(pixel(static_cast<double>(m.at.x) * scale),
+                                   pixel(static_cast<double>(m.at.y) * scale));
+                }));
+    write_marks(out, fmt::format("bars{}", i), worst_of_cells(marks, [&](const Mark& m) {
+                  return std::pair(pixel(m.along / all.length * all.bars.width), std::int64_t{0});
+                }));
+    if (shows_steps(all)) write_joined(out, static_cast<int>(i), marks);
+  }
+}
+
+std::string margins(const Layout& all, const Box& box) {
+  const double wide = all.width, high = all.height;
+  return fmt::format(
+      "set lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\n"
+      "set tmargin at screen {:.6f}\nset bmargin at screen {:.6f}\n",
+      box.x / wide, (box.x + box.width) / wide, 1 - box.y / high, 1 - (box.y + box.height) / high);
+}
+
+double worst_of(const Plot& plot) {
+  double worst = 0;
+  for (const Series& s : plot.series) {
+    for (const Mark& m : s.marks) worst = std::max(worst, m.off);
+  }
+  return worst;
+}
+
+std::string title_of(const Series& series) {
+  double largest = 0, squares = 0;
+  for (const Mark& m : series.marks) {
+    largest = std::max(largest, m.off);
+    squares += m.off * m.off;
+  }
+  return fmt::format("{}: max {:.3f}, RMS {:.3f}", plain(series.name), largest,
+                     std::sqrt(squares / static_cast<double>(series.marks.size())));
+}
+
+// 1, 2 or 5 times a power of ten, at most so many of them in a range.
+double tic(double range, double most) {
+  const double least = range / most, ten = std::pow(10, std::floor(std::log10(least)));
+  for (const double times : {1.0, 2.0, 5.0}) {
+    if (times * ten >= least) return std::max(1.0, times * ten);
+  }
+  return std::max(1.0, 10 * ten);
+}
+
+void write_path(std::ostream& out, const Plot& plot, const Layout& all, int panel) {
+  const double between = tic(all.x1 - all.x0, all.path.width / 40.0);
+  out << margins(all, all.in(panel, all.path))
+      << fmt::format("set title '{}'\n", title_of(plot.series[static_cast<std::size_t>(panel)]))
+      << fmt::format("set xrange [{:.6f}:{:.6f}]\nset yrange [{:.6f}:{:.6f}]\n", all.x0, all.x1,
+                     all.y0, all.y1)
+      << fmt::format("unset xlabel\nset xtics {0}\nset ytics {0}\n", between);
+  if (shows_steps(all)) out << fmt::format("set mxtics {0}\nset mytics {0}\n", between);
+  out << "plot ";
+  if (!plot.ideal.empty()) out << "$ideal using 1:2 with lines lw 1 lc rgb '#555555', ";
+  if (shows_steps(all)) {
+    out << fmt::format("$way{} using 1:2 with lines lw 0.8 lc rgb '#999999', ", panel);
+  }
+  out << fmt::format("$spots{} using 1:2:3 with points pt 7 ps {:.2f} lc palette\n", panel,
+                     std::clamp(all.pixels_a_step() / 16, 0.25, 1.1));
+}
+
+void write_bars(std::ostream& out, const Plot& plot, const Layout& all, int panel) {
+  const auto marks = static_cast<double>(plot.series[static_cast<std::size_t>(panel)].marks.size());
+  const double bars = std::max(marks, all.length);
+  const bool few = bars < 100;
+  const double bar = all.length / std::min<double>(bars, all.bars.width);
+  const double margin = std::max(0.5, 0.01 * all.length);
+  out << margins(all, all.in(panel, all.bars))
+      << fmt::format("set xrange [{}:{}]\nset yrange [{}:{}]\n", -margin, all.length + margin,
+                     -0.1 * all.top, all.top)
+      << "unset title\nunset mxtics\nunset mytics\n"
+      << fmt::format("set ytics {}\nset xtics {}\n", all.top > 1.5 ? 1 : 0.5,
+                     tic(all.length, all.bars.width / 60.0))
+      << "set xlabel 'step along the path' offset 0,0.6\n"
+      // The dots tell points without a deviation from those that are not drawn.
+      << fmt::format(
+             "plot $bars{0} using 4:($3 > {1} ? {1} : $3):({2}):3 with boxes lc palette, "
+             "$bars{0} using 4:({3}):3 with points pt 7 ps {4} lc palette, "
+             "0.5 with lines dt 2 lw 0.8 lc rgb '#555555'\n",
+             panel, all.top, few ? 0.8 * bar : 1.6 * bar, -0.05 * all.top, few ? 0.4 : 0.2);
+}
+
+}  // namespace
+
+void write_script(std::ostream& out, const std::string& path, const Plot& plot) {
+  const Layout all = layout_of(plot);
+  const double wide = all.width, high = all.height;
+  out << fmt::format("set terminal {} size {},{} font 'DejaVu Sans,10' noenhanced\n",
+                     path.ends_with(".svg") ? "svg background 'white'" : "pngcairo", all.width,
+                     all.height)
+      << fmt::format("set output '{}'\n", plain(path));
+  write_data(out, plot, all);
+  // One scale of colours for all pictures: half a step and a step are what one looks for.
+  out << "set multiplot\n"
+      << fmt::format("set label 1 '{}' at screen 0.5,{:.6f} center font ',12'\n", plain(plot.title),
+                     1 - 18 / high)
+      << fmt::format(
+             "set label 2 'paths over the curve; below them how far each point is off it, in "
+             "steps{}' at screen 0.5,{:.6f} center\n",
+             worst_of(plot) > worst_shown ? fmt::format(", cut at {}", worst_shown) : "",
+             1 - 40 / high)
+      << "set palette defined (0 '#2c7bb6', 0.25 '#5ab4ac', 0.5 '#fdae61', 1 '#d7191c', 2 "
+         "'#5e1065')\n"
+      << fmt::format("set cbrange [0:{0}]\nset cblabel 'steps off'\nset cbtics 0.5\n", worst_shown)
+      << fmt::format("set colorbox user origin screen {:.6f},{:.6f} size screen {:.6f},{:.6f}\n",
+                     all.colours.x / wide, 1 - (all.colours.y + all.colours.height) / high,
+                     all.colours.width / wide, all.colours.height / high)
+      << "set grid xtics mxtics ytics mytics lt 1 lc rgb '#d4d4d4', lt 1 lc rgb '#e8e8e8'\n"
+      << "set style fill solid 1 noborder\nunset key\nset tics nomirror\n";
+  for (int i = 0; i < static_cast<int>(plot.series.size()); ++i) {
+    write_path(out, plot, all, i);
+    if (i == 0) out << "unset colorbox\nunset label\n";
+    write_bars(out, plot, all, i);
+  }
+  out << "unset multiplot\n";
+}
+
+}  // namespace cosim

@@ -79,7 +79,7 @@ void add_window(CLI::App& command, Common& common) {
 
 void add_plot(CLI::App& command, Common& common) {
   add_text(command, "--plot", common.plot, "FILE",
-           "Draw the path over the curve, and how far it is off it: .svg or .png");
+           "Draw the path over the curve, and how far each step is off it: .svg or .png");
 }
 
 void add_table(CLI::App& command, Common& common) {

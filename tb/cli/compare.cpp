@@ -182,8 +182,8 @@ int run(const Options& o) {
 
 void add_compare(CLI::App& app, Action& action) {
   auto o = std::make_shared<Options>();
-  CLI::App& command =
-      *app.add_subcommand("compare", "The same work by every algorithm that can do it");
+  CLI::App& command = *app.add_subcommand(
+      "compare", "The same line, arc or program by every algorithm that can do it");
   o->work.add(command);
   add_text(command, "--algorithms", o->algorithms, "LIST", "Only these, with commas between them");
   add_plot(command, o->common);

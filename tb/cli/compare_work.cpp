@@ -44,7 +44,8 @@ NamedWork read_work(const std::string& file, const Text& steps_per_mm) {
 
 void WorkOptions::add(CLI::App& command) {
   add_text(command, "FILE", file, "", "A G-code program: its lines, and its arcs");
-  add_text(command, "--steps-per-mm", steps_per_mm, "S", "Of FILE: steps of the grid to 1 mm");
+  add_text(command, "--steps-per-mm", steps_per_mm, "S",
+           "Needed with FILE: steps of the grid to 1 mm");
   add_text(command, "--line", line, "BP,MP", fmt::format("A line, BP at most {}", largest));
   add_text(command, "--arc", arc, "R", fmt::format("A quarter circle, R at most {}", largest));
 }

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "model/core/input_error.h"
 #include "tb/plot/plot.h"
@@ -76,11 +77,17 @@ void check_outputs(const Common& common, const std::string& input) {
   check_output("--report", common.report, input);
   check_output("--checkpoint", common.checkpoint, input);
   check_output("--plot", common.plot, input);
-  if (common.csv && common.report && same_file(*common.csv, *common.report)) {
-    throw InputError(fmt::format("--report: {} is the file of --csv", *common.report));
-  }
-  if (common.report && common.checkpoint && same_file(*common.report, *common.checkpoint)) {
-    throw InputError(fmt::format("--checkpoint: {} is the file of --report", *common.report));
+  const std::pair<const char*, const Text*> files[] = {{"--csv", &common.csv},
+                                                       {"--report", &common.report},
+                                                       {"--checkpoint", &common.checkpoint},
+                                                       {"--plot", &common.plot},
+                                                       {"--wave", &common.wave}};
+  for (const auto& [name, file] : files) {
+    for (const auto* before = files; before->second != file; ++before) {
+      if (*file && *before->second && same_file(**file, **before->second)) {
+        throw InputError(fmt::format("{}: {} is the file of {}", name, **file, before->first));
+      }
+    }
   }
   if (common.report) check_writable(*common.report);
   if (common.plot) {

@@ -8,9 +8,9 @@
 
 namespace cosim::cli {
 
-/// InputError where --csv, --report, --wave or --checkpoint names no file, where two name one and
+/// InputError where --csv, --report, --checkpoint, --plot or --wave names no file, where two name one and
 /// the same, where one of them is the file `input` or the one that standard output goes to, and
-/// where the report, the wave or the checkpoint cannot be written. Leaves all files as they are. To
+/// where any of them but the CSV cannot be written. Leaves all files as they are. To
 /// be called when all other input has proved good.
 void check_outputs(const Common& common, const std::string& input = "");
 

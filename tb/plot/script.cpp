@@ -158,8 +158,8 @@ void write_script(std::ostream& out, const std::string& path, const Plot& plot) 
       << fmt::format("set label 1 '{}' at screen 0.5,{:.6f} center font ',12'\n", plain(plot.title),
                      1 - 18 / high)
       << fmt::format(
-             "set label 2 'paths over the curve; below them how far each point is off it, in "
-             "steps{}' at screen 0.5,{:.6f} center\n",
+             "set label 2 'paths over the curve; below them the distance of each point from it, "
+             "in steps{}' at screen 0.5,{:.6f} center\n",
              worst_of(plot) > worst_shown ? fmt::format(", cut at {}", worst_shown) : "",
              1 - 40 / high)
       << "set palette defined (0 '#2c7bb6', 0.25 '#5ab4ac', 0.5 '#fdae61', 1 '#d7191c', 2 "

@@ -54,6 +54,10 @@ TEST(Plot, RefusesWhatItCannotDraw) {
   expect_refused("a.pdf", "--plot: a.pdf does not end in .svg or .png");
   expect_refused("png", "--plot: png does not end in .svg or .png");
   expect_refused(".png", "--plot: .png does not end in .svg or .png");
+  const Ended twice =
+      cosim({"arc", "--radius", "12", "--csv", "/tmp/a.png", "--plot", "/tmp/a.png"});
+  EXPECT_EQ(twice.status, 2);
+  EXPECT_EQ(twice.err, "cosim: --plot: /tmp/a.png is the file of --csv\n");
   if (!can_plot()) GTEST_SKIP() << "no gnuplot";
   expect_refused("/nowhere/a.png", "/nowhere/a.png: cannot write: No such file or directory");
 }

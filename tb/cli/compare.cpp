@@ -195,8 +195,8 @@ void add_compare(CLI::App& app, Action& action) {
       "the steps of an arc, over the ideal; kinds: combinations of steps on a clock, none "
       "included.\n"
       "Lines: " +
-      names_of(compare::line_algorithms()) + ".\n" + "Arcs: " +
-      names_of(compare::arc_algorithms()) + ".\n" + "Example: cosim compare --line 27,9");
+      names_of(compare::line_algorithms()) + "\nArcs: " + names_of(compare::arc_algorithms()) +
+      "\nExample: cosim compare --line 27,9");
   command.callback([&action, o] { action = [o] { return run(*o); }; });
 }
 

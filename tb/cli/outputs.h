@@ -8,10 +8,10 @@
 
 namespace cosim::cli {
 
-/// InputError where --csv, --report, --checkpoint, --plot or --wave names no file, where two name one and
-/// the same, where one of them is the file `input` or the one that standard output goes to, and
-/// where any of them but the CSV cannot be written. Leaves all files as they are. To
-/// be called when all other input has proved good.
+/// InputError where --csv, --report, --checkpoint, --plot or --wave names no file, where two name
+/// one and the same, where one of them is the file `input` or the one that standard output goes to,
+/// and where any of them but the CSV cannot be written. Leaves all files as they are. To be called
+/// when all other input has proved good.
 void check_outputs(const Common& common, const std::string& input = "");
 
 }  // namespace cosim::cli

@@ -146,7 +146,9 @@ std::string report_json(const std::vector<Outcome>& outcomes, std::uint64_t seed
   if (outcomes.size() == 1) {
     top = runs.front();
   } else {
-    top["verdict"] = all_match(outcomes) ? "match" : "mismatch";
+    top["verdict"] = outcomes.empty()        ? "nothing compared"
+                     : all_match(outcomes) ? "match"
+                                           : "mismatch";
     top["design"] = Json::array();
     top["parameters"] = Json::array();
     std::uint64_t clocks = 0;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "model/core/input_error.h"
@@ -26,6 +27,11 @@ linear::Code parse_code(const std::string& text, int m) {
 }
 
 }  // namespace
+
+std::optional<int> width_of(const Text& code) {
+  if (!code || code->empty() || code->find_first_not_of("01") != std::string::npos) return {};
+  return static_cast<int>(std::min<std::size_t>(code->size(), 64));
+}
 
 linear::Code (*code_rule(const Text& code))(int, std::int64_t, std::int64_t) {
   const std::string rule = code.value_or("best");

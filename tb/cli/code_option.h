@@ -1,6 +1,7 @@
 // The option --code of a line: the control code UK, chosen or by rule.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "model/linear/control_code.h"
@@ -20,6 +21,9 @@ struct ChosenCode {
 /// these, does not have m bits, or does not give `minor` steps.
 ChosenCode choose_code(const Text& code, int m, std::int64_t major,
                        std::optional<std::int64_t> minor);
+
+/// How wide a machine the bits of a code are for; none where it is a rule or a number.
+std::optional<int> width_of(const Text& code);
 
 /// The rule of that name, best where there is none. InputError for another name.
 linear::Code (*code_rule(const Text& code))(int m, std::int64_t major, std::int64_t minor);

@@ -141,9 +141,18 @@ void check_known(const Text& asked, const std::vector<bool>& known, const compar
   }
 }
 
+void check_once(const std::vector<std::string>& names) {
+  for (auto at = names.begin(); at != names.end(); ++at) {
+    if (std::find(names.begin(), at, *at) != at) {
+      throw InputError(fmt::format("--algorithms: {} stands there twice", cli::quoted(*at)));
+    }
+  }
+}
+
 int run(const Options& o) {
   const std::uint64_t seed = o.common.seed();
   const auto [text, work] = parse_work(o.work);
+  if (o.algorithms) check_once(split(*o.algorithms));
   std::vector<bool> known(o.algorithms ? split(*o.algorithms).size() : 0, false);
   const auto by_line = chosen(compare::line_algorithms(), o.algorithms, work.lines.works, known);
   const auto by_arc = chosen(compare::arc_algorithms(), o.algorithms, work.arcs.works, known);
@@ -171,11 +180,11 @@ int run(const Options& o) {
     }
   }
   fmt::print("\n");
-  if (outcomes.empty()) {
-    fmt::print("no machine was asked for: nothing runs in lockstep\n");
-    return 0;
-  }
-  return conclude(outcomes, o.common, "{\"algorithms\":" + to_json(entries) + "}");
+  const std::string figures = "{\"algorithms\":" + to_json(entries) + "}";
+  if (!outcomes.empty()) return conclude(outcomes, o.common, figures);
+  fmt::print("no machine was asked for: nothing runs in lockstep\n");
+  if (o.common.report) write_report(*o.common.report, report_json({}, seed, figures));
+  return 0;
 }
 
 }  // namespace

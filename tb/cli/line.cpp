@@ -73,12 +73,23 @@ class Drawn final : public Observer<linear::Design> {
   int word_;
 };
 
+// Where nobody names M, a code's bits do, if there is such a machine.
+LinearShape shape_of(const Options& o) {
+  LinearShape shape = o.shape.linear();
+  const std::optional<int> width = width_of(o.code);
+  if (shape.m || !width) return shape;
+  for (const auto* bench : matching(shape)) {
+    if (bench->params().m == *width) shape.m = *width;
+  }
+  return shape;
+}
+
 int run(const Options& o) {
   const std::uint64_t seed = o.common.seed();
   const auto major =
       static_cast<std::int64_t>(whole("--major", needed("--major", o.major), 0, most_steps));
   const std::optional<std::int64_t> minor = parse_minor(o.minor, major);
-  const auto& bench = choose(o.shape.linear(), major);
+  const auto& bench = choose(shape_of(o), major);
   const linear::Params p = bench.params();
   const ChosenCode code = choose_code(o.code, p.m, major, minor);
   check_outputs(o.common);

@@ -8,10 +8,11 @@
 #include <cstring>
 #include <filesystem>
 #include <system_error>
-#include <utility>
 
 #include "model/core/input_error.h"
+#include "tb/cli/wave.h"
 #include "tb/plot/plot.h"
+#include "tb/wave/view.h"
 
 namespace cosim::cli {
 namespace {
@@ -41,6 +42,9 @@ void check_writable(const std::string& path) {
   std::error_code error;
   const fs::file_type type = fs::status(path, error).type();
   const bool absent = type == fs::file_type::not_found;
+  if (absent && fs::is_symlink(path, error)) {
+    throw InputError(fmt::format("{}: cannot write: a link to nothing", path));
+  }
   // To open a pipe would wait for its reader, who would then see it closed.
   if (!absent && type != fs::file_type::regular && type != fs::file_type::directory) return;
   const int file = open(path.c_str(), O_WRONLY | O_CLOEXEC | (absent ? O_CREAT | O_EXCL : 0), 0600);
@@ -51,52 +55,72 @@ void check_writable(const std::string& path) {
   if (absent) unlink(path.c_str());
 }
 
-void check_output(const char* name, const Text& path, const std::string& input) {
-  if (!path) return;
-  if (path->empty()) throw InputError(fmt::format("{}: names no file", name));
-  if (!input.empty() && same_file(*path, input)) {
-    throw InputError(fmt::format("{}: {} is the program that is read", name, *path));
+// A file that an option writes.
+struct Output {
+  const char* option;
+  std::string path;
+};
+
+std::vector<Output> outputs_of(const Common& common, const std::vector<std::string>& waves) {
+  std::vector<Output> all;
+  const auto add = [&](const char* option, const Text& path) {
+    if (path && path->empty()) throw InputError(fmt::format("{}: names no file", option));
+    if (path) all.push_back({option, *path});
+  };
+  add("--csv", common.csv);
+  add("--report", common.report);
+  add("--checkpoint", common.checkpoint);
+  add("--plot", common.plot);
+  if (!common.wave) return all;
+  for (const std::string& part : waves) {
+    add("--wave", wave_file(*common.wave, part));
+    const ViewFiles beside(all.back().path);
+    for (const std::string& file : {beside.view, beside.phases, beside.steps}) add("--wave", file);
   }
-  if (same_file(*path, "/dev/stdout")) {
-    throw InputError(fmt::format("{}: {} is where standard output goes", name, *path));
-  }
+  return all;
 }
 
-void check_wave(const std::string& path, const std::string& input) {
-  check_output("--wave", path, input);
-  if (fs::path(path).extension() != ".fst" || fs::path(path).stem().empty()) {
-    throw InputError(fmt::format("--wave: {} does not end in .fst", path));
+void check_apart(const std::vector<Output>& all, const std::string& input) {
+  for (const Output& one : all) {
+    if (!input.empty() && same_file(one.path, input)) {
+      throw InputError(fmt::format("{}: {} is the file that is read", one.option, one.path));
+    }
+    if (same_file(one.path, "/dev/stdout")) {
+      throw InputError(fmt::format("{}: {} is where standard output goes", one.option, one.path));
+    }
+    for (const Output& before : all) {
+      if (&before == &one) break;
+      if (same_file(one.path, before.path)) {
+        throw InputError(
+            fmt::format("{}: {} is the file of {}", one.option, one.path, before.option));
+      }
+    }
   }
-  check_writable(path);
 }
 
 }  // namespace
 
-void check_outputs(const Common& common, const std::string& input) {
-  check_output("--csv", common.csv, input);
-  check_output("--report", common.report, input);
-  check_output("--checkpoint", common.checkpoint, input);
-  check_output("--plot", common.plot, input);
-  const std::pair<const char*, const Text*> files[] = {{"--csv", &common.csv},
-                                                       {"--report", &common.report},
-                                                       {"--checkpoint", &common.checkpoint},
-                                                       {"--plot", &common.plot},
-                                                       {"--wave", &common.wave}};
-  for (const auto& [name, file] : files) {
-    for (const auto* before = files; before->second != file; ++before) {
-      if (*file && *before->second && same_file(**file, **before->second)) {
-        throw InputError(fmt::format("{}: {} is the file of {}", name, **file, before->first));
-      }
+void check_outputs(const Common& common, const std::string& input,
+                   const std::vector<std::string>& waves) {
+  if (common.wave) {
+    const fs::path wave = *common.wave;
+    if (wave.extension() != ".fst" || wave.stem().empty()) {
+      throw InputError(common.wave->empty()
+                           ? "--wave: names no file"
+                           : fmt::format("--wave: {} does not end in .fst", *common.wave));
     }
   }
-  if (common.report) check_writable(*common.report);
-  if (common.plot) {
-    check_plot(*common.plot);
-    check_writable(*common.plot);
+  if (common.failures && common.failures->empty()) {
+    throw InputError("--failures: names no folder");
   }
-  if (common.wave) check_wave(*common.wave, input);
+  const std::vector<Output> all = outputs_of(common, waves);
+  check_apart(all, input);
+  if (common.plot) check_plot(*common.plot);
   common.window();
-  if (common.checkpoint) check_writable(*common.checkpoint);
+  // The CSV is opened before anything runs, and may be what can be opened once alone.
+  for (const Output& one : all) {
+    if (!common.csv || one.path != *common.csv) check_writable(one.path);
+  }
 }
 
 }  // namespace cosim::cli

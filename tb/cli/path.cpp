@@ -100,7 +100,7 @@ int run(const Options& o) {
   }
   const auto& lines = choose(line_shape, plan.longest_line);
   const auto& arcs = choose(arc_shape, plan.arc_width);
-  check_outputs(o.common, file);
+  check_outputs(o.common, file, {lines.design(), arcs.design()});
 
   OutputFile csv(o.common.csv.value_or(""));
   csv.line("segment,dx,dy,x,y");

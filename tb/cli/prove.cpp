@@ -198,6 +198,9 @@ int run(const Options& o) {
   const int limit = static_cast<int>(whole("--limit", o.limit.value_or("60"), 1, 86400));
   const unsigned cores = std::max(std::thread::hardware_concurrency(), 1U);
   const auto jobs = o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores;
+  if (!o.mutants && (o.count || o.mutant)) {
+    throw InputError(std::string(o.count ? "--count" : "--mutant") + ": belongs to --mutants");
+  }
   if (o.theorems) return run_theorems(o, limit, jobs);
   if (o.mutants) return run_mutants(o, limit, jobs);
   std::vector<Subject> subjects = chosen(o.machine);

@@ -6,8 +6,15 @@
 #include <utility>
 
 #include "model/core/input_error.h"
+#include "tb/wave/view.h"
 
 namespace cosim::cli {
+
+std::string wave_file(const std::string& file, const std::string& part) {
+  std::filesystem::path path = file;
+  if (!part.empty()) path.replace_extension("." + part + ".fst");
+  return path.string();
+}
 
 void draw_wave(const Common& common, const AnyBench& bench, Stimulus stimulus,
                const std::string& work, const std::string& part) {
@@ -19,11 +26,9 @@ void draw_wave(const Common& common, const AnyBench& bench, Stimulus stimulus,
   }
   stimulus.machine = bench.title();
   stimulus.origin = work;
-  std::filesystem::path file = *common.wave;
-  if (!part.empty()) file.replace_extension("." + part + ".fst");
-  bench.draw_wave(file.string(), stimulus, common.window());
-  file.replace_extension(".gtkw");
-  fmt::print("wave: {}\n", file.string());
+  const std::string file = wave_file(*common.wave, part);
+  bench.draw_wave(file, stimulus, common.window());
+  fmt::print("wave: {}\n", ViewFiles(file).view);
 }
 
 }  // namespace cosim::cli

@@ -9,9 +9,11 @@
 
 namespace cosim::cli {
 
+/// The file of --wave FILE.fst, or FILE.part.fst where there are several.
+std::string wave_file(const std::string& file, const std::string& part = "");
+
 /// Draws the stimulus where --wave asks for it: the window around its mismatch, or all of it.
-/// `part` goes into the file's name, FILE.part.fst, where several are drawn. InputError where it is
-/// too long to be drawn.
+/// `part` as of wave_file. InputError where it is too long to be drawn.
 void draw_wave(const Common& common, const AnyBench& bench, Stimulus stimulus,
                const std::string& work, const std::string& part = "");
 

@@ -14,7 +14,7 @@ std::string count(std::uint64_t n, const std::string& noun);
 /// steps".
 std::string in_steps(double length);
 
-/// The text on one line of a terminal: control characters as '?'.
+/// The text on one line, as UTF-8: every byte that is no part of a printable character as "?".
 std::string one_line(std::string text);
 
 /// What a person typed, in quotes and on one line; cut where it is long.

@@ -12,17 +12,11 @@
 namespace cosim {
 namespace {
 
-// A single quote ends a text of gnuplot.
-std::string plain(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '\'') {
-      safe += "''";
-    } else if (c != '\n') {
-      safe += c;
-    }
-  }
-  return safe;
+// A text of gnuplot, which a single quote ends.
+std::string quoted(const std::string& text) {
+  std::string safe = "'";
+  for (const char c : text) safe += c == '\'' ? "''" : std::string(1, c);
+  return safe + "'";
 }
 
 // Single points of the grid can be told apart, and are joined by what the machine did.
@@ -92,7 +86,7 @@ std::string title_of(const Series& series) {
     largest = std::max(largest, m.off);
     squares += m.off * m.off;
   }
-  return fmt::format("{}: max {:.3f}, RMS {:.3f}", plain(series.name), largest,
+  return fmt::format("{}: max {:.3f}, RMS {:.3f}", series.name, largest,
                      std::sqrt(squares / static_cast<double>(series.marks.size())));
 }
 
@@ -108,7 +102,8 @@ double tic(double range, double most) {
 void write_path(std::ostream& out, const Plot& plot, const Layout& all, int panel) {
   const double between = tic(all.x1 - all.x0, all.path.width / 40.0);
   out << margins(all, all.in(panel, all.path))
-      << fmt::format("set title '{}'\n", title_of(plot.series[static_cast<std::size_t>(panel)]))
+      << fmt::format("set title {}\n",
+                     quoted(title_of(plot.series[static_cast<std::size_t>(panel)])))
       << fmt::format("set xrange [{:.6f}:{:.6f}]\nset yrange [{:.6f}:{:.6f}]\n", all.x0, all.x1,
                      all.y0, all.y1)
       << fmt::format("unset xlabel\nset xtics {0}\nset ytics {0}\n", between);
@@ -151,11 +146,11 @@ void write_script(std::ostream& out, const std::string& path, const Plot& plot) 
   out << fmt::format("set terminal {} size {},{} font 'DejaVu Sans,10' noenhanced\n",
                      path.ends_with(".svg") ? "svg background 'white'" : "pngcairo", all.width,
                      all.height)
-      << fmt::format("set output '{}'\n", plain(path));
+      << fmt::format("set output {}\n", quoted(path));
   write_data(out, plot, all);
   // One scale of colours for all pictures: half a step and a step are what one looks for.
   out << "set multiplot\n"
-      << fmt::format("set label 1 '{}' at screen 0.5,{:.6f} center font ',12'\n", plain(plot.title),
+      << fmt::format("set label 1 {} at screen 0.5,{:.6f} center font ',12'\n", quoted(plot.title),
                      1 - 18 / high)
       << fmt::format(
              "set label 2 'paths over the curve; below them the distance of each point from it, "

@@ -48,7 +48,8 @@ Ended run_program(const std::vector<std::string>& words) {
 }
 
 Scratch::Scratch() {
-  std::string name = (std::filesystem::temp_directory_path() / "cosim.XXXXXX").string();
+  const char* folder = std::getenv("TMPDIR");
+  std::string name = std::string(folder != nullptr ? folder : "/tmp") + "/cosim.XXXXXX";
   if (mkdtemp(name.data()) == nullptr) {
     throw InputError(name + ": cannot be made: " + std::strerror(errno));
   }

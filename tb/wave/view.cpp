@@ -146,14 +146,21 @@ double number_of(const Field& field, Word value) {
   return field.format == Format::ones_quarters ? number / 4 : number;
 }
 
-void write_view(const std::string& path, const WaveShape& shape, const WaveRange& range) {
+ViewFiles::ViewFiles(const std::string& path) {
   const std::filesystem::path fst = path;
-  const std::string stem = fst.stem().string();
-  const auto beside = [&](const std::string& ending) {
-    return (fst.parent_path() / (stem + ending)).string();
+  const std::string stem = (fst.parent_path() / fst.stem()).string();
+  view = stem + ".gtkw";
+  phases = stem + ".phase.txt";
+  steps = stem + ".step.txt";
+}
+
+void write_view(const std::string& path, const WaveShape& shape, const WaveRange& range) {
+  const auto name_of = [](const std::string& file) {
+    return std::filesystem::path(file).filename().string();
   };
-  lines_of_words(beside(".phase.txt"), shape.phases);
-  lines_of_words(beside(".step.txt"), shape.steps);
+  const ViewFiles files(path);
+  lines_of_words(files.phases, shape.phases);
+  lines_of_words(files.steps, shape.steps);
 
   // A wave of many clocks is opened around the mismatch, or where it begins.
   constexpr std::uint64_t shown_clocks = 32;
@@ -167,10 +174,10 @@ void write_view(const std::string& path, const WaveShape& shape, const WaveRange
   constexpr double frames = 1100 / 200.0;
   const double zoom = -std::log2(static_cast<double>(clocks * wave_period) / frames);
 
-  OutputFile file(beside(".gtkw"));
+  OutputFile file(files.view);
   file.line("[*] {}: to be opened in the folder it lies in", shape.title);
-  file.line("[dumpfile] \"{}\"", fst.filename().string());
-  file.line("[savefile] \"{}.gtkw\"", stem);
+  file.line("[dumpfile] \"{}\"", name_of(path));
+  file.line("[savefile] \"{}\"", name_of(files.view));
   file.line("[timestart] {}", from * wave_period);
   file.line("[size] 1480 960");
   file.line("[pos] -1 -1");
@@ -192,8 +199,8 @@ void write_view(const std::string& path, const WaveShape& shape, const WaveRange
     add_pair(view, f);
     view.end_group("First difference: " + range.signal);
   }
-  view.words("cosim.words.phase", 4, stem + ".phase.txt", "phase");
-  view.words("cosim.words.step", 4, stem + ".step.txt", "step");
+  view.words("cosim.words.phase", 4, name_of(files.phases), "phase");
+  view.words("cosim.words.step", 4, name_of(files.steps), "step");
   add_path(view);
   view.group("Pins (of the source)");
   for (const Field& f : shape.inputs) {

@@ -16,8 +16,14 @@ bool has_number(const Field& field);
 /// That number: quarters as a fraction.
 double number_of(const Field& field, Word value);
 
-/// Writes the view of wave `path`, a file whose name ends in .fst, beside it: for x.fst the files
-/// x.gtkw, x.phase.txt and x.step.txt, which belong together. InputError where it cannot.
+/// The files of a view, which lie beside its wave `path`, x.fst, and belong together: x.gtkw, and
+/// the words x.phase.txt and x.step.txt.
+struct ViewFiles {
+  explicit ViewFiles(const std::string& path);
+  std::string view, phases, steps;
+};
+
+/// Writes the view of wave `path`, a file whose name ends in .fst. InputError where it cannot.
 void write_view(const std::string& path, const WaveShape& shape, const WaveRange& range);
 
 }  // namespace cosim

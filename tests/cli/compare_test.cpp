@@ -91,6 +91,16 @@ void expect_refused_compare(Arguments arguments, const std::string& error) {
   EXPECT_EQ(ended.err, "cosim: " + error + "\n");
 }
 
+TEST(Compare, OfNoMachineComparesNothing) {
+  const Folder folder;
+  const Ended ended = cosim(
+      {"compare", "--line", "27,9", "--algorithms", "bresenham", "--report", folder.path("r")});
+  EXPECT_EQ(ended.status, 0);
+  const json report = json::parse(folder.text("r"));
+  EXPECT_EQ(report["verdict"], "nothing compared");
+  EXPECT_EQ(report["algorithms"].size(), 1U);
+}
+
 TEST(Compare, RefusesWhatItCannotCompare) {
   const std::string one = "compare: one of --line, --arc and FILE is needed, ";
   expect_refused_compare({}, one + "none is given");
@@ -102,6 +112,8 @@ TEST(Compare, RefusesWhatItCannotCompare) {
   expect_refused_compare({"--line", "27,9", "--algorithms", "midpoint"},
                          "--algorithms: 'midpoint' cannot do this work; there are su1631518, "
                          "su1631518-greedy, rate-multiplier, dda, dda-half, bresenham");
+  expect_refused_compare({"--line", "27,9", "--algorithms", "dda,bresenham,dda"},
+                         "--algorithms: 'dda' stands there twice");
   expect_refused_compare(
       {kFlange, "--steps-per-mm", "2", "--algorithms", "fast"},
       "--algorithms: 'fast' cannot do this work; there are su1631518, "

@@ -166,6 +166,11 @@ TEST(Line, RunsOnTheSmallestMachineThatHoldsIt) {
   EXPECT_EQ(machine({"--m", "16", "--n", "13"}, 5), "linear M=16 N=13");
 }
 
+TEST(Line, RunsOnTheMachineThatItsCodeIsFor) {
+  expect_line(draw({"line", "--major", "27", "--code", "010100"}), 27, "010100", {6, 3});
+  expect_line(draw({"line", "--major", "27", "--code", "00101000"}), 27, "00101000", {8, 5});
+}
+
 TEST(Line, OfNoStepsHasNoRows) {
   const Drawing d = draw({"line", "--major", "0", "--minor", "0"});
   EXPECT_EQ(d.csv, (std::vector<std::string>{"tick,major,minor"}));

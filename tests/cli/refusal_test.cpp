@@ -63,6 +63,8 @@ TEST(Refusal, OfProofs) {
   expect_unused({"prove", "linear", "M=7"},
                 "linear M=7: is no machine that is built; see cosim list");
   expect_unused({"prove", "--limit", "0"}, "--limit: '0' is not a whole number from 1 to 86400");
+  expect_unused({"prove", "--count", "5"}, "--count: belongs to --mutants");
+  expect_unused({"prove", "--mutant", "5"}, "--mutant: belongs to --mutants");
   expect_unused({"prove", "--theorems", "spiral"}, "spiral: is no design with theorems");
   expect_unused({"prove", "linear", "--rtl", "/dev/null"},
                 "/dev/null: no Verilog of the linear interpolator");
@@ -149,7 +151,7 @@ TEST(Refusal, OfMachinesNotBuilt) {
 }
 
 TEST(Refusal, OfCodes) {
-  for (const char* code : {"", "0101", "010100", "10", "1", "0", "12345", "0b01010", "0x", "0x20",
+  for (const char* code : {"", "0101", "0101000", "10", "1", "0", "12345", "0b01010", "0x", "0x20",
                            "-1010", "0x-1", "Best", "01O10"}) {
     expect_refused(
         {"line", "--major", "27", "--minor", "9", "--code", code},

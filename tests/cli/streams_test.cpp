@@ -86,9 +86,31 @@ TEST(Streams, IsNotWrittenOverTheProgramRead) {
   for (const char* option : {"--csv", "--report"}) {
     expect_error(
         cosim({"path", file, "--steps-per-mm", "10", option, folder.path("./p.ngc")}),
-        std::string(option) + ": " + folder.path("./p.ngc") + " is the program that is read");
+        std::string(option) + ": " + folder.path("./p.ngc") + " is the file that is read");
     EXPECT_EQ(folder.text("p.ngc"), program);
   }
+}
+
+// What lies beside a wave, under names made from its own.
+TEST(Streams, OfAWaveAreApartFromAllOthers) {
+  const Folder folder;
+  const std::string wave = folder.path("w.fst");
+  for (const char* name : {"w.fst", "w.gtkw", "w.phase.txt", "w.step.txt"}) {
+    const std::string file = folder.path(name);
+    expect_error(line({"--wave", wave, "--csv", file}), "--wave: " + file + " is the file of --csv");
+    expect_error(line({"--wave", wave, "--report", file}),
+                 "--wave: " + file + " is the file of --report");
+  }
+  for (const char* name : {"w.linear.fst", "w.circular.gtkw", "w.linear.step.txt"}) {
+    const std::string file = folder.write(name, "G0 X10\n");
+    expect_error(cosim({"path", file, "--steps-per-mm", "10", "--wave", wave}),
+                 "--wave: " + file + " is the file that is read");
+    EXPECT_EQ(folder.text(name), "G0 X10\n");
+  }
+}
+
+TEST(Streams, OfFailuresNeedAFolder) {
+  expect_error(line({"--failures", ""}), "--failures: names no folder");
 }
 
 TEST(Streams, IsNotWrittenOverTheText) {

@@ -41,6 +41,13 @@ module circular #(
     output wire         step_x     // 36  X - 1
 );
 
+  // Elaboration stops here, on a module that does not exist, for a width out of range.
+  generate
+    if (W < 2 || W > 32) begin : g_width_out_of_range
+      circular_needs_2_le_W_le_32 error ();
+    end
+  endgenerate
+
   wire         t4_q, t16_q;                            // 4, 16
   wire [W+3:0] f_q;                                    // 1
   wire [W:0]   ct7_q, ct8_q;                           // 7, 8

@@ -57,6 +57,13 @@ module dda #(
   output wire [W:0]   code_y
 );
 
+  // Elaboration stops here, on a module that does not exist, for a width out of range.
+  generate
+    if (W < 2 || W > 32) begin : g_width_out_of_range
+      dda_needs_2_le_W_le_32 error ();
+    end
+  endgenerate
+
   // ---- Registers --------------------------------------------------------------------------------
   reg         running_q, sequential_q, normalise_q, free_q;
   reg [W-1:0] sx_q, sy_q;

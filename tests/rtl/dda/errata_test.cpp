@@ -172,7 +172,7 @@ Job quarter(std::int64_t radius, Update update = Update::parallel) {
   return arc(kParams, {radius, 0}, {0, radius}, {update, Preload::zero, true});
 }
 
-// The point that the flow chart leaves after the last step is in the last, stopped clock's codes.
+// The last point is that of the clock that stops.
 TEST(DdaW6Errata, D3AsShippedDrawsBothAsTheyAreTold) {
   int different = 0;
   for (std::int64_t radius = 1; radius < kSize; ++radius) {

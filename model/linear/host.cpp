@@ -45,7 +45,7 @@ std::vector<Job> Host::smaller(const Params& p, const Job& job) {
     jobs.push_back(job);
     change(jobs.back());
   };
-  for (int i = p.m - 1; i >= 0; --i) {
+  for (int i = p.m - 1; i > 0; --i) {
     if (bit(job.line.major, i)) add([&](Job& j) { j.line.major &= ones(i); });
   }
   for (int i = p.m - 1; i >= 0; --i) {

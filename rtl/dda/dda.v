@@ -2,10 +2,11 @@
 // A x^2 + B xy + C y^2 + D x + E y + F = 0, anticlockwise for A = C > 0. On each clock the rates
 // x' = -(B x + 2 C y + E) and y' = 2 A x + B y + D go into the accumulators SX and SY of W bits; an
 // overflow is a step of +1 on that axis, a borrow a step of -1. A step changes the rates by 2 A, B
-// and 2 C, so nothing is multiplied. A line has A = B = C = 0, a circle about (0, 0) 2 A = 2 C = 1.
+// and 2 C, so nothing is multiplied. A line has A = B = C = 0; a circle about (0, 0) has
+// 2 A = 2 C = 1, so that its rates are -y and x, the point that the source puts there.
 //
 // Inputs are sampled at the rising edge of clk; what they do, in order of precedence:
-//   rst      clears every register.
+//   rst      clears every register. The steps of that clock are given all the same.
 //   running  stop, or no steps left on both axes while free is 0: the machine stops, and nothing
 //            else changes; no step is given on that clock.
 //            Else, where normalise is 1 and neither rate is 2^(W-1) or more in size: both rates are
@@ -25,7 +26,8 @@
 //   register  2 A  B   2 C  none: nothing changes
 //
 // sequential 0: both rates are those before the clock, as in the source's hardware. 1: SY gets its
-// rate as the step of x on the same clock has left it, as in the source's flow chart.
+// rate as the step of x on the same clock has left it, as in the source's flow chart, (8) to (10).
+// Its FLAG, move and delay, (4) to (6), are the outputs x_up to y_down of a clock.
 // Numbers of W + 1 bits are two's complement. Rates and codes wrap modulo 2^(W+1).
 `default_nettype none
 
@@ -57,6 +59,13 @@ module dda #(
   output wire [W:0]   code_y
 );
 
+  // Elaboration stops here, on a module that does not exist, for a width out of range.
+  generate
+    if (W < 2 || W > 32) begin : g_width_out_of_range
+      dda_needs_2_le_W_le_32 error ();
+    end
+  endgenerate
+
   // ---- Registers --------------------------------------------------------------------------------
   reg         running_q, sequential_q, normalise_q, free_q;
   reg [W-1:0] sx_q, sy_q;
@@ -78,25 +87,38 @@ module dda #(
   wire [W:0]   turned_x, turned_y;   // the rates after the step of x
 
   dda_axis #(.W(W)) axis_x (
-    .s(sx_q), .rate(rate_x_q), .may_step(step & (free_q | ~none_left_x)),
-    .next_s(next_sx), .up(x_up), .down(x_down)
+    .s(sx_q),
+    .rate(rate_x_q),
+    .may_step(step & (free_q | ~none_left_x)),
+    .next_s(next_sx),
+    .up(x_up),
+    .down(x_down)
   );
+
   dda_axis #(.W(W)) axis_y (
-    .s(sy_q), .rate(sequential_q ? turned_y : rate_y_q), .may_step(step & (free_q | ~none_left_y)),
-    .next_s(next_sy), .up(y_up), .down(y_down)
+    .s(sy_q),
+    .rate(sequential_q ? turned_y : rate_y_q),
+    .may_step(step & (free_q | ~none_left_y)),
+    .next_s(next_sy),
+    .up(y_up),
+    .down(y_down)
   );
 
   // ---- Rates: what each step adds to them -------------------------------------------------------
   wire [W:0] next_rate_x, next_rate_y;
 
-  dda_change #(.W(W)) x_by_x (.value(rate_x_q), .by(b_q), .add(x_down), .subtract(x_up),
-                              .result(turned_x));
-  dda_change #(.W(W)) x_by_y (.value(turned_x), .by(two_c_q), .add(y_down), .subtract(y_up),
-                              .result(next_rate_x));
-  dda_change #(.W(W)) y_by_x (.value(rate_y_q), .by(two_a_q), .add(x_up), .subtract(x_down),
-                              .result(turned_y));
-  dda_change #(.W(W)) y_by_y (.value(turned_y), .by(b_q), .add(y_up), .subtract(y_down),
-                              .result(next_rate_y));
+  dda_change #(.W(W)) x_by_x (
+    .rate(rate_x_q), .by(b_q), .add(x_down), .subtract(x_up), .result(turned_x)
+  );
+  dda_change #(.W(W)) x_by_y (
+    .rate(turned_x), .by(two_c_q), .add(y_down), .subtract(y_up), .result(next_rate_x)
+  );
+  dda_change #(.W(W)) y_by_x (
+    .rate(rate_y_q), .by(two_a_q), .add(x_up), .subtract(x_down), .result(turned_y)
+  );
+  dda_change #(.W(W)) y_by_y (
+    .rate(turned_y), .by(b_q), .add(y_up), .subtract(y_down), .result(next_rate_y)
+  );
 
   dda_full #(.W(W)) size_x (.rate(rate_x_q), .full(full_x));
   dda_full #(.W(W)) size_y (.rate(rate_y_q), .full(full_y));
@@ -168,11 +190,11 @@ module dda #(
   always @(posedge clk)
     if (rst) begin
       two_a_q <= {W+1{1'b0}};
-      b_q     <= {W+1{1'b0}};
+      b_q <= {W+1{1'b0}};
       two_c_q <= {W+1{1'b0}};
     end else if (take) begin
-      if (address == 4'd9)  two_a_q <= data;
-      if (address == 4'd10) b_q     <= data;
+      if (address == 4'd9) two_a_q <= data;
+      if (address == 4'd10) b_q <= data;
       if (address == 4'd11) two_c_q <= data;
     end
 

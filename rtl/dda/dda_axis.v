@@ -1,5 +1,6 @@
-// The adder of one accumulator. The sum of S and a rate >= 0 is 2^W or more where there is a carry:
-// a step of +1. With a rate below 0 it is negative where there is none, a borrow: a step of -1.
+// The adder of one accumulator, SX or SY. The sum of S and a rate >= 0 is 2^W or more where there
+// is a carry: a step of +1. With a rate below 0 it is negative where there is none, a borrow: a
+// step of -1. The sum goes on modulo 2^W, whether the axis may step or not.
 `default_nettype none
 
 module dda_axis #(

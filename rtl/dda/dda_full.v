@@ -1,4 +1,5 @@
-// Whether a rate is 2^(W-1) or more, or -2^(W-1) or less: its top bit set, were it a size and a sign.
+// Whether a rate is 2^(W-1) or more in size, the source's 1 in the highest place: there normalising
+// ends.
 `default_nettype none
 
 module dda_full #(

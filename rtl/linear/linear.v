@@ -4,13 +4,13 @@
 //
 // What a clock edge does, the first case that holds:
 //   reset (26)          every register to 0.
-//   initial_set_n = 0   (17) forgets the line: everything but the code in 3 and 9 to 0; no write and
-//                       no start is taken. (The source keeps 4 and 5 as well; a code written next
-//                       would then count the remainder a second time.)
+//   initial_set_n = 0   (17) forgets the line: everything but the code in 3 and 9 to 0; no write
+//                       and no start is taken. (The source keeps 4 and 5 as well; a code written
+//                       next would then count the remainder a second time.)
 //   busy, 4 not 0       the count pulse (21): 4 counts down, 6 counts up modulo 2^N, 10 takes the
 //                       bit of 6, and 30 is set: a word is formed, strobed on the next clock.
-//   busy, 4 = 0         the end: the same. A code written without a new BP draws a line of length 0.
-//                       Writes and starts change nothing while busy.
+//   busy, 4 = 0         the end: the same. A code written without a new BP draws a line of length
+//                       0. Writes and starts change nothing while busy.
 //   write_bp            (15) 4 takes the N high bits of data, 5 the low ones, 32 to 0: a code
 //                       belongs to a line and is written after it. A write_uk or a start on the
 //                       same clock is lost.

@@ -1,6 +1,7 @@
 // Binary rate multiplier (6), the logic around its counter: for tick k = ticks + 1 the bit of the
 // code at position 2^(M - N) of the word, which is bit j of the code (j = 1 the high one) where
-// k = 2^(j - 1) * odd, and 0 for k = 2^N.
+// k = 2^(j - 1) * odd, and 0 for k = 2^N. The counter is a register of linear.v: nothing but this
+// reads it, and a register is to be a net of the top module that something reads.
 `default_nettype none
 
 module linear_multiplier6 #(

@@ -106,7 +106,8 @@ void Rtl::define(const std::string& name, const std::string& sort, const std::st
 }
 
 std::vector<std::size_t> Rtl::pieces(const std::string& wire) const {
-  static const std::regex word(R"(\(concat |\(= \(\(_ extract 0 0\) |\|[^|]*\||\) #b1\)| |\)+)");
+  static const std::regex word(
+      R"(\(concat |\(= \(\(_ extract 0 0\) |\) #b1\)|\(ite | #b1 #b0\)|\|[^|]*\|| |\)+)");
   std::vector<std::size_t> found;
   const auto of = wires_.find(fmt::format("|{}_n {}|", top_, wire));
   if (of == wires_.end()) return {};

@@ -4,36 +4,16 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <filesystem>
 #include <set>
 
 #include "model/circular/host.h"
 #include "model/dda/host.h"
 #include "model/linear/host.h"
-#include "tb/proof/decide.h"
 #include "tb/proof/explain.h"
-#include "tb/proof/machines.h"
-#include "tb/proof/process.h"
-#include "tests/rtl/variant.h"
+#include "tests/rtl/prove.h"
 
 namespace cosim::test {
 namespace {
-
-constexpr int kLimit = 60;
-
-bool can_prove() {
-  for (const char* program : {"yosys", "cvc5", "z3"}) {
-    if (proof::run_program({program, "--version"}).status == 127) return false;
-  }
-  return true;
-}
-
-proof::Rtl rtl_of(const std::string& design, const std::string& name, const AnyBench& bench) {
-  std::string id = design + '_' + name;
-  std::replace(id.begin(), id.end(), '/', '_');
-  return proof::Rtl(
-      proof::source_in(std::filesystem::path(COSIM_VARIANTS) / id, design, bench.parameters()));
-}
 
 proof::MachineFormula formula_of(const AnyBench& bench) {
   for (const auto& machine : proof::built_machines()) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <vector>
 
 #include "model/linear/oracle.h"
@@ -100,6 +101,26 @@ TEST(LinearHost, GivesNoEmptyLineUp) {
   const Clocks clocks = draw(jobs);
   EXPECT_TRUE(printed::strobed(clocks, 0).empty());
   EXPECT_EQ(printed::strobed(clocks, 1).size(), 1U);
+}
+
+// Each is less in one way and more in none, so that shrinking ends.
+TEST(LinearHost, TriesSmallerJobs) {
+  constexpr Params p{5, 2};
+  const auto size = [](const Job& job) {
+    const auto words = job.words ? *job.words + 1 : 0;
+    return std::array{job.line.major, static_cast<std::int64_t>(job.line.code), words};
+  };
+  for (std::int64_t major = 0; major < 32; ++major) {
+    for (const std::optional<std::int64_t> words : {std::optional<std::int64_t>{}, {0}, {1}, {5}}) {
+      const Job job{{major, 0b01010}, words};
+      for (const Job& smaller : Host::smaller(p, job)) {
+        EXPECT_NE(size(smaller), size(job)) << Host::describe(p, job);
+        for (std::size_t i = 0; i < size(job).size(); ++i) {
+          EXPECT_LE(size(smaller)[i], size(job)[i]) << Host::describe(p, job);
+        }
+      }
+    }
+  }
 }
 
 }  // namespace

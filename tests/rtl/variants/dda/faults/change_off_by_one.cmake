@@ -1,7 +1,7 @@
 variant("What is subtracted from a rate is one too much" W=16)
 
 replace(dda_change.v [[
-  assign result = value + term + {{W{1'b0}}, subtract};
+  assign result = rate + term + {{W{1'b0}}, subtract};
 ]] [[
-  assign result = value + term;
+  assign result = rate + term;
 ]])

@@ -1,0 +1,1 @@
+variant("The narrowest there is" W=2)

@@ -1,0 +1,1 @@
+variant("The narrowest there is" M=2 N=1)

@@ -3,21 +3,16 @@
 # the view must be found, and its picture must not be empty.
 # Status: 0 all loaded; 1 not, each with its reason; 77, saying so, without GTKWave or Xvfb.
 set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/../../scripts/xvfb.sh"
 for tool in gtkwave Xvfb; do
   command -v "$tool" > /dev/null || { echo "skipped: there is no $tool"; exit 77; }
 done
 folder=$(mktemp -d) xvfb=
 trap '[[ -z $xvfb ]] || kill "$xvfb" || true; rm -rf "$folder"' EXIT
 
-# A screen for each GTKWave of those at a time, or one would cover the other. Xvfb finds a display by
-# itself and says which when it is ready; where no client is left it would begin anew, in the way of
-# the next.
-workers=4 screens=()
-for ((k = 0; k < workers; ++k)); do screens+=(-screen "$k" 1480x1000x24); done
-mkfifo "$folder/display"
-Xvfb -displayfd 3 -noreset -nolisten tcp "${screens[@]}" 3> "$folder/display" 2> "$folder/log" &
-xvfb=$!
-read -r -t 60 display < "$folder/display" || { cat "$folder/log" && exit 1; }
+# A screen for each GTKWave of those at a time, or one would cover the other.
+screens=(1480x1000 1480x1000 1480x1000 1480x1000)
+hidden_display "$folder" "${screens[@]}" || exit 1
 
 cat > "$folder/load.tcl" << 'TCL'
 set file [open $::env(loaded) w]
@@ -29,7 +24,7 @@ gtkwave::/File/Grab_To_File $::env(picture)
 gtkwave::/File/Quit
 TCL
 
-# load FILE.gtkw NAME: what is wrong goes to NAME.wrong. A view names its files as they lie beside it.
+# load FILE.gtkw NAME: prints what is wrong. A view names its files as they lie beside it.
 load() {
   local view=$1
   local wave=${view%.gtkw}.fst
@@ -44,9 +39,9 @@ load() {
 }
 
 views=("$@")
-for ((k = 0; k < workers; ++k)); do
-  for ((i = k; i < ${#views[@]}; i += workers)); do
-    DISPLAY=:$display.$k load "${views[i]}" "$folder/$i" 2>&1 | sed "s|^|${views[i]}: |"
+for ((k = 0; k < ${#screens[@]}; ++k)); do
+  for ((i = k; i < ${#views[@]}; i += ${#screens[@]})); do
+    DISPLAY=$display.$k load "${views[i]}" "$folder/$i" 2>&1 | sed "s|^|${views[i]}: |"
   done > "$folder/wrong.$k" &
   loading+=($!)
 done

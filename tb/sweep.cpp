@@ -30,7 +30,7 @@ Result run_sweep(const Sweep& sweep, unsigned threads, const Progress& progress,
   std::atomic<std::uint64_t> next{resume.done.cases};
   std::atomic<std::uint64_t> end{sweep.cases};
   std::mutex guard;  // of all below
-  std::condition_variable finished;
+  std::condition_variable finished, room;
   Result sum = resume.done;                 // of the first cases
   std::map<std::uint64_t, Result> waiting;  // for a case before them
   std::exception_ptr thrown;
@@ -40,18 +40,21 @@ Result run_sweep(const Sweep& sweep, unsigned threads, const Progress& progress,
     try {
       for (std::uint64_t i = next++; i < end; i = next++) {
         Result one = sweep.run(i);
-        const std::lock_guard lock(guard);
+        std::unique_lock lock(guard);
         if (!one.match() && i < end) end = i;
         waiting.emplace(i, std::move(one));
         while (!waiting.empty() && waiting.begin()->first == sum.cases && sum.cases < end) {
           add(sum, waiting.begin()->second);
           waiting.erase(waiting.begin());
         }
+        room.notify_all();
+        room.wait(lock, [&] { return waiting.size() < most_waiting || sum.cases >= end; });
       }
     } catch (...) {
       const std::lock_guard lock(guard);
       thrown = std::current_exception();
       end = 0;
+      room.notify_all();
     }
     const std::lock_guard lock(guard);
     --running;

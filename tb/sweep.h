@@ -2,6 +2,7 @@
 // run again by itself, and a sweep needs no memory for those behind it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -39,6 +40,9 @@ struct Resume {
   /// Called now and then from the calling thread with what to go on from.
   std::function<void(const Result& done)> keep;
 };
+
+/// How many cases may be done before one that they follow: what a sweep remembers at most.
+inline constexpr std::size_t most_waiting = 1 << 14;
 
 /// Runs the cases on `threads` threads, >= 1. Of several failing cases the one with the smallest
 /// number is reported, and the result is the sum up to and with it, whatever the threads did; no

@@ -61,24 +61,6 @@ Job circle_from(const Params& p, Point from, const Settings& settings) {
   return job;
 }
 
-// The numbers stay below 2^126.
-bool is_degenerate(const Conic& q) {
-  __extension__ typedef __int128 Wide;
-  const Wide a = q.a, b = q.b, c = q.c, d = q.d, e = q.e, f = q.f;
-  return 4 * a * c * f + b * d * e - a * e * e - c * d * d - b * b * f == 0;
-}
-
-void check_start(const Conic& q, Point at, Point rates) {
-  using Real = long double;
-  const auto x = static_cast<Real>(at.x), y = static_cast<Real>(at.y);
-  const Real value = static_cast<Real>(q.a) * x * x + static_cast<Real>(q.b) * x * y +
-                     static_cast<Real>(q.c) * y * y + static_cast<Real>(q.d) * x +
-                     static_cast<Real>(q.e) * y + static_cast<Real>(q.f);
-  const Real slope = std::hypot(static_cast<Real>(rates.x), static_cast<Real>(rates.y));
-  if (slope == 0) refuse("conic", text(at) + " is its centre, where nothing moves");
-  if (2 * std::fabs(value) > slope) refuse("conic", "it does not pass " + text(at));
-}
-
 // Walks the whole way.
 void check_way(const Params& p, const Job& job, const char* what) {
   const std::string machine = "dda W=" + std::to_string(p.width);
@@ -158,20 +140,16 @@ Job circle(const Params& p, std::int64_t radius, const Settings& settings,
 
 Job conic(const Params& p, const Conic& q, Point from, const Settings& settings,
           std::optional<std::int64_t> clocks) {
+  check(q);
   check_fits(p, "conic", "2 A", 2 * q.a);
   check_fits(p, "conic", "B", q.b);
   check_fits(p, "conic", "2 C", 2 * q.c);
   check_fits(p, "conic", "X", from.x);
   check_fits(p, "conic", "Y", from.y);
-  if (is_degenerate(q)) refuse("conic", "it is degenerate: lines, a point or nothing");
-  const Point rates{-(q.b * from.x + 2 * q.c * from.y + q.e),
-                    2 * q.a * from.x + q.b * from.y + q.d};
-  check_start(q, from, rates);
-  const Job job = job_of(p, from, rates, q, settings);
-  const double root2 = 4.0 * static_cast<double>(q.a) * static_cast<double>(q.c) -
-                       static_cast<double>(q.b) * static_cast<double>(q.b);
-  if (!clocks && root2 <= 0) refuse("conic", "it is no ellipse and has no end: it needs clocks");
-  return until(p, job, clocks ? *clocks : turn(p, std::sqrt(root2)), "conic");
+  const Job job = job_of(p, from, rates_at(q, from), q, settings);
+  const std::optional<double> root = ellipse_root(q);
+  if (!clocks && !root) refuse("conic", "it is no ellipse and has no end: it needs clocks");
+  return until(p, job, clocks ? *clocks : turn(p, *root), "conic");
 }
 
 }  // namespace cosim::dda

@@ -4,12 +4,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "model/circular/arc.h"
+#include "model/dda/conic.h"
 #include "model/dda/machine.h"
 
 namespace cosim::dda {
-
-using circular::Point;
 
 /// When the rate of Y follows a step of X.
 enum class Update {
@@ -25,11 +23,6 @@ struct Settings {
   Update update = Update::parallel;
   Preload preload = Preload::zero;
   bool normalise = true;  ///< of a line: shift both rates up first
-};
-
-/// A x^2 + B xy + C y^2 + D x + E y + F = 0.
-struct Conic {
-  std::int64_t a = 0, b = 0, c = 0, d = 0, e = 0, f = 0;
 };
 
 /// One piece of work for the machine: the registers at its start, and the clocks it may run, those
@@ -53,9 +46,9 @@ Job circle(const Params& p, std::int64_t radius, const Settings& settings,
            std::optional<std::int64_t> clocks = {});
 
 /// A conic from `from` until a stop after `clocks`; an ellipse may do without: one turn. InputError
-/// where a coefficient or a coordinate does not fit, the conic is degenerate, `from` is more than
-/// half a step off the curve (its equation over its gradient), another curve than an ellipse has no
-/// `clocks`, there are 2^28 of them or more, or a rate or a code leaves its register on the way.
+/// where check() or rates_at() refuses it, a coefficient or a coordinate does not fit, another curve
+/// than an ellipse has no `clocks`, there are 2^28 of them or more, or a rate or a code leaves its
+/// register on the way.
 Job conic(const Params& p, const Conic& conic, Point from, const Settings& settings,
           std::optional<std::int64_t> clocks = {});
 

@@ -1,9 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <memory>
+#include <vector>
 
 #include "model/core/input_error.h"
 #include "tb/cli/choose.h"
@@ -25,8 +25,6 @@ namespace {
 using dda::Point;
 
 constexpr std::int64_t largest = 0xffffffff;
-constexpr std::int64_t largest_factor = 0x7fffffff;
-constexpr std::int64_t largest_constant = std::int64_t{1} << 57;
 
 struct Options {
   Common common;
@@ -35,26 +33,9 @@ struct Options {
   ShapeOptions shape;
 };
 
-// The numbers of a list of exactly N.
-template <std::size_t N>
-std::array<std::int64_t, N> numbers(const char* name, const std::string& text, const char* form,
-                                    std::int64_t size) {
-  std::array<std::int64_t, N> all{};
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < N; ++i) {
-    const std::size_t comma = text.find(',', begin);
-    if ((comma == std::string::npos) != (i + 1 == N)) {
-      throw InputError(fmt::format("{}: {} is not {}", name, quoted(text), form));
-    }
-    all[i] = integer(name, text.substr(begin, comma - begin), i == 5 ? largest_constant : size);
-    begin = comma + 1;
-  }
-  return all;
-}
-
 Point point(const char* name, const std::string& text) {
-  const auto [x, y] = numbers<2>(name, text, "X,Y", largest);
-  return {x, y};
+  const auto all = integers(name, text, "X,Y", {largest, largest});
+  return {all[0], all[1]};
 }
 
 int bits(std::int64_t size) {
@@ -62,8 +43,10 @@ int bits(std::int64_t size) {
 }
 
 dda::Conic parse_conic(const std::string& text) {
-  const auto [a, b, c, d, e, f] = numbers<6>("--conic", text, "A,B,C,D,E,F", largest_factor);
-  return {a, b, c, d, e, f};
+  std::vector<std::int64_t> sizes(5, dda::largest_factor);
+  sizes.push_back(dda::largest_constant);
+  const auto all = integers("--conic", text, "A,B,C,D,E,F", sizes);
+  return {all[0], all[1], all[2], all[3], all[4], all[5]};
 }
 
 // What is drawn, and the bits it needs at least.

@@ -33,6 +33,23 @@ std::int64_t integer(const std::string& name, const std::string& text, std::int6
   return value;
 }
 
+std::vector<std::int64_t> integers(const std::string& name, const std::string& text,
+                                   const std::string& form,
+                                   const std::vector<std::int64_t>& sizes) {
+  std::vector<std::int64_t> all;
+  std::size_t begin = 0;
+  for (const std::int64_t size : sizes) {
+    const std::size_t comma = text.find(',', begin);
+    const bool last = all.size() + 1 == sizes.size();
+    if ((comma == std::string::npos) != last) {
+      throw InputError(fmt::format("{}: {} is not {}", name, quoted(text), form));
+    }
+    all.push_back(integer(name, text.substr(begin, comma - begin), size));
+    begin = comma + 1;
+  }
+  return all;
+}
+
 double positive(const std::string& name, const std::string& text, double high) {
   double value = 0;
   const char* end = text.data() + text.size();

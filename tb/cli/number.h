@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "model/circular/arc.h"
 
@@ -15,6 +16,11 @@ std::uint64_t whole(const std::string& name, const std::string& text, std::uint6
 
 /// A whole number of either sign, at most `size` in size. InputError "--name: ..." otherwise.
 std::int64_t integer(const std::string& name, const std::string& text, std::int64_t size);
+
+/// Whole numbers of either sign with commas between them: as many as there are `sizes`, each at
+/// most so large. `form` is how such a list is written, "X,Y". InputError "--name: ..." otherwise.
+std::vector<std::int64_t> integers(const std::string& name, const std::string& text,
+                                   const std::string& form, const std::vector<std::int64_t>& sizes);
 
 /// A decimal number above 0 and at most `high`; neither nan nor infinite. InputError otherwise.
 double positive(const std::string& name, const std::string& text, double high);

@@ -80,8 +80,10 @@ double off(const toolpath::Segment& s, toolpath::Point at) {
   }
   const toolpath::Point along{s.end.x - s.start.x, s.end.y - s.start.y};
   const double length = std::hypot(static_cast<double>(along.x), static_cast<double>(along.y));
-  return length == 0 ? 0
-                     : std::fabs(static_cast<double>(along.x * from.y - along.y * from.x)) / length;
+  // Of numbers of 33 bits.
+  __extension__ typedef __int128 Wide;
+  const Wide area = Wide{along.x} * from.y - Wide{along.y} * from.x;
+  return length == 0 ? 0 : std::fabs(static_cast<double>(area)) / length;
 }
 
 int run(const Options& o) {

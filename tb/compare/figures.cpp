@@ -43,14 +43,19 @@ int Figures::combinations_used() const { return std::popcount(combinations); }
 
 namespace {
 
+// Of numbers of 32 bits.
+double area(const Line& line, Point at) {
+  __extension__ typedef __int128 Wide;
+  return static_cast<double>(Wide{line.major} * at.y - Wide{line.minor} * at.x);
+}
+
 double distance(Point a, Point b) {
   return std::hypot(static_cast<double>(a.x - b.x), static_cast<double>(a.y - b.y));
 }
 
 double axial(const Line& line, Point at) {
   if (line.major == 0) return 0;
-  const double off = static_cast<double>(line.major * at.y - line.minor * at.x);
-  return std::fabs(off) / static_cast<double>(line.major);
+  return std::fabs(area(line, at)) / static_cast<double>(line.major);
 }
 
 // Where the row or column passes outside the circle, along the radius.
@@ -96,7 +101,7 @@ double radial(const Line& line, Point at) {
   const double length =
       std::hypot(static_cast<double>(line.major), static_cast<double>(line.minor));
   if (length == 0) return 0;
-  return std::fabs(static_cast<double>(line.major * at.y - line.minor * at.x)) / length;
+  return std::fabs(area(line, at)) / length;
 }
 
 double radial(const Arc& arc, Point at) { return circular::radial_deviation(at, arc.radius2); }

@@ -117,6 +117,23 @@ TEST(Sweep, GivesTheSameForTheSameSeed) {
   }
 }
 
+// What is kept of a case, were it 100 bytes, would show.
+TEST(Sweep, TakesNoMoreMemoryForMoreCases) {
+  const auto peak = [](Arguments machine, const std::string& cases) {
+    machine.insert(machine.begin(), "sweep");
+    machine.insert(machine.end(), {"--jobs", "1", "--random", cases});
+    const Ended ended = cosim(machine);
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    return ended.peak;
+  };
+  constexpr long noise = 1 << 20;
+  for (const Arguments& machine :
+       {Arguments{"linear", "--m", "5"}, Arguments{"circular", "--width", "4"},
+        Arguments{"dda", "--width", "6"}}) {
+    EXPECT_LT(peak(machine, "20000"), peak(machine, "10") + noise) << machine.front();
+  }
+}
+
 TEST(Sweep, ReportsItsSeed) {
   EXPECT_EQ(sweep({"linear", "--random", "1", "--m", "5"}).report["seed"], 1);
   EXPECT_EQ(sweep({"linear", "--random", "1", "--m", "5", "--seed", "18446744073709551615"})

@@ -1,13 +1,28 @@
 #!/usr/bin/env bash
-# scripts/wave with nothing to draw: one clear line and status 2. Status 77 where it cannot be tried.
+# wave_script_test.sh PROGRAM: scripts/wave renders a wave that PROGRAM draws, and with nothing to draw
+# says so in one clear line, with status 2. Status 77 where it cannot be tried.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-for tool in gtkwave Xvfb xauth; do
+for tool in gtkwave Xvfb; do
   command -v "$tool" > /dev/null || { echo "skipped: there is no $tool"; exit 77; }
 done
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 unset DISPLAY WAYLAND_DISPLAY
+
+# rendered ARGUMENTS...: scripts/wave makes a picture that is not empty.
+rendered() {
+  local picture=$folder/$1.png
+  "$root/scripts/wave" --shot "$picture" "${@:2}"
+  [[ $(head -c 4 "$picture" | tail -c 3) == PNG && $(stat -c %s "$picture") -gt 10000 ]] ||
+    { echo "scripts/wave --shot $picture ${*:2}: no picture" && exit 1; }
+}
+
+mkdir "$folder/failure"
+"$1" arc --radius 12 --wave "$folder/failure/wave.fst" > "$folder/said"
+rendered folder "$folder/failure"
+# By name it builds the program first, which is here already.
+[[ $1 != "$root/build/cosim" ]] || rendered dda dda --circle 12
 
 # refused LINE ARGUMENTS...: that is all that scripts/wave says, and its status is 2.
 refused() {
@@ -22,7 +37,7 @@ refused() {
 shot=(--shot "$folder/shot.png")
 export COSIM_FAILURES=$folder/none
 refused "there is no failure in $folder/none" "${shot[@]}"
-refused "$folder: is no folder of a failure, and no line, arc or test" "${shot[@]}" "$folder"
+refused "$folder: is no folder of a failure, and no line, arc, dda or test" "${shot[@]}" "$folder"
 refused "there is no display; --shot FILE.png renders without one" "$folder"
 refused "--shot: shot.gif does not end in .png" --shot shot.gif
 refused "--shot: there is no folder $folder/none" --shot "$folder/none/shot.png"
@@ -30,6 +45,7 @@ refused "--shot needs a name" --shot
 refused "no such option: --size" --size
 refused "line needs BP and MP" "${shot[@]}" line 27
 refused "arc needs R" "${shot[@]}" arc
+refused "dda needs arguments, as --circle 12" "${shot[@]}" dda
 
 # A machine without GTKWave, and nothing to install it with.
 mkdir "$folder/bin"
@@ -42,4 +58,4 @@ said=$(PATH=$folder/bin "$root/scripts/wave" arc 12 2>&1) && status=0 || status=
 [[ $status == 2 && $said == "setup: no apt-get to install what is missing: "*gtkwave* &&
   $(wc -l <<< "$said") == 1 ]] ||
   { printf 'without GTKWave: status %d, it said\n%s\n' "$status" "$said" && exit 1; }
-echo "all refused"
+echo "rendered or refused"

@@ -6,8 +6,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
+#include <ctime>
 #include <functional>
+#include <regex>
 #include <thread>
 
 #include "model/circular/host.h"
@@ -16,6 +17,7 @@
 #include "model/toolpath/source.h"
 #include "tests/rtl/straight.h"
 #include "tests/support/explain.h"
+#include "tests/support/root.h"
 #include "tests/support/vcd.h"
 
 namespace cosim::test {
@@ -24,7 +26,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kCases = 100;
-constexpr std::size_t kSmall = 30;
+constexpr std::size_t kSmall = 12;
+constexpr double kSeconds = 0.5;  // a hundredth is usual; the sanitizers take several times that
 
 class Folder {
  public:
@@ -89,10 +92,11 @@ void expect_failure_explained(const Variant<Design>& variant) {
   ASSERT_TRUE(found) << variant.what();
 
   const Folder temporary;
-  const auto began = std::chrono::steady_clock::now();
+  const std::clock_t began = std::clock();
   const Failure failure = leave_failure(bench, "hostile", *found, {temporary.path(), {}, "cosim"});
-  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-  EXPECT_LT(took.count(), 10) << "seconds";
+  const auto took = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
+  testing::Test::RecordProperty("seconds", std::to_string(took));
+  EXPECT_LT(took, kSeconds) << "of the processor";
   for (const char* name : {"report.txt", "report.json", "wave.gtkw", "wave.phase.txt",
                            "wave.step.txt", "smallest.gtkw"}) {
     EXPECT_GT(fs::file_size(failure.folder / name), 0U) << name;
@@ -114,7 +118,7 @@ void expect_failure_explained(const Variant<Design>& variant) {
       EXPECT_EQ(first->signal, found->signal);
       continue;
     }
-    EXPECT_LT(s.clocks.size(), kSmall);
+    EXPECT_LE(s.clocks.size(), kSmall);
     testing::Test::RecordProperty("clocks", std::to_string(s.clocks.size()));
     const AnyBench* shipped = shipped_for<Design>(bench);
     ASSERT_NE(shipped, nullptr) << "nothing to compare with at " << bench.title();
@@ -150,6 +154,16 @@ class Failures : public testing::TestWithParam<Subject> {};
 TEST_P(Failures, AreExplained) { GetParam().check(); }
 std::string name_of(const testing::TestParamInfo<Subject>& info) { return info.param.name; }
 INSTANTIATE_TEST_SUITE_P(Planted, Failures, testing::ValuesIn(subjects()), name_of);
+
+TEST(Planted, AreAsManyAndShrinkAsFarAsTheReadmeSays) {
+  const std::string text = toolpath::read_text((project_root() / "README.md").string());
+  const std::regex sentence(
+      "Each of (\\d+)\\splanted\\sfaults\\sand\\smisprints\\sshrinks\\sto\\s(\\d+)\\sclocks");
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(text, found, sentence));
+  EXPECT_EQ(found[1], std::to_string(subjects().size()));
+  EXPECT_EQ(found[2], std::to_string(kSmall));
+}
 
 Mismatch a_mismatch() {
   for (const auto& v : variants<circular::Design>()) {

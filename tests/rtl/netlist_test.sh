@@ -33,6 +33,7 @@ fault() {
 
 expect "linear" 0 'ice40 .* proved$' linear M=5 N=2
 expect "circular" 0 'generic .* proved$' circular W=4
+expect "dda" 0 'ice40 .* proved$' dda W=6
 "$root/scripts/netlist" --write "$circular" ice40 circular W=4
 expect "from a file" 0 'file .* proved$' --check "$circular" circular W=4
 

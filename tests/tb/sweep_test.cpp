@@ -170,6 +170,25 @@ TEST_P(SweepOf, TellsOfItsProgress) {
   EXPECT_GE(calls, 1);
 }
 
+// However long that one takes: here until the others rest.
+TEST_P(SweepOf, RunsNotFarAheadOfASlowCase) {
+  const std::uint64_t far = most_waiting + GetParam();
+  std::atomic<std::uint64_t> begun{0};
+  std::uint64_t ahead = 0;
+  const auto run = [&](std::uint64_t i) {
+    ++begun;
+    if (i != 0) return passed();
+    for (std::uint64_t before = 0; before != begun && begun <= far;) {
+      before = begun;
+      std::this_thread::sleep_for(100ms);
+    }
+    ahead = begun;
+    return passed();
+  };
+  EXPECT_EQ(run_sweep({"slow", 2 * far, run}, GetParam()).cases, 2 * far);
+  EXPECT_LE(ahead, far);
+}
+
 INSTANTIATE_TEST_SUITE_P(Threads, SweepOf, testing::Values(1U, 2U, 5U),
                          testing::PrintToStringParamName());
 

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
+#include <sstream>
+#include <vector>
 
 #include "model/linear/control_code.h"
 #include "tb/cli/code_option.h"
@@ -14,6 +17,7 @@ namespace cosim::fuzz {
 namespace {
 
 const std::string option = "--option: ";
+constexpr std::int64_t largest = std::numeric_limits<std::int64_t>::max();
 
 // The number without leading zeros is the text.
 void check_digits(const std::string& text, std::uint64_t value) {
@@ -31,6 +35,43 @@ void check_whole(const std::string& text) {
     if (!accepted(option, read)) continue;
     expect(range.low <= value && value <= range.high, "the number is in its range");
     check_digits(text, value);
+  }
+}
+
+// The same of a number that may have a minus sign.
+void check_integer_digits(const std::string& text, std::int64_t value) {
+  const bool minus = text.starts_with('-');
+  expect(minus ? value <= 0 : value >= 0, "the sign is that of the number");
+  const auto size = static_cast<std::uint64_t>(value);
+  check_digits(text.substr(minus ? 1 : 0), minus ? 0 - size : size);
+}
+
+void check_integer(const std::string& text) {
+  for (const std::int64_t size : {std::int64_t{0}, std::int64_t{0xffffffff}, largest}) {
+    std::int64_t value = 0;
+    if (!accepted(option, [&] { value = cli::integer("--option", text, size); })) continue;
+    expect(-size <= value && value <= size, "the number is in its range");
+    check_integer_digits(text, value);
+  }
+}
+
+// As many numbers as there are sizes, each with its own.
+void check_integers(const std::string& text) {
+  const std::vector<std::int64_t> some[] = {
+      {5}, {0xffffffff, 5}, {5, 5, 5, 5, 5, std::int64_t{1} << 57}};
+  for (const auto& sizes : some) {
+    std::vector<std::int64_t> all;
+    const auto read = [&] { all = cli::integers("--option", text, "A LIST", sizes); };
+    if (!accepted(option, read)) continue;
+    expect(all.size() == sizes.size(), "there are as many numbers as sizes");
+    std::istringstream parts(text);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      expect(-sizes[i] <= all[i] && all[i] <= sizes[i], "each number is in its range");
+      std::string part;
+      std::getline(parts, part, ',');
+      check_integer_digits(part, all[i]);
+    }
+    expect(parts.eof(), "all of the text is read");
   }
 }
 
@@ -69,6 +110,8 @@ void check_code(const std::string& text) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text = cosim::fuzz::text_of(data, size);
   cosim::fuzz::check_whole(text);
+  cosim::fuzz::check_integer(text);
+  cosim::fuzz::check_integers(text);
   cosim::fuzz::check_positive(text);
   cosim::fuzz::check_point(text);
   cosim::fuzz::check_code(text);

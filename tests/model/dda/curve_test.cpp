@@ -85,6 +85,23 @@ TEST(DdaCurve, IsRefusedInOneLine) {
        [] {
          conic(kP, {128, 0, 1, 0, 0, -4}, {2, 0}, {});
        }},
+      // Products that 64 bits do not hold.
+      {"conic: A = -4611686018427387904 is more than 2147483647 in size",
+       [] {
+         conic(kP, {-(std::int64_t{1} << 62), 0, 1, 0, 0, -4}, {2, 0}, {});
+       }},
+      {"conic: F = 144115188075855873 is more than 144115188075855872 in size",
+       [] {
+         conic({32}, {1, 0, 1, 0, 0, (std::int64_t{1} << 57) + 1}, {0, 0}, {});
+       }},
+      {"conic: it does not pass (4294967295, 0)",
+       [] {
+         conic({32}, {0x7fffffff, 0, 1, 0, 0, -1}, {0xffffffff, 0}, {});
+       }},
+      {"conic: its rates overflow every machine at (4294967295, 2)",
+       [] {
+         conic({32}, {1, -0x7fffffff, 0, -1, 0, 2}, {0xffffffff, 2}, {});
+       }},
       {"conic: it is degenerate",
        [] {
          conic(kP, {1, 0, -1, 0, 0, 0}, {2, 2}, {});

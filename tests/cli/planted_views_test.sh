@@ -1,0 +1,26 @@
+#!/usr/bin/env bash
+# planted_views_test.sh PROGRAM DESIGN: hostile clocks find each fault that is planted in the design,
+# each misprint too, and GTKWave loads both views of the folder that is left.
+# Status: that of load_views.sh.
+set -euo pipefail
+program=$1 design=$2 views=()
+variants=$(cd "$(dirname "${BASH_SOURCE[0]}")/../rtl/variants" && pwd)
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+
+for spec in "$variants/$design"/{faults,errata}/*.cmake; do
+  name=${spec#"$variants/"}
+  name=${name%.cmake}
+  kept=$folder/${name//\//.}
+  status=0
+  COSIM_VARIANT=$name "$program" sweep "$design" --hostile 100000 --failures "$kept" \
+    > "$folder/said" || status=$?
+  ((status == 1)) || { echo "$name: status $status" && cat "$folder/said" && exit 1; }
+  for view in "$kept"/*/{wave,smallest}.gtkw; do
+    grep -q '^-First difference: ' "$view" ||
+      { echo "$name: $(basename "$view") does not show the mismatch"; exit 1; }
+    views+=("$view")
+  done
+done
+echo "$((${#views[@]} / 2)) faults"
+"$(dirname "$0")/load_views.sh" "${views[@]}"

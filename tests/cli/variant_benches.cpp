@@ -6,6 +6,7 @@
 #include "model/dda/host.h"
 #include "model/linear/host.h"
 #include "tests/rtl/variant.h"
+#include "tests/support/designs.h"
 
 namespace cosim {
 namespace {
@@ -24,9 +25,7 @@ const std::vector<std::unique_ptr<AnyBench>>& benches() {
     const char* wanted = std::getenv("COSIM_VARIANT");
     const std::string name = wanted != nullptr ? wanted : "";
     std::vector<std::unique_ptr<AnyBench>> all;
-    add<linear::Design>(all, name);
-    add<circular::Design>(all, name);
-    add<dda::Design>(all, name);
+    test::for_each_design([&]<class Design>() { add<Design>(all, name); });
     if (all.empty()) throw InputError("COSIM_VARIANT: there is no variant '" + name + "'");
     return all;
   }();

@@ -16,6 +16,7 @@
 #include "model/linear/host.h"
 #include "model/toolpath/source.h"
 #include "tests/rtl/straight.h"
+#include "tests/support/designs.h"
 #include "tests/support/explain.h"
 #include "tests/support/root.h"
 #include "tests/support/vcd.h"
@@ -144,9 +145,7 @@ void add_subjects(std::vector<Subject>& all) {
 
 std::vector<Subject> subjects() {
   std::vector<Subject> all;
-  add_subjects<linear::Design>(all);
-  add_subjects<circular::Design>(all);
-  add_subjects<dda::Design>(all);
+  for_each_design([&]<class Design>() { add_subjects<Design>(all); });
   return all;
 }
 

@@ -10,6 +10,7 @@
 #include "model/dda/host.h"
 #include "model/linear/host.h"
 #include "tests/rtl/straight.h"
+#include "tests/support/designs.h"
 #include "tests/support/explain.h"
 
 namespace cosim::test {
@@ -80,16 +81,13 @@ void add_subjects(std::vector<Subject>& all, const std::string& kind,
 }
 std::vector<Subject> faults() {
   std::vector<Subject> all;
-  add_subjects<linear::Design>(all, "faults", expect_fault_found);
-  add_subjects<circular::Design>(all, "faults", expect_fault_found);
-  add_subjects<dda::Design>(all, "faults", expect_fault_found);
+  for_each_design([&]<class Design>() { add_subjects<Design>(all, "faults", expect_fault_found); });
   return all;
 }
 std::vector<Subject> controls() {
   std::vector<Subject> all;
-  add_subjects<linear::Design>(all, "shipped", expect_nothing_found);
-  add_subjects<circular::Design>(all, "shipped", expect_nothing_found);
-  add_subjects<dda::Design>(all, "shipped", expect_nothing_found);
+  for_each_design(
+      [&]<class Design>() { add_subjects<Design>(all, "shipped", expect_nothing_found); });
   return all;
 }
 
@@ -119,9 +117,12 @@ void expect_enough() {
   }
   EXPECT_GE(all, 12);
 }
-TEST(Faults, AreManyForTheLinearDesign) { expect_enough<linear::Design>(); }
-TEST(Faults, AreManyForTheCircularDesign) { expect_enough<circular::Design>(); }
-TEST(Faults, AreManyForTheDda) { expect_enough<dda::Design>(); }
+TEST(Faults, AreManyForEveryDesign) {
+  for_each_design([]<class Design>() {
+    SCOPED_TRACE(Design::name);
+    expect_enough<Design>();
+  });
+}
 
 }  // namespace
 }  // namespace cosim::test

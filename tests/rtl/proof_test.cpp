@@ -11,6 +11,7 @@
 #include "model/linear/host.h"
 #include "tb/proof/explain.h"
 #include "tests/rtl/prove.h"
+#include "tests/support/designs.h"
 
 namespace cosim::test {
 namespace {
@@ -74,9 +75,7 @@ void add_subjects(std::vector<Subject>& all) {
 
 std::vector<Subject> subjects() {
   std::vector<Subject> all;
-  add_subjects<linear::Design>(all);
-  add_subjects<circular::Design>(all);
-  add_subjects<dda::Design>(all);
+  for_each_design([&]<class Design>() { add_subjects<Design>(all); });
   return all;
 }
 

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
 #include <utility>
 
 #include "model/core/fields.h"
@@ -18,19 +17,22 @@ template <class Design>
 struct Compared {
   typename Design::template Registers<Word> registers;
   typename Design::template Outputs<Word> outputs;
-
-  /// True where any bit of any field differs.
-  friend bool differ(const Compared& a, const Compared& b) {
-    Word bits = 0;
-    const auto gather = [&bits](const auto& left, const auto& right) {
-      for_each_member<std::decay_t<decltype(left)>>(
-          [&](auto member, std::size_t) { bits |= left.*member ^ right.*member; });
-    };
-    gather(a.registers, b.registers);
-    gather(a.outputs, b.outputs);
-    return bits != 0;
-  }
 };
+
+/// Not 0 where any bit of any field differs.
+template <class Record>
+constexpr Word difference(const Record& a, const Record& b) {
+  Word bits = 0;
+  for_each_member<Record>([&](auto member, std::size_t) { bits |= a.*member ^ b.*member; });
+  return bits;
+}
+
+/// Copies field by field: a wider move would have to wait for the fields, only just stored one by
+/// one, which costs more than it saves.
+template <class Record>
+constexpr void copy_fields(Record& to, const Record& from) {
+  for_each_member<Record>([&](auto member, std::size_t) { to.*member = from.*member; });
+}
 
 template <class Adapter>
 class Lockstep {
@@ -59,19 +61,20 @@ class Lockstep {
   /// Flattened, so that the model sees its parameters as constants.
   template <class Sample>
   [[gnu::flatten]] bool clock(const Inputs& in, Sample&& sample) {
-    const auto step = Design::next(Adapter::params, state_, in);
-    coverage::count<Adapter>(state_, in, step);
-    expected_ = {Design::registers(Adapter::params, state_), step.outputs};
     dut_.drive(in);
     dut_.eval(false);
-    const Compared<Design> actual = {dut_.registers(), dut_.outputs()};
-    sample(std::as_const(expected_), actual);
+    copy_fields(expected_.registers, Design::registers(Adapter::params, state_));
+    Word bits = difference(expected_.registers, dut_.registers());
+    const auto step = Design::next(Adapter::params, state_, in);
+    coverage::count<Adapter>(state_, in, step);
+    copy_fields(expected_.outputs, step.outputs);
+    bits |= difference(expected_.outputs, dut_.outputs());
+    sample(std::as_const(expected_), read());
+    if (bits != 0) [[unlikely]]
+      keep_actual();
+    copy_fields(state_, step.state);
     dut_.eval(true);
-    state_ = step.state;
-    if (!differ(expected_, actual)) [[likely]]
-      return true;
-    actual_ = actual;
-    return false;
+    return bits == 0;
   }
   bool clock(const Inputs& in) {
     return clock(in, [](const auto&, const auto&) {});
@@ -86,6 +89,9 @@ class Lockstep {
   const Compared<Design>& actual() const { return actual_; }
 
  private:
+  Compared<Design> read() const { return {dut_.registers(), dut_.outputs()}; }
+  /// Out of the way, so that what was read need not be held for it.
+  [[gnu::noinline, gnu::cold]] void keep_actual() { actual_ = read(); }
   void edge() {
     dut_.eval(false);
     dut_.eval(true);

@@ -78,21 +78,22 @@ constexpr V wrap_signed(const Params& p, V v) {
   return from_twos_complement(low_bits(v, p.width + 1), p.width + 1);
 }
 
-/// A step of one axis: a carry or a borrow of its accumulator.
+/// A step of one axis: a carry or a borrow of its accumulator. Flags, not both of them 1.
 template <class V>
 struct Increment {
-  Condition<V> up, down;
+  V up, down;
 
   /// The number by which a step up changes something, for the step that there is.
-  constexpr V times(V by) const { return select(up, by, select(down, V(0) - by, V(0))); }
+  constexpr V times(V by) const {
+    return select(is_set(up), by, V(0)) - select(is_set(down), by, V(0));
+  }
 };
 
 template <class V>
 constexpr Increment<V> increment(const Params& p, V sum, Condition<V> may_step) {
   const Condition<V> carry = !(sum < V(shift_left(1, p.width)));
   const Condition<V> borrow = sum < V(0);
-  const Condition<V> up = may_step & carry, down = may_step & borrow;
-  return {up, down};
+  return {flag<V>(may_step & carry), flag<V>(may_step & borrow)};
 }
 
 /// Whether a rate has half of the accumulator or more.
@@ -125,10 +126,10 @@ constexpr Advance<V> advanced(const Params& p, const State<V>& s) {
   n.sy = wrap(sum_y, p.width);
   n.rate_x = wrap_signed(p, s.rate_x - x.times(s.b) - y.times(s.two_c));
   n.rate_y = wrap_signed(p, turned + y.times(s.b));
-  n.x = wrap_signed(p, s.x + x.times(V(1)));
-  n.y = wrap_signed(p, s.y + y.times(V(1)));
-  n.left_x = select(counted & (x.up | x.down), s.left_x - V(1), s.left_x);
-  n.left_y = select(counted & (y.up | y.down), s.left_y - V(1), s.left_y);
+  n.x = wrap_signed(p, s.x + x.up - x.down);
+  n.y = wrap_signed(p, s.y + y.up - y.down);
+  n.left_x = s.left_x - select(counted, x.up + x.down, V(0));
+  n.left_y = s.left_y - select(counted, y.up + y.down, V(0));
   return {n, x, y};
 }
 
@@ -180,10 +181,10 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
 
   Step<V> result;
   result.outputs.busy = s.running;
-  result.outputs.x_up = flag<V>(step & a.x.up);
-  result.outputs.x_down = flag<V>(step & a.x.down);
-  result.outputs.y_up = flag<V>(step & a.y.up);
-  result.outputs.y_down = flag<V>(step & a.y.down);
+  result.outputs.x_up = select(step, a.x.up, V(0));
+  result.outputs.x_down = select(step, a.x.down, V(0));
+  result.outputs.y_up = select(step, a.y.up, V(0));
+  result.outputs.y_down = select(step, a.y.down, V(0));
   result.outputs.code_x = low_bits(s.x, p.width + 1);
   result.outputs.code_y = low_bits(s.y, p.width + 1);
   result.state = either(

@@ -28,6 +28,13 @@ TEST(DdaCurve, OfAQuarter) {
             (Words<State<Word>>{0, 1, 0, 0, 127, 128, 0, 12, 12, 0, 12, 12, 1, 0, 1}));
 }
 
+// As many steps as lie between its ends.
+TEST(DdaCurve, OfAnArcInside) {
+  const Job job = arc(kP, {80, 60}, {60, 80}, {});
+  EXPECT_EQ(to_words(job.start),
+            (Words<State<Word>>{0, 0, 0, 0, 255, 0, -60, 80, 80, 60, 20, 20, 1, 0, 1}));
+}
+
 TEST(DdaCurve, OfAnEllipseIsOneTurn) {
   const Job job = conic(kP, {1, 0, 4, 0, 0, -400}, {20, 0}, {});
   EXPECT_EQ(job.start.two_a, 2);
@@ -114,6 +121,11 @@ TEST(DdaCurve, IsRefusedInOneLine) {
        [] {
          conic(kP, {1, 0, 1, 0, 0, -109}, {11, 0}, {});
        }},
+      // (x - 1) (y - 1) = 0
+      {"conic: it is degenerate",
+       [] {
+         conic(kP, {0, 1, 0, -1, -1, 1}, {1, 5}, {}, 10);
+       }},
       {"conic: it does not pass (5, 0)",
        [] {
          conic(kP, {1, 0, 1, 0, 0, -9}, {5, 0}, {});
@@ -130,6 +142,16 @@ TEST(DdaCurve, IsRefusedInOneLine) {
        [] {
          conic(kP, {1, 0, 4, 0, 0, -10000}, {100, 0}, {});
        }},
+      // Parabolas, which rise to y = x^2 / 4 = 256, and the other to x = 256.
+      {"conic: it leaves the codes of dda W=8 at (32, 256)",
+       [] {
+         conic(kP, {1, 0, 0, 0, -4, 0}, {0, 0}, {}, 4000);
+       }},
+      {"conic: it leaves the codes of dda W=8 at (256, -3",
+       [] {
+         conic(kP, {0, 0, 1, -4, 0, 0}, {0, 0}, {}, 4000);
+       }},
+      {"circle: -1 clocks are not", [] { circle(kP, 12, {}, -1); }},
       {"conic: 268435456 clocks are not",
        [] {
          conic(kP, {1, 0, 1, 0, 0, -9}, {3, 0}, {}, 1 << 28);
@@ -176,6 +198,9 @@ TEST(DdaHost, TriesSmallerJobs) {
   ASSERT_EQ(arcs.size(), 2U);
   EXPECT_EQ(arcs[0].clocks, 512);
   EXPECT_EQ(arcs[1].clocks, 1023);
+  Job none = arcs[0];
+  none.clocks = 0;
+  EXPECT_TRUE(Host::smaller(kP, none).empty());
 }
 
 }  // namespace

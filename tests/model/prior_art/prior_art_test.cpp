@@ -47,7 +47,9 @@ TEST(Bresenham, IsNearestOnEachPosition) {
       for (std::int64_t q = 0; q <= major; ++q) {
         const Point& at = points[static_cast<std::size_t>(q)];
         ASSERT_EQ(at.x, q);
-        ASSERT_LE(std::abs(2 * (at.y * major - q * minor)), major);
+        // Half a step at most; halfway between two the lower one.
+        ASSERT_LT(2 * (at.y * major - q * minor), major);
+        ASSERT_GE(2 * (at.y * major - q * minor), -major);
       }
       ASSERT_EQ(points.back(), (Point{major, minor}));
     }
@@ -81,6 +83,7 @@ TEST(MidpointCircle, IsNearestOnEveryRowThenColumn) {
       if (i == 0) continue;
       const Point& q = points[i - 1];
       ASSERT_TRUE(p.x <= q.x && p.y >= q.y && q.x - p.x <= 1 && p.y - q.y <= 1) << radius;
+      ASSERT_FALSE(p == q) << radius;
     }
   }
 }
@@ -109,6 +112,37 @@ TEST(SingleAxisCircle, StepsTowardsTheCircleOnOneAxis) {
       }
     }
   }
+}
+
+// From every point, to every one behind it.
+void expect_parts(const Points& whole, Points (*draw)(const Arc&), std::uint64_t radius2) {
+  for (std::size_t from = 0; from < whole.size(); ++from) {
+    for (std::size_t to = from; to < whole.size(); ++to) {
+      ASSERT_EQ(draw({whole[from], radius2, whole[to]}),
+                Points(whole.begin() + static_cast<std::ptrdiff_t>(from),
+                       whole.begin() + static_cast<std::ptrdiff_t>(to) + 1))
+          << from << " to " << to;
+    }
+  }
+}
+
+TEST(SingleAxisCircle, DrawsAPart) {
+  expect_parts(single_axis_circle(quarter(50)), single_axis_circle, 2500);
+}
+
+// From (7, 7), inside, it would go up.
+TEST(SingleAxisCircle, StaysInTheRowOfAnEndBesideItsWay) {
+  const Points points = single_axis_circle({{10, 0}, 100, {6, 7}});
+  ASSERT_EQ(points.size(), 12U);
+  EXPECT_EQ(points[10], (Point{7, 7}));
+  EXPECT_EQ(points[11], (Point{6, 7}));
+}
+
+TEST(Su875343, DrawsAPartBefore45Degrees) {
+  Points octant = su875343(quarter(50));
+  std::erase_if(octant, [](const Point& p) { return p.x <= p.y; });
+  EXPECT_EQ(octant.size(), 36U);  // rows 0 to 35: 50 / sqrt(2) = 35.4
+  expect_parts(octant, su875343, 2500);
 }
 
 TEST(Su875343, IsNearestTo45DegreesAndThenTheTangent) {

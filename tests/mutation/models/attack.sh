@@ -17,7 +17,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
 # A fault may leave a machine that never ends. Seconds of a processor, for a busy one is slow: all
-# the tests take 9.
+# the tests take 12.
 longest=30
 
 # attack NUMBER: the test that saw the fault, and how long it took, to files of its number. Those

@@ -46,9 +46,9 @@ Job circle(const Params& p, std::int64_t radius, const Settings& settings,
            std::optional<std::int64_t> clocks = {});
 
 /// A conic from `from` until a stop after `clocks`; an ellipse may do without: one turn. InputError
-/// where check() or rates_at() refuses it, a coefficient or a coordinate does not fit, another curve
-/// than an ellipse has no `clocks`, there are 2^28 of them or more, or a rate or a code leaves its
-/// register on the way.
+/// where check() or rates_at() refuses it, a coefficient or a coordinate does not fit, another
+/// curve than an ellipse has no `clocks`, there are 2^28 of them or more, or a rate or a code
+/// leaves its register on the way.
 Job conic(const Params& p, const Conic& conic, Point from, const Settings& settings,
           std::optional<std::int64_t> clocks = {});
 

@@ -81,10 +81,14 @@ bool cosim_killed(const Arguments& arguments, int after) {
   return status_of(child) == 128 + SIGKILL;
 }
 
-Ended cosim_signalled(const Arguments& arguments, int signal, int after) {
+Ended cosim_signalled(const Arguments& arguments, int signal, int after, Until until) {
   const Folder folder;
   const pid_t child = start(COSIM_PROGRAM, arguments, folder.path("out"), folder.path("err"));
-  std::this_thread::sleep_for(std::chrono::milliseconds(after));
+  const std::chrono::milliseconds step(5);
+  for (std::chrono::milliseconds waited{0}; waited.count() < after; waited += step) {
+    if (until == Until::a_line && folder.text("out").find('\n') != std::string::npos) break;
+    std::this_thread::sleep_for(step);
+  }
   kill(child, signal);
   Ended ended;
   ended.status = status_of(child);

@@ -30,8 +30,12 @@ Ended cosim(const Arguments& arguments, const Output& output = {});
 /// whether it was.
 bool cosim_killed(const Arguments& arguments, int after);
 
+/// What a signal waits for: so many milliseconds, or for as long at most until a line is written.
+enum class Until { the_time, a_line };
+
 /// The program as shipped, sent `signal` after so many milliseconds.
-Ended cosim_signalled(const Arguments& arguments, int signal, int after);
+Ended cosim_signalled(const Arguments& arguments, int signal, int after,
+                      Until until = Until::the_time);
 
 /// The one with faults in its benches (faulty_benches.cpp).
 Ended faulty(const Arguments& arguments);

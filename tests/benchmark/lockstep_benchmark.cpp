@@ -122,7 +122,8 @@ void compared(benchmark::State& state) {
       dut.eval(true);
       model = step.state;
       seen = step.outputs;
-      return !differ(expected, actual);
+      return (difference(expected.registers, actual.registers) |
+              difference(expected.outputs, actual.outputs)) == 0;
     };
     auto left = source;
     typename Design::template Inputs<Word> in;

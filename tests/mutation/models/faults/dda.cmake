@@ -91,20 +91,25 @@ fault("An arc may end a step off its circle" dda/curve.cpp
   [[std::fabs(radius(from) - radius(to)) >= 1]] [[std::fabs(radius(from) - radius(to)) > 1]])
 fault("A turn is half of one" dda/curve.cpp
   [[2 * std::numbers::pi]] [[std::numbers::pi]])
-fault("Two lines that cross off the origin are a conic" dda/curve.cpp
-  [[b * d * e]] [[0]])
-fault("A start may be two steps off" dda/curve.cpp
-  [[std::fabs(value) > slope]] [[std::fabs(value) > 2 * slope]])
 fault("A rate that is only added is not looked at" dda/curve.cpp
   [[track.added()]] [[track.rates()]])
 fault("A Y that leaves its code is not seen" dda/curve.cpp
   [[!fits(p, at.x) || !fits(p, at.y)]] [[!fits(p, at.x)]])
 fault("A number of clocks below 0 is taken" dda/curve.cpp
   [[clocks < 0 || clocks >= most_clocks]] [[clocks >= most_clocks]])
-fault("X's rate has B y in place of B x" dda/curve.cpp
-  [[q.b * from.x + 2 * q.c * from.y]] [[q.b * from.y + 2 * q.c * from.y]])
-fault("A parabola has a turn" dda/curve.cpp
-  [[root2 <= 0]] [[root2 < 0]])
+
+fault("A coefficient below the least is taken" dda/conic.cpp
+  [[-one.largest <= one.value && one.value <= one.largest]] [[one.value <= one.largest]])
+fault("Two lines that cross off the origin are a conic" dda/conic.cpp
+  [[b * d * e]] [[0]])
+fault("X's rate has B y in place of B x" dda/conic.cpp
+  [[b * x + 2 * c * y]] [[b * y + 2 * c * y]])
+fault("A start may be a whole step off" dda/conic.cpp
+  [[2 * std::fabs(static_cast<long double>(value))]] [[std::fabs(static_cast<long double>(value))]])
+fault("A rate beyond every machine is cut" dda/conic.cpp
+  [[rate >> 62 == 0 || -rate >> 62 == 0]] [[true]])
+fault("A parabola has a turn" dda/conic.cpp
+  [[square <= 0]] [[square < 0]])
 
 fault("The host exchanges two modes" dda/host.cpp
   [[s.sequential + 2 * s.normalise]] [[s.normalise + 2 * s.sequential]])
@@ -132,3 +137,5 @@ fault("A line is off by the distance across it" dda/oracle.cpp
   [[std::hypot(along_x, along_y)]])
 fault("A conic is off by twice its A" dda/oracle.cpp
   [[two_a / 2 * x * x]] [[two_a * x * x]])
+fault("A circle is off by its equation over the gradient of its radius" dda/oracle.cpp
+  [[std::hypot(x - centre_x, y - centre_y) + radius]] [[2 * radius]])

@@ -146,7 +146,7 @@ std::string report_json(const std::vector<Outcome>& outcomes, std::uint64_t seed
   if (outcomes.size() == 1) {
     top = runs.front();
   } else {
-    top["verdict"] = outcomes.empty()        ? "nothing compared"
+    top["verdict"] = outcomes.empty()      ? "nothing compared"
                      : all_match(outcomes) ? "match"
                                            : "mismatch";
     top["design"] = Json::array();

@@ -34,8 +34,8 @@ std::string verdict_text(const std::vector<Outcome>& outcomes);
 /// object for each outcome. Over several outcomes clocks and steps are sums, max_deviation is the
 /// largest, mismatch the first, and parameters an array of what would be one object; over several
 /// designs design is an array of names and compared_signals an object of arrays under these names.
-/// Over none the verdict is "nothing compared". `extra` is a JSON object whose keys are added. Text that is not UTF-8 gets replacement
-/// characters.
+/// Over none the verdict is "nothing compared". `extra` is a JSON object whose keys are added. Text
+/// that is not UTF-8 gets replacement characters.
 std::string report_json(const std::vector<Outcome>& outcomes, std::uint64_t seed,
                         const std::string& extra = "{}");
 

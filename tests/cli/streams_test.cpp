@@ -84,9 +84,8 @@ TEST(Streams, IsNotWrittenOverTheProgramRead) {
   const std::string program = "G0 X10\n";
   const std::string file = folder.write("p.ngc", program);
   for (const char* option : {"--csv", "--report"}) {
-    expect_error(
-        cosim({"path", file, "--steps-per-mm", "10", option, folder.path("./p.ngc")}),
-        std::string(option) + ": " + folder.path("./p.ngc") + " is the file that is read");
+    expect_error(cosim({"path", file, "--steps-per-mm", "10", option, folder.path("./p.ngc")}),
+                 std::string(option) + ": " + folder.path("./p.ngc") + " is the file that is read");
     EXPECT_EQ(folder.text("p.ngc"), program);
   }
 }
@@ -97,7 +96,8 @@ TEST(Streams, OfAWaveAreApartFromAllOthers) {
   const std::string wave = folder.path("w.fst");
   for (const char* name : {"w.fst", "w.gtkw", "w.phase.txt", "w.step.txt"}) {
     const std::string file = folder.path(name);
-    expect_error(line({"--wave", wave, "--csv", file}), "--wave: " + file + " is the file of --csv");
+    expect_error(line({"--wave", wave, "--csv", file}),
+                 "--wave: " + file + " is the file of --csv");
     expect_error(line({"--wave", wave, "--report", file}),
                  "--wave: " + file + " is the file of --report");
   }

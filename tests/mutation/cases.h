@@ -27,6 +27,7 @@ struct Jobs {
 };
 
 inline constexpr std::uint64_t seed = 1;
+inline constexpr std::uint64_t long_jobs = 4;
 
 /// Draws jobs on a machine of its own, the same power-up state for the same jobs.
 template <class Design>
@@ -61,7 +62,6 @@ void add_cases(std::vector<Case>& all, const Bench<Design>& bench, std::uint64_t
 
 constexpr std::uint64_t quick_cases = 12;
 constexpr std::uint64_t thorough_cases = 2000;
-constexpr std::uint64_t long_jobs = 4;
 
 template <class Design>
 std::vector<Case> quick_cases_of(const Bench<Design>& bench) {

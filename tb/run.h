@@ -91,10 +91,10 @@ Mismatch examine(Lockstep<Adapter>& lockstep, Source source, std::uint64_t clock
 
 /// Clocks `lockstep` from `source` until the source ends (true) or RTL and model differ (false),
 /// and counts the clocks, the differing one included. `observe(source, compared)` is called after
-/// each clock that matched.
+/// each clock that matched. Flattened, for lockstep's registers are many to put aside for a call.
 template <class Adapter, class Source, class Observe>
-bool clock_through(Lockstep<Adapter>& lockstep, Source& source, std::uint64_t& clocks,
-                   Observe&& observe) {
+[[gnu::flatten]] bool clock_through(Lockstep<Adapter>& lockstep, Source& source,
+                                    std::uint64_t& clocks, Observe&& observe) {
   typename Adapter::Design::template Inputs<Word> in;
   while (source.next(in, lockstep.expected().outputs)) {
     ++clocks;

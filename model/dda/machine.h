@@ -208,8 +208,11 @@ constexpr Registers<V> registers(const Params& p, const State<V>& s) {
   Registers<V> r;
   const auto fields = State<V>::fields(p);
   const auto numbers = State<V>::members();
-  for_each_member<Registers<V>>(
-      [&](auto member, std::size_t i) { r.*member = low_bits(s.*numbers[i], fields[i].width); });
+  for_each_member<Registers<V>>([&](auto member, std::size_t i) {
+    const V number = s.*numbers[i];
+    const bool is_signed = fields[i].format == Format::twos_complement;
+    r.*member = is_signed ? low_bits(number, fields[i].width) : number;
+  });
   return r;
 }
 

@@ -1,5 +1,4 @@
-// The DDA's pins and registers, tied to the Verilated class by the model's field
-// tables.
+// The DDA's pins and registers, tied to the Verilated class by the model's field tables.
 #pragma once
 
 #include "model/dda/bins.h"

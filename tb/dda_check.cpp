@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "model/dda/equation.h"
+
 namespace cosim {
 
 using dda::Point;

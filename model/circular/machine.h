@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "model/core/design.h"
 #include "model/core/fields.h"
 #include "model/core/value.h"
 
@@ -152,24 +153,14 @@ constexpr Registers<V> registers(const Params& p, const State<V>& s) {
   return r;
 }
 
-class Host;
-class View;
+class Host;  // the device outside, host.h
+class View;  // what a person wants to see of it, view.h
 
 /// The design as one type, for code that is generic over designs.
 struct Design {
-  using Host = circular::Host;  ///< the device outside, host.h
-  using View = circular::View;  ///< what a person wants to see of it, view.h
+  COSIM_DESIGN(circular);
   static constexpr const char* name = "circular";
   static constexpr const char* source = "SU 1665343";
-  using Params = circular::Params;
-  template <class V>
-  using Inputs = circular::Inputs<V>;
-  template <class V>
-  using Outputs = circular::Outputs<V>;
-  template <class V>
-  using State = circular::State<V>;
-  template <class V>
-  using Registers = circular::Registers<V>;
 
   /// The parameters by the RTL's names.
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {
@@ -186,14 +177,6 @@ struct Design {
   template <class V>
   static constexpr State<V> cleared() {
     return circular::cleared<V>();
-  }
-  template <class V>
-  static constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) {
-    return circular::next(p, s, in);
-  }
-  template <class V>
-  static constexpr Registers<V> registers(const Params& p, const State<V>& s) {
-    return circular::registers(p, s);
   }
 };
 

@@ -5,6 +5,7 @@
 // Each register holds any number of its width in any state: there is no invariant between them.
 #pragma once
 
+#include "model/core/design.h"
 #include "model/core/fields.h"
 #include "model/core/value.h"
 
@@ -216,24 +217,14 @@ constexpr Registers<V> registers(const Params& p, const State<V>& s) {
   return r;
 }
 
-class Host;
-class View;
+class Host;  // the device outside, host.h
+class View;  // what a person wants to see of it, view.h
 
 /// The design as one type, for code that is generic over designs.
 struct Design {
-  using Host = dda::Host;  ///< the device outside, host.h
-  using View = dda::View;  ///< what a person wants to see of it, view.h
+  COSIM_DESIGN(dda);
   static constexpr const char* name = "dda";
   static constexpr const char* source = "the method of differential increments";
-  using Params = dda::Params;
-  template <class V>
-  using Inputs = dda::Inputs<V>;
-  template <class V>
-  using Outputs = dda::Outputs<V>;
-  template <class V>
-  using State = dda::State<V>;
-  template <class V>
-  using Registers = dda::Registers<V>;
 
   /// The parameters by the RTL's names.
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {
@@ -250,14 +241,6 @@ struct Design {
   template <class V>
   static constexpr State<V> cleared() {
     return {};
-  }
-  template <class V>
-  static constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) {
-    return dda::next(p, s, in);
-  }
-  template <class V>
-  static constexpr Registers<V> registers(const Params& p, const State<V>& s) {
-    return dda::registers(p, s);
   }
 };
 

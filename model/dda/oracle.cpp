@@ -1,7 +1,6 @@
 #include "model/dda/oracle.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 
 namespace cosim::dda {
@@ -55,31 +54,6 @@ std::optional<Point> Track::next() {
   left_x_ -= std::abs(step.x);
   left_y_ -= std::abs(step.y);
   return step;
-}
-
-// With x and y from the start, and the start on the curve: the equation's left side is
-// A x^2 + B xy + C y^2 + y'(0) x - x'(0) y, its gradient (y', -x') at (x, y). Of a circle it is A
-// times the difference of the squares of the distance from its centre and of the radius.
-double deviation(const Job& job, Point at) {
-  using Real = long double;
-  const State<Word>& s = job.start;
-  const auto x = static_cast<Real>(at.x - s.x), y = static_cast<Real>(at.y - s.y);
-  const auto two_a = static_cast<Real>(s.two_a), b = static_cast<Real>(s.b);
-  const auto two_c = static_cast<Real>(s.two_c);
-  const auto x0 = static_cast<Real>(s.rate_x), y0 = static_cast<Real>(s.rate_y);
-  const Real value = two_a / 2 * x * x + b * x * y + two_c / 2 * y * y + y0 * x - x0 * y;
-  if (value == 0) return 0;
-  if (two_a == two_c && b == 0 && two_a != 0) {
-    const Real centre_x = -y0 / two_a, centre_y = x0 / two_a;
-    const Real radius = std::hypot(centre_x, centre_y);
-    return static_cast<double>(std::fabs(value) * 2 / std::fabs(two_a) /
-                               (std::hypot(x - centre_x, y - centre_y) + radius));
-  }
-  const Real along_x = y0 + two_a * x + b * y, along_y = -(x0 - b * x - two_c * y);
-  const bool straight = s.two_a == 0 && s.b == 0 && s.two_c == 0;
-  const Real slope =
-      straight ? std::max(std::fabs(along_x), std::fabs(along_y)) : std::hypot(along_x, along_y);
-  return static_cast<double>(std::fabs(value) / slope);
 }
 
 }  // namespace cosim::dda

@@ -37,8 +37,4 @@ class Track {
   std::int64_t left_x_, left_y_;
 };
 
-/// How far `at` is off the curve of a job, in steps: of a line along the axis with fewer steps, of
-/// a circle along its radius, of another conic across the curve, by its equation over its gradient.
-double deviation(const Job& job, Point at);
-
 }  // namespace cosim::dda

@@ -3,6 +3,7 @@
 // RTL's counter, remainder register and multiplier hold for it.
 #pragma once
 
+#include "model/core/design.h"
 #include "model/core/fields.h"
 #include "model/core/value.h"
 
@@ -194,24 +195,14 @@ constexpr Registers<V> registers(const Params& p, const State<V>& s) {
   return r;
 }
 
-class Host;
-class View;
+class Host;  // the device outside, host.h
+class View;  // what a person wants to see of it, view.h
 
 /// The design as one type, for code that is generic over designs.
 struct Design {
-  using Host = linear::Host;  ///< the device outside, host.h
-  using View = linear::View;  ///< what a person wants to see of it, view.h
+  COSIM_DESIGN(linear);
   static constexpr const char* name = "linear";
   static constexpr const char* source = "SU 1631518";
-  using Params = linear::Params;
-  template <class V>
-  using Inputs = linear::Inputs<V>;
-  template <class V>
-  using Outputs = linear::Outputs<V>;
-  template <class V>
-  using State = linear::State<V>;
-  template <class V>
-  using Registers = linear::Registers<V>;
 
   /// The parameters by the RTL's names.
   static constexpr std::array<Parameter, 2> parameters(const Params& p) {
@@ -232,14 +223,6 @@ struct Design {
   template <class V>
   static constexpr State<V> cleared() {
     return {};
-  }
-  template <class V>
-  static constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) {
-    return linear::next(p, s, in);
-  }
-  template <class V>
-  static constexpr Registers<V> registers(const Params& p, const State<V>& s) {
-    return linear::registers(p, s);
   }
 };
 

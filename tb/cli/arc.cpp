@@ -9,15 +9,12 @@
 #include "tb/check.h"
 #include "tb/cli/choose.h"
 #include "tb/cli/command.h"
-#include "tb/cli/conclude.h"
+#include "tb/cli/draw_one.h"
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
 #include "tb/cli/shape_options.h"
-#include "tb/cli/wave.h"
 #include "tb/cli/words.h"
-#include "tb/output_file.h"
 #include "tb/plot/drawn.h"
-#include "tb/table.h"
 
 namespace cosim::cli {
 namespace {
@@ -105,7 +102,7 @@ class Drawn final : public Observer<circular::Design> {
 };
 
 int run(const Options& o) {
-  const std::uint64_t seed = o.common.seed();
+  const auto power_up = static_cast<std::uint32_t>(o.common.seed());
   const circular::Arc arc = parse_arc(o);
   const auto& bench = choose(o.shape.circular(), circular::width_needed(arc.radius2));
   check_outputs(o.common);
@@ -113,30 +110,15 @@ int run(const Options& o) {
   OutputFile csv(o.common.csv.value_or(""));
   csv.line("clock,dx,dy,x,y");
   const std::string work = describe(o, arc);
-  fmt::print("{}: {}\n", bench.title(), work);
-
   ArcCheck check({&arc, 1});
   Rows rows(csv, arc.from);
-  Observers<circular::Design> observers{&check, &rows};
-  Series series{bench.title(), {}};
-  Drawn points(series, arc);
-  if (o.common.plot) observers.add(points);
-  std::unique_ptr<Table<circular::Design>> table;
-  if (o.common.table) {
-    observers.add(*(table = std::make_unique<Table<circular::Design>>(bench.params())));
-  }
-
-  const auto session = bench.open(static_cast<std::uint32_t>(seed));
-  Run run = session->draw({&arc, 1}, observers);
-  csv.close();
-  if (o.common.plot) {
-    const compare::Arc drawn{arc.from, arc.radius2, series.marks.back().at};
-    draw_plot(*o.common.plot, {work, {curve_of(drawn)}, {series}});
-  }
-  draw_wave(o.common, bench, work, *session, run.mismatch);
-  const Outcome outcome = outcome_of(bench, work, std::move(run), check);
-  fmt::print("drawn: {}\n", drawn(outcome.result));
-  return conclude({outcome}, o.common);
+  Series path{bench.title(), {}};
+  Drawn points(path, arc);
+  const auto ideal = [&] {
+    return curve_of(compare::Arc{arc.from, arc.radius2, path.marks.back().at});
+  };
+  return draw_one<circular::Design, circular::Arc, ArcCheck>(
+      {o.common, power_up, bench, work, arc, check, csv, rows, path, points, ideal});
 }
 
 }  // namespace

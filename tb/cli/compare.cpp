@@ -65,27 +65,33 @@ std::string names_of(const std::vector<Algorithm<Work>>& all) {
   return text;
 }
 
-// The algorithms asked for that draw this kind of work, all where none is asked for; and whether
-// each of those asked for is known.
+// The algorithms that draw all the work of one kind, and a line on each that cannot.
 template <class W>
-std::vector<const Algorithm<W>*> chosen(const std::vector<Algorithm<W>>& all, const Text& asked,
-                                        const std::vector<W>& works, std::vector<bool>& known) {
+struct Choice {
   std::vector<const Algorithm<W>*> some;
+  std::string left_out;
+};
+
+// Of those asked for, of all where none is asked for; and whether each of those asked for is known.
+template <class W>
+Choice<W> chosen(const std::vector<Algorithm<W>>& all, const Text& asked,
+                 const std::vector<W>& works, std::vector<bool>& known) {
+  Choice<W> choice;
+  if (works.empty()) return choice;
   const auto names = asked ? split(*asked) : std::vector<std::string>{};
   for (const auto& algorithm : all) {
     const auto at = std::find(names.begin(), names.end(), algorithm.name);
     if (asked && at == names.end()) continue;
-    if (asked && !works.empty()) known[static_cast<std::size_t>(at - names.begin())] = true;
-    const bool can = !algorithm.can || std::all_of(works.begin(), works.end(), algorithm.can);
-    if (!can && asked) {
-      throw InputError(
-          fmt::format("--algorithms: {} cannot draw an arc that starts at 45 degrees "
-                      "or behind",
-                      algorithm.name));
+    if (asked) known[static_cast<std::size_t>(at - names.begin())] = true;
+    if (!algorithm.can || std::all_of(works.begin(), works.end(), algorithm.can)) {
+      choice.some.push_back(&algorithm);
+      continue;
     }
-    if (can && !works.empty()) some.push_back(&algorithm);
+    const std::string why = fmt::format("{} cannot draw {}", algorithm.name, algorithm.cannot);
+    if (asked) throw InputError("--algorithms: " + why);
+    choice.left_out += "left out: " + why + "\n";
   }
-  return some;
+  return choice;
 }
 
 // An algorithm of lines and of arcs is one path.
@@ -97,11 +103,11 @@ Series& series_of(Plot& plot, const std::string& name) {
 
 // Draws into the picture, where there is one.
 template <class W>
-std::vector<Entry> contest(const char* what, const std::vector<const Algorithm<W>*>& some,
+std::vector<Entry> contest(const char* what, const Choice<W>& choice,
                            const compare::Machines& machines, const compare::Batch<W>& batch,
                            Plot* plot) {
   std::vector<Entry> entries;
-  for (const auto* algorithm : some) {
+  for (const auto* algorithm : choice.some) {
     compare::PointsSink sink;
     if (plot != nullptr) {
       sink = [&, &series = series_of(*plot, algorithm->name)](std::size_t i, const auto& points) {
@@ -111,7 +117,7 @@ std::vector<Entry> contest(const char* what, const std::vector<const Algorithm<W
     entries.push_back(entry_of(*algorithm, machines, batch.works, sink));
   }
   if (!entries.empty()) {
-    fmt::print("\n{}\n{}", count(batch.works.size(), what), to_text(entries));
+    fmt::print("\n{}\n{}{}", count(batch.works.size(), what), to_text(entries), choice.left_out);
   }
   return entries;
 }

@@ -6,18 +6,17 @@
 #include <vector>
 
 #include "model/core/input_error.h"
+#include "model/dda/equation.h"
 #include "tb/cli/choose.h"
 #include "tb/cli/command.h"
-#include "tb/cli/conclude.h"
 #include "tb/cli/dda_settings.h"
+#include "tb/cli/draw_one.h"
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
 #include "tb/cli/shape_options.h"
-#include "tb/cli/wave.h"
 #include "tb/cli/words.h"
 #include "tb/dda_check.h"
-#include "tb/output_file.h"
-#include "tb/table.h"
+#include "tb/plot/drawn.h"
 
 namespace cosim::cli {
 namespace {
@@ -116,6 +115,26 @@ class Rows final : public Observer<dda::Design> {
   std::uint64_t clock_ = 0;
 };
 
+// The points for a picture.
+class Drawn final : public Observer<dda::Design> {
+ public:
+  Drawn(Series& series, const dda::Job& job) : series_(series), job_(job) {
+    add({job.start.x, job.start.y});
+  }
+  void clock(std::size_t, const Compared<dda::Design>& seen) override {
+    const Point step{seen.outputs.x_up - seen.outputs.x_down,
+                     seen.outputs.y_up - seen.outputs.y_down};
+    const Point at = series_.marks.back().at;
+    if (!(step == Point{})) add({at.x + step.x, at.y + step.y});
+  }
+
+ private:
+  void add(Point at) { series_.add(at, deviation(job_, at)); }
+
+  Series& series_;
+  const dda::Job& job_;
+};
+
 // The smallest bench that holds the work on its whole way, and the job.
 std::pair<const Bench<dda::Design>*, dda::Job> chosen_for(const DdaShape& shape, const Work& work) {
   const auto found = matching(shape);
@@ -130,7 +149,7 @@ std::pair<const Bench<dda::Design>*, dda::Job> chosen_for(const DdaShape& shape,
 }
 
 int run(const Options& o) {
-  const std::uint64_t seed = o.common.seed();
+  const auto power_up = static_cast<std::uint32_t>(o.common.seed());
   check_kind(o);
   const Work work = parse_work(o);
   const auto [chosen, job] = chosen_for(o.shape.dda(), work);
@@ -139,23 +158,13 @@ int run(const Options& o) {
 
   OutputFile csv(o.common.csv.value_or(""));
   csv.line("clock,dx,dy,x,y");
-  fmt::print("{}: {}\n", bench.title(), work.text);
-
   DdaCheck check(bench.params(), {&job, 1});
   Rows rows(csv, {job.start.x, job.start.y});
-  Observers<dda::Design> observers{&check, &rows};
-  std::unique_ptr<Table<dda::Design>> table;
-  if (o.common.table) {
-    observers.add(*(table = std::make_unique<Table<dda::Design>>(bench.params())));
-  }
-
-  const auto session = bench.open(static_cast<std::uint32_t>(seed));
-  Run run = session->draw({&job, 1}, observers);
-  csv.close();
-  draw_wave(o.common, bench, work.text, *session, run.mismatch);
-  const Outcome outcome = outcome_of(bench, work.text, std::move(run), check);
-  fmt::print("drawn: {}\n", drawn(outcome.result));
-  return conclude({outcome}, o.common);
+  Series path{bench.title(), {}};
+  Drawn points(path, job);
+  return draw_one<dda::Design, dda::Job, DdaCheck>(
+      {o.common, power_up, bench, work.text, job, check, csv, rows, path, points,
+       [&, drawn = &job] { return curve_of(*drawn, path.marks); }});
 }
 
 }  // namespace
@@ -174,6 +183,7 @@ void add_dda(CLI::App& app, Action& action) {
   o->shape.add_dda(command);
   add_csv(command, o->common, "Write clock,dx,dy,x,y: a row a step, x and y after it");
   add_table(command, o->common);
+  add_plot(command, o->common);
   add_wave(command, o->common, "Draw the run as a waveform, with FILE.gtkw, its view for GTKWave");
   add_failures(command, o->common);
   add_common(command, o->common);

@@ -7,15 +7,12 @@
 #include "tb/cli/choose.h"
 #include "tb/cli/code_option.h"
 #include "tb/cli/command.h"
-#include "tb/cli/conclude.h"
+#include "tb/cli/draw_one.h"
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
 #include "tb/cli/shape_options.h"
-#include "tb/cli/wave.h"
 #include "tb/compare/figures.h"
-#include "tb/output_file.h"
 #include "tb/plot/drawn.h"
-#include "tb/table.h"
 
 namespace cosim::cli {
 namespace {
@@ -85,7 +82,7 @@ LinearShape shape_of(const Options& o) {
 }
 
 int run(const Options& o) {
-  const std::uint64_t seed = o.common.seed();
+  const auto power_up = static_cast<std::uint32_t>(o.common.seed());
   const auto major =
       static_cast<std::int64_t>(whole("--major", needed("--major", o.major), 0, most_steps));
   const std::optional<std::int64_t> minor = parse_minor(o.minor, major);
@@ -99,28 +96,15 @@ int run(const Options& o) {
   const std::string work =
       fmt::format("BP = {}, MP = {}, UK = {:0{}b}{}", major, code.minor, code.code, p.m,
                   code.rule.empty() ? "" : " (" + code.rule + ")");
-  fmt::print("{}: {}\n", bench.title(), work);
-
   const linear::Job job{{major, code.code}, {}};
   LineCheck check(p, {&job, 1});
   Rows rows(csv, p.word());
-  Observers<linear::Design> observers{&check, &rows};
-  std::unique_ptr<Table<linear::Design>> table;
-  Series series{bench.title(), {}};
-  Drawn points(series, {major, code.minor}, p.word());
-  if (o.common.plot) observers.add(points);
-  if (o.common.table) observers.add(*(table = std::make_unique<Table<linear::Design>>(p)));
-
-  const auto session = bench.open(static_cast<std::uint32_t>(seed));
-  Run run = session->draw({&job, 1}, observers);
-  csv.close();
-  if (o.common.plot) {
-    draw_plot(*o.common.plot, {work, {curve_of(compare::Line{major, code.minor})}, {series}});
-  }
-  draw_wave(o.common, bench, work, *session, run.mismatch);
-  const Outcome outcome = outcome_of(bench, work, std::move(run), check);
-  fmt::print("drawn: {}\n", drawn(outcome.result));
-  return conclude({outcome}, o.common);
+  const compare::Line line{major, code.minor};
+  Series path{bench.title(), {}};
+  Drawn points(path, line, p.word());
+  return draw_one<linear::Design, linear::Job, LineCheck>({o.common, power_up, bench, work, job,
+                                                           check, csv, rows, path, points,
+                                                           [&] { return curve_of(line); }});
 }
 
 }  // namespace

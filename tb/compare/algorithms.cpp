@@ -158,15 +158,13 @@ Drawing by_rate_multiplier(const Machines& machines, const Line& line) {
 const std::vector<Algorithm<Line>>& line_algorithms() {
   using enum dda::Preload;
   static const std::vector<Algorithm<Line>> all{
-      {"su1631518", "the linear machine, best code", by_words<linear::best_code>, {}},
-      {"su1631518-greedy", "the same, greedy code", by_words<linear::greedy_code>, {}},
-      {"rate-multiplier", "its prototype: both axes by rate multipliers", by_rate_multiplier, {}},
-      {"dda", "the DDA, accumulators at 0", line_by_dda<zero>, {}},
-      {"dda-half", "the same, at half", line_by_dda<half>, {}},
-      {"bresenham",
-       "Bresenham's line",
-       [](const Machines&, const Line& line) { return by_model(prior_art::bresenham(line)); },
-       {}}};
+      {"su1631518", "the linear machine, best code", by_words<linear::best_code>},
+      {"su1631518-greedy", "the same, greedy code", by_words<linear::greedy_code>},
+      {"rate-multiplier", "its prototype: both axes by rate multipliers", by_rate_multiplier},
+      {"dda", "the DDA, accumulators at 0", line_by_dda<zero>},
+      {"dda-half", "the same, at half", line_by_dda<half>},
+      {"bresenham", "Bresenham's line",
+       [](const Machines&, const Line& line) { return by_model(prior_art::bresenham(line)); }}};
   return all;
 }
 
@@ -174,25 +172,21 @@ const std::vector<Algorithm<Arc>>& arc_algorithms() {
   using enum dda::Preload;
   using enum dda::Update;
   static const std::vector<Algorithm<Arc>> all{
-      {"su1665343", "the circular machine", by_su1665343, {}},
+      {"su1665343", "the circular machine", by_su1665343},
       {"su875343", "its prototype: past 45 degrees along the tangent",
        [](const Machines&, const Arc& arc) { return by_model(prior_art::su875343(arc)); },
-       [](const Arc& arc) { return arc.from.x > arc.from.y; }},
-      {"dda", "the DDA, parallel, accumulators at 0", arc_by_dda<parallel, zero>, {}},
-      {"dda-half", "the same, at half", arc_by_dda<parallel, half>, {}},
-      {"dda-sequential",
-       "the DDA, sequential, accumulators at 0",
-       arc_by_dda<sequential, zero>,
-       {}},
-      {"dda-sequential-half", "the same, at half", arc_by_dda<sequential, half>, {}},
-      {"midpoint",
-       "the midpoint circle",
-       [](const Machines&, const Arc& arc) { return by_model(prior_art::midpoint_circle(arc)); },
-       {}},
-      {"single-axis",
-       "an evaluation function, one axis a step",
-       [](const Machines&, const Arc& arc) { return by_model(prior_art::single_axis_circle(arc)); },
-       {}}};
+       [](const Arc& arc) { return arc.from.x > arc.from.y; },
+       "an arc that starts at 45 degrees or behind"},
+      {"dda", "the DDA, parallel, accumulators at 0", arc_by_dda<parallel, zero>},
+      {"dda-half", "the same, at half", arc_by_dda<parallel, half>},
+      {"dda-sequential", "the DDA, sequential, accumulators at 0", arc_by_dda<sequential, zero>},
+      {"dda-sequential-half", "the same, at half", arc_by_dda<sequential, half>},
+      {"midpoint", "the midpoint circle",
+       [](const Machines&, const Arc& arc) { return by_model(prior_art::midpoint_circle(arc)); }},
+      {"single-axis", "an evaluation function, one axis a step",
+       [](const Machines&, const Arc& arc) {
+         return by_model(prior_art::single_axis_circle(arc));
+       }}};
   return all;
 }
 

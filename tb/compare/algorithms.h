@@ -37,7 +37,8 @@ struct Algorithm {
   std::string what;  ///< a few words
   std::function<Drawing(const Machines&, const Work&)> draw;
   /// Whether it can do the work; where it is empty, it can do any.
-  std::function<bool(const Work&)> can;
+  std::function<bool(const Work&)> can = {};
+  std::string cannot = {};  ///< the work that it cannot do, a noun
 };
 
 const std::vector<Algorithm<Line>>& line_algorithms();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/dda/equation.h"
+
 namespace cosim {
 namespace {
 
@@ -60,6 +62,12 @@ std::vector<Curve> curves_of(const compare::Work& work) {
   add_curves(all, work.lines);
   add_curves(all, work.arcs);
   return all;
+}
+
+Curve curve_of(const dda::Job& job, const std::vector<Mark>& marks) {
+  Curve curve;
+  for (const Mark& mark : marks) curve.push_back(on_curve(job, mark.at));
+  return curve;
 }
 
 void add_points(Series& series, const compare::Line& line, const Place& place,

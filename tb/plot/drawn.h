@@ -1,6 +1,7 @@
 // Compared work in a picture: its curves, and the points that an algorithm gave.
 #pragma once
 
+#include "model/dda/host.h"
 #include "tb/compare/work.h"
 #include "tb/plot/plot.h"
 
@@ -10,6 +11,8 @@ namespace cosim {
 Curve curve_of(const compare::Line& line, const compare::Place& place = {});
 Curve curve_of(const compare::Arc& arc, const compare::Place& place = {});
 std::vector<Curve> curves_of(const compare::Work& work);
+/// The DDA's curve beside a path: the point of it that is next to each mark.
+Curve curve_of(const dda::Job& job, const std::vector<Mark>& marks);
 
 /// Adds the points that were drawn of a piece, each once: spread evenly over the piece's part of
 /// the path, so that algorithms of more and of fewer steps stand at the same places.

@@ -79,6 +79,30 @@ TEST(Compare, OfAToolpath) {
   EXPECT_EQ(all.at("su1665343")["steps"], all.at("midpoint")["steps"]);
 }
 
+// SU 875343 can draw an arc that starts before 45 degrees, and none that starts behind.
+TEST(Compare, SaysWhatIsLeftOut) {
+  const Folder folder;
+  const std::string before = "G0 X100 Y0\nG3 X60 Y80 I-100\n";
+  const std::string why = "su875343 cannot draw an arc that starts at 45 degrees or behind";
+  const auto says = [&](const std::string& program, const Arguments& more) {
+    Arguments arguments{"compare", folder.write("p.ngc", program), "--steps-per-mm", "1"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return cosim(arguments);
+  };
+  const Ended all = says(before, {});
+  EXPECT_EQ(all.status, 0) << all.err;
+  EXPECT_NE(all.out.find("\nsu875343 "), std::string::npos) << all.out;
+  EXPECT_EQ(all.out.find("left out"), std::string::npos);
+  const std::string beyond = before + "G3 X0 Y100 I-60 J-80\n";
+  const Ended some = says(beyond, {});
+  EXPECT_EQ(some.status, 0) << some.err;
+  EXPECT_EQ(some.out.find("\nsu875343 "), std::string::npos);
+  EXPECT_NE(some.out.find("\nleft out: " + why + "\n"), std::string::npos) << some.out;
+  const Ended asked = says(beyond, {"--algorithms", "su875343"});
+  EXPECT_EQ(asked.status, 2);
+  EXPECT_EQ(asked.err, "cosim: --algorithms: " + why + "\n");
+}
+
 TEST(Compare, OnlyWhatIsAskedFor) {
   EXPECT_EQ(compared({"--arc", "40", "--algorithms", "dda,midpoint"}).size(), 2U);
 }

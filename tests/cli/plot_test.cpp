@@ -16,6 +16,7 @@ const std::string kFlange = (test::project_root() / "tests/toolpaths/flange.ngc"
 std::vector<Arguments> drawings() {
   return {{"line", "--major", "27", "--minor", "9"},
           {"arc", "--radius", "12"},
+          {"dda", "--conic", "1,1,2,0,0,-10000", "--from", "100,0"},
           {"path", kFlange, "--steps-per-mm", "1"},
           {"compare", "--line", "27,9"},
           {"compare", "--arc", "12"},

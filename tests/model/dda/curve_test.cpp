@@ -7,6 +7,7 @@
 #include <string>
 
 #include "model/core/input_error.h"
+#include "model/dda/equation.h"
 #include "model/dda/host.h"
 #include "model/dda/oracle.h"
 
@@ -61,6 +62,21 @@ TEST(DdaCurve, IsOffByItsEquation) {
   // Of x^2 + 4 y^2 = 400 at (0, 11): 84 / 88.
   EXPECT_NEAR(deviation(conic(kP, {1, 0, 4, 0, 0, -400}, {20, 0}, {}), {0, 11}), 84 / 88.0, 1e-12);
   EXPECT_EQ(deviation(line(kP, {10, 5}, {}), {4, 3}), 1);
+}
+
+TEST(DdaCurve, HasAPointNextToAnyOther) {
+  const auto expect_on = [](const Job& job, Point at, double x, double y) {
+    const auto [on_x, on_y] = on_curve(job, at);
+    EXPECT_NEAR(on_x, x, 1e-9) << at.x << ' ' << at.y;
+    EXPECT_NEAR(on_y, y, 1e-9) << at.x << ' ' << at.y;
+  };
+  const Job quarter = arc(kP, {100, 0}, {0, 100}, {});
+  expect_on(quarter, {60, 80}, 60, 80);
+  expect_on(quarter, {103, 0}, 100, 0);
+  expect_on(quarter, {0, 0}, 0, 0);  // the centre has no way to go
+  expect_on(conic(kP, {-1, 0, -1, 20, -40, 9500}, {110, -20}, {}), {10, 70}, 10, 80);
+  expect_on(conic(kP, {1, 0, 4, 0, 0, -400}, {20, 0}, {}), {0, 11}, 0, 10);
+  expect_on(line(kP, {10, 5}, {}), {4, 3}, 4.4, 2.2);
 }
 
 struct Refused {

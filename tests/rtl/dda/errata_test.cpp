@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "model/dda/host.h"
-#include "model/dda/oracle.h"
+#include "model/dda/equation.h"
 #include "tests/rtl/straight.h"
 #include "tests/support/flow_chart.h"
 

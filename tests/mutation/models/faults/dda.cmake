@@ -132,10 +132,11 @@ fault("The oracle stops a clock late" dda/oracle.cpp
   [[clocks_ >= *job_.clocks]] [[clocks_ > *job_.clocks]])
 fault("The oracle lets Y step on" dda/oracle.cpp
   [[!counted || left_y_ != 0]] [[true]])
-fault("A line is off by the distance across it" dda/oracle.cpp
-  [[straight ? std::max(std::fabs(along_x), std::fabs(along_y)) : std::hypot(along_x, along_y)]]
-  [[std::hypot(along_x, along_y)]])
-fault("A conic is off by twice its A" dda/oracle.cpp
+fault("A line is off by the distance across it" dda/equation.cpp
+  [[std::max(std::fabs(along_x), std::fabs(along_y))]] [[std::hypot(along_x, along_y)]])
+fault("A conic is off by twice its A" dda/equation.cpp
   [[two_a / 2 * x * x]] [[two_a * x * x]])
-fault("A circle is off by its equation over the gradient of its radius" dda/oracle.cpp
+fault("A circle is off by its equation over the gradient of its radius" dda/equation.cpp
   [[std::hypot(x - centre_x, y - centre_y) + radius]] [[2 * radius]])
+fault("A point is put on the curve in one step" dda/equation.cpp
+  [[i < 8]] [[i < 1]])

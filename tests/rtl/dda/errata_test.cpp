@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-#include "model/dda/host.h"
 #include "model/dda/equation.h"
+#include "model/dda/host.h"
 #include "tests/rtl/straight.h"
 #include "tests/support/flow_chart.h"
 

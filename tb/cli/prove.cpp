@@ -69,6 +69,7 @@ void keep_scripts(const std::string& folder, const std::string& title, const Cla
     std::string name = fmt::format("{} {:.60} {}.smt2", title, claim.what, what);
     std::replace(name.begin(), name.end(), ' ', '_');
     std::replace(name.begin(), name.end(), '/', '_');
+    std::erase(name, '=');  // z3 takes what has one for an option
     OutputFile file((fs::path(folder) / name).string());
     file.line("; {}: {}; {}", title, claim.what, fmt::join(query.asks, ", "));
     file.text(query.script);

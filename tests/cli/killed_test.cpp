@@ -4,19 +4,23 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "tb/coverage/counts.h"
 #include "tests/cli/folder.h"
 #include "tests/cli/program.h"
 
 namespace cosim::cli {
 namespace {
 
+using namespace std::string_literals;
+
 constexpr int kKills = 20;
+// Some seconds of work.
+constexpr std::uint64_t kClocks = coverage::measured ? 900'000 : 9'000'000;
 
 class KilledSweep : public testing::Test {
  protected:
-  /// Some seconds of work.
   Arguments sweep(const Arguments& more) const {
-    Arguments all{"sweep", "linear", "--hostile", "9000000", "--seed", "3"};
+    Arguments all{"sweep", "linear", "--hostile", std::to_string(kClocks), "--seed", "3"};
     all.insert(all.end(), more.begin(), more.end());
     return all;
   }
@@ -76,7 +80,7 @@ TEST_F(KilledSweep, StartsFromWhatTheCheckpointSays) {
   folder_.write("state", file.dump());
   EXPECT_EQ(cosim(kept()).status, 0);
   const auto report = nlohmann::json::parse(folder_.text("report"));
-  EXPECT_EQ(report["runs"][0]["clocks"], 9'000'007);
+  EXPECT_EQ(report["runs"][0]["clocks"], kClocks + 7);
 }
 
 void expect_refused(const Ended& ended, const std::string& line) {
@@ -88,19 +92,22 @@ void expect_refused(const Ended& ended, const std::string& line) {
 TEST_F(KilledSweep, RefusesACheckpointOfOtherWork) {
   while (!folder_.holds("state")) cosim_killed(kept(), 400);
   const std::string before = folder_.text("state");
-  expect_refused(cosim({"sweep", "linear", "--hostile", "9000001", "--seed", "3", "--checkpoint",
-                        folder_.path("state")}),
-                 folder_.path("state") + ": a checkpoint of other work or of another build");
-  expect_refused(cosim({"sweep", "linear", "--hostile", "9000000", "--seed", "4", "--checkpoint",
-                        folder_.path("state")}),
-                 folder_.path("state") + ": a checkpoint of other work or of another build");
+  const std::string refusal =
+      folder_.path("state") + ": a checkpoint of other work or of another build";
+  expect_refused(cosim({"sweep", "linear", "--hostile", std::to_string(kClocks + 1), "--seed", "3",
+                        "--checkpoint", folder_.path("state")}),
+                 refusal);
+  expect_refused(cosim({"sweep", "linear", "--hostile", std::to_string(kClocks), "--seed", "4",
+                        "--checkpoint", folder_.path("state")}),
+                 refusal);
   EXPECT_EQ(folder_.text("state"), before);
 }
 
 TEST_F(KilledSweep, RefusesCountsThatCannotBe) {
   while (!folder_.holds("state")) cosim_killed(kept(), 400);
   auto file = nlohmann::json::parse(folder_.text("state"));
-  for (const char* cases : {"9001", "-1", "1e300", "\"1\"", "null"}) {
+  const std::string too_many = std::to_string(kClocks / 1000 + 1);
+  for (const std::string& cases : {too_many, "-1"s, "1e300"s, "\"1\""s, "null"s}) {
     file["state"][0]["cases"] = nlohmann::json::parse(cases);
     folder_.write("state", file.dump());
     expect_refused(cosim(kept()), folder_.path("state") + ": no checkpoint of these sweeps");

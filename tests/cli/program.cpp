@@ -99,6 +99,8 @@ Ended cosim_signalled(const Arguments& arguments, int signal, int after, Until u
 
 Ended faulty(const Arguments& arguments) { return run(COSIM_FAULTY_PROGRAM, arguments, {}); }
 
+Ended variant(const Arguments& arguments) { return run(COSIM_VARIANT_PROGRAM, arguments, {}); }
+
 Ended cosim_on_terminal(const Arguments& arguments, unsigned short columns) {
   winsize size{};
   size.ws_row = 24;

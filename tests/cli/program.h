@@ -40,6 +40,9 @@ Ended cosim_signalled(const Arguments& arguments, int signal, int after,
 /// The one with faults in its benches (faulty_benches.cpp).
 Ended faulty(const Arguments& arguments);
 
+/// The one whose bench is the variant of the RTL that $COSIM_VARIANT names (variant_benches.cpp).
+Ended variant(const Arguments& arguments);
+
 /// The program on a terminal of so many columns. Ended::out is all that the terminal was sent.
 Ended cosim_on_terminal(const Arguments& arguments, unsigned short columns);
 

@@ -1,0 +1,138 @@
+// cosim prove from end to end: what it prints and leaves where RTL and model are the same, and
+// where they are not.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <regex>
+
+#include "tests/cli/folder.h"
+#include "tests/cli/program.h"
+#include "tests/support/root.h"
+
+namespace cosim::cli {
+namespace {
+
+const std::string kRtl = (test::project_root() / "rtl").string();
+// Channels 1 and 3 are each other's.
+const std::string kFault = COSIM_VARIANTS "/circular_faults_variants_swapped";
+
+class Prove : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const char* program : {"yosys -V", "cvc5 --version", "z3 --version"}) {
+      const std::string silent = std::string(program) + " > /dev/null 2>&1";
+      if (std::system(silent.c_str()) != 0) GTEST_SKIP() << "needs yosys, cvc5 and z3";
+    }
+  }
+  Folder folder_;
+};
+
+bool says(const Ended& ended, const std::string& pattern) {
+  return std::regex_search(ended.out, std::regex(pattern));
+}
+
+// What the solvers are given can be read, and given to them by hand.
+TEST_F(Prove, AMachine) {
+  const std::string scripts = folder_.path("scripts");
+  const Ended ended = cosim({"prove", "circular", "W=4", "--rtl", kRtl, "--scripts", scripts});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_TRUE(says(ended, "\ncircular W=4 +a clear makes them the same +[0-9. ]+ proved\n"));
+  EXPECT_TRUE(says(ended, "\n3 of 3 claims proved by all solvers, in [0-9.]+ s\n$")) << ended.out;
+  int unsatisfiable = 0;
+  for (const auto& file : std::filesystem::directory_iterator(scripts)) {
+    if (file.path().string().find("clear") == std::string::npos) continue;
+    const std::string ask = "z3 " + file.path().string() + " | grep -qx unsat";
+    unsatisfiable += std::system(ask.c_str()) == 0;
+  }
+  EXPECT_EQ(unsatisfiable, 1);
+}
+
+TEST_F(Prove, TheTheoremsOfADesign) {
+  const Ended ended = cosim({"prove", "--theorems", "circular"});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  std::smatch counts;
+  const std::regex verdict("\n([0-9]+) of ([0-9]+) theorems proved by all solvers\n$");
+  ASSERT_TRUE(std::regex_search(ended.out, counts, verdict)) << ended.out;
+  EXPECT_EQ(counts[1], counts[2]);
+  EXPECT_FALSE(says(ended, "linear"));
+}
+
+// On benches of that RTL the counterexample is a failure as any other, from which a replay starts.
+TEST_F(Prove, KeepsACounterexampleAsAFailure) {
+  setenv("COSIM_VARIANT", "circular/faults/variants_swapped", 1);
+  const std::string failures = folder_.path("failures");
+  const Ended ended =
+      variant({"prove", "circular", "W=4", "--rtl", kFault, "--failures", failures});
+  EXPECT_EQ(ended.status, 1) << ended.err;
+  EXPECT_TRUE(says(ended, "\nfirst difference: clock [01], ")) << ended.out;
+  std::smatch kept;
+  ASSERT_TRUE(std::regex_search(ended.out, kept, std::regex("\nkept in: (.*)\n"))) << ended.out;
+  const std::string stimulus = kept[1].str() + "/stimulus.stim";
+  EXPECT_TRUE(std::filesystem::exists(stimulus));
+  EXPECT_EQ(variant({"replay", stimulus, "--failures", failures}).status, 1);
+  EXPECT_EQ(cosim({"replay", stimulus, "--failures", failures}).status, 0);
+  unsetenv("COSIM_VARIANT");
+}
+
+// A program that was built from other RTL cannot replay it: it shows the values, and keeps them.
+TEST_F(Prove, ShowsACounterexampleOfOtherRtl) {
+  const std::string failures = folder_.path("failures");
+  const Ended ended = cosim({"prove", "circular", "W=4", "--rtl", kFault, "--failures", failures});
+  EXPECT_EQ(ended.status, 1) << ended.err;
+  EXPECT_TRUE(says(ended, "\nfrom this state, under these inputs:\n  state  t4 +[01]"))
+      << ended.out;
+  EXPECT_TRUE(says(ended, "  after +(f|ct7|ct8|t4|t16) .* expected\n .* actual\n")) << ended.out;
+  EXPECT_FALSE(says(ended, "\n3 of 3"));
+  std::smatch kept;
+  ASSERT_TRUE(
+      std::regex_search(ended.out, kept, std::regex("\nthe formulas. As a stimulus: (.*)\n")))
+      << ended.out;
+  EXPECT_EQ(cosim({"replay", kept[1].str(), "--failures", failures}).status, 0);
+}
+
+// The shipped RTL in one file, with a port that chooses among two machines in its place: one that
+// says it runs when it does not, and one that is the same.
+std::string with_mutants(const Folder& folder) {
+  std::string all;
+  for (const auto& file : std::filesystem::directory_iterator(kRtl + "/circular")) {
+    std::ifstream text(file.path());
+    all.append(std::istreambuf_iterator<char>(text), {});
+  }
+  const auto replace = [&](const std::string& old, const std::string& by) {
+    const std::size_t at = all.find(old);
+    EXPECT_NE(at, std::string::npos) << old;
+    if (at != std::string::npos) all.replace(at, old.size(), by);
+  };
+  const std::size_t top = all.find("module circular #(");
+  EXPECT_NE(top, std::string::npos);
+  const std::string others = all.substr(0, top);
+  all.erase(0, top);
+  replace("W = 16", "W = 4");
+  replace("input  wire         clk,", "input wire [15:0] mutsel, input wire clk,");
+  replace("assign running = t4_q;",
+          "assign running = mutsel == 1 ? ~t4_q : mutsel == 2 ? ~~t4_q : t4_q;");
+  return folder.write("mutants.v", others + all);
+}
+
+TEST_F(Prove, RefutesMutantsOrProvesThemTheSame) {
+  const std::string file = with_mutants(folder_);
+  const Arguments command{"prove", "circular", "W=4", "--mutants", file};
+  const auto with = [&](const Arguments& more) {
+    Arguments arguments = command;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return cosim(arguments);
+  };
+  EXPECT_EQ(with({"--count", "2"}).out,
+            "circular W=4: 2 mutants, 1 refuted, 1 proved to be the same, 0 undecided\n");
+  EXPECT_EQ(with({"--mutant", "2"}).out,
+            "circular W=4: 1 mutant, 0 refuted, 1 proved to be the same, 0 undecided\n");
+  EXPECT_EQ(with({"--mutant", "2", "--count", "1"}).err,
+            "cosim: --mutant: is one, with no --count\n");
+  EXPECT_EQ(cosim({"prove", "circular", "--mutants", file}).err,
+            "cosim: --mutants: needs one machine\n");
+  EXPECT_EQ(cosim({"prove", "circular", "W=4", "--mutants", folder_.path("none")}).err,
+            "cosim: " + folder_.path("none") + ": no such file\n");
+}
+
+}  // namespace
+}  // namespace cosim::cli

@@ -112,7 +112,8 @@ constexpr Record from_words(const Words<Record>& words) {
     static constexpr std::array<Field, size> fields([[maybe_unused]] const Params& p) { \
       return {TABLE(COSIM_FIELD)};                                                      \
     }                                                                                   \
-    friend Record select(Condition<V> c, const Record& a, const Record& b) {            \
-      return select_record(c, a, b);                                                    \
+    /* No parameter may have the name of a field. */                                    \
+    friend Record select(Condition<V> when, const Record& then, const Record& other) {  \
+      return select_record(when, then, other);                                          \
     }                                                                                   \
   }

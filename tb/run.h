@@ -93,8 +93,8 @@ Mismatch examine(Lockstep<Adapter>& lockstep, Source source, std::uint64_t clock
 /// and counts the clocks, the differing one included. `observe(source, compared)` is called after
 /// each clock that matched. Flattened, for lockstep's registers are many to put aside for a call.
 template <class Adapter, class Source, class Observe>
-[[gnu::flatten]] bool clock_through(Lockstep<Adapter>& lockstep, Source& source,
-                                    std::uint64_t& clocks, Observe&& observe) {
+COSIM_FLATTEN bool clock_through(Lockstep<Adapter>& lockstep, Source& source, std::uint64_t& clocks,
+                                 Observe&& observe) {
   typename Adapter::Design::template Inputs<Word> in;
   while (source.next(in, lockstep.expected().outputs)) {
     ++clocks;

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
@@ -14,12 +17,22 @@
 namespace cosim {
 namespace {
 
-// FNV-1a of the program's file: another build may have other cases, or other RTL.
+// A hash of the program's file: another build may have other cases, or other RTL. By words and in
+// pieces, for with all that a debugger wants to know it is hundreds of MB.
 std::uint64_t program() {
+  std::ifstream file("/proc/self/exe", std::ios::binary);
   std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const char c : text_of_file("/proc/self/exe")) {
-    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-  }
+  std::array<char, 1 << 16> piece;
+  do {
+    piece.fill(0);
+    file.read(piece.data(), piece.size());
+    for (std::size_t i = 0; i < piece.size(); i += sizeof hash) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, piece.data() + i, sizeof word);
+      hash = (hash ^ word) * 0x9e3779b97f4a7c15ULL;
+      hash ^= hash >> 32;
+    }
+  } while (file);
   return hash;
 }
 

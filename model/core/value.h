@@ -3,6 +3,7 @@
 // A model is a template over its value type V. V offers + and - (with V), comparisons, V(int), and
 // the functions below; a comparison gives a Condition<V>, which offers !, & and |. A model uses
 // nothing else, so that one text runs on machine integers, on vectors of them, and on symbols.
+// A sum or difference must fit into a Word; codes of 64 bits are doubled by shift_left().
 #pragma once
 
 #include <concepts>

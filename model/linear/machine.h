@@ -73,7 +73,7 @@ constexpr V live_positions(const Params& p, V left) {
       [&] {
         V word = V(0);
         for (int q = 1; q <= p.word(); ++q) {
-          word = word + word + select(left < V(q), V(0), V(1));
+          word = shift_left(word, 1) + select(left < V(q), V(0), V(1));
         }
         return word;
       },
@@ -88,7 +88,7 @@ constexpr V pattern_of(const Params& p, V code) {
   for (int q = 1; q < p.word(); ++q) {
     int i = 1;
     while ((q >> i) << i == q) ++i;
-    word = word + word + select(bit(code, p.m - i), V(1), V(0));
+    word = shift_left(word, 1) + select(bit(code, p.m - i), V(1), V(0));
   }
   return word;
 }
@@ -163,7 +163,7 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
   result.outputs.strobe = s.formed;
   result.outputs.major = either(
       is_set(s.formed), [&] { return live_positions(p, s.left); }, [] { return V(0); });
-  result.outputs.minor = both(s.pattern + s.pattern + s.last_bit, result.outputs.major);
+  result.outputs.minor = both(shift_left(s.pattern, 1) + s.last_bit, result.outputs.major);
   result.state = either(
       is_set(in.reset), [] { return State<V>{}; },
       [&] {

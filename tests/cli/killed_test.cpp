@@ -1,12 +1,14 @@
 // A sweep that is killed goes on from its checkpoint and ends as if nothing had happened.
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <nlohmann/json.hpp>
 #include <random>
 
 #include "tb/coverage/counts.h"
 #include "tests/cli/folder.h"
 #include "tests/cli/program.h"
+#include "tests/support/sanitized.h"
 
 namespace cosim::cli {
 namespace {
@@ -15,7 +17,7 @@ using namespace std::string_literals;
 
 constexpr int kKills = 20;
 // Some seconds of work.
-constexpr std::uint64_t kClocks = coverage::measured ? 900'000 : 9'000'000;
+constexpr std::uint64_t kClocks = coverage::measured || test::sanitized ? 900'000 : 9'000'000;
 
 class KilledSweep : public testing::Test {
  protected:
@@ -26,6 +28,12 @@ class KilledSweep : public testing::Test {
   }
   Arguments kept() const {
     return sweep({"--checkpoint", folder_.path("state"), "--report", folder_.path("report")});
+  }
+  /// Kills the sweep later and later, until it has kept something.
+  void run_until_kept() const {
+    for (int after = 400; !folder_.holds("state"); after *= 2) {
+      ASSERT_TRUE(cosim_killed(kept(), after)) << "it ended and kept nothing";
+    }
   }
   std::uint64_t cases_done() const {
     std::uint64_t sum = 0;
@@ -38,11 +46,14 @@ class KilledSweep : public testing::Test {
 };
 
 TEST_F(KilledSweep, EndsWithTheSameReport) {
+  const auto begin = std::chrono::steady_clock::now();
   ASSERT_EQ(cosim(sweep({"--report", folder_.path("expected")})).status, 0);
+  const std::chrono::duration<double, std::milli> whole = std::chrono::steady_clock::now() - begin;
   const std::string expected = folder_.text("expected");
 
   std::minstd_rand random(std::random_device{}());
-  std::uniform_int_distribution moment(0, 600);
+  // Long enough to go on by some checkpoints, short enough for most runs to be killed.
+  std::uniform_int_distribution moment(0, static_cast<int>(whole.count() / 8));
   std::uint64_t done = 0;
   int killed = 0, advanced = 0;
   for (int i = 0; i < kKills; ++i) {
@@ -74,7 +85,7 @@ TEST_F(KilledSweep, EndsWithTheSameReport) {
 
 // A checkpoint of part of the work is really gone on from: a false sum in it shows in the result.
 TEST_F(KilledSweep, StartsFromWhatTheCheckpointSays) {
-  while (!folder_.holds("state")) cosim_killed(kept(), 400);
+  ASSERT_NO_FATAL_FAILURE(run_until_kept());
   auto file = nlohmann::json::parse(folder_.text("state"));
   file["state"][0]["clocks"] = file["state"][0]["clocks"].get<std::uint64_t>() + 7;
   folder_.write("state", file.dump());
@@ -90,7 +101,7 @@ void expect_refused(const Ended& ended, const std::string& line) {
 }
 
 TEST_F(KilledSweep, RefusesACheckpointOfOtherWork) {
-  while (!folder_.holds("state")) cosim_killed(kept(), 400);
+  ASSERT_NO_FATAL_FAILURE(run_until_kept());
   const std::string before = folder_.text("state");
   const std::string refusal =
       folder_.path("state") + ": a checkpoint of other work or of another build";
@@ -104,7 +115,7 @@ TEST_F(KilledSweep, RefusesACheckpointOfOtherWork) {
 }
 
 TEST_F(KilledSweep, RefusesCountsThatCannotBe) {
-  while (!folder_.holds("state")) cosim_killed(kept(), 400);
+  ASSERT_NO_FATAL_FAILURE(run_until_kept());
   auto file = nlohmann::json::parse(folder_.text("state"));
   const std::string too_many = std::to_string(kClocks / 1000 + 1);
   for (const std::string& cases : {too_many, "-1"s, "1e300"s, "\"1\""s, "null"s}) {

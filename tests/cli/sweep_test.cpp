@@ -7,6 +7,7 @@
 #include "tests/cli/circle.h"
 #include "tests/cli/folder.h"
 #include "tests/cli/program.h"
+#include "tests/support/sanitized.h"
 
 namespace cosim::cli {
 namespace {
@@ -126,7 +127,7 @@ TEST(Sweep, TakesNoMoreMemoryForMoreCases) {
     EXPECT_EQ(ended.status, 0) << ended.err;
     return ended.peak;
   };
-  constexpr long noise = 1 << 20;
+  constexpr long noise = (1 << 20) + test::kept_back;
   for (const Arguments& machine :
        {Arguments{"linear", "--m", "5"}, Arguments{"circular", "--width", "4"},
         Arguments{"dda", "--width", "6"}}) {

@@ -1,7 +1,10 @@
 // A value type that offers what model/core/value.h says a model may use and nothing else. Its
 // comparisons give a class of their own that does not turn into bool, so a model with an `if` or
-// an && on a value, with a product, a division or an index by a value, does not compile on it.
+// an && on a value, with a product, a division or an index by a value, does not compile on it. A
+// sum or difference that does not fit is an std::overflow_error.
 #pragma once
+
+#include <stdexcept>
 
 #include "model/core/value.h"
 
@@ -19,11 +22,20 @@ struct Strict {
   constexpr Strict() = default;
   constexpr explicit Strict(Word w) : word(w) {}
 
-  friend constexpr Strict operator+(Strict a, Strict b) { return Strict(a.word + b.word); }
-  friend constexpr Strict operator-(Strict a, Strict b) { return Strict(a.word - b.word); }
+  friend constexpr Strict operator+(Strict a, Strict b) {
+    Strict sum;
+    return __builtin_add_overflow(a.word, b.word, &sum.word) ? too_large() : sum;
+  }
+  friend constexpr Strict operator-(Strict a, Strict b) {
+    Strict difference;
+    return __builtin_sub_overflow(a.word, b.word, &difference.word) ? too_large() : difference;
+  }
   friend constexpr Truth operator<(Strict a, Strict b) { return {a.word < b.word}; }
   friend constexpr Truth operator>(Strict a, Strict b) { return {a.word > b.word}; }
   friend constexpr Truth operator==(Strict a, Strict b) { return {a.word == b.word}; }
+
+ private:
+  [[noreturn]] static Strict too_large() { throw std::overflow_error("does not fit into a Word"); }
 };
 
 constexpr Strict low_bits(Strict v, int width) { return Strict(cosim::low_bits(v.word, width)); }

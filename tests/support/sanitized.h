@@ -1,0 +1,16 @@
+// What a build for the sanitizers cannot be held to: it is several times slower, and its memory is
+// not the program's alone.
+#pragma once
+
+namespace cosim::test {
+
+#ifdef __SANITIZE_ADDRESS__
+inline constexpr bool sanitized = true;
+#else
+inline constexpr bool sanitized = false;
+#endif
+
+/// Bytes: 256 MiB of what was freed are kept back, and all has a shadow.
+inline constexpr long kept_back = sanitized ? 400'000'000 : 0;
+
+}  // namespace cosim::test

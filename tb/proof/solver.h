@@ -25,7 +25,10 @@ struct Solver {
   std::string command;
   /// What to add where wide words are cut up and joined rather than added; may be empty.
   std::string eager = "";
+  /// What to add as well where that gave no answer within kSoon seconds; may be empty.
+  std::string harder = "";
 };
+constexpr int kSoon = 3;
 
 /// cvc5 and z3.
 const std::vector<Solver>& solvers();

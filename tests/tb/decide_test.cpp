@@ -71,6 +71,16 @@ TEST(Solver, ThatIsMissingIsSaidToBe) {
 TEST(Solver, ThatTakesTooLongIsStopped) {
   EXPECT_EQ(solve({"slow", "tail -f"}, kFalse, 1).answer, Answer::timed_out);
 }
+TEST(Solver, BeginsAnewWithOtherOptionsOnWhatIsHard) {
+  // It follows the file until that process ends, and there is none.
+  const Solver follows{"slow", "tail", "-f", "--pid=999999999"};
+  const Solved hard = solve(follows, "unsat\n", 30, true);
+  EXPECT_EQ(hard.answer, Answer::unsat) << hard.said;
+  EXPECT_GE(hard.seconds, kSoon);
+  EXPECT_EQ(solve(follows, "unsat\n", kSoon, true).answer, Answer::timed_out);
+  const Solver prints{"quick", "tail", "-n1", "-f"};
+  EXPECT_EQ(solve(prints, "unsat\n", kSoon + 1, true).answer, Answer::unsat);
+}
 TEST(Solver, ThatSaysMoreThanAnAnswerHasNotUnderstood) {
   const std::string wrong = std::string("(assert (= no_such_symbol 1))\n") + kFalse;
   for (const Solver& s : solvers()) {

@@ -33,6 +33,7 @@ std::uint64_t program() {
       hash ^= hash >> 32;
     }
   } while (file);
+  if (!file.eof()) throw InputError("cannot read /proc/self/exe");
   return hash;
 }
 

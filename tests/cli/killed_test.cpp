@@ -111,6 +111,7 @@ TEST_F(KilledSweep, RefusesACheckpointOfOtherWork) {
   expect_refused(cosim({"sweep", "linear", "--hostile", std::to_string(kClocks), "--seed", "4",
                         "--checkpoint", folder_.path("state")}),
                  refusal);
+  expect_refused(another_build(kept()), refusal);
   EXPECT_EQ(folder_.text("state"), before);
 }
 

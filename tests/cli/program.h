@@ -37,6 +37,9 @@ enum class Until { the_time, a_line };
 Ended cosim_signalled(const Arguments& arguments, int signal, int after,
                       Until until = Until::the_time);
 
+/// A copy of the program as shipped that differs from it in a byte, as another build does.
+Ended another_build(const Arguments& arguments);
+
 /// The one with faults in its benches (faulty_benches.cpp).
 Ended faulty(const Arguments& arguments);
 

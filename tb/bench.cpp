@@ -1,6 +1,6 @@
 #include "tb/bench.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace cosim {
 

@@ -1,6 +1,6 @@
 #include "tb/checkpoint.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <cstdint>

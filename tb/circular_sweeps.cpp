@@ -1,6 +1,6 @@
 #include "tb/circular_sweeps.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 #include "tb/dda_sweeps.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "tb/failure.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cctype>
 #include <nlohmann/json.hpp>

@@ -1,9 +1,10 @@
 // An output file that is whole or an error: every write is checked.
 #pragma once
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstdio>
+#include <iterator>
 #include <string>
 #include <utility>
 
@@ -41,7 +42,7 @@ class OutputFile {
   [[noreturn]] void fail() const;
   std::string path_;
   std::FILE* file_ = nullptr;
-  fmt::memory_buffer buffer_;
+  std::string buffer_;
 };
 
 }  // namespace cosim

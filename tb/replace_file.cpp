@@ -1,6 +1,6 @@
 #include "tb/replace_file.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <cerrno>

@@ -1,7 +1,7 @@
 // The clock-by-clock table of a run: every register and output, one row a clock.
 #pragma once
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstdio>
 

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <memory>
@@ -8,7 +8,8 @@
 #include "model/core/input_error.h"
 #include "tb/check.h"
 #include "tb/cli/choose.h"
-#include "tb/cli/command.h"
+#include "tb/cli/commands.h"
+#include "tb/cli/common.h"
 #include "tb/cli/draw_one.h"
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
@@ -123,14 +124,14 @@ int run(const Options& o) {
 
 }  // namespace
 
-void add_arc(CLI::App& app, Action& action) {
+void add_arc(const Command& program) {
   auto o = std::make_shared<Options>();
-  CLI::App& command = *app.add_subcommand(
-      "arc", "An arc of the first quadrant, anticlockwise, on the circular machine");
-  add_text(command, "--radius", o->radius, "R", "Needed, or --radius2: R in steps, 0 to 2^W - 1");
-  add_text(command, "--radius2", o->radius2, "Q", "R^2, for an R that need not be whole");
-  add_text(command, "--from", o->from, "X,Y", "A lattice point next to the circle; default R,0");
-  add_text(command, "--count", o->count, "K", "Stop after K steps through input 32");
+  const Command command =
+      program.sub("arc", "An arc of the first quadrant, anticlockwise, on the circular machine");
+  command.text("--radius", o->radius, "R", "Needed, or --radius2: R in steps, 0 to 2^W - 1");
+  command.text("--radius2", o->radius2, "Q", "R^2, for an R that need not be whole");
+  command.text("--from", o->from, "X,Y", "A lattice point next to the circle; default R,0");
+  command.text("--count", o->count, "K", "Stop after K steps through input 32");
   o->shape.add_circular(command);
   add_csv(command, o->common,
           "Write clock,dx,dy,x,y: a row a step, x and y after it; clock 1 is the first\n"
@@ -141,7 +142,7 @@ void add_arc(CLI::App& app, Action& action) {
   add_failures(command, o->common);
   add_common(command, o->common);
   command.footer("Example: cosim arc --radius 12 --from 8,9 --csv arc.csv");
-  command.callback([&action, o] { action = [o] { return run(*o); }; });
+  command.action([o] { return run(*o); });
 }
 
 }  // namespace cosim::cli

@@ -1,6 +1,6 @@
 #include "tb/cli/choose.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 

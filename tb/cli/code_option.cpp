@@ -1,6 +1,6 @@
 #include "tb/cli/code_option.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <charconv>

@@ -1,73 +1,63 @@
-// The subcommands of cosim. Each adds itself to the application; when it is chosen, `action` is set
-// to what it does, which returns the exit status: 0 match, 1 mismatch. Bad input is an InputError.
+// The commands of a program and their options. What reads the command line stands behind this, in
+// command.cpp alone: its header takes longer to compile than all the rest of a command.
 #pragma once
 
-#include <CLI/CLI.hpp>
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "tb/mismatch.h"
+namespace CLI {
+class App;
+}
 
 namespace cosim::cli {
 
+/// What a command does; it returns the exit status: 0 match, 1 mismatch. Bad input is an
+/// InputError.
 using Action = std::function<int()>;
 
 /// The value of an option as typed; none where it was not given.
 using Text = std::optional<std::string>;
 
-/// Options that several commands have.
-struct Common {
-  Text csv;
-  Text report;
-  Text checkpoint;
-  Text seed_text;
-  Text plot;
-  Text wave, wave_before, wave_after;
-  Text failures;
-  bool keeps_failures = false;
-  bool table = false;
+/// One command of a program, or the program itself. A handle: copies stand for the same command.
+/// The variables that options write to must live until the command's action has ended.
+class Command {
+ public:
+  /// A command below this one. Of several the user has to name one.
+  Command sub(const std::string& name, const std::string& help) const;
 
-  std::uint64_t seed() const;  ///< 1 where none was given
-  Window window() const;       ///< of waves around a mismatch
-  /// Where a mismatch leaves its folder: --failures, else $COSIM_FAILURES, else failures.
-  std::string failures_folder() const;
+  /// An option "--name" with a value, whose help reads "--name TYPE help". A value of no characters
+  /// is a value too.
+  void text(const std::string& name, Text& value, const std::string& type,
+            const std::string& help) const;
+  /// A word without a name; "NAME: is needed" where it is `needed` and not there.
+  void argument(const std::string& name, Text& value, const std::string& help,
+                bool needed = false) const;
+  /// All words without a name.
+  void arguments(const std::string& name, std::vector<std::string>& values,
+                 const std::string& help) const;
+  /// An option without a value.
+  void flag(const std::string& name, bool& value, const std::string& help) const;
+  /// Lines under the help.
+  void footer(const std::string& text) const;
+  void action(Action action) const;
+
+ private:
+  friend int run_program(int, const char* const*, const std::string&, const std::string&,
+                         const std::function<void(const Command&)>&);
+  Command(CLI::App& app, Action& chosen) : app_(&app), chosen_(&chosen) {}
+  CLI::App* app_;
+  Action* chosen_;
 };
 
-void add_list(CLI::App& app, Action& action);
-void add_line(CLI::App& app, Action& action);
-void add_arc(CLI::App& app, Action& action);
-void add_dda(CLI::App& app, Action& action);
-void add_path(CLI::App& app, Action& action);
-void add_compare(CLI::App& app, Action& action);
-void add_sweep(CLI::App& app, Action& action);
-void add_replay(CLI::App& app, Action& action);
-void add_prove(CLI::App& app, Action& action);
-
-/// An option, or without dashes a positional, whose help reads "name TYPE help". A value of no
-/// characters is a value too.
-CLI::Option* add_text(CLI::App& command, const std::string& name, Text& value,
-                      const std::string& type, const std::string& help);
-/// A switch.
-void add_switch(CLI::App& command, const std::string& name, bool& value, const std::string& help);
+/// Reads the command line of the program `name`, whose help begins with `help`, and does what it
+/// says: the exit status. `commands` adds the commands. InputError, one line, for a command line
+/// that cannot be read; without any argument the help is printed before.
+int run_program(int argc, const char* const* argv, const std::string& name, const std::string& help,
+                const std::function<void(const Command&)>& commands);
 
 /// The value; InputError "name: is needed" where there is none.
 const std::string& needed(const std::string& name, const Text& value);
-
-/// --report and --seed.
-void add_common(CLI::App& command, Common& common);
-/// --csv, whose help is `rows`.
-void add_csv(CLI::App& command, Common& common, const std::string& rows);
-/// --failures; `kept`: failures are kept without it, too.
-void add_failures(CLI::App& command, Common& common, bool kept = true);
-/// --wave, and what of it is drawn.
-void add_wave(CLI::App& command, Common& common, const std::string& file);
-/// --wave-before and --wave-after.
-void add_window(CLI::App& command, Common& common);
-/// --plot.
-void add_plot(CLI::App& command, Common& common);
-/// --table.
-void add_table(CLI::App& command, Common& common);
 
 }  // namespace cosim::cli

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <bit>
@@ -7,7 +7,8 @@
 #include "model/circular/oracle.h"
 #include "model/core/input_error.h"
 #include "tb/cli/choose.h"
-#include "tb/cli/command.h"
+#include "tb/cli/commands.h"
+#include "tb/cli/common.h"
 #include "tb/cli/compare_work.h"
 #include "tb/cli/conclude.h"
 #include "tb/cli/outputs.h"
@@ -195,12 +196,12 @@ int run(const Options& o) {
 
 }  // namespace
 
-void add_compare(CLI::App& app, Action& action) {
+void add_compare(const Command& program) {
   auto o = std::make_shared<Options>();
-  CLI::App& command = *app.add_subcommand(
-      "compare", "The same line, arc or program by every algorithm that can do it");
+  const Command command =
+      program.sub("compare", "The same line, arc or program by every algorithm that can do it");
   o->work.add(command);
-  add_text(command, "--algorithms", o->algorithms, "LIST", "Only these, with commas between them");
+  command.text("--algorithms", o->algorithms, "LIST", "Only these, with commas between them");
   add_plot(command, o->common);
   add_failures(command, o->common);
   add_common(command, o->common);
@@ -212,7 +213,7 @@ void add_compare(CLI::App& app, Action& action) {
       "Lines: " +
       names_of(compare::line_algorithms()) + "\nArcs: " + names_of(compare::arc_algorithms()) +
       "\nExample: cosim compare --line 27,9");
-  command.callback([&action, o] { action = [o] { return run(*o); }; });
+  command.action([o] { return run(*o); });
 }
 
 }  // namespace cosim::cli

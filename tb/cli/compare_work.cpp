@@ -1,6 +1,6 @@
 #include "tb/cli/compare_work.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "model/core/input_error.h"
 #include "tb/cli/number.h"
@@ -42,12 +42,11 @@ NamedWork read_work(const std::string& file, const Text& steps_per_mm) {
 
 }  // namespace
 
-void WorkOptions::add(CLI::App& command) {
-  add_text(command, "FILE", file, "", "A G-code program: its lines, and its arcs");
-  add_text(command, "--steps-per-mm", steps_per_mm, "S",
-           "Needed with FILE: steps of the grid to 1 mm");
-  add_text(command, "--line", line, "BP,MP", fmt::format("A line, BP at most {}", largest));
-  add_text(command, "--arc", arc, "R", fmt::format("A quarter circle, R at most {}", largest));
+void WorkOptions::add(const Command& command) {
+  command.argument("FILE", file, "A G-code program: its lines, and its arcs");
+  command.text("--steps-per-mm", steps_per_mm, "S", "Needed with FILE: steps of the grid to 1 mm");
+  command.text("--line", line, "BP,MP", fmt::format("A line, BP at most {}", largest));
+  command.text("--arc", arc, "R", fmt::format("A quarter circle, R at most {}", largest));
 }
 
 NamedWork parse_work(const WorkOptions& o) {

@@ -11,7 +11,7 @@ namespace cosim::cli {
 struct WorkOptions {
   Text file, steps_per_mm, line, arc;
 
-  void add(CLI::App& command);
+  void add(const Command& command);
 };
 
 struct NamedWork {

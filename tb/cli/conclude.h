@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "tb/cli/command.h"
+#include "tb/cli/common.h"
 #include "tb/report.h"
 
 namespace cosim::cli {

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <bit>
@@ -8,7 +8,8 @@
 #include "model/core/input_error.h"
 #include "model/dda/equation.h"
 #include "tb/cli/choose.h"
-#include "tb/cli/command.h"
+#include "tb/cli/commands.h"
+#include "tb/cli/common.h"
 #include "tb/cli/dda_settings.h"
 #include "tb/cli/draw_one.h"
 #include "tb/cli/number.h"
@@ -169,16 +170,16 @@ int run(const Options& o) {
 
 }  // namespace
 
-void add_dda(CLI::App& app, Action& action) {
+void add_dda(const Command& program) {
   auto o = std::make_shared<Options>();
-  CLI::App& command = *app.add_subcommand("dda", "A line, a circle or a conic on the DDA");
-  add_text(command, "--line", o->line, "X,Y", "From (0, 0) to X,Y");
-  add_text(command, "--circle", o->circle, "R",
-           "A quarter from R,0, anticlockwise; with --clocks as far as these go");
-  add_text(command, "--conic", o->conic, "A,B,C,D,E,F",
-           "A x^2 + B xy + C y^2 + D x + E y + F = 0; an ellipse for one turn");
-  add_text(command, "--from", o->from, "X,Y", "Where a conic starts");
-  add_text(command, "--clocks", o->clocks, "N", "Stop after N running clocks");
+  const Command command = program.sub("dda", "A line, a circle or a conic on the DDA");
+  command.text("--line", o->line, "X,Y", "From (0, 0) to X,Y");
+  command.text("--circle", o->circle, "R",
+               "A quarter from R,0, anticlockwise; with --clocks as far as these go");
+  command.text("--conic", o->conic, "A,B,C,D,E,F",
+               "A x^2 + B xy + C y^2 + D x + E y + F = 0; an ellipse for one turn");
+  command.text("--from", o->from, "X,Y", "Where a conic starts");
+  command.text("--clocks", o->clocks, "N", "Stop after N running clocks");
   o->settings.add(command);
   o->shape.add_dda(command);
   add_csv(command, o->common, "Write clock,dx,dy,x,y: a row a step, x and y after it");
@@ -188,7 +189,7 @@ void add_dda(CLI::App& app, Action& action) {
   add_failures(command, o->common);
   add_common(command, o->common);
   command.footer("Example: cosim dda --conic 1,1,2,0,0,-10000 --from 100,0 --width 16");
-  command.callback([&action, o] { action = [o] { return run(*o); }; });
+  command.action([o] { return run(*o); });
 }
 
 }  // namespace cosim::cli

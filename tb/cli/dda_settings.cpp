@@ -1,6 +1,6 @@
 #include "tb/cli/dda_settings.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "model/core/input_error.h"
 #include "tb/cli/words.h"
@@ -19,11 +19,11 @@ bool is_second(const char* name, const Text& text, const char* first, const char
 
 }  // namespace
 
-void DdaSettings::add(CLI::App& command) {
-  add_text(command, "--update", update, "HOW",
-           "parallel (default), as the source's hardware, or sequential, its flow chart");
-  add_text(command, "--preload", preload, "S", "Accumulators at the start: zero (default) or half");
-  add_switch(command, "--as-it-is", as_it_is, "Do not shift the rates of a line up first");
+void DdaSettings::add(const Command& command) {
+  command.text("--update", update, "HOW",
+               "parallel (default), as the source's hardware, or sequential, its flow chart");
+  command.text("--preload", preload, "S", "Accumulators at the start: zero (default) or half");
+  command.flag("--as-it-is", as_it_is, "Do not shift the rates of a line up first");
 }
 
 dda::Settings DdaSettings::parse() const {

@@ -10,7 +10,7 @@ struct DdaSettings {
   Text update, preload;
   bool as_it_is = false;
 
-  void add(CLI::App& command);
+  void add(const Command& command);
   /// InputError for a name that is none.
   dda::Settings parse() const;
 };

@@ -1,7 +1,7 @@
 // One job on one machine in lockstep, drawn as the options ask for: cosim line, arc and dda.
 #pragma once
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstdint>
 #include <functional>

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <memory>
 
@@ -6,7 +6,8 @@
 #include "tb/check.h"
 #include "tb/cli/choose.h"
 #include "tb/cli/code_option.h"
-#include "tb/cli/command.h"
+#include "tb/cli/commands.h"
+#include "tb/cli/common.h"
 #include "tb/cli/draw_one.h"
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
@@ -109,14 +110,14 @@ int run(const Options& o) {
 
 }  // namespace
 
-void add_line(CLI::App& app, Action& action) {
+void add_line(const Command& program) {
   auto o = std::make_shared<Options>();
-  CLI::App& command = *app.add_subcommand("line", "A straight line on the linear machine");
-  add_text(command, "--major", o->major, "BP", "Needed: steps on the major axis, 0 to 2^M - 1");
-  add_text(command, "--minor", o->minor, "MP",
-           "Steps on the minor axis, 0 to BP; needed unless --code gives bits");
-  add_text(command, "--code", o->code, "UK",
-           "Control code: best (default), greedy, M bits such as 01010, or 0x0a");
+  const Command command = program.sub("line", "A straight line on the linear machine");
+  command.text("--major", o->major, "BP", "Needed: steps on the major axis, 0 to 2^M - 1");
+  command.text("--minor", o->minor, "MP",
+               "Steps on the minor axis, 0 to BP; needed unless --code gives bits");
+  command.text("--code", o->code, "UK",
+               "Control code: best (default), greedy, M bits such as 01010, or 0x0a");
   o->shape.add_linear(command);
   add_csv(command, o->common,
           "Write tick,major,minor: a row a strobe, words in bits, first step leftmost");
@@ -126,7 +127,7 @@ void add_line(CLI::App& app, Action& action) {
   add_failures(command, o->common);
   add_common(command, o->common);
   command.footer("Example: cosim line --major 27 --minor 9");
-  command.callback([&action, o] { action = [o] { return run(*o); }; });
+  command.action([o] { return run(*o); });
 }
 
 }  // namespace cosim::cli

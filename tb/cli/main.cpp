@@ -1,5 +1,5 @@
 #include <fcntl.h>
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstdio>
 #include <exception>
@@ -8,8 +8,7 @@
 #include <system_error>
 
 #include "model/core/input_error.h"
-#include "tb/cli/command.h"
-#include "tb/cli/usage_error.h"
+#include "tb/cli/commands.h"
 #include "tb/cli/words.h"
 
 namespace {
@@ -31,37 +30,24 @@ void hold_standard_streams() {
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{
+  return cosim::cli::run_program(
+      argc, argv, "cosim",
       "Runs a digital interpolator in Verilog beside its golden model, and compares every\n"
       "register and output on every clock.",
-      "cosim"};
-  app.require_subcommand(1);
-  app.get_formatter()->column_width(24);
-  app.footer(
-      "Exit status: 0 match, 1 mismatch, 2 bad input.\n"
-      "cosim COMMAND --help tells of a command's options.");
-  cosim::cli::Action action;
-  cosim::cli::add_list(app, action);
-  cosim::cli::add_line(app, action);
-  cosim::cli::add_arc(app, action);
-  cosim::cli::add_dda(app, action);
-  cosim::cli::add_path(app, action);
-  cosim::cli::add_compare(app, action);
-  cosim::cli::add_sweep(app, action);
-  cosim::cli::add_replay(app, action);
-  cosim::cli::add_prove(app, action);
-  if (argc < 2) fmt::print("{}", app.help());
-  if (const std::string line = cosim::cli::empty_value(argc, argv); !line.empty()) {
-    return refuse(line);
-  }
-  try {
-    app.parse(argc, argv);
-    return action();
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const CLI::ParseError& error) {
-    return refuse(cosim::cli::usage_error(app, error));
-  }
+      [](const cosim::cli::Command& program) {
+        program.footer(
+            "Exit status: 0 match, 1 mismatch, 2 bad input.\n"
+            "cosim COMMAND --help tells of a command's options.");
+        cosim::cli::add_list(program);
+        cosim::cli::add_line(program);
+        cosim::cli::add_arc(program);
+        cosim::cli::add_dda(program);
+        cosim::cli::add_path(program);
+        cosim::cli::add_compare(program);
+        cosim::cli::add_sweep(program);
+        cosim::cli::add_replay(program);
+        cosim::cli::add_prove(program);
+      });
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "tb/cli/number.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <charconv>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/cli/command.h"
+#include "tb/cli/common.h"
 
 namespace cosim::cli {
 

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <memory>
@@ -9,7 +9,8 @@
 #include "model/toolpath/plan.h"
 #include "tb/cli/choose.h"
 #include "tb/cli/code_option.h"
-#include "tb/cli/command.h"
+#include "tb/cli/commands.h"
+#include "tb/cli/common.h"
 #include "tb/cli/conclude.h"
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
@@ -148,13 +149,13 @@ int run(const Options& o) {
 
 }  // namespace
 
-void add_path(CLI::App& app, Action& action) {
+void add_path(const Command& program) {
   auto o = std::make_shared<Options>();
-  CLI::App& command =
-      *app.add_subcommand("path", "The path in X and Y of a G-code program, on both machines");
-  add_text(command, "FILE", o->file, "", "The program")->required();
-  add_text(command, "--steps-per-mm", o->steps_per_mm, "S", "Needed: steps of the grid to 1 mm");
-  add_text(command, "--code", o->code, "RULE", "Control codes of lines: best (default) or greedy");
+  const Command command =
+      program.sub("path", "The path in X and Y of a G-code program, on both machines");
+  command.argument("FILE", o->file, "The program", true);
+  command.text("--steps-per-mm", o->steps_per_mm, "S", "Needed: steps of the grid to 1 mm");
+  command.text("--code", o->code, "RULE", "Control codes of lines: best (default) or greedy");
   o->shape.add_linear(command);
   o->shape.add_circular(command);
   add_csv(command, o->common,
@@ -166,7 +167,7 @@ void add_path(CLI::App& app, Action& action) {
   add_failures(command, o->common);
   add_common(command, o->common);
   command.footer("Example: cosim path part.ngc --steps-per-mm 100 --csv path.csv");
-  command.callback([&action, o] { action = [o] { return run(*o); }; });
+  command.action([o] { return run(*o); });
 }
 
 }  // namespace cosim::cli

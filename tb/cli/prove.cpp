@@ -9,7 +9,8 @@
 #include <thread>
 
 #include "model/core/input_error.h"
-#include "tb/cli/command.h"
+#include "tb/cli/commands.h"
+#include "tb/cli/common.h"
 #include "tb/cli/number.h"
 #include "tb/cli/words.h"
 #include "tb/failure.h"
@@ -246,27 +247,26 @@ int run(const Options& o) {
 
 }  // namespace
 
-void add_prove(CLI::App& app, Action& action) {
+void add_prove(const Command& program) {
   auto o = std::make_shared<Options>();
-  CLI::App& command = *app.add_subcommand(
-      "prove", "Proves that RTL and model are the same, for every state and input");
-  command.add_option("MACHINE", o->machine, "A design, or a line of cosim list; default all")
-      ->type_name("");
-  add_text(command, "--rtl", o->rtl, "DIR", "The RTL, a folder for each design; default rtl");
-  add_text(command, "--limit", o->limit, "S", "Seconds for one answer; default 60");
-  add_text(command, "--jobs", o->jobs, "J", "Solvers at a time; default one a core");
-  add_text(command, "--scripts", o->scripts, "DIR", "Leave what the solvers read in DIR");
-  add_switch(command, "--theorems", o->theorems,
-             "In place of that: what the sources claim, as theorems on the models");
-  add_text(command, "--mutants", o->mutants, "FILE.v",
-           "In place of that: mutants of one machine, this RTL with mutsel = 1, 2, ...");
-  add_text(command, "--count", o->count, "N", "The first N of them; default 100");
-  add_text(command, "--mutant", o->mutant, "K", "Of them the one with mutsel = K");
+  const Command command =
+      program.sub("prove", "Proves that RTL and model are the same, for every state and input");
+  command.arguments("MACHINE", o->machine, "A design, or a line of cosim list; default all");
+  command.text("--rtl", o->rtl, "DIR", "The RTL, a folder for each design; default rtl");
+  command.text("--limit", o->limit, "S", "Seconds for one answer; default 60");
+  command.text("--jobs", o->jobs, "J", "Solvers at a time; default one a core");
+  command.text("--scripts", o->scripts, "DIR", "Leave what the solvers read in DIR");
+  command.flag("--theorems", o->theorems,
+               "In place of that: what the sources claim, as theorems on the models");
+  command.text("--mutants", o->mutants, "FILE.v",
+               "In place of that: mutants of one machine, this RTL with mutsel = 1, 2, ...");
+  command.text("--count", o->count, "N", "The first N of them; default 100");
+  command.text("--mutant", o->mutant, "K", "Of them the one with mutsel = K");
   add_failures(command, o->common);
   command.footer(
       "Needs yosys, cvc5 and z3; only what both solvers prove is proved.\n"
       "Example: cosim prove linear M=8 N=5");
-  command.callback([&action, o] { action = [o] { return run(*o); }; });
+  command.action([o] { return run(*o); });
 }
 
 }  // namespace cosim::cli

@@ -1,10 +1,11 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <filesystem>
 #include <memory>
 
 #include "model/core/input_error.h"
-#include "tb/cli/command.h"
+#include "tb/cli/commands.h"
+#include "tb/cli/common.h"
 #include "tb/cli/conclude.h"
 #include "tb/cli/outputs.h"
 #include "tb/cli/wave.h"
@@ -42,17 +43,16 @@ int run(const Options& o) {
 
 }  // namespace
 
-void add_replay(CLI::App& app, Action& action) {
+void add_replay(const Command& program) {
   auto o = std::make_shared<Options>();
-  CLI::App& command =
-      *app.add_subcommand("replay", "A stimulus file, or the folder of a failure, once more");
-  add_text(command, "FILE", o->file, "", "The stimulus; of a folder its stimulus.stim")->required();
+  const Command command =
+      program.sub("replay", "A stimulus file, or the folder of a failure, once more");
+  command.argument("FILE", o->file, "The stimulus; of a folder its stimulus.stim", true);
   add_wave(command, o->common, "Draw it as a waveform, with FILE.gtkw, its view for GTKWave");
   add_failures(command, o->common, false);
-  add_text(command, "--report", o->common.report, "FILE",
-           "Write the verdict and the figures as JSON");
+  command.text("--report", o->common.report, "FILE", "Write the verdict and the figures as JSON");
   command.footer("Example: cosim replay failures/NAME/smallest.stim --wave again.fst");
-  command.callback([&action, o] { action = [o] { return run(*o); }; });
+  command.action([o] { return run(*o); });
 }
 
 }  // namespace cosim::cli

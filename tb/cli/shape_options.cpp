@@ -12,18 +12,18 @@ std::optional<int> small(const std::string& name, const Text& text, std::uint64_
 
 }  // namespace
 
-void ShapeOptions::add_linear(CLI::App& command, const std::string& otherwise) {
-  add_text(command, "--m", m, "M", "Linear machine: bits of BP and UK; default " + otherwise);
-  add_text(command, "--n", n, "N", "Linear machine: bits of its tick count; 2^(M-N) steps a clock");
+void ShapeOptions::add_linear(const Command& command, const std::string& otherwise) {
+  command.text("--m", m, "M", "Linear machine: bits of BP and UK; default " + otherwise);
+  command.text("--n", n, "N", "Linear machine: bits of its tick count; 2^(M-N) steps a clock");
 }
 
-void ShapeOptions::add_circular(CLI::App& command, const std::string& otherwise) {
-  add_text(command, "--width", width, "W",
-           "Circular machine: bits of a coordinate; default " + otherwise);
+void ShapeOptions::add_circular(const Command& command, const std::string& otherwise) {
+  command.text("--width", width, "W",
+               "Circular machine: bits of a coordinate; default " + otherwise);
 }
 
-void ShapeOptions::add_dda(CLI::App& command, const std::string& otherwise) {
-  add_text(command, "--width", width, "W", "DDA: bits of an accumulator; default " + otherwise);
+void ShapeOptions::add_dda(const Command& command, const std::string& otherwise) {
+  command.text("--width", width, "W", "DDA: bits of an accumulator; default " + otherwise);
 }
 
 LinearShape ShapeOptions::linear() const { return {small("--m", m, 2), small("--n", n, 1)}; }

@@ -10,9 +10,9 @@ struct ShapeOptions {
   Text m, n, width;
 
   /// `otherwise`: what is taken where they are not given, for the help.
-  void add_linear(CLI::App& command, const std::string& otherwise = smallest);
-  void add_circular(CLI::App& command, const std::string& otherwise = smallest);
-  void add_dda(CLI::App& command, const std::string& otherwise = smallest);
+  void add_linear(const Command& command, const std::string& otherwise = smallest);
+  void add_circular(const Command& command, const std::string& otherwise = smallest);
+  void add_dda(const Command& command, const std::string& otherwise = smallest);
   LinearShape linear() const;
   CircularShape circular() const;
   DdaShape dda() const;

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <atomic>
@@ -8,7 +8,8 @@
 #include "model/core/input_error.h"
 #include "tb/circular_sweeps.h"
 #include "tb/cli/choose.h"
-#include "tb/cli/command.h"
+#include "tb/cli/commands.h"
+#include "tb/cli/common.h"
 #include "tb/cli/conclude.h"
 #include "tb/cli/interrupt.h"
 #include "tb/cli/number.h"
@@ -170,15 +171,15 @@ int run(const Options& o, const std::vector<const Bench<Design>*>& benches) {
   return status;
 }
 
-void add_options(CLI::App& design, Options& o) {
-  add_switch(design, "--exhaustive", o.exhaustive, "Everything, at the widths small enough for it");
-  add_text(design, "--random", o.random, "COUNT", "COUNT random cases at each width");
-  add_text(design, "--hostile", o.hostile, "COUNT",
-           "COUNT clocks of any value on any pin at each width");
-  add_text(design, "--jobs", o.jobs, "J", "Threads, 1 to 1024; default one a core");
+void add_options(const Command& design, Options& o) {
+  design.flag("--exhaustive", o.exhaustive, "Everything, at the widths small enough for it");
+  design.text("--random", o.random, "COUNT", "COUNT random cases at each width");
+  design.text("--hostile", o.hostile, "COUNT",
+              "COUNT clocks of any value on any pin at each width");
+  design.text("--jobs", o.jobs, "J", "Threads, 1 to 1024; default one a core");
   add_failures(design, o.common);
-  add_text(design, "--checkpoint", o.common.checkpoint, "FILE",
-           "Keep what is done in FILE and, where it exists, go on from there");
+  design.text("--checkpoint", o.common.checkpoint, "FILE",
+              "Keep what is done in FILE and, where it exists, go on from there");
   add_common(design, o.common);
 }
 
@@ -186,39 +187,32 @@ constexpr const char* all_widths = "every one built";
 
 }  // namespace
 
-void add_sweep(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("sweep", "Many cases on every built width of a design");
-  command->require_subcommand(1);
+void add_sweep(const Command& program) {
+  const Command command = program.sub("sweep", "Many cases on every built width of a design");
 
   auto lines = std::make_shared<Options>();
-  CLI::App* linear = command->add_subcommand(
+  const Command linear = command.sub(
       "linear", "Lines on the linear machine: one of --exhaustive, --random and --hostile");
-  add_options(*linear, *lines);
-  lines->shape.add_linear(*linear, all_widths);
-  linear->footer("Example: cosim sweep linear --random 1000 --seed 7");
-  linear->callback([&action, lines] {
-    action = [lines] { return run(*lines, matching(lines->shape.linear())); };
-  });
+  add_options(linear, *lines);
+  lines->shape.add_linear(linear, all_widths);
+  linear.footer("Example: cosim sweep linear --random 1000 --seed 7");
+  linear.action([lines] { return run(*lines, matching(lines->shape.linear())); });
 
   auto arcs = std::make_shared<Options>();
-  CLI::App* circular = command->add_subcommand(
+  const Command circular = command.sub(
       "circular", "Arcs on the circular machine: one of --exhaustive, --random and --hostile");
-  add_options(*circular, *arcs);
-  arcs->shape.add_circular(*circular, all_widths);
-  circular->footer("Example: cosim sweep circular --exhaustive --width 8");
-  circular->callback([&action, arcs] {
-    action = [arcs] { return run(*arcs, matching(arcs->shape.circular())); };
-  });
+  add_options(circular, *arcs);
+  arcs->shape.add_circular(circular, all_widths);
+  circular.footer("Example: cosim sweep circular --exhaustive --width 8");
+  circular.action([arcs] { return run(*arcs, matching(arcs->shape.circular())); });
 
   auto curves = std::make_shared<Options>();
-  CLI::App* dda = command->add_subcommand(
-      "dda", "Curves on the DDA: one of --exhaustive, --random and --hostile");
-  add_options(*dda, *curves);
-  curves->shape.add_dda(*dda, all_widths);
-  dda->footer("Example: cosim sweep dda --exhaustive --width 6");
-  dda->callback([&action, curves] {
-    action = [curves] { return run(*curves, matching(curves->shape.dda())); };
-  });
+  const Command dda =
+      command.sub("dda", "Curves on the DDA: one of --exhaustive, --random and --hostile");
+  add_options(dda, *curves);
+  curves->shape.add_dda(dda, all_widths);
+  dda.footer("Example: cosim sweep dda --exhaustive --width 6");
+  dda.action([curves] { return run(*curves, matching(curves->shape.dda())); });
 }
 
 }  // namespace cosim::cli

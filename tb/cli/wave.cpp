@@ -1,6 +1,6 @@
 #include "tb/cli/wave.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <filesystem>
 #include <utility>

@@ -1,6 +1,6 @@
 #include "tb/coverage/counts.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <cstdlib>

@@ -1,6 +1,6 @@
 #include "tb/plot/plot.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <filesystem>
 #include <fstream>

@@ -1,6 +1,6 @@
 #include "tb/proof/claims.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "model/core/input_error.h"
 

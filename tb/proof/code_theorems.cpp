@@ -1,6 +1,6 @@
 // SU 1631518: what a code gives, for every BP of up to 32 bits. Position q >= 1 of a line belongs
 // to bit i of the code, a_i, where q = 2^(i-1) * odd.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "tb/proof/bits.h"
 #include "tb/proof/theorems.h"

@@ -1,6 +1,6 @@
 #include "tb/proof/decide.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <array>
 #include <atomic>

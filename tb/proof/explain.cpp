@@ -1,6 +1,6 @@
 #include "tb/proof/explain.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "tb/show.h"
 

@@ -1,6 +1,6 @@
 #include "tb/proof/expression.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace cosim::proof {
 

@@ -1,6 +1,6 @@
 #include "tb/proof/integer.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 namespace cosim::proof {
 namespace {

@@ -1,6 +1,6 @@
 #include "tb/proof/mutants.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <optional>

@@ -1,6 +1,6 @@
 #include "tb/proof/rtl.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <fstream>

@@ -1,6 +1,6 @@
 #include "tb/wave/fst.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <gtkwave/fstapi.h>
 
 #include <cerrno>

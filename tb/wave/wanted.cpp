@@ -1,6 +1,6 @@
 #include "tb/wave/wanted.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <atomic>
 #include <cstdio>

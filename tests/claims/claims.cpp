@@ -1,7 +1,7 @@
 // Measures what the sources claim and prints a table in Markdown. The machines run in lockstep with
 // their models, where a row does not say otherwise. Status: 0, or 1 where a machine does not match
 // or a figure is not the one known.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 #include <map>

@@ -2,7 +2,7 @@
 // ones. A design says in tests/mutation/jobs/ what its jobs are; hostile clocks need nothing.
 #pragma once
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstdint>
 #include <string>

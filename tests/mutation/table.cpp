@@ -1,7 +1,7 @@
 // mutants_table OUT RESULTS...: prints the outcomes of several runs as a table, those of one shape
 // in one row; writes all results to OUT, a JSON array. Status: 0
 // none survived, 1 some did, 2 bad input.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cstdio>
 #include <exception>

@@ -1,7 +1,7 @@
 // The words of the command line that are read as numbers: the same text as each kind.
 #include "tb/cli/number.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,9 +1,12 @@
-#include "tb/cli/usage_error.h"
+#include "tb/cli/command.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
+#include <CLI/CLI.hpp>
 #include <string_view>
+#include <utility>
 
+#include "model/core/input_error.h"
 #include "tb/cli/words.h"
 
 namespace cosim::cli {
@@ -52,8 +55,7 @@ std::string wrong_count(const std::string& what) {
   return name + ": takes no value";
 }
 
-}  // namespace
-
+// One line for what the parser found wrong.
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& at = innermost(app);
   const std::string what = error.what();
@@ -69,6 +71,7 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
   return what.substr(0, what.find('\n'));
 }
 
+// CLI11 takes "--name=" for an option without a value.
 std::string empty_value(int argc, const char* const* argv) {
   for (int i = 1; i < argc && std::string_view(argv[i]) != "--"; ++i) {
     const std::string argument = argv[i];
@@ -77,6 +80,67 @@ std::string empty_value(int argc, const char* const* argv) {
     }
   }
   return {};
+}
+
+}  // namespace
+
+Command Command::sub(const std::string& name, const std::string& help) const {
+  app_->require_subcommand(1);
+  return {*app_->add_subcommand(name, help), *chosen_};
+}
+
+void Command::text(const std::string& name, Text& value, const std::string& type,
+                   const std::string& help) const {
+  const auto take = [&value, name](const std::string& text) {
+    // CLI11 takes what follows, be it the next option. A file of such a name is ./--name.
+    if (text.starts_with("--")) throw InputError(name + ": needs a value");
+    value = text;
+  };
+  app_->add_option_function<std::string>(name, take, help)->type_name(type);
+}
+
+void Command::argument(const std::string& name, Text& value, const std::string& help,
+                       bool needed) const {
+  const auto take = [&value](const std::string& text) { value = text; };
+  app_->add_option_function<std::string>(name, take, help)->type_name("")->required(needed);
+}
+
+void Command::arguments(const std::string& name, std::vector<std::string>& values,
+                        const std::string& help) const {
+  app_->add_option(name, values, help)->type_name("");
+}
+
+void Command::flag(const std::string& name, bool& value, const std::string& help) const {
+  app_->add_flag(name, value, help)->disable_flag_override();
+}
+
+void Command::footer(const std::string& text) const { app_->footer(text); }
+
+void Command::action(Action action) const {
+  app_->callback([chosen = chosen_, action = std::move(action)] { *chosen = action; });
+}
+
+int run_program(int argc, const char* const* argv, const std::string& name, const std::string& help,
+                const std::function<void(const Command&)>& commands) {
+  CLI::App app{help, name};
+  app.get_formatter()->column_width(24);
+  Action chosen;
+  commands(Command(app, chosen));
+  if (argc < 2) fmt::print("{}", app.help());
+  if (const std::string line = empty_value(argc, argv); !line.empty()) throw InputError(line);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp& call) {
+    return app.exit(call);
+  } catch (const CLI::ParseError& error) {
+    throw InputError(usage_error(app, error));
+  }
+  return chosen();
+}
+
+const std::string& needed(const std::string& name, const Text& value) {
+  if (!value) throw InputError(name + ": is needed");
+  return *value;
 }
 
 }  // namespace cosim::cli

@@ -1,0 +1,46 @@
+// Options that several commands have.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "tb/cli/command.h"
+#include "tb/mismatch.h"
+
+namespace cosim::cli {
+
+struct Common {
+  Text csv;
+  Text report;
+  Text checkpoint;
+  Text seed_text;
+  Text plot;
+  Text wave, wave_before, wave_after;
+  Text failures;
+  bool keeps_failures = false;
+  bool table = false;
+
+  std::uint64_t seed() const;  ///< 1 where none was given
+  Window window() const;       ///< of waves around a mismatch
+  /// Where a mismatch leaves its folder: --failures, else $COSIM_FAILURES, else failures.
+  std::string failures_folder() const;
+};
+
+/// --report and --seed.
+void add_common(const Command& command, Common& common);
+/// --report.
+void add_report(const Command& command, Common& common);
+/// --csv, whose help is `rows`.
+void add_csv(const Command& command, Common& common, const std::string& rows);
+/// --failures; `kept`: failures are kept without it, too.
+void add_failures(const Command& command, Common& common, bool kept = true);
+/// --wave, and what of it is drawn.
+void add_wave(const Command& command, Common& common, const std::string& file);
+/// --wave-before and --wave-after.
+void add_window(const Command& command, Common& common);
+/// --plot.
+void add_plot(const Command& command, Common& common);
+/// --table.
+void add_table(const Command& command, Common& common);
+
+}  // namespace cosim::cli

@@ -10,11 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "tb/dut.h"
 #include "tb/hostile.h"
-#include "tb/replay.h"
 #include "tb/run.h"
-#include "tb/wave/recorder.h"
-#include "tb/wave/wanted.h"
 
 namespace cosim {
 
@@ -99,126 +97,8 @@ class Bench : public AnyBench {
   virtual typename Design::Params params() const = 0;
   /// A machine of its own, powered up at random from `power_up`.
   virtual std::unique_ptr<Session<Design>> open(std::uint32_t power_up) const = 0;
-};
-
-template <class Adapter>
-class AdapterSession final : public Session<typename Adapter::Design> {
-  using Design = typename Adapter::Design;
-  using Host = typename Design::Host;
-  using Job = typename Host::Job;
-
- public:
-  /// `bench`, which must outlive the session, is the one it is of.
-  AdapterSession(const AnyBench& bench, std::uint32_t power_up)
-      : bench_(bench), power_up_(power_up), lockstep_(power_up) {}
-  ~AdapterSession() override {
-    draw_if_wanted(bench_, [this] { return stimulus(); });
-  }
-
-  Run draw(std::span<const Job> jobs, Observer<Design>& observer) override {
-    history_.insert(history_.end(), jobs.begin(), jobs.end());
-    Host host(Adapter::params, jobs);
-    Run result;
-    const bool same =
-        clock_through(lockstep_, host, result.clocks,
-                      [&](const Host& h, const auto& seen) { observer.clock(h.job(), seen); });
-    clocks_ += result.clocks;
-    if (!same) {
-      Lockstep<Adapter> again(power_up_);
-      result.mismatch = examine(again, Host(Adapter::params, history_), clocks_ - 1, Window{});
-      result.mismatch->bench = &bench_;
-      result.mismatch->stimulus.power_up = power_up_;
-      result.mismatch->smaller_case = [jobs = history_, power_up = power_up_] {
-        return smaller_case<Adapter>(jobs, power_up);
-      };
-    }
-    return result;
-  }
-
-  Stimulus stimulus() const override {
-    return recorded<Design>(Adapter::params, Host(Adapter::params, history_), power_up_, clocks_);
-  }
-
- private:
-  const AnyBench& bench_;
-  std::uint32_t power_up_;
-  Lockstep<Adapter> lockstep_;
-  std::uint64_t clocks_ = 0;
-  std::vector<Job> history_;  // to come to the same clock again
-};
-
-/// The bench behind an adapter. `Instrumented` is the same adapter on a class that shows its whole
-/// hierarchy and whose registers can be loaded: it is for replays and waves.
-template <class Adapter, class Instrumented = Adapter>
-class AdapterBench final : public Bench<typename Adapter::Design> {
-  using Design = typename Adapter::Design;
-
- public:
-  std::string design() const override { return Design::name; }
-  std::string source() const override { return Design::source; }
-  std::vector<Parameter> parameters() const override {
-    const auto list = Design::parameters(Adapter::params);
-    return {list.begin(), list.end()};
-  }
-  std::vector<Field> inputs() const override {
-    return fields<typename Design::template Inputs<Word>>();
-  }
-  std::vector<Field> state() const override {
-    return fields<typename Design::template State<Word>>();
-  }
-  std::vector<Field> compared() const override {
-    auto all = fields<typename Design::template Registers<Word>>();
-    const auto outputs = fields<typename Design::template Outputs<Word>>();
-    all.insert(all.end(), outputs.begin(), outputs.end());
-    return all;
-  }
-  std::size_t registers() const override { return Design::template Registers<Word>::size; }
-  std::vector<Word> rest() const override { return words(Design::rest()); }
-  std::vector<Word> cleared() const override { return words(Design::template cleared<Word>()); }
-  typename Design::Params params() const override { return Adapter::params; }
-
-  Run run_hostile(const HostileCase& c) const override {
-    const HostileStimulus<Design> hostile(Adapter::params, c);
-    draw_if_wanted(
-        *this, [&] { return recorded<Design>(Adapter::params, hostile, c.power_up(), c.clocks); });
-    Run result = run<Adapter>(hostile, c.power_up());
-    if (result.mismatch) result.mismatch->bench = this;
-    return result;
-  }
-  std::unique_ptr<Session<Design>> open(std::uint32_t power_up) const override {
-    return std::make_unique<AdapterSession<Adapter>>(*this, power_up);
-  }
-
-  Run replay(const Stimulus& s, Window window) const override {
-    Run result = replayed<Instrumented>(s, window);
-    if (result.mismatch) result.mismatch->bench = this;
-    return result;
-  }
-  std::optional<std::uint64_t> first_difference(const Stimulus& s) const override {
-    // From a clear the class that lockstep runs by does it, and faster.
-    return s.state ? differing_clock<Instrumented>(s) : differing_clock<Adapter>(s);
-  }
-  void draw_wave(const std::string& path, const Stimulus& s, Window around) const override {
-    record_wave<Instrumented>(path, s, around,
-                              {this->title(), inputs(), compared(), registers(),
-                               texts(Design::View::phases), texts(Design::View::steps)});
-  }
-
- private:
-  template <class Record>
-  static std::vector<Field> fields() {
-    const auto list = Record::fields(Adapter::params);
-    return {list.begin(), list.end()};
-  }
-  template <class Record>
-  static std::vector<Word> words(const Record& record) {
-    const auto list = to_words(record);
-    return {list.begin(), list.end()};
-  }
-  template <class List>
-  static std::vector<std::string> texts(const List& list) {
-    return {list.begin(), list.end()};
-  }
+  /// Its DUT by itself: no model beside it, nothing compared.
+  virtual std::unique_ptr<Dut<Design>> dut(std::uint32_t power_up) const = 0;
 };
 
 /// Every bench that was built, in the order of rtl/shipped.txt.

@@ -42,6 +42,7 @@ constexpr void copy_fields(Record& to, const Record& from) {
   for_each_member<Record>([&](auto member, std::size_t) { to.*member = from.*member; });
 }
 
+/// `Adapter`: dut.h.
 template <class Adapter>
 class Lockstep {
  public:
@@ -49,17 +50,19 @@ class Lockstep {
   using Inputs = typename Design::template Inputs<Word>;
   using State = typename Design::template State<Word>;
 
-  /// Powers up at random from `power_up`, then clears both sides: one clock, not compared, for
+  /// Powers up at random from `power_up`, which is what the adapter is made of, then clears both sides: one clock, not compared, for
   /// before it the RTL's registers hold anything.
-  explicit Lockstep(std::uint32_t power_up)
+  template <class PowerUp>
+  explicit Lockstep(const PowerUp& power_up)
       : dut_(power_up), state_(Design::template cleared<Word>()) {
     dut_.drive(Design::clear());
     edge();
   }
   /// Starts both sides from `state` instead, for an adapter that can load registers.
-  Lockstep(std::uint32_t power_up, const State& state) : dut_(power_up), state_(state) {
-    const auto fields = Design::template Registers<Word>::fields(Adapter::params);
-    const auto words = to_words(Design::registers(Adapter::params, state));
+  template <class PowerUp>
+  Lockstep(const PowerUp& power_up, const State& state) : dut_(power_up), state_(state) {
+    const auto fields = Design::template Registers<Word>::fields(dut_.params);
+    const auto words = to_words(Design::registers(dut_.params, state));
     for (std::size_t i = 0; i < fields.size(); ++i) dut_.load(fields[i].name, words[i]);
   }
 
@@ -71,9 +74,9 @@ class Lockstep {
   COSIM_FLATTEN bool clock(const Inputs& in, Sample&& sample) {
     dut_.drive(in);
     dut_.eval(false);
-    copy_fields(expected_.registers, Design::registers(Adapter::params, state_));
+    copy_fields(expected_.registers, Design::registers(dut_.params, state_));
     Word bits = difference(expected_.registers, dut_.registers());
-    const auto step = Design::next(Adapter::params, state_, in);
+    const auto step = Design::next(dut_.params, state_, in);
     coverage::count<Adapter>(state_, in, step);
     copy_fields(expected_.outputs, step.outputs);
     bits |= difference(expected_.outputs, dut_.outputs());

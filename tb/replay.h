@@ -41,40 +41,37 @@ class Rows {
   std::span<const std::vector<Word>> left_;
 };
 
-/// A machine where the stimulus starts. InputError where it starts from a state and the adapter
-/// cannot load registers.
-template <class Adapter>
-std::unique_ptr<Lockstep<Adapter>> started(const Stimulus& s) {
-  using Design = typename Adapter::Design;
+/// A machine where the stimulus starts. InputError where it starts from a state and the registers
+/// cannot be loaded.
+template <class Design>
+std::unique_ptr<AnyLockstep<Design>> started(const DutMaker<Design>& maker, const Stimulus& s) {
   using State = typename Design::template State<Word>;
-  if (!s.state) return std::make_unique<Lockstep<Adapter>>(s.power_up);
-  if constexpr (requires(Adapter & a) { a.load("", Word{}); }) {
-    return std::make_unique<Lockstep<Adapter>>(s.power_up,
+  if (s.state && !maker.can_load) throw InputError(s.machine + " cannot start from a state");
+  const typename AnyAdapter<Design>::PowerUp start{maker, s.power_up};
+  if (!s.state) return std::make_unique<AnyLockstep<Design>>(start);
+  return std::make_unique<AnyLockstep<Design>>(start,
                                                Rows<Design>::template record_of<State>(*s.state));
-  } else {
-    throw InputError(s.machine + " cannot start from a state");
-  }
 }
 
 /// The first clock of the stimulus on which RTL and model differ.
-template <class Adapter>
-std::optional<std::uint64_t> differing_clock(const Stimulus& s) {
-  const auto lockstep = started<Adapter>(s);
-  Rows<typename Adapter::Design> rows(s);
+template <class Design>
+std::optional<std::uint64_t> differing_clock(const DutMaker<Design>& maker, const Stimulus& s) {
+  const auto lockstep = started(maker, s);
+  Rows<Design> rows(s);
   std::uint64_t clocks = 0;
   if (clock_through(*lockstep, rows, clocks, [](const auto&, const auto&) {})) return {};
   return clocks - 1;
 }
 
 /// What comes of the stimulus.
-template <class Adapter>
-Run replayed(const Stimulus& s, Window window) {
+template <class Design>
+Run replayed(const DutMaker<Design>& maker, const Stimulus& s, Window window) {
   Run result;
   result.clocks = s.clocks.size();
-  if (const auto clock = differing_clock<Adapter>(s)) {
+  if (const auto clock = differing_clock(maker, s)) {
     result.clocks = *clock + 1;
-    const auto again = started<Adapter>(s);
-    result.mismatch = examine(*again, Rows<typename Adapter::Design>(s), *clock, window);
+    const auto again = started(maker, s);
+    result.mismatch = examine(*again, Rows<Design>(s), *clock, window);
     result.mismatch->stimulus = s;
   }
   return result;
@@ -100,18 +97,17 @@ Stimulus recorded(const typename Design::Params& p, Source source, std::uint32_t
 }
 
 /// The smallest case found that fails as `jobs` do: fewer jobs, then smaller ones.
-template <class Adapter>
-SmallerCase smaller_case(std::vector<typename Adapter::Design::Host::Job> jobs,
-                         std::uint32_t power_up) {
-  using Design = typename Adapter::Design;
+template <class Design>
+SmallerCase smaller_case(const DutMaker<Design>& maker,
+                         std::vector<typename Design::Host::Job> jobs, std::uint32_t power_up) {
   using Host = typename Design::Host;
   using Job = typename Host::Job;
   constexpr std::uint64_t most_clocks = 20'000'000;  // a second or two
   std::uint64_t clocks = 0, spent = 0;
   const auto fails = [&](const std::vector<Job>& some) {
     if (spent > most_clocks) return false;
-    Lockstep<Adapter> lockstep(power_up);
-    Host host(Adapter::params, some);
+    AnyLockstep<Design> lockstep(typename AnyAdapter<Design>::PowerUp{maker, power_up});
+    Host host(maker.params, some);
     std::uint64_t run = 0;
     const bool failed = !clock_through(lockstep, host, run, [](const auto&, const auto&) {});
     spent += run;
@@ -129,7 +125,7 @@ SmallerCase smaller_case(std::vector<typename Adapter::Design::Host::Job> jobs,
   for (bool again = true; again;) {
     again = false;
     for (std::size_t i = 0; i < jobs.size(); ++i) {
-      for (const Job& smaller : Host::smaller(Adapter::params, jobs[i])) {
+      for (const Job& smaller : Host::smaller(maker.params, jobs[i])) {
         std::vector<Job> changed = jobs;
         changed[i] = smaller;
         if (!fails(changed)) continue;
@@ -141,9 +137,9 @@ SmallerCase smaller_case(std::vector<typename Adapter::Design::Host::Job> jobs,
   }
   std::string what;
   for (const Job& job : jobs) {
-    what += (what.empty() ? "" : "; ") + Host::describe(Adapter::params, job);
+    what += (what.empty() ? "" : "; ") + Host::describe(maker.params, job);
   }
-  return {what, recorded<Design>(Adapter::params, Host(Adapter::params, jobs), power_up, clocks)};
+  return {what, recorded<Design>(maker.params, Host(maker.params, jobs), power_up, clocks)};
 }
 
 }  // namespace cosim

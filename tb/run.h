@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "tb/dut.h"
 #include "tb/lockstep.h"
 #include "tb/mismatch.h"
 
@@ -55,18 +56,15 @@ inline constexpr std::uint64_t most_kept = 1U << 20;
 /// Runs a failing case again: `lockstep`, which has just started, is clocked through `source` until
 /// `window.after` clocks past `clock`, the first that differs. Keeps every signal of the window,
 /// and the inputs with what a wave wants before and after it.
-template <class Adapter, class Source>
-Mismatch examine(Lockstep<Adapter>& lockstep, Source source, std::uint64_t clock, Window window) {
-  using Design = typename Adapter::Design;
+template <class Design, class Source>
+Mismatch examine(AnyLockstep<Design>& lockstep, Source source, std::uint64_t clock, Window window) {
+  const auto& p = lockstep.dut().params;
   Mismatch m;
   m.clock = clock;
   m.first = clock > window.before ? clock - window.before : 0;
-  detail::add_traces<typename Design::template Inputs<Word>>(m, Trace::Kind::input,
-                                                             Adapter::params);
-  detail::add_traces<typename Design::template Registers<Word>>(m, Trace::Kind::reg,
-                                                                Adapter::params);
-  detail::add_traces<typename Design::template Outputs<Word>>(m, Trace::Kind::output,
-                                                              Adapter::params);
+  detail::add_traces<typename Design::template Inputs<Word>>(m, Trace::Kind::input, p);
+  detail::add_traces<typename Design::template Registers<Word>>(m, Trace::Kind::reg, p);
+  detail::add_traces<typename Design::template Outputs<Word>>(m, Trace::Kind::output, p);
 
   const std::uint64_t kept = clock > most_kept ? clock - most_kept : 0;
   typename Design::template Inputs<Word> in;
@@ -102,20 +100,6 @@ COSIM_FLATTEN bool clock_through(Lockstep<Adapter>& lockstep, Source& source, st
     observe(source, lockstep.expected());
   }
   return true;
-}
-
-/// Runs a source on a machine of its own, to its end or to the first difference.
-template <class Adapter, class Source>
-Run run(const Source& source, std::uint32_t power_up) {
-  Run result;
-  Source left = source;
-  Lockstep<Adapter> lockstep(power_up);
-  if (!clock_through(lockstep, left, result.clocks, [](const auto&, const auto&) {})) {
-    Lockstep<Adapter> again(power_up);
-    result.mismatch = examine(again, source, result.clocks - 1, Window{});
-    result.mismatch->stimulus.power_up = power_up;
-  }
-  return result;
 }
 
 }  // namespace cosim

@@ -11,22 +11,19 @@
 namespace cosim {
 
 /// Draws the clocks of `around` the stimulus's first difference, all where none differs.
-template <class Adapter>
-void record_wave(const std::string& path, const Stimulus& stimulus, Window around,
-                 const WaveShape& shape) {
-  using Design = typename Adapter::Design;
+template <class Design>
+void record_wave(const DutMaker<Design>& maker, const std::string& path, const Stimulus& stimulus,
+                 Window around, const WaveShape& shape) {
   WaveRange range;
   range.last = stimulus.clocks.size() - 1;
-  range.mismatch = differing_clock<Adapter>(stimulus);
+  range.mismatch = differing_clock(maker, stimulus);
   if (range.mismatch) {
     range.first = *range.mismatch > around.before ? *range.mismatch - around.before : 0;
     range.last = std::min(range.last, *range.mismatch + around.after);
   }
 
-  const auto lockstep = started<Adapter>(stimulus);
-  std::vector<Signal> signals;
-  if constexpr (requires { lockstep->dut().signals(); }) signals = lockstep->dut().signals();
-  Wave wave(path, shape, signals);
+  const auto lockstep = started(maker, stimulus);
+  Wave wave(path, shape, lockstep->dut().signals());
   typename Design::View expected, actual;
   Rows<Design> rows(stimulus);
   typename Design::template Inputs<Word> in;
@@ -41,8 +38,8 @@ void record_wave(const std::string& path, const Stimulus& stimulus, Window aroun
     const auto state = lockstep->state();
     rows.next(in, {});
     lockstep->clock(in, [&](const Compared<Design>& model, const Compared<Design>& rtl) {
-      expected.clock(Adapter::params, state, model.outputs);
-      actual.clock(Adapter::params, state, rtl.outputs);
+      expected.clock(maker.params, state, model.outputs);
+      actual.clock(maker.params, state, rtl.outputs);
       if (now.clock < range.first) return;
       now.inputs = stimulus.clocks[now.clock];
       now.expected = words(model);

@@ -14,7 +14,7 @@ namespace {
 template <class Design>
 void add(std::vector<std::unique_ptr<AnyBench>>& all, const std::string& name) {
   for (const auto& v : test::variants<Design>()) {
-    if (Design::name + ("/" + v->name()) == name) all.push_back(v->make_bench());
+    if (Design::name + ("/" + v.name) == name) all.push_back(v.make_bench());
   }
 }
 

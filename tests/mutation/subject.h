@@ -48,7 +48,7 @@ class AdapterSubject final : public Subject {
   std::size_t quick() const override { return quick_; }
 
  private:
-  AdapterBench<Adapter> bench_;
+  FastBench<Adapter> bench_;
   std::vector<Case> cases_ = quick_cases_of<typename Base::Design>(bench_);
   std::size_t quick_ = add_thorough_cases<typename Base::Design>(cases_, bench_);
 };

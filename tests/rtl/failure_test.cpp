@@ -52,8 +52,8 @@ Script<Design> script_of(const Stimulus& s) {
 template <class Design>
 const AnyBench* shipped_for(const AnyBench& bench) {
   for (const auto& v : variants<Design>()) {
-    if (v->name().starts_with("shipped/") && v->bench().title() == bench.title()) {
-      return &v->bench();
+    if (v.name.starts_with("shipped/") && v.bench->title() == bench.title()) {
+      return v.bench.get();
     }
   }
   return nullptr;
@@ -85,12 +85,12 @@ void expect_wave(const fs::path& file, const AnyBench& bench, const Difference& 
 
 template <class Design>
 void expect_failure_explained(const Variant<Design>& variant) {
-  const Bench<Design>& bench = variant.bench();
+  const Bench<Design>& bench = *variant.bench;
   std::optional<Mismatch> found;
   for (std::uint64_t i = 0; i < kCases && !found; ++i) {
     found = bench.run_hostile({1, i, 1000}).mismatch;
   }
-  ASSERT_TRUE(found) << variant.what();
+  ASSERT_TRUE(found) << variant.what;
 
   const Folder temporary;
   const std::clock_t began = std::clock();
@@ -136,8 +136,8 @@ struct Subject {
 template <class Design>
 void add_subjects(std::vector<Subject>& all) {
   for (const auto& v : variants<Design>()) {
-    if (!v->name().starts_with("faults/") && !v->name().starts_with("errata/")) continue;
-    std::string name = Design::name + ("_" + v->name());
+    if (!v.name.starts_with("faults/") && !v.name.starts_with("errata/")) continue;
+    std::string name = Design::name + ("_" + v.name);
     std::replace(name.begin(), name.end(), '/', '_');
     all.push_back({name, [&v] { expect_failure_explained(*v); }});
   }
@@ -166,9 +166,9 @@ TEST(Planted, AreAsManyAndShrinkAsFarAsTheReadmeSays) {
 
 Mismatch a_mismatch() {
   for (const auto& v : variants<circular::Design>()) {
-    if (!v->name().starts_with("faults/")) continue;
+    if (!v.name.starts_with("faults/")) continue;
     for (std::uint64_t i = 0; i < kCases; ++i) {
-      if (auto found = v->bench().run_hostile({1, i, 1000}).mismatch) return *found;
+      if (auto found = v.bench->run_hostile({1, i, 1000}).mismatch) return *found;
     }
   }
   throw std::runtime_error("no planted fault is found");

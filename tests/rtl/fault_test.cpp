@@ -34,29 +34,29 @@ void expect_fault_found(const Variant<Design>& variant) {
   std::uint64_t clocks = 0;
   for (std::uint64_t i = 0; i < kCases; ++i) {
     const HostileCase c{kSeed, i, kClocks};
-    const Run run = variant.bench().run_hostile(c);
+    const Run run = variant.bench->run_hostile(c);
     clocks += run.clocks;
-    const auto script = hostile_script<Design>(variant.bench().params(), c);
+    const auto script = hostile_script<Design>(variant.bench->params(), c);
     const auto first = straight_run(variant, script, c.power_up());
-    ASSERT_EQ(reported(run), first) << variant.what() << "\ncase " << i;
-    ASSERT_EQ(run.clocks, first ? first->clock + 1 : kClocks) << variant.what() << "\ncase " << i;
+    ASSERT_EQ(reported(run), first) << variant.what << "\ncase " << i;
+    ASSERT_EQ(run.clocks, first ? first->clock + 1 : kClocks) << variant.what << "\ncase " << i;
     if (first) {
       testing::Test::RecordProperty("clocks", std::to_string(clocks));
       testing::Test::RecordProperty("signal", first->signal);
       return;
     }
   }
-  ADD_FAILURE() << variant.what() << "\nnot found in " << clocks << " clocks";
+  ADD_FAILURE() << variant.what << "\nnot found in " << clocks << " clocks";
 }
 
 template <class Design>
 void expect_nothing_found(const Variant<Design>& variant) {
   for (std::uint64_t i = 0; i < kCases; ++i) {
     const HostileCase c{kSeed, i, kClocks};
-    const Run run = variant.bench().run_hostile(c);
+    const Run run = variant.bench->run_hostile(c);
     ASSERT_FALSE(run.mismatch) << explain(*run.mismatch) << "case " << i;
     ASSERT_EQ(run.clocks, kClocks);
-    const auto script = hostile_script<Design>(variant.bench().params(), c);
+    const auto script = hostile_script<Design>(variant.bench->params(), c);
     ASSERT_EQ(straight_run(variant, script, c.power_up()), std::nullopt) << "case " << i;
   }
 }
@@ -72,10 +72,10 @@ template <class Design>
 void add_subjects(std::vector<Subject>& all, const std::string& kind,
                   void (*check)(const Variant<Design>&)) {
   for (const auto& v : variants<Design>()) {
-    if (!v->name().starts_with(kind + "/")) continue;
+    if (!v.name.starts_with(kind + "/")) continue;
     std::string name = Design::name;
-    for (const Parameter& p : v->bench().parameters()) name += p.name + std::to_string(p.value);
-    if (kind != "shipped") name += "_" + v->name().substr(kind.size() + 1);
+    for (const Parameter& p : v.bench->parameters()) name += p.name + std::to_string(p.value);
+    if (kind != "shipped") name += "_" + v.name.substr(kind.size() + 1);
     all.push_back({name, [&v, check] { check(*v); }});
   }
 }
@@ -107,8 +107,8 @@ void expect_enough() {
   std::set<std::string> shipped;
   std::map<std::string, int> planted;
   for (const auto& v : variants<Design>()) {
-    if (v->name().starts_with("shipped/")) shipped.insert(v->bench().title());
-    if (v->name().starts_with("faults/")) ++planted[v->bench().title()];
+    if (v.name.starts_with("shipped/")) shipped.insert(v.bench->title());
+    if (v.name.starts_with("faults/")) ++planted[v.bench->title()];
   }
   int all = 0;
   for (const auto& [title, count] : planted) {

@@ -51,13 +51,13 @@ template <class Design>
 void expect_proved() {
   int proved = 0;
   for (const auto& v : variants<Design>()) {
-    if (!v->name().starts_with("shipped/") || is_built(v->bench())) continue;
-    const proof::MachineFormula formula = proof::formula<Design>(v->bench().params());
-    const proof::Rtl rtl = rtl_of(Design::name, v->name(), v->bench());
+    if (!v.name.starts_with("shipped/") || is_built(*v.bench)) continue;
+    const proof::MachineFormula formula = proof::formula<Design>(v.bench->params());
+    const proof::Rtl rtl = rtl_of(Design::name, v.name, *v.bench);
     const proof::Claim claims[] = {claim_clear(formula, rtl), claim_step(formula, rtl),
                                    claim_cases(formula, rtl)};
     const auto decided = proof::decide({&claims[0], &claims[1], &claims[2]}, kLimit, 1);
-    for (const auto& d : decided) EXPECT_TRUE(d.proved) << v->name() << ": " << d.verdict;
+    for (const auto& d : decided) EXPECT_TRUE(d.proved) << v.name << ": " << d.verdict;
     ++proved;
   }
   EXPECT_GT(proved, 0);

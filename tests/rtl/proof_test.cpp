@@ -64,8 +64,8 @@ bool wanted(const std::string& variant) {
 template <class Design>
 void add_subjects(std::vector<Subject>& all) {
   for (const auto& v : variants<Design>()) {
-    if (!wanted(v->name())) continue;
-    Subject s{Design::name, v->name(), v->what(), &v->bench(), nullptr};
+    if (!wanted(v.name)) continue;
+    Subject s{Design::name, v.name, v.what, v.bench.get(), nullptr};
     for (const auto& b : benches()) {
       if (b->title() == s.bench->title()) s.shipped = b.get();
     }

@@ -30,7 +30,7 @@ using Record = std::vector<Shown<Design>>;
 template <class Design>
 Record<Design> play(const Variant<Design>& variant, const Script<Design>& script,
                     std::uint32_t power_up = 1) {
-  const auto machine = variant.machine(power_up);
+  const auto machine = variant.bench->dut(power_up);
   machine->drive(Design::clear());
   machine->eval(false);
   machine->eval(true);
@@ -99,7 +99,7 @@ std::optional<Difference> first_difference(const typename Design::Params& p,
 template <class Design>
 std::optional<Difference> straight_run(const Variant<Design>& variant, const Script<Design>& script,
                                        std::uint32_t power_up = 1) {
-  const auto p = variant.bench().params();
+  const auto p = variant.bench->params();
   return first_difference<Design>(p, predict<Design>(p, script), play(variant, script, power_up));
 }
 
@@ -110,24 +110,32 @@ inline std::optional<Difference> reported(const Run& run) {
                     run.mismatch->actual};
 }
 
+template <class Design>
+Stimulus stimulus_of(const Script<Design>& script) {
+  Stimulus stimulus;
+  stimulus.power_up = 1;
+  for (const auto& in : script) detail::add_inputs(stimulus, in);
+  return stimulus;
+}
+
 /// Expects lockstep and the straight run to find `first` on these inputs, and lockstep to stop
 /// there.
 template <class Design>
 void expect_found(const Variant<Design>& variant, const Script<Design>& script,
                   const Difference& first) {
-  const Run run = variant.run_inputs(script, 1);
-  EXPECT_EQ(reported(run), first) << variant.what();
-  EXPECT_EQ(run.clocks, first.clock + 1) << variant.what();
-  EXPECT_EQ(straight_run(variant, script), first) << variant.what();
+  const Run run = variant.bench->replay(stimulus_of<Design>(script));
+  EXPECT_EQ(reported(run), first) << variant.what;
+  EXPECT_EQ(run.clocks, first.clock + 1) << variant.what;
+  EXPECT_EQ(straight_run(variant, script), first) << variant.what;
 }
 
 /// Expects lockstep and the straight run to find nothing on any of these inputs.
 template <class Design>
 void expect_same(const Variant<Design>& variant, const Script<Design>& script) {
-  const Run run = variant.run_inputs(script, 1);
-  EXPECT_EQ(reported(run), std::nullopt) << variant.what();
-  EXPECT_EQ(run.clocks, script.size()) << variant.what();
-  EXPECT_EQ(straight_run(variant, script), std::nullopt) << variant.what();
+  const Run run = variant.bench->replay(stimulus_of<Design>(script));
+  EXPECT_EQ(reported(run), std::nullopt) << variant.what;
+  EXPECT_EQ(run.clocks, script.size()) << variant.what;
+  EXPECT_EQ(straight_run(variant, script), std::nullopt) << variant.what;
 }
 
 }  // namespace cosim::test

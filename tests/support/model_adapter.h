@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "tb/bench.h"
+#include "tb/design_bench.h"
 
 namespace cosim::test {
 

@@ -1,0 +1,7 @@
+#include "tb/designs/dda/bench.h"
+
+namespace cosim {
+
+template class DesignBench<dda::Design>;
+
+}  // namespace cosim

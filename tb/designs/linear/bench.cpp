@@ -1,0 +1,7 @@
+#include "tb/designs/linear/bench.h"
+
+namespace cosim {
+
+template class DesignBench<linear::Design>;
+
+}  // namespace cosim

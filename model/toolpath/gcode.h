@@ -36,6 +36,7 @@ struct Program {
   std::string name;                    ///< stands in later errors, as the file's name
   std::vector<Motion> motions;         ///< in order; motion i is segment i + 1
   std::uint64_t lines = 0;             ///< lines read, up to the end of the program
+  std::uint64_t lines_unread = 0;      ///< behind it; blank lines, comments and `%` do not count
   std::uint64_t blocks = 0;            ///< lines with a word
   std::uint64_t other_axis_moves = 0;  ///< blocks that move Z, A, B, C, U, V or W: not drawn
 };

@@ -70,8 +70,7 @@ inline constexpr std::size_t max_motions = 1'000'000;
 ///    ever set.
 ///  - M2, M30 and the closing `%` end the program; what follows is counted, not read.
 /// InputError "name:line:column: what" for all else that codes.h, block.h and conditions.h do not
-/// take, a
-/// program without a motion, one with more than max_motions, a coordinate beyond 1e9 mm.
+/// take, a program without a motion, one with more than max_motions, a coordinate beyond 1e9 mm.
 /// Linear in the length of the text.
 Program read_gcode(std::string_view text, const std::string& name);
 

@@ -116,13 +116,18 @@ Token Lexer::word() {
 }
 
 // A letter that no number follows, or a letter of another alphabet: nothing that a control which
-// has no messages would take for a word.
+// has no messages would take for a word, `X=5` and `CR=5` of Siemens' included.
 bool Lexer::at_message() const {
   if (at_line_end()) return false;
-  if (static_cast<unsigned char>(text_[at_]) >= 0x80) return true;
-  if (!is_upper(text_[at_]) && !is_lower(text_[at_])) return false;
-  const std::size_t next = text_.find_first_not_of(" \t", at_ + 1);
-  return next == text_.npos || std::string_view("0123456789+-.#[").find(text_[next]) == text_.npos;
+  const char first = text_[at_];
+  const bool foreign = static_cast<unsigned char>(first) >= 0x80;
+  if (!foreign && !is_upper(first) && !is_lower(first)) return false;
+  const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
+  const std::string_view rest = text_.substr(at_, end - at_);
+  if (rest.find_first_of("=#[") != rest.npos) return false;
+  const std::size_t next = rest.find_first_not_of(" \t", 1);
+  return foreign || next == rest.npos ||
+         std::string_view("0123456789+-.(").find(rest[next]) == std::string_view::npos;
 }
 
 Token Lexer::block_delete() {

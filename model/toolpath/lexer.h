@@ -26,8 +26,9 @@ struct Token {
 ///  - `%` at the start of a line before any word opens the program, with nothing but a number and
 ///    a comment behind it; any other one ends it, and what follows the end is not read.
 ///  - A program number, `O1000` or `:1000`, may stand before the first word, alone on its line.
-///  - Behind M0, M1, M117 and M118 a text that does not begin with a word is a message to the
-///    person at the machine, up to the line's end: `M117 Hello`.
+///  - Behind M0, M1, M117 and M118 a text that does not begin with a word and is free of `=`, `#`
+///    and `[` is a message to the person at the machine, up to the line's end: `M117 Hello`, as
+///    Marlin has it. A control without messages refuses such a line, so it can be no move.
 ///  - `/` at the start of a line, with or without a digit from 1 to 9, is a token of its own.
 ///  - A UTF-8 byte order mark at the head of the text is skipped.
 /// Everything else is an InputError: parameters, expressions, checksums, subprograms, other bytes,

@@ -107,6 +107,7 @@ TEST(Lexer, RefusesWithThePlace) {
             "p.ngc:1:7: a comment within a comment: controls disagree on where it ends");
   EXPECT_EQ(error("((b) G1 X5) Y1"),
             "p.ngc:1:2: a comment within a comment: controls disagree on where it ends");
+  EXPECT_EQ(error("M0 CR=5 X1"), "p.ngc:1:4: C needs a number");
   EXPECT_EQ(error("M117 X[5]"), "p.ngc:1:7: expressions ('[') are not supported");
   EXPECT_EQ(error("X1 \xc3\xa9"), "p.ngc:1:4: unexpected byte 0xc3");
   EXPECT_EQ(error(std::string_view("X1\nX\0002", 6)), "p.ngc:2:1: X needs a number");

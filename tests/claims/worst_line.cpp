@@ -2,25 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 #include "model/linear/oracle.h"
 
 namespace cosim::claims {
 
 namespace {
-
-struct Candidate {
-  std::int64_t major = 0;
-  linear::Code code = 0;
-  double deviation = 0;
-};
-
-// Of the line that the code draws, by the best code for it.
-double deviation_of(int m, std::int64_t major, linear::Code code) {
-  const std::int64_t minor = linear::minor_steps(m, major, code);
-  return linear::max_deviation(m, major, linear::best_code(m, major, minor)).value();
-}
 
 constexpr int head_bits = 5, tail_bits = 3;
 
@@ -31,53 +18,6 @@ std::uint64_t pattern(int m, std::uint64_t ends, bool odd) {
   const std::uint64_t tail = ends & ((1U << tail_bits) - 1);
   const std::uint64_t head = ends >> tail_bits << (m - head_bits);
   return head | tail | (middle & (0x5555555555555555U << (odd ? 1 : 0)));
-}
-
-std::vector<Candidate> starts(int m) {
-  constexpr std::uint64_t ends = 1U << (head_bits + tail_bits);
-  constexpr std::size_t kept = 24;
-  std::vector<Candidate> all;
-  for (std::uint64_t b = ends / 2; b < ends; ++b) {  // the first bit of BP is 1
-    for (std::uint64_t c = 0; c < ends; ++c) {
-      for (const int odd : {0, 1, 2, 3}) {
-        const auto major = static_cast<std::int64_t>(pattern(m, b, (odd & 1) != 0));
-        const linear::Code code = pattern(m, c, (odd & 2) != 0);
-        all.push_back({major, code, deviation_of(m, major, code)});
-      }
-    }
-  }
-  std::partial_sort(all.begin(), all.begin() + kept, all.end(),
-                    [](const auto& x, const auto& y) { return x.deviation > y.deviation; });
-  all.resize(kept);
-  return all;
-}
-
-// Bits 0 .. m - 1 are those of BP, the next m those of the code; 2 m is none, so that one bit is
-// flipped.
-Candidate flipped(int m, const Candidate& from, int i, int j) {
-  Candidate to = from;
-  for (const int bit : {i, j}) {
-    if (bit == 2 * m) continue;
-    if (bit < m) {
-      to.major ^= std::int64_t{1} << bit;
-    } else {
-      to.code ^= linear::Code{1} << (bit - m);
-    }
-  }
-  to.deviation = deviation_of(m, to.major, to.code);
-  return to;
-}
-
-Candidate climbed(int m, Candidate at) {
-  for (Candidate best = at;; at = best) {
-    for (int i = 0; i < 2 * m; ++i) {
-      for (int j = i + 1; j <= 2 * m; ++j) {
-        const Candidate to = flipped(m, at, i, j);
-        if (to.deviation > best.deviation) best = to;
-      }
-    }
-    if (best.deviation == at.deviation) return at;
-  }
 }
 
 }  // namespace
@@ -107,13 +47,20 @@ double walked_deviation(int m, const WorstLine& line) {
 }
 
 WorstLine worst_found(int m) {
-  Candidate best;
-  for (const Candidate& start : starts(m)) {
-    const Candidate top = climbed(m, start);
-    if (top.deviation > best.deviation) best = top;
+  constexpr std::uint64_t ends = 1U << (head_bits + tail_bits);
+  WorstLine worst;
+  for (std::uint64_t b = ends / 2; b < ends; ++b) {  // the first bit of BP is 1
+    for (std::uint64_t c = 0; c < ends; ++c) {
+      for (const int odd : {0, 1, 2, 3}) {
+        const auto major = static_cast<std::int64_t>(pattern(m, b, (odd & 1) != 0));
+        const std::int64_t minor = linear::minor_steps(m, major, pattern(m, c, (odd & 2) != 0));
+        const linear::Code code = linear::best_code(m, major, minor);
+        const double deviation = linear::max_deviation(m, major, code).value();
+        if (deviation > worst.deviation) worst = {major, code, deviation};
+      }
+    }
   }
-  const std::int64_t minor = linear::minor_steps(m, best.major, best.code);
-  return {best.major, linear::best_code(m, best.major, minor), best.deviation};
+  return worst;
 }
 
 }  // namespace cosim::claims

@@ -21,7 +21,7 @@ double walked_deviation(int m, const WorstLine& line);
 /// position q is the sum over the bits a_i of the code of a_i (r_i(q) - q / BP * r_i(BP)), where
 /// r_i(x) = floor(x / 2^i + 1/2) - x / 2^i. It is large where r_i(q) and r_i(BP) are near 1/3 and
 /// of different signs for every other i, which makes BP and the code 0101... but for their ends. So
-/// the search takes every head of 5 bits and tail of 3 around such a middle. Flipping any one or two
+/// the search takes every head of 5 bits and tail of 3 around such a middle. Flipping one or two
 /// bits of what it finds makes it no worse.
 WorstLine worst_found(int m);
 

@@ -22,7 +22,8 @@ double walked_deviation(int m, const WorstLine& line);
 /// r_i(x) = floor(x / 2^i + 1/2) - x / 2^i. It is large where r_i(q) and r_i(BP) are near 1/3 and
 /// of different signs for every other i, which makes BP and the code 0101... but for their ends. So
 /// the search takes every head of 5 bits and tail of 3 around such a middle. Flipping one or two
-/// bits of what it finds makes it no worse, and all lines of 16 bits, tried once, have no worse one.
+/// bits of what it finds makes it no worse, and all lines of 16 bits, tried once, have no worse
+/// one.
 WorstLine worst_found(int m);
 
 }  // namespace cosim::claims

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "model/toolpath/arc_geometry.h"
 #include "model/toolpath/block.h"
+#include "model/toolpath/conditions.h"
 
 namespace cosim::toolpath {
 
@@ -25,6 +27,7 @@ class Reader {
  public:
   Reader(std::string_view text, const std::string& name) : lexer_(text, name) {
     program_.name = name;
+    others_.fill(0);
   }
 
   Program read() {
@@ -38,6 +41,7 @@ class Reader {
       if (program_.motions.empty()) {
         fail(program_.name, block.place, "the program ends without a motion in X or Y");
       }
+      program_.lines_unread = lexer_.lines_left();
       return std::move(program_);
     }
   }
@@ -45,6 +49,11 @@ class Reader {
  private:
   void execute(const Block& block);
   void set_modes(const Block& block);
+  void check_moves(const Block& block) const;
+  bool leaves_xy(const Block& block);
+  void move_to_stored(const Block& block);
+  void move_in_machine(const Block& block);
+  void set_offsets(const Block& block);
   void move_other_axes(const Block& block);
   void move_xy(const Block& block);
   void trace_arc(const Block& block, Position target, Motion& motion);
@@ -57,7 +66,8 @@ class Reader {
   Lexer lexer_;
   Program program_;
   Position position_;
-  std::array<std::int64_t, other_axes.size()> others_{};
+  // None where the place is the machine's.
+  std::array<std::optional<std::int64_t>, other_axes.size()> others_;
   int motion_mode_ = no_motion_mode;
   bool inches_ = false;
   bool incremental_ = false;
@@ -65,28 +75,109 @@ class Reader {
 
 void Reader::execute(const Block& block) {
   ++program_.blocks;
+  check_conditions(block, program_.name);
   set_modes(block);
-  const Token* xy = block.first_of("XY");
-  const Token* other = block.first_of(other_axes);
-  const Token* arc = block.first_of("IJR");
+  if (leaves_xy(block)) return;
+  check_moves(block);
+  move_other_axes(block);
   const bool arc_mode = motion_mode_ == 20 || motion_mode_ == 30;
-  if (const Token* moves = xy ? xy : other) {
-    if (block.code(Group::non_modal) == 40) {
-      fail_at(*moves, std::string(1, moves->letter) + " beside G4 is either a move or a time");
-    }
-    if (motion_mode_ == no_motion_mode) {
-      fail_at(*moves, std::string(1, moves->letter) + " without a motion mode: G0, G1, G2 or G3");
-    }
+  if (block.first_of("XYIJKR") || (arc_mode && block.first_of(other_axes))) move_xy(block);
+}
+
+void Reader::check_moves(const Block& block) const {
+  const Token* xy = block.first_of("XY");
+  const Token* moves = xy ? xy : block.first_of(other_axes);
+  if (moves && motion_mode_ == no_motion_mode) {
+    fail_at(*moves, std::string(1, moves->letter) + " without a motion mode: G0, G1, G2 or G3");
   }
-  if (arc && !arc_mode) {
+  const Token* arc = block.first_of("IJKR");
+  if (arc && motion_mode_ != 20 && motion_mode_ != 30) {
     fail_at(*arc, std::string(1, arc->letter) + " outside of an arc: it needs G2 or G3");
   }
-  move_other_axes(block);
-  if (xy || arc || (other && arc_mode)) move_xy(block);
+}
+
+// Whether the block's G code takes its axis words, and has left X and Y where they are.
+bool Reader::leaves_xy(const Block& block) {
+  const int look_ahead = block.code(Group::look_ahead);
+  if (look_ahead == 50 || look_ahead == 51) return true;
+  switch (block.code(Group::non_modal)) {
+    case 280:
+    case 300:
+      move_to_stored(block);
+      return true;
+    case 530:
+      move_in_machine(block);
+      return true;
+    case 100:
+    case 520:
+    case 920:
+      set_offsets(block);
+      return true;
+    default:
+      return false;
+  }
+}
+
+// G28 and G30 move the axes they name, and all of them where they name none.
+void Reader::move_to_stored(const Block& block) {
+  const std::string code = code_name('G', block.code(Group::non_modal));
+  if (const Token* word = block.first_of("XYIJKR")) {
+    fail_at(*word, std::string(1, word->letter) + " beside " + code +
+                       " is not supported: moves to stored positions are not drawn");
+  }
+  if (!block.first_of(other_axes)) {
+    fail(program_.name, block.place_of(Group::non_modal),
+         code + " without axis words is not supported: moves to stored positions are not drawn");
+  }
+  move_in_machine(block);
+}
+
+void Reader::move_in_machine(const Block& block) {
+  if (const Token* word = block.first_of("XYIJKR")) {
+    fail_at(*word, std::string(1, word->letter) +
+                       " beside G53 is not supported: moves in machine coordinates are not drawn");
+  }
+  bool moved = false;
+  for (std::size_t i = 0; i < other_axes.size(); ++i) {
+    if (!block.word(other_axes[i])) continue;
+    others_[i].reset();
+    moved = true;
+  }
+  program_.other_axis_moves += moved ? 1 : 0;
+}
+
+// G10, G52 and G92. Where they leave the coordinates of X and Y what they are, the path stays.
+void Reader::set_offsets(const Block& block) {
+  const int code = block.code(Group::non_modal);
+  const auto refuse = [&](Place place) {
+    fail(program_.name, place,
+         code_name('G', code) +
+             " is not supported here: it sets offsets that would change the path");
+  };
+  const Token* l = block.word('L');
+  const bool here = code == 920 || (l && l->value == 20);  // the words are the present position's
+  if (code == 100 && !(l && (l->value == 2 || l->value == 20)))
+    refuse(block.place_of(Group::non_modal));
+  if (const Token* word = block.first_of("IJKR")) refuse(word->place);
+  if (!block.first_of(axes) && !block.word('S')) refuse(block.place_of(Group::non_modal));
+  for (const char axis : {'X', 'Y'}) {
+    const Token* word = block.word(axis);
+    if (!word) continue;
+    const std::int64_t stays = !here ? 0 : axis == 'X' ? position_.x : position_.y;
+    const bool absolute = code == 100 && !here;  // the place of an origin on the machine
+    if (absolute || in_pm(*word) != stays) refuse(word->place);
+  }
+  for (std::size_t i = 0; i < other_axes.size(); ++i) {
+    const Token* word = block.word(other_axes[i]);
+    if (!word) continue;
+    others_[i].reset();
+    if (here) others_[i] = in_pm(*word);
+  }
 }
 
 void Reader::set_modes(const Block& block) {
-  if (block.code(Group::units) >= 0) inches_ = block.code(Group::units) == 200;
+  const int units = block.code(Group::units);
+  if (units >= 0) inches_ = units == 200 || units == 700;
   if (block.code(Group::distance) >= 0) incremental_ = block.code(Group::distance) == 910;
   if (block.code(Group::motion) >= 0) motion_mode_ = block.code(Group::motion);
 }
@@ -112,9 +203,15 @@ std::int64_t Reader::target(const Token* word, std::int64_t present) const {
 void Reader::move_other_axes(const Block& block) {
   bool moved = false;
   for (std::size_t i = 0; i < other_axes.size(); ++i) {
-    const std::int64_t reached = target(block.word(other_axes[i]), others_[i]);
-    moved |= reached != others_[i];
-    others_[i] = reached;
+    const Token* word = block.word(other_axes[i]);
+    if (!word) continue;
+    const std::int64_t reached = target(word, others_[i].value_or(0));
+    if (!others_[i] && incremental_) {
+      moved |= word->value != 0;
+    } else {
+      moved |= others_[i] != reached;
+      others_[i] = reached;
+    }
   }
   program_.other_axis_moves += moved ? 1 : 0;
 }
@@ -157,7 +254,8 @@ void Reader::trace_arc(const Block& block, Position end, Motion& motion) {
   const Token* offset = block.first_of("IJ");
   const std::string code = motion.kind == MotionKind::arc_cw ? "G2" : "G3";
   const Token* turns = block.word('P');
-  if (turns) fail_at(*turns, "P (turns) in an arc is not supported");
+  if (turns && turns->value != 1)
+    fail_at(*turns, "P other than 1 (turns) in an arc is not supported");
   if (r && offset) fail_at(*r, "R beside I or J in an arc");
   if (!r && !offset) fail(program_.name, motion.place, code + " needs a radius: I, J or R");
 

@@ -1,8 +1,10 @@
 #include "model/toolpath/lexer.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cstdio>
+#include <optional>
 #include <system_error>
 
 namespace cosim::toolpath {
@@ -40,14 +42,20 @@ Token Lexer::next() {
     const char c = text_[at_];
     if (c == '%' && line_blank_) {
       ended_ = opened_;
-      opened_ = opening_line_ = true;
+      opened_ = true;
+      alone_ = "the '%' that opens the program";
       ++at_;
+      while (!ended_ && !at_end() && is_digit(text_[at_])) ++at_;
     } else if (c == '(') {
       skip_comment();
     } else if (c == ';') {
       skip_rest_of_line();
-    } else if (opening_line_) {
-      fail(name_, here(), "the '%' that opens the program stands alone on its line");
+    } else if (!alone_.empty()) {
+      fail(name_, here(), std::string(alone_) + " stands alone on its line");
+    } else if (c == ':' || c == 'O' || c == 'o') {
+      program_number();
+    } else if (c == '/' && line_blank_) {
+      return block_delete();
     } else if (is_upper(c) || is_lower(c)) {
       return word();
     } else {
@@ -63,12 +71,18 @@ void Lexer::skip_blanks() {
 
 void Lexer::skip_comment() {
   const Place opened = here();
-  while (!at_line_end() && text_[at_] != ')') {
+  std::optional<Place> inner;
+  for (++at_; !at_line_end() && text_[at_] != ')'; ++at_) {
     if (text_[at_] == '\0') refuse('\0');
-    ++at_;
+    if (text_[at_] == '(' && !inner) inner = here();
   }
   if (at_line_end()) fail(name_, opened, "the comment is not closed on its line: ')' missing");
   ++at_;
+  if (!inner) return;
+  const std::size_t next = text_.find_first_of("();\r\n", at_);
+  if (next != text_.npos && text_[next] == ')') {
+    fail(name_, *inner, "a comment within a comment: controls disagree on where it ends");
+  }
 }
 
 void Lexer::skip_rest_of_line() {
@@ -84,7 +98,7 @@ Token Lexer::end_line() {
   line_start_ = at_;
   ++line_;
   line_blank_ = true;
-  opening_line_ = false;
+  alone_ = {};
   return token;
 }
 
@@ -93,9 +107,68 @@ Token Lexer::word() {
   const char c = text_[at_++];
   const char letter = is_lower(c) ? static_cast<char>(c - 'a' + 'A') : c;
   line_blank_ = false;
-  opened_ = true;
-  if (letter == 'O') fail(name_, place, "O-words (subprograms and flow control) are not supported");
-  return {Token::Kind::word, letter, number(letter, place), place};
+  opened_ = begun_ = true;
+  const double value = number(letter, place);
+  if (letter == 'M' && (value == 0 || value == 1 || value == 117 || value == 118) && at_message()) {
+    skip_rest_of_line();
+  }
+  return {Token::Kind::word, letter, value, place};
+}
+
+// A letter that no number follows, or a letter of another alphabet: nothing that a control which
+// has no messages would take for a word, `X=5` and `CR=5` of Siemens' included.
+bool Lexer::at_message() const {
+  if (at_line_end()) return false;
+  const char first = text_[at_];
+  const bool foreign = static_cast<unsigned char>(first) >= 0x80;
+  if (!foreign && !is_upper(first) && !is_lower(first)) return false;
+  const std::size_t end = std::min(text_.find_first_of("\r\n", at_), text_.size());
+  const std::string_view rest = text_.substr(at_, end - at_);
+  if (rest.find_first_of("=#[") != rest.npos) return false;
+  const std::size_t next = rest.find_first_not_of(" \t", 1);
+  return foreign || next == rest.npos ||
+         std::string_view("0123456789+-.(").find(rest[next]) == std::string_view::npos;
+}
+
+Token Lexer::block_delete() {
+  const Token token{Token::Kind::word, '/', 0, here()};
+  ++at_;
+  if (!at_end() && text_[at_] >= '1' && text_[at_] <= '9') ++at_;
+  line_blank_ = false;
+  opened_ = begun_ = true;
+  return token;
+}
+
+void Lexer::program_number() {
+  const Place place = here();
+  const bool colon = text_[at_] == ':';
+  const std::size_t digits = ++at_;
+  while (!at_end() && is_digit(text_[at_])) ++at_;
+  const bool numbered = at_ > digits;
+  skip_blanks();
+  const bool alone = at_line_end() || text_[at_] == '(' || text_[at_] == ';';
+  if (!colon && !(numbered && alone)) {
+    fail(name_, place, "O-words (subprograms and flow control) are not supported");
+  }
+  if (!numbered) fail(name_, place, "a program number needs digits");
+  if (begun_) fail(name_, place, "a program number stands before the first word");
+  alone_ = "the program number";
+  opened_ = begun_ = true;
+}
+
+std::uint64_t Lexer::lines_left() const {
+  std::uint64_t count = 0;
+  for (std::string_view rest = text_.substr(at_); !rest.empty();) {
+    const std::size_t end = std::min(rest.find_first_of("\r\n"), rest.size());
+    std::string_view line = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    const std::size_t first = line.find_first_not_of(" \t");
+    if (first == line.npos || line[first] == ';') continue;
+    line = line.substr(first, line.find_last_not_of(" \t") + 1 - first);
+    const bool comment = line[0] == '(' && line.find(')') == line.size() - 1;
+    count += !comment && line != "%" ? 1 : 0;
+  }
+  return count;
 }
 
 double Lexer::number(char letter, Place place) {
@@ -131,7 +204,7 @@ void Lexer::refuse(char c) const {
     case '\0':
       fail(name_, here(), "NUL byte: this is not a text file");
     case '/':
-      fail(name_, here(), "block delete '/' is not supported: a switch would set the path");
+      fail(name_, here(), "block delete '/' stands at the start of a line");
     case '#':
       fail(name_, here(), "parameters ('#') are not supported");
     case '[':

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <numbers>
 
 #include "model/core/input_error.h"
@@ -11,6 +12,15 @@
 namespace cosim::toolpath {
 
 namespace {
+
+// The largest coordinate that the errors of a segment are differences of.
+double magnitude(const Segment& s) {
+  std::int64_t most = 0;
+  for (const Point p : {s.start, s.end, s.centre}) {
+    most = std::max({most, std::abs(p.x), std::abs(p.y)});
+  }
+  return std::max(static_cast<double>(most), std::sqrt(static_cast<double>(s.radius2)));
+}
 
 class Planner {
  public:
@@ -54,6 +64,9 @@ void Planner::add(const Motion& motion) {
   add_line(position_, *target);
   position_ = *target;
   segment.pieces = plan_.pieces.size() - segment.first_piece;
+  // What the doubles' own rounding can make is no error of the grid.
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  if (segment.quantisation <= rounding * magnitude(segment)) segment.quantisation = 0;
   plan_.largest_closing = std::max(plan_.largest_closing, segment.closing);
   plan_.largest_quantisation = std::max(plan_.largest_quantisation, segment.quantisation);
   plan_.segments.push_back(segment);

@@ -25,7 +25,7 @@ struct Segment {
   /// from the exact ends (no point of it is further). Of an arc: that of the ends or, where it is
   /// more, of the circles - the distance of the centres plus the difference of the radii, the
   /// larger one where the exact ends have two radii. Of an arc drawn as a mere line: a bound. The
-  /// closing line is apart from this, in `closing`.
+  /// closing line is apart from this, in `closing`. 0 where it is no more than doubles round.
   double quantisation = 0;
 };
 

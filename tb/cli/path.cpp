@@ -54,6 +54,7 @@ std::string figures(const std::string& file, double scale, const toolpath::Progr
   json["lines"] = result.lines.cases;
   json["arcs"] = result.arcs.cases;
   json["other_axis_moves"] = program.other_axis_moves;
+  json["lines_unread"] = program.lines_unread;
   json["end"] = {result.end.x, result.end.y};
   json["machine_error"] = result.max_deviation();
   json["quantisation_error"] = plan.largest_quantisation;
@@ -112,6 +113,10 @@ int run(const Options& o) {
     fmt::print(", {} of other axes not drawn", count(program.other_axis_moves, "move"));
   }
   fmt::print("\n");
+  if (program.lines_unread != 0) {
+    fmt::print("{}: the program ends in line {}; {} behind it not read\n", one_line(file),
+               program.lines, count(program.lines_unread, "line"));
+  }
 
   PathRun path(lines, arcs, rule, static_cast<std::uint32_t>(seed));
   Series series;
@@ -166,7 +171,11 @@ void add_path(const Command& program) {
            "Draw the run as waveforms, one a machine: FILE.linear.fst, FILE.circular.fst");
   add_failures(command, o->common);
   add_common(command, o->common);
-  command.footer("Example: cosim path part.ngc --steps-per-mm 100 --csv path.csv");
+  command.footer(
+      "Each motion ends exactly on its target, rounded to the grid. On the way a line may be off\n"
+      "its course along the minor axis: by 2.1 steps where it has up to 255 of them, 4.7 up to\n"
+      "65535, 9.7 up to 4294967295; a step is 1/S mm.\n\n"
+      "Example: cosim path part.ngc --steps-per-mm 100 --csv path.csv");
   command.action([o] { return run(*o); });
 }
 

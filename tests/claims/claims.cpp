@@ -10,6 +10,7 @@
 #include "model/dda/oracle.h"
 #include "model/linear/control_code.h"
 #include "tb/compare/contest.h"
+#include "tests/claims/line_table.h"
 
 namespace cosim::compare {
 namespace {
@@ -256,7 +257,8 @@ int main() {
     worst_codes();
     claims_of_circles();
     claim_of_a_turn();
-    return status;
+    fmt::print("\n");
+    return cosim::claims::print_line_table() ? status : 1;
   } catch (const std::exception& error) {
     fmt::print(stderr, "claims: {}\n", error.what());
     return 1;

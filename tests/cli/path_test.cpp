@@ -155,6 +155,25 @@ TEST(Path, CountsTheBlocksThatMoveXOrY) {
       << d.ended.out;
 }
 
+TEST(Path, TellsWhatItDidNotRead) {
+  const Folder folder;
+  const auto said = [&](const std::string& text) {
+    const std::string file = folder.write("p.ngc", text);
+    const Drawing d = draw_path(file, "10");
+    const std::vector<std::string> out = lines(d.ended.out);
+    EXPECT_EQ(d.report["segments"], 1);
+    return std::make_pair(
+        out.size() > 1 && out[1].starts_with(file) ? out[1].substr(file.size()) : "",
+        d.report["lines_unread"].get<int>());
+  };
+  using Said = std::pair<std::string, int>;
+  EXPECT_EQ(said("G0 X1\nM30\nG0 X2\n\n(b)\nM30\n%\n"),
+            Said(": the program ends in line 2; 2 lines behind it not read", 2));
+  EXPECT_EQ(said("%\nG0 X1\n%\nG0 X2"),
+            Said(": the program ends in line 3; 1 line behind it not read", 1));
+  EXPECT_EQ(said("%\nG0 X1\nM2\n%\n"), Said("", 0));
+}
+
 TEST(Path, NamesTheMachinesItRunsOn) {
   const Folder folder;
   const std::string quarter =

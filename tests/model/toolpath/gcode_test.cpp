@@ -94,6 +94,32 @@ TEST(Gcode, TheProgramEndsAtM2M30AndPercent) {
   EXPECT_EQ(read("G0 X1\nM3\nX2").motions.size(), 2u);
 }
 
+TEST(Gcode, TellsHowManyLinesItDidNotRead) {
+  EXPECT_EQ(read("G0 X1\nM30\n%\n").lines_unread, 0u);
+  EXPECT_EQ(read("G0 X1\nM30\nG0 X2\n\nM30\n").lines_unread, 2u);
+  EXPECT_EQ(read("%\nG0 X1\n%\nO2\nG0 X2").lines_unread, 2u);
+}
+
+// G28, G53 and offsets of Z: X and Y stay, G91 holds on, G53 does not.
+TEST(Gcode, MovesOfOtherAxesToTheMachinesPlacesLeaveXAndY) {
+  const Program p = read("G0 X5\nG28 G91 Z0.\nX5\nG90 G53 G0 Z0.\nX4\nG2 G28 Z0\nG1 Z0\nX3");
+  ASSERT_EQ(p.motions.size(), 4u);
+  EXPECT_EQ(p.motions[1].end, (PointMm{10, 0}));
+  EXPECT_EQ(p.motions[2].end, (PointMm{4, 0}));
+  EXPECT_EQ(p.motions[3].end, (PointMm{3, 0}));
+  EXPECT_EQ(p.other_axis_moves, 4u);  // where G28 left Z is not known: a move to 0
+  EXPECT_EQ(read("G92 Z5\nG0 X2 Z5").other_axis_moves, 0u);
+}
+
+TEST(Gcode, OffsetsThatShiftNothing) {
+  for (const char* text :
+       {"G92 X0 Y0 Z0", "G92 S5000", "G92.1", "G92.2", "G52 X0 Y0 Z5", "G10 L20 P1 X0 Y0 Z0",
+        "G10 L2 P1 Z-5", "G10 P0 L20 X0", "G53", "G28 Z0", "G90 G30 Z0 A0"}) {
+    EXPECT_EQ(read(text + std::string("\nG0 X1 Y2")).motions.back().end, (PointMm{1, 2})) << text;
+  }
+  EXPECT_EQ(read("G20 G0 X1\nG21 G92 X25.4\nX2").motions.back().end, (PointMm{2, 0}));
+}
+
 TEST(Gcode, ArcsByTheirCentre) {
   Motion m = last_of("G0 X10\nG3 X0 Y10 I-10");
   EXPECT_EQ(m.kind, MotionKind::arc_ccw);

@@ -51,7 +51,28 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"\xef\xbb\xbfX1", "X1@1:1 "}, Case{"%\nX1\n%\nX2", "| X1@2:1 | "},
                     Case{" % (flange) ; 1\nX1\n", "| X1@2:1 | "}, Case{"X1\n%\nX2", "X1@1:1 | "},
                     Case{"; head\n%\nX1", "| | X1@3:1 "}, Case{"%\n%\nX1", "| "},
-                    Case{"X00012.50", "X12.5@1:1 "}));
+                    Case{"X00012.50", "X12.5@1:1 "}, Case{"%00001\nX1\n%", "| X1@2:1 | "},
+                    Case{"%\nO1000 (name)\nX1", "| | X1@3:1 "}, Case{":1001\nX1", "| X1@2:1 "},
+                    Case{"O1\n%\nX1", "| "}, Case{"/X1", "/0@1:1 X1@1:2 "},
+                    Case{"/2 M8", "/0@1:1 M8@1:4 "}, Case{"( ( ) X1 (b)", "X1@1:7 "},
+                    Case{"M117 Hello; X5\nX1", "M117@1:1 | X1@2:1 "},
+                    Case{"M0 \xc3\x9c (x", "M0@1:1 "}, Case{"M117", "M117@1:1 "},
+                    Case{"M117 X 5", "M117@1:1 X5@1:6 "}));
+
+TEST(Lexer, CountsTheLinesLeft) {
+  const auto left = [](std::string_view text) {
+    Lexer lexer(text, "p.ngc");
+    Token token;
+    do {
+      token = lexer.next();
+    } while (token.kind == Token::Kind::word);
+    return lexer.lines_left();
+  };
+  EXPECT_EQ(left("M30"), 0u);
+  EXPECT_EQ(left("M30\n%\n"), 0u);
+  EXPECT_EQ(left("M30\r\n\r\n \t\r\n(end) \r\n; end\r\n % "), 0u);
+  EXPECT_EQ(left("M30\n%\nO2\r\nG0 X1\r(a) X2\n(a)(b) M30\n%"), 4u);
+}
 
 TEST(Lexer, RefusesWithThePlace) {
   const auto error = [](std::string_view text) { return error_of([&] { words(text); }); };
@@ -77,8 +98,17 @@ TEST(Lexer, RefusesWithThePlace) {
   EXPECT_EQ(error("o<a> call"),
             "p.ngc:1:1: O-words (subprograms and flow control) are not supported");
   EXPECT_EQ(error("N1 G0*57"), "p.ngc:1:6: checksums and expressions ('*') are not supported");
-  EXPECT_EQ(error("\n/ X1"),
-            "p.ngc:2:1: block delete '/' is not supported: a switch would set the path");
+  EXPECT_EQ(error("\n:X1"), "p.ngc:2:1: a program number needs digits");
+  EXPECT_EQ(error(":1 X1"), "p.ngc:1:4: the program number stands alone on its line");
+  EXPECT_EQ(error("O1\nO2"), "p.ngc:2:1: a program number stands before the first word");
+  EXPECT_EQ(error("X1\n:2"), "p.ngc:2:1: a program number stands before the first word");
+  EXPECT_EQ(error("%12 X1"), "p.ngc:1:5: the '%' that opens the program stands alone on its line");
+  EXPECT_EQ(error("X1 (a (b) c)"),
+            "p.ngc:1:7: a comment within a comment: controls disagree on where it ends");
+  EXPECT_EQ(error("((b) G1 X5) Y1"),
+            "p.ngc:1:2: a comment within a comment: controls disagree on where it ends");
+  EXPECT_EQ(error("M0 CR=5 X1"), "p.ngc:1:4: C needs a number");
+  EXPECT_EQ(error("M117 X[5]"), "p.ngc:1:7: expressions ('[') are not supported");
   EXPECT_EQ(error("X1 \xc3\xa9"), "p.ngc:1:4: unexpected byte 0xc3");
   EXPECT_EQ(error(std::string_view("X1\nX\0002", 6)), "p.ngc:2:1: X needs a number");
   EXPECT_EQ(error(std::string_view("\0X1", 3)), "p.ngc:1:1: NUL byte: this is not a text file");

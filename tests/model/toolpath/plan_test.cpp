@@ -37,6 +37,19 @@ TEST(Plan, TargetsAreQuantisedAbsolutely) {
   }
 }
 
+// Each target and centre is a grid point, though hardly one of these products is exact in doubles.
+TEST(Plan, WhatLiesOnTheGridHasNoQuantisationError) {
+  const Program p = read(
+      "G0 X10.1 Y3.3\nG1 X20.7 Y8.9\nG3 X20.7 Y18.9 J5\nG2 X30.7 Y28.9 R10\n"
+      "G1 X-1234.7 Y.1\nG2 I.7\n");
+  for (const double scale : {10.0, 100.0, 1e4, 1e5}) {
+    EXPECT_EQ(plan(p, scale).largest_quantisation, 0) << scale;
+  }
+  EXPECT_EQ(plan(read("G0 X10 Y20\nG3 X0 Y30 I-10"), 80.7).largest_quantisation, 0);
+  // Far out, what the program says is still seen.
+  EXPECT_GT(plan(read("G0 X1.000000003"), 1e8).largest_quantisation, 0.29);
+}
+
 TEST(Plan, SubStepMotionsCountAndNeedNoPiece) {
   const Plan p = plan(read("G0 X5\nX5.2\nX5.4\nX6"), 1);
   ASSERT_EQ(p.segments.size(), 4u);

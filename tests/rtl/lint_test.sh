@@ -116,7 +116,7 @@ planted() {
 
 lint --tree "$tree"
 expect "no fault in the tree" 0 '^clang-format .* 2  clean$' '^cppcheck .* 2  clean$' \
-  '^clang-tidy .* 1  clean$' '^shellcheck .* 1  clean$'
+  '^clang-tidy .* 1  clean$' '^shellcheck .* 1  clean$' '^devices .* 1  clean$'
 planted "text out of format" tests/planted.h 'int  third ( int );' \
   '^clang-format .* findings in 1$' 'tests/planted.h.*clang-format-violations'
 planted "index out of bounds" tb/planted.cpp \
@@ -127,6 +127,11 @@ planted "index out of bounds" tb/planted.cpp \
 planted "division of integers as a real number" model/planted.cpp \
   'double half(int n) { return n / 2; }' \
   '^clang-tidy .* findings in 1$' 'model/planted.cpp:1.*bugprone-integer-division'
+null=/dev/null
+planted "a device as a tool's output" scripts/planted "#!/usr/bin/env bash
+iverilog -o $null a.v" '^devices .* findings in 1$' 'scripts/planted:2:iverilog'
+planted "a device as a command's output" tests/planted.cmake "execute_process(COMMAND tool --output=$null)" \
+  '^devices .* findings in 1$' 'planted.cmake:1:'
 planted "unused variable" scripts/planted '#!/usr/bin/env bash
 planted=1' '^shellcheck .* findings in 1$' 'SC2034'
 

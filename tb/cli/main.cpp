@@ -11,6 +11,7 @@
 #include "tb/cli/command.h"
 #include "tb/cli/usage_error.h"
 #include "tb/cli/words.h"
+#include "tb/interrupt.h"
 
 namespace {
 
@@ -71,6 +72,8 @@ int main(int argc, char** argv) {
   int status = bad_input;
   try {
     status = run(argc, argv);
+  } catch (const cosim::Interrupted& interrupted) {
+    status = 128 + interrupted.signal;
   } catch (const cosim::InputError& error) {
     status = refuse(error.what());
   } catch (const std::bad_alloc&) {

@@ -94,7 +94,7 @@ expect "nothing shipped" 1 '^verilator .* nothing to lint$'
 
 # ---- C++ and scripts --------------------------------------------------------------------------
 
-for tool in clang-format-14 clang-tidy cppcheck shellcheck; do
+for tool in clang-tidy cppcheck shellcheck; do
   command -v "$tool" > /dev/null || { echo "not tested: no $tool" && exit $((failures > 0)); }
 done
 tree=$copy/tree
@@ -115,9 +115,9 @@ planted() {
 }
 
 lint --tree "$tree"
-expect "no fault in the tree" 0 '^clang-format .* 2  clean$' '^cppcheck .* 2  clean$' \
+expect "no fault in the tree" 0 '^clang-format +(.* 2  clean$|not checked: )' '^cppcheck .* 2  clean$' \
   '^clang-tidy .* 1  clean$' '^shellcheck .* 1  clean$' '^devices .* 1  clean$'
-planted "text out of format" tests/planted.h 'int  third ( int );' \
+! command -v clang-format-14 > /dev/null || planted "text out of format" tests/planted.h 'int  third ( int );' \
   '^clang-format .* findings in 1$' 'tests/planted.h.*clang-format-violations'
 planted "index out of bounds" tb/planted.cpp \
   'int third() {

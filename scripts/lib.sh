@@ -39,8 +39,21 @@ quietly() (
   exit 1
 )
 
-# Once ninja has its file, it sees for itself when CMake has to run again. The lock is for two
-# scripts at once.
+# configure PRESET FOLDER: where it was not done yet; or again, where CXX or COSIM_WERROR ask for
+# something else, or a tool that CMake looks for has come or gone: ninja sees only files that change.
+configure() {
+  local preset=$1 note=$2/.configured was=() now fresh=()
+  [[ ! -f $2/build.ninja || ! -f $note ]] || mapfile -t was < "$note"
+  now=("${CXX-${was[0]-}}" "${COSIM_WERROR-${was[1]-}}" "$(command -v yosys || true)")
+  [[ ${#was[@]} == 0 || "${was[*]}" != "${now[*]}" ]] || return 0
+  # Of another compiler nothing that was found holds.
+  [[ ${was[0]-} == "${now[0]}" ]] || fresh=(--fresh)
+  rm -f "$note"
+  COSIM_WERROR=${now[1]} quietly cmake "${fresh[@]}" --preset "$preset" &&
+    printf '%s\n' "${now[@]}" > "$note"
+}
+
+# The lock is for two scripts at once.
 build() (
   preset=$1 target=$2
   folder=$root/build
@@ -49,6 +62,6 @@ build() (
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache
   fi
   mkdir -p "$folder" && cd "$root" && exec 9> "$folder/.lock" && flock 9 &&
-    { [[ -f $folder/build.ninja ]] || quietly cmake --preset "$preset"; } &&
+    configure "$preset" "$folder" &&
     quietly cmake --build --preset "$preset" --target "$target" -j "$(nproc)"
 )

@@ -1,6 +1,7 @@
 // Runs a stimulus again, and makes one of what a host does.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>

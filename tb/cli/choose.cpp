@@ -70,7 +70,7 @@ std::vector<const Bench<dda::Design>*> matching(const DdaShape& s) {
   return of_width<dda::Design>(s);
 }
 
-const Bench<linear::Design>& choose(const LinearShape& shape, std::int64_t major) {
+const Bench<linear::Design>& choose(LinearShape shape, std::int64_t major) {
   const auto found = matching(shape);
   for (const auto* bench : found) {
     if (major >> bench->params().m == 0) return *bench;
@@ -79,11 +79,11 @@ const Bench<linear::Design>& choose(const LinearShape& shape, std::int64_t major
                                found.back()->title(), found.back()->params().m));
 }
 
-const Bench<circular::Design>& choose(const CircularShape& shape, int width) {
+const Bench<circular::Design>& choose(CircularShape shape, int width) {
   return at_least(matching(shape), width, "an arc");
 }
 
-const Bench<dda::Design>& choose(const DdaShape& shape, int width) {
+const Bench<dda::Design>& choose(DdaShape shape, int width) {
   return at_least(matching(shape), width, "a curve");
 }
 

@@ -28,9 +28,9 @@ std::vector<const Bench<circular::Design>*> matching(const CircularShape& shape)
 std::vector<const Bench<dda::Design>*> matching(const DdaShape& shape);
 
 /// The smallest of them with major < 2^m. InputError where none holds it.
-const Bench<linear::Design>& choose(const LinearShape& shape, std::int64_t major);
+const Bench<linear::Design>& choose(LinearShape shape, std::int64_t major);
 /// The smallest of them at least `width` wide. InputError where none holds it.
-const Bench<circular::Design>& choose(const CircularShape& shape, int width);
-const Bench<dda::Design>& choose(const DdaShape& shape, int width);
+const Bench<circular::Design>& choose(CircularShape shape, int width);
+const Bench<dda::Design>& choose(DdaShape shape, int width);
 
 }  // namespace cosim::cli

@@ -10,6 +10,7 @@
 #include "model/core/input_error.h"
 #include "tb/cli/commands.h"
 #include "tb/cli/words.h"
+#include "tb/interrupt.h"
 
 namespace {
 
@@ -57,6 +58,8 @@ int main(int argc, char** argv) {
   int status = bad_input;
   try {
     status = run(argc, argv);
+  } catch (const cosim::Interrupted& interrupted) {
+    status = 128 + interrupted.signal;
   } catch (const cosim::InputError& error) {
     status = refuse(error.what());
   } catch (const std::bad_alloc&) {

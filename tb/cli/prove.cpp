@@ -14,6 +14,7 @@
 #include "tb/cli/number.h"
 #include "tb/cli/words.h"
 #include "tb/failure.h"
+#include "tb/interrupt.h"
 #include "tb/output_file.h"
 #include "tb/proof/decide.h"
 #include "tb/proof/explain.h"
@@ -27,6 +28,8 @@ namespace {
 namespace fs = std::filesystem;
 using proof::Claim;
 using proof::Decision;
+
+constexpr int kLongest = 86400;  // seconds that a solver may be given
 
 struct Options {
   Common common;
@@ -117,6 +120,13 @@ void explain(const Options& o, const Subject& subject, const Claim& claim, const
       kept.string());
 }
 
+// As a last line.
+void say_limit(const std::vector<Decision>& decisions, int limit) {
+  if (!proof::timed_out(decisions)) return;
+  fmt::print("a solver was stopped after {} s of processor time; give it more: --limit {}\n", limit,
+             std::min(10 * limit, kLongest));
+}
+
 // Each by its sentence.
 int run_theorems(const Options& o, int limit, unsigned jobs) {
   std::vector<proof::Theorem> theorems;
@@ -145,6 +155,7 @@ int run_theorems(const Options& o, int limit, unsigned jobs) {
     proved += claim.proved && premises.proved ? 1 : 0;
   }
   fmt::print("{} of {} proved by all solvers\n", proved, count(theorems.size(), "theorem"));
+  say_limit(decisions, limit);
   return proved == theorems.size() ? 0 : 1;
 }
 
@@ -193,11 +204,14 @@ int run_mutants(const Options& o, int limit, unsigned jobs) {
   }
   fmt::print("{}: {}, {} refuted, {} proved to be the same, {} undecided\n", subjects.front().title,
              count(number, "mutant"), refuted, equal, number - refuted - equal);
+  say_limit(step, limit);
+  say_limit(clear, limit);
   return refuted + equal == number ? 0 : 1;
 }
 
 int run(const Options& o) {
-  const int limit = static_cast<int>(whole("--limit", o.limit.value_or("60"), 1, 86400));
+  const InterruptGuard interrupts;
+  const int limit = static_cast<int>(whole("--limit", o.limit.value_or("300"), 1, kLongest));
   const unsigned cores = std::max(std::thread::hardware_concurrency(), 1U);
   const auto jobs = o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores;
   if (!o.mutants && (o.count || o.mutant)) {
@@ -242,6 +256,7 @@ int run(const Options& o) {
   if (explain_first) explain_first();
   fmt::print("{} of {} proved by all solvers, in {:.1f} s\n", proved, count(claims.size(), "claim"),
              took.count());
+  say_limit(decisions, limit);
   return proved == claims.size() ? 0 : 1;
 }
 
@@ -253,7 +268,7 @@ void add_prove(const Command& program) {
       program.sub("prove", "Proves that RTL and model are the same, for every state and input");
   command.arguments("MACHINE", o->machine, "A design, or a line of cosim list; default all");
   command.text("--rtl", o->rtl, "DIR", "The RTL, a folder for each design; default rtl");
-  command.text("--limit", o->limit, "S", "Seconds for one answer; default 60");
+  command.text("--limit", o->limit, "S", "Seconds of processor time for one answer; default 300");
   command.text("--jobs", o->jobs, "J", "Solvers at a time; default one a core");
   command.text("--scripts", o->scripts, "DIR", "Leave what the solvers read in DIR");
   command.flag("--theorems", o->theorems,

@@ -11,7 +11,6 @@
 #include "tb/cli/commands.h"
 #include "tb/cli/common.h"
 #include "tb/cli/conclude.h"
-#include "tb/cli/interrupt.h"
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
 #include "tb/cli/progress.h"
@@ -19,6 +18,7 @@
 #include "tb/cli/sweep_checkpoint.h"
 #include "tb/cli/words.h"
 #include "tb/dda_sweeps.h"
+#include "tb/interrupt.h"
 #include "tb/linear_sweeps.h"
 
 namespace cosim::cli {

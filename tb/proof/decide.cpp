@@ -87,6 +87,17 @@ std::vector<Decision> decide(const std::vector<const Claim*>& claims, int limit,
   return all;
 }
 
+bool timed_out(const std::vector<Decision>& decisions) {
+  for (const Decision& d : decisions) {
+    for (const auto& by_solver : d.solved) {
+      for (const Solved& s : by_solver) {
+        if (s.answer == Answer::timed_out) return true;
+      }
+    }
+  }
+  return false;
+}
+
 void in_parallel(std::size_t count, unsigned threads,
                  const std::function<void(std::size_t)>& work) {
   std::atomic<std::size_t> next = 0;

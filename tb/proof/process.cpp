@@ -1,10 +1,16 @@
 #include "tb/proof/process.h"
 
 #include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <system_error>
@@ -14,36 +20,79 @@
 namespace cosim::proof {
 namespace {
 
-[[noreturn]] void become(const std::vector<std::string>& words, int out) {
-  std::vector<char*> argv;
-  for (const std::string& w : words) argv.push_back(const_cast<char*>(w.c_str()));
-  argv.push_back(nullptr);
+using Clock = std::chrono::steady_clock;
+
+// Seconds that may go by for each one of processor time.
+constexpr int kPatience = 20;
+// How soon a signal to this program is heeded, which may come to any of its threads.
+constexpr int kMilliseconds = 50;
+
+// In the child of a program with threads: nothing here may take memory.
+[[noreturn]] void become(char* const* argv, int out, int limit, pid_t parent) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(127);
+  rlimit now{};
+  if (limit > 0 && getrlimit(RLIMIT_CPU, &now) == 0) {
+    // Where both are the same it is killed, and cannot make anything else of it.
+    const rlim_t seconds = std::min(static_cast<rlim_t>(limit), now.rlim_max);
+    const rlimit wanted{seconds, seconds};
+    setrlimit(RLIMIT_CPU, &wanted);
+  }
   dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
   dup2(out, STDOUT_FILENO);
   dup2(out, STDERR_FILENO);
-  execvp(argv.front(), argv.data());
+  execvp(argv[0], argv);
   _exit(127);
+}
+
+// Takes down what a program prints, to its end; false where it is to be ended before that.
+bool read_all(int from, std::string& text, Clock::time_point patience) {
+  std::string part(1 << 16, '\0');
+  pollfd waiting{from, POLLIN, 0};
+  while (InterruptGuard::signal() == 0 && Clock::now() < patience) {
+    if (poll(&waiting, 1, kMilliseconds) <= 0) continue;
+    const ssize_t n = read(from, part.data(), part.size());
+    if (n == 0 || (n < 0 && errno != EINTR)) return true;
+    if (n > 0) text.append(part, 0, static_cast<std::size_t>(n));
+  }
+  return false;
+}
+
+double seconds(const timeval& t) {
+  return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
 }
 
 }  // namespace
 
-Ended run_program(const std::vector<std::string>& words) {
+Ended run_program(const std::vector<std::string>& words, int limit) {
+  const InterruptGuard interrupts;
+  InterruptGuard::check();
+  std::vector<char*> argv;
+  for (const std::string& w : words) argv.push_back(const_cast<char*>(w.c_str()));
+  argv.push_back(nullptr);
   int ends[2] = {-1, -1};
+  const pid_t parent = getpid();
   const pid_t child = pipe2(ends, O_CLOEXEC) == 0 ? fork() : -1;
   if (child < 0) throw InputError(words.front() + ": cannot be run: " + std::strerror(errno));
-  if (child == 0) become(words, ends[1]);
+  if (child == 0) become(argv.data(), ends[1], limit, parent);
   close(ends[1]);
+
   Ended ended;
-  std::string part(1 << 16, '\0');
-  for (ssize_t n = 0; (n = read(ends[0], part.data(), part.size())) != 0;) {
-    if (n > 0) ended.text.append(part, 0, static_cast<std::size_t>(n));
-    if (n < 0 && errno != EINTR) break;
-  }
+  const auto patience = limit == 0 ? Clock::time_point::max()
+                                   : Clock::now() + std::chrono::seconds(1LL * kPatience * limit);
+  const bool to_its_end = read_all(ends[0], ended.text, patience);
+  if (!to_its_end) kill(child, SIGKILL);
   close(ends[0]);
   int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+  rusage used{};
+  while (wait4(child, &status, 0, &used) < 0 && errno == EINTR) {
   }
+  InterruptGuard::check();
   ended.status = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  ended.seconds = seconds(used.ru_utime) + seconds(used.ru_stime);
+  // The clock that the limit is kept by is a little ahead of the one that is read.
+  ended.timed_out =
+      !to_its_end || (limit > 0 && ended.status == 128 + SIGKILL && ended.seconds > 0.9 * limit);
   return ended;
 }
 

@@ -1,6 +1,5 @@
 #include "tb/proof/solver.h"
 
-#include <chrono>
 #include <regex>
 #include <sstream>
 #include <vector>
@@ -11,7 +10,6 @@
 namespace cosim::proof {
 namespace {
 
-constexpr int kTimedOut = 124;  // what `timeout` ends with
 constexpr int kMissing = 127;
 
 std::map<std::string, std::string> values_in(const std::string& text) {
@@ -24,7 +22,7 @@ std::map<std::string, std::string> values_in(const std::string& text) {
   return values;
 }
 
-// Runs a solver on a script, and adds up how long it took.
+// Runs a solver on a script, and adds up the processor time it took.
 Ended run(const Solver& solver, const std::string& script, int limit, const std::string& options,
           double& seconds) {
   const Scratch scratch;
@@ -33,7 +31,7 @@ Ended run(const Solver& solver, const std::string& script, int limit, const std:
   file.text(script);
   file.close();
 
-  std::vector<std::string> words{"timeout", std::to_string(limit)};
+  std::vector<std::string> words;
   std::istringstream command(solver.command + ' ' + options);
   for (std::string word; command >> word;) words.push_back(word);
   if (solver.name == "cvc5" && script.find("(push") != std::string::npos) {
@@ -41,9 +39,8 @@ Ended run(const Solver& solver, const std::string& script, int limit, const std:
   }
   words.push_back(name);
 
-  const auto began = std::chrono::steady_clock::now();
-  Ended ended = run_program(words);
-  seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  Ended ended = run_program(words, limit);
+  seconds += ended.seconds;
   return ended;
 }
 
@@ -80,7 +77,7 @@ Solved solve(const Solver& solver, const std::string& script, int limit, bool ea
   const bool twice = eager && !solver.harder.empty() && limit > kSoon;
   Ended ended =
       run(solver, script, twice ? kSoon : limit, eager ? solver.eager : "", solved.seconds);
-  if (twice && ended.status == kTimedOut) {
+  if (twice && ended.timed_out) {
     ended = run(solver, script, limit - kSoon, solver.eager + ' ' + solver.harder, solved.seconds);
   }
   std::istringstream lines(ended.text);
@@ -95,7 +92,7 @@ Solved solve(const Solver& solver, const std::string& script, int limit, bool ea
       solved.said = line;  // anything else spoils the answers
     }
   }
-  if (ended.status == kTimedOut) {
+  if (ended.timed_out) {
     solved.answer = Answer::timed_out;
   } else if (ended.status == kMissing) {
     solved.answer = Answer::missing;

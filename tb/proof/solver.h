@@ -25,7 +25,8 @@ struct Solver {
   std::string command;
   /// What to add where wide words are cut up and joined rather than added; may be empty.
   std::string eager = "";
-  /// What to add as well where that gave no answer within kSoon seconds; may be empty.
+  /// What to add as well where that gave no answer in kSoon seconds of processor time; may be
+  /// empty.
   std::string harder = "";
 };
 constexpr int kSoon = 3;
@@ -36,11 +37,11 @@ const std::vector<Solver>& solvers();
 struct Solved {
   Answer answer = Answer::failed;  ///< of the first question, or why there is none
   std::vector<Answer> answers;     ///< of all that were answered
-  double seconds = 0;
-  std::string said;  ///< the solver's words where it failed
+  double seconds = 0;              ///< of processor time
+  std::string said;                ///< the solver's words where it failed
 };
 
-/// Has a solver answer the questions of a script, for `limit` seconds at the most.
+/// Has a solver answer the questions of a script, in `limit` seconds of processor time at the most.
 Solved solve(const Solver& solver, const std::string& script, int limit, bool eager = false);
 
 /// What the terms are where the one question of a script is answered with "sat"; empty where not.

@@ -94,7 +94,7 @@ TEST(Path, OfTheExamplesEndsEachMotionOnItsTarget) {
 TEST(Path, OfOtherPeoplesProgramsEndsEachMotionOnItsTarget) {
   const char* folder = std::getenv("COSIM_TOOLPATHS");
   if (folder == nullptr || !fs::is_directory(folder)) {
-    GTEST_SKIP() << "COSIM_TOOLPATHS names no folder";
+    GTEST_SKIP() << "not here: COSIM_TOOLPATHS names no folder";
   }
   int drawn = 0;
   for (const fs::path& file : files_in(folder)) {

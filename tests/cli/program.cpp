@@ -83,12 +83,15 @@ bool cosim_killed(const Arguments& arguments, int after) {
   return status_of(child) == 128 + SIGKILL;
 }
 
-Ended cosim_signalled(const Arguments& arguments, int signal, int after, Until until) {
+namespace {
+
+Ended signalled(const Arguments& arguments, int signal, int after,
+                const std::function<bool(const Folder&)>& ready) {
   const Folder folder;
   const pid_t child = start(COSIM_PROGRAM, arguments, folder.path("out"), folder.path("err"));
   const std::chrono::milliseconds step(5);
   for (std::chrono::milliseconds waited{0}; waited.count() < after; waited += step) {
-    if (until == Until::a_line && folder.text("out").find('\n') != std::string::npos) break;
+    if (ready(folder)) break;
     std::this_thread::sleep_for(step);
   }
   kill(child, signal);
@@ -97,6 +100,18 @@ Ended cosim_signalled(const Arguments& arguments, int signal, int after, Until u
   ended.out = folder.text("out");
   ended.err = folder.text("err");
   return ended;
+}
+
+}  // namespace
+
+Ended cosim_signalled(const Arguments& arguments, int signal, int after, Until until) {
+  return signalled(arguments, signal, after, [until](const Folder& folder) {
+    return until == Until::a_line && folder.text("out").find('\n') != std::string::npos;
+  });
+}
+
+Ended cosim_signalled(const Arguments& arguments, int signal, const std::function<bool()>& ready) {
+  return signalled(arguments, signal, 60'000, [&](const Folder&) { return ready(); });
 }
 
 Ended another_build(const Arguments& arguments) {

@@ -1,6 +1,7 @@
 // Runs the program and takes down what it says.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,9 @@ enum class Until { the_time, a_line };
 /// The program as shipped, sent `signal` after so many milliseconds.
 Ended cosim_signalled(const Arguments& arguments, int signal, int after,
                       Until until = Until::the_time);
+
+/// The same as soon as `ready` says so, or after a minute.
+Ended cosim_signalled(const Arguments& arguments, int signal, const std::function<bool()>& ready);
 
 /// A copy of the program as shipped that differs from it in a byte, as another build does.
 Ended another_build(const Arguments& arguments);

@@ -136,7 +136,7 @@ TEST(FailureFolder, OfNoRoomLooksLikeNone) {
   fs::create_directory(small);
   if (geteuid() != 0 ||
       std::system(("mount -t tmpfs -o size=8k tmpfs '" + small + "' 2> /dev/null").c_str()) != 0) {
-    GTEST_SKIP() << "a full disk cannot be made here";
+    GTEST_SKIP() << "not here: a full disk cannot be made here";
   }
   const Ended e = faulty({"line", "--major", "3000", "--minor", "700", "--failures", small});
   const auto left = std::distance(fs::directory_iterator(small), fs::directory_iterator());

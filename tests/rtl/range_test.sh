@@ -8,6 +8,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../../rtl"
 for tool in verilator iverilog yosys; do
   command -v "$tool" > /dev/null || { echo "skipped: no $tool" && exit 77; }
 done
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
 failures=0
 
 # elaborate TOOL TOP NAME=VALUE...
@@ -16,7 +18,7 @@ elaborate() {
   local chparam=("${@/#/-chparam }")
   case $tool in
     verilator) verilator --lint-only -Wall --top-module "$top" "${@/#/-G}" "$top"/*.v ;;
-    iverilog) iverilog -Wall -g2005 -s "$top" "${@/#/-P$top.}" -o /dev/null "$top"/*.v ;;
+    iverilog) iverilog -Wall -g2005 -s "$top" "${@/#/-P$top.}" -o "$scratch/vvp" "$top"/*.v ;;
     yosys) yosys -q -p "read_verilog $top/*.v; hierarchy -check -top $top ${chparam[*]/=/ }" ;;
   esac 2>&1
 }

@@ -92,7 +92,7 @@ TEST_F(OutputFileOf, APathThatCannotBeWritten) {
 }
 
 TEST_F(OutputFileOf, AFullDevice) {
-  if (!fs::exists("/dev/full")) GTEST_SKIP() << "there is no /dev/full";
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "not here: there is no /dev/full";
   const std::string error = "/dev/full: cannot write: No space left on device";
   EXPECT_EQ(error_of([] {
               OutputFile file("/dev/full");

@@ -164,7 +164,7 @@ TEST(Examples, TheBadOnesAreRefused) {
 TEST(OtherPeoples, ProgramsAreDrawn) {
   const char* folder = std::getenv("COSIM_TOOLPATHS");
   if (folder == nullptr || !fs::is_directory(folder)) {
-    GTEST_SKIP() << "COSIM_TOOLPATHS names no folder";
+    GTEST_SKIP() << "not here: COSIM_TOOLPATHS names no folder";
   }
   struct File {
     const char* name;

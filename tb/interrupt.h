@@ -1,14 +1,14 @@
 // Ctrl-C in a long run: the run stops where it is and says what it had finished.
 #pragma once
 
-namespace cosim::cli {
+namespace cosim {
 
 /// Thrown out of a run that was interrupted.
 struct Interrupted {
   int signal = 0;
 };
 
-/// While it lives, SIGINT and SIGTERM are only taken down; a second one ends the program.
+/// While one lives, SIGINT and SIGTERM are only taken down; a second one ends the program.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -22,4 +22,4 @@ class InterruptGuard {
   static void check();
 };
 
-}  // namespace cosim::cli
+}  // namespace cosim

@@ -1,0 +1,104 @@
+// Ctrl-C in a proof: the program that it waits for is ended, and its folder gone.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include "tests/cli/folder.h"
+#include "tests/cli/program.h"
+#include "tests/support/root.h"
+
+namespace cosim::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// How many processes have a word in their command line; those that cannot be read have not.
+int running(const std::string& word) {
+  int found = 0;
+  for (const auto& entry : fs::directory_iterator("/proc")) {
+    std::ifstream stream(entry.path() / "cmdline");
+    const std::string line{std::istreambuf_iterator<char>(stream), {}};
+    found += line.find(word) != std::string::npos ? 1 : 0;
+  }
+  return found;
+}
+
+// In an environment with a folder for temporary files, and programs found before all others.
+class InterruptedProof : public testing::TestWithParam<int> {
+ protected:
+  void SetUp() override {
+    fs::create_directory(folder_.path("tmp"));
+    fs::create_directory(folder_.path("bin"));
+    setenv("TMPDIR", folder_.path("tmp").c_str(), 1);
+    setenv("PATH", (folder_.path("bin") + ':' + path_).c_str(), 1);
+  }
+  void TearDown() override {
+    setenv("PATH", path_.c_str(), 1);
+    unsetenv("TMPDIR");
+  }
+
+  // A program that does not end.
+  void stand_in(const char* name, const std::string& before = "") {
+    const std::string file = folder_.write(std::string("bin/") + name,
+                                           "#!/bin/sh\n" + before + "\nexec tail -f " + waits_);
+    chmod(file.c_str(), 0700);
+  }
+
+  void expect_ended(const Arguments& arguments) {
+    const Ended e = cosim_signalled(arguments, GetParam(), [this] { return running(waits_) > 0; });
+    EXPECT_EQ(e.status, 128 + GetParam());
+    EXPECT_EQ(e.err, "");
+    EXPECT_EQ(running(waits_), 0);
+    EXPECT_TRUE(fs::is_empty(folder_.path("tmp")));
+  }
+
+  Folder folder_;
+  const std::string path_ = std::getenv("PATH");
+  const std::string waits_ = folder_.write("waits", "");
+  const std::string rtl_ = (test::project_root() / "rtl").string();
+};
+
+TEST_P(InterruptedProof, EndsYosys) {
+  stand_in("yosys");
+  expect_ended({"prove", "linear", "--rtl", rtl_});
+}
+
+TEST_P(InterruptedProof, EndsTheSolvers) {
+  stand_in("cvc5");
+  stand_in("z3");
+  expect_ended({"prove", "--theorems", "linear"});
+}
+
+TEST_P(InterruptedProof, EndsGnuplot) {
+  stand_in("gnuplot", "[ \"$1\" != --version ] || exit 0");
+  expect_ended({"line", "--major", "5", "--plot", folder_.path("plot.svg")});
+}
+
+INSTANTIATE_TEST_SUITE_P(On, InterruptedProof, testing::Values(SIGINT, SIGTERM),
+                         [](const auto& at) { return at.param == SIGINT ? "SIGINT" : "SIGTERM"; });
+
+// What a busy computer, or a harder question, may end with.
+TEST(Prove, SaysWhatToDoAtItsLimit) {
+  const Folder folder;
+  const std::string path = std::getenv("PATH");
+  fs::create_directory(folder.path("bin"));
+  for (const char* solver : {"cvc5", "z3"}) {
+    const std::string file =
+        folder.write(std::string("bin/") + solver, "#!/bin/sh\nexec sha256sum /dev/zero");
+    chmod(file.c_str(), 0700);
+  }
+  setenv("PATH", (folder.path("bin") + ':' + path).c_str(), 1);
+  const Ended e = cosim({"prove", "--theorems", "linear", "--limit", "1"});
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(e.status, 1) << e.err;
+  EXPECT_EQ(lines(e.out).back(),
+            "a solver was stopped after 1 s of processor time; give it more: --limit 10");
+}
+
+}  // namespace
+}  // namespace cosim::cli

@@ -77,7 +77,7 @@ TEST_P(InterruptedProof, EndsTheSolvers) {
 
 TEST_P(InterruptedProof, EndsGnuplot) {
   stand_in("gnuplot", "[ \"$1\" != --version ] || exit 0");
-  expect_ended({"line", "--major", "5", "--plot", folder_.path("plot.svg")});
+  expect_ended({"line", "--major", "5", "--minor", "3", "--plot", folder_.path("plot.svg")});
 }
 
 INSTANTIATE_TEST_SUITE_P(On, InterruptedProof, testing::Values(SIGINT, SIGTERM),

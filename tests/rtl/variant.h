@@ -7,6 +7,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -77,11 +78,12 @@ const Variants<Design>& variants() {
 
 /// The variant of that name; throws where there is none.
 template <class Design>
-const Variant<Design>& variant(const std::string& name) {
+const Variant<Design>& variant(std::string_view name) {
   for (const auto& v : variants<Design>()) {
     if (v->name() == name) return *v;
   }
-  throw std::out_of_range("no variant " + name + " of the " + Design::name + " interpolator");
+  throw std::out_of_range("no variant " + std::string(name) + " of the " + Design::name +
+                          " interpolator");
 }
 
 }  // namespace cosim::test

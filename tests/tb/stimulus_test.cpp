@@ -13,7 +13,7 @@
 namespace cosim::test {
 namespace {
 
-const AnyBench& bench(const std::string& title) {
+const AnyBench& bench(std::string_view title) {
   for (const auto& b : benches()) {
     if (b->title() == title) return *b;
   }

@@ -15,8 +15,8 @@ namespace cosim::test {
 namespace {
 
 template <class Design>
-const Bench<Design>& shipped(const std::string& name) {
-  return variant<Design>("shipped/" + name).bench();
+const Bench<Design>& shipped(const char* name) {
+  return variant<Design>(std::string("shipped/") + name).bench();
 }
 
 TEST(Narrowest, LinearDrawsEveryLine) {

@@ -17,7 +17,10 @@ elaborate() {
   local tool=$1 top=$2 && shift 2
   local chparam=("${@/#/-chparam }")
   case $tool in
-    verilator) verilator --lint-only -Wall --top-module "$top" "${@/#/-G}" "$top"/*.v ;;
+    verilator)
+      verilator --lint-only -Wall --top-module "$top" "${@/#/-G}" "$top"/*.v 2>&1 |
+        sed -E '/^- (V e r i l a t i o n|Verilator:) /d' # what newer ones report of their work
+      ;;
     iverilog) iverilog -Wall -g2005 -s "$top" "${@/#/-P$top.}" -o "$scratch/vvp" "$top"/*.v ;;
     yosys) yosys -q -p "read_verilog $top/*.v; hierarchy -check -top $top ${chparam[*]/=/ }" ;;
   esac 2>&1

@@ -5,6 +5,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tb/bench.h"
@@ -43,11 +44,12 @@ const Variants<Design>& variants() {
 
 /// The variant of that name; throws where there is none.
 template <class Design>
-const Variant<Design>& variant(const std::string& name) {
+const Variant<Design>& variant(std::string_view name) {
   for (const auto& v : variants<Design>()) {
     if (v.name == name) return v;
   }
-  throw std::out_of_range("no variant " + name + " of the " + Design::name + " interpolator");
+  throw std::out_of_range("no variant " + std::string(name) + " of the " + Design::name +
+                          " interpolator");
 }
 
 }  // namespace cosim::test

@@ -13,11 +13,11 @@
 namespace cosim::test {
 namespace {
 
-const AnyBench& bench(const std::string& title) {
+const AnyBench& bench(std::string_view title) {
   for (const auto& b : benches()) {
     if (b->title() == title) return *b;
   }
-  throw std::out_of_range(title);
+  throw std::out_of_range(std::string(title));
 }
 
 // Words for each clock that reach every bit of every pin.

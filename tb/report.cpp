@@ -9,6 +9,7 @@
 #include <set>
 #include <system_error>
 
+#include "tb/finite.h"
 #include "tb/output_file.h"
 #include "tb/replace_file.h"
 #include "tb/show.h"
@@ -183,6 +184,7 @@ std::string report_json(const std::vector<Outcome>& outcomes, std::uint64_t seed
   top["seed"] = seed;
   top.update(Json::parse(extra));
   top["runs"] = std::move(runs);
+  check_finite(top);
   return top.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 

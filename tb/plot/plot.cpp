@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "model/core/input_error.h"
+#include "tb/finite.h"
 #include "tb/plot/script.h"
 #include "tb/proof/process.h"
 
@@ -18,6 +19,8 @@ void Series::add(const Mark& mark) {
     throw InputError(
         fmt::format("--plot: a path of more than {} steps is too long to draw", most_marks - 1));
   }
+  finite(mark.off);
+  finite(mark.along);
   marks.push_back(mark);
 }
 

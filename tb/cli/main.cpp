@@ -18,7 +18,7 @@ constexpr int bad_input = 2;
 constexpr const char* no_output = "cannot write to standard output";
 
 int refuse(const std::string& line) {
-  fmt::print(stderr, "cosim: {}\n", cosim::cli::one_line(line));
+  cosim::cli::complain(line);
   return bad_input;
 }
 

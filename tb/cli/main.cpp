@@ -11,6 +11,7 @@
 #include "tb/cli/command.h"
 #include "tb/cli/usage_error.h"
 #include "tb/cli/words.h"
+#include "tb/leftover.h"
 
 namespace {
 
@@ -68,6 +69,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   hold_standard_streams();
+  cosim::remove_leftovers_on_signals();
   int status = bad_input;
   try {
     status = run(argc, argv);

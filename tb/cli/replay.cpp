@@ -6,6 +6,7 @@
 #include "model/core/input_error.h"
 #include "tb/cli/command.h"
 #include "tb/cli/conclude.h"
+#include "tb/cli/extent.h"
 #include "tb/cli/outputs.h"
 #include "tb/cli/wave.h"
 #include "tb/cli/words.h"
@@ -25,6 +26,7 @@ int run(const Options& o) {
     file = (std::filesystem::path(file) / "stimulus.stim").string();
   }
   const auto [bench, stimulus] = read_stimulus(file, benches());
+  check_extent(o.common, {stimulus.clocks.size(), 0, 0, 0});
   check_outputs(o.common, file);
 
   const std::string work = stimulus.origin.empty() ? file : stimulus.origin;

@@ -12,7 +12,6 @@
 #include <stdexcept>
 
 #include "tests/careless/judge.h"
-#include "tests/support/root.h"
 
 namespace cosim::careless {
 namespace {
@@ -52,9 +51,9 @@ Wanted parse(int argc, char** argv) {
 // What no run may change: devices, and the project.
 std::string outside(const Wanted& w) {
   std::string all;
-  for (const std::string& path :
-       {std::string("/dev/null"), std::string("/dev/full"), w.program,
-        std::filesystem::path(w.program).parent_path().string(), test::project_root().string()}) {
+  for (const std::string& path : {std::string("/dev/null"), std::string("/dev/full"), w.program,
+                                  std::filesystem::path(w.program).parent_path().string(),
+                                  std::filesystem::path(COSIM_ROOT).string()}) {
     struct stat now {};
     stat(path.c_str(), &now);
     all += path + ' ' + std::to_string(now.st_mode) + ' ' + std::to_string(now.st_ino) + ' ';
@@ -81,7 +80,7 @@ int run_all(const Wanted& w) {
     const std::chrono::duration<double> gone = std::chrono::steady_clock::now() - begin;
     if (gone.count() >= w.seconds) break;
     const Case one = draw(commands, w.seed, at);
-    const Scratch scratch(test::project_root());
+    const Scratch scratch(std::filesystem::path(COSIM_ROOT));
     const Held before = scratch.holds();
     const Came came = run(w.program, one, scratch);
     ++statuses[came.status <= 2 ? came.status : 3];

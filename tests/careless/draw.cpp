@@ -1,5 +1,6 @@
 #include "tests/careless/draw.h"
 
+#include <algorithm>
 #include <cctype>
 #include <csignal>
 #include <limits>
@@ -46,9 +47,9 @@ std::string number(Random& random) {
                          "7x",
                          "",
                          "99999999999999999999999999999999999999999"};
-  if (one_in(random, 4)) return any(random, odd);
+  if (one_in(random, 6)) return any(random, odd);
   const std::uint64_t size = std::uint64_t{1} << (1 + random.below(11));
-  return (one_in(random, 8) ? "-" : "") + std::to_string(random.below(size));
+  return (one_in(random, 20) ? "-" : "") + std::to_string(random.below(size));
 }
 
 // The words of a text that may be values: "best (default), greedy" has best, default and greedy.
@@ -104,7 +105,7 @@ std::string file(Random& random, const std::string& help) {
 
 std::string value(Random& random, const Command& command, const Option& option) {
   const std::string& kind = option.value;
-  if (one_in(random, 60)) return number(random);
+  if (one_in(random, 100)) return number(random);
   if (kind.find("FILE") != std::string::npos || kind == "DIR") return file(random, option.help);
   if (kind.find(',') != std::string::npos) {
     std::string list = number(random);
@@ -141,6 +142,24 @@ void take_example(Case& one, const Command& command) {
   }
 }
 
+// An option is given once, but for a few.
+bool repeated(Random& random, const Case& one, const std::string& option) {
+  const bool there =
+      std::any_of(one.arguments.begin(), one.arguments.end(),
+                  [&](const std::string& a) { return a == option || a.starts_with(option + "="); });
+  return there && !one_in(random, 20);
+}
+
+// In the place of the example's value, where it has one.
+bool replaced(Case& one, const std::string& option, const std::string& text) {
+  for (std::size_t i = 0; i + 1 < one.arguments.size(); ++i) {
+    if (one.arguments[i] != option) continue;
+    one.arguments[i + 1] = text;
+    return true;
+  }
+  return false;
+}
+
 void draw_options(Random& random, const Command& command, Case& one) {
   const std::uint64_t most = one_in(random, 10) ? 12 : 4;
   for (std::uint64_t n = random.below(most + 1); n > 0; --n) {
@@ -148,10 +167,14 @@ void draw_options(Random& random, const Command& command, Case& one) {
     if (option.name.starts_with("-h") && !one_in(random, 10)) continue;
     const std::string spelt = option.name.substr(0, option.name.find(','));
     if (option.value.empty()) {
-      one.arguments.push_back(spelt);
+      if (!repeated(random, one, spelt)) one.arguments.push_back(spelt);
       continue;
     }
     const std::string text = value(random, command, option);
+    if (repeated(random, one, spelt)) {
+      if (replaced(one, spelt, text)) name(one, spelt, text);
+      continue;
+    }
     name(one, spelt, text);
     if (one_in(random, 4)) {
       one.arguments.push_back(spelt + "=" + text);

@@ -18,15 +18,17 @@ class Asked {
   Asked(const Case& one, const Scratch& scratch) : killed_(one.signal == SIGKILL) {
     for (const auto& named : one.named) {
       if (named.value.empty()) continue;
-      const fs::path path =
-          fs::weakly_canonical(scratch.work() / named.value).lexically_relative(scratch.folder());
+      // A name may be too long to be looked for.
+      std::error_code ignored;
+      fs::path place = fs::weakly_canonical(scratch.work() / named.value, ignored);
+      if (place.empty()) place = (scratch.work() / named.value).lexically_normal();
+      const fs::path path = place.lexically_relative(scratch.folder());
       paths_.push_back(path.string());
       // Only a wave has files beside it.
       if (path.extension() == ".fst")
         stems_.push_back(path.string().substr(0, path.string().size() - 4));
       if (named.option == "--failures" || named.option == "--scripts")
         folders_.push_back(path.string() + '/');
-      // What a folder's name asks for may be made with the folders that it lies in.
     }
   }
 

@@ -18,7 +18,7 @@ struct Came {
   std::string out, err;  ///< of a stream that is a file; of a long one its end
 };
 
-inline constexpr int patience = 30'000;  ///< milliseconds, of a busy computer
+inline constexpr int patience = 15'000;  ///< milliseconds, of a busy computer
 inline constexpr long longest_output = 200'000'000;
 
 /// To be called once: what a case leaves behind becomes a child of this process.

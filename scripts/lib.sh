@@ -3,6 +3,7 @@
 #   say TEXT...          a heading on standard error
 #   die TEXT...          one line on standard error; ends with status 2: could not be run
 #   usage                the caller's opening comment, as its --help
+#   help WORDS...        where one of the words is -h or --help: usage, and the end of the script
 #   quietly COMMAND...   COMMAND, its output only where it fails; on a terminal, one moving line
 #   build PRESET TARGET  configures where needed, then builds, quietly
 set -euo pipefail
@@ -17,6 +18,13 @@ die() {
 }
 
 usage() { sed -n '2,${/^#/!q; s/^# \{0,1\}//p}' "$0"; }
+
+help() {
+  local word
+  for word; do
+    [[ $word != -h && $word != --help ]] || { usage && exit; }
+  done
+}
 
 # The last line of standard input so far, on one line of the terminal that is cleared at the end.
 moving_line() {

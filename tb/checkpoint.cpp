@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "model/core/input_error.h"
+#include "tb/finite.h"
 #include "tb/replace_file.h"
 
 namespace cosim {
@@ -76,6 +77,7 @@ Checkpoint::Json Checkpoint::state() const {
 
 void Checkpoint::save(const Json& state) {
   if (path_.empty()) return;
+  check_finite(state);
   replace_file(path_, Json{{"work", work_}, {"state", state}}.dump() + '\n');
   saved_ = std::chrono::steady_clock::now();
 }

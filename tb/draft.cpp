@@ -25,6 +25,7 @@ bool in_the_way(const std::error_code& error) {
 Draft::Draft(const fs::path& root, const std::string& name)
     : target_(root / name),
       folder_(root / fmt::format(".{}.{}.{}", name, getpid(), drafts++)),
+      half_(folder_.string()),
       old_(folder_.string() + ".old") {
   std::error_code error;
   fs::create_directories(folder_, error);
@@ -33,7 +34,6 @@ Draft::Draft(const fs::path& root, const std::string& name)
 
 Draft::~Draft() {
   std::error_code ignored;
-  fs::remove_all(folder_, ignored);
   fs::remove_all(old_, ignored);
 }
 

@@ -5,9 +5,12 @@
 #include <string>
 #include <system_error>
 
+#include "tb/leftover.h"
+
 namespace cosim {
 
-/// Written under a name that no reader takes for the folder, and gone again if it is not finished.
+/// Written under a name that no reader takes for the folder, and gone again if it is not finished,
+/// or a signal ends the program.
 class Draft {
  public:
   /// Of root/name. InputError where that cannot be written.
@@ -30,6 +33,7 @@ class Draft {
 
   std::filesystem::path target_;
   std::filesystem::path folder_;
+  Leftover half_;
   std::filesystem::path old_;
 };
 

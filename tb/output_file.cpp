@@ -4,12 +4,20 @@
 #include <cstring>
 
 #include "model/core/input_error.h"
+#include "tb/replace_file.h"
 
 namespace cosim {
 
 OutputFile::OutputFile(const std::string& path) : path_(path) {
   if (path_.empty()) return;
-  file_ = std::fopen(path_.c_str(), "w");
+  place_ = replaceable(path_);
+  if (place_.empty()) {
+    file_ = std::fopen(path_.c_str(), "w");
+  } else {
+    half_.emplace(beside(place_));
+    const int number = open_beside(place_);
+    file_ = number < 0 ? nullptr : fdopen(number, "w");
+  }
   if (file_ == nullptr) fail();
 }
 
@@ -28,6 +36,9 @@ void OutputFile::close() {
   std::FILE* file = file_;
   file_ = nullptr;
   if (std::fclose(file) != 0) fail();
+  if (!half_) return;
+  if (std::rename(half_->path().c_str(), place_.c_str()) != 0) fail();
+  half_->keep();
 }
 
 void OutputFile::fail() const {

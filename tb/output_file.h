@@ -1,18 +1,23 @@
-// An output file that is whole or an error: every write is checked.
+// An output file that is whole or an error: every write is checked, and until it is whole it has
+// another name where it can, and what stood there before stays.
 #pragma once
 
 #include <fmt/core.h>
 
 #include <cstdio>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
+
+#include "tb/leftover.h"
 
 namespace cosim {
 
 class OutputFile {
  public:
-  /// Opens the file for writing. An empty path gives a file that takes text and writes nothing.
+  /// Opens the file for writing; of one that can be replaced at once, as replace_file.h has it, the
+  /// one that takes its place. An empty path gives a file that takes text and writes nothing.
   /// InputError where the file cannot be written, here and below.
   explicit OutputFile(const std::string& path);
   ~OutputFile();
@@ -34,13 +39,14 @@ class OutputFile {
     if (buffer_.size() > std::size_t{1} << 16) flush();
   }
 
-  /// To be called when all is in.
+  /// To be called when all is in: then it stands there.
   void close();
 
  private:
   void flush();
   [[noreturn]] void fail() const;
-  std::string path_;
+  std::string path_, place_;
+  std::optional<Leftover> half_;
   std::FILE* file_ = nullptr;
   std::string buffer_;
 };

@@ -1,14 +1,20 @@
 #include "tb/replace_file.h"
 
+#include <fcntl.h>
 #include <fmt/core.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <climits>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <memory>
+#include <system_error>
 
 #include "model/core/input_error.h"
+#include "tb/leftover.h"
 
 namespace cosim {
 namespace {
@@ -29,16 +35,39 @@ bool write_all(std::FILE* file, const std::string& text) {
 
 }  // namespace
 
+std::string replaceable(const std::string& path) {
+  namespace fs = std::filesystem;
+  if (path.starts_with("/dev/") || path.starts_with("/proc/")) return {};
+  std::error_code error;
+  const fs::path place = fs::weakly_canonical(fs::absolute(path, error), error);
+  const fs::file_type type = fs::status(place, error).type();
+  if (path.empty() || (type != fs::file_type::regular && type != fs::file_type::not_found))
+    return {};
+  if (beside(place.filename().string()).size() > NAME_MAX) return {};
+  return access(place.parent_path().c_str(), W_OK) == 0 ? place.string() : "";
+}
+
+std::string beside(const std::string& path) { return path + ".cosim-new"; }
+
+int open_beside(const std::string& path) {
+  const int file = open(beside(path).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  struct stat old {};
+  // Where the rights cannot be given, the file is still the one that was asked for.
+  if (file >= 0 && stat(path.c_str(), &old) == 0 && fchmod(file, old.st_mode & 07777) != 0) {
+    errno = 0;
+  }
+  return file;
+}
+
 void replace_file(const std::string& path, const std::string& text) {
-  const std::string beside = path + ".cosim-new";
-  const File file(std::fopen(beside.c_str(), "w"));
-  if (!file) fail(path, "write");
-  if (!write_all(file.get(), text) || std::rename(beside.c_str(), path.c_str()) != 0) {
-    const int error = errno;
-    std::remove(beside.c_str());
-    errno = error;
+  Leftover half(beside(path));
+  const int number = open_beside(path);
+  const File file(number < 0 ? nullptr : fdopen(number, "w"));
+  if (!file || !write_all(file.get(), text) ||
+      std::rename(half.path().c_str(), path.c_str()) != 0) {
     fail(path, "write");
   }
+  half.keep();
 }
 
 std::string text_of_file(const std::string& path) {

@@ -1,16 +1,13 @@
 #include "tb/report.h"
 
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <system_error>
 
+#include "tb/finite.h"
 #include "tb/output_file.h"
-#include "tb/replace_file.h"
 #include "tb/show.h"
 
 namespace cosim {
@@ -84,18 +81,6 @@ std::uint64_t clocks_of(const std::vector<Outcome>& outcomes, const std::string&
   std::uint64_t sum = 0;
   for (const Outcome& o : outcomes) sum += o.bench->design() == design ? o.result.clocks : 0;
   return sum;
-}
-
-// Where a file can be replaced at once: the path behind all links. Empty for pipes and devices, and
-// where its folder takes no new file.
-std::string replaceable(const std::string& path) {
-  namespace fs = std::filesystem;
-  std::error_code error;
-  const fs::path place = fs::weakly_canonical(fs::absolute(path, error), error);
-  const fs::file_type type = fs::status(place, error).type();
-  if (path.empty() || (type != fs::file_type::regular && type != fs::file_type::not_found))
-    return {};
-  return access(place.parent_path().c_str(), W_OK) == 0 ? place.string() : "";
 }
 
 }  // namespace
@@ -183,14 +168,11 @@ std::string report_json(const std::vector<Outcome>& outcomes, std::uint64_t seed
   top["seed"] = seed;
   top.update(Json::parse(extra));
   top["runs"] = std::move(runs);
+  check_finite(top);
   return top.dump(2, ' ', false, Json::error_handler_t::replace);
 }
 
 void write_report(const std::string& path, const std::string& text) {
-  if (const std::string place = replaceable(path); !place.empty()) {
-    replace_file(place, text + '\n');
-    return;
-  }
   OutputFile file(path);
   file.line("{}", text);
   file.close();

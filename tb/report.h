@@ -39,8 +39,7 @@ std::string verdict_text(const std::vector<Outcome>& outcomes);
 std::string report_json(const std::vector<Outcome>& outcomes, std::uint64_t seed,
                         const std::string& extra = "{}");
 
-/// Writes the text to a file, which it replaces at once where that can be done: a program killed on
-/// the way leaves no half of it. An empty path writes nothing. InputError where it cannot.
+/// Writes the text to a file, as OutputFile does. An empty path writes nothing.
 void write_report(const std::string& path, const std::string& text);
 
 }  // namespace cosim

@@ -9,10 +9,11 @@
 namespace cosim::dda {
 
 /// How far `at` is off the curve of a job, in steps: of a line along the axis with fewer steps, of
-/// a circle along its radius, of another conic across the curve, by its equation over its gradient.
+/// a circle along its radius, of another conic across the curve: by its equation over its gradient
+/// where that is the distance but for an eighth of it, else the distance. Finite, whatever the job.
 double deviation(const Job& job, Point at);
 
-/// The curve's point next to `at`, down the gradient from there; `at` itself where that is 0.
+/// The curve's point next to `at`, to the digits of a picture; one of them where there are several.
 std::pair<double, double> on_curve(const Job& job, Point at);
 
 }  // namespace cosim::dda

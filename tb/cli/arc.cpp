@@ -1,5 +1,6 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -102,10 +103,20 @@ class Drawn final : public Observer<circular::Design> {
   std::uint64_t radius2_;
 };
 
+Extent extent_of(const circular::Arc& arc) {
+  const std::int64_t whole = circular::steps_to_end(arc.from, arc.radius2);
+  const auto steps = static_cast<std::uint64_t>(std::min(whole, arc.count.value_or(whole)));
+  const std::size_t number =
+      digits(static_cast<std::uint64_t>(circular::nearest_root(arc.radius2)) + 1);
+  return {steps, steps, steps, digits(steps) + 2 * number + 8};
+}
+
 int run(const Options& o) {
   const auto power_up = static_cast<std::uint32_t>(o.common.seed());
   const circular::Arc arc = parse_arc(o);
   const auto& bench = choose(o.shape.circular(), circular::width_needed(arc.radius2));
+  const Extent extent = extent_of(arc);
+  check_extent(o.common, extent);
   check_outputs(o.common);
 
   OutputFile csv(o.common.csv.value_or(""));
@@ -119,7 +130,7 @@ int run(const Options& o) {
     return curve_of(compare::Arc{arc.from, arc.radius2, path.marks.back().at});
   };
   return draw_one<circular::Design, circular::Arc, ArcCheck>(
-      {o.common, power_up, bench, work, arc, check, csv, rows, path, points, ideal});
+      {o.common, power_up, bench, work, arc, check, csv, rows, path, points, ideal, extent});
 }
 
 }  // namespace

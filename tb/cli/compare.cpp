@@ -159,6 +159,7 @@ void check_once(const std::vector<std::string>& names) {
 int run(const Options& o) {
   const std::uint64_t seed = o.common.seed();
   const auto [text, work] = parse_work(o.work);
+  if (o.algorithms && o.algorithms->empty()) throw InputError("--algorithms: names none");
   if (o.algorithms) check_once(split(*o.algorithms));
   std::vector<bool> known(o.algorithms ? split(*o.algorithms).size() : 0, false);
   const auto by_line = chosen(compare::line_algorithms(), o.algorithms, work.lines.works, known);

@@ -30,7 +30,7 @@ void keep_failure(const std::vector<Outcome>& outcomes, const Common& common) {
       fmt::print("\n{}",
                  to_text(leave_failure(*o.bench, o.result.failed, *o.result.mismatch, options)));
     } catch (const InputError& error) {
-      fmt::print(stderr, "cosim: the failure is not kept: {}\n", error.what());
+      complain(fmt::format("the failure is not kept: {}", error.what()));
     }
     return;
   }

@@ -149,12 +149,35 @@ std::pair<const Bench<dda::Design>*, dda::Job> chosen_for(const DdaShape& shape,
   }
 }
 
+// A line takes as many clocks as the accumulators have values, a shift halves them; a quarter more
+// than half as many again.
+Extent extent_of(const dda::Params& p, const dda::Job& job) {
+  const dda::State<Word>& s = job.start;
+  const auto most = static_cast<std::uint64_t>(job.clocks.value_or(std::int64_t{1} << 62));
+  const auto longest = static_cast<std::uint64_t>(std::max(s.left_x, s.left_y));
+  const auto all = static_cast<std::uint64_t>(s.left_x + s.left_y);
+  Extent extent{most, 0, most, 8};
+  if (s.free == 0) {
+    const bool line = s.two_a == 0;
+    const int used = line && s.normalise != 0 ? static_cast<int>(std::bit_width(longest)) : p.width;
+    const std::uint64_t turn =
+        (std::uint64_t{1} << used) + (line ? 0 : std::uint64_t{1} << (used - 1));
+    extent.clocks = std::min(most, longest == 0 ? 0 : turn);
+    extent.steps = extent.clocks < most ? longest : 0;
+    extent.rows = std::min(extent.clocks, all);
+  }
+  extent.row += digits(extent.clocks) + 2 * digits(std::uint64_t{1} << p.width);
+  return extent;
+}
+
 int run(const Options& o) {
   const auto power_up = static_cast<std::uint32_t>(o.common.seed());
   check_kind(o);
   const Work work = parse_work(o);
   const auto [chosen, job] = chosen_for(o.shape.dda(), work);
   const auto& bench = *chosen;
+  const Extent extent = extent_of(bench.params(), job);
+  check_extent(o.common, extent);
   check_outputs(o.common);
 
   OutputFile csv(o.common.csv.value_or(""));
@@ -165,7 +188,7 @@ int run(const Options& o) {
   Drawn points(path, job);
   return draw_one<dda::Design, dda::Job, DdaCheck>(
       {o.common, power_up, bench, work.text, job, check, csv, rows, path, points,
-       [&, drawn = &job] { return curve_of(*drawn, path.marks); }});
+       [&, drawn = &job] { return curve_of(*drawn, path.marks); }, extent});
 }
 
 }  // namespace

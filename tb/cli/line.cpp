@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "model/core/input_error.h"
+#include "model/linear/oracle.h"
 #include "tb/check.h"
 #include "tb/cli/choose.h"
 #include "tb/cli/code_option.h"
@@ -90,6 +91,10 @@ int run(const Options& o) {
   const auto& bench = choose(shape_of(o), major);
   const linear::Params p = bench.params();
   const ChosenCode code = choose_code(o.code, p.m, major, minor);
+  const auto words = static_cast<std::uint64_t>(linear::ticks(p.gamma(), major));
+  const Extent extent{words, static_cast<std::uint64_t>(major), words,
+                      digits(words) + 2 * static_cast<std::size_t>(p.word()) + 3};
+  check_extent(o.common, extent);
   check_outputs(o.common);
 
   OutputFile csv(o.common.csv.value_or(""));
@@ -105,7 +110,7 @@ int run(const Options& o) {
   Drawn points(path, line, p.word());
   return draw_one<linear::Design, linear::Job, LineCheck>({o.common, power_up, bench, work, job,
                                                            check, csv, rows, path, points,
-                                                           [&] { return curve_of(line); }});
+                                                           [&] { return curve_of(line); }, extent});
 }
 
 }  // namespace

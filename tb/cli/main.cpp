@@ -11,6 +11,7 @@
 #include "tb/cli/commands.h"
 #include "tb/cli/words.h"
 #include "tb/interrupt.h"
+#include "tb/leftover.h"
 
 namespace {
 
@@ -18,7 +19,7 @@ constexpr int bad_input = 2;
 constexpr const char* no_output = "cannot write to standard output";
 
 int refuse(const std::string& line) {
-  fmt::print(stderr, "cosim: {}\n", cosim::cli::one_line(line));
+  cosim::cli::complain(line);
   return bad_input;
 }
 
@@ -55,6 +56,7 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   hold_standard_streams();
+  cosim::remove_leftovers_on_signals();
   int status = bad_input;
   try {
     status = run(argc, argv);

@@ -1,17 +1,22 @@
 #include "tb/cli/outputs.h"
 
 #include <fcntl.h>
-#include <fmt/core.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <optional>
+#include <string_view>
 #include <system_error>
 
 #include "model/core/input_error.h"
 #include "tb/cli/wave.h"
+#include "tb/cli/words.h"
+#include "tb/leftover.h"
 #include "tb/plot/plot.h"
+#include "tb/replace_file.h"
 #include "tb/wave/view.h"
 
 namespace cosim::cli {
@@ -37,6 +42,23 @@ bool same_file(const std::string& a, const std::string& b) {
   return first == place(b) && !error;
 }
 
+// The letters of a name's last part decide what is written; an ending alone is a hidden file's
+// name.
+void check_ending(const char* option, const std::string& path,
+                  const std::vector<std::string>& endings) {
+  const std::string name = path.substr(path.find_last_of('/') + 1);
+  for (const std::string& ending : endings) {
+    if (name == ending) {
+      throw InputError(
+          fmt::format("{}: {} has no name before its {}", option, quoted(path), ending));
+    }
+    if (name.ends_with(ending)) return;
+  }
+  throw InputError(path.empty() ? fmt::format("{}: names no file", option)
+                                : fmt::format("{}: {} does not end in {}", option, path,
+                                              fmt::join(endings, " or ")));
+}
+
 // Opens it as the report will be opened, but changes nothing.
 void check_writable(const std::string& path) {
   std::error_code error;
@@ -47,17 +69,20 @@ void check_writable(const std::string& path) {
   }
   // To open a pipe would wait for its reader, who would then see it closed.
   if (!absent && type != fs::file_type::regular && type != fs::file_type::directory) return;
+  std::optional<Leftover> probe;
+  if (absent) probe.emplace(path);
   const int file = open(path.c_str(), O_WRONLY | O_CLOEXEC | (absent ? O_CREAT | O_EXCL : 0), 0600);
   if (file < 0) {
     throw InputError(fmt::format("{}: cannot write: {}", path, std::strerror(errno)));
   }
   close(file);
-  if (absent) unlink(path.c_str());
 }
+
+constexpr std::string_view wave = "--wave";
 
 // A file that an option writes.
 struct Output {
-  const char* option;
+  std::string_view option;
   std::string path;
 };
 
@@ -102,24 +127,22 @@ void check_apart(const std::vector<Output>& all, const std::string& input) {
 
 void check_outputs(const Common& common, const std::string& input,
                    const std::vector<std::string>& waves) {
-  if (common.wave) {
-    const fs::path wave = *common.wave;
-    if (wave.extension() != ".fst" || wave.stem().empty()) {
-      throw InputError(common.wave->empty()
-                           ? "--wave: names no file"
-                           : fmt::format("--wave: {} does not end in .fst", *common.wave));
-    }
-  }
+  if (common.wave) check_ending("--wave", *common.wave, {".fst"});
   if (common.failures && common.failures->empty()) {
     throw InputError("--failures: names no folder");
   }
   const std::vector<Output> all = outputs_of(common, waves);
   check_apart(all, input);
-  if (common.plot) check_plot(*common.plot);
+  if (common.plot) {
+    check_ending("--plot", *common.plot, {".svg", ".png"});
+    check_plot();
+  }
   common.window();
-  // The CSV is opened before anything runs, and may be what can be opened once alone.
   for (const Output& one : all) {
-    if (!common.csv || one.path != *common.csv) check_writable(one.path);
+    check_writable(one.path);
+    if (one.option == wave && replaceable(one.path).empty()) {
+      throw InputError(fmt::format("{}: {} cannot be replaced by a file", wave, one.path));
+    }
   }
 }
 

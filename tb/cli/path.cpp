@@ -6,14 +6,17 @@
 
 #include "model/circular/oracle.h"
 #include "model/core/input_error.h"
+#include "model/linear/oracle.h"
 #include "model/toolpath/plan.h"
 #include "tb/cli/choose.h"
 #include "tb/cli/code_option.h"
 #include "tb/cli/commands.h"
 #include "tb/cli/common.h"
 #include "tb/cli/conclude.h"
+#include "tb/cli/extent.h"
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
+#include "tb/cli/progress.h"
 #include "tb/cli/shape_options.h"
 #include "tb/cli/wave.h"
 #include "tb/cli/words.h"
@@ -88,6 +91,31 @@ double off(const toolpath::Segment& s, toolpath::Point at) {
   return length == 0 ? 0 : std::fabs(static_cast<double>(area)) / length;
 }
 
+// What each machine is given of a plan.
+struct Extents {
+  Extent lines, arcs;
+};
+
+Extents extents_of(const toolpath::Plan& plan, int gamma) {
+  Extents all;
+  for (const toolpath::Piece& piece : plan.pieces) {
+    const auto n = static_cast<std::uint64_t>(toolpath::steps(piece));
+    const bool line = std::holds_alternative<toolpath::LineJob>(piece.job);
+    Extent& one = line ? all.lines : all.arcs;
+    one.steps += n;
+    one.clocks +=
+        line ? static_cast<std::uint64_t>(linear::ticks(gamma, static_cast<std::int64_t>(n))) : n;
+  }
+  return all;
+}
+
+// Of the path as a whole; its clocks are its steps, of which the bar knows.
+Extent whole(const Extents& parts, std::size_t segments) {
+  const std::uint64_t steps = parts.lines.steps + parts.arcs.steps;
+  constexpr std::size_t coordinate = 11;
+  return {steps, steps, steps, digits(segments) + 2 * coordinate + 9};
+}
+
 int run(const Options& o) {
   const std::uint64_t seed = o.common.seed();
   const std::string& file = *o.file;
@@ -104,6 +132,13 @@ int run(const Options& o) {
   }
   const auto& lines = choose(line_shape, plan.longest_line);
   const auto& arcs = choose(arc_shape, plan.arc_width);
+  const Extents parts = extents_of(plan, lines.params().gamma());
+  const Extent extent = whole(parts, plan.segments.size());
+  if (o.common.wave) {
+    check_wave_clocks(parts.lines.clocks);
+    check_wave_clocks(parts.arcs.clocks);
+  }
+  if (o.common.plot) Series::check_steps(extent.steps);
   check_outputs(o.common, file, {lines.design(), arcs.design()});
 
   OutputFile csv(o.common.csv.value_or(""));
@@ -118,15 +153,20 @@ int run(const Options& o) {
                program.lines, count(program.lines_unread, "line"));
   }
 
+  announce_csv(o.common, extent);
+
   PathRun path(lines, arcs, rule, static_cast<std::uint32_t>(seed));
   Series series;
   series.add({0, 0}, 0);
+  RunProgress progress("path", extent.steps, leaves_terminal(o.common));
+  std::uint64_t steps = 0;
   const PathResult result =
       path.draw(plan, [&](std::uint32_t segment, toolpath::Point step, toolpath::Point at) {
         csv.line("{},{},{},{},{}", segment, step.x, step.y, at.x, at.y);
         if (o.common.plot) series.add(at, off(plan.segments[segment - 1], at));
+        progress.at(++steps);
       });
-  csv.close();
+  progress.clear();
   draw_waves(o.common, lines, arcs, path, result);
 
   const std::vector<Outcome> outcomes = outcomes_of(lines, arcs, result);
@@ -138,6 +178,7 @@ int run(const Options& o) {
                                curves_of(compare::work_of(plan)),
                                {series}});
   }
+  csv.close();
   for (const Outcome& one : outcomes) {
     fmt::print("{}: {}, {}\n", one.bench->title(), one.work, drawn(one.result));
   }

@@ -44,4 +44,22 @@ void ProgressLine::finish(const std::string& text) {
   std::fflush(stdout);
 }
 
+RunProgress::RunProgress(std::string title, std::uint64_t total, bool wanted)
+    : line_(std::move(title)),
+      total_(total),
+      draw_(wanted && total != 0 ? line_.callback() : Progress{}),
+      due_(std::chrono::steady_clock::now() + std::chrono::seconds(1)) {}
+
+void RunProgress::draw(std::uint64_t done) {
+  const auto now = std::chrono::steady_clock::now();
+  if (now < due_) return;
+  due_ = now + std::chrono::milliseconds(200);
+  draw_(std::min(done, total_), total_);
+  drawn_ = true;
+}
+
+void RunProgress::clear() {
+  if (std::exchange(drawn_, false)) fmt::print("\r\x1b[K");
+}
+
 }  // namespace cosim::cli

@@ -26,4 +26,30 @@ class ProgressLine {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// How far one long run is: the same bar, where it takes more than a moment. It leaves nothing.
+class RunProgress {
+ public:
+  /// `wanted`: false where the terminal is given other things meanwhile.
+  RunProgress(std::string title, std::uint64_t total, bool wanted);
+  ~RunProgress() { clear(); }
+  RunProgress(const RunProgress&) = delete;
+  RunProgress& operator=(const RunProgress&) = delete;
+
+  /// To be called for every clock or step, from 1.
+  void at(std::uint64_t done) {
+    constexpr std::uint64_t seldom = (1U << 16) - 1;
+    if ((done & seldom) == 0 && draw_) draw(done);
+  }
+  /// Takes the bar away.
+  void clear();
+
+ private:
+  void draw(std::uint64_t done);
+  ProgressLine line_;
+  std::uint64_t total_;
+  Progress draw_;
+  bool drawn_ = false;
+  std::chrono::steady_clock::time_point due_;
+};
+
 }  // namespace cosim::cli

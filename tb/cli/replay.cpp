@@ -7,6 +7,7 @@
 #include "tb/cli/commands.h"
 #include "tb/cli/common.h"
 #include "tb/cli/conclude.h"
+#include "tb/cli/extent.h"
 #include "tb/cli/outputs.h"
 #include "tb/cli/wave.h"
 #include "tb/cli/words.h"
@@ -26,6 +27,7 @@ int run(const Options& o) {
     file = (std::filesystem::path(file) / "stimulus.stim").string();
   }
   const auto [bench, stimulus] = read_stimulus(file, benches());
+  check_extent(o.common, {stimulus.clocks.size(), 0, 0, 0});
   check_outputs(o.common, file);
 
   const std::string work = stimulus.origin.empty() ? file : stimulus.origin;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "model/core/input_error.h"
@@ -145,7 +146,7 @@ int run(const Options& o, const std::vector<const Bench<Design>*>& benches) {
   }
   SweepCheckpoint checkpoint(o.common.checkpoint.value_or(""), work);
 
-  const InterruptGuard interrupts;
+  std::optional<InterruptGuard> interrupts(std::in_place);
   std::vector<Outcome> outcomes;
   for (const auto& [bench, sweep] : sweeps) {
     const std::string title = fmt::format("{}, {}", bench->title(), sweep.name);
@@ -166,6 +167,7 @@ int run(const Options& o, const std::vector<const Bench<Design>*>& benches) {
     if (!result.match()) break;
     resume.keep(result);
   }
+  interrupts.reset();  // a report to a pipe waits for its reader, and is ended as any program
   const int status = conclude(outcomes, o.common);
   checkpoint.done();
   return status;

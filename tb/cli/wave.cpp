@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "model/core/input_error.h"
+#include "tb/cli/extent.h"
 #include "tb/wave/view.h"
 
 namespace cosim::cli {
@@ -18,12 +18,8 @@ std::string wave_file(const std::string& file, const std::string& part) {
 
 void draw_wave(const Common& common, const AnyBench& bench, Stimulus stimulus,
                const std::string& work, const std::string& part) {
-  constexpr std::size_t most_clocks = 2'000'000;
   if (!common.wave) return;
-  if (stimulus.clocks.size() > most_clocks) {
-    throw InputError(fmt::format("--wave: {} clocks are more than can be drawn, {}",
-                                 stimulus.clocks.size(), most_clocks));
-  }
+  check_wave_clocks(stimulus.clocks.size());
   stimulus.machine = bench.title();
   stimulus.origin = work;
   const std::string file = wave_file(*common.wave, part);

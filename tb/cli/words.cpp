@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
+
+#include "tb/finite.h"
 
 namespace cosim::cli {
 namespace {
@@ -36,7 +39,7 @@ std::string count(std::uint64_t n, const std::string& noun) {
 
 std::string in_steps(double length) {
   constexpr int most_decimals = 12;
-  std::string text = fmt::format("{}", length);  // the shortest that is the same double
+  std::string text = fmt::format("{}", finite(length));  // the shortest that is the same double
   for (int decimals = 3; decimals <= most_decimals; ++decimals) {
     std::string rounded = fmt::format("{:.{}f}", length, decimals);
     if (rounded.size() >= text.size()) break;
@@ -63,6 +66,10 @@ std::string quoted(const std::string& text) {
   std::size_t end = longest;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;  // UTF-8
   return "'" + one_line(text.substr(0, end)) + "...'";
+}
+
+void complain(const std::string& text) {
+  std::fputs(("cosim: " + one_line(text) + '\n').c_str(), stderr);
 }
 
 }  // namespace cosim::cli

@@ -20,4 +20,8 @@ std::string one_line(std::string text);
 /// What a person typed, in quotes and on one line; cut where it is long.
 std::string quoted(const std::string& text);
 
+/// "cosim: TEXT" as one line on standard error. Throws nothing: where that is closed or full there
+/// is nobody left to tell.
+void complain(const std::string& text);
+
 }  // namespace cosim::cli

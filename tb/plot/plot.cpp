@@ -6,26 +6,30 @@
 #include <fstream>
 
 #include "model/core/input_error.h"
+#include "tb/finite.h"
+#include "tb/output_file.h"
 #include "tb/plot/script.h"
 #include "tb/proof/process.h"
+#include "tb/replace_file.h"
 
 namespace cosim {
 
 namespace fs = std::filesystem;
 
+void Series::check_steps(std::uint64_t steps) {
+  if (steps < most_marks) return;
+  throw InputError(
+      fmt::format("--plot: a path of more than {} steps is too long to draw", most_marks - 1));
+}
+
 void Series::add(const Mark& mark) {
-  if (marks.size() == most_marks) {
-    throw InputError(
-        fmt::format("--plot: a path of more than {} steps is too long to draw", most_marks - 1));
-  }
+  check_steps(marks.size());
+  finite(mark.off);
+  finite(mark.along);
   marks.push_back(mark);
 }
 
-void check_plot(const std::string& path) {
-  const fs::path file(path);
-  if ((file.extension() != ".svg" && file.extension() != ".png") || file.stem().empty()) {
-    throw InputError(fmt::format("--plot: {} does not end in .svg or .png", path));
-  }
+void check_plot() {
   if (proof::run_program({"gnuplot", "--version"}).status != 0) {
     throw InputError("--plot: needs gnuplot, which is not installed (apt-get install gnuplot-nox)");
   }
@@ -34,13 +38,18 @@ void check_plot(const std::string& path) {
 void draw_plot(const std::string& path, const Plot& plot) {
   const proof::Scratch scratch;
   const std::string script = scratch.path() / "plot.gp";
+  const std::string picture = scratch.path() / ("picture" + fs::path(path).extension().string());
   {
     std::ofstream out(script);
-    write_script(out, path, plot);
+    write_script(out, picture, plot);
     if (!out.flush()) throw InputError(fmt::format("--plot: {}: cannot write", script));
   }
   const auto ended = proof::run_program({"gnuplot", script});
   if (ended.status != 0) throw InputError(fmt::format("--plot: {}: gnuplot failed", path));
+  // It may be on another disk.
+  OutputFile file(path);
+  file.text(text_of_file(picture));
+  file.close();
 }
 
 }  // namespace cosim

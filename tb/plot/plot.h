@@ -1,6 +1,7 @@
 // Pictures by gnuplot: paths on the grid over the ideal curve, and how far they are off it.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,7 +28,9 @@ struct Series {
   std::string name;
   std::vector<Mark> marks;  ///< at least one
 
-  /// InputError where there are more than a picture holds.
+  /// InputError where a path of so many steps is more than a picture holds.
+  static void check_steps(std::uint64_t steps);
+  /// InputError where there are more than that.
   void add(const Mark& mark);
   /// The next step of a path that is drawn step by step.
   void add(circular::Point at, double off) { add({at, off, static_cast<double>(marks.size())}); }
@@ -39,10 +42,10 @@ struct Plot {
   std::vector<Series> series;  ///< side by side, at least one
 };
 
-/// InputError where `path` does not end in .svg or .png, and where there is no gnuplot.
-void check_plot(const std::string& path);
+/// InputError where there is no gnuplot.
+void check_plot();
 
-/// Draws it into the file. InputError where gnuplot fails.
+/// Draws it into the file, whose name ends in .svg or .png. InputError where gnuplot fails.
 void draw_plot(const std::string& path, const Plot& plot);
 
 }  // namespace cosim

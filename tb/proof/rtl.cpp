@@ -62,7 +62,9 @@ Source source_in(const fs::path& folder, const std::string& design,
     if (entry.path().extension() == ".v") source.files.push_back(fs::absolute(entry.path()));
   }
   if (source.files.empty()) {
-    throw InputError(fmt::format("{}: no Verilog of the {} interpolator", folder.string(), design));
+    throw InputError(
+        fmt::format("{}: no Verilog of the {} interpolator; --rtl DIR names the folder that has it",
+                    folder.string(), design));
   }
   std::sort(source.files.begin(), source.files.end());
   return source;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "model/core/value.h"
+#include "tb/leftover.h"
 
 namespace cosim {
 
@@ -34,11 +35,12 @@ class Fst {
   void bytes(Handle handle, int width, const unsigned char* bytes);
   void number(Handle handle, double number);
 
-  /// To be called when all is in.
+  /// To be called when all is in: then the file stands there.
   void close();
 
  private:
-  std::string path_;
+  std::string path_, place_;
+  Leftover half_, hierarchy_;  // what the writer writes, and what it puts beside that meanwhile
   void* writer_ = nullptr;
   std::uint64_t times_ = 0;
   std::string digits_;

@@ -80,6 +80,15 @@ TEST(Dda, DrawsAConic) {
   EXPECT_NEAR(static_cast<double>(all.back().x), 100, 2);
 }
 
+// Its path goes through the ellipse's centre.
+TEST(Dda, IsOffByAFiniteDistance) {
+  const Folder folder;
+  const Ended ended = cosim({"dda", "--conic", "1,-1,1,0,0,-1", "--from", "1,0", "--update",
+                             "sequential", "--report", folder.path("r")});
+  EXPECT_NE(ended.out.find("largest deviation 0.816 steps"), std::string::npos) << ended.out;
+  EXPECT_NE(folder.text("r").find("\"max_deviation\": 0.8164965809"), std::string::npos);
+}
+
 TEST(Dda, TakesTheSmallestMachineThatHoldsTheCurve) {
   const auto machine = [](const Arguments& arguments) {
     const Ended ended = cosim(arguments);

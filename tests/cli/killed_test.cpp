@@ -94,6 +94,20 @@ TEST_F(KilledSweep, StartsFromWhatTheCheckpointSays) {
   EXPECT_EQ(report["runs"][0]["clocks"], kClocks + 7);
 }
 
+// The first of its cases reaches the middle of its conic, where the gradient vanishes.
+TEST_F(KilledSweep, OfTheDdaGoesOn) {
+  const Arguments kept{"sweep", "dda",     "--random", "300000",       "--seed",
+                       "3",     "--width", "6",        "--checkpoint", folder_.path("state")};
+  for (int after = 400; !folder_.holds("state"); after *= 2) {
+    ASSERT_TRUE(cosim_killed(kept, after)) << "it ended and kept nothing";
+  }
+  const std::uint64_t done = cases_done();
+  for (int after = 800; cases_done() == done; after *= 2) {
+    ASSERT_TRUE(cosim_killed(kept, after)) << "it did not go on";
+  }
+  EXPECT_GT(cases_done(), done);
+}
+
 void expect_refused(const Ended& ended, const std::string& line) {
   EXPECT_EQ(ended.status, 2);
   EXPECT_NE(ended.err.find(line), std::string::npos) << ended.err;

@@ -54,7 +54,7 @@ void expect_refused(const std::string& file, const std::string& error) {
 TEST(Plot, RefusesWhatItCannotDraw) {
   expect_refused("a.pdf", "--plot: a.pdf does not end in .svg or .png");
   expect_refused("png", "--plot: png does not end in .svg or .png");
-  expect_refused(".png", "--plot: .png does not end in .svg or .png");
+  expect_refused(".png", "--plot: '.png' has no name before its .png");
   const Ended twice =
       cosim({"arc", "--radius", "12", "--csv", "/tmp/a.png", "--plot", "/tmp/a.png"});
   EXPECT_EQ(twice.status, 2);

@@ -43,28 +43,34 @@ int status_of(pid_t child, long* peak = nullptr) {
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
-// An empty path for standard output closes it.
+// An empty path closes the stream.
+void redirect(int stream, const std::string& path) {
+  if (path.empty()) {
+    close(stream);
+  } else {
+    send(stream, path);
+  }
+}
+
 pid_t start(const char* program, const Arguments& arguments, const std::string& out,
             const std::string& err) {
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("fork");
   if (child != 0) return child;
   dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
-  send(STDERR_FILENO, err);
-  if (out.empty()) {
-    close(STDOUT_FILENO);
-  } else {
-    send(STDOUT_FILENO, out);
-  }
+  redirect(STDERR_FILENO, err);
+  redirect(STDOUT_FILENO, out);
   become(program, arguments);
 }
 
 Ended run(const char* program, const Arguments& arguments, const Output& output) {
   const Folder folder;
   const std::string out = output.path.empty() ? folder.path("out") : output.path;
-  const std::string err = folder.path("err");
+  const std::string err = output.err_path.empty() ? folder.path("err") : output.err_path;
   Ended ended;
-  ended.status = status_of(start(program, arguments, output.closed ? "" : out, err), &ended.peak);
+  ended.status =
+      status_of(start(program, arguments, output.closed ? "" : out, output.err_closed ? "" : err),
+                &ended.peak);
   if (output.path.empty() && !output.closed) ended.out = folder.text("out");
   ended.err = folder.text("err");
   return ended;

@@ -18,10 +18,12 @@ struct Ended {
 };
 
 /// Where standard output goes: into Ended::out, to the file of that path (opened as a shell's >
-/// does), or nowhere, closed.
+/// does), or nowhere, closed. The same of standard error.
 struct Output {
-  std::string path;
+  std::string path = {};
   bool closed = false;
+  std::string err_path = {};
+  bool err_closed = false;
 };
 
 /// The program as shipped, with standard input from /dev/null.

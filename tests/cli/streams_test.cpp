@@ -158,6 +158,18 @@ TEST(StandardOutput, ClosedIsAnError) {
   EXPECT_EQ(lines(folder.text("csv")).size(), 5U) << folder.text("csv");
 }
 
+// There is nobody to tell, but the status tells.
+TEST(StandardError, ClosedOrFullKeepsTheStatus) {
+  for (const Output& nowhere : {Output{"", false, "", true}, Output{"", false, "/dev/full"}}) {
+    EXPECT_EQ(cosim({"line", "--major", "5"}, nowhere).status, 2);
+    EXPECT_EQ(cosim({"line", "--size"}, nowhere).status, 2);
+    EXPECT_EQ(line({}, nowhere).status, 0);
+  }
+  Output nothing;
+  nothing.closed = nothing.err_closed = true;
+  EXPECT_EQ(line({}, nothing).status, 2);
+}
+
 // A reader that has seen enough ends the program without a word, as it does any other.
 TEST(StandardOutput, OfAReaderGoneEndsTheProgram) {
   const Folder folder;

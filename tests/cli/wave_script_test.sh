@@ -23,6 +23,9 @@ mkdir "$folder/failure"
 rendered folder "$folder/failure"
 # By name it builds the program first, which is here already.
 [[ $1 != "$root/build/cosim" ]] || rendered dda dda --circle 12
+# Options stand before the words or behind them.
+"$root/scripts/wave" "$folder/failure" --shot "$folder/behind.png"
+cmp "$folder/behind.png" "$folder/folder.png"
 
 # refused LINE ARGUMENTS...: that is all that scripts/wave says, and its status is 2.
 refused() {
@@ -42,7 +45,9 @@ refused "there is no display; --shot FILE.png renders without one" "$folder"
 refused "--shot: shot.gif does not end in .png" --shot shot.gif
 refused "--shot: there is no folder $folder/none" --shot "$folder/none/shot.png"
 refused "--shot needs a name" --shot
+refused "--shot needs a name" arc 12 --shot
 refused "no such option: --size" --size
+refused "no such option: --size" arc 12 --size
 refused "line needs BP and MP" "${shot[@]}" line 27
 refused "arc needs R" "${shot[@]}" arc
 refused "dda needs arguments, as --circle 12" "${shot[@]}" dda

@@ -3,9 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 #include <thread>
 
 #include "model/core/input_error.h"
@@ -34,6 +36,12 @@ TEST_F(CheckpointIn, GivesWhatWasSavedLast) {
   first.save({1, 2.5, "three"});
   first.save(Json{{"cases", ~std::uint64_t{0}}});
   EXPECT_EQ(Checkpoint(path_, "work").state(), (Json{{"cases", ~std::uint64_t{0}}}));
+}
+
+TEST_F(CheckpointIn, HoldsNoFigureThatIsNotFinite) {
+  Checkpoint kept(path_, "work");
+  EXPECT_THROW(kept.save(Json{{"off", HUGE_VAL}}), std::logic_error);
+  EXPECT_TRUE(std::filesystem::is_empty(folder_));
 }
 
 TEST_F(CheckpointIn, IsGoneWhenDone) {

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "tests/support/model_adapter.h"
 
@@ -43,6 +45,16 @@ Result objected() {
   r.checked.error = "oracle 8 steps, machine 7";
   r.failed = "case 0: R = 12";
   return r;
+}
+
+TEST(Report, HasNoFigureThatIsNotFinite) {
+  Outcome outcome{&lines(), "a line", good(7)};
+  EXPECT_NO_THROW(report_json({outcome}, 1));
+  EXPECT_THROW(report_json({outcome}, 1, R"({"off":[1,null]})"), std::logic_error);
+  for (const double figure : {HUGE_VAL, std::nan("")}) {
+    outcome.result.checked.max_deviation = figure;
+    EXPECT_THROW(report_json({outcome}, 1), std::logic_error);
+  }
 }
 
 TEST(ReportText, CountsTheSignals) {

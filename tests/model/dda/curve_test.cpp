@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <string>
 
@@ -64,6 +65,81 @@ TEST(DdaCurve, IsOffByItsEquation) {
   EXPECT_EQ(deviation(line(kP, {10, 5}, {}), {4, 3}), 1);
 }
 
+// Where the gradient is small or nothing the equation over it says nothing of the distance.
+TEST(DdaCurve, IsOffByTheDistanceFromItsMiddleToo) {
+  const Job ellipse = conic(kP, {1, 0, 4, 0, 0, -400}, {20, 0}, {});
+  EXPECT_NEAR(deviation(ellipse, {0, 0}), 10, 1e-12);
+  EXPECT_NEAR(deviation(ellipse, {0, 1}), 9, 1e-12);
+  EXPECT_NEAR(deviation(ellipse, {0, -3}), 7, 1e-12);
+  // From (3, 0) the nearest point is at x = 3 / (1 - 1/4) = 4.
+  EXPECT_NEAR(deviation(ellipse, {3, 0}), std::hypot(1, std::sqrt(96)), 1e-12);
+  // Of x^2 - x y + y^2 = 1 the shorter half axis is sqrt(2/3).
+  EXPECT_NEAR(deviation(conic(kP, {1, -1, 1, 0, 0, -1}, {1, 0}, {}), {0, 0}), std::sqrt(2 / 3.0),
+              1e-12);
+  // The vertices of x^2 - y^2 = 400, whose centre is no nearer to anything else.
+  const Job hyperbola = conic(kP, {1, 0, -1, 0, 0, -400}, {20, 0}, {}, 1);
+  EXPECT_NEAR(deviation(hyperbola, {0, 0}), 20, 1e-12);
+  EXPECT_NEAR(deviation(hyperbola, {0, 4}), std::hypot(std::sqrt(404), 2), 1e-12);
+  // y = x^2 from its axis, where the foot lies at y - 1/2.
+  const Job parabola = conic(kP, {1, 0, 0, 0, -1, 0}, {0, 0}, {}, 1);
+  EXPECT_NEAR(deviation(parabola, {0, 5}), std::hypot(std::sqrt(4.5), 0.5), 1e-12);
+}
+
+// As registers may stand that no curve asked for: the value is that of two lines, or of a point.
+TEST(DdaCurve, IsOffByAFiniteDistanceWhateverItIs) {
+  for (const Word a : {-2, 0, 1}) {
+    for (const Word b : {-1, 0, 2}) {
+      for (const Word c : {-3, 0, 2}) {
+        for (const Word rate : {-1, 0, 1}) {
+          Job job;
+          job.start.two_a = a;
+          job.start.b = b;
+          job.start.two_c = c;
+          job.start.rate_x = rate;
+          for (std::int64_t x = -3; x <= 3; ++x) {
+            for (std::int64_t y = -3; y <= 3; ++y) {
+              const double off = deviation(job, {x, y});
+              EXPECT_TRUE(off >= 0 && off <= std::hypot(x, y) + 1e-9) << off;
+              const auto [on_x, on_y] = on_curve(job, {x, y});
+              EXPECT_TRUE(std::isfinite(on_x) && std::isfinite(on_y));
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+// Against all ways that go out from a point, a thousand of them.
+TEST(DdaCurve, IsOffByTheShortestWay) {
+  for (const Conic q :
+       {Conic{1, -1, 1, 0, 0, -100}, {3, 1, 1, 4, -30, -340}, {2, -7, 1, 3, 5, -230}}) {
+    const Job job = conic(kP, q, {10, 0}, {}, 1);
+    for (std::int64_t x = -12; x <= 12; ++x) {
+      for (std::int64_t y = -12; y <= 12; ++y) {
+        const auto px = static_cast<double>(x), py = static_cast<double>(y);
+        const auto a = static_cast<double>(q.a), b = static_cast<double>(q.b),
+                   c = static_cast<double>(q.c), d = static_cast<double>(q.d),
+                   e = static_cast<double>(q.e), f = static_cast<double>(q.f);
+        const double value = a * px * px + b * px * py + c * py * py + d * px + e * py + f;
+        double least = 1e9;
+        for (int i = 0; i < 1000; ++i) {
+          const double u = std::cos(i * 0.0062831853), v = std::sin(i * 0.0062831853);
+          const double slope = (2 * a * px + b * py + d) * u + (b * px + 2 * c * py + e) * v;
+          const double bend = a * u * u + b * u * v + c * v * v;
+          const double root2 = slope * slope - 4 * bend * value;
+          if (root2 < 0) continue;
+          for (const double sign : {-1, 1}) {
+            const double way = 2 * value / (-slope + sign * std::sqrt(root2));
+            if (way >= 0) least = std::min(least, way);
+          }
+        }
+        EXPECT_NEAR(deviation(job, {x, y}), least, least / 8 + 1e-3) << x << ' ' << y;
+      }
+    }
+  }
+}
+
 TEST(DdaCurve, HasAPointNextToAnyOther) {
   const auto expect_on = [](const Job& job, Point at, double x, double y) {
     const auto [on_x, on_y] = on_curve(job, at);
@@ -73,7 +149,8 @@ TEST(DdaCurve, HasAPointNextToAnyOther) {
   const Job quarter = arc(kP, {100, 0}, {0, 100}, {});
   expect_on(quarter, {60, 80}, 60, 80);
   expect_on(quarter, {103, 0}, 100, 0);
-  expect_on(quarter, {0, 0}, 0, 0);  // the centre has no way to go
+  const auto [x, y] = on_curve(quarter, {0, 0});  // from the centre each point is as near
+  EXPECT_NEAR(std::hypot(x, y), 100, 1e-9);
   expect_on(conic(kP, {-1, 0, -1, 20, -40, 9500}, {110, -20}, {}), {10, 70}, 10, 80);
   expect_on(conic(kP, {1, 0, 4, 0, 0, -400}, {20, 0}, {}), {0, 11}, 0, 10);
   expect_on(line(kP, {10, 5}, {}), {4, 3}, 4.4, 2.2);

@@ -1,0 +1,35 @@
+#include "tb/cli/extent.h"
+
+#include <fmt/core.h>
+
+#include "model/core/input_error.h"
+#include "tb/cli/words.h"
+#include "tb/plot/plot.h"
+
+namespace cosim::cli {
+
+void check_wave_clocks(std::uint64_t clocks) {
+  if (clocks <= most_wave_clocks) return;
+  throw InputError(
+      fmt::format("--wave: {} clocks are more than can be drawn, {}", clocks, most_wave_clocks));
+}
+
+void check_extent(const Common& common, const Extent& extent) {
+  if (common.wave) check_wave_clocks(extent.clocks);
+  if (common.plot) Series::check_steps(extent.steps);
+}
+
+bool leaves_terminal(const Common& common) {
+  return !common.table && !common.csv.value_or("").starts_with("/dev/");
+}
+
+void announce_csv(const Common& common, const Extent& extent) {
+  constexpr double giga = 1e9;
+  const double size = static_cast<double>(extent.rows) * static_cast<double>(extent.row);
+  if (!common.csv || size < giga) return;
+  fmt::print("csv: up to {:.0f} GB, {}\n", size / giga, one_line(*common.csv));
+}
+
+std::size_t digits(std::uint64_t number) { return fmt::formatted_size("{}", number); }
+
+}  // namespace cosim::cli

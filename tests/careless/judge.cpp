@@ -1,0 +1,121 @@
+#include "tests/careless/judge.h"
+
+#include <algorithm>
+#include <csignal>
+#include <filesystem>
+
+namespace cosim::careless {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr long most_memory = 1'500'000'000;
+
+// The files that an argument may stand for, as paths below the scratch folder: its own, those that
+// are made from its name, and all in a folder of that name.
+class Asked {
+ public:
+  Asked(const Case& one, const Scratch& scratch) : killed_(one.signal == SIGKILL) {
+    for (const auto& named : one.named) {
+      if (named.value.empty()) continue;
+      // A name may be too long to be looked for.
+      std::error_code ignored;
+      fs::path place = fs::weakly_canonical(scratch.work() / named.value, ignored);
+      if (place.empty()) place = (scratch.work() / named.value).lexically_normal();
+      const fs::path path = place.lexically_relative(scratch.folder());
+      paths_.push_back(path.string());
+      // Only a wave has files beside it.
+      if (path.extension() == ".fst")
+        stems_.push_back(path.string().substr(0, path.string().size() - 4));
+      if (named.option == "--failures" || named.option == "--scripts")
+        folders_.push_back(path.string() + '/');
+    }
+  }
+
+  bool names(std::string path, bool folder) const {
+    // The one signal that nobody can take.
+    if (killed_ && path.ends_with(".cosim-new")) path.resize(path.size() - 10);
+    if (killed_ && (path.starts_with("tmp/") || path.ends_with(".hier"))) return true;
+    if (std::find(paths_.begin(), paths_.end(), path) != paths_.end()) return true;
+    for (const std::string& stem : stems_) {
+      for (const char* part : {"", ".linear", ".circular"}) {
+        for (const char* end : {".fst", ".gtkw", ".phase.txt", ".step.txt"}) {
+          if (path == stem + part + end) return true;
+        }
+      }
+    }
+    return std::any_of(folders_.begin(), folders_.end(), [&](const std::string& one) {
+      return path.starts_with(one) || (folder && one.starts_with(path + '/'));
+    });
+  }
+
+ private:
+  bool killed_;
+  std::vector<std::string> paths_, stems_, folders_;
+};
+
+void check_status(const Case& one, const Came& came, std::vector<std::string>& found) {
+  const bool by_signal = came.signalled && came.status == 128 + one.signal;
+  const bool by_pipe =
+      (one.out == Stream::gone || one.err == Stream::gone) && came.status == 128 + SIGPIPE;
+  if (came.hung) found.push_back("does not end on signal " + std::to_string(one.signal));
+  if (came.hung || by_signal || by_pipe) return;
+  const bool proof =
+      std::find(one.arguments.begin(), one.arguments.end(), "prove") != one.arguments.end();
+  if (came.status != 0 && came.status != 2 && !(came.status == 1 && proof)) {
+    found.push_back("status " + std::to_string(came.status));
+  }
+  if (one.err != Stream::file || one.largest_file != 0) return;
+  if (came.status == 2 && came.err.empty()) found.push_back("status 2 and not a word");
+  if (came.status == 0 && !came.err.empty()) found.push_back("status 0 and an error: " + came.err);
+}
+
+void check_error(const Case& one, const Came& came, std::vector<std::string>& found) {
+  const auto ends = std::count(came.err.begin(), came.err.end(), '\n');
+  const bool cut = one.largest_file != 0 || came.signalled;
+  if (ends > 1 || (ends == 0 && !came.err.empty() && !cut)) {
+    found.push_back("standard error is not one line: " + came.err.substr(0, 1000));
+  }
+  if (!came.err.empty() && !came.err.starts_with("cosim: ") && !cut)
+    found.push_back("standard error: " + came.err);
+  if (came.err.find("internal error") != std::string::npos) found.push_back(came.err);
+  for (const std::string& text : {came.out, came.err}) {
+    for (const char* figure : {" inf ", " nan ", " -nan ", " inf,", " nan,"}) {
+      if (text.find(figure) != std::string::npos)
+        found.push_back("a figure is" + std::string(figure));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> faults(const Case& one, const Came& came, const Scratch& scratch,
+                                const Held& before, const Held& after) {
+  std::vector<std::string> found;
+  check_status(one, came, found);
+  check_error(one, came, found);
+  if (came.left != 0) found.push_back("leaves a process");
+  if (came.peak > most_memory)
+    found.push_back("takes " + std::to_string(came.peak) + " bytes of memory");
+
+  const Asked asked(one, scratch);
+  for (const auto& [path, held] : before) {
+    if (after.count(path) == 0 && !asked.names(path, held == "folder"))
+      found.push_back("is gone: " + path);
+  }
+  for (const auto& [path, held] : after) {
+    const auto old = before.find(path);
+    if (old != before.end() && old->second == held) continue;
+    if (!asked.names(path, held == "folder")) {
+      found.push_back((old == before.end() ? "is new: " : "is changed: ") + path);
+      continue;
+    }
+    if (path.ends_with(".cosim-new")) continue;  // of one that was killed
+    if (const std::string why = unsound((scratch.folder() / path).string()); !why.empty()) {
+      found.push_back(path + ": " + why);
+    }
+  }
+  return found;
+}
+
+}  // namespace cosim::careless

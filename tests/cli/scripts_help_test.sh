@@ -1,0 +1,23 @@
+#!/usr/bin/env bash
+# Every script of scripts/ says what it is for, the same by -h and by --help, and needs nothing for
+# it: no package, no build. Behind other words too, but for those that hand their words on.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+
+for script in "$root"/scripts/*; do
+  [[ -x $script ]] || continue
+  name=$(basename "$script")
+  long=$("$script" --help < /dev/null)
+  [[ $long == "scripts/$name"* ]] || { echo "$name --help says: $long" && exit 1; }
+  [[ $("$script" -h < /dev/null) == "$long" ]] || { echo "$name -h says another thing" && exit 1; }
+  case $name in
+    cosim | test) continue ;;
+    setup) word=run ;;
+    fuzz) word=gcode ;;
+    mutate) word=--slice ;;
+    *) word=linear ;;
+  esac
+  [[ $("$script" "$word" --help < /dev/null) == "$long" ]] ||
+    { echo "$name $word --help says another thing" && exit 1; }
+done
+echo "all help"

@@ -7,7 +7,7 @@
 #include "model/circular/host.h"
 #include "model/dda/host.h"
 #include "model/linear/host.h"
-#include "tb/bench.h"
+#include "tb/bench/bench.h"
 
 namespace cosim::cli {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "model/core/input_error.h"
-#include "tb/cli/words.h"
+#include "tb/support/words.h"
 
 namespace cosim::cli {
 namespace {

@@ -7,7 +7,7 @@
 #include "model/core/input_error.h"
 
 #include "tb/cli/number.h"
-#include "tb/failure.h"
+#include "tb/report/failure.h"
 
 namespace cosim::cli {
 

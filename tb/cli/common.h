@@ -5,7 +5,7 @@
 #include <string>
 
 #include "tb/cli/command.h"
-#include "tb/mismatch.h"
+#include "tb/lockstep/mismatch.h"
 
 namespace cosim::cli {
 

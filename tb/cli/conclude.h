@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tb/cli/common.h"
-#include "tb/report.h"
+#include "tb/report/report.h"
 
 namespace cosim::cli {
 

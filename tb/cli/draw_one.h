@@ -12,9 +12,9 @@
 #include "tb/cli/extent.h"
 #include "tb/cli/progress.h"
 #include "tb/cli/wave.h"
-#include "tb/output_file.h"
+#include "tb/support/output_file.h"
 #include "tb/plot/plot.h"
-#include "tb/table.h"
+#include "tb/bench/table.h"
 
 namespace cosim::cli {
 

@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 
 #include "model/core/input_error.h"
-#include "tb/cli/words.h"
+#include "tb/support/words.h"
 #include "tb/plot/plot.h"
 
 namespace cosim::cli {

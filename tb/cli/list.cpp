@@ -1,7 +1,7 @@
 #include <fmt/core.h>
 
 #include "tb/cli/commands.h"
-#include "tb/report.h"
+#include "tb/report/report.h"
 
 namespace cosim::cli {
 

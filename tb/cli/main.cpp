@@ -9,9 +9,9 @@
 
 #include "model/core/input_error.h"
 #include "tb/cli/commands.h"
-#include "tb/cli/words.h"
-#include "tb/interrupt.h"
-#include "tb/leftover.h"
+#include "tb/support/words.h"
+#include "tb/support/interrupt.h"
+#include "tb/support/leftover.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "model/core/input_error.h"
-#include "tb/cli/words.h"
+#include "tb/support/words.h"
 
 namespace cosim::cli {
 

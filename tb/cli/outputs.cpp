@@ -13,10 +13,10 @@
 
 #include "model/core/input_error.h"
 #include "tb/cli/wave.h"
-#include "tb/cli/words.h"
-#include "tb/leftover.h"
+#include "tb/support/words.h"
+#include "tb/support/leftover.h"
 #include "tb/plot/plot.h"
-#include "tb/replace_file.h"
+#include "tb/support/replace_file.h"
 #include "tb/wave/view.h"
 
 namespace cosim::cli {

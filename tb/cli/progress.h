@@ -4,7 +4,7 @@
 #include <chrono>
 #include <string>
 
-#include "tb/sweep.h"
+#include "tb/sweep/sweep.h"
 
 namespace cosim::cli {
 

@@ -10,7 +10,7 @@
 #include "tb/cli/extent.h"
 #include "tb/cli/outputs.h"
 #include "tb/cli/wave.h"
-#include "tb/cli/words.h"
+#include "tb/support/words.h"
 
 namespace cosim::cli {
 namespace {

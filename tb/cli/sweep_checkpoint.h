@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "tb/checkpoint.h"
-#include "tb/sweep.h"
+#include "tb/sweep/checkpoint.h"
+#include "tb/sweep/sweep.h"
 
 namespace cosim::cli {
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "tb/bench.h"
+#include "tb/bench/bench.h"
 #include "tb/cli/common.h"
 
 namespace cosim::cli {

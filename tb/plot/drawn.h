@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/dda/host.h"
-#include "tb/compare/work.h"
+#include "tb/studies/comparison/work.h"
 #include "tb/plot/plot.h"
 
 namespace cosim {

@@ -6,11 +6,11 @@
 #include <fstream>
 
 #include "model/core/input_error.h"
-#include "tb/finite.h"
-#include "tb/output_file.h"
+#include "tb/support/finite.h"
+#include "tb/support/output_file.h"
 #include "tb/plot/script.h"
-#include "tb/proof/process.h"
-#include "tb/replace_file.h"
+#include "tb/support/process.h"
+#include "tb/support/replace_file.h"
 
 namespace cosim {
 

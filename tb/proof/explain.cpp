@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "tb/show.h"
+#include "tb/support/show.h"
 
 namespace cosim::proof {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "tb/bench.h"
+#include "tb/bench/bench.h"
 #include "tb/proof/claims.h"
 
 namespace cosim::proof {

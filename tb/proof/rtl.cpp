@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "model/core/input_error.h"
-#include "tb/proof/process.h"
+#include "tb/support/process.h"
 
 namespace cosim::proof {
 namespace {

@@ -4,8 +4,8 @@
 #include <sstream>
 #include <vector>
 
-#include "tb/output_file.h"
-#include "tb/proof/process.h"
+#include "tb/support/output_file.h"
+#include "tb/support/process.h"
 
 namespace cosim::proof {
 namespace {

@@ -9,8 +9,8 @@
 #include <filesystem>
 
 #include "model/core/input_error.h"
-#include "tb/output_file.h"
-#include "tb/replace_file.h"
+#include "tb/support/output_file.h"
+#include "tb/support/replace_file.h"
 
 namespace cosim {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "model/core/value.h"
-#include "tb/leftover.h"
+#include "tb/support/leftover.h"
 
 namespace cosim {
 

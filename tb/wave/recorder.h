@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/replay.h"
+#include "tb/lockstep/replay.h"
 #include "tb/wave/view.h"
 #include "tb/wave/wave.h"
 

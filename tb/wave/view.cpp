@@ -6,7 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "tb/output_file.h"
+#include "tb/support/output_file.h"
 
 namespace cosim {
 namespace {

@@ -7,8 +7,8 @@
 #include <cstdlib>
 
 #include "model/core/input_error.h"
-#include "tb/bench.h"
-#include "tb/failure.h"
+#include "tb/bench/bench.h"
+#include "tb/report/failure.h"
 
 namespace cosim {
 

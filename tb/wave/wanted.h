@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "tb/stimulus.h"
+#include "tb/stimulus/stimulus.h"
 
 namespace cosim {
 

@@ -22,7 +22,7 @@
 #include <vector>
 
 #include "model/core/fields.h"
-#include "tb/wave/signal.h"
+#include "tb/dut/signal.h"
 
 namespace cosim {
 

@@ -12,13 +12,13 @@
 #include "VddaW16___024root.h"
 #include "VlinearM16N13.h"
 #include "VlinearM16N13___024root.h"
-#include "tb/adapter/circular.h"
-#include "tb/adapter/dda.h"
-#include "tb/adapter/linear.h"
-#include "tb/circular_sweeps.h"
-#include "tb/dda_sweeps.h"
-#include "tb/linear_sweeps.h"
-#include "tb/run.h"
+#include "adapters/circular.h"
+#include "adapters/dda.h"
+#include "adapters/linear.h"
+#include "tb/designs/circular/sweeps.h"
+#include "tb/designs/dda/sweeps.h"
+#include "tb/designs/linear/sweeps.h"
+#include "tb/lockstep/run.h"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <sstream>
 
-#include "tb/random.h"
+#include "tb/support/random.h"
 #include "tests/careless/scratch.h"
 
 namespace cosim::careless {

@@ -2,7 +2,7 @@
 // from one clock on: so that the program has a mismatch to show.
 #include "model/circular/host.h"
 #include "model/linear/host.h"
-#include "tb/bench.h"
+#include "tb/bench/bench.h"
 #include "tests/support/model_adapter.h"
 
 namespace cosim {

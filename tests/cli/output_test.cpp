@@ -2,7 +2,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "tb/random.h"
+#include "tb/support/random.h"
 #include "tests/cli/command.h"
 
 namespace cosim::test {

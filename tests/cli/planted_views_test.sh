@@ -4,12 +4,12 @@
 # Status: that of load_views.sh.
 set -euo pipefail
 program=$1 design=$2 views=()
-variants=$(cd "$(dirname "${BASH_SOURCE[0]}")/../rtl/variants" && pwd)
+variants=$(cd "$(dirname "${BASH_SOURCE[0]}")/../designs/$design/rtl/variants" && pwd)
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-for spec in "$variants/$design"/{faults,errata}/*.cmake; do
-  name=${spec#"$variants/"}
+for spec in "$variants"/{faults,errata}/*.cmake; do
+  name=$design/${spec#"$variants/"}
   name=${name%.cmake}
   kept=$folder/${name//\//.}
   status=0

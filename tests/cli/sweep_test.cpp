@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/circle.h"
+#include "tests/designs/circular/cli/circle.h"
 #include "tests/cli/folder.h"
 #include "tests/cli/program.h"
 #include "tests/support/sanitized.h"

@@ -1,4 +1,5 @@
-// The one machine to run on is RTL with a planted fault, tests/rtl/variants/$COSIM_VARIANT.cmake.
+// The one machine to run on is RTL with a planted fault, DESIGN/KIND/NAME of $COSIM_VARIANT, in
+// tests/designs/DESIGN/rtl/variants/KIND/NAME.cmake.
 #include <cstdlib>
 
 #include "model/circular/host.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/checkpoint.h"
+#include "tb/sweep/checkpoint.h"
 #include "tests/mutation/mutants.h"
 
 namespace cosim::mutation {

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "model/core/input_error.h"
-#include "tb/replace_file.h"
+#include "tb/support/replace_file.h"
 #include "tests/mutation/campaign.h"
 #include "tests/mutation/survivor.h"
 

@@ -3,7 +3,7 @@
 #include <sstream>
 #include <utility>
 
-#include "tb/replace_file.h"
+#include "tb/support/replace_file.h"
 
 namespace cosim::mutation {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/bench.h"
+#include "tb/bench/bench.h"
 
 namespace cosim::mutation {
 

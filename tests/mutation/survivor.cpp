@@ -5,9 +5,9 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "tb/draft.h"
-#include "tb/failure.h"
-#include "tb/replace_file.h"
+#include "tb/support/draft.h"
+#include "tb/report/failure.h"
+#include "tb/support/replace_file.h"
 
 namespace cosim::mutation {
 namespace {

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "tb/replace_file.h"
+#include "tb/support/replace_file.h"
 
 namespace {
 

@@ -5,9 +5,9 @@
 #include "model/circular/stated.h"
 #include "model/dda/stated.h"
 #include "model/linear/stated.h"
-#include "tb/circular_sweeps.h"
-#include "tb/dda_sweeps.h"
-#include "tb/linear_sweeps.h"
+#include "tb/designs/circular/sweeps.h"
+#include "tb/designs/dda/sweeps.h"
+#include "tb/designs/linear/sweeps.h"
 #include "tests/rtl/prove.h"
 #include "tests/support/sweeps.h"
 

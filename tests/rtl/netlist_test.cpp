@@ -2,12 +2,12 @@
 // the work there is at a small width.
 #include <gtest/gtest.h>
 
-#include "tb/dda_sweeps.h"
+#include "tb/designs/dda/sweeps.h"
 #include "tests/rtl/variant.h"
-#include "tests/support/circular_counts.h"
-#include "tests/support/linear_counts.h"
-#include "tests/support/printed_circular.h"
-#include "tests/support/printed_linear.h"
+#include "tests/designs/circular/counts.h"
+#include "tests/designs/linear/counts.h"
+#include "tests/designs/circular/printed.h"
+#include "tests/designs/linear/printed.h"
 
 namespace cosim {
 namespace {

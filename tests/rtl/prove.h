@@ -7,7 +7,7 @@
 
 #include "tb/proof/decide.h"
 #include "tb/proof/machines.h"
-#include "tb/proof/process.h"
+#include "tb/support/process.h"
 #include "tests/rtl/variant.h"
 
 namespace cosim::test {

@@ -1,5 +1,5 @@
 // RTL that is not as shipped, by name: made by tests/rtl/CMakeLists.txt from the files of
-// tests/rtl/variants.
+// tests/designs/*/rtl/variants.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tb/bench.h"
+#include "tb/bench/bench.h"
 
 namespace cosim::test {
 

@@ -1,7 +1,7 @@
 // A variant behind its adapter: what the sources made by CMake instantiate.
 #pragma once
 
-#include "tb/design_bench.h"
+#include "tb/bench/design_bench.h"
 #include "tests/rtl/variant.h"
 
 namespace cosim::test {

@@ -7,8 +7,8 @@
 #include <exception>
 #include <string>
 
-#include "tb/failure.h"
-#include "tb/sweep.h"
+#include "tb/report/failure.h"
+#include "tb/sweep/sweep.h"
 
 namespace cosim::test {
 

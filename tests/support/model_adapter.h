@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "tb/design_bench.h"
+#include "tb/bench/design_bench.h"
 
 namespace cosim::test {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/dda/host.h"
-#include "tb/design_bench.h"
+#include "tb/bench/design_bench.h"
 
 namespace cosim {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "tests/fuzz/expect.h"
-#include "tests/model/toolpath/helpers.h"
+#include "tests/studies/toolpath/model/helpers.h"
 
 namespace cosim::fuzz {
 namespace {

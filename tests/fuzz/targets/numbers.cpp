@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "model/linear/control_code.h"
-#include "tb/cli/code_option.h"
+#include "tb/designs/linear/cli/code_option.h"
 #include "tests/fuzz/expect.h"
 
 namespace cosim::fuzz {

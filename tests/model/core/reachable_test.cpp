@@ -2,7 +2,7 @@
 // hold.
 #include <gtest/gtest.h>
 
-#include "tb/hostile.h"
+#include "tb/stimulus/hostile.h"
 #include "tests/support/model_machine.h"
 #include "tests/support/shapes.h"
 

@@ -8,7 +8,7 @@
 #include <concepts>
 #include <vector>
 
-#include "tb/hostile.h"
+#include "tb/stimulus/hostile.h"
 #include "tests/support/lanes.h"
 #include "tests/support/model_machine.h"
 #include "tests/support/shapes.h"

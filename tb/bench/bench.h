@@ -1,0 +1,117 @@
+// A testbench for one design at one set of parameters, its Verilated class hidden behind it: what
+// tests and the command line hold.
+#pragma once
+
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tb/dut/dut.h"
+#include "tb/stimulus/hostile.h"
+#include "tb/lockstep/run.h"
+
+namespace cosim {
+
+/// What every bench can say of itself.
+class AnyBench {
+ public:
+  AnyBench() = default;
+  AnyBench(const AnyBench&) = delete;
+  AnyBench& operator=(const AnyBench&) = delete;
+  virtual ~AnyBench() = default;
+
+  virtual std::string design() const = 0;
+  virtual std::string source() const = 0;
+  virtual std::vector<Parameter> parameters() const = 0;
+  /// The registers and outputs compared on every clock, registers first.
+  virtual std::vector<Field> compared() const = 0;
+  /// How many of them are registers.
+  virtual std::size_t registers() const = 0;
+  virtual std::vector<Field> inputs() const = 0;
+  /// The inputs of a clock on which nothing is asked of the machine.
+  virtual std::vector<Word> rest() const = 0;
+  /// The fields of the model's state, and the state after a clear.
+  virtual std::vector<Field> state() const = 0;
+  virtual std::vector<Word> cleared() const = 0;
+  /// Runs hostile clocks.
+  virtual Run run_hostile(const HostileCase& c) const = 0;
+
+  /// Runs a stimulus of this machine, to its end or to the first difference. InputError where it
+  /// starts from a state and the machine cannot.
+  virtual Run replay(const Stimulus& stimulus, Window window = {}) const = 0;
+  /// The same, only to know the first clock that differs.
+  virtual std::optional<std::uint64_t> first_difference(const Stimulus& stimulus) const = 0;
+  /// Draws `stimulus` in the FST file `path` and the view beside it: the clocks of `around` the
+  /// first difference, or all where none differs. InputError where a file cannot be written.
+  virtual void draw_wave(const std::string& path, const Stimulus& stimulus,
+                         Window around) const = 0;
+
+  /// "linear M=5 N=2"
+  std::string title() const;
+};
+
+/// What a caller wants to see of a run of jobs: registers and outputs on every clock that matched,
+/// and the job they belong to.
+template <class Design>
+class Observer {
+ public:
+  virtual ~Observer() = default;
+  virtual void clock(std::size_t job, const Compared<Design>& seen) = 0;
+};
+
+/// Several observers as one; they must outlive it.
+template <class Design>
+class Observers final : public Observer<Design> {
+ public:
+  Observers(std::initializer_list<Observer<Design>*> list) : list_(list) {}
+  void add(Observer<Design>& one) { list_.push_back(&one); }
+  void clock(std::size_t job, const Compared<Design>& seen) override {
+    for (Observer<Design>* one : list_) one->clock(job, seen);
+  }
+
+ private:
+  std::vector<Observer<Design>*> list_;
+};
+
+/// One machine in lockstep, at work for as long as the caller has jobs.
+template <class Design>
+class Session {
+ public:
+  using Job = typename Design::Host::Job;
+  virtual ~Session() = default;
+  /// Has the design's host draw the jobs one after the other, to their end or to the first
+  /// difference; after a difference the session is over. Clocks of a Run count from this call, the
+  /// clock of a Mismatch from the session's start.
+  virtual Run draw(std::span<const Job> jobs, Observer<Design>& observer) = 0;
+  /// All clocks drawn so far, as a stimulus.
+  virtual Stimulus stimulus() const = 0;
+};
+
+template <class Design>
+class Bench : public AnyBench {
+ public:
+  virtual typename Design::Params params() const = 0;
+  /// A machine of its own, powered up at random from `power_up`.
+  virtual std::unique_ptr<Session<Design>> open(std::uint32_t power_up) const = 0;
+  /// Its DUT by itself: no model beside it, nothing compared.
+  virtual std::unique_ptr<Dut<Design>> dut(std::uint32_t power_up) const = 0;
+};
+
+/// Every bench that was built, in the order of rtl/shipped.txt.
+const std::vector<std::unique_ptr<AnyBench>>& benches();
+
+/// The benches of one design.
+template <class Design>
+std::vector<const Bench<Design>*> benches_of() {
+  std::vector<const Bench<Design>*> found;
+  for (const auto& bench : benches()) {
+    if (const auto* typed = dynamic_cast<const Bench<Design>*>(bench.get())) found.push_back(typed);
+  }
+  return found;
+}
+
+}  // namespace cosim

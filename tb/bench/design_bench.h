@@ -1,0 +1,214 @@
+// The bench of any shape. What runs for long, hostile clocks and jobs, is compiled for each shape by
+// itself where that is worth its time (FastBench); all else once for a design.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tb/bench/bench.h"
+#include "tb/lockstep/replay.h"
+#include "tb/wave/recorder.h"
+#include "tb/wave/wanted.h"
+
+namespace cosim {
+
+/// RTL and model in lockstep, at work.
+template <class Design>
+class Loop {
+ public:
+  virtual ~Loop() = default;
+  /// Clocks through what the host or the stimulus gives, to its end (true) or to the first
+  /// difference (false). Adds the clocks, the differing one included, to `clocks`.
+  virtual bool through(typename Design::Host& host, Observer<Design>& observer,
+                       std::uint64_t& clocks) = 0;
+  virtual bool through(HostileStimulus<Design>& hostile, std::uint64_t& clocks) = 0;
+};
+
+template <class Adapter>
+class AdapterLoop final : public Loop<typename Adapter::Design> {
+  using Design = typename Adapter::Design;
+
+ public:
+  template <class PowerUp>
+  explicit AdapterLoop(const PowerUp& power_up) : lockstep_(power_up) {}
+  bool through(typename Design::Host& host, Observer<Design>& observer,
+               std::uint64_t& clocks) override {
+    return clock_through(lockstep_, host, clocks,
+                         [&](const auto& h, const auto& seen) { observer.clock(h.job(), seen); });
+  }
+  bool through(HostileStimulus<Design>& hostile, std::uint64_t& clocks) override {
+    return clock_through(lockstep_, hostile, clocks, [](const auto&, const auto&) {});
+  }
+
+ private:
+  Lockstep<Adapter> lockstep_;
+};
+
+/// A bench whose RTL is what `dut` makes. `instrumented` makes the same with its whole hierarchy
+/// open and with registers that can be loaded, for replays and waves.
+template <class Design>
+class DesignBench : public Bench<Design> {
+  using Host = typename Design::Host;
+  using Job = typename Host::Job;
+
+ public:
+  explicit DesignBench(const DutMaker<Design>& dut) : DesignBench(dut, dut) {}
+  DesignBench(const DutMaker<Design>& dut, const DutMaker<Design>& instrumented)
+      : dut_(dut), instrumented_(instrumented) {}
+
+  std::string design() const override { return Design::name; }
+  std::string source() const override { return Design::source; }
+  std::vector<Parameter> parameters() const override {
+    const auto list = Design::parameters(dut_.params);
+    return {list.begin(), list.end()};
+  }
+  std::vector<Field> inputs() const override {
+    return fields<typename Design::template Inputs<Word>>();
+  }
+  std::vector<Field> state() const override {
+    return fields<typename Design::template State<Word>>();
+  }
+  std::vector<Field> compared() const override {
+    auto all = fields<typename Design::template Registers<Word>>();
+    const auto outputs = fields<typename Design::template Outputs<Word>>();
+    all.insert(all.end(), outputs.begin(), outputs.end());
+    return all;
+  }
+  std::size_t registers() const override { return Design::template Registers<Word>::size; }
+  std::vector<Word> rest() const override { return words(Design::rest()); }
+  std::vector<Word> cleared() const override { return words(Design::template cleared<Word>()); }
+  typename Design::Params params() const override { return dut_.params; }
+  std::unique_ptr<Dut<Design>> dut(std::uint32_t power_up) const override {
+    return dut_.make(power_up);
+  }
+
+  Run run_hostile(const HostileCase& c) const override {
+    const HostileStimulus<Design> hostile(params(), c);
+    draw_if_wanted(*this,
+                   [&] { return recorded<Design>(params(), hostile, c.power_up(), c.clocks); });
+    Run result;
+    HostileStimulus<Design> left = hostile;
+    if (!loop(c.power_up())->through(left, result.clocks)) {
+      result.mismatch = examined(hostile, result.clocks - 1, c.power_up());
+    }
+    return result;
+  }
+  std::unique_ptr<Session<Design>> open(std::uint32_t power_up) const override {
+    return std::make_unique<HostSession>(*this, power_up);
+  }
+
+  Run replay(const Stimulus& s, Window window) const override {
+    Run result = replayed(instrumented_, s, window);
+    if (result.mismatch) result.mismatch->bench = this;
+    return result;
+  }
+  std::optional<std::uint64_t> first_difference(const Stimulus& s) const override {
+    // From a clear the class that lockstep runs by does it, and faster.
+    return differing_clock(s.state ? instrumented_ : dut_, s);
+  }
+  void draw_wave(const std::string& path, const Stimulus& s, Window around) const override {
+    record_wave(instrumented_, path, s, around,
+                {this->title(), inputs(), compared(), registers(), texts(Design::View::phases),
+                 texts(Design::View::steps)});
+  }
+
+ protected:
+  /// A lockstep of its own, which has just been cleared.
+  virtual std::unique_ptr<Loop<Design>> loop(std::uint32_t power_up) const {
+    return std::make_unique<AdapterLoop<AnyAdapter<Design>>>(start(power_up));
+  }
+
+ private:
+  class HostSession final : public Session<Design> {
+   public:
+    HostSession(const DesignBench& bench, std::uint32_t power_up)
+        : bench_(bench), power_up_(power_up), loop_(bench.loop(power_up)) {}
+    ~HostSession() override {
+      draw_if_wanted(bench_, [this] { return stimulus(); });
+    }
+
+    Run draw(std::span<const Job> jobs, Observer<Design>& observer) override {
+      history_.insert(history_.end(), jobs.begin(), jobs.end());
+      Host host(bench_.params(), jobs);
+      Run result;
+      const bool same = loop_->through(host, observer, result.clocks);
+      clocks_ += result.clocks;
+      if (!same) {
+        result.mismatch = bench_.examined(Host(bench_.params(), history_), clocks_ - 1, power_up_);
+        result.mismatch->smaller_case = [maker = bench_.dut_, jobs = history_,
+                                         power_up = power_up_] {
+          return smaller_case<Design>(maker, jobs, power_up);
+        };
+      }
+      return result;
+    }
+
+    Stimulus stimulus() const override {
+      return recorded<Design>(bench_.params(), Host(bench_.params(), history_), power_up_, clocks_);
+    }
+
+   private:
+    const DesignBench& bench_;
+    std::uint32_t power_up_;
+    std::unique_ptr<Loop<Design>> loop_;
+    std::uint64_t clocks_ = 0;
+    std::vector<Job> history_;  // to come to the same clock again
+  };
+
+  typename AnyAdapter<Design>::PowerUp start(std::uint32_t power_up) const {
+    return {dut_, power_up};
+  }
+  /// The difference on `clock` of what `source` gives, the first.
+  template <class Source>
+  Mismatch examined(const Source& source, std::uint64_t clock, std::uint32_t power_up) const {
+    AnyLockstep<Design> again(start(power_up));
+    Mismatch mismatch = examine(again, source, clock, Window{});
+    mismatch.bench = this;
+    mismatch.stimulus.power_up = power_up;
+    return mismatch;
+  }
+  template <class Record>
+  std::vector<Field> fields() const {
+    const auto list = Record::fields(dut_.params);
+    return {list.begin(), list.end()};
+  }
+  template <class Record>
+  static std::vector<Word> words(const Record& record) {
+    const auto list = to_words(record);
+    return {list.begin(), list.end()};
+  }
+  template <class List>
+  static std::vector<std::string> texts(const List& list) {
+    return {list.begin(), list.end()};
+  }
+
+  DutMaker<Design> dut_, instrumented_;
+};
+
+/// The bench of one adapter: for what does not run for long.
+template <class Adapter>
+class AdapterBench final : public DesignBench<typename Adapter::Design> {
+ public:
+  AdapterBench() : DesignBench<typename Adapter::Design>(dut_maker<Adapter>()) {}
+};
+
+/// The same with its loops compiled for it: for what runs for long.
+template <class Adapter, class Instrumented = Adapter>
+class FastBench final : public DesignBench<typename Adapter::Design> {
+  using Design = typename Adapter::Design;
+
+ public:
+  FastBench() : DesignBench<Design>(dut_maker<Adapter>(), dut_maker<Instrumented>()) {}
+
+ protected:
+  std::unique_ptr<Loop<Design>> loop(std::uint32_t power_up) const override {
+    return std::make_unique<AdapterLoop<Adapter>>(power_up);
+  }
+};
+
+}  // namespace cosim

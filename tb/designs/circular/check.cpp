@@ -1,0 +1,67 @@
+#include "tb/designs/circular/check.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "model/circular/oracle.h"
+
+namespace cosim::circular {
+
+Check::Check(std::span<const Arc> arcs) : arcs_(arcs) { open(); }
+
+void Check::open() {
+  if (job_ == arcs_.size()) return;
+  at_ = arcs_[job_].from;
+  steps_ = 0;
+  found_.max_deviation =
+      std::max(found_.max_deviation, radial_deviation(at_, arcs_[job_].radius2));
+}
+
+void Check::clock(std::size_t job, const Compared<Design>& seen) {
+  while (job_ < job) close();
+  if (!(seen.outputs.step_x | seen.outputs.step_y) || !found_.error.empty()) return;
+  const std::uint64_t radius2 = arcs_[job].radius2;
+  ++steps_;
+  ++found_.steps;
+  const Point got = {at_.x - seen.outputs.step_x, at_.y + seen.outputs.step_y};
+  if (at_.x <= 0) {
+    found_.error = fmt::format("R^2 = {}: a step past the end, at ({}, {})", radius2, at_.x, at_.y);
+    return;
+  }
+  const Point due = next_point(at_, radius2);
+  if (!(got == due)) {
+    found_.error = fmt::format("R^2 = {}, step {} from ({}, {}): oracle ({}, {}), machine ({}, {})",
+                               radius2, steps_, at_.x, at_.y, due.x, due.y, got.x, got.y);
+    return;
+  }
+  at_ = got;
+  found_.max_deviation = std::max(found_.max_deviation, radial_deviation(at_, radius2));
+}
+
+void Check::close() {
+  const Arc& arc = arcs_[job_];
+  if (found_.error.empty()) {
+    const std::int64_t whole = steps_to_end(arc.from, arc.radius2);
+    const std::int64_t due = arc.count ? std::min(*arc.count, whole) : whole;
+    const Point end = end_point(arc.radius2);
+    if (steps_ != due) {
+      found_.error = fmt::format("R^2 = {} from ({}, {}): oracle {} steps, machine {}", arc.radius2,
+                                 arc.from.x, arc.from.y, due, steps_);
+    } else if (due == whole && !(at_ == end)) {
+      found_.error =
+          fmt::format("R^2 = {} from ({}, {}): oracle ends at ({}, {}), machine at ({}, {})",
+                      arc.radius2, arc.from.x, arc.from.y, end.x, end.y, at_.x, at_.y);
+    }
+  }
+  ++found_.jobs;
+  ++job_;
+  open();
+}
+
+Checked Check::finish() {
+  while (job_ < arcs_.size()) close();
+  return found_;
+}
+
+}  // namespace cosim::circular

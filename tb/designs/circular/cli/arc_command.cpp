@@ -1,0 +1,159 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "model/circular/arc.h"
+#include "model/circular/oracle.h"
+#include "model/core/input_error.h"
+#include "tb/designs/circular/check.h"
+#include "tb/cli/choose.h"
+#include "tb/cli/commands.h"
+#include "tb/cli/common.h"
+#include "tb/cli/draw_one.h"
+#include "tb/cli/number.h"
+#include "tb/cli/outputs.h"
+#include "tb/cli/shape_options.h"
+#include "tb/support/words.h"
+#include "tb/plot/drawn.h"
+
+namespace cosim::cli {
+namespace {
+
+constexpr std::uint64_t largest_coordinate = 0xffffffff;
+
+struct Options {
+  Common common;
+  Text from, radius, radius2, count;
+  ShapeOptions shape;
+};
+
+// The point of the same row or column that is next to the circle, where there is one.
+std::string suggestion(const circular::Arc& arc) {
+  circular::Point p = arc.from;
+  (p.x > p.y ? p.x : p.y) = circular::nearest_on(std::min(p.x, p.y), arc.radius2);
+  return circular::next_to_circle(p, arc.radius2) ? fmt::format("; ({}, {}) is", p.x, p.y) : "";
+}
+
+circular::Arc parse_arc(const Options& o) {
+  if (o.radius.has_value() == o.radius2.has_value()) {
+    throw InputError(o.radius ? "--radius: is given, and --radius2 too"
+                              : "--radius: is needed, or --radius2");
+  }
+  circular::Arc arc;
+  if (o.radius) {
+    const std::uint64_t r = whole("--radius", *o.radius, 0, largest_coordinate);
+    arc.radius2 = r * r;
+  } else {
+    arc.radius2 = whole("--radius2", *o.radius2, 0, largest_coordinate * largest_coordinate);
+  }
+  arc.from = o.from ? point("--from", *o.from, largest_coordinate)
+                    : circular::Point{circular::nearest_root(arc.radius2), 0};
+  if (!circular::next_to_circle(arc.from, arc.radius2)) {
+    throw InputError(fmt::format("--from: ({}, {}) is not next to the circle of R^2 = {}{}",
+                                 arc.from.x, arc.from.y, arc.radius2, suggestion(arc)));
+  }
+  if (o.count) {
+    arc.count = static_cast<std::int64_t>(whole("--count", *o.count, 0, std::uint64_t{1} << 40));
+  }
+  return arc;
+}
+
+std::string describe(const Options& o, const circular::Arc& arc) {
+  return fmt::format(
+      "{} from ({}, {}){}",
+      o.radius ? fmt::format("R = {}", circular::nearest_root(arc.radius2))
+               : fmt::format("R^2 = {}", arc.radius2),
+      arc.from.x, arc.from.y,
+      arc.count ? ", at most " + count(static_cast<std::uint64_t>(*arc.count), "step") : "");
+}
+
+class Rows final : public Observer<circular::Design> {
+ public:
+  Rows(OutputFile& file, circular::Point from) : file_(file), at_(from) {}
+  void clock(std::size_t, const Compared<circular::Design>& seen) override {
+    if (seen.outputs.running) ++clock_;
+    if (!(seen.outputs.step_x | seen.outputs.step_y)) return;
+    at_ = {at_.x - seen.outputs.step_x, at_.y + seen.outputs.step_y};
+    file_.line("{},{},{},{},{}", clock_, -seen.outputs.step_x, seen.outputs.step_y, at_.x, at_.y);
+  }
+
+ private:
+  OutputFile& file_;
+  circular::Point at_;
+  std::uint64_t clock_ = 0;
+};
+
+// The points for a picture.
+class Drawn final : public Observer<circular::Design> {
+ public:
+  Drawn(Series& series, const circular::Arc& arc) : series_(series), radius2_(arc.radius2) {
+    series_.add(arc.from, circular::radial_deviation(arc.from, radius2_));
+  }
+  void clock(std::size_t, const Compared<circular::Design>& seen) override {
+    if (!(seen.outputs.step_x | seen.outputs.step_y)) return;
+    const circular::Point at = series_.marks.back().at;
+    const circular::Point next{at.x - seen.outputs.step_x, at.y + seen.outputs.step_y};
+    series_.add(next, circular::radial_deviation(next, radius2_));
+  }
+
+ private:
+  Series& series_;
+  std::uint64_t radius2_;
+};
+
+Extent extent_of(const circular::Arc& arc) {
+  const std::int64_t whole = circular::steps_to_end(arc.from, arc.radius2);
+  const auto steps = static_cast<std::uint64_t>(std::min(whole, arc.count.value_or(whole)));
+  const std::size_t number =
+      digits(static_cast<std::uint64_t>(circular::nearest_root(arc.radius2)) + 1);
+  return {steps, steps, steps, digits(steps) + 2 * number + 8};
+}
+
+int run(const Options& o) {
+  const auto power_up = static_cast<std::uint32_t>(o.common.seed());
+  const circular::Arc arc = parse_arc(o);
+  const auto& bench = choose(o.shape.circular(), circular::width_needed(arc.radius2));
+  const Extent extent = extent_of(arc);
+  check_extent(o.common, extent);
+  check_outputs(o.common);
+
+  OutputFile csv(o.common.csv.value_or(""));
+  csv.line("clock,dx,dy,x,y");
+  const std::string work = describe(o, arc);
+  circular::Check check({&arc, 1});
+  Rows rows(csv, arc.from);
+  Series path{bench.title(), {}};
+  Drawn points(path, arc);
+  const auto ideal = [&] {
+    return curve_of(compare::Arc{arc.from, arc.radius2, path.marks.back().at});
+  };
+  return draw_one<circular::Design, circular::Arc, circular::Check>(
+      {o.common, power_up, bench, work, arc, check, csv, rows, path, points, ideal, extent});
+}
+
+}  // namespace
+
+void add_arc(const Command& program) {
+  auto o = std::make_shared<Options>();
+  const Command command =
+      program.sub("arc", "An arc of the first quadrant, anticlockwise, on the circular machine");
+  command.text("--radius", o->radius, "R", "Needed, or --radius2: R in steps, 0 to 2^W - 1");
+  command.text("--radius2", o->radius2, "Q", "R^2, for an R that need not be whole");
+  command.text("--from", o->from, "X,Y", "A lattice point next to the circle; default R,0");
+  command.text("--count", o->count, "K", "Stop after K steps through input 32");
+  o->shape.add_circular(command);
+  add_csv(command, o->common,
+          "Write clock,dx,dy,x,y: a row a step, x and y after it; clock 1 is the first\n"
+          "of the running machine");
+  add_table(command, o->common);
+  add_plot(command, o->common);
+  add_wave(command, o->common, "Draw the run as a waveform, with FILE.gtkw, its view for GTKWave");
+  add_failures(command, o->common);
+  add_common(command, o->common);
+  command.footer("Example: cosim arc --radius 12 --from 8,9 --csv arc.csv");
+  command.action([o] { return run(*o); });
+}
+
+}  // namespace cosim::cli

@@ -1,0 +1,39 @@
+// Sweeps of the circular machine: whole arcs, checked in lockstep and against the oracle.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "model/circular/host.h"
+#include "tb/bench/bench.h"
+#include "tb/sweep/sweep.h"
+
+namespace cosim::circular {
+
+using CircularBench = Bench<Design>;
+
+/// Runs arcs one after the other on one machine.
+Result run_arcs(const CircularBench& bench, std::span<const Arc> arcs, std::uint32_t power_up);
+
+/// Every lattice point of the first quadrant next to the circle, (R, 0) first, (0, R) last.
+std::vector<Point> every_start(std::uint64_t radius2);
+
+/// The arc from (R, 0) for every R from `first` to `last`; a case is one R.
+Sweep every_radius(const CircularBench& bench, std::int64_t first, std::int64_t last);
+
+/// Every start of every radius up to `last`; a case is one radius.
+Sweep every_start(const CircularBench& bench, std::int64_t last);
+
+/// Every start of every radius up to `last`, stopped through input 32 after every number of steps;
+/// a case is one radius.
+Sweep every_stop(const CircularBench& bench, std::int64_t last);
+
+/// The arc that random case i draws: any radius of the width, whole or not, any start, a fourth of
+/// them just before the sector change; stopped early where it is long.
+Arc random_arc(const Params& p, std::uint64_t seed, std::uint64_t i);
+
+/// `count` random arcs; a case is one arc.
+Sweep random_arcs(const CircularBench& bench, std::uint64_t seed, std::uint64_t count);
+
+}  // namespace cosim::circular

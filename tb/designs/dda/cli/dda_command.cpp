@@ -1,0 +1,218 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <bit>
+#include <memory>
+#include <vector>
+
+#include "model/core/input_error.h"
+#include "model/dda/equation.h"
+#include "tb/cli/choose.h"
+#include "tb/cli/commands.h"
+#include "tb/cli/common.h"
+#include "tb/designs/dda/cli/settings.h"
+#include "tb/cli/draw_one.h"
+#include "tb/cli/number.h"
+#include "tb/cli/outputs.h"
+#include "tb/cli/shape_options.h"
+#include "tb/support/words.h"
+#include "tb/designs/dda/check.h"
+#include "tb/plot/drawn.h"
+
+namespace cosim::cli {
+namespace {
+
+using dda::Point;
+
+constexpr std::int64_t largest = 0xffffffff;
+
+struct Options {
+  Common common;
+  Text line, circle, conic, from, clocks;
+  DdaSettings settings;
+  ShapeOptions shape;
+};
+
+Point point(const char* name, const std::string& text) {
+  const auto all = integers(name, text, "X,Y", {largest, largest});
+  return {all[0], all[1]};
+}
+
+int bits(std::int64_t size) {
+  return std::max(2, static_cast<int>(std::bit_width(static_cast<std::uint64_t>(std::abs(size)))));
+}
+
+dda::Conic parse_conic(const std::string& text) {
+  std::vector<std::int64_t> sizes(5, dda::largest_factor);
+  sizes.push_back(dda::largest_constant);
+  const auto all = integers("--conic", text, "A,B,C,D,E,F", sizes);
+  return {all[0], all[1], all[2], all[3], all[4], all[5]};
+}
+
+// What is drawn, and the bits it needs at least.
+struct Work {
+  std::string text;
+  int width = 2;
+  std::function<dda::Job(const dda::Params&)> job;
+};
+
+Work parse_work(const Options& o) {
+  const dda::Settings settings = o.settings.parse();
+  std::optional<std::int64_t> clocks;
+  if (o.clocks) clocks = static_cast<std::int64_t>(whole("--clocks", *o.clocks, 0, 0xfffffff));
+  if (o.line) {
+    const Point to = point("--line", *o.line);
+    return {fmt::format("line to ({}, {})", to.x, to.y), std::max(bits(to.x), bits(to.y)),
+            [=](const dda::Params& p) {
+              dda::Job job = line(p, to, settings);
+              job.clocks = clocks;
+              return job;
+            }};
+  }
+  if (o.circle) {
+    const auto radius = static_cast<std::int64_t>(whole("--circle", *o.circle, 1, largest));
+    if (clocks) {
+      return {fmt::format("R = {} from ({}, 0), {} clocks", radius, radius, *clocks),
+              bits(radius + 8),
+              [=](const dda::Params& p) { return circle(p, radius, settings, clocks); }};
+    }
+    return {fmt::format("R = {} from ({}, 0)", radius, radius), bits(radius),
+            [=](const dda::Params& p) {
+              return arc(p, {radius, 0}, {0, radius}, settings);
+            }};
+  }
+  const dda::Conic q = parse_conic(*o.conic);
+  const Point from = point("--from", needed("--from", o.from));
+  const int width = std::max({bits(2 * q.a), bits(q.b), bits(2 * q.c), bits(from.x), bits(from.y)});
+  return {fmt::format("conic {} from ({}, {})", *o.conic, from.x, from.y), width,
+          [=](const dda::Params& p) { return conic(p, q, from, settings, clocks); }};
+}
+
+void check_kind(const Options& o) {
+  const int kinds = (o.line ? 1 : 0) + (o.circle ? 1 : 0) + (o.conic ? 1 : 0);
+  if (kinds != 1) {
+    throw InputError(fmt::format("dda: one of --line, --circle and --conic is needed, {}",
+                                 kinds == 0 ? "none is given" : "more are given"));
+  }
+  if (o.from && !o.conic) throw InputError("--from: belongs to --conic");
+}
+
+class Rows final : public Observer<dda::Design> {
+ public:
+  Rows(OutputFile& file, Point from) : file_(file), at_(from) {}
+  void clock(std::size_t, const Compared<dda::Design>& seen) override {
+    if (!seen.outputs.busy) return;
+    ++clock_;
+    const Point step{seen.outputs.x_up - seen.outputs.x_down,
+                     seen.outputs.y_up - seen.outputs.y_down};
+    if (step == Point{}) return;
+    at_ = {at_.x + step.x, at_.y + step.y};
+    file_.line("{},{},{},{},{}", clock_, step.x, step.y, at_.x, at_.y);
+  }
+
+ private:
+  OutputFile& file_;
+  Point at_;
+  std::uint64_t clock_ = 0;
+};
+
+// The points for a picture.
+class Drawn final : public Observer<dda::Design> {
+ public:
+  Drawn(Series& series, const dda::Job& job) : series_(series), job_(job) {
+    add({job.start.x, job.start.y});
+  }
+  void clock(std::size_t, const Compared<dda::Design>& seen) override {
+    const Point step{seen.outputs.x_up - seen.outputs.x_down,
+                     seen.outputs.y_up - seen.outputs.y_down};
+    const Point at = series_.marks.back().at;
+    if (!(step == Point{})) add({at.x + step.x, at.y + step.y});
+  }
+
+ private:
+  void add(Point at) { series_.add(at, deviation(job_, at)); }
+
+  Series& series_;
+  const dda::Job& job_;
+};
+
+// The smallest bench that holds the work on its whole way, and the job.
+std::pair<const Bench<dda::Design>*, dda::Job> chosen_for(const DdaShape& shape, const Work& work) {
+  const auto found = matching(shape);
+  const auto* bench = &choose(shape, work.width);
+  for (auto at = std::find(found.begin(), found.end(), bench);; ++at) {
+    try {
+      return {*at, work.job((*at)->params())};
+    } catch (const InputError&) {
+      if (at + 1 == found.end()) throw;
+    }
+  }
+}
+
+// A line takes as many clocks as the accumulators have values, a shift halves them; a quarter more
+// than half as many again.
+Extent extent_of(const dda::Params& p, const dda::Job& job) {
+  const dda::State<Word>& s = job.start;
+  const auto most = static_cast<std::uint64_t>(job.clocks.value_or(std::int64_t{1} << 62));
+  const auto longest = static_cast<std::uint64_t>(std::max(s.left_x, s.left_y));
+  const auto all = static_cast<std::uint64_t>(s.left_x + s.left_y);
+  Extent extent{most, 0, most, 8};
+  if (s.free == 0) {
+    const bool line = s.two_a == 0;
+    const int used = line && s.normalise != 0 ? static_cast<int>(std::bit_width(longest)) : p.width;
+    const std::uint64_t turn =
+        (std::uint64_t{1} << used) + (line ? 0 : std::uint64_t{1} << (used - 1));
+    extent.clocks = std::min(most, longest == 0 ? 0 : turn);
+    extent.steps = extent.clocks < most ? longest : 0;
+    extent.rows = std::min(extent.clocks, all);
+  }
+  extent.row += digits(extent.clocks) + 2 * digits(std::uint64_t{1} << p.width);
+  return extent;
+}
+
+int run(const Options& o) {
+  const auto power_up = static_cast<std::uint32_t>(o.common.seed());
+  check_kind(o);
+  const Work work = parse_work(o);
+  const auto [chosen, job] = chosen_for(o.shape.dda(), work);
+  const auto& bench = *chosen;
+  const Extent extent = extent_of(bench.params(), job);
+  check_extent(o.common, extent);
+  check_outputs(o.common);
+
+  OutputFile csv(o.common.csv.value_or(""));
+  csv.line("clock,dx,dy,x,y");
+  dda::Check check(bench.params(), {&job, 1});
+  Rows rows(csv, {job.start.x, job.start.y});
+  Series path{bench.title(), {}};
+  Drawn points(path, job);
+  return draw_one<dda::Design, dda::Job, dda::Check>(
+      {o.common, power_up, bench, work.text, job, check, csv, rows, path, points,
+       [&, drawn = &job] { return curve_of(*drawn, path.marks); }, extent});
+}
+
+}  // namespace
+
+void add_dda(const Command& program) {
+  auto o = std::make_shared<Options>();
+  const Command command = program.sub("dda", "A line, a circle or a conic on the DDA");
+  command.text("--line", o->line, "X,Y", "From (0, 0) to X,Y");
+  command.text("--circle", o->circle, "R",
+               "A quarter from R,0, anticlockwise; with --clocks as far as these go");
+  command.text("--conic", o->conic, "A,B,C,D,E,F",
+               "A x^2 + B xy + C y^2 + D x + E y + F = 0; an ellipse for one turn");
+  command.text("--from", o->from, "X,Y", "Where a conic starts");
+  command.text("--clocks", o->clocks, "N", "Stop after N running clocks");
+  o->settings.add(command);
+  o->shape.add_dda(command);
+  add_csv(command, o->common, "Write clock,dx,dy,x,y: a row a step, x and y after it");
+  add_table(command, o->common);
+  add_plot(command, o->common);
+  add_wave(command, o->common, "Draw the run as a waveform, with FILE.gtkw, its view for GTKWave");
+  add_failures(command, o->common);
+  add_common(command, o->common);
+  command.footer("Example: cosim dda --conic 1,1,2,0,0,-10000 --from 100,0 --width 16");
+  command.action([o] { return run(*o); });
+}
+
+}  // namespace cosim::cli

@@ -1,0 +1,145 @@
+#include "tb/designs/dda/sweeps.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "model/core/input_error.h"
+
+namespace cosim::dda {
+namespace {
+
+constexpr Preload preloads[] = {Preload::zero, Preload::half};
+constexpr Update updates[] = {Update::parallel, Update::sequential};
+
+// Any number of the width, either sign.
+std::int64_t either_sign(const Params& p, Random& random) {
+  const Word size = random.corner(p.width);
+  return random.one_in_power(1) ? size : -size;
+}
+
+Settings random_settings(Random& random) {
+  return {random.one_in_power(1) ? Update::parallel : Update::sequential,
+          random.one_in_power(1) ? Preload::zero : Preload::half, random.one_in_power(1)};
+}
+
+Job random_arc(const Params& p, Random& random, const Settings& settings) {
+  const auto radius = static_cast<double>(std::max<Word>(random.corner(p.width), 1));
+  const auto column = [&] { return static_cast<double>(random.below(1001)) / 1000 * radius; };
+  double from_x = column(), to_x = column();
+  if (from_x < to_x) std::swap(from_x, to_x);
+  const auto on = [&](double x) {
+    const auto row =
+        static_cast<std::int64_t>(std::sqrt(radius * radius - std::floor(x) * std::floor(x)));
+    return Point{static_cast<std::int64_t>(x), row};
+  };
+  return arc(p, on(from_x), on(to_x), settings);
+}
+
+// An ellipse or a hyperbola whose coefficients leave room for its coordinates.
+Job random_conic(const Params& p, Random& random, const Settings& settings) {
+  const auto small = [&](int bits) {
+    return static_cast<std::int64_t>(random.below(std::uint64_t{1} << bits));
+  };
+  const int bits = std::max(1, p.width / 4);
+  const std::int64_t sign = random.one_in_power(1) ? 1 : -1;
+  Conic q{sign * (1 + small(bits)),  small(bits) - small(bits), sign * (1 + small(bits)),
+          small(bits) - small(bits), small(bits) - small(bits), 0};
+  const Point from{small(p.width / 2) - small(p.width / 2), small(p.width / 2)};
+  q.f = -(q.a * from.x * from.x + q.b * from.x * from.y + q.c * from.y * from.y + q.d * from.x +
+          q.e * from.y);
+  return conic(p, q, from, settings, 1 + small(12));
+}
+
+}  // namespace
+
+Result run_jobs(const DdaBench& bench, std::span<const Job> jobs, std::uint32_t power_up) {
+  Check check(bench.params(), jobs);
+  Run run = bench.open(power_up)->draw(jobs, check);
+  Result result;
+  result.cases = 1;
+  result.clocks = run.clocks;
+  result.mismatch = std::move(run.mismatch);
+  // After a mismatch the jobs behind it were not drawn; the oracle has nothing to say of them.
+  if (!result.mismatch) result.checked = check.finish();
+  return result;
+}
+
+Sweep every_line(const DdaBench& bench) {
+  const std::int64_t most = ones(bench.params().width);
+  const auto run = [&bench, most](std::uint64_t i) {
+    const std::int64_t x = static_cast<std::int64_t>(i) - most;
+    std::vector<Job> jobs;
+    for (std::int64_t y = -most; y <= most; ++y) {
+      for (const Preload preload : preloads) {
+        for (const bool normalise : {false, true}) {
+          jobs.push_back(line(bench.params(), {x, y}, {Update::parallel, preload, normalise}));
+        }
+      }
+    }
+    Result result = run_jobs(bench, jobs, static_cast<std::uint32_t>(i));
+    result.failed = fmt::format("DX = {} with every DY", x);
+    return result;
+  };
+  return {"every DX with every DY", static_cast<std::uint64_t>(2 * most + 1), run};
+}
+
+Sweep every_quarter(const DdaBench& bench) {
+  const auto run = [&bench](std::uint64_t i) {
+    const std::int64_t radius = static_cast<std::int64_t>(i) + 1;
+    std::vector<Job> jobs;
+    for (const Update update : updates) {
+      for (const Preload preload : preloads) {
+        jobs.push_back(arc(bench.params(), {radius, 0}, {0, radius}, {update, preload, false}));
+      }
+    }
+    Result result = run_jobs(bench, jobs, static_cast<std::uint32_t>(i));
+    result.failed = fmt::format("R = {}", radius);
+    return result;
+  };
+  return {"every quarter from (R, 0)", static_cast<std::uint64_t>(ones(bench.params().width)), run};
+}
+
+Job random_job(const Params& p, std::uint64_t seed, std::uint64_t i) {
+  constexpr std::int64_t longest = 3000;
+  Random random = Random::for_case(seed, i);
+  const Settings settings = random_settings(random);
+  Job job;
+  try {
+    switch (random.below(4)) {
+      case 0:
+        job = line(p, {either_sign(p, random), either_sign(p, random)}, settings);
+        break;
+      case 1:
+        job = random_arc(p, random, settings);
+        break;
+      case 2:
+        job = circle(p, std::max<Word>(random.corner(p.width) / 2, 1), settings,
+                     static_cast<std::int64_t>(random.below(longest)));
+        break;
+      default:
+        job = random_conic(p, random, settings);
+    }
+  } catch (const InputError&) {  // it leaves the registers: a line in its place
+    job = line(p, {either_sign(p, random), either_sign(p, random)}, settings);
+  }
+  if (random.one_in_power(2) || p.width > 11) {
+    job.clocks =
+        std::min(job.clocks.value_or(longest), static_cast<std::int64_t>(random.below(longest)));
+  }
+  return job;
+}
+
+Sweep random_jobs(const DdaBench& bench, std::uint64_t seed, std::uint64_t count) {
+  const auto run = [&bench, seed](std::uint64_t i) {
+    const Job job = random_job(bench.params(), seed, i);
+    Result result = run_jobs(bench, {&job, 1}, static_cast<std::uint32_t>(i));
+    result.failed = fmt::format("{}, seed {}", Host::describe(bench.params(), job), seed);
+    return result;
+  };
+  return {"random lines, arcs and conics", count, run};
+}
+
+}  // namespace cosim::dda

@@ -1,0 +1,32 @@
+// Sweeps of the DDA: whole curves, checked in lockstep and against the oracle.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "tb/designs/dda/check.h"
+#include "tb/sweep/sweep.h"
+
+namespace cosim::dda {
+
+using DdaBench = Bench<Design>;
+
+/// Runs jobs one after the other on one machine.
+Result run_jobs(const DdaBench& bench, std::span<const Job> jobs, std::uint32_t power_up);
+
+/// Every DX with every DY of the width, to all four sides, normalised and not, with either preload;
+/// a case is one DX.
+Sweep every_line(const DdaBench& bench);
+
+/// The quarter from (R, 0) for every R of the width, with either update and either preload; a case
+/// is one R.
+Sweep every_quarter(const DdaBench& bench);
+
+/// The job that random case i draws: a line, an arc, a circle or an ellipse in any place, given up
+/// after a random number of clocks where it is long.
+Job random_job(const Params& p, std::uint64_t seed, std::uint64_t i);
+
+/// `count` random jobs; a case is one job.
+Sweep random_jobs(const DdaBench& bench, std::uint64_t seed, std::uint64_t count);
+
+}  // namespace cosim::dda

@@ -1,0 +1,138 @@
+#include <fmt/core.h>
+
+#include <memory>
+
+#include "model/core/input_error.h"
+#include "model/linear/oracle.h"
+#include "tb/designs/linear/check.h"
+#include "tb/cli/choose.h"
+#include "tb/designs/linear/cli/code_option.h"
+#include "tb/cli/commands.h"
+#include "tb/cli/common.h"
+#include "tb/cli/draw_one.h"
+#include "tb/cli/number.h"
+#include "tb/cli/outputs.h"
+#include "tb/cli/shape_options.h"
+#include "tb/studies/comparison/figures.h"
+#include "tb/plot/drawn.h"
+
+namespace cosim::cli {
+namespace {
+
+constexpr std::uint64_t most_steps = 0xffffffff;
+
+struct Options {
+  Common common;
+  Text major, minor, code;
+  ShapeOptions shape;
+};
+
+std::optional<std::int64_t> parse_minor(const Text& text, std::int64_t major) {
+  if (!text) return {};
+  const auto minor = static_cast<std::int64_t>(whole("--minor", *text, 0, most_steps));
+  if (minor > major) {
+    throw InputError(fmt::format("--minor: {} is more than --major {} (MP <= BP)", minor, major));
+  }
+  return minor;
+}
+
+class Rows final : public Observer<linear::Design> {
+ public:
+  Rows(OutputFile& file, int word) : file_(file), word_(word) {}
+  void clock(std::size_t, const Compared<linear::Design>& seen) override {
+    if (!seen.outputs.strobe) return;
+    file_.line("{},{:0{}b},{:0{}b}", ++tick_, static_cast<std::uint64_t>(seen.outputs.major), word_,
+               static_cast<std::uint64_t>(seen.outputs.minor), word_);
+  }
+
+ private:
+  OutputFile& file_;
+  int word_;
+  std::uint64_t tick_ = 0;
+};
+
+// The points for a picture.
+class Drawn final : public Observer<linear::Design> {
+ public:
+  Drawn(Series& series, compare::Line line, int word) : series_(series), line_(line), word_(word) {
+    series_.add({0, 0}, 0);
+  }
+  void clock(std::size_t, const Compared<linear::Design>& seen) override {
+    for (int i = word_ - 1; i >= 0; --i) {
+      if (!bit(seen.outputs.major, i)) continue;
+      const circular::Point at = series_.marks.back().at;
+      const circular::Point next{at.x + 1, at.y + bit(seen.outputs.minor, i)};
+      series_.add(next, compare::radial(line_, next));
+    }
+  }
+
+ private:
+  Series& series_;
+  compare::Line line_;
+  int word_;
+};
+
+// Where nobody names M, a code's bits do, if there is such a machine.
+LinearShape shape_of(const Options& o) {
+  LinearShape shape = o.shape.linear();
+  const std::optional<int> width = width_of(o.code);
+  if (shape.m || !width) return shape;
+  for (const auto* bench : matching(shape)) {
+    if (bench->params().m == *width) shape.m = *width;
+  }
+  return shape;
+}
+
+int run(const Options& o) {
+  const auto power_up = static_cast<std::uint32_t>(o.common.seed());
+  const auto major =
+      static_cast<std::int64_t>(whole("--major", needed("--major", o.major), 0, most_steps));
+  const std::optional<std::int64_t> minor = parse_minor(o.minor, major);
+  const auto& bench = choose(shape_of(o), major);
+  const linear::Params p = bench.params();
+  const ChosenCode code = choose_code(o.code, p.m, major, minor);
+  const auto words = static_cast<std::uint64_t>(linear::ticks(p.gamma(), major));
+  const Extent extent{words, static_cast<std::uint64_t>(major), words,
+                      digits(words) + 2 * static_cast<std::size_t>(p.word()) + 3};
+  check_extent(o.common, extent);
+  check_outputs(o.common);
+
+  OutputFile csv(o.common.csv.value_or(""));
+  csv.line("tick,major,minor");
+  const std::string work =
+      fmt::format("BP = {}, MP = {}, UK = {:0{}b}{}", major, code.minor, code.code, p.m,
+                  code.rule.empty() ? "" : " (" + code.rule + ")");
+  const linear::Job job{{major, code.code}, {}};
+  linear::Check check(p, {&job, 1});
+  Rows rows(csv, p.word());
+  const compare::Line line{major, code.minor};
+  Series path{bench.title(), {}};
+  Drawn points(path, line, p.word());
+  return draw_one<linear::Design, linear::Job, linear::Check>({o.common, power_up, bench, work, job,
+                                                           check, csv, rows, path, points,
+                                                           [&] { return curve_of(line); }, extent});
+}
+
+}  // namespace
+
+void add_line(const Command& program) {
+  auto o = std::make_shared<Options>();
+  const Command command = program.sub("line", "A straight line on the linear machine");
+  command.text("--major", o->major, "BP", "Needed: steps on the major axis, 0 to 2^M - 1");
+  command.text("--minor", o->minor, "MP",
+               "Steps on the minor axis, 0 to BP; needed unless --code gives bits");
+  command.text("--code", o->code, "UK",
+               "Control code: best (default), greedy, M bits such as 01010, or 0x0a");
+  o->shape.add_linear(command);
+  add_csv(command, o->common,
+          "Write tick,major,minor: a row a strobe, words in bits, first step leftmost");
+  add_table(command, o->common);
+  add_plot(command, o->common);
+  add_wave(command, o->common, "Draw the run as a waveform, with FILE.gtkw, its view for GTKWave");
+  add_failures(command, o->common);
+  add_common(command, o->common);
+  command.footer("Example: cosim line --major 27 --minor 9");
+  command.action([o] { return run(*o); });
+}
+
+}  // namespace cosim::cli

@@ -1,0 +1,67 @@
+#include "tb/designs/linear/sweeps.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "model/linear/control_code.h"
+#include "model/linear/oracle.h"
+#include "tb/designs/linear/check.h"
+
+namespace cosim::linear {
+
+Result run_lines(const LinearBench& bench, std::span<const Job> jobs, std::uint32_t power_up) {
+  Check check(bench.params(), jobs);
+  Run run = bench.open(power_up)->draw(jobs, check);
+  Result result;
+  result.cases = 1;
+  result.clocks = run.clocks;
+  result.mismatch = std::move(run.mismatch);
+  // After a mismatch the jobs behind it were not drawn; the oracle has nothing to say of them.
+  if (!result.mismatch) result.checked = check.finish();
+  return result;
+}
+
+Sweep every_line(const LinearBench& bench) {
+  const int m = bench.params().m;
+  const auto run = [&bench, m](std::uint64_t major) {
+    std::vector<Job> jobs;
+    for (Code code = 0; code >> m == 0; ++code) {
+      jobs.push_back({{static_cast<std::int64_t>(major), code}, {}});
+    }
+    Result result = run_lines(bench, jobs, static_cast<std::uint32_t>(major));
+    result.failed = fmt::format("BP = {} with every UK", major);
+    return result;
+  };
+  return {"every BP with every UK", std::uint64_t{1} << m, run};
+}
+
+Job random_line(const Params& p, std::uint64_t seed, std::uint64_t i) {
+  constexpr std::int64_t longest = 2000;
+  Random random = Random::for_case(seed, i);
+  Job job;
+  job.line.major = random.corner(p.m);
+  job.line.code = random.one_in_power(2)
+                      ? best_code(p.m, job.line.major,
+                                  static_cast<std::int64_t>(
+                                      random.below(static_cast<std::uint64_t>(job.line.major) + 1)))
+                      : static_cast<Code>(random.corner(p.m));
+  if (ticks(p.gamma(), job.line.major) > longest) {
+    job.words = static_cast<std::int64_t>(random.below(longest));
+  }
+  return job;
+}
+
+Sweep random_lines(const LinearBench& bench, std::uint64_t seed, std::uint64_t count) {
+  const auto run = [&bench, seed](std::uint64_t i) {
+    const Job job = random_line(bench.params(), seed, i);
+    Result result = run_lines(bench, {&job, 1}, static_cast<std::uint32_t>(i));
+    result.failed = fmt::format("BP = {}, UK = {:0{}b}, seed {}", job.line.major, job.line.code,
+                                bench.params().m, seed);
+    return result;
+  };
+  return {"random lines", count, run};
+}
+
+}  // namespace cosim::linear

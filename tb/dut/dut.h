@@ -1,0 +1,115 @@
+// One DUT: an instance of the RTL, or what a test puts in its place. An adapter is its form for
+// speed, a class of its own for each shape; Dut is the same behind virtual calls, for all that is
+// compiled once for a design.
+//
+// An adapter has the types and members
+//
+//   Design                       struct Design of model/NAME/machine.h
+//   params                       the shape's parameters, static constexpr
+//   Adapter(uint32_t power_up)   registers hold random values that follow from power_up
+//   drive(inputs)                sets the input pins
+//   eval(bool clk)               brings the clock pin to a level and settles everything behind it
+//   outputs(), registers()       what they hold now
+//   load(name, word)             may be absent: sets a register before the first eval
+//   signals()                    may be absent: every signal of the hierarchy
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "model/core/fields.h"
+#include "tb/dut/signal.h"
+
+namespace cosim {
+
+template <class Design>
+class Dut {
+ public:
+  using Inputs = typename Design::template Inputs<Word>;
+  using Outputs = typename Design::template Outputs<Word>;
+  using Registers = typename Design::template Registers<Word>;
+
+  virtual ~Dut() = default;
+  virtual void drive(const Inputs& in) = 0;
+  virtual void eval(bool clk) = 0;
+  virtual Outputs outputs() const = 0;
+  virtual Registers registers() const = 0;
+  /// std::logic_error where the maker says that registers cannot be loaded.
+  virtual void load(const char* name, Word value) = 0;
+  /// None where the instance does not show them.
+  virtual std::vector<Signal> signals() const { return {}; }
+};
+
+/// An adapter as a Dut.
+template <class Adapter>
+class AdapterDut final : public Dut<typename Adapter::Design> {
+  using Base = Dut<typename Adapter::Design>;
+ public:
+  static constexpr bool can_load = requires(Adapter& a) { a.load("", Word{}); };
+
+  explicit AdapterDut(std::uint32_t power_up) : adapter_(power_up) {}
+  void drive(const typename Base::Inputs& in) override { adapter_.drive(in); }
+  void eval(bool clk) override { adapter_.eval(clk); }
+  typename Base::Outputs outputs() const override { return adapter_.outputs(); }
+  typename Base::Registers registers() const override { return adapter_.registers(); }
+  void load([[maybe_unused]] const char* name, [[maybe_unused]] Word value) override {
+    if constexpr (can_load) {
+      adapter_.load(name, value);
+    } else {
+      throw std::logic_error("registers of this DUT cannot be loaded");
+    }
+  }
+  std::vector<Signal> signals() const override {
+    if constexpr (requires { adapter_.signals(); }) return adapter_.signals();
+    return {};
+  }
+
+ private:
+  Adapter adapter_;
+};
+
+/// How the DUTs of one shape are made.
+template <class Design>
+struct DutMaker {
+  typename Design::Params params;
+  bool can_load;  ///< registers can be set before the first eval
+  std::unique_ptr<Dut<Design>> (*make)(std::uint32_t power_up);
+};
+
+template <class Adapter>
+constexpr DutMaker<typename Adapter::Design> dut_maker() {
+  using Design = typename Adapter::Design;
+  const auto make = [](std::uint32_t power_up) -> std::unique_ptr<Dut<Design>> {
+    return std::make_unique<AdapterDut<Adapter>>(power_up);
+  };
+  return {Adapter::params, AdapterDut<Adapter>::can_load, make};
+}
+
+/// A Dut as an adapter: what Lockstep takes.
+template <class D>
+class AnyAdapter {
+ public:
+  using Design = D;
+
+  struct PowerUp {
+    const DutMaker<D>& maker;
+    std::uint32_t power_up;
+  };
+  explicit AnyAdapter(const PowerUp& p)
+      : params(p.maker.params), dut_(p.maker.make(p.power_up)) {}
+
+  const typename D::Params params;
+  void drive(const typename D::template Inputs<Word>& in) { dut_->drive(in); }
+  void eval(bool clk) { dut_->eval(clk); }
+  typename D::template Outputs<Word> outputs() const { return dut_->outputs(); }
+  typename D::template Registers<Word> registers() const { return dut_->registers(); }
+  void load(const char* name, Word value) { dut_->load(name, value); }
+  std::vector<Signal> signals() const { return dut_->signals(); }
+
+ private:
+  std::unique_ptr<Dut<D>> dut_;
+};
+
+}  // namespace cosim

@@ -1,0 +1,81 @@
+#include "tb/lockstep/mismatch.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "tb/support/show.h"
+
+namespace cosim {
+namespace {
+
+constexpr std::size_t widest_line = 120;
+
+const char* letter(Trace::Kind kind) {
+  switch (kind) {
+    case Trace::Kind::input:
+      return "in ";
+    case Trace::Kind::reg:
+      return "reg";
+    case Trace::Kind::output:
+      return "out";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string to_text(const Mismatch& m) {
+  std::string text =
+      fmt::format("first difference: clock {}, {}{}{}\n  expected {}\n  actual   {}\n", m.clock,
+                  m.signal, *m.field.source != '\0' ? ", block " : "", m.field.source,
+                  show(m.field, m.expected), show(m.field, m.actual));
+
+  // Every cell first: a column is as wide as its widest.
+  struct Row {
+    std::string head;
+    std::vector<std::string> cells;
+  };
+  std::vector<Row> rows{{"clock", {}}};
+  const std::size_t clocks = m.traces.empty() ? 0 : m.traces.front().expected.size();
+  for (std::size_t c = 0; c < clocks; ++c) {
+    const std::uint64_t at = m.first + c;
+    rows[0].cells.push_back(at == m.clock ? fmt::format(">{}", at) : fmt::format("{}", at));
+  }
+  for (const Trace& t : m.traces) {
+    const bool same = t.expected == t.actual;
+    Row expected{fmt::format("{} {}{}", letter(t.kind), t.field.name, same ? "" : " expected"), {}};
+    Row actual{same ? "" : fmt::format("{} {} actual", letter(t.kind), t.field.name), {}};
+    for (std::size_t c = 0; c < clocks; ++c) {
+      const bool parts = t.expected[c] != t.actual[c];
+      expected.cells.push_back(show_short(t.field, t.expected[c]));
+      actual.cells.push_back(show_short(t.field, t.actual[c]) + (parts ? "!" : ""));
+    }
+    rows.push_back(std::move(expected));
+    if (!same) rows.push_back(std::move(actual));
+  }
+  std::size_t head = 0;
+  std::vector<std::size_t> widths(clocks, 0);
+  for (const Row& r : rows) {
+    head = std::max(head, r.head.size());
+    for (std::size_t c = 0; c < clocks; ++c) widths[c] = std::max(widths[c], r.cells[c].size());
+  }
+  // As many clocks side by side as fit, the others below.
+  for (std::size_t first = 0, end = 0; first < clocks; first = end) {
+    std::size_t width = 2 + head;
+    while (end < clocks && (end == first || width + 2 + widths[end] <= widest_line)) {
+      width += 2 + widths[end++];
+    }
+    if (first != 0) text += '\n';
+    for (const Row& r : rows) {
+      text += fmt::format("  {:<{}}", r.head, head);
+      for (std::size_t c = first; c < end; ++c) {
+        text += fmt::format("  {:>{}}", r.cells[c], widths[c]);
+      }
+      text += '\n';
+    }
+  }
+  return text;
+}
+
+}  // namespace cosim

@@ -1,0 +1,64 @@
+// What a difference between RTL and model looks like, for any design: the first clock and signal,
+// and every signal on the clocks around it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "model/core/fields.h"
+#include "tb/stimulus/stimulus.h"
+
+namespace cosim {
+
+/// One signal on the clocks of a window.
+struct Trace {
+  enum class Kind { input, reg, output };
+  Field field;
+  Kind kind = Kind::input;
+  std::vector<Word> expected;  ///< one entry a clock; an input has the same in both
+  std::vector<Word> actual;
+};
+
+/// Clocks shown before and after the first difference.
+struct Window {
+  std::uint64_t before = 8;
+  std::uint64_t after = 4;
+};
+
+/// A case that is smaller and fails as well.
+struct SmallerCase {
+  std::string what;  ///< the case, one line
+  Stimulus stimulus;
+};
+
+class AnyBench;
+
+/// Where RTL and model part.
+struct Mismatch {
+  /// What the stimulus has behind the first difference, for a wave to show.
+  static constexpr std::uint64_t clocks_behind = 200;
+
+  const AnyBench* bench = nullptr;  ///< the machine; none where it has none
+  std::uint64_t clock = 0;          ///< clocks after the clear, from 0: the first with a difference
+  std::string signal;  ///< the first differing signal in table order, registers before outputs
+  Field field{};
+  Word expected = 0;
+  Word actual = 0;
+  std::uint64_t first = 0;    ///< the clock of the traces' first entry
+  std::vector<Trace> traces;  ///< inputs, registers, outputs, in table order
+  /// Runs into the difference again; machine and origin are left to who knows them. It may start
+  /// from a state, long after clock 0.
+  Stimulus stimulus;
+  /// Looks for a smaller case of the same kind, a shorter line or arc; empty where there is no such
+  /// kind.
+  std::function<SmallerCase()> smaller_case;
+};
+
+/// The mismatch as text: what and where, then the table of the clocks around it, with expected
+/// above actual wherever they differ, in parts one below the other where it is wider than 120
+/// columns. Lines end in '\n'.
+std::string to_text(const Mismatch& mismatch);
+
+}  // namespace cosim

@@ -1,0 +1,146 @@
+// Runs a stimulus again, and makes one of what a host does.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "model/core/input_error.h"
+#include "tb/lockstep/run.h"
+#include "tb/stimulus/stimulus.h"
+
+namespace cosim {
+
+/// The clocks of a stimulus as a source of inputs. The stimulus must outlive it.
+template <class Design>
+class Rows {
+ public:
+  using Inputs = typename Design::template Inputs<Word>;
+
+  explicit Rows(const Stimulus& stimulus) : left_(stimulus.clocks) {}
+
+  bool next(Inputs& in, const typename Design::template Outputs<Word>&) {
+    if (left_.empty()) return false;
+    in = record_of<Inputs>(left_.front());
+    left_ = left_.subspan(1);
+    return true;
+  }
+
+  /// The record whose fields have the words given.
+  template <class Record>
+  static Record record_of(const std::vector<Word>& words) {
+    Words<Record> array;
+    std::copy_n(words.begin(), array.size(), array.begin());
+    return from_words<Record>(array);
+  }
+
+ private:
+  std::span<const std::vector<Word>> left_;
+};
+
+/// A machine where the stimulus starts. InputError where it starts from a state and the registers
+/// cannot be loaded.
+template <class Design>
+std::unique_ptr<AnyLockstep<Design>> started(const DutMaker<Design>& maker, const Stimulus& s) {
+  using State = typename Design::template State<Word>;
+  if (s.state && !maker.can_load) throw InputError(s.machine + " cannot start from a state");
+  const typename AnyAdapter<Design>::PowerUp start{maker, s.power_up};
+  if (!s.state) return std::make_unique<AnyLockstep<Design>>(start);
+  return std::make_unique<AnyLockstep<Design>>(start,
+                                               Rows<Design>::template record_of<State>(*s.state));
+}
+
+/// The first clock of the stimulus on which RTL and model differ.
+template <class Design>
+std::optional<std::uint64_t> differing_clock(const DutMaker<Design>& maker, const Stimulus& s) {
+  const auto lockstep = started(maker, s);
+  Rows<Design> rows(s);
+  std::uint64_t clocks = 0;
+  if (clock_through(*lockstep, rows, clocks, [](const auto&, const auto&) {})) return {};
+  return clocks - 1;
+}
+
+/// What comes of the stimulus.
+template <class Design>
+Run replayed(const DutMaker<Design>& maker, const Stimulus& s, Window window) {
+  Run result;
+  result.clocks = s.clocks.size();
+  if (const auto clock = differing_clock(maker, s)) {
+    result.clocks = *clock + 1;
+    const auto again = started(maker, s);
+    result.mismatch = examine(*again, Rows<Design>(s), *clock, window);
+    result.mismatch->stimulus = s;
+  }
+  return result;
+}
+
+/// The inputs that `source` gives to a machine without a fault, as a stimulus of at most `clocks`
+/// clocks: by the model alone.
+template <class Design, class Source>
+Stimulus recorded(const typename Design::Params& p, Source source, std::uint32_t power_up,
+                  std::uint64_t clocks) {
+  Stimulus stimulus;
+  stimulus.power_up = power_up;
+  auto state = Design::template cleared<Word>();
+  typename Design::template Inputs<Word> in;
+  typename Design::template Outputs<Word> out{};
+  while (stimulus.clocks.size() < clocks && source.next(in, out)) {
+    detail::add_inputs(stimulus, in);
+    const auto step = Design::next(p, state, in);
+    out = step.outputs;
+    state = step.state;
+  }
+  return stimulus;
+}
+
+/// The smallest case found that fails as `jobs` do: fewer jobs, then smaller ones.
+template <class Design>
+SmallerCase smaller_case(const DutMaker<Design>& maker,
+                         std::vector<typename Design::Host::Job> jobs, std::uint32_t power_up) {
+  using Host = typename Design::Host;
+  using Job = typename Host::Job;
+  constexpr std::uint64_t most_clocks = 20'000'000;  // a second or two
+  std::uint64_t clocks = 0, spent = 0;
+  const auto fails = [&](const std::vector<Job>& some) {
+    if (spent > most_clocks) return false;
+    AnyLockstep<Design> lockstep(typename AnyAdapter<Design>::PowerUp{maker, power_up});
+    Host host(maker.params, some);
+    std::uint64_t run = 0;
+    const bool failed = !clock_through(lockstep, host, run, [](const auto&, const auto&) {});
+    spent += run;
+    if (failed) clocks = run;
+    return failed;
+  };
+  fails(jobs);
+  // The last job is the one that failed; the others matter only where it fails not by itself.
+  if (std::vector<Job> last{jobs.back()}; fails(last)) jobs = last;
+  for (std::size_t i = jobs.size(); jobs.size() > 1 && i-- > 0;) {
+    std::vector<Job> fewer = jobs;
+    fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(i));
+    if (fails(fewer)) jobs = fewer;
+  }
+  for (bool again = true; again;) {
+    again = false;
+    for (std::size_t i = 0; i < jobs.size(); ++i) {
+      for (const Job& smaller : Host::smaller(maker.params, jobs[i])) {
+        std::vector<Job> changed = jobs;
+        changed[i] = smaller;
+        if (!fails(changed)) continue;
+        jobs = changed;
+        again = true;
+        break;
+      }
+    }
+  }
+  std::string what;
+  for (const Job& job : jobs) {
+    what += (what.empty() ? "" : "; ") + Host::describe(maker.params, job);
+  }
+  return {what, recorded<Design>(maker.params, Host(maker.params, jobs), power_up, clocks)};
+}
+
+}  // namespace cosim

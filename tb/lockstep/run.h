@@ -1,0 +1,109 @@
+// Runs a stimulus in lockstep. Nothing is recorded on the way: a case that fails is run again from
+// its start, which its seed makes the same, with every signal of the clocks around the difference
+// kept.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "tb/dut/dut.h"
+#include "tb/lockstep/lockstep.h"
+#include "tb/lockstep/mismatch.h"
+
+namespace cosim {
+
+/// What came of one case.
+struct Run {
+  std::uint64_t clocks = 0;  ///< clocks compared, the differing one included
+  std::optional<Mismatch> mismatch;
+};
+
+/// Lockstep whose DUT stands behind virtual calls: one class for all shapes of a design.
+template <class Design>
+using AnyLockstep = Lockstep<AnyAdapter<Design>>;
+
+namespace detail {
+
+template <class Record, class Params>
+void add_traces(Mismatch& m, Trace::Kind kind, const Params& p) {
+  for (const Field& f : Record::fields(p)) m.traces.push_back({f, kind, {}, {}});
+}
+
+template <class Record>
+void add_clock(Mismatch& m, std::size_t& at, const Record& expected, const Record& actual) {
+  const Words<Record> e = to_words(expected);
+  const Words<Record> a = to_words(actual);
+  for (std::size_t i = 0; i < Record::size; ++i, ++at) {
+    m.traces[at].expected.push_back(e[i]);
+    m.traces[at].actual.push_back(a[i]);
+    if (e[i] != a[i] && m.signal.empty()) {
+      m.signal = m.traces[at].field.name;
+      m.field = m.traces[at].field;
+      m.expected = e[i];
+      m.actual = a[i];
+    }
+  }
+}
+
+template <class Inputs>
+void add_inputs(Stimulus& stimulus, const Inputs& in) {
+  const auto words = to_words(in);
+  stimulus.clocks.emplace_back(words.begin(), words.end());
+}
+
+}  // namespace detail
+
+/// The most clocks before a difference that its stimulus has. A longer one starts from the state
+/// that the model had so many clocks before: until then RTL and model were the same.
+inline constexpr std::uint64_t most_kept = 1U << 20;
+
+/// Runs a failing case again: `lockstep`, which has just started, is clocked through `source` until
+/// `window.after` clocks past `clock`, the first that differs. Keeps every signal of the window,
+/// and the inputs with what a wave wants before and after it.
+template <class Design, class Source>
+Mismatch examine(AnyLockstep<Design>& lockstep, Source source, std::uint64_t clock, Window window) {
+  const auto& p = lockstep.dut().params;
+  Mismatch m;
+  m.clock = clock;
+  m.first = clock > window.before ? clock - window.before : 0;
+  detail::add_traces<typename Design::template Inputs<Word>>(m, Trace::Kind::input, p);
+  detail::add_traces<typename Design::template Registers<Word>>(m, Trace::Kind::reg, p);
+  detail::add_traces<typename Design::template Outputs<Word>>(m, Trace::Kind::output, p);
+
+  const std::uint64_t kept = clock > most_kept ? clock - most_kept : 0;
+  typename Design::template Inputs<Word> in;
+  for (std::uint64_t c = 0; c <= clock + Mismatch::clocks_behind; ++c) {
+    if (c == kept && c != 0) {
+      const auto state = to_words(lockstep.state());
+      m.stimulus.state.emplace(state.begin(), state.end());
+    }
+    if (!source.next(in, lockstep.expected().outputs)) break;
+    const bool same = lockstep.clock(in);
+    if (c >= kept) detail::add_inputs(m.stimulus, in);
+    if (c < m.first || c > clock + window.after) continue;
+    const Compared<Design>& expected = lockstep.expected();
+    const Compared<Design>& actual = same ? expected : lockstep.actual();
+    std::size_t at = 0;
+    detail::add_clock(m, at, in, in);
+    detail::add_clock(m, at, expected.registers, actual.registers);
+    detail::add_clock(m, at, expected.outputs, actual.outputs);
+  }
+  return m;
+}
+
+/// Clocks `lockstep` from `source` until the source ends (true) or RTL and model differ (false),
+/// and counts the clocks, the differing one included. `observe(source, compared)` is called after
+/// each clock that matched. Flattened, for lockstep's registers are many to put aside for a call.
+template <class Adapter, class Source, class Observe>
+COSIM_FLATTEN bool clock_through(Lockstep<Adapter>& lockstep, Source& source, std::uint64_t& clocks,
+                                 Observe&& observe) {
+  typename Adapter::Design::template Inputs<Word> in;
+  while (source.next(in, lockstep.expected().outputs)) {
+    ++clocks;
+    if (!lockstep.clock(in)) return false;
+    observe(source, lockstep.expected());
+  }
+  return true;
+}
+
+}  // namespace cosim

@@ -1,0 +1,88 @@
+#include "tb/report/failure.h"
+
+#include <fmt/core.h>
+
+#include <cctype>
+#include <nlohmann/json.hpp>
+
+#include "model/core/input_error.h"
+#include "tb/support/draft.h"
+#include "tb/support/output_file.h"
+#include "tb/report/report.h"
+#include "tb/report/shrink.h"
+
+namespace cosim {
+namespace {
+
+std::string clocks_text(std::size_t clocks) {
+  return fmt::format("{} clock{}", clocks, clocks == 1 ? "" : "s");
+}
+
+}  // namespace
+
+std::string failure_name(const AnyBench& bench, const std::string& what) {
+  constexpr std::size_t longest = 60;
+  std::string name;
+  for (const char c : bench.title() + "-" + what) {
+    if (c == '=') continue;
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.';
+    if (plain) name += c;
+    if (!plain && !name.empty() && name.back() != '-') name += '-';
+  }
+  name.resize(std::min(name.size(), longest));
+  while (!name.empty() && !std::isalnum(static_cast<unsigned char>(name.back()))) name.pop_back();
+  return name;
+}
+
+Failure leave_failure(const AnyBench& bench, const std::string& what, const Mismatch& mismatch,
+                      const FailureOptions& options) {
+  Draft draft(options.root, failure_name(bench, what));
+  Failure failure;
+  failure.folder = draft.target();
+  failure.replay = fmt::format("{} replay {}", options.command, draft.target().string());
+
+  Stimulus stimulus = mismatch.stimulus;
+  stimulus.machine = bench.title();
+  stimulus.origin = what;
+  draft.write("stimulus.stim", to_text(stimulus, bench));
+  bench.draw_wave((draft.folder() / "wave.fst").string(), stimulus, options.wave);
+
+  SmallerCase smallest{"", stimulus};
+  if (mismatch.smaller_case) smallest = mismatch.smaller_case();
+  smallest.stimulus.machine = bench.title();
+  smallest.stimulus = shrink(bench, smallest.stimulus);
+  smallest.stimulus.origin = "the smallest found of: " + what;
+  draft.write("smallest.stim", to_text(smallest.stimulus, bench));
+  bench.draw_wave((draft.folder() / "smallest.fst").string(), smallest.stimulus, options.wave);
+  const Run again = bench.replay(smallest.stimulus);
+
+  if (!smallest.what.empty()) {
+    failure.smallest = fmt::format("smallest case that still fails: {}\n", smallest.what);
+  }
+  failure.smallest += fmt::format("smallest stimulus that still fails: {}, smallest.stim\n",
+                                  clocks_text(smallest.stimulus.clocks.size()));
+
+  Outcome outcome{&bench, what, {}};
+  outcome.result.cases = 1;
+  outcome.result.clocks = mismatch.clock + 1;
+  outcome.result.mismatch = mismatch;
+  outcome.result.failed = what;
+  draft.write("report.txt",
+              fmt::format("{}\n{}{}\nreplay: {}\n", verdict_text({outcome}), failure.smallest,
+                          again.mismatch ? to_text(*again.mismatch) : "", failure.replay));
+  nlohmann::ordered_json more;
+  more["replay"] = failure.replay;
+  more["smallest_case"] = smallest.what;
+  more["smallest_clocks"] = smallest.stimulus.clocks.size();
+  write_report((draft.folder() / "report.json").string(),
+               report_json({outcome}, stimulus.power_up, more.dump()));
+  draft.finish();
+  return failure;
+}
+
+std::string to_text(const Failure& failure) {
+  return fmt::format("{}kept in: {}\nreplay: {}\n", failure.smallest, failure.folder.string(),
+                     failure.replay);
+}
+
+}  // namespace cosim

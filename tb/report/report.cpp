@@ -1,0 +1,181 @@
+#include "tb/report/report.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "tb/support/finite.h"
+#include "tb/support/output_file.h"
+#include "tb/support/show.h"
+
+namespace cosim {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json signal_names(const AnyBench& bench) {
+  Json names = Json::array();
+  for (const Field& f : bench.compared()) names.push_back(f.name);
+  return names;
+}
+
+Json parameters(const AnyBench& bench) {
+  Json object = Json::object();
+  for (const Parameter& p : bench.parameters()) object[p.name] = p.value;
+  return object;
+}
+
+Json mismatch(const Result& r) {
+  Json object;
+  object["case"] = r.failed;
+  if (!r.mismatch) {
+    object["kind"] = "oracle";
+    object["what"] = r.checked.error;
+    return object;
+  }
+  const Mismatch& m = *r.mismatch;
+  object["kind"] = "lockstep";
+  object["clock"] = m.clock;
+  object["signal"] = m.signal;
+  object["expected"] = show(m.field, m.expected);
+  object["actual"] = show(m.field, m.actual);
+  Json traces = Json::array();
+  for (const Trace& t : m.traces) {
+    Json trace;
+    trace["signal"] = t.field.name;
+    trace["first_clock"] = m.first;
+    for (const Word w : t.expected) trace["expected"].push_back(show_short(t.field, w));
+    for (const Word w : t.actual) trace["actual"].push_back(show_short(t.field, w));
+    traces.push_back(trace);
+  }
+  object["traces"] = traces;
+  return object;
+}
+
+Json run_json(const Outcome& o) {
+  Json object;
+  object["verdict"] = o.result.match() ? "match" : "mismatch";
+  object["design"] = o.bench->design();
+  object["parameters"] = parameters(*o.bench);
+  object["work"] = o.work;
+  object["clocks"] = o.result.clocks;
+  object["steps"] = o.result.checked.steps;
+  object["max_deviation"] = o.result.checked.max_deviation;
+  if (!o.result.match()) object["mismatch"] = mismatch(o.result);
+  return object;
+}
+
+// The designs of the outcomes, each by its first bench, in order of appearance.
+std::vector<const AnyBench*> designs(const std::vector<Outcome>& outcomes) {
+  std::vector<const AnyBench*> found;
+  for (const Outcome& o : outcomes) {
+    const auto same = [&](const AnyBench* bench) { return bench->design() == o.bench->design(); };
+    if (std::none_of(found.begin(), found.end(), same)) found.push_back(o.bench);
+  }
+  return found;
+}
+
+std::uint64_t clocks_of(const std::vector<Outcome>& outcomes, const std::string& design) {
+  std::uint64_t sum = 0;
+  for (const Outcome& o : outcomes) sum += o.bench->design() == design ? o.result.clocks : 0;
+  return sum;
+}
+
+}  // namespace
+
+bool all_match(const std::vector<Outcome>& outcomes) {
+  return std::all_of(outcomes.begin(), outcomes.end(),
+                     [](const Outcome& o) { return o.result.match(); });
+}
+
+std::string compared_signals(const AnyBench& bench) {
+  const std::size_t registers = bench.registers();
+  return fmt::format("{} registers and {} outputs", registers, bench.compared().size() - registers);
+}
+
+std::string comparison_text(const std::vector<Outcome>& outcomes) {
+  std::string text;
+  const auto benches = designs(outcomes);
+  for (const AnyBench* bench : benches) {
+    const std::uint64_t clocks = clocks_of(outcomes, bench->design());
+    text += fmt::format("compared: {}{} on {} clock{}\n", compared_signals(*bench),
+                        benches.size() > 1 ? " of " + bench->design() : "",
+                        clocks == 1 ? "the one" : fmt::format("each of {}", clocks),
+                        clocks == 1 ? "" : "s");
+  }
+  return text;
+}
+
+std::string verdict_text(const std::vector<Outcome>& outcomes) {
+  std::string text;
+  for (const Outcome& o : outcomes) {
+    if (o.result.match()) continue;
+    text += fmt::format("{}, {}\n", o.bench->title(), o.result.failed);
+    if (o.result.mismatch) {
+      text += to_text(*o.result.mismatch);
+    } else {
+      text += fmt::format("RTL and model agree, and both are wrong: {}\n", o.result.checked.error);
+    }
+  }
+  return text + fmt::format("verdict: {}\n", all_match(outcomes) ? "match" : "MISMATCH");
+}
+
+std::string report_json(const std::vector<Outcome>& outcomes, std::uint64_t seed,
+                        const std::string& extra) {
+  Json runs = Json::array();
+  for (const Outcome& o : outcomes) runs.push_back(run_json(o));
+
+  Json top;
+  if (outcomes.size() == 1) {
+    top = runs.front();
+  } else {
+    top["verdict"] = outcomes.empty()      ? "nothing compared"
+                     : all_match(outcomes) ? "match"
+                                           : "mismatch";
+    top["design"] = Json::array();
+    top["parameters"] = Json::array();
+    std::uint64_t clocks = 0;
+    std::uint64_t steps = 0;
+    double max_deviation = 0;
+    std::set<const AnyBench*> named;
+    for (const Outcome& o : outcomes) {
+      if (named.insert(o.bench).second) top["parameters"].push_back(parameters(*o.bench));
+      clocks += o.result.clocks;
+      steps += o.result.checked.steps;
+      max_deviation = std::max(max_deviation, o.result.checked.max_deviation);
+    }
+    top["clocks"] = clocks;
+    top["steps"] = steps;
+    top["max_deviation"] = max_deviation;
+    for (const Json& run : runs) {
+      if (run.contains("mismatch") && !top.contains("mismatch")) top["mismatch"] = run["mismatch"];
+    }
+  }
+
+  const auto benches = designs(outcomes);
+  if (benches.size() == 1) {
+    top["design"] = benches.front()->design();
+    top["compared_signals"] = signal_names(*benches.front());
+  } else {
+    top["compared_signals"] = Json::object();
+    for (const AnyBench* bench : benches) {
+      top["design"].push_back(bench->design());
+      top["compared_signals"][bench->design()] = signal_names(*bench);
+    }
+  }
+  top["seed"] = seed;
+  top.update(Json::parse(extra));
+  top["runs"] = std::move(runs);
+  check_finite(top);
+  return top.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+void write_report(const std::string& path, const std::string& text) {
+  OutputFile file(path);
+  file.line("{}", text);
+  file.close();
+}
+
+}  // namespace cosim

@@ -1,0 +1,45 @@
+// What a run says of itself: a few lines for a person, JSON for a program.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tb/bench/bench.h"
+#include "tb/sweep/sweep.h"
+
+namespace cosim {
+
+/// The outcome of one run on one bench.
+struct Outcome {
+  const AnyBench* bench = nullptr;
+  std::string work;  ///< what was run, one line
+  Result result;
+};
+
+bool all_match(const std::vector<Outcome>& outcomes);
+
+/// "9 registers and 4 outputs"
+std::string compared_signals(const AnyBench& bench);
+
+/// What was compared and over how many clocks, a line a design, which is named where there are
+/// several. Lines end in '\n', here and below.
+std::string comparison_text(const std::vector<Outcome>& outcomes);
+
+/// The verdict of all outcomes in words, behind each mismatch or objection of the oracle in full.
+std::string verdict_text(const std::vector<Outcome>& outcomes);
+
+/// The report as JSON text: an object with `verdict`, `design`, `parameters`, `clocks`, `steps`,
+/// `compared_signals`, `max_deviation`, `seed`, where they do not match `mismatch`, and `runs`, an
+/// object for each outcome. Over several outcomes clocks and steps are sums, max_deviation is the
+/// largest, mismatch the first, and parameters an array of what would be one object; over several
+/// designs design is an array of names and compared_signals an object of arrays under these names.
+/// Over none the verdict is "nothing compared". `extra` is a JSON object whose keys are added. Text
+/// that is not UTF-8 gets replacement characters.
+std::string report_json(const std::vector<Outcome>& outcomes, std::uint64_t seed,
+                        const std::string& extra = "{}");
+
+/// Writes the text to a file, as OutputFile does. An empty path writes nothing.
+void write_report(const std::string& path, const std::string& text);
+
+}  // namespace cosim

@@ -1,0 +1,87 @@
+// Hostile stimulus: any value on any pin on any clock, resets too. Made from a design's field table
+// alone, so it fits every design.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "model/core/fields.h"
+#include "tb/support/random.h"
+
+namespace cosim {
+
+/// One reproducible run of hostile clocks.
+struct HostileCase {
+  std::uint64_t seed = 1;
+  std::uint64_t index = 0;  ///< the case's number under its seed
+  std::uint64_t clocks = 1000;
+
+  /// The power-up state of the case's machine.
+  std::uint32_t power_up() const {
+    return static_cast<std::uint32_t>(Random::for_case(~seed, index).next());
+  }
+};
+
+/// Each pin leaves its resting level with a probability of its own, 1 to 2^-10, drawn anew every
+/// few hundred clocks: so that some stretches reset on every clock and in others a line or an arc
+/// runs long enough to be disturbed. In half of the stretches the design's reset is never asked
+/// for. Wide pins take corner values, and may hold them for a stretch.
+template <class Design>
+class HostileStimulus {
+ public:
+  using Inputs = typename Design::template Inputs<Word>;
+  using Outputs = typename Design::template Outputs<Word>;
+
+  HostileStimulus(const typename Design::Params& p, const HostileCase& c)
+      : fields_(Inputs::fields(p)), random_(Random::for_case(c.seed, c.index)), left_(c.clocks) {}
+
+  bool next(Inputs& in, const Outputs&) {
+    if (left_ == 0) return false;
+    if (left_-- % stretch == 0 || first_) redraw();
+    first_ = false;
+    in = rest_;
+    for_each_member<Inputs>([&](auto member, std::size_t i) {
+      if (fields_[i].width > 1) {
+        if (happens(i)) held_.*member = random_.corner(range(fields_[i]));
+        in.*member = held_.*member;
+      } else if (happens(i)) {
+        in.*member = 1 - rest_.*member;
+      }
+    });
+    return true;
+  }
+
+ private:
+  static constexpr std::uint64_t stretch = 256;
+  static constexpr int never = 64;
+
+  /// The bits that a value is drawn from: half of a signed field's values are >= 0, for the ends of
+  /// the numbers that it counts up and down through are not those of its codes.
+  int range(const Field& field) {
+    const bool is_signed = field.format == Format::twos_complement ||
+                           field.format == Format::ones_complement ||
+                           field.format == Format::ones_quarters;
+    return is_signed && random_.one_in_power(1) ? field.width - 1 : field.width;
+  }
+
+  bool happens(std::size_t i) { return rarity_[i] != never && random_.one_in_power(rarity_[i]); }
+
+  void redraw() {
+    const bool quiet = random_.one_in_power(1);
+    const Inputs clear = Design::clear();
+    for_each_member<Inputs>([&](auto member, std::size_t i) {
+      rarity_[i] = static_cast<int>(random_.below(11));
+      if (quiet && clear.*member != rest_.*member) rarity_[i] = never;
+    });
+  }
+
+  std::array<Field, Inputs::size> fields_;
+  Random random_;
+  std::uint64_t left_;
+  Inputs rest_ = Design::rest();
+  Inputs held_{};
+  std::array<int, Inputs::size> rarity_{};
+  bool first_ = true;
+};
+
+}  // namespace cosim

@@ -1,0 +1,220 @@
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <bit>
+#include <memory>
+
+#include "model/circular/oracle.h"
+#include "model/core/input_error.h"
+#include "tb/cli/choose.h"
+#include "tb/cli/commands.h"
+#include "tb/cli/common.h"
+#include "tb/studies/comparison/cli/work_options.h"
+#include "tb/cli/conclude.h"
+#include "tb/cli/outputs.h"
+#include "tb/support/words.h"
+#include "tb/studies/comparison/contest.h"
+#include "tb/plot/drawn.h"
+
+namespace cosim::cli {
+namespace {
+
+using compare::Algorithm;
+using compare::Arc;
+using compare::Entry;
+using compare::Line;
+
+struct Options {
+  Common common;
+  WorkOptions work;
+  Text algorithms;
+};
+
+compare::Machines machines_for(const compare::Work& work, std::uint64_t seed) {
+  std::int64_t longest = 0, radius = 0;
+  for (const Line& line : work.lines.works) longest = std::max(longest, line.major);
+  for (const Arc& arc : work.arcs.works) {
+    radius = std::max(radius, std::max(circular::nearest_root(arc.radius2), arc.to.y));
+  }
+  compare::Machines machines;
+  machines.power_up = static_cast<std::uint32_t>(seed);
+  const auto bits = [](std::int64_t v) {
+    return static_cast<int>(std::bit_width(static_cast<std::uint64_t>(v)));
+  };
+  if (longest != 0) machines.linear = &choose(LinearShape{}, longest);
+  if (radius != 0) machines.circular = &choose(CircularShape{}, bits(radius));
+  machines.dda = &choose(DdaShape{}, bits(std::max(longest, radius)));
+  return machines;
+}
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> names(1);
+  for (const char c : text) {
+    if (c == ',') {
+      names.emplace_back();
+    } else {
+      names.back() += c;
+    }
+  }
+  return names;
+}
+
+template <class Work>
+std::string names_of(const std::vector<Algorithm<Work>>& all) {
+  std::string text;
+  for (const auto& a : all) text += (text.empty() ? "" : ", ") + a.name;
+  return text;
+}
+
+// The algorithms that draw all the work of one kind, and a line on each that cannot.
+template <class W>
+struct Choice {
+  std::vector<const Algorithm<W>*> some;
+  std::string left_out;
+};
+
+// Of those asked for, of all where none is asked for; and whether each of those asked for is known.
+template <class W>
+Choice<W> chosen(const std::vector<Algorithm<W>>& all, const Text& asked,
+                 const std::vector<W>& works, std::vector<bool>& known) {
+  Choice<W> choice;
+  if (works.empty()) return choice;
+  const auto names = asked ? split(*asked) : std::vector<std::string>{};
+  for (const auto& algorithm : all) {
+    const auto at = std::find(names.begin(), names.end(), algorithm.name);
+    if (asked && at == names.end()) continue;
+    if (asked) known[static_cast<std::size_t>(at - names.begin())] = true;
+    if (!algorithm.can || std::all_of(works.begin(), works.end(), algorithm.can)) {
+      choice.some.push_back(&algorithm);
+      continue;
+    }
+    const std::string why = fmt::format("{} cannot draw {}", algorithm.name, algorithm.cannot);
+    if (asked) throw InputError("--algorithms: " + why);
+    choice.left_out += "left out: " + why + "\n";
+  }
+  return choice;
+}
+
+// An algorithm of lines and of arcs is one path.
+Series& series_of(Plot& plot, const std::string& name) {
+  const auto at = std::find_if(plot.series.begin(), plot.series.end(),
+                               [&](const Series& s) { return s.name == name; });
+  return at != plot.series.end() ? *at : plot.series.emplace_back(Series{name, {}});
+}
+
+// Draws into the picture, where there is one.
+template <class W>
+std::vector<Entry> contest(const char* what, const Choice<W>& choice,
+                           const compare::Machines& machines, const compare::Batch<W>& batch,
+                           Plot* plot) {
+  std::vector<Entry> entries;
+  for (const auto* algorithm : choice.some) {
+    compare::PointsSink sink;
+    if (plot != nullptr) {
+      sink = [&, &series = series_of(*plot, algorithm->name)](std::size_t i, const auto& points) {
+        add_points(series, batch.works[i], batch.places[i], points);
+      };
+    }
+    entries.push_back(entry_of(*algorithm, machines, batch.works, sink));
+  }
+  if (!entries.empty()) {
+    fmt::print("\n{}\n{}{}", count(batch.works.size(), what), to_text(entries), choice.left_out);
+  }
+  return entries;
+}
+
+// Of a program with both, what an algorithm draws that has no part in the other.
+void name_parts(Plot& plot, const std::vector<Entry>& lines, const std::vector<Entry>& arcs) {
+  const auto among = [](const std::vector<Entry>& entries, const Series& series) {
+    return std::any_of(entries.begin(), entries.end(),
+                       [&](const Entry& e) { return e.name == series.name; });
+  };
+  for (Series& series : plot.series) {
+    const bool line = among(lines, series), arc = among(arcs, series);
+    if (line != arc) series.name += line ? " (lines)" : " (arcs)";
+  }
+}
+
+void check_known(const Text& asked, const std::vector<bool>& known, const compare::Work& work) {
+  for (std::size_t i = 0; i < known.size(); ++i) {
+    if (known[i]) continue;
+    const std::string there =
+        work.lines.works.empty() ? names_of(compare::arc_algorithms())
+        : work.arcs.works.empty()
+            ? names_of(compare::line_algorithms())
+            : names_of(compare::line_algorithms()) + ", " + names_of(compare::arc_algorithms());
+    throw InputError(fmt::format("--algorithms: {} cannot do this work; there are {}",
+                                 cli::quoted(split(*asked)[i]), there));
+  }
+}
+
+void check_once(const std::vector<std::string>& names) {
+  for (auto at = names.begin(); at != names.end(); ++at) {
+    if (std::find(names.begin(), at, *at) != at) {
+      throw InputError(fmt::format("--algorithms: {} stands there twice", cli::quoted(*at)));
+    }
+  }
+}
+
+int run(const Options& o) {
+  const std::uint64_t seed = o.common.seed();
+  const auto [text, work] = parse_work(o.work);
+  if (o.algorithms && o.algorithms->empty()) throw InputError("--algorithms: names none");
+  if (o.algorithms) check_once(split(*o.algorithms));
+  std::vector<bool> known(o.algorithms ? split(*o.algorithms).size() : 0, false);
+  const auto by_line = chosen(compare::line_algorithms(), o.algorithms, work.lines.works, known);
+  const auto by_arc = chosen(compare::arc_algorithms(), o.algorithms, work.arcs.works, known);
+  check_known(o.algorithms, known, work);
+  const compare::Machines machines = machines_for(work, seed);
+  check_outputs(o.common, o.work.file.value_or(""));
+
+  Plot plot{text, {}, {}};
+  Plot* const drawn = o.common.plot ? &plot : nullptr;
+  fmt::print("{}\n", text);
+  std::vector<Entry> entries = contest("line", by_line, machines, work.lines, drawn);
+  std::vector<Entry> arcs = contest("arc", by_arc, machines, work.arcs, drawn);
+  if (drawn != nullptr) {
+    plot.ideal = curves_of(work);
+    if (!entries.empty() && !arcs.empty()) name_parts(plot, entries, arcs);
+    draw_plot(*o.common.plot, plot);
+  }
+  std::move(arcs.begin(), arcs.end(), std::back_inserter(entries));
+
+  std::vector<Outcome> outcomes;
+  for (Entry& e : entries) {
+    if (e.bench != nullptr) {
+      e.result.failed = e.name + ", " + text;
+      outcomes.push_back({e.bench, e.name + ", " + text, std::move(e.result)});
+    }
+  }
+  fmt::print("\n");
+  const std::string figures = "{\"algorithms\":" + to_json(entries) + "}";
+  if (!outcomes.empty()) return conclude(outcomes, o.common, figures);
+  fmt::print("no machine was asked for: nothing runs in lockstep\n");
+  if (o.common.report) write_report(*o.common.report, report_json({}, seed, figures));
+  return 0;
+}
+
+}  // namespace
+
+void add_compare(const Command& program) {
+  auto o = std::make_shared<Options>();
+  const Command command =
+      program.sub("compare", "The same line, arc or program by every algorithm that can do it");
+  o->work.add(command);
+  command.text("--algorithms", o->algorithms, "LIST", "Only these, with commas between them");
+  add_plot(command, o->common);
+  add_failures(command, o->common);
+  add_common(command, o->common);
+  command.footer(
+      "axial: a line's points along its minor axis, an arc's along the axis that rests; radial:\n"
+      "across the curve; end: the last point from the end; gaps: of the minor axis of a line, of\n"
+      "the steps of an arc, over the ideal; kinds: combinations of steps on a clock, none "
+      "included.\n"
+      "Lines: " +
+      names_of(compare::line_algorithms()) + "\nArcs: " + names_of(compare::arc_algorithms()) +
+      "\nExample: cosim compare --line 27,9");
+  command.action([o] { return run(*o); });
+}
+
+}  // namespace cosim::cli

@@ -1,0 +1,69 @@
+#include "tb/studies/comparison/cli/work_options.h"
+
+#include <fmt/core.h>
+
+#include "model/core/input_error.h"
+#include "tb/cli/number.h"
+#include "tb/support/words.h"
+
+namespace cosim::cli {
+namespace {
+
+using compare::Arc;
+using compare::Line;
+
+constexpr int widest = 16;
+constexpr std::int64_t largest = (1 << widest) - 1;
+constexpr double finest_grid = 1e9;
+
+Line parse_line(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos) {
+    throw InputError(fmt::format("--line: {} is not BP,MP", quoted(text)));
+  }
+  const std::uint64_t major = whole("--line: BP", text.substr(0, comma), 1, largest);
+  const std::uint64_t minor = whole("--line: MP", text.substr(comma + 1), 0, major);
+  return {static_cast<std::int64_t>(major), static_cast<std::int64_t>(minor)};
+}
+
+NamedWork read_work(const std::string& file, const Text& steps_per_mm) {
+  const double scale =
+      positive("--steps-per-mm", needed("--steps-per-mm", steps_per_mm), finest_grid);
+  const toolpath::Plan plan = toolpath::plan(toolpath::read_gcode_file(file), scale);
+  if (plan.pieces.empty()) {
+    throw InputError(fmt::format("{}: no motion reaches a step at {} steps/mm", file, scale));
+  }
+  if (plan.longest_line > largest || plan.arc_width > widest) {
+    throw InputError(
+        fmt::format("{}: at {} steps/mm a line or a radius is above {}", file, scale, largest));
+  }
+  return {fmt::format("{} at {} steps/mm", one_line(file), scale), compare::work_of(plan)};
+}
+
+}  // namespace
+
+void WorkOptions::add(const Command& command) {
+  command.argument("FILE", file, "A G-code program: its lines, and its arcs");
+  command.text("--steps-per-mm", steps_per_mm, "S", "Needed with FILE: steps of the grid to 1 mm");
+  command.text("--line", line, "BP,MP", fmt::format("A line, BP at most {}", largest));
+  command.text("--arc", arc, "R", fmt::format("A quarter circle, R at most {}", largest));
+}
+
+NamedWork parse_work(const WorkOptions& o) {
+  const int kinds = (o.line ? 1 : 0) + (o.arc ? 1 : 0) + (o.file ? 1 : 0);
+  if (kinds != 1) {
+    throw InputError(fmt::format("compare: one of --line, --arc and FILE is needed, {}",
+                                 kinds == 0 ? "none is given" : "more are given"));
+  }
+  if (o.file) return read_work(*o.file, o.steps_per_mm);
+  if (o.steps_per_mm) throw InputError("--steps-per-mm: belongs to FILE");
+  if (o.line) {
+    const Line line = parse_line(*o.line);
+    return {fmt::format("BP = {}, MP = {}", line.major, line.minor), compare::work_of(line)};
+  }
+  const auto radius = static_cast<std::int64_t>(whole("--arc", *o.arc, 1, largest));
+  const Arc quarter{{radius, 0}, static_cast<std::uint64_t>(radius * radius), {0, radius}};
+  return {fmt::format("R = {}, a quarter", radius), compare::work_of(quarter)};
+}
+
+}  // namespace cosim::cli

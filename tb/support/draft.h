@@ -1,0 +1,40 @@
+// A folder that appears when it is whole.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <system_error>
+
+#include "tb/support/leftover.h"
+
+namespace cosim {
+
+/// Written under a name that no reader takes for the folder, and gone again if it is not finished,
+/// or a signal ends the program.
+class Draft {
+ public:
+  /// Of root/name. InputError where that cannot be written.
+  Draft(const std::filesystem::path& root, const std::string& name);
+  ~Draft();
+  Draft(const Draft&) = delete;
+  Draft& operator=(const Draft&) = delete;
+
+  const std::filesystem::path& folder() const { return folder_; }
+  const std::filesystem::path& target() const { return target_; }
+  /// A file of the folder. InputError as OutputFile.
+  void write(const std::string& name, const std::string& text) const;
+
+  /// Takes the place of what stood there. Another program may leave the same folder meanwhile: the
+  /// last one stays.
+  void finish();
+
+ private:
+  [[noreturn]] void fail(const std::error_code& error) const;
+
+  std::filesystem::path target_;
+  std::filesystem::path folder_;
+  Leftover half_;
+  std::filesystem::path old_;
+};
+
+}  // namespace cosim

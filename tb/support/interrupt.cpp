@@ -1,0 +1,53 @@
+#include "tb/support/interrupt.h"
+
+#include <atomic>
+#include <csignal>
+#include <mutex>
+
+namespace cosim {
+namespace {
+
+std::atomic<int> came{0};
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may write no other");
+
+std::mutex mutex;
+int guards = 0;  // that live, on all threads
+struct Taken {
+  int number;
+  void (*before)(int);
+} all[] = {{SIGINT, SIG_DFL}, {SIGTERM, SIG_DFL}};
+
+// The second one does what the first would have done without a guard.
+void take_down(int number) {
+  came = number;
+  for (const Taken& t : all) {
+    if (t.number == number) std::signal(number, t.before);
+  }
+}
+
+}  // namespace
+
+InterruptGuard::InterruptGuard() {
+  const std::scoped_lock lock(mutex);
+  if (guards++ > 0) return;
+  came = 0;
+  for (Taken& t : all) {
+    t.before = std::signal(t.number, take_down);
+    // As a shell starts what runs in its background.
+    if (t.before == SIG_IGN) std::signal(t.number, SIG_IGN);
+  }
+}
+
+InterruptGuard::~InterruptGuard() {
+  const std::scoped_lock lock(mutex);
+  if (--guards > 0) return;
+  for (const Taken& t : all) std::signal(t.number, t.before);
+}
+
+int InterruptGuard::signal() { return came; }
+
+void InterruptGuard::check() {
+  if (came != 0) throw Interrupted{came};
+}
+
+}  // namespace cosim

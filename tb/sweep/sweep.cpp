@@ -1,0 +1,106 @@
+#include "tb/sweep/sweep.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "tb/bench/bench.h"
+
+namespace cosim {
+namespace {
+
+void add(Result& sum, const Result& one) {
+  sum.cases += 1;
+  sum.clocks += one.clocks;
+  sum.checked.jobs += one.checked.jobs;
+  sum.checked.steps += one.checked.steps;
+  sum.checked.max_deviation = std::max(sum.checked.max_deviation, one.checked.max_deviation);
+}
+
+}  // namespace
+
+Result run_sweep(const Sweep& sweep, unsigned threads, const Progress& progress,
+                 const Resume& resume) {
+  std::atomic<std::uint64_t> next{resume.done.cases};
+  std::atomic<std::uint64_t> end{sweep.cases};
+  std::mutex guard;  // of all below
+  std::condition_variable finished, room;
+  Result sum = resume.done;                 // of the first cases
+  std::map<std::uint64_t, Result> waiting;  // for a case before them
+  std::exception_ptr thrown;
+  unsigned running = std::max(threads, 1U);
+
+  const auto work = [&] {
+    try {
+      for (std::uint64_t i = next++; i < end; i = next++) {
+        Result one = sweep.run(i);
+        std::unique_lock lock(guard);
+        if (!one.match() && i < end) end = i;
+        waiting.emplace(i, std::move(one));
+        while (!waiting.empty() && waiting.begin()->first == sum.cases && sum.cases < end) {
+          add(sum, waiting.begin()->second);
+          waiting.erase(waiting.begin());
+        }
+        room.notify_all();
+        room.wait(lock, [&] { return waiting.size() < most_waiting || sum.cases >= end; });
+      }
+    } catch (...) {
+      const std::lock_guard lock(guard);
+      thrown = std::current_exception();
+      end = 0;
+      room.notify_all();
+    }
+    const std::lock_guard lock(guard);
+    --running;
+    finished.notify_one();
+  };
+
+  std::vector<std::jthread> pool;
+  for (unsigned t = running; t > 0; --t) pool.emplace_back(work);
+  {
+    std::unique_lock lock(guard);
+    while (!finished.wait_for(lock, std::chrono::milliseconds(100), [&] { return running == 0; })) {
+      const std::uint64_t done = sum.cases + waiting.size();
+      const Result first = sum;
+      lock.unlock();
+      if (progress) progress(done, sweep.cases);
+      if (resume.keep) resume.keep(first);
+      lock.lock();
+    }
+  }
+  pool.clear();
+  if (thrown) std::rethrow_exception(thrown);
+  if (sum.cases == end && end < sweep.cases) {
+    Result& one = waiting.at(end);
+    add(sum, one);
+    sum.mismatch = std::move(one.mismatch);
+    sum.checked.error = std::move(one.checked.error);
+    sum.failed = fmt::format("case {}: {}", end.load(), one.failed);
+  }
+  if (progress) progress(sum.cases, sweep.cases);
+  return sum;
+}
+
+Sweep hostile_sweep(const AnyBench& bench, std::uint64_t seed, std::uint64_t clocks) {
+  static constexpr std::uint64_t length = 1000;
+  const auto run = [&bench, seed, clocks](std::uint64_t i) {
+    const HostileCase c{seed, i, std::min(length, clocks - i * length)};
+    Run r = bench.run_hostile(c);
+    Result result;
+    result.clocks = r.clocks;
+    result.mismatch = std::move(r.mismatch);
+    result.failed = fmt::format("{} hostile clocks, seed {}", c.clocks, seed);
+    return result;
+  };
+  return {"any value on any pin on any clock", (clocks + length - 1) / length, run};
+}
+
+}  // namespace cosim

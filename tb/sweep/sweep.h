@@ -1,0 +1,56 @@
+// Many cases, over several threads: the case's number alone decides what it is, so any case can be
+// run again by itself, and a sweep needs no memory for those behind it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "tb/sweep/checked.h"
+#include "tb/lockstep/run.h"
+
+namespace cosim {
+
+/// What came of one case or, added up, of many.
+struct Result {
+  std::uint64_t cases = 0;
+  std::uint64_t clocks = 0;  ///< compared
+  Checked checked;           ///< against the oracle; `error` is the first by case number
+  std::optional<Mismatch> mismatch;
+  std::string failed;  ///< what the failing case was, one line; empty where none failed
+
+  bool match() const { return !mismatch && checked.error.empty(); }
+};
+
+struct Sweep {
+  std::string name;  ///< what is swept, for a person: "every BP and UK"
+  std::uint64_t cases = 0;
+  /// Runs case number i < cases. Called from several threads at once.
+  std::function<Result(std::uint64_t i)> run;
+};
+
+/// Called now and then from the calling thread with the cases done so far.
+using Progress = std::function<void(std::uint64_t done, std::uint64_t cases)>;
+
+/// A sweep that goes on where another one was.
+struct Resume {
+  Result done;  ///< the first cases, as many as `done.cases`, all matching, added up
+  /// Called now and then from the calling thread with what to go on from.
+  std::function<void(const Result& done)> keep;
+};
+
+/// How many cases may be done before one that they follow: what a sweep remembers at most.
+inline constexpr std::size_t most_waiting = 1 << 14;
+
+/// Runs the cases on `threads` threads, >= 1. Of several failing cases the one with the smallest
+/// number is reported, and the result is the sum up to and with it, whatever the threads did; no
+/// case with a larger number is begun after it.
+Result run_sweep(const Sweep& sweep, unsigned threads, const Progress& progress = {},
+                 const Resume& resume = {});
+
+/// Hostile clocks for any bench, in cases of 1000.
+Sweep hostile_sweep(const AnyBench& bench, std::uint64_t seed, std::uint64_t clocks);
+
+}  // namespace cosim

@@ -1,0 +1,52 @@
+// The RTL of the DDA in lockstep with its model, every register and output on every clock, and
+// against the oracle.
+#include "tb/designs/dda/sweeps.h"
+#include "tests/designs/dda/runs.h"
+#include "tests/designs/dda/flow_chart.h"
+#include "tests/support/sweeps.h"
+#include "tests/tb/shape.h"
+
+namespace cosim::dda {
+namespace {
+
+using Param = const DdaBench*;
+
+auto widths(int least, int most) {
+  return testing::ValuesIn(
+      test::benches_with<Design>([=](Params p) { return p.width >= least && p.width <= most; }));
+}
+
+class EveryDdaLine : public testing::TestWithParam<Param> {};
+TEST_P(EveryDdaLine, Matches) {
+  const Result result = test::expect_match(every_line(*GetParam()));
+  const auto side = static_cast<std::uint64_t>(2 * ones(GetParam()->params().width) + 1);
+  EXPECT_EQ(result.checked.jobs, 4 * side * side);
+  EXPECT_LT(result.checked.max_deviation, 1);
+}
+INSTANTIATE_TEST_SUITE_P(Dda, EveryDdaLine, widths(6, 6), test::name_of_shape<Param>);
+
+class EveryQuarter : public testing::TestWithParam<Param> {};
+TEST_P(EveryQuarter, Matches) {
+  const Result result = test::expect_match(every_quarter(*GetParam()));
+  EXPECT_EQ(result.checked.jobs, static_cast<std::uint64_t>(4 * ones(GetParam()->params().width)));
+}
+TEST_P(EveryQuarter, IsThatOfTheFlowChart) {
+  const Params p = GetParam()->params();
+  for (std::int64_t radius = 1; radius <= ones(p.width); radius += 11) {
+    for (const Settings& settings : kEverySettings) {
+      ASSERT_EQ(points(*GetParam(), arc(p, {radius, 0}, {0, radius}, settings)),
+                flow_chart::quarter(p.width, radius, settings));
+    }
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Dda, EveryQuarter, widths(6, 8), test::name_of_shape<Param>);
+
+class RandomCurves : public testing::TestWithParam<Param> {};
+TEST_P(RandomCurves, Match) {
+  const Result result = test::expect_match(random_jobs(*GetParam(), 1, 4000));
+  EXPECT_EQ(result.checked.jobs, 4000U);
+}
+INSTANTIATE_TEST_SUITE_P(Dda, RandomCurves, widths(2, 32), test::name_of_shape<Param>);
+
+}  // namespace
+}  // namespace cosim::dda

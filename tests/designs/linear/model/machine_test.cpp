@@ -1,0 +1,56 @@
+// The cycle model of SU 1631518 against the printed tables and the oracle.
+#include "model/linear/machine.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/designs/linear/counts.h"
+#include "tests/support/model_adapter.h"
+#include "tests/designs/linear/printed.h"
+
+namespace cosim::linear {
+namespace {
+
+template <int m, int n>
+const LinearBench& model() {
+  return test::model_bench<Design, Params{m, n}>();
+}
+
+TEST(LinearModel, DrawsTable1) {
+  printed::expect_table1(model<5, 2>());
+  printed::expect_table1(model<6, 3>());
+  printed::expect_table1(model<24, 21>());
+}
+
+TEST(LinearModel, DrawsTable2) {
+  printed::expect_table2(model<5, 2>());
+  printed::expect_table2(model<16, 13>());
+}
+
+// With its row 000, which a machine never shows.
+TEST(LinearModel, HasTheWordsOfTable2) {
+  const Params p{5, 2};
+  for (Word remainder = 0; remainder < 8; ++remainder) {
+    EXPECT_EQ(live_positions(p, remainder), printed::kTable2[static_cast<std::size_t>(remainder)]);
+  }
+  EXPECT_EQ(live_positions(p, Word{8}), 0b11111111);
+  EXPECT_EQ(live_positions(p, Word{31}), 0b11111111);
+}
+
+TEST(LinearModel, DrawsTable3) { printed::expect_table3(model<5, 2>()); }
+
+TEST(LinearModelAgainstOracle, EveryLineM2N1) { counted::expect_every_line(model<2, 1>()); }
+TEST(LinearModelAgainstOracle, EveryLineM5N2) { counted::expect_every_line(model<5, 2>()); }
+TEST(LinearModelAgainstOracle, EveryLineM6N3) { counted::expect_every_line(model<6, 3>()); }
+TEST(LinearModelAgainstOracle, EveryLineM7N1) { counted::expect_every_line(model<7, 1>()); }
+TEST(LinearModelAgainstOracle, EveryLineM8N5) { counted::expect_every_line(model<8, 5>()); }
+
+TEST(LinearModelAgainstOracle, RandomLines) {
+  counted::expect_random_lines(model<16, 12>(), 1, 5000);
+  counted::expect_random_lines(model<16, 13>(), 2, 5000);
+  counted::expect_random_lines(model<24, 21>(), 3, 5000);
+  counted::expect_random_lines(model<32, 26>(), 4, 5000);
+  counted::expect_random_lines(model<32, 31>(), 5, 5000);
+}
+
+}  // namespace
+}  // namespace cosim::linear

@@ -1,0 +1,199 @@
+// Programs from files: what opens, the project's own examples, other people's programs.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
+#include "tests/studies/toolpath/model/helpers.h"
+
+namespace cosim::toolpath {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr double pi = std::numbers::pi;
+
+std::string example(const std::string& name) {
+  const fs::path tests = fs::path(__FILE__).parent_path().parent_path().parent_path();
+  return (tests / "toolpaths" / name).string();
+}
+
+std::string error_of_file(const std::string& path) {
+  return error_of([&] { read_gcode_file(path); });
+}
+
+class Files : public testing::Test {
+ protected:
+  Files() : folder_(fs::path(testing::TempDir()) / ("toolpath_files_" + std::to_string(getpid()))) {
+    fs::create_directories(folder_);
+  }
+  ~Files() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string write(const std::string& name, const std::string& text) const {
+    std::ofstream(path(name), std::ios::binary) << text;
+    return path(name);
+  }
+
+ private:
+  fs::path folder_;
+};
+
+TEST_F(Files, ThatCannotBeReadSaySo) {
+  EXPECT_EQ(error_of_file(path("none")), path("none") + ": no such file");
+  EXPECT_EQ(error_of_file(path("")), path("") + ": is a directory, not a file");
+  ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
+  EXPECT_EQ(error_of_file(path("pipe")), path("pipe") + ": is not a regular file");
+  EXPECT_EQ(error_of_file("/dev/null"), "/dev/null: is not a regular file");
+  EXPECT_EQ(error_of_file(std::string(100000, 'a')).substr(100000),
+            ": cannot be read: File name too long");
+  const std::string under = write("file", "G0 X1") + "/x";
+  EXPECT_NE(error_of_file(under).find(under + ": "), std::string::npos);
+}
+
+TEST_F(Files, OfAnySortOfTextAreRead) {
+  EXPECT_EQ(error_of_file(write("empty", "")),
+            path("empty") + ":1:1: the program ends without a motion in X or Y");
+  EXPECT_EQ(read_gcode_file(write("dos", "\xef\xbb\xbfG0 X1\r\nG1 Y2")).motions.size(), 2u);
+  EXPECT_EQ(error_of_file(write("binary", std::string("\x7f\x45\x4c\x46\0", 5))),
+            path("binary") + ":1:1: unexpected byte 0x7f");
+  EXPECT_EQ(error_of_file(write("utf16", std::string("\xff\xfeG\0", 4))),
+            path("utf16") + ":1:1: unexpected byte 0xff");
+}
+
+// A reader of quadratic time would need hours for these.
+TEST_F(Files, OfHugeLinesTakeLinearTime) {
+  std::string hundred_megabytes = "G0 X1 ;";
+  hundred_megabytes.resize(100'000'000, 'x');
+  EXPECT_EQ(read(hundred_megabytes).motions.size(), 1u);
+  const std::size_t size = 10'000'000;
+  EXPECT_EQ(read("G0 X1(" + std::string(size, '(') + ")").motions.size(), 1u);
+  EXPECT_EQ(read("G0 X1" + std::string(size, ' ')).motions.size(), 1u);
+  EXPECT_EQ(read("G0 X1" + std::string(size, '\n')).lines, size);
+  EXPECT_EQ(read("G0 X." + std::string(size, '1')).motions.size(), 1u);
+  EXPECT_EQ(error_of([&] { read("G0 X" + std::string(size, '1')); }),
+            "p.ngc:1:4: the number of X is out of range");
+  EXPECT_EQ(error_of([&] { read(std::string(size, 'X')); }), "p.ngc:1:1: X needs a number");
+}
+
+TEST_F(Files, OfMoreThanTheLimitAreRefused) {
+  const std::string large = write("large", "G0 X1\n");
+  fs::resize_file(large, max_text_bytes + 1);  // a hole: takes no space
+  EXPECT_EQ(error_of_file(large), large + ": is larger than 256 MiB");
+}
+
+// The signed area, in square mm, of the closed contour that segments first to last draw.
+double area(const std::vector<Step>& path, std::uint32_t first, std::uint32_t last, double scale) {
+  double sum = 0;
+  for (const Step& s : path) {
+    if (s.segment < first || s.segment > last) continue;
+    sum += static_cast<double>((s.at.x - s.dx) * s.dy - (s.at.y - s.dy) * s.dx) / 2;
+  }
+  return sum / (scale * scale);
+}
+
+TEST(Examples, TheFlangeEnclosesItsAreas) {
+  const Program program = read_gcode_file(example("flange.ngc"));
+  EXPECT_EQ(program.motions.size(), 39u);
+  EXPECT_EQ(program.other_axis_moves, 22u);
+  constexpr double scale = 20;
+  const Plan p = plan(program, scale);
+  const std::vector<Step> path = walked(p);
+  ASSERT_EQ(flaw(p, path), "");
+  EXPECT_EQ(path.back().at, (Point{0, 0}));
+
+  struct Contour {
+    std::uint32_t first;
+    std::uint32_t last;
+    double area;       ///< positive anticlockwise
+    double perimeter;  ///< at most
+  };
+  const double keyhole = 2 * pi - 2 * std::asin(0.6);  // the long arc of its R = 5 circle
+  const Contour contours[] = {
+      {2, 9, -(100 * 80 - (4 - pi) * 12 * 12), 360},
+      {11, 11, pi * 20 * 20, 126},
+      {13, 13, -pi * 4 * 4, 26},
+      {15, 15, -pi * 4 * 4, 26},
+      {17, 17, -pi * 4 * 4, 26},
+      {19, 19, -pi * 4 * 4, 26},
+      {21, 24, 12.5 * (keyhole - std::sin(keyhole)) + 6 * 2 + pi * 3 * 3 / 2, 39},
+      {26, 29, 25.4 * 6.35 + pi * 3.175 * 3.175, 71},
+      {31, 34, 12 * 6, 34},
+      {36, 38, -pi * 10 * 10 / 2, 63},
+  };
+  for (const Contour& c : contours) {
+    const auto& end = p.segments[c.last - 1].end;
+    EXPECT_EQ(p.segments[c.first - 1].start, end) << c.first;
+    // Half a step of the machine and at most half a step of quantisation along the whole way.
+    EXPECT_NEAR(area(path, c.first, c.last, scale), c.area, c.perimeter / scale) << c.first;
+  }
+}
+
+TEST(Examples, TheHexafoilClosesAtEveryScale) {
+  const Program program = read_gcode_file(example("hexafoil.ngc"));
+  ASSERT_EQ(program.motions.size(), 10u);
+  for (const double scale : {0.1, 1.0, 7.3, 40.0}) {
+    const Plan p = plan(program, scale);
+    const std::vector<Step> path = walked(p);
+    EXPECT_EQ(flaw(p, path), "") << scale;
+    EXPECT_LE(p.largest_closing, 3) << scale;
+    if (scale < 7) continue;
+    // Three lenses of two segments of 60 degrees each, clockwise.
+    const double lenses = 3 * 40 * 40 * (pi / 3 - std::sin(pi / 3));
+    EXPECT_NEAR(area(path, 3, 5, scale), -lenses, 252 / scale) << scale;
+    EXPECT_NEAR(area(path, 7, 9, scale), -lenses, 252 / scale) << scale;
+  }
+}
+
+TEST(Examples, TheBadOnesAreRefused) {
+  const auto error = [](const std::string& name) {
+    return error_of_file(example(name)).substr(example(name).size());
+  };
+  EXPECT_EQ(error("bad/missing_radius.ngc"), ":3:4: G2 needs a radius: I, J or R");
+  EXPECT_EQ(error("bad/work_offset.ngc"),
+            ":3:3: G55 is not supported: only the coordinate system G54 is drawn");
+  EXPECT_EQ(error("bad/end_off_circle.ngc"),
+            ":3:4: the arc's end is 1 mm off its circle; the tolerance is 0.01 mm");
+}
+
+// Programs that other people's tools wrote, where the folder is given.
+TEST(OtherPeoples, ProgramsAreDrawn) {
+  const char* folder = std::getenv("COSIM_TOOLPATHS");
+  if (folder == nullptr || !fs::is_directory(folder)) {
+    GTEST_SKIP() << "not here: COSIM_TOOLPATHS names no folder";
+  }
+  struct File {
+    const char* name;
+    std::size_t motions;  ///< blocks that change X or Y, counted by a script of its own
+    PointMm end;
+  };
+  const File files[] = {
+      {"cncjs_circle.gcode", 6, {0, 0}},
+      {"cncjs_g2_rounded_rect.gcode", 7, {10, 10}},
+      {"sc_circles_with_R.nc", 15, {1860.368, 274.475}},
+      {"svg2gcode_circular_interpolation.gcode", 79, {7, 2}},
+      {"svg2gcode_smooth_curves_arcs.gcode", 1695, {59.288, 10.298}},
+      {"svg2gcode_smooth_curves_lines.gcode", 4755, {59.288, 10.298}},
+      {"toolpath_one_inch_circle.nc", 6, {0, 0}},
+  };
+  for (const File& file : files) {
+    SCOPED_TRACE(file.name);
+    const Program program = read_gcode_file((fs::path(folder) / file.name).string());
+    EXPECT_EQ(program.motions.size(), file.motions);
+    EXPECT_EQ(program.motions.back().end, file.end);
+    for (const double scale : {3.0, 40.0, 80.7}) {
+      const Plan p = plan(program, scale);
+      EXPECT_EQ(flaw(p, walked(p)), "") << scale;
+      EXPECT_LE(p.largest_closing, 3) << scale;
+    }
+  }
+  const std::string missing_radius = (fs::path(folder) / "toolpath_arc_r.nc").string();
+  EXPECT_EQ(error_of_file(missing_radius), missing_radius + ":3:1: G2 needs a radius: I, J or R");
+}
+
+}  // namespace
+}  // namespace cosim::toolpath

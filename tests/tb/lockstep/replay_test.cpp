@@ -1,0 +1,82 @@
+// A stimulus runs as what it was recorded from, and from a state in its middle as from its start.
+#include "tb/lockstep/replay.h"
+
+#include <gtest/gtest.h>
+
+#include "model/circular/host.h"
+#include "model/dda/host.h"
+#include "model/linear/host.h"
+#include "tests/support/model_adapter.h"
+#include "tests/support/recorder.h"
+
+namespace cosim::test {
+namespace {
+
+template <class Design>
+Stimulus hostile(const Bench<Design>& bench, const HostileCase& c) {
+  Stimulus s = recorded<Design>(bench.params(), HostileStimulus<Design>(bench.params(), c),
+                                c.power_up(), c.clocks);
+  s.machine = bench.title();
+  return s;
+}
+
+// The model's states before each clock.
+template <class Design>
+std::vector<typename Design::template State<Word>> states(const Bench<Design>& bench,
+                                                          const Stimulus& s) {
+  std::vector<typename Design::template State<Word>> all{Design::template cleared<Word>()};
+  Rows<Design> rows(s);
+  typename Design::template Inputs<Word> in;
+  while (rows.next(in, {})) all.push_back(Design::next(bench.params(), all.back(), in).state);
+  return all;
+}
+
+// RTL whose registers are loaded with a state goes on from there as the model does. Were a register
+// not loaded, it would differ on the first clock.
+template <class Design>
+void expect_cut_runs_go_on() {
+  for (const Bench<Design>* bench : benches_of<Design>()) {
+    for (std::uint64_t i = 0; i < 4; ++i) {
+      const Stimulus whole = hostile(*bench, {5, i, 600});
+      ASSERT_EQ(bench->first_difference(whole), std::nullopt);
+      const auto all = states(*bench, whole);
+      for (std::size_t cut = 0; cut < 600; cut += 37) {
+        Stimulus rest = whole;
+        const auto words = to_words(all[cut]);
+        rest.state.emplace(words.begin(), words.end());
+        rest.clocks.erase(rest.clocks.begin(),
+                          rest.clocks.begin() + static_cast<std::ptrdiff_t>(cut));
+        const auto run = bench->replay(rest);
+        ASSERT_FALSE(run.mismatch) << bench->title() << ", cut at " << cut << "\n"
+                                   << explain(*run.mismatch);
+        ASSERT_EQ(run.clocks, rest.clocks.size());
+      }
+    }
+  }
+}
+TEST(Replay, FromAStateGoesOnOnTheLinearMachine) { expect_cut_runs_go_on<linear::Design>(); }
+TEST(Replay, FromAStateGoesOnOnTheCircularMachine) { expect_cut_runs_go_on<circular::Design>(); }
+TEST(Replay, FromAStateGoesOnOnTheDda) { expect_cut_runs_go_on<dda::Design>(); }
+
+TEST(Replay, OfASessionIsTheSession) {
+  const auto* bench = benches_of<linear::Design>().front();
+  const std::vector<linear::Job> jobs{{{27, 0b01010}, {}}, {{9, 0b00111}, {}}};
+  const auto session = bench->open(1);
+  Recorder<linear::Design> nobody;
+  const auto run = session->draw(jobs, nobody);
+  const Stimulus s = session->stimulus();
+  EXPECT_EQ(s.clocks.size(), run.clocks);
+  // BP and UK of both lines, as the host wrote them.
+  const std::size_t data = linear::Inputs<Word>::index_data;
+  EXPECT_EQ(s.clocks[0][data], 27);
+  EXPECT_EQ(s.clocks[1][data], 0b01010);
+}
+
+TEST(Replay, OfAModelCannotStartFromAState) {
+  const auto& bench = model_bench<circular::Design, circular::Params{4}>();
+  Stimulus s{bench.title(), "", 1, bench.cleared(), {bench.rest()}};
+  EXPECT_THROW(bench.replay(s), InputError);
+}
+
+}  // namespace
+}  // namespace cosim::test

@@ -1,0 +1,103 @@
+// The proof of the RTL as shipped, at the smallest widths; and that each part of it is needed.
+#include "tb/proof/claims.h"
+
+#include <gtest/gtest.h>
+
+#include "model/core/input_error.h"
+#include "tb/proof/decide.h"
+#include "tb/proof/machines.h"
+#include "tb/support/process.h"
+#include "tests/support/root.h"
+
+namespace cosim::proof {
+namespace {
+
+constexpr int kLimit = 60;
+
+bool can_prove() {
+  for (const char* program : {"yosys", "cvc5", "z3"}) {
+    if (run_program({program, "--version"}).status == 127) return false;
+  }
+  return true;
+}
+
+// The first machine of each design, the one with the smallest parameters.
+std::vector<BuiltMachine> smallest() {
+  std::vector<BuiltMachine> all;
+  for (const auto& m : built_machines()) {
+    const std::string design = m.title.substr(0, m.title.find(' '));
+    if (all.empty() || !all.back().title.starts_with(design + ' ')) all.push_back(m);
+  }
+  return all;
+}
+
+Rtl rtl_of(const MachineFormula& m) {
+  return Rtl(source_in(test::project_root() / "rtl", m.design, m.parameters));
+}
+
+Decision decided(const Claim& claim) { return decide({&claim}, kLimit, 1).front(); }
+
+class Claims : public testing::TestWithParam<BuiltMachine> {
+ protected:
+  void SetUp() override {
+    if (!can_prove()) GTEST_SKIP() << "needs yosys, cvc5 and z3";
+  }
+};
+
+TEST_P(Claims, AreProved) {
+  const MachineFormula m = GetParam().formula();
+  const Rtl rtl = rtl_of(m);
+  for (const Claim& c : {claim_clear(m, rtl), claim_step(m, rtl), claim_cases(m, rtl)}) {
+    EXPECT_EQ(decided(c).verdict, "proved") << c.what;
+  }
+}
+
+// Without any one sentence of the invariant RTL and model part, so it is as weak as it can be. The
+// ranges of the fields stand for all sentences here.
+TEST_P(Claims, NeedEverySentenceOfTheInvariant) {
+  const MachineFormula whole = GetParam().formula();
+  const Rtl rtl = rtl_of(whole);
+  for (std::size_t i = 1; i < whole.invariant.size(); ++i) {
+    MachineFormula less = whole;
+    less.invariant.erase(less.invariant.begin() + static_cast<std::ptrdiff_t>(i));
+    less.invariant_after.erase(less.invariant_after.begin() + static_cast<std::ptrdiff_t>(i));
+    EXPECT_TRUE(decided(claim_step(less, rtl)).refuted) << whole.invariant[i].name;
+  }
+}
+
+// Were the hypotheses contradictory, all would be proved; the cases would not be possible.
+TEST_P(Claims, OfNothingAreNoProof) {
+  MachineFormula empty = GetParam().formula();
+  const Rtl rtl = rtl_of(empty);
+  empty.invariant.push_back({"nothing", truth(false)});
+  EXPECT_TRUE(decided(claim_step(empty, rtl)).proved);
+  EXPECT_TRUE(decided(claim_cases(empty, rtl)).refuted);
+}
+
+TEST_P(Claims, AreOfEveryRegister) {
+  const Rtl rtl = rtl_of(GetParam().formula());
+  MachineFormula unnamed = GetParam().formula();
+  unnamed.registers.pop_back();
+  unnamed.after.pop_back();
+  unnamed.cleared.pop_back();
+  EXPECT_THROW(claim_step(unnamed, rtl), InputError);
+  MachineFormula other = GetParam().formula();
+  other.registers.front().field.name = "no_such";
+  EXPECT_THROW(claim_step(other, rtl), InputError);
+}
+
+std::string name_of(const testing::TestParamInfo<BuiltMachine>& info) {
+  return info.param.title.substr(0, info.param.title.find(' '));
+}
+INSTANTIATE_TEST_SUITE_P(Smallest, Claims, testing::ValuesIn(smallest()), name_of);
+
+TEST(Source, ThatIsNoneIsRefused) {
+  EXPECT_THROW(source_in(test::project_root() / "model", "nothing", {}), InputError);
+  if (!can_prove()) GTEST_SKIP() << "needs yosys, cvc5 and z3";
+  Source source = source_in(test::project_root() / "rtl", "linear", {{"M", 5}, {"N", 2}});
+  source.top = "no_such_module";
+  EXPECT_THROW(Rtl{source}, InputError);
+}
+
+}  // namespace
+}  // namespace cosim::proof

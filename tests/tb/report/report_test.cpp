@@ -1,0 +1,128 @@
+// What a run says of itself, in words and as JSON.
+#include "tb/report/report.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "tests/support/model_adapter.h"
+
+namespace cosim {
+namespace {
+
+using nlohmann::json;
+
+const AnyBench& arcs() { return test::model_bench<circular::Design, circular::Params{4}>(); }
+const AnyBench& lines() { return test::model_bench<linear::Design, linear::Params{5, 2}>(); }
+
+Result good(std::uint64_t clocks) {
+  Result r;
+  r.cases = 1;
+  r.clocks = clocks;
+  r.checked = {1, 17, 0.25, ""};
+  return r;
+}
+
+Result parted() {
+  Result r = good(6);
+  Mismatch m;
+  m.clock = 5;
+  m.signal = "ct7";
+  m.field = arcs().compared()[3];
+  m.expected = 4;
+  m.actual = 6;
+  m.first = 5;
+  m.traces = {{m.field, Trace::Kind::reg, {4}, {6}}};
+  r.mismatch = m;
+  r.failed = "case 3: R = 12";
+  return r;
+}
+
+Result objected() {
+  Result r = good(9);
+  r.checked.error = "oracle 8 steps, machine 7";
+  r.failed = "case 0: R = 12";
+  return r;
+}
+
+TEST(Report, HasNoFigureThatIsNotFinite) {
+  Outcome outcome{&lines(), "a line", good(7)};
+  EXPECT_NO_THROW(report_json({outcome}, 1));
+  EXPECT_THROW(report_json({outcome}, 1, R"({"off":[1,null]})"), std::logic_error);
+  for (const double figure : {HUGE_VAL, std::nan("")}) {
+    outcome.result.checked.max_deviation = figure;
+    EXPECT_THROW(report_json({outcome}, 1), std::logic_error);
+  }
+}
+
+TEST(ReportText, CountsTheSignals) {
+  EXPECT_EQ(compared_signals(lines()), "9 registers and 4 outputs");
+  EXPECT_EQ(compared_signals(arcs()), "5 registers and 3 outputs");
+}
+
+TEST(ReportText, EndsWithTheVerdict) {
+  EXPECT_EQ(verdict_text({{&arcs(), "arcs", good(1)}}), "verdict: match\n");
+  EXPECT_EQ(verdict_text({{&lines(), "lines", good(1)}, {&arcs(), "arcs", parted()}}),
+            "circular W=4, case 3: R = 12\n" + to_text(*parted().mismatch) + "verdict: MISMATCH\n");
+  EXPECT_EQ(verdict_text({{&arcs(), "arcs", objected()}}),
+            "circular W=4, case 0: R = 12\n"
+            "RTL and model agree, and both are wrong: oracle 8 steps, machine 7\n"
+            "verdict: MISMATCH\n");
+}
+
+TEST(ReportJson, OfOneRun) {
+  const json j = json::parse(report_json({{&arcs(), "an arc", good(21)}}, 7, R"({"points": 18})"));
+  EXPECT_EQ(j["verdict"], "match");
+  EXPECT_EQ(j["design"], "circular");
+  EXPECT_EQ(j["parameters"], (json{{"W", 4}}));
+  EXPECT_EQ(j["work"], "an arc");
+  EXPECT_EQ(j["clocks"], 21);
+  EXPECT_EQ(j["steps"], 17);
+  EXPECT_EQ(j["max_deviation"], 0.25);
+  EXPECT_EQ(j["seed"], 7);
+  EXPECT_EQ(j["points"], 18);
+  EXPECT_EQ(j["compared_signals"],
+            (json{"t4", "t16", "f", "ct7", "ct8", "running", "step_y", "step_x"}));
+  EXPECT_FALSE(j.contains("mismatch"));
+}
+
+TEST(ReportJson, OfADifference) {
+  const json j = json::parse(report_json({{&arcs(), "an arc", parted()}}, 1));
+  EXPECT_EQ(j["verdict"], "mismatch");
+  EXPECT_EQ(j["mismatch"]["kind"], "lockstep");
+  EXPECT_EQ(j["mismatch"]["case"], "case 3: R = 12");
+  EXPECT_EQ(j["mismatch"]["clock"], 5);
+  EXPECT_EQ(j["mismatch"]["signal"], "ct7");
+  EXPECT_EQ(j["mismatch"]["expected"], "00100 (4)");
+  EXPECT_EQ(j["mismatch"]["actual"], "00110 (6)");
+  EXPECT_EQ(j["mismatch"]["traces"][0],
+            (json{{"signal", "ct7"}, {"first_clock", 5}, {"expected", {"4"}}, {"actual", {"6"}}}));
+}
+
+TEST(ReportJson, OfTheOraclesObjection) {
+  const json j = json::parse(report_json({{&arcs(), "an arc", objected()}}, 1));
+  EXPECT_EQ(j["verdict"], "mismatch");
+  EXPECT_EQ(j["mismatch"]["kind"], "oracle");
+  EXPECT_EQ(j["mismatch"]["what"], "oracle 8 steps, machine 7");
+}
+
+TEST(ReportJson, OfSeveralRuns) {
+  const json j = json::parse(report_json({{&lines(), "lines", good(100)},
+                                          {&arcs(), "arcs", good(10)},
+                                          {&arcs(), "more arcs", parted()}},
+                                         1));
+  EXPECT_EQ(j["verdict"], "mismatch");
+  EXPECT_EQ(j["design"], (json{"linear", "circular"}));
+  EXPECT_EQ(j["clocks"], 116);
+  EXPECT_EQ(j["steps"], 3 * 17);
+  EXPECT_EQ(j["max_deviation"], 0.25);
+  ASSERT_EQ(j["runs"].size(), 3U);
+  EXPECT_EQ(j["runs"][0]["verdict"], "match");
+  EXPECT_EQ(j["runs"][2]["verdict"], "mismatch");
+  EXPECT_EQ(j["mismatch"]["signal"], "ct7");
+}
+
+}  // namespace
+}  // namespace cosim

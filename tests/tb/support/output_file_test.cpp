@@ -1,0 +1,118 @@
+// Files that are whole or an error.
+#include "tb/support/output_file.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "model/core/input_error.h"
+#include "tb/report/report.h"
+
+namespace cosim {
+namespace {
+
+namespace fs = std::filesystem;
+
+class OutputFileOf : public testing::Test {
+ protected:
+  OutputFileOf()
+      : folder_(fs::path(testing::TempDir()) / ("output_file_" + std::to_string(getpid()))) {
+    fs::create_directories(folder_);
+  }
+  ~OutputFileOf() override { fs::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  static std::string text(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  template <class Action>
+  static std::string error_of(Action action) {
+    try {
+      action();
+    } catch (const InputError& e) {
+      return e.what();
+    }
+    return "no error";
+  }
+
+ private:
+  fs::path folder_;
+};
+
+TEST_F(OutputFileOf, Lines) {
+  OutputFile file(path("a"));
+  file.line("{} {:02}", "one", 2);
+  file.line("");
+  file.close();
+  EXPECT_EQ(text(path("a")), "one 02\n\n");
+}
+
+TEST_F(OutputFileOf, ManyLinesAreAllThere) {
+  OutputFile file(path("a"));
+  std::string expected;
+  for (int i = 0; i < 100'000; ++i) {
+    file.line("{}", i);
+    expected += std::to_string(i) + "\n";
+  }
+  file.close();
+  EXPECT_EQ(text(path("a")), expected);
+}
+
+TEST_F(OutputFileOf, WhatStoodThereIsGone) {
+  std::ofstream(path("a")) << "much longer than before";
+  OutputFile file(path("a"));
+  file.line("new");
+  file.close();
+  EXPECT_EQ(text(path("a")), "new\n");
+}
+
+TEST_F(OutputFileOf, NoPathWritesNothing) {
+  OutputFile file("");
+  file.line("{}", 1);
+  file.close();
+}
+
+TEST_F(OutputFileOf, ClosedTwiceIsClosed) {
+  OutputFile file(path("a"));
+  file.line("x");
+  file.close();
+  file.close();
+  EXPECT_EQ(text(path("a")), "x\n");
+}
+
+TEST_F(OutputFileOf, APathThatCannotBeWritten) {
+  EXPECT_EQ(error_of([&] { OutputFile file(path("none/a")); }),
+            path("none/a") + ": cannot write: No such file or directory");
+  EXPECT_EQ(error_of([&] { OutputFile file(path("")); }),
+            path("") + ": cannot write: Is a directory");
+}
+
+TEST_F(OutputFileOf, AFullDevice) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "not here: there is no /dev/full";
+  const std::string error = "/dev/full: cannot write: No space left on device";
+  EXPECT_EQ(error_of([] {
+              OutputFile file("/dev/full");
+              file.line("a line");
+              file.close();
+            }),
+            error);
+  EXPECT_EQ(error_of([] {
+              OutputFile file("/dev/full");
+              for (int i = 0; i < 1'000'000; ++i) file.line("a line");  // long before the close
+            }),
+            error);
+  EXPECT_EQ(error_of([] { write_report("/dev/full", "{}"); }), error);
+}
+
+TEST_F(OutputFileOf, AReport) {
+  write_report(path("r"), "{}");
+  EXPECT_EQ(text(path("r")), "{}\n");
+  write_report("", "{}");
+}
+
+}  // namespace
+}  // namespace cosim

@@ -1,0 +1,77 @@
+// Values as a person reads them, in every format.
+#include "tb/support/show.h"
+
+#include <gtest/gtest.h>
+
+namespace cosim {
+namespace {
+
+Field field(int width, Format format) { return {"x", width, format, "", ""}; }
+
+TEST(ShowShort, FlagsAndNumbers) {
+  EXPECT_EQ(show_short(field(1, Format::flag), 1), "1");
+  EXPECT_EQ(show_short(field(1, Format::flag), 0), "0");
+  EXPECT_EQ(show_short(field(5, Format::number), 27), "27");
+  EXPECT_EQ(show_short(field(64, Format::number), -1), "18446744073709551615");
+}
+
+TEST(ShowShort, BitStrings) {
+  EXPECT_EQ(show_short(field(5, Format::bits), 0b01010), "01010");
+  EXPECT_EQ(show_short(field(16, Format::bits), 1), "0000000000000001");
+  EXPECT_EQ(show_short(field(17, Format::bits), 0x1abcd), "1abcd");
+  EXPECT_EQ(show_short(field(63, Format::bits), 0x5a), "000000000000005a");
+  EXPECT_EQ(show_short(field(64, Format::bits), -1), "ffffffffffffffff");
+}
+
+TEST(ShowShort, SignedNumbers) {
+  EXPECT_EQ(show_short(field(5, Format::twos_complement), 0b01111), "15");
+  EXPECT_EQ(show_short(field(5, Format::twos_complement), 0b11111), "-1");
+  EXPECT_EQ(show_short(field(5, Format::twos_complement), 0b10000), "-16");
+  EXPECT_EQ(show_short(field(5, Format::ones_complement), 0b01111), "15");
+  EXPECT_EQ(show_short(field(5, Format::ones_complement), 0b11110), "-1");
+  EXPECT_EQ(show_short(field(5, Format::ones_complement), 0b10000), "-15");
+}
+
+TEST(ShowShort, TellsTheTwoZerosApart) {
+  EXPECT_EQ(show_short(field(5, Format::ones_complement), 0), "0");
+  EXPECT_EQ(show_short(field(5, Format::ones_complement), 0b11111), "-0");
+  EXPECT_EQ(show_short(field(8, Format::ones_quarters), 0), "0.00");
+  EXPECT_EQ(show_short(field(8, Format::ones_quarters), 0xff), "-0.00");
+}
+
+// 12.25 is 1100.01, its negative the complement of that.
+TEST(ShowShort, Quarters) {
+  EXPECT_EQ(show_short(field(8, Format::ones_quarters), 0b00101011), "10.75");
+  EXPECT_EQ(show_short(field(8, Format::ones_quarters), 0b00110001), "12.25");
+  EXPECT_EQ(show_short(field(8, Format::ones_quarters), 0b11001110), "-12.25");
+  EXPECT_EQ(show_short(field(8, Format::ones_quarters), 0b11111110), "-0.25");
+  EXPECT_EQ(show_short(field(8, Format::ones_quarters), 0b11111101), "-0.50");
+}
+
+TEST(Show, HasTheBitsAndWhatTheyStandFor) {
+  EXPECT_EQ(show(field(1, Format::flag), 1), "1");
+  EXPECT_EQ(show(field(5, Format::number), 27), "11011 (27)");
+  EXPECT_EQ(show(field(5, Format::bits), 0b01010), "01010");
+  EXPECT_EQ(show(field(20, Format::bits), 0xabcde), "10101011110011011110 (abcde)");
+  EXPECT_EQ(show(field(5, Format::ones_complement), 0b11110), "11110 (-1)");
+  EXPECT_EQ(show(field(8, Format::ones_quarters), 0b11001110), "11001110 (-12.25)");
+}
+
+TEST(ShowWidth, IsTheLongestThereIs) {
+  for (const Format format : {Format::bits, Format::number, Format::twos_complement,
+                              Format::ones_complement, Format::ones_quarters}) {
+    for (int width = 2; width <= 12; ++width) {
+      std::size_t longest = 0;
+      for (Word code = 0; code >> width == 0; ++code) {
+        longest = std::max(longest, show_short(field(width, format), code).size());
+      }
+      EXPECT_EQ(show_width(field(width, format)), longest)
+          << "format " << static_cast<int>(format) << " width " << width;
+    }
+  }
+  EXPECT_EQ(show_width(field(1, Format::flag)), 1U);
+  EXPECT_EQ(show_width(field(63, Format::bits)), 16U);
+}
+
+}  // namespace
+}  // namespace cosim

@@ -1,0 +1,98 @@
+// State kept in a file, and files replaced at once.
+#include "tb/sweep/checkpoint.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <thread>
+
+#include "model/core/input_error.h"
+#include "tb/support/replace_file.h"
+
+namespace cosim {
+namespace {
+
+using Json = Checkpoint::Json;
+
+class CheckpointIn : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (std::filesystem::temp_directory_path() / "checkpoint_XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+    path_ = folder_ / "state";
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  std::filesystem::path folder_, path_;
+};
+
+TEST_F(CheckpointIn, GivesWhatWasSavedLast) {
+  Checkpoint first(path_, "work");
+  EXPECT_TRUE(first.state().is_null());
+  first.save({1, 2.5, "three"});
+  first.save(Json{{"cases", ~std::uint64_t{0}}});
+  EXPECT_EQ(Checkpoint(path_, "work").state(), (Json{{"cases", ~std::uint64_t{0}}}));
+}
+
+TEST_F(CheckpointIn, HoldsNoFigureThatIsNotFinite) {
+  Checkpoint kept(path_, "work");
+  EXPECT_THROW(kept.save(Json{{"off", HUGE_VAL}}), std::logic_error);
+  EXPECT_TRUE(std::filesystem::is_empty(folder_));
+}
+
+TEST_F(CheckpointIn, IsGoneWhenDone) {
+  Checkpoint checkpoint(path_, "work");
+  checkpoint.done();  // where nothing was saved
+  checkpoint.save(1);
+  checkpoint.done();
+  EXPECT_TRUE(std::filesystem::is_empty(folder_));
+}
+
+TEST_F(CheckpointIn, IsOfItsWorkAlone) {
+  Checkpoint(path_, "work").save(1);
+  EXPECT_THROW(Checkpoint(path_, "wor").state(), InputError);
+  EXPECT_EQ(Checkpoint(path_, "work").state(), 1);
+}
+
+TEST_F(CheckpointIn, IsDueAfterAWhileAndNeverWithoutAFile) {
+  Checkpoint none("", "work"), kept(path_, "work");
+  std::this_thread::sleep_for(std::chrono::milliseconds(150));
+  EXPECT_TRUE(kept.due());
+  EXPECT_FALSE(none.due());
+  none.save(1);
+  none.done();
+  EXPECT_TRUE(none.state().is_null());
+}
+
+// A reader at any moment sees the whole of one text.
+TEST_F(CheckpointIn, ReplacesFilesAtOnce) {
+  const std::string a(100'000, 'a'), b(70'000, 'b');
+  replace_file(path_, a);
+  std::jthread writer([&](const std::stop_token& stop) {
+    while (!stop.stop_requested()) {
+      replace_file(path_, b);
+      replace_file(path_, a);
+    }
+  });
+  for (int i = 0; i < 2000; ++i) {
+    const std::string text = text_of_file(path_);
+    ASSERT_TRUE(text == a || text == b) << text.size();
+  }
+}
+
+TEST_F(CheckpointIn, LeavesTheOldFileWhereItCannotReplaceIt) {
+  std::filesystem::create_directory(path_);
+  EXPECT_THROW(replace_file(path_, "text"), InputError);
+  EXPECT_THROW(replace_file(folder_ / "none/file", "text"), InputError);
+  EXPECT_THROW(text_of_file(folder_ / "none"), InputError);
+  EXPECT_TRUE(std::filesystem::is_directory(path_));
+  std::filesystem::remove(path_);
+  EXPECT_TRUE(std::filesystem::is_empty(folder_));
+}
+
+}  // namespace
+}  // namespace cosim

@@ -16,7 +16,6 @@
 #include "tb/cli/words.h"
 #include "tb/leftover.h"
 #include "tb/plot/plot.h"
-#include "tb/replace_file.h"
 #include "tb/wave/view.h"
 
 namespace cosim::cli {
@@ -76,6 +75,14 @@ void check_writable(const std::string& path) {
     throw InputError(fmt::format("{}: cannot write: {}", path, std::strerror(errno)));
   }
   close(file);
+}
+
+// Whether a wave can take its place: what is there is a file, or a link that is none the worse.
+bool gives_way(const std::string& path) {
+  std::error_code error;
+  const fs::file_type type = fs::symlink_status(path, error).type();
+  return type == fs::file_type::not_found || type == fs::file_type::regular ||
+         type == fs::file_type::symlink;
 }
 
 constexpr std::string_view wave = "--wave";
@@ -140,7 +147,7 @@ void check_outputs(const Common& common, const std::string& input,
   common.window();
   for (const Output& one : all) {
     check_writable(one.path);
-    if (one.option == wave && replaceable(one.path).empty()) {
+    if (one.option == wave && !gives_way(one.path)) {
       throw InputError(fmt::format("{}: {} cannot be replaced by a file", wave, one.path));
     }
   }

@@ -7,6 +7,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/finite.h"
+#include "tb/leftover.h"
 #include "tb/output_file.h"
 #include "tb/plot/script.h"
 #include "tb/proof/process.h"
@@ -37,6 +38,7 @@ void check_plot() {
 
 void draw_plot(const std::string& path, const Plot& plot) {
   const proof::Scratch scratch;
+  const Leftover and_on_signals(scratch.path());
   const std::string script = scratch.path() / "plot.gp";
   const std::string picture = scratch.path() / ("picture" + fs::path(path).extension().string());
   {

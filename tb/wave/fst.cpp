@@ -28,23 +28,16 @@ void check_room(const std::string& path) {
   }
 }
 
-// The writer makes files of its own, in the place of what stands there: no pipe can be one.
-std::string place_for(const std::string& path) {
-  std::string place = replaceable(path);
-  if (place.empty() && std::filesystem::exists(path)) {
-    throw InputError(path + ": cannot write: a wave needs a file of its own");
-  }
-  const OutputFile says_why(path);  // where it cannot be written
-  return place;
+// Says why where it cannot be written. A link to somewhere is replaced itself.
+std::string writable(const std::string& path) {
+  if (!std::filesystem::is_symlink(path)) const OutputFile says_why(path);
+  return path;
 }
 
 }  // namespace
 
 Fst::Fst(const std::string& path)
-    : path_(path),
-      place_(place_for(path)),
-      half_(beside(place_)),
-      hierarchy_(half_.path() + ".hier") {
+    : path_(writable(path)), half_(beside(path)), hierarchy_(half_.path() + ".hier") {
   check_room(path);
   writer_ = fstWriterCreate(half_.path().c_str(), 1);
   if (writer_ == nullptr) throw InputError(fmt::format("{}: cannot write", path));
@@ -109,7 +102,7 @@ void Fst::close() {
   void* reader = fstReaderOpen(half_.path().c_str());
   if (reader == nullptr) throw InputError(fmt::format("{}: cannot write it whole", path_));
   fstReaderClose(reader);
-  if (std::rename(half_.path().c_str(), place_.c_str()) != 0) {
+  if (std::rename(half_.path().c_str(), path_.c_str()) != 0) {
     throw InputError(fmt::format("{}: cannot write: {}", path_, std::strerror(errno)));
   }
   half_.keep();

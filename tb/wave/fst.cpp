@@ -9,7 +9,6 @@
 #include <filesystem>
 
 #include "model/core/input_error.h"
-#include "tb/output_file.h"
 #include "tb/replace_file.h"
 
 namespace cosim {
@@ -28,19 +27,15 @@ void check_room(const std::string& path) {
   }
 }
 
-// Says why where it cannot be written. A link to somewhere is replaced itself.
-std::string writable(const std::string& path) {
-  if (!std::filesystem::is_symlink(path)) const OutputFile says_why(path);
-  return path;
-}
-
 }  // namespace
 
 Fst::Fst(const std::string& path)
-    : path_(writable(path)), half_(beside(path)), hierarchy_(half_.path() + ".hier") {
+    : path_(path), half_(beside(path)), hierarchy_(half_.path() + ".hier") {
   check_room(path);
   writer_ = fstWriterCreate(half_.path().c_str(), 1);
-  if (writer_ == nullptr) throw InputError(fmt::format("{}: cannot write", path));
+  if (writer_ == nullptr) {
+    throw InputError(fmt::format("{}: cannot write: {}", path, std::strerror(errno)));
+  }
   fstWriterSetTimescale(writer_, -9);
   fstWriterSetVersion(writer_, "cosim");
   fstWriterSetDate(writer_, "");  // the same run gives the same file

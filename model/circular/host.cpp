@@ -10,7 +10,8 @@ bool Host::next(Inputs<Word>& in, const Outputs<Word>& seen) {
     if (!first) steps_ += seen.step_y | seen.step_x;
     if (first || seen.running) {
       ++age_;
-      in.stop = arcs_[job_].count && steps_ >= *arcs_[job_].count;
+      const auto& count = arcs_[job_].count;
+      in.stop = count && steps_ >= *count;
       return true;
     }
     age_ = 0;
@@ -44,7 +45,7 @@ std::vector<Arc> Host::smaller(const Params&, const Arc& arc) {
   if (!arc.count && steps_to_end(arc.from, arc.radius2) > 0) {
     arcs.push_back(arc);
     arcs.back().count = steps_to_end(arc.from, arc.radius2) / 2;
-  } else if (arc.count.value_or(0) > 0) {
+  } else if (arc.count && *arc.count > 0) {
     for (const std::int64_t count : {*arc.count / 2, *arc.count - 1}) {
       arcs.push_back(arc);
       arcs.back().count = count;

@@ -22,7 +22,8 @@ bool Host::next(Inputs<Word>& in, const Outputs<Word>& seen) {
   if (written_ == addresses) {
     // The start shows in `busy` one clock later.
     if (clocks_ == 0 || seen.busy) {
-      in.stop = jobs_[job_].clocks && clocks_ >= *jobs_[job_].clocks;
+      const auto& clocks = jobs_[job_].clocks;
+      in.stop = clocks && clocks_ >= *clocks;
       ++clocks_;
       return true;
     }

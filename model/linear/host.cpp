@@ -7,7 +7,8 @@ bool Host::next(Inputs<Word>& in, const Outputs<Word>& seen) {
   if (phase_ == Phase::run) {
     words_ += seen.strobe;
     if (seen.busy) {
-      in.initial_set_n = !(jobs_[job_].words && words_ >= *jobs_[job_].words);
+      const auto& words = jobs_[job_].words;
+      in.initial_set_n = !(words && words_ >= *words);
       return true;
     }
     phase_ = Phase::bp;

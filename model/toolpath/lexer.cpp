@@ -192,8 +192,9 @@ double Lexer::number(char letter, Place place) {
   std::string_view digits = digits_;
   if (digits.front() == '+') digits.remove_prefix(1);  // from_chars does not take it
   double value = 0;
-  const auto end = digits.data() + digits.size();
-  if (std::from_chars(digits.data(), end, value, std::chars_format::fixed).ec != std::errc()) {
+  const char* const begin = digits.data();
+  const char* const end = begin + digits.size();
+  if (std::from_chars(begin, end, value, std::chars_format::fixed).ec != std::errc()) {
     fail(name_, place, std::string("the number of ") + letter + " is out of range");
   }
   return value;

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "tb/dut/dut.h"
-#include "tb/stimulus/hostile.h"
 #include "tb/lockstep/run.h"
+#include "tb/stimulus/hostile.h"
 
 namespace cosim {
 

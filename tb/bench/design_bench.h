@@ -1,5 +1,5 @@
-// The bench of any shape. What runs for long, hostile clocks and jobs, is compiled for each shape by
-// itself where that is worth its time (FastBench); all else once for a design.
+// The bench of any shape. What runs for long, hostile clocks and jobs, is compiled for each shape
+// by itself where that is worth its time (FastBench); all else once for a design.
 #pragma once
 
 #include <cstdint>

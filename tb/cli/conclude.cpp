@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "model/core/input_error.h"
-#include "tb/support/words.h"
 #include "tb/report/failure.h"
+#include "tb/support/words.h"
 
 namespace cosim::cli {
 

@@ -8,13 +8,13 @@
 #include <memory>
 #include <string>
 
+#include "tb/bench/table.h"
 #include "tb/cli/conclude.h"
 #include "tb/cli/extent.h"
 #include "tb/cli/progress.h"
 #include "tb/cli/wave.h"
-#include "tb/support/output_file.h"
 #include "tb/plot/plot.h"
-#include "tb/bench/table.h"
+#include "tb/support/output_file.h"
 
 namespace cosim::cli {
 

@@ -2,9 +2,11 @@
 
 #include <fmt/core.h>
 
+#include <cstdio>
+
 #include "model/core/input_error.h"
-#include "tb/support/words.h"
 #include "tb/plot/plot.h"
+#include "tb/support/words.h"
 
 namespace cosim::cli {
 
@@ -28,6 +30,7 @@ void announce_csv(const Common& common, const Extent& extent) {
   const double size = static_cast<double>(extent.rows) * static_cast<double>(extent.row);
   if (!common.csv || size < giga) return;
   fmt::print("csv: up to {:.0f} GB, {}\n", size / giga, one_line(*common.csv));
+  std::fflush(stdout);
 }
 
 std::size_t digits(std::uint64_t number) { return fmt::formatted_size("{}", number); }

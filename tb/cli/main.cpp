@@ -9,9 +9,9 @@
 
 #include "model/core/input_error.h"
 #include "tb/cli/commands.h"
-#include "tb/support/words.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/leftover.h"
+#include "tb/support/words.h"
 
 namespace {
 

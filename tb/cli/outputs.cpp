@@ -7,16 +7,13 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <optional>
 #include <string_view>
 #include <system_error>
 
 #include "model/core/input_error.h"
 #include "tb/cli/wave.h"
-#include "tb/support/words.h"
-#include "tb/support/leftover.h"
 #include "tb/plot/plot.h"
-#include "tb/support/replace_file.h"
+#include "tb/support/words.h"
 #include "tb/wave/view.h"
 
 namespace cosim::cli {
@@ -59,23 +56,35 @@ void check_ending(const char* option, const std::string& path,
                                               fmt::join(endings, " or ")));
 }
 
-// Opens it as the report will be opened, but changes nothing.
+[[noreturn]] void cannot_write(const std::string& path, const char* why) {
+  throw InputError(fmt::format("{}: cannot write: {}", path, why));
+}
+
+// Makes nothing, which could be left behind, and changes nothing.
 void check_writable(const std::string& path) {
   std::error_code error;
   const fs::file_type type = fs::status(path, error).type();
-  const bool absent = type == fs::file_type::not_found;
-  if (absent && fs::is_symlink(path, error)) {
-    throw InputError(fmt::format("{}: cannot write: a link to nothing", path));
+  if (type == fs::file_type::not_found) {
+    if (fs::is_symlink(path, error)) cannot_write(path, "a link to nothing");
+    const fs::path folder = fs::path(path).parent_path();
+    const char* const in = folder.empty() ? "." : folder.c_str();
+    if (access(in, W_OK) != 0) cannot_write(path, std::strerror(errno));
+    return;
   }
+  if (type == fs::file_type::none) cannot_write(path, error.message().c_str());
   // To open a pipe would wait for its reader, who would then see it closed.
-  if (!absent && type != fs::file_type::regular && type != fs::file_type::directory) return;
-  std::optional<Leftover> probe;
-  if (absent) probe.emplace(path);
-  const int file = open(path.c_str(), O_WRONLY | O_CLOEXEC | (absent ? O_CREAT | O_EXCL : 0), 0600);
-  if (file < 0) {
-    throw InputError(fmt::format("{}: cannot write: {}", path, std::strerror(errno)));
-  }
+  if (type != fs::file_type::regular && type != fs::file_type::directory) return;
+  const int file = open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (file < 0) cannot_write(path, std::strerror(errno));
   close(file);
+}
+
+// Whether a wave can take its place: what is there is a file, or a link that is none the worse.
+bool gives_way(const std::string& path) {
+  std::error_code error;
+  const fs::file_type type = fs::symlink_status(path, error).type();
+  return type == fs::file_type::not_found || type == fs::file_type::regular ||
+         type == fs::file_type::symlink;
 }
 
 constexpr std::string_view wave = "--wave";
@@ -140,7 +149,7 @@ void check_outputs(const Common& common, const std::string& input,
   common.window();
   for (const Output& one : all) {
     check_writable(one.path);
-    if (one.option == wave && replaceable(one.path).empty()) {
+    if (one.option == wave && !gives_way(one.path)) {
       throw InputError(fmt::format("{}: {} cannot be replaced by a file", wave, one.path));
     }
   }

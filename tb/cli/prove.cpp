@@ -12,15 +12,15 @@
 #include "tb/cli/commands.h"
 #include "tb/cli/common.h"
 #include "tb/cli/number.h"
-#include "tb/support/words.h"
-#include "tb/report/failure.h"
-#include "tb/support/interrupt.h"
-#include "tb/support/output_file.h"
 #include "tb/proof/decide.h"
 #include "tb/proof/explain.h"
 #include "tb/proof/machines.h"
 #include "tb/proof/mutants.h"
 #include "tb/proof/theorems.h"
+#include "tb/report/failure.h"
+#include "tb/support/interrupt.h"
+#include "tb/support/output_file.h"
+#include "tb/support/words.h"
 
 namespace cosim::cli {
 namespace {

@@ -7,7 +7,6 @@
 #include <thread>
 
 #include "model/core/input_error.h"
-#include "tb/designs/circular/sweeps.h"
 #include "tb/cli/choose.h"
 #include "tb/cli/commands.h"
 #include "tb/cli/common.h"
@@ -17,10 +16,11 @@
 #include "tb/cli/progress.h"
 #include "tb/cli/shape_options.h"
 #include "tb/cli/sweep_checkpoint.h"
-#include "tb/support/words.h"
+#include "tb/designs/circular/sweeps.h"
 #include "tb/designs/dda/sweeps.h"
-#include "tb/support/interrupt.h"
 #include "tb/designs/linear/sweeps.h"
+#include "tb/support/interrupt.h"
+#include "tb/support/words.h"
 
 namespace cosim::cli {
 namespace {

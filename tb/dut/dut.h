@@ -46,8 +46,9 @@ class Dut {
 template <class Adapter>
 class AdapterDut final : public Dut<typename Adapter::Design> {
   using Base = Dut<typename Adapter::Design>;
+
  public:
-  static constexpr bool can_load = requires(Adapter& a) { a.load("", Word{}); };
+  static constexpr bool can_load = requires(Adapter & a) { a.load("", Word{}); };
 
   explicit AdapterDut(std::uint32_t power_up) : adapter_(power_up) {}
   void drive(const typename Base::Inputs& in) override { adapter_.drive(in); }
@@ -97,8 +98,7 @@ class AnyAdapter {
     const DutMaker<D>& maker;
     std::uint32_t power_up;
   };
-  explicit AnyAdapter(const PowerUp& p)
-      : params(p.maker.params), dut_(p.maker.make(p.power_up)) {}
+  explicit AnyAdapter(const PowerUp& p) : params(p.maker.params), dut_(p.maker.make(p.power_up)) {}
 
   const typename D::Params params;
   void drive(const typename D::template Inputs<Word>& in) { dut_->drive(in); }

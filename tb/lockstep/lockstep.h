@@ -50,8 +50,8 @@ class Lockstep {
   using Inputs = typename Design::template Inputs<Word>;
   using State = typename Design::template State<Word>;
 
-  /// Powers up at random from `power_up`, which is what the adapter is made of, then clears both sides: one clock, not compared, for
-  /// before it the RTL's registers hold anything.
+  /// Powers up at random from `power_up`, which is what the adapter is made of, then clears both
+  /// sides: one clock, not compared, for before it the RTL's registers hold anything.
   template <class PowerUp>
   explicit Lockstep(const PowerUp& power_up)
       : dut_(power_up), state_(Design::template cleared<Word>()) {

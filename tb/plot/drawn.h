@@ -2,8 +2,8 @@
 #pragma once
 
 #include "model/dda/host.h"
-#include "tb/studies/comparison/work.h"
 #include "tb/plot/plot.h"
+#include "tb/studies/comparison/work.h"
 
 namespace cosim {
 

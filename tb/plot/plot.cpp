@@ -2,13 +2,15 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
 #include "model/core/input_error.h"
-#include "tb/support/finite.h"
-#include "tb/support/output_file.h"
 #include "tb/plot/script.h"
+#include "tb/support/finite.h"
+#include "tb/support/leftover.h"
+#include "tb/support/output_file.h"
 #include "tb/support/process.h"
 #include "tb/support/replace_file.h"
 
@@ -37,6 +39,7 @@ void check_plot() {
 
 void draw_plot(const std::string& path, const Plot& plot) {
   const proof::Scratch scratch;
+  const Leftover and_on_signals(scratch.path());
   const std::string script = scratch.path() / "plot.gp";
   const std::string picture = scratch.path() / ("picture" + fs::path(path).extension().string());
   {
@@ -46,9 +49,14 @@ void draw_plot(const std::string& path, const Plot& plot) {
   }
   const auto ended = proof::run_program({"gnuplot", script});
   if (ended.status != 0) throw InputError(fmt::format("--plot: {}: gnuplot failed", path));
-  // It may be on another disk.
-  OutputFile file(path);
-  file.text(text_of_file(picture));
+  // Of a full disk gnuplot says nothing.
+  const std::string text = text_of_file(picture);
+  const std::string end = text.substr(text.size() - std::min<std::size_t>(text.size(), 12));
+  if (end.find("</svg>") == std::string::npos && end.find("IEND") == std::string::npos) {
+    throw InputError(fmt::format("--plot: {}: gnuplot could not write it whole", path));
+  }
+  OutputFile file(path);  // it may be on another disk
+  file.text(text);
   file.close();
 }
 

@@ -6,10 +6,10 @@
 #include <nlohmann/json.hpp>
 
 #include "model/core/input_error.h"
-#include "tb/support/draft.h"
-#include "tb/support/output_file.h"
 #include "tb/report/report.h"
 #include "tb/report/shrink.h"
+#include "tb/support/draft.h"
+#include "tb/support/output_file.h"
 
 namespace cosim {
 namespace {

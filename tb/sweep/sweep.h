@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
-#include "tb/sweep/checked.h"
 #include "tb/lockstep/run.h"
+#include "tb/sweep/checked.h"
 
 namespace cosim {
 

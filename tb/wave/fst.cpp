@@ -9,7 +9,6 @@
 #include <filesystem>
 
 #include "model/core/input_error.h"
-#include "tb/support/output_file.h"
 #include "tb/support/replace_file.h"
 
 namespace cosim {
@@ -28,26 +27,15 @@ void check_room(const std::string& path) {
   }
 }
 
-// The writer makes files of its own, in the place of what stands there: no pipe can be one.
-std::string place_for(const std::string& path) {
-  std::string place = replaceable(path);
-  if (place.empty() && std::filesystem::exists(path)) {
-    throw InputError(path + ": cannot write: a wave needs a file of its own");
-  }
-  const OutputFile says_why(path);  // where it cannot be written
-  return place;
-}
-
 }  // namespace
 
 Fst::Fst(const std::string& path)
-    : path_(path),
-      place_(place_for(path)),
-      half_(beside(place_)),
-      hierarchy_(half_.path() + ".hier") {
+    : path_(path), half_(beside(path)), hierarchy_(half_.path() + ".hier") {
   check_room(path);
   writer_ = fstWriterCreate(half_.path().c_str(), 1);
-  if (writer_ == nullptr) throw InputError(fmt::format("{}: cannot write", path));
+  if (writer_ == nullptr) {
+    throw InputError(fmt::format("{}: cannot write: {}", path, std::strerror(errno)));
+  }
   fstWriterSetTimescale(writer_, -9);
   fstWriterSetVersion(writer_, "cosim");
   fstWriterSetDate(writer_, "");  // the same run gives the same file
@@ -109,7 +97,7 @@ void Fst::close() {
   void* reader = fstReaderOpen(half_.path().c_str());
   if (reader == nullptr) throw InputError(fmt::format("{}: cannot write it whole", path_));
   fstReaderClose(reader);
-  if (std::rename(half_.path().c_str(), place_.c_str()) != 0) {
+  if (std::rename(half_.path().c_str(), path_.c_str()) != 0) {
     throw InputError(fmt::format("{}: cannot write: {}", path_, std::strerror(errno)));
   }
   half_.keep();

@@ -39,7 +39,7 @@ class Fst {
   void close();
 
  private:
-  std::string path_, place_;
+  std::string path_;
   Leftover half_, hierarchy_;  // what the writer writes, and what it puts beside that meanwhile
   void* writer_ = nullptr;
   std::uint64_t times_ = 0;

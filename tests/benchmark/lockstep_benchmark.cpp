@@ -139,7 +139,11 @@ void lockstep(benchmark::State& state) {
   const auto list = inputs<Adapter>();
   const Source<typename Adapter::Design::template Inputs<Word>> source{&list};
   for (auto _ : state) {
-    if (run<Adapter>(source, 1).mismatch) state.SkipWithError("RTL and model differ");
+    Lockstep<Adapter> both(1U);
+    auto left = source;
+    std::uint64_t clocks = 0;
+    const auto nothing = [](const auto&, const auto&) {};
+    if (!clock_through(both, left, clocks, nothing)) state.SkipWithError("they differ");
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(list.size()));
 }

@@ -90,7 +90,6 @@ std::string file(Random& random, const std::string& help) {
                            "/dev/null",
                            "/dev/full",
                            "/dev/stdout",
-                           "/dev/stderr",
                            "/proc/self/cmdline",
                            std::string(300, 'l'),
                            std::string(250, 'm')};

@@ -57,7 +57,6 @@ void limit(int what, long most) {
 [[noreturn]] void become(const std::string& program, const Case& one, const Scratch& scratch,
                          const std::string& streams) {
   setpgid(0, 0);
-  for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE}) std::signal(signal, SIG_DFL);
   if (chdir(scratch.work().c_str()) != 0) _exit(125);
   setenv("TMPDIR", (scratch.folder() / "tmp").c_str(), 1);
   setenv("HOME", (scratch.folder() / "home").c_str(), 1);
@@ -119,6 +118,8 @@ std::string end_of(const std::string& path) {
 }  // namespace
 
 void adopt() {
+  // As nohup and a shell's background have them the cases would inherit them.
+  for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE}) std::signal(signal, SIG_DFL);
   if (prctl(PR_SET_CHILD_SUBREAPER, 1) != 0) throw std::runtime_error("no subreaper");
 }
 

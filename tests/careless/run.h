@@ -21,7 +21,8 @@ struct Came {
 inline constexpr int patience = 15'000;  ///< milliseconds, of a busy computer
 inline constexpr long longest_output = 200'000'000;
 
-/// To be called once: what a case leaves behind becomes a child of this process.
+/// To be called once: what a case leaves behind becomes a child of this process, and its signals
+/// are those that a shell would give it.
 void adopt();
 
 Came run(const std::string& program, const Case& one, const Scratch& scratch);

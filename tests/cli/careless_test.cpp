@@ -130,6 +130,9 @@ TEST_F(Careless, OutputsThatAreNoFileAreSaid) {
   fs::create_directory(folder_.path("w.fst"));
   expect_refused(line("--wave", folder_.path("w.fst")),
                  folder_.path("w.fst") + ": cannot write: Is a directory");
+  ASSERT_EQ(mkfifo(folder_.path("pipe.fst").c_str(), 0600), 0);
+  expect_refused(line("--wave", folder_.path("pipe.fst")),
+                 "--wave: " + folder_.path("pipe.fst") + " cannot be replaced by a file");
   // A wave takes the place of a link; what it led to is left alone.
   fs::create_symlink("/dev/full", folder_.path("full.fst"));
   expect_match(line("--wave", folder_.path("full.fst")));

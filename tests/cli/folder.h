@@ -1,12 +1,14 @@
 // A folder of a test's own, gone with it.
 #pragma once
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace cosim::cli {
 
@@ -29,6 +31,15 @@ class Folder {
   std::string write(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name, std::ios::binary) << text;
     return path(name);
+  }
+  /// Of all that lies in it, in order.
+  std::vector<std::string> names() const {
+    std::vector<std::string> all;
+    for (const auto& entry : std::filesystem::directory_iterator(folder_)) {
+      all.push_back(entry.path().filename().string());
+    }
+    std::sort(all.begin(), all.end());
+    return all;
   }
   std::string text(const std::string& name) const {
     std::ifstream file(folder_ / name, std::ios::binary);

@@ -47,5 +47,31 @@ TEST(InterruptedSweep, NamesThoseItHadFinished) {
 
 TEST(InterruptedSweep, EndsOnATerminateToo) { expect_stopped(SIGTERM); }
 
+// What is half written goes, what stood there stays.
+TEST(InterruptedRun, LeavesNoHalfFile) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    const Folder folder;
+    folder.write("csv", "kept\n");
+    const Ended e = cosim_signalled({"arc", "--radius", "4294967295", "--csv", folder.path("csv")},
+                                    signal, 400);
+    EXPECT_EQ(e.status, 128 + signal);
+    EXPECT_EQ(e.err, "");
+    EXPECT_EQ(folder.text("csv"), "kept\n");
+    EXPECT_EQ(folder.names(), std::vector<std::string>{"csv"});
+  }
+}
+
+TEST(InterruptedRun, LeavesNoHalfWave) {
+  const Folder folder;
+  const Arguments wave{"line", "--major", "100000000",         "--minor",
+                       "3",    "--wave",  folder.path("w.fst")};
+  // The run itself takes some tenths of a second, the wave many seconds.
+  for (const int after : {300, 1000, 2000}) {
+    const Ended e = cosim_signalled(wave, SIGTERM, after);
+    ASSERT_EQ(e.status, 128 + SIGTERM) << "it ended within " << after << " ms";
+    EXPECT_EQ(folder.names(), std::vector<std::string>{});
+  }
+}
+
 }  // namespace
 }  // namespace cosim::cli

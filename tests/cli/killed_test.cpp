@@ -94,10 +94,11 @@ TEST_F(KilledSweep, StartsFromWhatTheCheckpointSays) {
   EXPECT_EQ(report["runs"][0]["clocks"], kClocks + 7);
 }
 
-// The first of its cases reaches the middle of its conic, where the gradient vanishes.
+// One of the first hundred cases of this seed reaches the middle of its conic, where the gradient
+// vanishes.
 TEST_F(KilledSweep, OfTheDdaGoesOn) {
   const Arguments kept{"sweep", "dda",     "--random", "300000",       "--seed",
-                       "3",     "--width", "6",        "--checkpoint", folder_.path("state")};
+                       "6",     "--width", "6",        "--checkpoint", folder_.path("state")};
   for (int after = 400; !folder_.holds("state"); after *= 2) {
     ASSERT_TRUE(cosim_killed(kept, after)) << "it ended and kept nothing";
   }

@@ -84,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(On, InterruptedProof, testing::Values(SIGINT, SIGTERM),
                          [](const auto& at) { return at.param == SIGINT ? "SIGINT" : "SIGTERM"; });
 
 // What a busy computer, or a harder question, may end with.
-TEST(Prove, SaysWhatToDoAtItsLimit) {
+TEST(ProofAtItsLimit, SaysWhatToDo) {
   const Folder folder;
   const std::string path = std::getenv("PATH");
   fs::create_directory(folder.path("bin"));

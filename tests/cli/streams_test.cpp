@@ -9,6 +9,7 @@
 
 #include "tests/cli/folder.h"
 #include "tests/cli/program.h"
+#include "tests/support/sanitized.h"
 
 namespace cosim::cli {
 namespace {
@@ -128,6 +129,56 @@ TEST(Streams, ReplacesWhatStoodThere) {
   EXPECT_EQ(line({"--csv", folder.path("csv"), "--report", folder.path("report")}).status, 0);
   EXPECT_EQ(lines(folder.text("csv")).size(), 5U);
   EXPECT_EQ(folder.text("report").find("xxx"), std::string::npos);
+}
+
+// What can be known before the run is checked before: nothing is lost and nothing waited for.
+TEST(Streams, ThatWouldBeTooLongAreRefusedFirst) {
+  const Folder folder;
+  const std::string csv = folder.write("csv", "kept\n"), wave = folder.path("w.fst");
+  const std::string picture = folder.path("p.svg");
+  const std::string program = folder.write("p.ngc", "G1 X4000 Y1 F1\n");
+  const auto refused = [&](Arguments command, const std::string& error) {
+    command.insert(command.end(), {"--csv", csv});
+    const Ended ended = cosim(command);
+    EXPECT_EQ(ended.out, "");
+    expect_error(ended, error);
+    EXPECT_EQ(folder.text("csv"), "kept\n");
+    EXPECT_LT(ended.peak, 100'000'000 + test::kept_back);
+    EXPECT_FALSE(folder.holds("w.fst") || folder.holds("p.svg"));
+  };
+  const std::string clocks = " clocks are more than can be drawn, 2000000";
+  const std::string steps = "--plot: a path of more than 999999 steps is too long to draw";
+  refused({"line", "--major", "4000000000", "--minor", "1", "--wave", wave},
+          "--wave: 62500000" + clocks);
+  refused({"arc", "--radius", "4294967295", "--wave", wave}, "--wave: 6074000999" + clocks);
+  refused({"dda", "--line", "5,3", "--width", "32", "--as-it-is", "--wave", wave},
+          "--wave: 4294967296" + clocks);
+  refused({"path", program, "--steps-per-mm", "500000", "--wave", wave},
+          "--wave: 31250000" + clocks);
+  refused({"line", "--major", "1000000", "--minor", "1", "--plot", picture}, steps);
+  refused({"arc", "--radius", "1000000", "--plot", picture}, steps);
+  refused({"dda", "--line", "1000000,1", "--plot", picture}, steps);
+  refused({"path", program, "--steps-per-mm", "250", "--plot", picture}, steps);
+}
+
+// Where the length is only known on the way, the run ends there.
+TEST(Streams, ThatGrowTooLongLoseNothing) {
+  const Folder folder;
+  folder.write("csv", "kept\n");
+  expect_error(cosim({"dda", "--circle", "3000000000", "--plot", folder.path("p.svg"), "--csv",
+                      folder.path("csv"), "--clocks", "5000000"}),
+               "--plot: a path of more than 999999 steps is too long to draw");
+  EXPECT_EQ(folder.text("csv"), "kept\n");
+  EXPECT_FALSE(folder.holds("csv.cosim-new"));
+}
+
+TEST(Streams, KeepTheRightsOfWhatTheyReplace) {
+  const Folder folder;
+  const fs::path csv = folder.write("csv", "secret\n");
+  fs::permissions(csv, fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_EQ(line({"--csv", csv}).status, 0);
+  EXPECT_EQ(fs::status(csv).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_EQ(lines(folder.text("csv")).size(), 5U);
 }
 
 TEST(Streams, GoesIntoAPipe) {

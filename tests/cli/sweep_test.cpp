@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "tests/designs/circular/cli/circle.h"
 #include "tests/cli/folder.h"
 #include "tests/cli/program.h"
+#include "tests/designs/circular/cli/circle.h"
 #include "tests/support/sanitized.h"
 
 namespace cosim::cli {

@@ -1,8 +1,10 @@
 // The bar of a sweep on a terminal, and nothing of it elsewhere.
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <string>
 
+#include "tests/cli/folder.h"
 #include "tests/cli/program.h"
 
 namespace cosim::cli {
@@ -45,6 +47,29 @@ TEST(Terminal, ShowsABar) {
   EXPECT_GE(bars, 2);
   EXPECT_EQ(whole, 2);  // both sweeps come to their end
   EXPECT_NE(ended.out.find("verdict: match"), std::string::npos);
+}
+
+// A single run that takes more than a moment; it leaves nothing of it.
+TEST(Terminal, ShowsABarOfOneLongRun) {
+  const Ended ended = cosim_on_terminal({"arc", "--radius", "30000000"}, 200);
+  EXPECT_EQ(ended.status, 0);
+  const std::vector<std::string> all = drawn(ended.out);
+  int bars = 0;
+  for (const std::string& line : all) bars += line.find(" % [") != std::string::npos ? 1 : 0;
+  EXPECT_GE(bars, 2) << ended.out;
+  EXPECT_NE(ended.out.find("] circular W=32"), std::string::npos);
+  EXPECT_NE(ended.out.find("\r\x1b[Kdrawn: "), std::string::npos) << ended.out;
+}
+
+// Ten digits of the clock and of both coordinates, two signs: 38 bytes a step.
+TEST(Terminal, SaysHowLargeACsvWillBe) {
+  const Folder folder;
+  const std::string csv = folder.path("c");
+  const Ended large =
+      cosim_signalled({"arc", "--radius", "4294967295", "--csv", csv}, SIGTERM, 300);
+  EXPECT_NE(large.out.find("csv: up to 231 GB, " + csv + "\n"), std::string::npos) << large.out;
+  const Ended small = cosim({"line", "--major", "27", "--minor", "9", "--csv", csv});
+  EXPECT_EQ(small.out.find("csv: "), std::string::npos);
 }
 
 // The bar is gone once the sweep is over: in its place stands the plain line.

@@ -81,6 +81,9 @@ TEST(Wave, ThatCannotBeDrawnIsSaidFirst) {
   };
   EXPECT_EQ(refusal(with("")), "cosim: --wave: names no file\n");
   EXPECT_EQ(refusal(with("x.vcd")), "cosim: --wave: x.vcd does not end in .fst\n");
+  EXPECT_EQ(refusal(with(".fst")), "cosim: --wave: '.fst' has no name before its .fst\n");
+  EXPECT_EQ(refusal(with("/dev/null/x.fst")),
+            "cosim: /dev/null/x.fst: cannot write: Not a directory\n");
   EXPECT_EQ(refusal(with(folder.path("none/x.fst"))),
             "cosim: " + folder.path("none/x.fst") + ": cannot write: No such file or directory\n");
 }

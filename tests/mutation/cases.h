@@ -1,5 +1,6 @@
 // What mutants are attacked with: the printed examples, hostile clocks, whole jobs at random, long
-// ones. A design says in tests/designs/NAME/mutation/jobs.h what its jobs are; hostile clocks need nothing.
+// ones. A design says in tests/designs/NAME/mutation/jobs.h what its jobs are; hostile clocks need
+// nothing.
 #pragma once
 
 #include <fmt/core.h>

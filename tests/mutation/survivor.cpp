@@ -5,8 +5,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "tb/support/draft.h"
 #include "tb/report/failure.h"
+#include "tb/support/draft.h"
 #include "tb/support/replace_file.h"
 
 namespace cosim::mutation {

@@ -15,6 +15,8 @@
 #include "model/dda/host.h"
 #include "model/linear/host.h"
 #include "model/toolpath/source.h"
+#include "tb/lockstep/replay.h"
+#include "tb/wave/view.h"
 #include "tests/rtl/straight.h"
 #include "tests/support/designs.h"
 #include "tests/support/explain.h"
@@ -139,7 +141,7 @@ void add_subjects(std::vector<Subject>& all) {
     if (!v.name.starts_with("faults/") && !v.name.starts_with("errata/")) continue;
     std::string name = Design::name + ("_" + v.name);
     std::replace(name.begin(), name.end(), '/', '_');
-    all.push_back({name, [&v] { expect_failure_explained(*v); }});
+    all.push_back({name, [&v] { expect_failure_explained(v); }});
   }
 }
 

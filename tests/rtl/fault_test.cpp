@@ -76,7 +76,7 @@ void add_subjects(std::vector<Subject>& all, const std::string& kind,
     std::string name = Design::name;
     for (const Parameter& p : v.bench->parameters()) name += p.name + std::to_string(p.value);
     if (kind != "shipped") name += "_" + v.name.substr(kind.size() + 1);
-    all.push_back({name, [&v, check] { check(*v); }});
+    all.push_back({name, [&v, check] { check(v); }});
   }
 }
 std::vector<Subject> faults() {

@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include "tb/designs/dda/sweeps.h"
-#include "tests/rtl/variant.h"
 #include "tests/designs/circular/counts.h"
-#include "tests/designs/linear/counts.h"
 #include "tests/designs/circular/printed.h"
+#include "tests/designs/linear/counts.h"
 #include "tests/designs/linear/printed.h"
+#include "tests/rtl/variant.h"
 
 namespace cosim {
 namespace {

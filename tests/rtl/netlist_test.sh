@@ -35,9 +35,13 @@ expect "linear" 0 'ice40 .* proved$' linear M=5 N=2
 expect "circular" 0 'generic .* proved$' circular W=4
 expect "dda" 0 'ice40 .* proved$' dda W=6
 "$root/scripts/netlist" --write "$circular" ice40 circular W=4
-COSIM_NETLIST_LIMIT=1 expect "at its limit" 1 \
-  'undecided in 1 s of processor time; give it more: COSIM_NETLIST_LIMIT=10$' dda W=32
 expect "from a file" 0 'file .* proved$' --check "$circular" circular W=4
+
+mkdir "$scratch/bin"
+printf '#!/bin/sh\nexec sha256sum /dev/zero\n' > "$scratch/bin/yosys" && chmod +x "$scratch/bin/yosys"
+PATH=$scratch/bin:$PATH COSIM_NETLIST_LIMIT=1 expect "a solver at its limit" 1 \
+  'undecided in 1 s of processor time; give it more: COSIM_NETLIST_LIMIT=10$' \
+  --check "$circular" circular W=4
 
 fault "an output stuck" '^ *netlist +step_x .*!$' 's/\.O\(step_x\)/.O()/' "step_x = 1'b0"
 fault "an output left open" 'NOT EQUAL' 's/\.O\(step_y\)/.O()/'

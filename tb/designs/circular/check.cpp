@@ -14,8 +14,7 @@ void Check::open() {
   if (job_ == arcs_.size()) return;
   at_ = arcs_[job_].from;
   steps_ = 0;
-  found_.max_deviation =
-      std::max(found_.max_deviation, radial_deviation(at_, arcs_[job_].radius2));
+  found_.max_deviation = std::max(found_.max_deviation, radial_deviation(at_, arcs_[job_].radius2));
 }
 
 void Check::clock(std::size_t job, const Compared<Design>& seen) {

@@ -8,10 +8,7 @@
 
 namespace cosim::dda {
 
-
-Check::Check(const Params& p, std::span<const Job> jobs) : p_(p), jobs_(jobs) {
-  open();
-}
+Check::Check(const Params& p, std::span<const Job> jobs) : p_(p), jobs_(jobs) { open(); }
 
 void Check::open() {
   if (job_ == jobs_.size()) return;
@@ -33,8 +30,8 @@ void Check::clock(std::size_t job, const Compared<Design>& seen) {
   if (!(at == from) || !(got == due.value_or(Point{}))) {
     found_.error = fmt::format(
         "{}, clock {}: oracle ({:+}, {:+}) from ({}, {}), machine ({:+}, {:+}) from ({}, {})",
-        Host::describe(p_, jobs_[job_]), clocks_, due.value_or(Point{}).x,
-        due.value_or(Point{}).y, from.x, from.y, got.x, got.y, at.x, at.y);
+        Host::describe(p_, jobs_[job_]), clocks_, due.value_or(Point{}).x, due.value_or(Point{}).y,
+        from.x, from.y, got.x, got.y, at.x, at.y);
     return;
   }
   ++clocks_;

@@ -15,7 +15,7 @@ void Check::clock(std::size_t job, const Compared<Design>& seen) {
   const Line& line = jobs_[job].line;
   const Words due = words_at(p_.m, p_.gamma(), line, tick_);
   const Words got = {static_cast<std::uint64_t>(seen.outputs.major),
-                             static_cast<std::uint64_t>(seen.outputs.minor)};
+                     static_cast<std::uint64_t>(seen.outputs.minor)};
   ++tick_;
   found_.steps += static_cast<std::uint64_t>(std::popcount(got.major));
   if (got == due) return;
@@ -32,8 +32,8 @@ void Check::close() {
     found_.error = fmt::format("BP = {}, UK = {:0{}b}: oracle {} words, machine {}", job.line.major,
                                job.line.code, p_.m, due, tick_);
   }
-  found_.max_deviation = std::max(
-      found_.max_deviation, max_deviation(p_.m, job.line.major, job.line.code).value());
+  found_.max_deviation =
+      std::max(found_.max_deviation, max_deviation(p_.m, job.line.major, job.line.code).value());
   ++found_.jobs;
   ++job_;
   tick_ = 0;

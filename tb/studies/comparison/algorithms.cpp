@@ -7,8 +7,8 @@
 #include "model/prior_art/single_axis_circle.h"
 #include "model/prior_art/su875343.h"
 #include "tb/designs/circular/check.h"
-#include "tb/designs/linear/check.h"
 #include "tb/designs/dda/check.h"
+#include "tb/designs/linear/check.h"
 
 namespace cosim::compare {
 namespace {

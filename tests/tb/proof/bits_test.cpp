@@ -6,8 +6,8 @@
 
 #include <functional>
 
-#include "tb/support/process.h"
 #include "tb/proof/solver.h"
+#include "tb/support/process.h"
 #include "tb/support/random.h"
 
 namespace cosim::proof {

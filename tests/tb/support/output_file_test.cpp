@@ -70,6 +70,19 @@ TEST_F(OutputFileOf, WhatStoodThereIsGone) {
   EXPECT_EQ(text(path("a")), "new\n");
 }
 
+TEST_F(OutputFileOf, TheOldTextStandsUntilTheNewIsWhole) {
+  std::ofstream(path("a")) << "old";
+  {
+    OutputFile file(path("a"));
+    file.text("new");
+    EXPECT_EQ(text(path("a")), "old");
+  }
+  EXPECT_EQ(text(path("a")), "old");
+  { OutputFile(path("b")).text("half"); }
+  EXPECT_FALSE(fs::exists(path("b")));
+  EXPECT_FALSE(fs::exists(path("a.cosim-new")) || fs::exists(path("b.cosim-new")));
+}
+
 TEST_F(OutputFileOf, NoPathWritesNothing) {
   OutputFile file("");
   file.line("{}", 1);

@@ -7,7 +7,6 @@
 #include "model/circular/arc.h"
 #include "model/circular/oracle.h"
 #include "model/core/input_error.h"
-#include "tb/designs/circular/check.h"
 #include "tb/cli/choose.h"
 #include "tb/cli/commands.h"
 #include "tb/cli/common.h"
@@ -15,8 +14,9 @@
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
 #include "tb/cli/shape_options.h"
-#include "tb/support/words.h"
+#include "tb/designs/circular/check.h"
 #include "tb/plot/drawn.h"
+#include "tb/support/words.h"
 
 namespace cosim::cli {
 namespace {

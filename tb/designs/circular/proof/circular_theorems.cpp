@@ -1,6 +1,6 @@
 // SU 1665343 on integers without end: every radius and every width. Q is R^2, an integer.
-#include "tb/proof/integer.h"
 #include "tb/designs/circular/proof/points.h"
+#include "tb/proof/integer.h"
 #include "tb/proof/theorems.h"
 
 namespace cosim::proof {

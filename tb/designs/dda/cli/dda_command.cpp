@@ -10,14 +10,14 @@
 #include "tb/cli/choose.h"
 #include "tb/cli/commands.h"
 #include "tb/cli/common.h"
-#include "tb/designs/dda/cli/settings.h"
 #include "tb/cli/draw_one.h"
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
 #include "tb/cli/shape_options.h"
-#include "tb/support/words.h"
 #include "tb/designs/dda/check.h"
+#include "tb/designs/dda/cli/settings.h"
 #include "tb/plot/drawn.h"
+#include "tb/support/words.h"
 
 namespace cosim::cli {
 namespace {

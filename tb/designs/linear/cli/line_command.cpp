@@ -4,17 +4,17 @@
 
 #include "model/core/input_error.h"
 #include "model/linear/oracle.h"
-#include "tb/designs/linear/check.h"
 #include "tb/cli/choose.h"
-#include "tb/designs/linear/cli/code_option.h"
 #include "tb/cli/commands.h"
 #include "tb/cli/common.h"
 #include "tb/cli/draw_one.h"
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
 #include "tb/cli/shape_options.h"
-#include "tb/studies/comparison/figures.h"
+#include "tb/designs/linear/check.h"
+#include "tb/designs/linear/cli/code_option.h"
 #include "tb/plot/drawn.h"
+#include "tb/studies/comparison/figures.h"
 
 namespace cosim::cli {
 namespace {
@@ -108,9 +108,9 @@ int run(const Options& o) {
   const compare::Line line{major, code.minor};
   Series path{bench.title(), {}};
   Drawn points(path, line, p.word());
-  return draw_one<linear::Design, linear::Job, linear::Check>({o.common, power_up, bench, work, job,
-                                                           check, csv, rows, path, points,
-                                                           [&] { return curve_of(line); }, extent});
+  return draw_one<linear::Design, linear::Job, linear::Check>(
+      {o.common, power_up, bench, work, job, check, csv, rows, path, points,
+       [&] { return curve_of(line); }, extent});
 }
 
 }  // namespace

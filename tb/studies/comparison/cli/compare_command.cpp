@@ -9,12 +9,12 @@
 #include "tb/cli/choose.h"
 #include "tb/cli/commands.h"
 #include "tb/cli/common.h"
-#include "tb/studies/comparison/cli/work_options.h"
 #include "tb/cli/conclude.h"
 #include "tb/cli/outputs.h"
-#include "tb/support/words.h"
-#include "tb/studies/comparison/contest.h"
 #include "tb/plot/drawn.h"
+#include "tb/studies/comparison/cli/work_options.h"
+#include "tb/studies/comparison/contest.h"
+#include "tb/support/words.h"
 
 namespace cosim::cli {
 namespace {

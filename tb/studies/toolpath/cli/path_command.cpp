@@ -9,7 +9,6 @@
 #include "model/linear/oracle.h"
 #include "model/toolpath/plan.h"
 #include "tb/cli/choose.h"
-#include "tb/designs/linear/cli/code_option.h"
 #include "tb/cli/commands.h"
 #include "tb/cli/common.h"
 #include "tb/cli/conclude.h"
@@ -19,11 +18,12 @@
 #include "tb/cli/progress.h"
 #include "tb/cli/shape_options.h"
 #include "tb/cli/wave.h"
-#include "tb/support/words.h"
-#include "tb/studies/comparison/figures.h"
-#include "tb/support/output_file.h"
-#include "tb/studies/toolpath/path_run.h"
+#include "tb/designs/linear/cli/code_option.h"
 #include "tb/plot/drawn.h"
+#include "tb/studies/comparison/figures.h"
+#include "tb/studies/toolpath/path_run.h"
+#include "tb/support/output_file.h"
+#include "tb/support/words.h"
 
 namespace cosim::cli {
 namespace {

@@ -5,8 +5,8 @@
 #include <random>
 #include <string>
 
-#include "tests/designs/circular/cli/circle.h"
 #include "tests/cli/drawing.h"
+#include "tests/designs/circular/cli/circle.h"
 
 namespace cosim::cli {
 namespace {

@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "tests/designs/circular/counts.h"
+#include "tests/designs/circular/printed.h"
 #include "tests/support/model_adapter.h"
 #include "tests/support/model_machine.h"
-#include "tests/designs/circular/printed.h"
 
 namespace cosim::circular {
 namespace {

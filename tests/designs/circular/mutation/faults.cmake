@@ -59,7 +59,7 @@ fault("The zero of F is +0" circular/machine.h
   [[to_ones_complement_minus_zero(s.f, p.width + 4)]] [[to_ones_complement(s.f, p.width + 4)]])
 
 fault("The host stops an arc a step late" circular/host.cpp
-  [[steps_ >= *arcs_[job_].count]] [[steps_ > *arcs_[job_].count]])
+  [[steps_ >= *count]] [[steps_ > *count]])
 fault("The host counts the steps of earlier arcs" circular/host.cpp
   [[steps_ = 0;]] [[steps_ += 0;]])
 fault("The host sends F in ones' complement" circular/host.cpp

@@ -1,6 +1,7 @@
 // cosim dda: lines, circles and conics, against the curves' own equations.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/designs/dda/runs.h"
 #include "tests/designs/dda/flow_chart.h"
+#include "tests/designs/dda/runs.h"
 #include "tests/support/model_adapter.h"
 #include "tests/support/sweeps.h"
 

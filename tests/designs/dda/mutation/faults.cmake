@@ -116,7 +116,7 @@ fault("The host exchanges two modes" dda/host.cpp
 fault("The host starts before the last register is written" dda/host.cpp
   [[++written_ == addresses]] [[++written_ + 1 == addresses]])
 fault("The host stops a clock late" dda/host.cpp
-  [[clocks_ >= *jobs_[job_].clocks]] [[clocks_ > *jobs_[job_].clocks]])
+  [[clocks_ >= *clocks]] [[clocks_ > *clocks]])
 fault("The host counts the clocks of earlier jobs" dda/host.cpp
   [[clocks_ = 0;]] [[clocks_ += 0;]])
 fault("A job is tried again as a smaller one" dda/host.cpp

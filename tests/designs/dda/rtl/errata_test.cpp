@@ -8,8 +8,8 @@
 
 #include "model/dda/equation.h"
 #include "model/dda/host.h"
-#include "tests/rtl/straight.h"
 #include "tests/designs/dda/flow_chart.h"
+#include "tests/rtl/straight.h"
 
 namespace cosim::circular {
 

@@ -16,8 +16,7 @@ const std::vector<Job> kJobs{line(kP, {27, 9}, {}), line(kP, {-3, 2}, {})};
 
 std::vector<std::pair<std::size_t, Seen>> right_clocks() {
   std::vector<std::pair<std::size_t, Seen>> all;
-  for (const auto& c :
-       test::draw(test::model_bench<Design, kP>(), std::span<const Job>(kJobs))) {
+  for (const auto& c : test::draw(test::model_bench<Design, kP>(), std::span<const Job>(kJobs))) {
     all.push_back({c.job, {c.registers, c.outputs}});
   }
   return all;
@@ -41,8 +40,8 @@ TEST(DdaCheck, SeesAnyWrongStepOrCode) {
   const auto right = right_clocks();
   for (std::size_t i = 0; i < right.size(); ++i) {
     if (right[i].second.outputs.busy == 0) continue;
-    for (auto member : {&Outputs<Word>::x_up, &Outputs<Word>::y_down,
-                        &Outputs<Word>::code_x, &Outputs<Word>::code_y}) {
+    for (auto member : {&Outputs<Word>::x_up, &Outputs<Word>::y_down, &Outputs<Word>::code_x,
+                        &Outputs<Word>::code_y}) {
       auto wrong = right;
       wrong[i].second.outputs.*member ^= 1;
       EXPECT_NE(checked(wrong).error, "") << "clock " << i;

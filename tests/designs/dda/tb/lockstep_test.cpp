@@ -1,8 +1,8 @@
 // The RTL of the DDA in lockstep with its model, every register and output on every clock, and
 // against the oracle.
 #include "tb/designs/dda/sweeps.h"
-#include "tests/designs/dda/runs.h"
 #include "tests/designs/dda/flow_chart.h"
+#include "tests/designs/dda/runs.h"
 #include "tests/support/sweeps.h"
 #include "tests/tb/shape.h"
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "model/linear/oracle.h"
-#include "tests/support/model_adapter.h"
 #include "tests/designs/linear/printed.h"
+#include "tests/support/model_adapter.h"
 
 namespace cosim::linear {
 namespace {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "tests/designs/linear/counts.h"
-#include "tests/support/model_adapter.h"
 #include "tests/designs/linear/printed.h"
+#include "tests/support/model_adapter.h"
 
 namespace cosim::linear {
 namespace {

@@ -65,7 +65,7 @@ fault("Trigger 10 shows the bit only with a word" linear/machine.h
 fault("The host's second line is a step shorter" linear/host.cpp
   [[in.data = line.major;]] [[in.data = job_ == 1 ? line.major - 1 : line.major;]])
 fault("The host gives a line up a word late" linear/host.cpp
-  [[words_ >= *jobs_[job_].words]] [[words_ > *jobs_[job_].words]])
+  [[words_ >= *words]] [[words_ > *words]])
 fault("The host counts the words of earlier lines" linear/host.cpp
   [[words_ = 0;]] [[words_ += 0;]])
 

@@ -138,6 +138,8 @@ TEST(Compare, RefusesWhatItCannotCompare) {
                          "su1631518-greedy, rate-multiplier, dda, dda-half, bresenham");
   expect_refused_compare({"--line", "27,9", "--algorithms", "dda,bresenham,dda"},
                          "--algorithms: 'dda' stands there twice");
+  EXPECT_EQ(cosim({"compare", "--line", "5,3", "--algorithms", ""}).err,
+            "cosim: --algorithms: names none\n");
   expect_refused_compare(
       {kFlange, "--steps-per-mm", "2", "--algorithms", "fast"},
       "--algorithms: 'fast' cannot do this work; there are su1631518, "

@@ -16,7 +16,7 @@ namespace {
 
 template <class Design>
 const Bench<Design>& shipped(const char* name) {
-  return variant<Design>(std::string("shipped/") + name).bench();
+  return *variant<Design>(std::string("shipped/") + name).bench;
 }
 
 TEST(Narrowest, LinearDrawsEveryLine) {

@@ -58,7 +58,9 @@ quietly() (
 configure() {
   local preset=$1 note=$2/.configured was=() now fresh=() tests=ON
   [[ ! -f $2/build.ninja || ! -f $note ]] || mapfile -t was < "$note"
-  [[ $3 != cosim ]] || tests=${was[3]-OFF}
+  if [[ $3 == cosim ]]; then
+    grep -qs '^BUILD_TESTING:BOOL=ON' "$2/CMakeCache.txt" || tests=OFF
+  fi
   now=("${CXX-${was[0]-}}" "${COSIM_WERROR-${was[1]-}}" "$(command -v yosys || true)" "$tests")
   [[ ${#was[@]} == 0 || "${was[*]}" != "${now[*]}" ]] || return 0
   # Of another compiler nothing that was found holds.

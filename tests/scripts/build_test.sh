@@ -9,13 +9,16 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 mkdir "$folder/scripts" "$folder/bin"
 cp "$root/scripts/lib.sh" "$folder/scripts"
-for tool in bash basename dirname mkdir flock mktemp cat rm nproc tee; do
+for tool in bash basename dirname mkdir flock grep mktemp cat rm nproc tee; do
   ln -s "$(command -v "$tool")" "$folder/bin/$tool"
 done
 cat > "$folder/bin/cmake" << 'CMAKE'
 #!/usr/bin/env bash
 echo "$* ${COSIM_WERROR-}" >> "$ASKED"
-[[ $* == --build* ]] || : > "$(dirname "$ASKED")/build/build.ninja"
+[[ $* != --build* ]] || exit 0
+cd "$(dirname "$ASKED")/build"
+: > build.ninja
+[[ ! $* =~ (BUILD_TESTING)=(ON|OFF) ]] || echo "${BASH_REMATCH[1]}:BOOL=${BASH_REMATCH[2]}" > CMakeCache.txt
 CMAKE
 chmod +x "$folder/bin/cmake"
 export ASKED=$folder/asked
@@ -51,6 +54,6 @@ expect "that compiler" "" CXX=clang++
 expect "as it is" ""
 rm "$folder/bin/yosys"
 expect "without yosys" "--preset default -DBUILD_TESTING=ON ON"
-rm "$folder/build/build.ninja"
+rm "$folder/build/build.ninja" "$folder/build/CMakeCache.txt"
 expect "without what CMake made" "--preset default -DBUILD_TESTING=ON "
 echo "as expected"

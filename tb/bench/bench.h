@@ -50,7 +50,7 @@ class AnyBench {
   virtual void draw_wave(const std::string& path, const Stimulus& stimulus,
                          Window around) const = 0;
 
-  /// "linear M=5 N=2"
+  /// "NAME M=5 N=2": the design and its parameters
   std::string title() const;
 };
 

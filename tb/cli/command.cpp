@@ -12,13 +12,13 @@
 namespace cosim::cli {
 namespace {
 
-// The innermost command named: "sweep linear" is at linear.
+// The innermost command named: "sweep NAME" is at NAME.
 const CLI::App& innermost(const CLI::App& app) {
   const auto chosen = app.get_subcommands();
   return chosen.empty() ? app : innermost(*chosen.back());
 }
 
-// "", "sweep: ", "sweep linear: "
+// "", "sweep: ", "sweep NAME: "
 std::string prefix(const CLI::App& app) {
   std::string name;
   for (const CLI::App* one = &app; one->get_parent() != nullptr; one = one->get_parent()) {

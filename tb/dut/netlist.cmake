@@ -1,7 +1,7 @@
 # What a netlist needs in place of RTL: the file, made by scripts/netlist while CMake configures, as
 # verilate() reads its sources then. The parameters are used up in it.
 #
-#   write_netlist(FILE generic|ice40 linear M=5 N=2)
+#   write_netlist(FILE generic|ice40 DESIGN M=5 N=2)
 #
 # An unchanged file keeps its time, so that nothing is verilated again for nothing.
 function(write_netlist file kind design)

@@ -13,7 +13,7 @@ namespace {
 // Verilator's registers lie in memory with the lowest byte first only where the machine does so.
 static_assert(std::endian::native == std::endian::little);
 
-// "TOP.linear.rom2.g__BRA__1__KET__" as {"linear", "rom2", "g[1]"}.
+// "TOP.uart.fifo.g__BRA__1__KET__" as {"uart", "fifo", "g[1]"}.
 std::vector<std::string> scope_of(std::string path) {
   const auto replace = [&path](const std::string& from, const char* to) {
     for (std::size_t at; (at = path.find(from)) != std::string::npos;) {

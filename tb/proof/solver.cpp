@@ -65,7 +65,7 @@ std::string to_text(Answer answer) {
 }
 
 const std::vector<Solver>& solvers() {
-  // Conditions as words of one bit take cvc5 a third of the time for the rates of a wide DDA, and
+  // Conditions as words of one bit take cvc5 a third of the time where long sums are compared, and
   // several times as long for what is easy.
   static const std::vector<Solver> list = {
       {"cvc5", "cvc5 --lang=smt2", "--bitblast=eager", "--bool-to-bv=all"}, {"z3", "z3 -smt2"}};

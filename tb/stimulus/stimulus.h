@@ -2,7 +2,7 @@
 // as a file that a person can read and change:
 //
 //   cosim stimulus 1
-//   machine linear M=5 N=2
+//   machine NAME M=5 N=2
 //   origin BP = 27, MP = 9
 //   power-up 17
 //   clock  initial_set_n  reset  write_bp  write_uk  start  data

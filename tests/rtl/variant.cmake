@@ -1,8 +1,8 @@
 # What stands in a variant's file:
 #
 #   variant("What is different, in a sentence" M=5 N=2)   and the parameters it is built with
-#   replace(linear.v [[                                   any number of these
-#     lines of rtl/linear/linear.v as shipped
+#   replace(NAME.v [[                                     any number of these
+#     lines of rtl/NAME/NAME.v as shipped
 #   ]] [[
 #     the lines that stand there instead
 #   ]])

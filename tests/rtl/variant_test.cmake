@@ -2,8 +2,8 @@
 cmake_minimum_required(VERSION 3.25)
 include(${CMAKE_CURRENT_LIST_DIR}/variant.cmake)
 
-set(DESIGN linear)
-set(spec variants/linear/faults/example.cmake)
+set(DESIGN uart)
+set(spec variants/uart/faults/example.cmake)
 set(files a.v)
 set(text_b.v "  assign a = b[0];\n") # of another design
 set(text_a.v [[

@@ -26,10 +26,15 @@ help() {
   done
 }
 
-# The last line of standard input so far, on one line of the terminal that is cleared at the end.
+# The last line of standard input so far, on one line of the terminal that is cleared at the end. Of
+# ninja's "[12/345] ..." it says how far it is, and how long the rest will take.
 moving_line() {
-  local line
+  local line made all began=$SECONDS
   while IFS= read -r line; do
+    if [[ $line =~ ^\[([0-9]+)/([0-9]+)\] ]]; then
+      made=${BASH_REMATCH[1]} all=${BASH_REMATCH[2]}
+      line="$made of $all made, about $(((SECONDS - began) * (all - made) / made + 1)) s left"
+    fi
     printf '\r\033[K%.79s' "$line"
   done
   printf '\r\033[K'
@@ -47,17 +52,19 @@ quietly() (
   exit 1
 )
 
-# configure PRESET FOLDER: where it was not done yet; or again, where CXX or COSIM_WERROR ask for
-# something else, or a tool that CMake looks for has come or gone: ninja sees only files that change.
+# configure PRESET FOLDER TARGET: where it was not done yet; or again, where CXX or COSIM_WERROR ask
+# for something else, or a tool that CMake looks for has come or gone: ninja sees only files that
+# change. The program alone is configured without the tests, until they are asked for.
 configure() {
-  local preset=$1 note=$2/.configured was=() now fresh=()
+  local preset=$1 note=$2/.configured was=() now fresh=() tests=ON
   [[ ! -f $2/build.ninja || ! -f $note ]] || mapfile -t was < "$note"
-  now=("${CXX-${was[0]-}}" "${COSIM_WERROR-${was[1]-}}" "$(command -v yosys || true)")
+  [[ $3 != cosim ]] || tests=${was[3]-OFF}
+  now=("${CXX-${was[0]-}}" "${COSIM_WERROR-${was[1]-}}" "$(command -v yosys || true)" "$tests")
   [[ ${#was[@]} == 0 || "${was[*]}" != "${now[*]}" ]] || return 0
   # Of another compiler nothing that was found holds.
   [[ ${was[0]-} == "${now[0]}" ]] || fresh=(--fresh)
   rm -f "$note"
-  COSIM_WERROR=${now[1]} quietly cmake "${fresh[@]}" --preset "$preset" &&
+  COSIM_WERROR=${now[1]} quietly cmake "${fresh[@]}" --preset "$preset" -DBUILD_TESTING="$tests" &&
     printf '%s\n' "${now[@]}" > "$note"
 }
 
@@ -70,6 +77,6 @@ build() (
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache
   fi
   mkdir -p "$folder" && cd "$root" && exec 9> "$folder/.lock" && flock 9 &&
-    configure "$preset" "$folder" &&
+    configure "$preset" "$folder" "$target" &&
     quietly cmake --build --preset "$preset" --target "$target" -j "$(nproc)"
 )

@@ -21,29 +21,36 @@ chmod +x "$folder/bin/cmake"
 export ASKED=$folder/asked
 unset CXX COSIM_WERROR
 
-# expect TITLE LINE [NAME=VALUE...]: a build, with these in the environment, configures with LINE,
-# or where that is empty not at all.
+# expect TITLE LINE [NAME=VALUE...]: a build of $target, with these in the environment, configures with
+# LINE, or where that is empty not at all.
+target=cosim
 expect() {
   local asked
   : > "$ASKED"
-  env PATH="$folder/bin" "${@:3}" bash -c "source '$folder/scripts/lib.sh'; build default all"
+  env PATH="$folder/bin" "${@:3}" bash -c "source '$folder/scripts/lib.sh'; build default $target"
   asked=$(grep -v '^--build' "$ASKED") || true
-  grep -q '^--build --preset default --target all' "$ASKED" || { echo "$1: no build" && exit 1; }
+  grep -q "^--build --preset default --target $target" "$ASKED" || { echo "$1: no build" && exit 1; }
   [[ $asked == "$2" ]] || { printf '%s: "%s" for "%s"\n' "$1" "$asked" "$2" && exit 1; }
 }
 
-expect "the first time" "--preset default "
+expect "the program alone" "--preset default -DBUILD_TESTING=OFF "
+expect "it again" ""
+target=all
+expect "all" "--preset default -DBUILD_TESTING=ON "
 expect "again" ""
+target=cosim
+expect "the program after that" ""
+target=all
 touch "$folder/bin/yosys" && chmod +x "$folder/bin/yosys"
-expect "with yosys" "--preset default "
+expect "with yosys" "--preset default -DBUILD_TESTING=ON "
 expect "with yosys, again" ""
-expect "warnings as errors" "--preset default ON" COSIM_WERROR=ON
+expect "warnings as errors" "--preset default -DBUILD_TESTING=ON ON" COSIM_WERROR=ON
 expect "as it was" ""
-expect "another compiler" "--fresh --preset default ON" CXX=clang++
+expect "another compiler" "--fresh --preset default -DBUILD_TESTING=ON ON" CXX=clang++
 expect "that compiler" "" CXX=clang++
 expect "as it is" ""
 rm "$folder/bin/yosys"
-expect "without yosys" "--preset default ON"
+expect "without yosys" "--preset default -DBUILD_TESTING=ON ON"
 rm "$folder/build/build.ninja"
-expect "without what CMake made" "--preset default "
+expect "without what CMake made" "--preset default -DBUILD_TESTING=ON "
 echo "as expected"

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "tests/studies/toolpath/model/helpers.h"
+#include "tests/support/root.h"
 
 namespace cosim::toolpath {
 namespace {
@@ -18,8 +19,7 @@ namespace fs = std::filesystem;
 constexpr double pi = std::numbers::pi;
 
 std::string example(const std::string& name) {
-  const fs::path tests = fs::path(__FILE__).parent_path().parent_path().parent_path();
-  return (tests / "toolpaths" / name).string();
+  return (test::project_root() / "tests/toolpaths" / name).string();
 }
 
 std::string error_of_file(const std::string& path) {

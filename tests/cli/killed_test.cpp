@@ -6,8 +6,7 @@
 #include <random>
 
 #include "tb/coverage/counts.h"
-#include "tests/cli/folder.h"
-#include "tests/cli/program.h"
+#include "tests/cli/checkpoint.h"
 #include "tests/support/sanitized.h"
 
 namespace cosim::cli {
@@ -35,13 +34,7 @@ class KilledSweep : public testing::Test {
       ASSERT_TRUE(cosim_killed(kept(), after)) << "it ended and kept nothing";
     }
   }
-  std::uint64_t cases_done() const {
-    std::uint64_t sum = 0;
-    if (!folder_.holds("state")) return sum;
-    const auto file = nlohmann::json::parse(folder_.text("state"));
-    for (const auto& one : file["state"]) sum += one["cases"].get<std::uint64_t>();
-    return sum;
-  }
+  std::uint64_t cases_done() const { return cases_kept(folder_); }
   Folder folder_;
 };
 
@@ -92,21 +85,6 @@ TEST_F(KilledSweep, StartsFromWhatTheCheckpointSays) {
   EXPECT_EQ(cosim(kept()).status, 0);
   const auto report = nlohmann::json::parse(folder_.text("report"));
   EXPECT_EQ(report["runs"][0]["clocks"], kClocks + 7);
-}
-
-// One of the first hundred cases of this seed reaches the middle of its conic, where the gradient
-// vanishes.
-TEST_F(KilledSweep, OfTheDdaGoesOn) {
-  const Arguments kept{"sweep", "dda",     "--random", "300000",       "--seed",
-                       "6",     "--width", "6",        "--checkpoint", folder_.path("state")};
-  for (int after = 400; !folder_.holds("state"); after *= 2) {
-    ASSERT_TRUE(cosim_killed(kept, after)) << "it ended and kept nothing";
-  }
-  const std::uint64_t done = cases_done();
-  for (int after = 800; cases_done() == done; after *= 2) {
-    ASSERT_TRUE(cosim_killed(kept, after)) << "it did not go on";
-  }
-  EXPECT_GT(cases_done(), done);
 }
 
 void expect_refused(const Ended& ended, const std::string& line) {

@@ -117,7 +117,7 @@ int run(const Options& o) {
   const auto& bench = choose(o.shape.circular(), circular::width_needed(arc.radius2));
   const Extent extent = extent_of(arc);
   check_extent(o.common, extent);
-  check_outputs(o.common);
+  check_outputs(o.common, "", {&bench});
 
   OutputFile csv(o.common.csv.value_or(""));
   csv.line("clock,dx,dy,x,y");

@@ -178,7 +178,7 @@ int run(const Options& o) {
   const auto& bench = *chosen;
   const Extent extent = extent_of(bench.params(), job);
   check_extent(o.common, extent);
-  check_outputs(o.common);
+  check_outputs(o.common, "", {&bench});
 
   OutputFile csv(o.common.csv.value_or(""));
   csv.line("clock,dx,dy,x,y");

@@ -95,7 +95,7 @@ int run(const Options& o) {
   const Extent extent{words, static_cast<std::uint64_t>(major), words,
                       digits(words) + 2 * static_cast<std::size_t>(p.word()) + 3};
   check_extent(o.common, extent);
-  check_outputs(o.common);
+  check_outputs(o.common, "", {&bench});
 
   OutputFile csv(o.common.csv.value_or(""));
   csv.line("tick,major,minor");

@@ -139,7 +139,7 @@ int run(const Options& o) {
     check_wave_clocks(parts.arcs.clocks);
   }
   if (o.common.plot) Series::check_steps(extent.steps);
-  check_outputs(o.common, file, {lines.design(), arcs.design()});
+  check_outputs(o.common, file, {&lines, &arcs});
 
   OutputFile csv(o.common.csv.value_or(""));
   csv.line("segment,dx,dy,x,y");

@@ -36,8 +36,8 @@ void Check::clock(std::size_t job, const Compared<Design>& seen) {
   }
   ++clocks_;
   if (got == Point{}) return;
-  ++found_.steps;
-  found_.max_deviation = std::max(found_.max_deviation, deviation(jobs_[job_], track_->at()));
+  ++drawn_;
+  max_deviation_ = std::max(max_deviation_, deviation(jobs_[job_], track_->at()));
 }
 
 void Check::close() {
@@ -50,9 +50,17 @@ void Check::close() {
   open();
 }
 
+Checked Check::so_far() const {
+  Checked found = found_;
+  found.measures = {
+      {"steps", Measure::Sum::total, "", "step", drawn_},
+      {"max_deviation", Measure::Sum::largest, "largest deviation", "step", max_deviation_}};
+  return found;
+}
+
 Checked Check::finish() {
   while (job_ < jobs_.size()) close();
-  return found_;
+  return so_far();
 }
 
 }  // namespace cosim::dda

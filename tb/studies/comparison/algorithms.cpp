@@ -89,10 +89,7 @@ Drawing in_lockstep(const Bench<Design>& bench, std::uint32_t power_up, const Jo
   Observers<Design> observers{&follower, &check};
   Run run = bench.open(power_up)->draw({&job, 1}, observers);
   drawing.bench = &bench;
-  drawing.result.cases = 1;
-  drawing.result.clocks = run.clocks;
-  drawing.result.checked = run.mismatch ? check.so_far() : check.finish();
-  drawing.result.mismatch = std::move(run.mismatch);
+  drawing.result = result_of(std::move(run), check);
   return std::move(drawing);
 }
 

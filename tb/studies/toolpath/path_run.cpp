@@ -66,20 +66,15 @@ void draw_piece(Session<Design>& session, const Job& job, Check check, Observer<
                 Result& sum) {
   Observers<Design> both{&check, &pen};
   Run run = session.draw({&job, 1}, both);
-  sum.cases += 1;
-  sum.clocks += run.clocks;
-  sum.mismatch = std::move(run.mismatch);
-  const Checked checked = sum.mismatch ? check.so_far() : check.finish();
-  sum.checked.jobs += checked.jobs;
-  sum.checked.steps += checked.steps;
-  sum.checked.max_deviation = std::max(sum.checked.max_deviation, checked.max_deviation);
-  sum.checked.error = checked.error;
+  add(sum, result_of(std::move(run), check));
 }
 
 }  // namespace
 
 double PathResult::max_deviation() const {
-  return std::max(lines.checked.max_deviation, arcs.checked.max_deviation);
+  Result both = lines;
+  add(both, arcs);
+  return both.checked.number("max_deviation");
 }
 
 PathRun::PathRun(const Bench<linear::Design>& lines, const Bench<circular::Design>& arcs,

@@ -184,7 +184,7 @@ int run(const Options& o) {
   }
   fmt::print("path: {}, ends at ({}, {})\n", count(result.steps, "step"), result.end.x,
              result.end.y);
-  fmt::print("grid: largest quantisation error {}", in_steps(plan.largest_quantisation));
+  fmt::print("grid: largest quantisation error {}", amount(plan.largest_quantisation, "step"));
   if (plan.largest_closing != 0) {
     const auto closing = static_cast<std::uint64_t>(plan.largest_closing);
     fmt::print(", arcs closed by lines of at most {}", count(closing, "step"));

@@ -1,6 +1,7 @@
 #include "model/linear/oracle.h"
 
 #include <bit>
+#include <cmath>
 
 namespace cosim::linear {
 
@@ -27,6 +28,13 @@ std::int64_t ticks(int gamma, std::int64_t major) {
   if (gamma < 0 || gamma > 6 || major < 0) return 0;
   const std::int64_t whole = major >> gamma;
   return whole + (whole << gamma != major ? 1 : 0);
+}
+
+double deviation(std::int64_t major, std::int64_t minor, std::int64_t x, std::int64_t y) {
+  const double length = std::hypot(static_cast<double>(major), static_cast<double>(minor));
+  if (length == 0) return 0;
+  __extension__ typedef __int128 Wide;
+  return std::fabs(static_cast<double>(Wide{major} * y - Wide{minor} * x)) / length;
 }
 
 }  // namespace cosim::linear

@@ -25,4 +25,8 @@ Words words_at(int m, int gamma, const Line& line, std::int64_t tick);
 /// ceil(BP / 2^gamma), 0 <= gamma <= 6; 0 for any other gamma or a negative BP.
 std::int64_t ticks(int gamma, std::int64_t major);
 
+/// How far (x, y) is off the straight line from (0, 0) to (major, minor), across it, in steps; 0
+/// where that line is a point. All of at most 32 bits.
+double deviation(std::int64_t major, std::int64_t minor, std::int64_t x, std::int64_t y);
+
 }  // namespace cosim::linear

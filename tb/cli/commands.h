@@ -1,17 +1,15 @@
-// The commands of cosim. Each adds itself to the program.
+// The commands of the harness itself. Each adds itself to the program.
 #pragma once
 
 #include "tb/cli/command.h"
 
 namespace cosim::cli {
 
+class Registry;
+
 void add_list(const Command& program);
-void add_line(const Command& program);
-void add_arc(const Command& program);
-void add_dda(const Command& program);
-void add_path(const Command& program);
-void add_compare(const Command& program);
-void add_sweep(const Command& program);
+void add_examples(const Command& program, const Registry& registry);
+void add_sweep(const Command& program, const Registry& registry);
 void add_replay(const Command& program);
 void add_prove(const Command& program);
 

@@ -1,4 +1,4 @@
-// One job on one machine in lockstep, drawn as the options ask for: cosim line, arc and dda.
+// One job on one bench, drawn as the options of a command ask for.
 #pragma once
 
 #include <fmt/core.h>

@@ -12,7 +12,7 @@ void add_list(const Command& program) {
     for (const auto& bench : benches()) {
       if (bench->design() != design) {
         design = bench->design();
-        fmt::print("{} interpolator, {}: {} compared on every clock\n", design, bench->source(),
+        fmt::print("{}, {}: {} compared on every clock\n", design, bench->source(),
                    compared_signals(*bench));
       }
       fmt::print("  {}\n", bench->title());

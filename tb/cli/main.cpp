@@ -9,6 +9,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/cli/commands.h"
+#include "tb/cli/registry.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/leftover.h"
 #include "tb/support/words.h"
@@ -34,19 +35,17 @@ void hold_standard_streams() {
 int run(int argc, char** argv) {
   return cosim::cli::run_program(
       argc, argv, "cosim",
-      "Runs a digital interpolator in Verilog beside its golden model, and compares every\n"
-      "register and output on every clock.",
+      "Runs a design in Verilog beside its golden model, and compares every register and\n"
+      "output on every clock.",
       [](const cosim::cli::Command& program) {
         program.footer(
             "Exit status: 0 match, 1 mismatch, 2 bad input.\n"
             "cosim COMMAND --help tells of a command's options.");
+        const cosim::cli::Registry& registry = cosim::cli::registry();
         cosim::cli::add_list(program);
-        cosim::cli::add_line(program);
-        cosim::cli::add_arc(program);
-        cosim::cli::add_dda(program);
-        cosim::cli::add_path(program);
-        cosim::cli::add_compare(program);
-        cosim::cli::add_sweep(program);
+        for (const auto& add : registry.commands()) add(program);
+        cosim::cli::add_examples(program, registry);
+        cosim::cli::add_sweep(program, registry);
         cosim::cli::add_replay(program);
         cosim::cli::add_prove(program);
       });

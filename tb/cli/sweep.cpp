@@ -7,18 +7,14 @@
 #include <thread>
 
 #include "model/core/input_error.h"
-#include "tb/cli/choose.h"
 #include "tb/cli/commands.h"
 #include "tb/cli/common.h"
 #include "tb/cli/conclude.h"
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
 #include "tb/cli/progress.h"
-#include "tb/cli/shape_options.h"
+#include "tb/cli/registry.h"
 #include "tb/cli/sweep_checkpoint.h"
-#include "tb/designs/circular/sweeps.h"
-#include "tb/designs/dda/sweeps.h"
-#include "tb/designs/linear/sweeps.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/words.h"
 
@@ -28,52 +24,15 @@ namespace {
 constexpr std::uint64_t most = std::uint64_t{1} << 48;
 
 struct Options {
+  explicit Options(const DesignSweeps& d) : design(d), shape(d.shape) {}
+  const DesignSweeps& design;
   Common common;
   Text random, hostile, jobs;
   bool exhaustive = false;
   ShapeOptions shape;
 };
 
-// What a kind of sweep means for a bench; a bench too wide to exhaust has none.
-using Sweeps = std::vector<Sweep>;
-
-Sweeps exhaustive(const Bench<linear::Design>& bench) {
-  constexpr int widest = 8;
-  if (bench.params().m > widest) return {};
-  return {linear::every_line(bench)};
-}
-
-Sweeps exhaustive(const Bench<circular::Design>& bench) {
-  constexpr int every_start_widest = 8;
-  constexpr int every_radius_widest = 12;
-  const int width = bench.params().width;
-  const std::int64_t largest = (std::int64_t{1} << width) - 1;
-  if (width > every_radius_widest) return {};
-  if (width > every_start_widest) return {circular::every_radius(bench, 1, largest)};
-  return {circular::every_start(bench, largest),
-          circular::every_stop(bench, std::min<std::int64_t>(largest, 40))};
-}
-
-Sweeps exhaustive(const Bench<dda::Design>& bench) {
-  constexpr int every_line_widest = 6;
-  constexpr int every_quarter_widest = 8;
-  const int width = bench.params().width;
-  if (width > every_quarter_widest) return {};
-  if (width > every_line_widest) return {dda::every_quarter(bench)};
-  return {dda::every_line(bench), dda::every_quarter(bench)};
-}
-
-Sweep random(const Bench<linear::Design>& bench, std::uint64_t seed, std::uint64_t count) {
-  return linear::random_lines(bench, seed, count);
-}
-
-Sweep random(const Bench<circular::Design>& bench, std::uint64_t seed, std::uint64_t count) {
-  return circular::random_arcs(bench, seed, count);
-}
-
-Sweep random(const Bench<dda::Design>& bench, std::uint64_t seed, std::uint64_t count) {
-  return dda::random_jobs(bench, seed, count);
-}
+using Benches = std::vector<const AnyBench*>;
 
 void check_kind(const Options& o) {
   const int kinds = (o.exhaustive ? 1 : 0) + (o.random ? 1 : 0) + (o.hostile ? 1 : 0);
@@ -84,23 +43,20 @@ void check_kind(const Options& o) {
 }
 
 // All that is to be swept, each with the bench it runs on.
-template <class Design>
-std::vector<std::pair<const Bench<Design>*, Sweep>> planned(
-    const Options& o, const std::vector<const Bench<Design>*>& benches) {
+std::vector<std::pair<const AnyBench*, Sweep>> planned(const Options& o, const Benches& benches) {
   const std::uint64_t seed = o.common.seed();
   const std::uint64_t cases = o.random ? whole("--random", *o.random, 1, most) : 0;
   const std::uint64_t clocks = o.hostile ? whole("--hostile", *o.hostile, 1, most) : 0;
-  std::vector<std::pair<const Bench<Design>*, Sweep>> all;
-  for (const Bench<Design>* bench : benches) {
-    Sweeps sweeps;
-    if (o.exhaustive) sweeps = exhaustive(*bench);
-    if (o.random) sweeps = {random(*bench, seed, cases)};
+  std::vector<std::pair<const AnyBench*, Sweep>> all;
+  for (const AnyBench* bench : benches) {
+    std::vector<Sweep> sweeps;
+    if (o.exhaustive) sweeps = o.design.exhaustive(*bench);
+    if (o.random) sweeps = {o.design.random(*bench, seed, cases)};
     if (o.hostile) sweeps = {hostile_sweep(*bench, seed, clocks)};
     for (Sweep& sweep : sweeps) all.emplace_back(bench, std::move(sweep));
   }
   if (all.empty()) {
-    throw InputError(
-        "--exhaustive: too wide to try everything; take M <= 8 or W <= 12, of the DDA W <= 8");
+    throw InputError("--exhaustive: too wide to try everything; take " + o.design.exhaustible);
   }
   return all;
 }
@@ -132,8 +88,8 @@ int stopped(const Interrupted& interrupted, ProgressLine& progress, const std::s
   return 128 + interrupted.signal;
 }
 
-template <class Design>
-int run(const Options& o, const std::vector<const Bench<Design>*>& benches) {
+int run(const Options& o) {
+  const Benches benches = matching(o.design.design, o.shape.shape());
   check_kind(o);
   const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
   const auto threads = o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores;
@@ -185,36 +141,21 @@ void add_options(const Command& design, Options& o) {
   add_common(design, o.common);
 }
 
-constexpr const char* all_widths = "every one built";
+void add_design(const Command& sweep, const DesignSweeps& swept) {
+  auto o = std::make_shared<Options>(swept);
+  const Command design =
+      sweep.sub(swept.design, swept.help + ": one of --exhaustive, --random and --hostile");
+  add_options(design, *o);
+  o->shape.add(design, "every one built");
+  design.footer(fmt::format("Example: cosim sweep {} {}", swept.design, swept.example));
+  design.action([o] { return run(*o); });
+}
 
 }  // namespace
 
-void add_sweep(const Command& program) {
+void add_sweep(const Command& program, const Registry& registry) {
   const Command command = program.sub("sweep", "Many cases on every built width of a design");
-
-  auto lines = std::make_shared<Options>();
-  const Command linear = command.sub(
-      "linear", "Lines on the linear machine: one of --exhaustive, --random and --hostile");
-  add_options(linear, *lines);
-  lines->shape.add_linear(linear, all_widths);
-  linear.footer("Example: cosim sweep linear --random 1000 --seed 7");
-  linear.action([lines] { return run(*lines, matching(lines->shape.linear())); });
-
-  auto arcs = std::make_shared<Options>();
-  const Command circular = command.sub(
-      "circular", "Arcs on the circular machine: one of --exhaustive, --random and --hostile");
-  add_options(circular, *arcs);
-  arcs->shape.add_circular(circular, all_widths);
-  circular.footer("Example: cosim sweep circular --exhaustive --width 8");
-  circular.action([arcs] { return run(*arcs, matching(arcs->shape.circular())); });
-
-  auto curves = std::make_shared<Options>();
-  const Command dda =
-      command.sub("dda", "Curves on the DDA: one of --exhaustive, --random and --hostile");
-  add_options(dda, *curves);
-  curves->shape.add_dda(dda, all_widths);
-  dda.footer("Example: cosim sweep dda --exhaustive --width 6");
-  dda.action([curves] { return run(*curves, matching(curves->shape.dda())); });
+  for (const DesignSweeps& design : registry.sweeps()) add_design(command, design);
 }
 
 }  // namespace cosim::cli

@@ -2,58 +2,17 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <map>
-#include <regex>
-#include <set>
 #include <sstream>
 
 #include "tests/cli/folder.h"
+#include "tests/cli/help.h"
 #include "tests/cli/program.h"
 #include "tests/support/root.h"
 
 namespace cosim::cli {
 namespace {
-
-std::string help(Arguments command) {
-  command.push_back("--help");
-  const Ended ended = cosim(command);
-  EXPECT_EQ(ended.status, 0);
-  EXPECT_EQ(ended.err, "");
-  return ended.out;
-}
-
-void expect_in(const std::string& text, const std::vector<std::string>& words) {
-  for (const std::string& word : words) {
-    EXPECT_NE(text.find(word), std::string::npos) << word << " is not in:\n" << text;
-  }
-}
-
-// Every command that has no commands of its own, as the help of those above it names them.
-std::vector<Arguments> commands(const Arguments& above = {}) {
-  std::vector<Arguments> all;
-  bool listed = false;
-  for (const std::string& line : lines(help(above))) {
-    if (line == "Subcommands:") {
-      listed = true;
-    } else if (listed && line.starts_with("  ") && line[2] != ' ') {
-      Arguments command = above;
-      command.push_back(line.substr(2, line.find(' ', 2) - 2));
-      for (const Arguments& one : commands(command)) all.push_back(one);
-    } else if (line.empty()) {
-      listed = false;
-    }
-  }
-  if (all.empty()) all.push_back(above);
-  return all;
-}
-
-std::string name_of(const Arguments& command) {
-  std::string name;
-  for (const std::string& word : command) name += (name.empty() ? "" : " ") + word;
-  return name;
-}
 
 TEST(Help, FitsATerminal) {
   std::vector<Arguments> all = commands();
@@ -65,30 +24,11 @@ TEST(Help, FitsATerminal) {
   }
 }
 
+// Of the commands of the harness; those of designs and studies have tests of their own.
 TEST(Help, NamesEveryOption) {
-  const std::vector<std::string> sweep = {"--exhaustive", "--random COUNT",    "--hostile COUNT",
-                                          "--jobs J",     "--checkpoint FILE", "--report FILE",
-                                          "--seed S"};
   const std::map<std::string, std::vector<std::string>> options = {
       {"list", {"--help"}},
-      {"line",
-       {"--major BP", "--minor MP", "--code UK", "--m M", "--n N", "--csv FILE", "tick,major,minor",
-        "--report FILE", "--seed S"}},
-      {"arc",
-       {"--from X,Y", "--radius R", "--radius2 Q", "--count K", "--width W", "--csv FILE",
-        "clock,dx,dy,x,y", "--report FILE", "--seed S"}},
-      {"dda",
-       {"--line X,Y", "--circle R", "--conic A,B,C,D,E,F", "--from X,Y", "--clocks N",
-        "--update HOW", "--preload S", "--as-it-is", "--width W"}},
-      {"path",
-       {"FILE", "--steps-per-mm S", "--csv FILE", "segment,dx,dy,x,y", "--report FILE",
-        "--seed S"}},
-      {"compare",
-       {"FILE", "--steps-per-mm S", "--line BP,MP", "--arc R", "--algorithms LIST",
-        "--report FILE"}},
-      {"sweep linear", sweep},
-      {"sweep circular", sweep},
-      {"sweep dda", sweep},
+      {"examples", {"--help"}},
       {"replay",
        {"FILE", "--wave FILE.fst", "--failures DIR", "--wave-before N", "--wave-after N",
         "--report FILE"}},
@@ -96,23 +36,12 @@ TEST(Help, NamesEveryOption) {
        {"MACHINE", "--rtl DIR", "--limit S", "--jobs J", "--scripts DIR", "--theorems",
         "--mutants FILE.v", "--count N", "--mutant K", "--failures DIR"}}};
   expect_in(help({}), {"0 match, 1 mismatch, 2 bad input"});
-  std::set<std::string> named;
-  for (const Arguments& command : commands()) {
-    const std::string name = name_of(command);
-    named.insert(name);
-    ASSERT_TRUE(options.contains(name)) << name << " is not looked at here";
-    expect_in(help(command), options.at(name));
-  }
-  EXPECT_EQ(named.size(), options.size()) << "the help does not name all";
-}
-
-TEST(Help, OfTheScriptNamesEveryCommand) {
-  std::ifstream file(test::project_root() / "scripts/cosim");
-  std::string text;
-  for (std::string line; std::getline(file, line) && line.starts_with('#');) text += line + '\n';
-  for (const Arguments& command : commands()) {
-    const std::regex word("\\b" + command.front() + "\\b[,;]");
-    EXPECT_TRUE(std::regex_search(text, word)) << command.front() << " is not in:\n" << text;
+  for (const auto& [command, words] : options) expect_in(help({command}), words);
+  const std::vector<Arguments> sweeps = commands({"sweep"});
+  EXPECT_FALSE(sweeps.empty());
+  for (const Arguments& sweep : sweeps) {
+    expect_in(help(sweep), {"--exhaustive", "--random COUNT", "--hostile COUNT", "--jobs J",
+                            "--checkpoint FILE", "--report FILE", "--seed S"});
   }
 }
 
@@ -124,34 +53,20 @@ TEST(Help, ComesWithoutACommandToo) {
 
 // The example of a command's help runs as it stands, but for its files.
 void expect_example_runs(const Arguments& command) {
-  const std::string text = help(command);
-  const std::string start = "Example: cosim ";
-  const std::size_t at = text.find(start);
-  ASSERT_NE(at, std::string::npos) << text;
-  Arguments words;
-  std::istringstream example(
-      text.substr(at + start.size(), text.find('\n', at) - at - start.size()));
-  for (std::string word; example >> word;) words.push_back(word);
-
   const Folder folder;
-  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
-    if (words[i] == "--csv" || words[i] == "--wave") words[i + 1] = folder.path(words[i + 1]);
+  Arguments words = example_of(command, folder);
+  if (command.front() == "prove") {
+    words.insert(words.end(), {"--rtl", (test::project_root() / "rtl").string()});
   }
-  const std::filesystem::path root = test::project_root();
-  const std::map<std::string, std::string> files = {
-      {"path", "tests/toolpaths/flange.ngc"},
-      {"replay", "tests/regressions/carry_round_the_accumulator.stim"}};
-  const auto file = files.find(command.front());
-  if (file != files.end()) words[1] = (root / file->second).string();
-  if (command.front() == "prove") words.insert(words.end(), {"--rtl", (root / "rtl").string()});
   const Ended ended = cosim(words);
-  EXPECT_EQ(ended.status, 0) << ended.err << text;
+  EXPECT_EQ(ended.status, 0) << ended.err << name_of(words);
 }
 
 TEST(Help, HasExamplesThatRun) {
   for (const Arguments& command : commands()) {
-    // The one has no arguments, the other a test of its own.
-    if (command.front() != "list" && command.front() != "prove") expect_example_runs(command);
+    // Two have no arguments, the third a test of its own.
+    const std::string& name = command.front();
+    if (name != "list" && name != "examples" && name != "prove") expect_example_runs(command);
   }
 }
 
@@ -160,6 +75,26 @@ TEST(Help, HasAProofThatRuns) {
     GTEST_SKIP() << "needs yosys, cvc5 and z3";
   }
   expect_example_runs({"prove"});
+}
+
+// What scripts/cosim runs without arguments: a title, then the command.
+TEST(Examples, AreCommandsThatRun) {
+  const Ended ended = cosim({"examples"});
+  EXPECT_EQ(ended.status, 0);
+  const std::vector<std::string> all = lines(ended.out);
+  ASSERT_FALSE(all.empty());
+  const std::string start = "  cosim ";
+  for (std::size_t i = 0; i < all.size(); i += 2) {
+    ASSERT_FALSE(all[i].starts_with(' ')) << all[i];
+    ASSERT_LT(i + 1, all.size());
+    ASSERT_TRUE(all[i + 1].starts_with(start)) << all[i + 1];
+    Arguments words;
+    std::istringstream text(all[i + 1].substr(start.size()));
+    for (std::string word; text >> word;) {
+      words.push_back(word.starts_with("tests/") ? (test::project_root() / word).string() : word);
+    }
+    EXPECT_EQ(cosim(words).status, 0) << all[i + 1];
+  }
 }
 
 TEST(List, NamesAllThatIsShipped) {
@@ -174,7 +109,7 @@ TEST(List, NamesAllThatIsShipped) {
     if (!line.empty() && line.front() != '#') shipped.push_back(line);
   }
   EXPECT_EQ(machines, shipped);
-  EXPECT_EQ(shipped.size(), 17U);
+  EXPECT_FALSE(shipped.empty());
 }
 
 }  // namespace

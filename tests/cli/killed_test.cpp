@@ -6,8 +6,7 @@
 #include <random>
 
 #include "tb/coverage/counts.h"
-#include "tests/cli/folder.h"
-#include "tests/cli/program.h"
+#include "tests/cli/checkpoint.h"
 #include "tests/support/sanitized.h"
 
 namespace cosim::cli {
@@ -35,13 +34,7 @@ class KilledSweep : public testing::Test {
       ASSERT_TRUE(cosim_killed(kept(), after)) << "it ended and kept nothing";
     }
   }
-  std::uint64_t cases_done() const {
-    std::uint64_t sum = 0;
-    if (!folder_.holds("state")) return sum;
-    const auto file = nlohmann::json::parse(folder_.text("state"));
-    for (const auto& one : file["state"]) sum += one["cases"].get<std::uint64_t>();
-    return sum;
-  }
+  std::uint64_t cases_done() const { return cases_kept(folder_); }
   Folder folder_;
 };
 
@@ -94,35 +87,20 @@ TEST_F(KilledSweep, StartsFromWhatTheCheckpointSays) {
   EXPECT_EQ(report["runs"][0]["clocks"], kClocks + 7);
 }
 
-// One of the first hundred cases of this seed reaches the middle of its conic, where the gradient
-// vanishes.
-TEST_F(KilledSweep, OfTheDdaGoesOn) {
-  const Arguments kept{"sweep", "dda",     "--random", "300000",       "--seed",
-                       "6",     "--width", "6",        "--checkpoint", folder_.path("state")};
-  for (int after = 400; !folder_.holds("state"); after *= 2) {
-    ASSERT_TRUE(cosim_killed(kept, after)) << "it ended and kept nothing";
-  }
-  const std::uint64_t done = cases_done();
-  for (int after = 800; cases_done() == done; after *= 2) {
-    ASSERT_TRUE(cosim_killed(kept, after)) << "it did not go on";
-  }
-  EXPECT_GT(cases_done(), done);
-}
-
 // The measures of a check are kept with all that it takes to go on and to print them.
 TEST_F(KilledSweep, GoesOnWithWhatTheCheckMeasured) {
-  const Arguments kept{"sweep",        "dda",
-                       "--random",     "100000",
-                       "--width",      "6",
-                       "--checkpoint", folder_.path("state"),
-                       "--report",     folder_.path("report")};
+  const Arguments measured{"sweep",        "linear",
+                           "--random",     "200000",
+                           "--m",          "5",
+                           "--checkpoint", folder_.path("state"),
+                           "--report",     folder_.path("report")};
   for (int after = 200; !folder_.holds("state"); after *= 2) {
-    ASSERT_TRUE(cosim_killed(kept, after)) << "it ended and kept nothing";
+    ASSERT_TRUE(cosim_killed(measured, after)) << "it ended and kept nothing";
   }
   const std::string state = folder_.text("state");
   const auto run_from = [&](const nlohmann::json& file) {
     folder_.write("state", file.dump());
-    const Ended ended = cosim(kept);
+    const Ended ended = cosim(measured);
     EXPECT_EQ(ended.status, 0) << ended.err;
     EXPECT_NE(ended.out.find(" steps, largest deviation "), std::string::npos) << ended.out;
     return nlohmann::json::parse(folder_.text("report"));
@@ -139,7 +117,7 @@ TEST_F(KilledSweep, GoesOnWithWhatTheCheckMeasured) {
   for (const char* none : {"-1", "\"1\"", "null"}) {
     measures[0]["value"] = nlohmann::json::parse(none);
     folder_.write("state", file.dump());
-    const Ended refused = cosim(kept);
+    const Ended refused = cosim(measured);
     EXPECT_EQ(refused.status, 2);
     EXPECT_NE(refused.err.find(": no checkpoint of these sweeps"), std::string::npos)
         << refused.err;

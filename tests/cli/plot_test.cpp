@@ -1,26 +1,32 @@
 // --plot: a picture is drawn, or one line says why not. What it shows: picture_test.cpp.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "tests/cli/folder.h"
+#include "tests/cli/help.h"
 #include "tests/cli/picture.h"
 #include "tests/cli/program.h"
-#include "tests/support/root.h"
 
 namespace cosim::cli {
 namespace {
 
-const std::string kFlange = (test::project_root() / "tests/toolpaths/flange.ngc").string();
-
+// The example of each command that draws a picture, without the files it writes.
 std::vector<Arguments> drawings() {
-  return {{"line", "--major", "27", "--minor", "9"},
-          {"arc", "--radius", "12"},
-          {"dda", "--conic", "1,1,2,0,0,-10000", "--from", "100,0"},
-          {"path", kFlange, "--steps-per-mm", "1"},
-          {"compare", "--line", "27,9"},
-          {"compare", "--arc", "12"},
-          {"compare", kFlange, "--steps-per-mm", "1"}};
+  const Folder unused;
+  std::vector<Arguments> all;
+  for (const Arguments& command : commands_with("--plot FILE")) {
+    Arguments words = example_of(command, unused);
+    const auto csv = std::find(words.begin(), words.end(), "--csv");
+    if (csv != words.end()) words.erase(csv, csv + 2);
+    // A path of 60 000 steps would take its time.
+    const auto scale = std::find(words.begin(), words.end(), "--steps-per-mm");
+    if (scale != words.end()) *(scale + 1) = "1";
+    all.push_back(words);
+  }
+  EXPECT_FALSE(all.empty());
+  return all;
 }
 
 TEST(Plot, DrawsEitherFormat) {

@@ -106,16 +106,6 @@ TEST(Report, OfASweep) {
   }
 }
 
-// Two algorithms of each machine.
-TEST(Report, OfAComparisonNamesAMachineOnce) {
-  const Folder folder;
-  ASSERT_EQ(cosim({"compare", "--line", "27,9", "--report", folder.path("r")}).status, 0);
-  const json r = json::parse(folder.text("r"));
-  EXPECT_EQ(r["runs"].size(), 4U);
-  EXPECT_EQ(r["design"], (json{"linear", "dda"}));
-  EXPECT_EQ(r["parameters"], json::parse(R"([{"M": 5, "N": 2}, {"W": 6}])"));
-}
-
 TEST(Report, IsJsonWhateverTheFileIsCalled) {
   const Folder folder;
   const std::string file = folder.write("\xff \"\n.ngc", "G0 X1\n");

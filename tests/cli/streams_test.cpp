@@ -151,25 +151,11 @@ TEST(Streams, ThatWouldBeTooLongAreRefusedFirst) {
   refused({"line", "--major", "4000000000", "--minor", "1", "--wave", wave},
           "--wave: 62500000" + clocks);
   refused({"arc", "--radius", "4294967295", "--wave", wave}, "--wave: 6074000999" + clocks);
-  refused({"dda", "--line", "5,3", "--width", "32", "--as-it-is", "--wave", wave},
-          "--wave: 4294967296" + clocks);
   refused({"path", program, "--steps-per-mm", "500000", "--wave", wave},
           "--wave: 31250000" + clocks);
   refused({"line", "--major", "1000000", "--minor", "1", "--plot", picture}, steps);
   refused({"arc", "--radius", "1000000", "--plot", picture}, steps);
-  refused({"dda", "--line", "1000000,1", "--plot", picture}, steps);
   refused({"path", program, "--steps-per-mm", "250", "--plot", picture}, steps);
-}
-
-// Where the length is only known on the way, the run ends there.
-TEST(Streams, ThatGrowTooLongLoseNothing) {
-  const Folder folder;
-  folder.write("csv", "kept\n");
-  expect_error(cosim({"dda", "--circle", "3000000000", "--plot", folder.path("p.svg"), "--csv",
-                      folder.path("csv"), "--clocks", "5000000"}),
-               "--plot: a path of more than 999999 steps is too long to draw");
-  EXPECT_EQ(folder.text("csv"), "kept\n");
-  EXPECT_FALSE(folder.holds("csv.cosim-new"));
 }
 
 TEST(Streams, KeepTheRightsOfWhatTheyReplace) {

@@ -2,10 +2,7 @@
 // tests/designs/DESIGN/rtl/variants/KIND/NAME.cmake.
 #include <cstdlib>
 
-#include "model/circular/host.h"
 #include "model/core/input_error.h"
-#include "model/dda/host.h"
-#include "model/linear/host.h"
 #include "tests/rtl/variant.h"
 #include "tests/support/designs.h"
 

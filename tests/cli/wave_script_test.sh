@@ -22,7 +22,7 @@ mkdir "$folder/failure"
 "$1" arc --radius 12 --wave "$folder/failure/wave.fst" > "$folder/said"
 rendered folder "$folder/failure"
 # By name it builds the program first, which is here already.
-[[ $1 != "$root/build/cosim" ]] || rendered dda dda --circle 12
+[[ $1 != "$root/build/cosim" ]] || rendered arc arc --radius 12
 # Options stand before the words or behind them.
 "$root/scripts/wave" "$folder/failure" --shot "$folder/behind.png"
 cmp "$folder/behind.png" "$folder/folder.png"
@@ -40,17 +40,22 @@ refused() {
 shot=(--shot "$folder/shot.png")
 export COSIM_FAILURES=$folder/none
 refused "there is no failure in $folder/none" "${shot[@]}"
-refused "$folder: is no folder of a failure, and no line, arc, dda or test" "${shot[@]}" "$folder"
+refused "$folder: is no folder of a failure" "${shot[@]}" "$folder"
 refused "there is no display; --shot FILE.png renders without one" "$folder"
 refused "--shot: shot.gif does not end in .png" --shot shot.gif
 refused "--shot: there is no folder $folder/none" --shot "$folder/none/shot.png"
 refused "--shot needs a name" --shot
-refused "--shot needs a name" arc 12 --shot
+refused "--shot needs a name" arc --radius 12 --shot
 refused "no such option: --size" --size
-refused "no such option: --size" arc 12 --size
-refused "line needs BP and MP" "${shot[@]}" line 27
-refused "arc needs R" "${shot[@]}" arc
-refused "dda needs arguments, as --circle 12" "${shot[@]}" dda
+refused "no such option: --size" "$folder" --size
+refused "one thing at a time: $folder $folder" "${shot[@]}" "$folder" "$folder"
+# What the program refuses it says itself.
+if [[ $1 == "$root/build/cosim" ]]; then
+  line="cosim: --radius: is needed, or --radius2"
+  said=$("$root/scripts/wave" "${shot[@]}" arc 2>&1) && status=0 || status=$?
+  [[ $status == 2 && $said == "$line" ]] ||
+    { printf 'scripts/wave arc: status %d, it said\n%s\n' "$status" "$said" && exit 1; }
+fi
 
 # A machine without GTKWave, and nothing to install it with.
 mkdir "$folder/bin"
@@ -59,7 +64,7 @@ for tool in bash basename dirname sed env sort comm paste; do
 done
 printf '#!/bin/sh\n' > "$folder/bin/dpkg-query"
 chmod +x "$folder/bin/dpkg-query"
-said=$(PATH=$folder/bin "$root/scripts/wave" arc 12 2>&1) && status=0 || status=$?
+said=$(PATH=$folder/bin "$root/scripts/wave" arc --radius 12 2>&1) && status=0 || status=$?
 [[ $status == 2 && $said == "setup: no apt-get to install what is missing: "*gtkwave* &&
   $(wc -l <<< "$said") == 1 ]] ||
   { printf 'without GTKWave: status %d, it said\n%s\n' "$status" "$said" && exit 1; }

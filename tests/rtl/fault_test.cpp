@@ -6,9 +6,6 @@
 #include <map>
 #include <set>
 
-#include "model/circular/host.h"
-#include "model/dda/host.h"
-#include "model/linear/host.h"
 #include "tests/rtl/straight.h"
 #include "tests/support/designs.h"
 #include "tests/support/explain.h"

@@ -1,46 +1,12 @@
-// The ends of the parameters' ranges that rtl/shipped.txt leaves out: everything that fits is drawn
-// in lockstep, and RTL and model are proved to be the same.
+// The ends of the parameters' ranges that rtl/shipped.txt leaves out: RTL and model are proved
+// to be the same there. What fits is drawn in lockstep by the tests of each design.
 #include <gtest/gtest.h>
 
-#include "model/circular/stated.h"
-#include "model/dda/stated.h"
-#include "model/linear/stated.h"
-#include "tb/designs/circular/sweeps.h"
-#include "tb/designs/dda/sweeps.h"
-#include "tb/designs/linear/sweeps.h"
 #include "tests/rtl/prove.h"
-#include "tests/support/sweeps.h"
+#include "tests/support/designs.h"
 
 namespace cosim::test {
 namespace {
-
-template <class Design>
-const Bench<Design>& shipped(const char* name) {
-  return *variant<Design>(std::string("shipped/") + name).bench;
-}
-
-TEST(Narrowest, LinearDrawsEveryLine) {
-  for (const char* name : {"m2_n1", "m7_n1"}) {
-    const auto& bench = shipped<linear::Design>(name);
-    const auto sizes = std::uint64_t{1} << bench.params().m;
-    EXPECT_EQ(expect_match(linear::every_line(bench)).checked.jobs, sizes * sizes);
-  }
-}
-
-TEST(Narrowest, CircularDrawsEveryArc) {
-  const auto& bench = shipped<circular::Design>("w2");
-  EXPECT_EQ(expect_match(every_radius(bench, 1, 3)).checked.jobs, 3U);
-  expect_match(every_start(bench, 3));
-  expect_match(every_stop(bench, 3));
-  expect_match(random_arcs(bench, 1, 500));
-}
-
-TEST(Narrowest, DdaDrawsEveryLineAndQuarter) {
-  const auto& bench = shipped<dda::Design>("w2");
-  expect_match(every_line(bench));
-  EXPECT_EQ(expect_match(every_quarter(bench)).checked.jobs, 4U * 3);
-  expect_match(random_jobs(bench, 1, 500));
-}
 
 bool is_built(const AnyBench& bench) {
   return std::any_of(benches().begin(), benches().end(),
@@ -65,9 +31,7 @@ void expect_proved() {
 
 TEST(Narrowest, IsProved) {
   if (!can_prove()) GTEST_SKIP() << "needs yosys, cvc5 and z3";
-  expect_proved<linear::Design>();
-  expect_proved<circular::Design>();
-  expect_proved<dda::Design>();
+  for_each_design([]<class Design>() { expect_proved<Design>(); });
 }
 
 }  // namespace

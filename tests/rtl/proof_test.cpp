@@ -6,9 +6,6 @@
 #include <cstdlib>
 #include <set>
 
-#include "model/circular/host.h"
-#include "model/dda/host.h"
-#include "model/linear/host.h"
 #include "tb/proof/explain.h"
 #include "tests/rtl/prove.h"
 #include "tests/support/designs.h"

@@ -52,19 +52,19 @@ refused() {
   done
 }
 
-for top in circular dda; do
-  taken "$top" W=2
-  taken "$top" W=32
-  refused "${top}_needs_2_le_W_le_32" "$top" W=1
-  refused "${top}_needs_2_le_W_le_32" "$top" W=33
-done
-
-taken linear M=2 N=1
-taken linear M=32 N=31
-taken linear M=7 N=1
-for shape in "M=5 N=0" "M=5 N=5" "M=33 N=30" "M=8 N=1"; do
-  read -ra words <<< "$shape"
-  refused linear_needs_1_le_N_lt_M_le_32_and_M_minus_N_le_6 linear "${words[@]}"
-done
+# The file of a design has a line each: the parameters that are taken, or the sentence that refuses
+# them, a colon and the parameters.
+ranges=$(printf '%s\n' ../tests/designs/*/rtl/range.txt)
+while read -r file; do
+  top=$(basename "$(dirname "$(dirname "$file")")")
+  while IFS= read -r line; do
+    read -ra words <<< "${line#*:}"
+    if [[ $line == *:* ]]; then
+      refused "${line%%:*}" "$top" "${words[@]}"
+    else
+      taken "$top" "${words[@]}"
+    fi
+  done < "$file"
+done <<< "$ranges"
 
 exit $((failures > 0))

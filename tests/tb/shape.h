@@ -6,9 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "model/circular/host.h"
-#include "model/dda/host.h"
-#include "model/linear/host.h"
 #include "tb/bench/bench.h"
 
 namespace cosim::test {

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "model/circular/oracle.h"
+#include "model/linear/oracle.h"
 
 namespace cosim::compare {
 
@@ -98,10 +99,7 @@ Figures figures_of(const Work& work, const Points& points, std::uint64_t clocks,
 }  // namespace
 
 double radial(const Line& line, Point at) {
-  const double length =
-      std::hypot(static_cast<double>(line.major), static_cast<double>(line.minor));
-  if (length == 0) return 0;
-  return std::fabs(area(line, at)) / length;
+  return linear::deviation(line.major, line.minor, at.x, at.y);
 }
 
 double radial(const Arc& arc, Point at) { return circular::radial_deviation(at, arc.radius2); }

@@ -3,9 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "model/circular/host.h"
-#include "model/dda/host.h"
-#include "model/linear/host.h"
+#include "tests/support/designs.h"
 #include "tests/support/model_adapter.h"
 #include "tests/support/recorder.h"
 
@@ -54,9 +52,11 @@ void expect_cut_runs_go_on() {
     }
   }
 }
-TEST(Replay, FromAStateGoesOnOnTheLinearMachine) { expect_cut_runs_go_on<linear::Design>(); }
-TEST(Replay, FromAStateGoesOnOnTheCircularMachine) { expect_cut_runs_go_on<circular::Design>(); }
-TEST(Replay, FromAStateGoesOnOnTheDda) { expect_cut_runs_go_on<dda::Design>(); }
+
+template <class Design>
+class ReplayFromAState : public testing::Test {};
+TYPED_TEST_SUITE(ReplayFromAState, Designs, DesignNames);
+TYPED_TEST(ReplayFromAState, GoesOn) { expect_cut_runs_go_on<TypeParam>(); }
 
 TEST(Replay, OfASessionIsTheSession) {
   const auto* bench = benches_of<linear::Design>().front();

@@ -7,15 +7,14 @@
 #include "model/circular/arc.h"
 #include "model/circular/oracle.h"
 #include "model/core/input_error.h"
-#include "tb/cli/choose.h"
-#include "tb/cli/commands.h"
 #include "tb/cli/common.h"
 #include "tb/cli/draw_one.h"
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
-#include "tb/cli/shape_options.h"
 #include "tb/designs/circular/check.h"
-#include "tb/plot/drawn.h"
+#include "tb/designs/circular/cli/arc_command.h"
+#include "tb/designs/circular/cli/curve.h"
+#include "tb/designs/circular/cli/shape.h"
 #include "tb/support/words.h"
 
 namespace cosim::cli {
@@ -26,7 +25,7 @@ constexpr std::uint64_t largest_coordinate = 0xffffffff;
 struct Options {
   Common common;
   Text from, radius, radius2, count;
-  ShapeOptions shape;
+  ShapeOptions shape{circular::shape_options()};
 };
 
 // The point of the same row or column that is next to the circle, where there is one.
@@ -114,7 +113,7 @@ Extent extent_of(const circular::Arc& arc) {
 int run(const Options& o) {
   const auto power_up = static_cast<std::uint32_t>(o.common.seed());
   const circular::Arc arc = parse_arc(o);
-  const auto& bench = choose(o.shape.circular(), circular::width_needed(arc.radius2));
+  const auto& bench = circular::bench_for(o.shape.shape(), circular::width_needed(arc.radius2));
   const Extent extent = extent_of(arc);
   check_extent(o.common, extent);
   check_outputs(o.common, "", {&bench});
@@ -126,9 +125,7 @@ int run(const Options& o) {
   Rows rows(csv, arc.from);
   Series path{bench.title(), {}};
   Drawn points(path, arc);
-  const auto ideal = [&] {
-    return curve_of(compare::Arc{arc.from, arc.radius2, path.marks.back().at});
-  };
+  const auto ideal = [&] { return curve_of(arc.from, arc.radius2, path.marks.back().at); };
   return draw_one<circular::Design, circular::Arc, circular::Check>(
       {o.common, power_up, bench, work, arc, check, csv, rows, path, points, ideal, extent});
 }
@@ -143,7 +140,7 @@ void add_arc(const Command& program) {
   command.text("--radius2", o->radius2, "Q", "R^2, for an R that need not be whole");
   command.text("--from", o->from, "X,Y", "A lattice point next to the circle; default R,0");
   command.text("--count", o->count, "K", "Stop after K steps through input 32");
-  o->shape.add_circular(command);
+  o->shape.add(command);
   add_csv(command, o->common,
           "Write clock,dx,dy,x,y: a row a step, x and y after it; clock 1 is the first\n"
           "of the running machine");

@@ -7,16 +7,14 @@
 
 #include "model/core/input_error.h"
 #include "model/dda/equation.h"
-#include "tb/cli/choose.h"
-#include "tb/cli/commands.h"
 #include "tb/cli/common.h"
 #include "tb/cli/draw_one.h"
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
-#include "tb/cli/shape_options.h"
 #include "tb/designs/dda/check.h"
+#include "tb/designs/dda/cli/dda_command.h"
 #include "tb/designs/dda/cli/settings.h"
-#include "tb/plot/drawn.h"
+#include "tb/designs/dda/cli/shape.h"
 #include "tb/support/words.h"
 
 namespace cosim::cli {
@@ -30,7 +28,7 @@ struct Options {
   Common common;
   Text line, circle, conic, from, clocks;
   DdaSettings settings;
-  ShapeOptions shape;
+  ShapeOptions shape{dda::shape_options()};
 };
 
 Point point(const char* name, const std::string& text) {
@@ -137,9 +135,9 @@ class Drawn final : public Observer<dda::Design> {
 };
 
 // The smallest bench that holds the work on its whole way, and the job.
-std::pair<const Bench<dda::Design>*, dda::Job> chosen_for(const DdaShape& shape, const Work& work) {
-  const auto found = matching(shape);
-  const auto* bench = &choose(shape, work.width);
+std::pair<const Bench<dda::Design>*, dda::Job> chosen_for(const Shape& shape, const Work& work) {
+  const auto found = matching<dda::Design>(shape);
+  const auto* bench = &dda::bench_for(shape, work.width);
   for (auto at = std::find(found.begin(), found.end(), bench);; ++at) {
     try {
       return {*at, work.job((*at)->params())};
@@ -147,6 +145,13 @@ std::pair<const Bench<dda::Design>*, dda::Job> chosen_for(const DdaShape& shape,
       if (at + 1 == found.end()) throw;
     }
   }
+}
+
+// The point of the curve that is next to each mark.
+Curve curve_of(const dda::Job& job, const std::vector<Mark>& marks) {
+  Curve curve;
+  for (const Mark& mark : marks) curve.push_back(on_curve(job, mark.at));
+  return curve;
 }
 
 // A line takes as many clocks as the accumulators have values, a shift halves them; a quarter more
@@ -174,7 +179,7 @@ int run(const Options& o) {
   const auto power_up = static_cast<std::uint32_t>(o.common.seed());
   check_kind(o);
   const Work work = parse_work(o);
-  const auto [chosen, job] = chosen_for(o.shape.dda(), work);
+  const auto [chosen, job] = chosen_for(o.shape.shape(), work);
   const auto& bench = *chosen;
   const Extent extent = extent_of(bench.params(), job);
   check_extent(o.common, extent);
@@ -204,7 +209,7 @@ void add_dda(const Command& program) {
   command.text("--from", o->from, "X,Y", "Where a conic starts");
   command.text("--clocks", o->clocks, "N", "Stop after N running clocks");
   o->settings.add(command);
-  o->shape.add_dda(command);
+  o->shape.add(command);
   add_csv(command, o->common, "Write clock,dx,dy,x,y: a row a step, x and y after it");
   add_table(command, o->common);
   add_plot(command, o->common);

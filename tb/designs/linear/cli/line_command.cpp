@@ -1,20 +1,18 @@
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "model/core/input_error.h"
 #include "model/linear/oracle.h"
-#include "tb/cli/choose.h"
-#include "tb/cli/commands.h"
 #include "tb/cli/common.h"
 #include "tb/cli/draw_one.h"
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
-#include "tb/cli/shape_options.h"
 #include "tb/designs/linear/check.h"
 #include "tb/designs/linear/cli/code_option.h"
-#include "tb/plot/drawn.h"
-#include "tb/studies/comparison/figures.h"
+#include "tb/designs/linear/cli/line_command.h"
+#include "tb/designs/linear/cli/shape.h"
 
 namespace cosim::cli {
 namespace {
@@ -24,7 +22,7 @@ constexpr std::uint64_t most_steps = 0xffffffff;
 struct Options {
   Common common;
   Text major, minor, code;
-  ShapeOptions shape;
+  ShapeOptions shape{linear::shape_options()};
 };
 
 std::optional<std::int64_t> parse_minor(const Text& text, std::int64_t major) {
@@ -54,31 +52,36 @@ class Rows final : public Observer<linear::Design> {
 // The points for a picture.
 class Drawn final : public Observer<linear::Design> {
  public:
-  Drawn(Series& series, compare::Line line, int word) : series_(series), line_(line), word_(word) {
+  Drawn(Series& series, std::int64_t major, std::int64_t minor, int word)
+      : series_(series), major_(major), minor_(minor), word_(word) {
     series_.add({0, 0}, 0);
   }
   void clock(std::size_t, const Compared<linear::Design>& seen) override {
     for (int i = word_ - 1; i >= 0; --i) {
       if (!bit(seen.outputs.major, i)) continue;
-      const circular::Point at = series_.marks.back().at;
-      const circular::Point next{at.x + 1, at.y + bit(seen.outputs.minor, i)};
-      series_.add(next, compare::radial(line_, next));
+      auto next = series_.marks.back().at;
+      next.x += 1;
+      next.y += bit(seen.outputs.minor, i);
+      series_.add(next, linear::deviation(major_, minor_, next.x, next.y));
     }
   }
 
  private:
   Series& series_;
-  compare::Line line_;
+  std::int64_t major_, minor_;
   int word_;
 };
 
 // Where nobody names M, a code's bits do, if there is such a machine.
-LinearShape shape_of(const Options& o) {
-  LinearShape shape = o.shape.linear();
+Shape shape_of(const Options& o) {
+  Shape shape = o.shape.shape();
   const std::optional<int> width = width_of(o.code);
-  if (shape.m || !width) return shape;
-  for (const auto* bench : matching(shape)) {
-    if (bench->params().m == *width) shape.m = *width;
+  const auto is_m = [](const Parameter& p) { return std::string(p.name) == "M"; };
+  if (!width || std::any_of(shape.begin(), shape.end(), is_m)) return shape;
+  const auto found = matching<linear::Design>(shape);
+  if (std::any_of(found.begin(), found.end(),
+                  [&](const auto* bench) { return bench->params().m == *width; })) {
+    shape.push_back({"M", *width});
   }
   return shape;
 }
@@ -88,7 +91,7 @@ int run(const Options& o) {
   const auto major =
       static_cast<std::int64_t>(whole("--major", needed("--major", o.major), 0, most_steps));
   const std::optional<std::int64_t> minor = parse_minor(o.minor, major);
-  const auto& bench = choose(shape_of(o), major);
+  const auto& bench = linear::bench_for(shape_of(o), major);
   const linear::Params p = bench.params();
   const ChosenCode code = choose_code(o.code, p.m, major, minor);
   const auto words = static_cast<std::uint64_t>(linear::ticks(p.gamma(), major));
@@ -105,12 +108,13 @@ int run(const Options& o) {
   const linear::Job job{{major, code.code}, {}};
   linear::Check check(p, {&job, 1});
   Rows rows(csv, p.word());
-  const compare::Line line{major, code.minor};
   Series path{bench.title(), {}};
-  Drawn points(path, line, p.word());
+  Drawn points(path, major, code.minor, p.word());
+  const auto ideal = [&]() -> Curve {
+    return {{0, 0}, {static_cast<double>(major), static_cast<double>(code.minor)}};
+  };
   return draw_one<linear::Design, linear::Job, linear::Check>(
-      {o.common, power_up, bench, work, job, check, csv, rows, path, points,
-       [&] { return curve_of(line); }, extent});
+      {o.common, power_up, bench, work, job, check, csv, rows, path, points, ideal, extent});
 }
 
 }  // namespace
@@ -123,7 +127,7 @@ void add_line(const Command& program) {
                "Steps on the minor axis, 0 to BP; needed unless --code gives bits");
   command.text("--code", o->code, "UK",
                "Control code: best (default), greedy, M bits such as 01010, or 0x0a");
-  o->shape.add_linear(command);
+  o->shape.add(command);
   add_csv(command, o->common,
           "Write tick,major,minor: a row a strobe, words in bits, first step leftmost");
   add_table(command, o->common);

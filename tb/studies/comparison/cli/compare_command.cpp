@@ -6,14 +6,17 @@
 
 #include "model/circular/oracle.h"
 #include "model/core/input_error.h"
-#include "tb/cli/choose.h"
-#include "tb/cli/commands.h"
 #include "tb/cli/common.h"
 #include "tb/cli/conclude.h"
 #include "tb/cli/outputs.h"
-#include "tb/plot/drawn.h"
+#include "tb/designs/circular/cli/shape.h"
+#include "tb/designs/dda/cli/shape.h"
+#include "tb/designs/linear/cli/shape.h"
+#include "tb/studies/comparison/cli/compare_command.h"
+#include "tb/studies/comparison/cli/drawn.h"
 #include "tb/studies/comparison/cli/work_options.h"
 #include "tb/studies/comparison/contest.h"
+#include "tb/studies/toolpath/cli/curves.h"
 #include "tb/support/words.h"
 
 namespace cosim::cli {
@@ -41,9 +44,9 @@ compare::Machines machines_for(const compare::Work& work, std::uint64_t seed) {
   const auto bits = [](std::int64_t v) {
     return static_cast<int>(std::bit_width(static_cast<std::uint64_t>(v)));
   };
-  if (longest != 0) machines.linear = &choose(LinearShape{}, longest);
-  if (radius != 0) machines.circular = &choose(CircularShape{}, bits(radius));
-  machines.dda = &choose(DdaShape{}, bits(std::max(longest, radius)));
+  if (longest != 0) machines.linear = &linear::bench_for({}, longest);
+  if (radius != 0) machines.circular = &circular::bench_for({}, bits(radius));
+  machines.dda = &dda::bench_for({}, bits(std::max(longest, radius)));
   return machines;
 }
 

@@ -8,19 +8,19 @@
 #include "model/core/input_error.h"
 #include "model/linear/oracle.h"
 #include "model/toolpath/plan.h"
-#include "tb/cli/choose.h"
-#include "tb/cli/commands.h"
 #include "tb/cli/common.h"
 #include "tb/cli/conclude.h"
 #include "tb/cli/extent.h"
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
 #include "tb/cli/progress.h"
-#include "tb/cli/shape_options.h"
 #include "tb/cli/wave.h"
+#include "tb/designs/circular/cli/shape.h"
 #include "tb/designs/linear/cli/code_option.h"
-#include "tb/plot/drawn.h"
-#include "tb/studies/comparison/figures.h"
+#include "tb/designs/linear/cli/shape.h"
+#include "tb/plot/plot.h"
+#include "tb/studies/toolpath/cli/curves.h"
+#include "tb/studies/toolpath/cli/path_command.h"
 #include "tb/studies/toolpath/path_run.h"
 #include "tb/support/output_file.h"
 #include "tb/support/words.h"
@@ -33,7 +33,7 @@ constexpr double finest_grid = 1e9;
 struct Options {
   Common common;
   Text file, steps_per_mm, code;
-  ShapeOptions shape;
+  ShapeOptions line_shape{linear::shape_options()}, arc_shape{circular::shape_options()};
 };
 
 // The machines that had work, with what came of it.
@@ -123,15 +123,15 @@ int run(const Options& o) {
   const double scale =
       positive("--steps-per-mm", needed("--steps-per-mm", o.steps_per_mm), finest_grid);
   const auto rule = code_rule(o.code);
-  const LinearShape line_shape = o.shape.linear();
-  const CircularShape arc_shape = o.shape.circular();
+  const Shape line_shape = o.line_shape.shape();
+  const Shape arc_shape = o.arc_shape.shape();
   const toolpath::Program program = toolpath::read_gcode_file(file);
   const toolpath::Plan plan = toolpath::plan(program, scale);
   if (plan.pieces.empty()) {
     throw InputError(fmt::format("{}: no motion reaches a step at {} steps/mm", file, scale));
   }
-  const auto& lines = choose(line_shape, plan.longest_line);
-  const auto& arcs = choose(arc_shape, plan.arc_width);
+  const auto& lines = linear::bench_for(line_shape, plan.longest_line);
+  const auto& arcs = circular::bench_for(arc_shape, plan.arc_width);
   const Extents parts = extents_of(plan, lines.params().gamma());
   const Extent extent = whole(parts, plan.segments.size());
   if (o.common.wave) {
@@ -175,7 +175,7 @@ int run(const Options& o) {
       series.name += (series.name.empty() ? "" : ", ") + one.bench->title();
     }
     draw_plot(*o.common.plot, {fmt::format("{} at {} steps/mm", one_line(file), scale),
-                               curves_of(compare::work_of(plan)),
+                               curves_of(pieces::work_of(plan)),
                                {series}});
   }
   csv.close();
@@ -202,8 +202,8 @@ void add_path(const Command& program) {
   command.argument("FILE", o->file, "The program", true);
   command.text("--steps-per-mm", o->steps_per_mm, "S", "Needed: steps of the grid to 1 mm");
   command.text("--code", o->code, "RULE", "Control codes of lines: best (default) or greedy");
-  o->shape.add_linear(command);
-  o->shape.add_circular(command);
+  o->line_shape.add(command);
+  o->arc_shape.add(command);
   add_csv(command, o->common,
           "Write segment,dx,dy,x,y: a row a step, x and y after it in steps; a segment\n"
           "is a block that moves X or Y, from 1");

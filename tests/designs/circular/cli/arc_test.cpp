@@ -6,6 +6,7 @@
 #include <string>
 
 #include "tests/cli/drawing.h"
+#include "tests/cli/help.h"
 #include "tests/designs/circular/cli/circle.h"
 
 namespace cosim::cli {
@@ -145,6 +146,11 @@ TEST(Arc, RunsOnTheSmallestMachineThatHoldsIt) {
   EXPECT_EQ(machine("--radius", "16777216"), "circular W=32");
   EXPECT_EQ(machine("--radius", "4294967295"), "circular W=32");
   EXPECT_EQ(machine("--radius", "12", {"--width", "24"}), "circular W=24");
+}
+
+TEST(Arc, HasAHelpThatNamesEveryOption) {
+  expect_in(help({"arc"}), {"--from X,Y", "--radius R", "--radius2 Q", "--count K", "--width W",
+                            "--csv FILE", "clock,dx,dy,x,y", "--report FILE", "--seed S"});
 }
 
 }  // namespace

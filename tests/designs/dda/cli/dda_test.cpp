@@ -5,8 +5,13 @@
 #include <cmath>
 #include <sstream>
 
+#include "tests/cli/checkpoint.h"
 #include "tests/cli/folder.h"
+#include "tests/cli/help.h"
+#include "tests/cli/memory.h"
+#include "tests/cli/picture.h"
 #include "tests/cli/program.h"
+#include "tests/support/sanitized.h"
 
 namespace cosim::cli {
 namespace {
@@ -133,6 +138,81 @@ TEST(Dda, RefusesWhatItCannotDraw) {
       "conic: its rates overflow dda W=6 at (50, 0) on clock 0: they are (0, 100)\n");
   expect_refused_dda({"--conic", "1,0,0,0,-4,0", "--from", "0,0"}, "conic: it is no ellipse");
 }
+
+TEST(Dda, HasAHelpThatNamesEveryOption) {
+  expect_in(help({"dda"}),
+            {"--line X,Y", "--circle R", "--conic A,B,C,D,E,F", "--from X,Y", "--clocks N",
+             "--update HOW", "--preload S", "--as-it-is", "--width W"});
+}
+
+// x^2 + 4 y^2 = 1600: each corner of the curve is on it, and it goes all the way around.
+TEST(Dda, HasAPictureOfAConic) {
+  if (!can_plot()) GTEST_SKIP() << "no gnuplot";
+  const Picture picture({"dda", "--conic", "1,0,4,0,0,-1600", "--from", "40,0"});
+  const std::vector<Dot> curve = picture.curve();
+  ASSERT_GT(curve.size(), 80U);
+  const auto by = [](auto member) {
+    return [member](const Dot& a, const Dot& b) { return a.*member < b.*member; };
+  };
+  const auto [left, right] = std::minmax_element(curve.begin(), curve.end(), by(&Dot::x));
+  const auto [high, low] = std::minmax_element(curve.begin(), curve.end(), by(&Dot::y));
+  const double half = (right->x - left->x) / 2;
+  EXPECT_NEAR((low->y - high->y) / 2, half / 2, half / 100);
+  for (const Dot& d : curve) {
+    const double x = (d.x - left->x) / half - 1, y = (d.y - high->y) / half - 0.5;
+    EXPECT_NEAR(x * x + 4 * y * y, 1, 0.03);
+  }
+  EXPECT_GE(picture.path(0).size(), curve.size() / 2);
+}
+
+// Where the length is only known on the way, the run ends there.
+TEST(Dda, ThatGrowsTooLongLosesNothing) {
+  const Folder folder;
+  folder.write("csv", "kept\n");
+  const Ended ended = cosim({"dda", "--circle", "3000000000", "--plot", folder.path("p.svg"),
+                             "--csv", folder.path("csv"), "--clocks", "5000000"});
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_EQ(ended.err, "cosim: --plot: a path of more than 999999 steps is too long to draw\n");
+  EXPECT_EQ(folder.text("csv"), "kept\n");
+  EXPECT_FALSE(folder.holds("csv.cosim-new"));
+}
+
+// What would be too long to draw is refused before it runs.
+TEST(Dda, ThatWouldBeTooLongIsRefusedFirst) {
+  const Folder folder;
+  const auto refused = [&](Arguments command, const std::string& error) {
+    command.insert(command.end(), {"--csv", folder.write("csv", "kept\n")});
+    const Ended ended = cosim(command);
+    EXPECT_EQ(ended.out, "");
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_EQ(ended.err, "cosim: " + error + "\n");
+    EXPECT_EQ(folder.text("csv"), "kept\n");
+    EXPECT_LT(ended.peak, 100'000'000 + test::kept_back);
+    EXPECT_FALSE(folder.holds("w.fst") || folder.holds("p.svg"));
+  };
+  refused({"dda", "--line", "5,3", "--width", "32", "--as-it-is", "--wave", folder.path("w.fst")},
+          "--wave: 4294967296 clocks are more than can be drawn, 2000000");
+  refused({"dda", "--line", "1000000,1", "--plot", folder.path("p.svg")},
+          "--plot: a path of more than 999999 steps is too long to draw");
+}
+
+// One of the first hundred cases of this seed reaches the middle of its conic, where the gradient
+// vanishes.
+TEST(Dda, SweptAndKilledGoesOn) {
+  const Folder folder;
+  const Arguments kept{"sweep", "dda",     "--random", "300000",       "--seed",
+                       "6",     "--width", "6",        "--checkpoint", folder.path("state")};
+  for (int after = 400; !folder.holds("state"); after *= 2) {
+    ASSERT_TRUE(cosim_killed(kept, after)) << "it ended and kept nothing";
+  }
+  const std::uint64_t done = cases_kept(folder);
+  for (int after = 800; cases_kept(folder) == done; after *= 2) {
+    ASSERT_TRUE(cosim_killed(kept, after)) << "it did not go on";
+  }
+  EXPECT_GT(cases_kept(folder), done);
+}
+
+TEST(Dda, TakesNoMoreMemoryForMoreCases) { expect_no_more_memory({"dda", "--width", "6"}); }
 
 }  // namespace
 }  // namespace cosim::cli

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "tests/cli/drawing.h"
+#include "tests/cli/help.h"
 
 namespace cosim::cli {
 namespace {
@@ -192,6 +193,11 @@ TEST(Line, TableShowsEveryClock) {
   for (const char* word : {"01000101", "01000100", "01000000", "11100000"}) {
     EXPECT_NE(ended.out.find(word), std::string::npos) << word;
   }
+}
+
+TEST(Line, HasAHelpThatNamesEveryOption) {
+  expect_in(help({"line"}), {"--major BP", "--minor MP", "--code UK", "--m M", "--n N",
+                             "--csv FILE", "tick,major,minor", "--report FILE", "--seed S"});
 }
 
 }  // namespace

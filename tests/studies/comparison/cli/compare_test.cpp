@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/folder.h"
+#include "tests/cli/help.h"
+#include "tests/cli/picture.h"
 #include "tests/cli/program.h"
 #include "tests/support/root.h"
 
@@ -145,6 +147,39 @@ TEST(Compare, RefusesWhatItCannotCompare) {
       "--algorithms: 'fast' cannot do this work; there are su1631518, "
       "su1631518-greedy, rate-multiplier, dda, dda-half, bresenham, su1665343, "
       "su875343, dda, dda-half, dda-sequential, dda-sequential-half, midpoint, single-axis");
+}
+
+TEST(Compare, HasAHelpThatNamesEveryOption) {
+  expect_in(help({"compare"}), {"FILE", "--steps-per-mm S", "--line BP,MP", "--arc R",
+                                "--algorithms LIST", "--report FILE"});
+}
+
+// Two algorithms of each machine.
+TEST(Compare, HasAReportThatNamesAMachineOnce) {
+  const Folder folder;
+  ASSERT_EQ(cosim({"compare", "--line", "27,9", "--report", folder.path("r")}).status, 0);
+  const json r = json::parse(folder.text("r"));
+  EXPECT_EQ(r["runs"].size(), 4U);
+  EXPECT_EQ(r["design"], (json{"linear", "dda"}));
+  EXPECT_EQ(r["parameters"], json::parse(R"([{"M": 5, "N": 2}, {"W": 6}])"));
+}
+
+// Each format, of each kind of work; of a line it is the picture of the help's example.
+TEST(Compare, DrawsArcsAndPrograms) {
+  if (!can_plot()) GTEST_SKIP() << "no gnuplot";
+  for (const Arguments& plain :
+       {Arguments{"compare", "--arc", "12"}, {"compare", kFlange, "--steps-per-mm", "1"}}) {
+    const Folder folder;
+    for (const char* name : {"a.svg", "a.png"}) {
+      Arguments arguments = plain;
+      arguments.insert(arguments.end(), {"--plot", folder.path(name)});
+      const Ended ended = cosim(arguments);
+      ASSERT_EQ(ended.status, 0) << ended.err;
+      EXPECT_EQ(ended.out, cosim(plain).out);
+    }
+    EXPECT_EQ(folder.text("a.png").substr(1, 3), "PNG");
+    EXPECT_NE(folder.text("a.svg").find("step along the path"), std::string::npos);
+  }
 }
 
 }  // namespace

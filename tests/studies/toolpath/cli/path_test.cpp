@@ -8,6 +8,7 @@
 #include <set>
 
 #include "tests/cli/drawing.h"
+#include "tests/cli/help.h"
 #include "tests/cli/targets.h"
 #include "tests/support/root.h"
 
@@ -198,6 +199,11 @@ TEST(Path, DeviatesLeastWithTheBestCodes) {
   };
   EXPECT_LE(deviation("best"), deviation("greedy"));
   EXPECT_EQ(deviation("best"), draw_path(flange, "40").report["machine_error"].get<double>());
+}
+
+TEST(Path, HasAHelpThatNamesEveryOption) {
+  expect_in(help({"path"}), {"FILE", "--steps-per-mm S", "--csv FILE", "segment,dx,dy,x,y",
+                             "--report FILE", "--seed S"});
 }
 
 }  // namespace

@@ -11,7 +11,6 @@
 
 #include "tests/studies/toolpath/model/helpers.h"
 #include "tests/support/root.h"
-#include "tests/support/root.h"
 
 namespace cosim::toolpath {
 namespace {

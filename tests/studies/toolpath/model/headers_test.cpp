@@ -7,6 +7,7 @@
 #include <set>
 
 #include "tests/studies/toolpath/model/helpers.h"
+#include "tests/support/root.h"
 
 namespace cosim::toolpath {
 namespace {
@@ -50,7 +51,8 @@ void read_cases(const fs::path& path, std::vector<Case>& cases) {
 
 std::vector<Case> all_cases() {
   std::vector<Case> cases;
-  const std::set<fs::path> files{fs::directory_iterator(COSIM_HEADERS), {}};
+  const std::set<fs::path> files{
+      fs::directory_iterator(test::project_root() / "tests/toolpaths/headers"), {}};
   for (const fs::path& file : files) {
     if (file.extension() == ".txt") read_cases(file, cases);
   }

@@ -1,8 +1,8 @@
-#include "tb/studies/comparison/work.h"
+#include "tb/studies/toolpath/pieces.h"
 
 #include "model/toolpath/arc_pieces.h"
 
-namespace cosim::compare {
+namespace cosim::pieces {
 namespace {
 
 using circular::Point;
@@ -67,4 +67,4 @@ Work work_of(const toolpath::Plan& plan) {
   return work;
 }
 
-}  // namespace cosim::compare
+}  // namespace cosim::pieces

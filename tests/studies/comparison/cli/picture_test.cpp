@@ -1,4 +1,4 @@
-// What the pictures of --plot show, against the geometry of the work.
+// What the pictures of cosim compare show, against the geometry of the work.
 #include "tests/cli/picture.h"
 
 #include <algorithm>
@@ -149,26 +149,6 @@ TEST(Picture, HasEveryAlgorithm) {
     EXPECT_TRUE(picture.has(std::string(">") + name + ": max")) << name;
     EXPECT_GE(picture.path(panel++).size(), 28U) << name;
   }
-}
-
-// x^2 + 4 y^2 = 1600: each corner of the curve is on it, and it goes all the way around.
-TEST(Picture, OfAConic) {
-  if (!can_plot()) GTEST_SKIP() << "no gnuplot";
-  const Picture picture({"dda", "--conic", "1,0,4,0,0,-1600", "--from", "40,0"});
-  const std::vector<Dot> curve = picture.curve();
-  ASSERT_GT(curve.size(), 80U);
-  const auto by = [](auto member) {
-    return [member](const Dot& a, const Dot& b) { return a.*member < b.*member; };
-  };
-  const auto [left, right] = std::minmax_element(curve.begin(), curve.end(), by(&Dot::x));
-  const auto [high, low] = std::minmax_element(curve.begin(), curve.end(), by(&Dot::y));
-  const double half = (right->x - left->x) / 2;
-  EXPECT_NEAR((low->y - high->y) / 2, half / 2, half / 100);
-  for (const Dot& d : curve) {
-    const double x = (d.x - left->x) / half - 1, y = (d.y - high->y) / half - 0.5;
-    EXPECT_NEAR(x * x + 4 * y * y, 1, 0.03);
-  }
-  EXPECT_GE(picture.path(0).size(), curve.size() / 2);
 }
 
 // A third of the points is on the line, but nowhere on 80 steps, which share a pixel, all are.

@@ -1,34 +1,22 @@
 // What full lockstep costs: clocks a second of the bare Verilated evaluate loop, of the least that
 // compares, with nothing of what explains a failure, and of lockstep as a sweep runs it, on the
 // same machine at 16 bits with the same inputs, in one run. The stimulus is made beforehand, so
-// that its cost is in none.
+// that its cost is in none. A design adds its own in tests/designs/NAME/benchmark.
+#pragma once
+
 #include <benchmark/benchmark.h>
 
+#include <string>
 #include <vector>
 
-#include "VcircularW16.h"
-#include "VcircularW16___024root.h"
-#include "VddaW16.h"
-#include "VddaW16___024root.h"
-#include "VlinearM16N13.h"
-#include "VlinearM16N13___024root.h"
-#include "adapters/circular.h"
-#include "adapters/dda.h"
-#include "adapters/linear.h"
-#include "tb/designs/circular/sweeps.h"
-#include "tb/designs/dda/sweeps.h"
-#include "tb/designs/linear/sweeps.h"
 #include "tb/lockstep/run.h"
 
-namespace {
+namespace cosim::bench {
 
-using namespace cosim;
+template <class Adapter>
+using InputList = std::vector<typename Adapter::Design::template Inputs<Word>>;
 
-using Linear = linear::Adapter<VlinearM16N13, linear::Params{16, 13}>;
-using Circular = circular::Adapter<VcircularW16, circular::Params{16}>;
-using Dda = dda::Adapter<VddaW16, dda::Params{16}>;
-
-constexpr std::size_t rows = 1 << 14;
+inline constexpr std::size_t rows = 1 << 14;
 
 // The inputs of work after work from a clear on: what the host drives when the model answers it.
 template <class Adapter, class Job>
@@ -49,34 +37,7 @@ auto inputs_of(const std::vector<Job>& jobs) {
 }
 
 template <class Adapter>
-auto inputs();
-
-template <>
-auto inputs<Linear>() {
-  std::vector<linear::Job> jobs;
-  for (std::uint64_t i = 0; i < 1000; ++i)
-    jobs.push_back(linear::random_line(Linear::params, 1, i));
-  return inputs_of<Linear>(jobs);
-}
-
-template <>
-auto inputs<Circular>() {
-  std::vector<circular::Arc> arcs;
-  for (std::uint64_t i = 0; i < 1000; ++i)
-    arcs.push_back(circular::random_arc(Circular::params, 1, i));
-  return inputs_of<Circular>(arcs);
-}
-
-template <>
-auto inputs<Dda>() {
-  std::vector<dda::Job> jobs;
-  for (std::uint64_t i = 0; i < 1000; ++i) jobs.push_back(dda::random_job(Dda::params, 1, i));
-  return inputs_of<Dda>(jobs);
-}
-
-template <class Adapter>
-void bare(benchmark::State& state) {
-  const auto list = inputs<Adapter>();
+void bare(benchmark::State& state, const InputList<Adapter>& list) {
   Adapter dut(1);
   for (auto _ : state) {
     for (const auto& in : list) {
@@ -102,9 +63,8 @@ struct Source {
 };
 
 template <class Adapter>
-void compared(benchmark::State& state) {
+void compared(benchmark::State& state, const InputList<Adapter>& list) {
   using Design = typename Adapter::Design;
-  const auto list = inputs<Adapter>();
   const Source<typename Design::template Inputs<Word>> source{&list};
   Adapter dut(1);
   for (auto _ : state) {
@@ -135,8 +95,7 @@ void compared(benchmark::State& state) {
 }
 
 template <class Adapter>
-void lockstep(benchmark::State& state) {
-  const auto list = inputs<Adapter>();
+void lockstep(benchmark::State& state, const InputList<Adapter>& list) {
   const Source<typename Adapter::Design::template Inputs<Word>> source{&list};
   for (auto _ : state) {
     Lockstep<Adapter> both(1U);
@@ -148,16 +107,22 @@ void lockstep(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(list.size()));
 }
 
-BENCHMARK_TEMPLATE(bare, Linear)->Name("linear_M16N13/bare");
-BENCHMARK_TEMPLATE(compared, Linear)->Name("linear_M16N13/compared");
-BENCHMARK_TEMPLATE(lockstep, Linear)->Name("linear_M16N13/lockstep");
-BENCHMARK_TEMPLATE(bare, Circular)->Name("circular_W16/bare");
-BENCHMARK_TEMPLATE(compared, Circular)->Name("circular_W16/compared");
-BENCHMARK_TEMPLATE(lockstep, Circular)->Name("circular_W16/lockstep");
-BENCHMARK_TEMPLATE(bare, Dda)->Name("dda_W16/bare");
-BENCHMARK_TEMPLATE(compared, Dda)->Name("dda_W16/compared");
-BENCHMARK_TEMPLATE(lockstep, Dda)->Name("dda_W16/lockstep");
+/// Adds the three of the adapter's machine: `job(params, 1, i)` is the i-th of its jobs.
+template <class Adapter, class MakeJob>
+bool measure(const std::string& name, MakeJob job) {
+  const auto list = [job] {
+    std::vector<typename Adapter::Design::Host::Job> jobs;
+    for (std::uint64_t i = 0; i < 1000; ++i) jobs.push_back(job(Adapter::params, 1, i));
+    return inputs_of<Adapter>(jobs);
+  };
+  const auto add = [&](const char* kind, void (*run)(benchmark::State&, const InputList<Adapter>&)) {
+    benchmark::RegisterBenchmark((name + kind).c_str(),
+                                 [=](benchmark::State& state) { run(state, list()); });
+  };
+  add("/bare", bare<Adapter>);
+  add("/compared", compared<Adapter>);
+  add("/lockstep", lockstep<Adapter>);
+  return true;
+}
 
-}  // namespace
-
-BENCHMARK_MAIN();
+}  // namespace cosim::bench

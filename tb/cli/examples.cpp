@@ -1,0 +1,19 @@
+#include <fmt/core.h>
+#include <fmt/ranges.h>
+
+#include "tb/cli/commands.h"
+#include "tb/cli/registry.h"
+
+namespace cosim::cli {
+
+void add_examples(const Command& program, const Registry& registry) {
+  const Command command = program.sub("examples", "A command line for each thing to be seen first");
+  command.action([&registry] {
+    for (const Example& example : registry.examples()) {
+      fmt::print("{}\n  cosim {}\n", example.title, fmt::join(example.words, " "));
+    }
+    return 0;
+  });
+}
+
+}  // namespace cosim::cli

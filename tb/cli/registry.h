@@ -1,0 +1,70 @@
+// What designs and studies add to the program. Each defines one function in its folder cli,
+//
+//   void cosim::NAME::add_to(cosim::cli::Registry& registry);
+//
+// and CMake makes the source that calls them all: the designs in the order of rtl/shipped.txt, then
+// the studies by name. The harness itself names none of them.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tb/cli/command.h"
+#include "tb/cli/shape.h"
+#include "tb/sweep/sweep.h"
+
+namespace cosim::cli {
+
+/// cosim sweep DESIGN.
+struct DesignSweeps {
+  std::string design;
+  std::string help;     ///< what is swept: "Lines on the linear machine"
+  std::string example;  ///< the words behind "cosim sweep DESIGN"
+  std::vector<ShapeOption> shape;
+  /// Everything; nothing where the bench is too wide for it.
+  std::function<std::vector<Sweep>(const AnyBench&)> exhaustive;
+  std::string exhaustible;  ///< the shapes that are not too wide: "M <= 8"
+  /// `count` cases, which the seed decides.
+  std::function<Sweep(const AnyBench&, std::uint64_t seed, std::uint64_t count)> random;
+};
+
+/// A command line that shows what a design or a study is for.
+struct Example {
+  std::string title;
+  std::vector<std::string> words;  ///< behind "cosim", run in the project's folder; none has spaces
+};
+
+class Registry {
+ public:
+  /// `add` adds one command to the program.
+  void command(std::function<void(const Command& program)> add) {
+    commands_.push_back(std::move(add));
+  }
+  void sweeps(DesignSweeps sweeps) { sweeps_.push_back(std::move(sweeps)); }
+  void example(Example example) { examples_.push_back(std::move(example)); }
+
+  const std::vector<std::function<void(const Command&)>>& commands() const { return commands_; }
+  const std::vector<DesignSweeps>& sweeps() const { return sweeps_; }
+  const std::vector<Example>& examples() const { return examples_; }
+
+ private:
+  std::vector<std::function<void(const Command&)>> commands_;
+  std::vector<DesignSweeps> sweeps_;
+  std::vector<Example> examples_;
+};
+
+/// A function of the design's own benches as one of any bench.
+template <class Design, class F>
+auto for_bench_of(F f) {
+  return [f](const AnyBench& bench, auto... more) {
+    return f(dynamic_cast<const Bench<Design>&>(bench), more...);
+  };
+}
+
+/// All that was built. Made by CMake, from registry.cpp.in.
+const Registry& registry();
+
+}  // namespace cosim::cli

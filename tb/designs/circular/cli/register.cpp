@@ -1,0 +1,34 @@
+#include <algorithm>
+
+#include "tb/cli/registry.h"
+#include "tb/designs/circular/cli/arc_command.h"
+#include "tb/designs/circular/cli/shape.h"
+#include "tb/designs/circular/sweeps.h"
+
+namespace cosim::circular {
+namespace {
+
+std::vector<Sweep> exhaustive(const CircularBench& bench) {
+  constexpr int every_start_widest = 8;
+  constexpr int every_radius_widest = 12;
+  const int width = bench.params().width;
+  const std::int64_t largest = (std::int64_t{1} << width) - 1;
+  if (width > every_radius_widest) return {};
+  if (width > every_start_widest) return {every_radius(bench, 1, largest)};
+  return {every_start(bench, largest), every_stop(bench, std::min<std::int64_t>(largest, 40))};
+}
+
+}  // namespace
+
+void add_to(cli::Registry& registry);
+
+void add_to(cli::Registry& registry) {
+  registry.command(cli::add_arc);
+  registry.sweeps({Design::name, "Arcs on the circular machine", "--exhaustive --width 8",
+                   shape_options(), cli::for_bench_of<Design>(exhaustive), "W <= 12",
+                   cli::for_bench_of<Design>(random_arcs)});
+  registry.example({"Circular interpolator: R = 12, a quarter circle",
+                    {"arc", "--radius", "12", "--width", "4", "--table"}});
+}
+
+}  // namespace cosim::circular

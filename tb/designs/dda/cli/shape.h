@@ -1,0 +1,14 @@
+// The shape of the dda design on the command line.
+#pragma once
+
+#include "model/dda/host.h"
+#include "tb/cli/shape.h"
+
+namespace cosim::dda {
+
+std::vector<cli::ShapeOption> shape_options();
+
+/// The smallest built one of that shape at least `width` wide. InputError where none is.
+const Bench<Design>& bench_for(const cli::Shape& shape, int width);
+
+}  // namespace cosim::dda

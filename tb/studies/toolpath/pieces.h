@@ -1,0 +1,41 @@
+// Lines and arcs, and where each of them lies.
+#pragma once
+
+#include <vector>
+
+#include "model/prior_art/work.h"
+#include "model/toolpath/plan.h"
+
+namespace cosim::pieces {
+
+using prior_art::Arc;
+using prior_art::Line;
+
+/// Where a line or an arc lies in the plane, and which steps of a whole path are its.
+struct Place {
+  toolpath::Orientation orientation;
+  circular::Point origin;  ///< of a line its start, of an arc its centre
+  double begin = 0;        ///< steps of the path before it
+  double steps = 0;
+};
+
+/// Pieces of one kind, and the place of each.
+template <class Piece>
+struct Batch {
+  std::vector<Piece> works;
+  std::vector<Place> places;
+};
+
+struct Work {
+  Batch<Line> lines;
+  Batch<Arc> arcs;
+};
+
+/// One line or arc where it stands.
+Work work_of(const Line& line);
+Work work_of(const Arc& arc);
+
+/// All pieces of a plan; arcs as far as the circular machine draws them.
+Work work_of(const toolpath::Plan& plan);
+
+}  // namespace cosim::pieces

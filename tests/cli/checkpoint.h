@@ -1,0 +1,21 @@
+// The checkpoint "state" of a sweep in a folder.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/folder.h"
+#include "tests/cli/program.h"
+
+namespace cosim::cli {
+
+/// The cases that it holds; 0 where there is none.
+inline std::uint64_t cases_kept(const Folder& folder) {
+  std::uint64_t sum = 0;
+  if (!folder.holds("state")) return sum;
+  const auto file = nlohmann::json::parse(folder.text("state"));
+  for (const auto& one : file["state"]) sum += one["cases"].get<std::uint64_t>();
+  return sum;
+}
+
+}  // namespace cosim::cli

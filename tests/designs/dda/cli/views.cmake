@@ -1,0 +1,1 @@
+add_view_test(dda "" ${view} $<TARGET_FILE:cosim> dda --circle 12)

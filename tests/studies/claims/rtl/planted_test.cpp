@@ -1,0 +1,33 @@
+// What README.md says of the faults planted in all designs.
+#include "tests/rtl/planted.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <regex>
+
+#include "tests/rtl/variant.h"
+#include "tests/support/designs.h"
+#include "tests/support/root.h"
+
+namespace cosim::test {
+namespace {
+
+TEST(Planted, AreAsManyAndShrinkAsFarAsTheReadmeSays) {
+  std::ifstream readme(project_root() / "README.md");
+  const std::string text{std::istreambuf_iterator<char>(readme), {}};
+  const std::regex sentence(
+      "Each of (\\d+)\\splanted\\sfaults\\sand\\smisprints\\sshrinks\\sto\\s(\\d+)\\sclocks");
+  std::smatch found;
+  ASSERT_TRUE(std::regex_search(text, found, sentence));
+  std::size_t planted = 0;
+  for_each_design([&]<class Design>() {
+    for (const auto& v : variants<Design>()) planted += is_planted(v.name) ? 1 : 0;
+  });
+  EXPECT_EQ(found[1], std::to_string(planted));
+  EXPECT_EQ(found[2], std::to_string(most_clocks_shrunk));
+}
+
+}  // namespace
+}  // namespace cosim::test

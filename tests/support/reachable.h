@@ -1,0 +1,47 @@
+// What registers() rests on: whatever the pins do, the state stays one that the RTL's registers can
+// hold.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include "tb/stimulus/hostile.h"
+#include "tests/support/model_machine.h"
+
+namespace cosim::test {
+
+template <class Record, class Params>
+void expect_fits(const Record& record, const Params& p) {
+  const auto words = to_words(record);
+  const auto fields = Record::fields(p);
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    ASSERT_EQ(words[i], low_bits(words[i], fields[i].width)) << fields[i].name;
+  }
+}
+
+/// Hostile clocks on the model: all that it shows fits its fields. `recovered(params, state)`
+/// expects that every number of the state comes back from its code in the registers.
+template <class Shape, class Recovered>
+void expect_states_fit_the_registers(Recovered recovered) {
+  using Design = typename Shape::Design;
+  constexpr std::uint64_t kCases = 200, kClocks = 1000;
+  std::uint64_t clocks = 0, busy = 0;
+  for (std::uint64_t i = 0; i < kCases; ++i) {
+    HostileStimulus<Design> hostile(Shape::params, {11, i, kClocks});
+    ModelMachine<Design> machine(Shape::params);
+    typename Design::template Inputs<Word> in;
+    typename Design::template Outputs<Word> seen{};
+    for (; hostile.next(in, seen); ++clocks) {
+      expect_fits(in, Shape::params);
+      seen = machine.clock(in);
+      expect_fits(seen, Shape::params);
+      expect_fits(machine.registers(), Shape::params);
+      recovered(Shape::params, machine.state);
+      if (testing::Test::HasFatalFailure()) FAIL() << "case " << i << " clock " << clocks % kClocks;
+      busy += to_words(seen)[0] != 0;  // busy, running
+    }
+  }
+  EXPECT_EQ(clocks, kCases * kClocks);
+  EXPECT_GT(busy, clocks / 200);  // the machine was at work, too
+}
+
+}  // namespace cosim::test

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "model/circular/machine.h"
+#include "model/circular/steps.h"
 #include "model/core/probe.h"
 
 namespace cosim::circular {
@@ -37,8 +37,9 @@ class View {
     running_ = s.t4 != 0;
     phase_ = !s.t4 ? 0 : s.ct7 < 0 ? 4 : s.t16 ? 3 : s.ct8 < 0 ? 2 : 1;
     step_ = out.step_x * 2 + out.step_y;
-    next_x_ = x_ - out.step_x;
-    next_y_ = y_ + out.step_y;
+    const Point step = step_of(out);
+    next_x_ = x_ + step.x;
+    next_y_ = y_ + step.y;
   }
 
   /// The phase, the steps of the clock, and the position in the plane of the arc before them; the

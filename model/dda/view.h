@@ -4,7 +4,7 @@
 #include <array>
 
 #include "model/core/probe.h"
-#include "model/dda/machine.h"
+#include "model/dda/steps.h"
 
 namespace cosim::dda {
 
@@ -32,7 +32,8 @@ class View {
     const bool done = !s.free && s.left_x == 0 && s.left_y == 0;
     const bool shift = s.normalise && !is_full(p, s.rate_x) && !is_full(p, s.rate_y);
     phase_ = !s.running ? 0 : done ? 3 : shift ? 1 : 2;
-    step_ = 3 * (out.x_up - out.x_down) + out.y_up - out.y_down + 4;
+    const Point step = step_of(out);
+    step_ = 3 * step.x + step.y + 4;
   }
 
   /// The phase, the steps of the clock, and the point before them.

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "model/core/probe.h"
-#include "model/linear/machine.h"
+#include "model/linear/steps.h"
 
 namespace cosim::linear {
 
@@ -32,8 +32,9 @@ class View {
     phase_ = s.formed ? 3 : s.running ? 2 : s.coded ? 1 : 0;
     if (phase_ == 2) x_ = y_ = 0;
     step_ = out.major == 0 ? 0 : out.minor == 0 ? 1 : out.minor == out.major ? 2 : 3;
-    next_x_ = x_ + __builtin_popcountll(static_cast<unsigned long long>(out.major));
-    next_y_ = y_ + __builtin_popcountll(static_cast<unsigned long long>(out.minor));
+    const Way way = way_of(out);
+    next_x_ = x_ + way.x;
+    next_y_ = y_ + way.y;
   }
 
   /// The phase, the steps of the clock's word, and the position in the present line before them, in

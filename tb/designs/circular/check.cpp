@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/circular/oracle.h"
+#include "model/circular/steps.h"
 
 namespace cosim::circular {
 
@@ -19,11 +20,12 @@ void Check::open() {
 
 void Check::clock(std::size_t job, const Compared<Design>& seen) {
   while (job_ < job) close();
-  if (!(seen.outputs.step_x | seen.outputs.step_y) || !found_.error.empty()) return;
+  const Point step = step_of(seen.outputs);
+  if (step == Point{} || !found_.error.empty()) return;
   const std::uint64_t radius2 = arcs_[job].radius2;
   ++steps_;
   ++drawn_;
-  const Point got = {at_.x - seen.outputs.step_x, at_.y + seen.outputs.step_y};
+  const Point got = {at_.x + step.x, at_.y + step.y};
   if (at_.x <= 0) {
     found_.error = fmt::format("R^2 = {}: a step past the end, at ({}, {})", radius2, at_.x, at_.y);
     return;

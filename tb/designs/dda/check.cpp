@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/dda/equation.h"
+#include "model/dda/steps.h"
 
 namespace cosim::dda {
 
@@ -23,7 +24,7 @@ void Check::clock(std::size_t job, const Compared<Design>& seen) {
   const auto signed_code = [this](Word code) { return from_twos_complement(code, p_.width + 1); };
   const Point from = track_->at();
   const Point at{signed_code(seen.outputs.code_x), signed_code(seen.outputs.code_y)};
-  const Point got{seen.outputs.x_up - seen.outputs.x_down, seen.outputs.y_up - seen.outputs.y_down};
+  const Point got = step_of(seen.outputs);
   const std::optional<Point> due = track_->next();
   // On the clock of the end or of a stop there is no step.
   if (!due) over_ = true;

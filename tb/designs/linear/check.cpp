@@ -3,9 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <bit>
 
 #include "model/linear/oracle.h"
+#include "model/linear/steps.h"
 
 namespace cosim::linear {
 
@@ -17,7 +17,7 @@ void Check::clock(std::size_t job, const Compared<Design>& seen) {
   const Words got = {static_cast<std::uint64_t>(seen.outputs.major),
                      static_cast<std::uint64_t>(seen.outputs.minor)};
   ++tick_;
-  drawn_ += static_cast<std::uint64_t>(std::popcount(got.major));
+  drawn_ += static_cast<std::uint64_t>(way_of(seen.outputs).x);
   if (got == due) return;
   found_.error =
       fmt::format("BP = {}, UK = {:0{}b}, word {}: oracle {:0{}b} {:0{}b}, machine {:0{}b} {:0{}b}",

@@ -159,6 +159,7 @@ class View;  // what a person wants to see of it, view.h
 /// The design as one type, for code that is generic over designs.
 struct Design {
   COSIM_DESIGN(circular);
+  using View = circular::View;
   static constexpr const char* name = "circular";
   static constexpr const char* source = "SU 1665343";
 

@@ -4,7 +4,8 @@
 
 #include <array>
 
-#include "model/circular/machine.h"
+#include "model/circular/steps.h"
+#include "model/core/probe.h"
 
 namespace cosim::circular {
 
@@ -13,6 +14,16 @@ class View {
  public:
   static constexpr std::array phases{"idle", "sector 1", "change", "sector 2", "end"};
   static constexpr std::array steps{"-", "Y+", "X-", "X- Y+"};
+
+  static constexpr std::array<Probe, 4> probes(const Params&) {
+    using enum Probe::Kind;
+    constexpr const char* path = "Path, in steps";
+    constexpr int position = 40;  // bits
+    return {{{"phase", words, "words", "", 4, {}, Probe::Side::expected, phases},
+             {"step", words, "words", "", 4, {}, Probe::Side::actual, steps},
+             {"x", analog, "path", path, position, Format::twos_complement},
+             {"y", analog, "path", path, position, Format::twos_complement}}};
+  }
 
   /// One clock: the state before it and the outputs during it.
   void clock(const Params&, const State<Word>& s, const Outputs<Word>& out) {
@@ -25,21 +36,20 @@ class View {
     }
     running_ = s.t4 != 0;
     phase_ = !s.t4 ? 0 : s.ct7 < 0 ? 4 : s.t16 ? 3 : s.ct8 < 0 ? 2 : 1;
-    step_ = static_cast<std::size_t>(out.step_x * 2 + out.step_y);
-    next_x_ = x_ - out.step_x;
-    next_y_ = y_ + out.step_y;
+    step_ = out.step_x * 2 + out.step_y;
+    const Point step = step_of(out);
+    next_x_ = x_ + step.x;
+    next_y_ = y_ + step.y;
   }
 
-  /// The position in the plane of the arc before the clock's step; the last one after the end.
-  Word x() const { return x_; }
-  Word y() const { return y_; }
-  std::size_t phase() const { return phase_; }  ///< index into phases
-  std::size_t step() const { return step_; }    ///< index into steps
+  /// The phase, the steps of the clock, and the position in the plane of the arc before them; the
+  /// last one after the end.
+  std::array<Word, 4> values() const { return {phase_, step_, x_, y_}; }
 
  private:
   Word x_ = 0, y_ = 0, next_x_ = 0, next_y_ = 0;
   bool running_ = false;
-  std::size_t phase_ = 0, step_ = 0;
+  Word phase_ = 0, step_ = 0;
 };
 
 }  // namespace cosim::circular

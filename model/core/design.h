@@ -5,7 +5,6 @@
 /// registers().
 #define COSIM_DESIGN(space)                                                                \
   using Host = space::Host;                                                                \
-  using View = space::View;                                                                \
   using Params = space::Params;                                                            \
   template <class V>                                                                       \
   using Inputs = space::Inputs<V>;                                                         \

@@ -223,6 +223,7 @@ class View;  // what a person wants to see of it, view.h
 /// The design as one type, for code that is generic over designs.
 struct Design {
   COSIM_DESIGN(dda);
+  using View = dda::View;
   static constexpr const char* name = "dda";
   static constexpr const char* source = "the method of differential increments";
 

@@ -3,7 +3,8 @@
 
 #include <array>
 
-#include "model/dda/machine.h"
+#include "model/core/probe.h"
+#include "model/dda/steps.h"
 
 namespace cosim::dda {
 
@@ -14,6 +15,16 @@ class View {
   static constexpr std::array steps{"X- Y-", "X-",    "X- Y+", "Y-",   "-",
                                     "Y+",    "X+ Y-", "X+",    "X+ Y+"};
 
+  static constexpr std::array<Probe, 4> probes(const Params&) {
+    using enum Probe::Kind;
+    constexpr const char* path = "Path, in steps";
+    constexpr int position = 40;  // bits
+    return {{{"phase", words, "words", "", 4, {}, Probe::Side::expected, phases},
+             {"step", words, "words", "", 4, {}, Probe::Side::actual, steps},
+             {"x", analog, "path", path, position, Format::twos_complement},
+             {"y", analog, "path", path, position, Format::twos_complement}}};
+  }
+
   /// One clock: the state before it and the outputs during it.
   void clock(const Params& p, const State<Word>& s, const Outputs<Word>& out) {
     x_ = s.x;
@@ -21,18 +32,16 @@ class View {
     const bool done = !s.free && s.left_x == 0 && s.left_y == 0;
     const bool shift = s.normalise && !is_full(p, s.rate_x) && !is_full(p, s.rate_y);
     phase_ = !s.running ? 0 : done ? 3 : shift ? 1 : 2;
-    step_ = static_cast<std::size_t>(3 * (out.x_up - out.x_down) + out.y_up - out.y_down + 4);
+    const Point step = step_of(out);
+    step_ = 3 * step.x + step.y + 4;
   }
 
-  /// The point before the clock's step.
-  Word x() const { return x_; }
-  Word y() const { return y_; }
-  std::size_t phase() const { return phase_; }  ///< index into phases
-  std::size_t step() const { return step_; }    ///< index into steps
+  /// The phase, the steps of the clock, and the point before them.
+  std::array<Word, 4> values() const { return {phase_, step_, x_, y_}; }
 
  private:
   Word x_ = 0, y_ = 0;
-  std::size_t phase_ = 0, step_ = 4;
+  Word phase_ = 0, step_ = 4;
 };
 
 }  // namespace cosim::dda

@@ -201,6 +201,7 @@ class View;  // what a person wants to see of it, view.h
 /// The design as one type, for code that is generic over designs.
 struct Design {
   COSIM_DESIGN(linear);
+  using View = linear::View;
   static constexpr const char* name = "linear";
   static constexpr const char* source = "SU 1631518";
 

@@ -4,7 +4,8 @@
 
 #include <array>
 
-#include "model/linear/machine.h"
+#include "model/core/probe.h"
+#include "model/linear/steps.h"
 
 namespace cosim::linear {
 
@@ -14,6 +15,16 @@ class View {
   static constexpr std::array phases{"idle", "ready", "start", "words"};
   static constexpr std::array steps{"-", "major", "both", "mixed"};
 
+  static constexpr std::array<Probe, 4> probes(const Params&) {
+    using enum Probe::Kind;
+    constexpr const char* path = "Path, in steps";
+    constexpr int position = 40;  // bits
+    return {{{"phase", words, "words", "", 4, {}, Probe::Side::expected, phases},
+             {"step", words, "words", "", 4, {}, Probe::Side::actual, steps},
+             {"x", analog, "path", path, position, Format::twos_complement},
+             {"y", analog, "path", path, position, Format::twos_complement}}};
+  }
+
   /// One clock: the state before it and the outputs during it.
   void clock(const Params&, const State<Word>& s, const Outputs<Word>& out) {
     x_ = next_x_;
@@ -21,19 +32,18 @@ class View {
     phase_ = s.formed ? 3 : s.running ? 2 : s.coded ? 1 : 0;
     if (phase_ == 2) x_ = y_ = 0;
     step_ = out.major == 0 ? 0 : out.minor == 0 ? 1 : out.minor == out.major ? 2 : 3;
-    next_x_ = x_ + __builtin_popcountll(static_cast<unsigned long long>(out.major));
-    next_y_ = y_ + __builtin_popcountll(static_cast<unsigned long long>(out.minor));
+    const Way way = way_of(out);
+    next_x_ = x_ + way.x;
+    next_y_ = y_ + way.y;
   }
 
-  /// The position in the present line before the clock's steps, in steps: x along the major axis.
-  Word x() const { return x_; }
-  Word y() const { return y_; }
-  std::size_t phase() const { return phase_; }  ///< index into phases
-  std::size_t step() const { return step_; }    ///< index into steps: those of the clock's word
+  /// The phase, the steps of the clock's word, and the position in the present line before them, in
+  /// steps: x along the major axis.
+  std::array<Word, 4> values() const { return {phase_, step_, x_, y_}; }
 
  private:
   Word x_ = 0, y_ = 0, next_x_ = 0, next_y_ = 0;
-  std::size_t phase_ = 0, step_ = 0;
+  Word phase_ = 0, step_ = 0;
 };
 
 }  // namespace cosim::linear

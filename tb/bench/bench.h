@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "model/core/probe.h"
 #include "tb/dut/dut.h"
 #include "tb/lockstep/run.h"
 #include "tb/stimulus/hostile.h"
@@ -32,6 +33,8 @@ class AnyBench {
   /// How many of them are registers.
   virtual std::size_t registers() const = 0;
   virtual std::vector<Field> inputs() const = 0;
+  /// What a wave shows beside the fields.
+  virtual std::vector<Probe> probes() const = 0;
   /// The inputs of a clock on which nothing is asked of the machine.
   virtual std::vector<Word> rest() const = 0;
   /// The fields of the model's state, and the state after a clear.

@@ -79,6 +79,10 @@ class DesignBench : public Bench<Design> {
     all.insert(all.end(), outputs.begin(), outputs.end());
     return all;
   }
+  std::vector<Probe> probes() const override {
+    const auto list = ViewOf<Design>::probes(dut_.params);
+    return {list.begin(), list.end()};
+  }
   std::size_t registers() const override { return Design::template Registers<Word>::size; }
   std::vector<Word> rest() const override { return words(Design::rest()); }
   std::vector<Word> cleared() const override { return words(Design::template cleared<Word>()); }
@@ -113,8 +117,7 @@ class DesignBench : public Bench<Design> {
   }
   void draw_wave(const std::string& path, const Stimulus& s, Window around) const override {
     record_wave(instrumented_, path, s, around,
-                {this->title(), inputs(), compared(), registers(), texts(Design::View::phases),
-                 texts(Design::View::steps)});
+                {this->title(), inputs(), compared(), registers(), probes()});
   }
 
  protected:
@@ -180,10 +183,6 @@ class DesignBench : public Bench<Design> {
   template <class Record>
   static std::vector<Word> words(const Record& record) {
     const auto list = to_words(record);
-    return {list.begin(), list.end()};
-  }
-  template <class List>
-  static std::vector<std::string> texts(const List& list) {
     return {list.begin(), list.end()};
   }
 

@@ -11,10 +11,13 @@
 namespace cosim::cli {
 
 std::string drawn(const Result& result) {
-  const std::string steps = count(result.checked.steps, "step");
-  // The oracle measures what is drawn to its end.
-  if (result.mismatch) return steps + " before the first difference";
-  return steps + ", largest deviation " + in_steps(result.checked.max_deviation);
+  std::string text;
+  for (const Measure& measure : result.checked.measures) {
+    if (result.mismatch && measure.sum != Measure::Sum::total) continue;
+    text += (text.empty() ? "" : ", ") + to_text(measure);
+  }
+  if (text.empty()) text = count(result.clocks, "clock");
+  return text + (result.mismatch ? " before the first difference" : "");
 }
 
 namespace {

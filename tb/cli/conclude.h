@@ -10,17 +10,15 @@
 
 namespace cosim::cli {
 
-/// What was drawn: "27 steps, largest deviation 1 step"; to be put behind a colon.
+/// What the check measured of it: "27 steps, largest deviation 1 step"; where it measured nothing,
+/// how many clocks it took. Before a mismatch only totals count, for the jobs were not drawn to
+/// their ends. To be put behind a colon.
 std::string drawn(const Result& result);
 
 /// The outcome of one run of one job that `check` has watched.
 template <class Check>
 Outcome outcome_of(const AnyBench& bench, const std::string& work, Run run, Check& check) {
-  Outcome outcome{&bench, work, {}};
-  outcome.result.cases = 1;
-  outcome.result.clocks = run.clocks;
-  outcome.result.checked = run.mismatch ? check.so_far() : check.finish();
-  outcome.result.mismatch = std::move(run.mismatch);
+  Outcome outcome{&bench, work, result_of(std::move(run), check)};
   outcome.result.failed = work;
   return outcome;
 }

@@ -95,7 +95,7 @@ struct Output {
   std::string path;
 };
 
-std::vector<Output> outputs_of(const Common& common, const std::vector<std::string>& waves) {
+std::vector<Output> outputs_of(const Common& common, const WavesOf& waves) {
   std::vector<Output> all;
   const auto add = [&](const char* option, const Text& path) {
     if (path && path->empty()) throw InputError(fmt::format("{}: names no file", option));
@@ -106,10 +106,10 @@ std::vector<Output> outputs_of(const Common& common, const std::vector<std::stri
   add("--checkpoint", common.checkpoint);
   add("--plot", common.plot);
   if (!common.wave) return all;
-  for (const std::string& part : waves) {
-    add("--wave", wave_file(*common.wave, part));
-    const ViewFiles beside(all.back().path);
-    for (const std::string& file : {beside.view, beside.phases, beside.steps}) add("--wave", file);
+  for (const AnyBench* bench : waves) {
+    const std::string file = wave_file(*common.wave, waves.size() > 1 ? bench->design() : "");
+    add("--wave", file);
+    for (const std::string& beside : view_files(file, bench->probes())) add("--wave", beside);
   }
   return all;
 }
@@ -134,8 +134,7 @@ void check_apart(const std::vector<Output>& all, const std::string& input) {
 
 }  // namespace
 
-void check_outputs(const Common& common, const std::string& input,
-                   const std::vector<std::string>& waves) {
+void check_outputs(const Common& common, const std::string& input, const WavesOf& waves) {
   if (common.wave) check_ending("--wave", *common.wave, {".fst"});
   if (common.failures && common.failures->empty()) {
     throw InputError("--failures: names no folder");

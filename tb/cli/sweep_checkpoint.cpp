@@ -9,12 +9,24 @@ namespace {
 
 using Json = Checkpoint::Json;
 
+constexpr const char* total = "total";
+constexpr const char* largest = "largest";
+
+// In full, for a sweep that is all done is not run again to say what it measures.
+Json to_json(const Measure& m) {
+  Json j{{"name", m.name},
+         {"sum", m.sum == Measure::Sum::total ? total : largest},
+         {"title", m.title},
+         {"unit", m.unit}};
+  std::visit([&](auto value) { j["value"] = value; }, m.value);
+  return j;
+}
+
 Json to_json(const Result& r) {
-  return {{"cases", r.cases},
-          {"clocks", r.clocks},
-          {"jobs", r.checked.jobs},
-          {"steps", r.checked.steps},
-          {"max_deviation", r.checked.max_deviation}};
+  Json measures = Json::array();
+  for (const Measure& m : r.checked.measures) measures.push_back(to_json(m));
+  return {
+      {"cases", r.cases}, {"clocks", r.clocks}, {"jobs", r.checked.jobs}, {"measures", measures}};
 }
 
 void get_count(const Json& j, const char* name, std::uint64_t& count) {
@@ -22,13 +34,27 @@ void get_count(const Json& j, const char* name, std::uint64_t& count) {
   j.at(name).get_to(count);
 }
 
+Measure measure_from_json(const Json& j) {
+  Measure m;
+  j.at("name").get_to(m.name);
+  if (j.at("sum") != total && j.at("sum") != largest) throw InputError("sum: no rule");
+  m.sum = j.at("sum") == total ? Measure::Sum::total : Measure::Sum::largest;
+  j.at("title").get_to(m.title);
+  j.at("unit").get_to(m.unit);
+  if (const Json& value = j.at("value"); value.is_number_float()) {
+    m.value = value.get<double>();
+  } else {
+    get_count(j, "value", m.value.emplace<std::uint64_t>());
+  }
+  return m;
+}
+
 Result from_json(const Json& j) {
   Result r;
   get_count(j, "cases", r.cases);
   get_count(j, "clocks", r.clocks);
   get_count(j, "jobs", r.checked.jobs);
-  get_count(j, "steps", r.checked.steps);
-  j.at("max_deviation").get_to(r.checked.max_deviation);
+  for (const Json& one : j.at("measures")) r.checked.measures.push_back(measure_from_json(one));
   return r;
 }
 

@@ -24,7 +24,7 @@ void draw_wave(const Common& common, const AnyBench& bench, Stimulus stimulus,
   stimulus.origin = work;
   const std::string file = wave_file(*common.wave, part);
   bench.draw_wave(file, stimulus, common.window());
-  fmt::print("wave: {}\n", ViewFiles(file).view);
+  fmt::print("wave: {}\n", view_file(file));
 }
 
 }  // namespace cosim::cli

@@ -54,6 +54,12 @@ Json mismatch(const Result& r) {
   return object;
 }
 
+void put_measures(Json& object, const Checked& checked) {
+  for (const Measure& m : checked.measures) {
+    std::visit([&](auto value) { object[m.name] = value; }, m.value);
+  }
+}
+
 Json run_json(const Outcome& o) {
   Json object;
   object["verdict"] = o.result.match() ? "match" : "mismatch";
@@ -61,8 +67,7 @@ Json run_json(const Outcome& o) {
   object["parameters"] = parameters(*o.bench);
   object["work"] = o.work;
   object["clocks"] = o.result.clocks;
-  object["steps"] = o.result.checked.steps;
-  object["max_deviation"] = o.result.checked.max_deviation;
+  put_measures(object, o.result.checked);
   if (!o.result.match()) object["mismatch"] = mismatch(o.result);
   return object;
 }
@@ -136,19 +141,14 @@ std::string report_json(const std::vector<Outcome>& outcomes, std::uint64_t seed
                                            : "mismatch";
     top["design"] = Json::array();
     top["parameters"] = Json::array();
-    std::uint64_t clocks = 0;
-    std::uint64_t steps = 0;
-    double max_deviation = 0;
+    Result sum;
     std::set<const AnyBench*> named;
     for (const Outcome& o : outcomes) {
       if (named.insert(o.bench).second) top["parameters"].push_back(parameters(*o.bench));
-      clocks += o.result.clocks;
-      steps += o.result.checked.steps;
-      max_deviation = std::max(max_deviation, o.result.checked.max_deviation);
+      add(sum, o.result);
     }
-    top["clocks"] = clocks;
-    top["steps"] = steps;
-    top["max_deviation"] = max_deviation;
+    top["clocks"] = sum.clocks;
+    put_measures(top, sum.checked);
     for (const Json& run : runs) {
       if (run.contains("mismatch") && !top.contains("mismatch")) top["mismatch"] = run["mismatch"];
     }

@@ -29,13 +29,13 @@ std::string comparison_text(const std::vector<Outcome>& outcomes);
 /// The verdict of all outcomes in words, behind each mismatch or objection of the oracle in full.
 std::string verdict_text(const std::vector<Outcome>& outcomes);
 
-/// The report as JSON text: an object with `verdict`, `design`, `parameters`, `clocks`, `steps`,
-/// `compared_signals`, `max_deviation`, `seed`, where they do not match `mismatch`, and `runs`, an
-/// object for each outcome. Over several outcomes clocks and steps are sums, max_deviation is the
-/// largest, mismatch the first, and parameters an array of what would be one object; over several
-/// designs design is an array of names and compared_signals an object of arrays under these names.
-/// Over none the verdict is "nothing compared". `extra` is a JSON object whose keys are added. Text
-/// that is not UTF-8 gets replacement characters.
+/// The report as JSON text: an object with `verdict`, `design`, `parameters`, `clocks`, the
+/// measures of the design's check under their names, `compared_signals`, `seed`, where they do not
+/// match `mismatch`, and `runs`, an object for each outcome. Over several outcomes clocks are added
+/// up, measures as they say, mismatch is the first, and parameters an array of what would be one
+/// object; over several designs design is an array of names and compared_signals an object of
+/// arrays under these names. Over none the verdict is "nothing compared". `extra` is a JSON object
+/// whose keys are added. Text that is not UTF-8 gets replacement characters.
 std::string report_json(const std::vector<Outcome>& outcomes, std::uint64_t seed,
                         const std::string& extra = "{}");
 

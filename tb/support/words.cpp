@@ -37,18 +37,18 @@ std::string count(std::uint64_t n, const std::string& noun) {
   return fmt::format("{} {}{}", n, noun, n == 1 ? "" : "s");
 }
 
-std::string in_steps(double length) {
+std::string amount(double n, const std::string& noun) {
   constexpr int most_decimals = 12;
-  std::string text = fmt::format("{}", finite(length));  // the shortest that is the same double
+  std::string text = fmt::format("{}", finite(n));  // the shortest that is the same double
   for (int decimals = 3; decimals <= most_decimals; ++decimals) {
-    std::string rounded = fmt::format("{:.{}f}", length, decimals);
+    std::string rounded = fmt::format("{:.{}f}", n, decimals);
     if (rounded.size() >= text.size()) break;
     if (!is_half_integer(std::strtod(rounded.c_str(), nullptr))) {
       text = std::move(rounded);
       break;
     }
   }
-  return text + (length == 1 ? " step" : " steps");
+  return text + " " + noun + (n == 1 ? "" : "s");
 }
 
 std::string one_line(std::string text) {

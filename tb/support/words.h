@@ -9,10 +9,10 @@ namespace cosim::cli {
 /// "1 step", "2 steps"
 std::string count(std::uint64_t n, const std::string& noun);
 
-/// A length in steps, rounded to three decimals, exact where it has no more: "0.369 steps", "1
-/// step". More decimals where three would round it to a multiple of a half that it is not: "0.4996
-/// steps".
-std::string in_steps(double length);
+/// A number of them that need not be whole, rounded to three decimals, exact where it has no more:
+/// "0.369 steps", "1 step". More decimals where three would round it to a multiple of a half that
+/// it is not: "0.4996 steps".
+std::string amount(double n, const std::string& noun);
 
 /// The text on one line, as UTF-8: every byte that is no part of a printable character as "?".
 std::string one_line(std::string text);

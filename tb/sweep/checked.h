@@ -1,17 +1,44 @@
-// What an oracle found of what was drawn: a second opinion beside lockstep, on whole jobs.
+// What a check found of what was drawn: a second opinion beside lockstep, on whole jobs.
 #pragma once
 
 #include <cstdint>
 #include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
 
 namespace cosim {
 
+/// A figure that a design's check takes of its jobs.
+struct Measure {
+  /// How the figure of several runs comes of theirs.
+  enum class Sum { total, largest };
+
+  std::string name;  ///< its key in reports: "max_deviation"
+  Sum sum = Sum::total;
+  std::string title;  ///< before the value, for a person: "largest deviation"; may be empty
+  std::string unit;   ///< behind it, a noun in the singular: "step"
+  std::variant<std::uint64_t, double> value;
+};
+
+/// "27 steps", "largest deviation 0.369 steps"
+std::string to_text(const Measure& measure);
+
 /// What a check found of a run of jobs.
 struct Checked {
-  std::uint64_t jobs = 0;   ///< finished
-  std::uint64_t steps = 0;  ///< elementary steps: positions of a line, clocks with a step of an arc
-  double max_deviation = 0;  ///< in steps, from the exact line or circle, over all jobs
-  std::string error;         ///< empty, or one line: the first place where machine and oracle part
+  std::uint64_t jobs = 0;  ///< finished
+  std::string error;       ///< empty, or one line: the first place where machine and oracle part
+  std::vector<Measure> measures;  ///< each name once
+
+  /// The measure of that name, which must be one.
+  const Measure& measure(std::string_view name) const;
+  /// Its value, which must be of that type.
+  std::uint64_t count(std::string_view name) const;
+  double number(std::string_view name) const;
 };
+
+/// Adds up what two runs came to; an error stays the first one. std::logic_error where they take a
+/// measure of one name in two ways.
+void add(Checked& sum, const Checked& one);
 
 }  // namespace cosim

@@ -10,23 +10,12 @@
 #include <map>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "tb/bench/bench.h"
 
 namespace cosim {
-namespace {
-
-void add(Result& sum, const Result& one) {
-  sum.cases += 1;
-  sum.clocks += one.clocks;
-  sum.checked.jobs += one.checked.jobs;
-  sum.checked.steps += one.checked.steps;
-  sum.checked.max_deviation = std::max(sum.checked.max_deviation, one.checked.max_deviation);
-}
-
-}  // namespace
-
 Result run_sweep(const Sweep& sweep, unsigned threads, const Progress& progress,
                  const Resume& resume) {
   std::atomic<std::uint64_t> next{resume.done.cases};
@@ -42,11 +31,12 @@ Result run_sweep(const Sweep& sweep, unsigned threads, const Progress& progress,
     try {
       for (std::uint64_t i = next++; i < end; i = next++) {
         Result one = sweep.run(i);
+        one.cases = 1;
         std::unique_lock lock(guard);
         if (!one.match() && i < end) end = i;
         waiting.emplace(i, std::move(one));
         while (!waiting.empty() && waiting.begin()->first == sum.cases && sum.cases < end) {
-          add(sum, waiting.begin()->second);
+          add(sum, std::move(waiting.begin()->second));
           waiting.erase(waiting.begin());
         }
         room.notify_all();
@@ -80,10 +70,8 @@ Result run_sweep(const Sweep& sweep, unsigned threads, const Progress& progress,
   if (thrown) std::rethrow_exception(thrown);
   if (sum.cases == end && end < sweep.cases) {
     Result& one = waiting.at(end);
-    add(sum, one);
-    sum.mismatch = std::move(one.mismatch);
-    sum.checked.error = std::move(one.checked.error);
-    sum.failed = fmt::format("case {}: {}", end.load(), one.failed);
+    one.failed = fmt::format("case {}: {}", end.load(), one.failed);
+    add(sum, std::move(one));
   }
   if (progress) progress(sum.cases, sweep.cases);
   return sum;

@@ -5,24 +5,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 
-#include "tb/lockstep/run.h"
-#include "tb/sweep/checked.h"
+#include "tb/sweep/result.h"
 
 namespace cosim {
-
-/// What came of one case or, added up, of many.
-struct Result {
-  std::uint64_t cases = 0;
-  std::uint64_t clocks = 0;  ///< compared
-  Checked checked;           ///< against the oracle; `error` is the first by case number
-  std::optional<Mismatch> mismatch;
-  std::string failed;  ///< what the failing case was, one line; empty where none failed
-
-  bool match() const { return !mismatch && checked.error.empty(); }
-};
 
 struct Sweep {
   std::string name;  ///< what is swept, for a person: "every BP and UK"

@@ -24,7 +24,7 @@ void record_wave(const DutMaker<Design>& maker, const std::string& path, const S
 
   const auto lockstep = started(maker, stimulus);
   Wave wave(path, shape, lockstep->dut().signals());
-  typename Design::View expected, actual;
+  ViewOf<Design> expected, actual;
   Rows<Design> rows(stimulus);
   typename Design::template Inputs<Word> in;
   const auto words = [](const Compared<Design>& seen) {
@@ -44,10 +44,9 @@ void record_wave(const DutMaker<Design>& maker, const std::string& path, const S
       now.inputs = stimulus.clocks[now.clock];
       now.expected = words(model);
       now.actual = words(rtl);
-      now.expected_at = {expected.x(), expected.y()};
-      now.actual_at = {actual.x(), actual.y()};
-      now.phase = expected.phase();
-      now.step = actual.step();
+      const auto expected_probes = expected.values(), actual_probes = actual.values();
+      now.expected_probes.assign(expected_probes.begin(), expected_probes.end());
+      now.actual_probes.assign(actual_probes.begin(), actual_probes.end());
       if (range.signal.empty() && now.expected != now.actual) {
         for (std::size_t i = 0; range.signal.empty(); ++i) {
           if (now.expected[i] != now.actual[i]) range.signal = shape.compared[i].name;

@@ -47,6 +47,15 @@ unsigned format_of(const Field& f) {
   return hex;
 }
 
+std::string name_of(const std::string& file) {
+  return std::filesystem::path(file).filename().string();
+}
+
+std::string beside_wave(const std::string& path, const std::string& ending) {
+  const std::filesystem::path fst = path;
+  return (fst.parent_path() / fst.stem()).string() + ending;
+}
+
 std::string with_range(const std::string& name, int width) {
   return width == 1 ? name : fmt::format("{}[{}:0]", name, width - 1);
 }
@@ -101,14 +110,33 @@ void add_pair(View& view, const Field& f) {
   view.signal("cosim.mismatch." + name, 1, binary, name + " mismatch", red);
 }
 
-void add_path(View& view) {
-  constexpr unsigned analog = signed_decimal | analog_step | analog_full;
-  view.group("Path, in steps");
-  for (const char* axis : {"x", "y"}) {
-    view.signal(std::string("cosim.path.") + axis, position_width, analog, axis, green);
-    view.higher(3);
+void add_probe(View& view, const Probe& probe, const std::string& words) {
+  const std::string name = fmt::format("cosim.{}.{}", probe.scope, probe.name);
+  if (probe.kind == Probe::Kind::words) {
+    view.words(name, probe.width, words, probe.name);
+    return;
   }
-  view.end_group("Path, in steps");
+  const unsigned format = format_of({probe.name, probe.width, probe.format, "", ""});
+  const bool analog = probe.kind == Probe::Kind::analog;
+  view.signal(name, probe.width, format | (analog ? analog_step | analog_full : 0U), probe.name,
+              green);
+  if (analog) view.higher(3);
+}
+
+// Those of a group together, where they stand side by side.
+void add_probes(View& view, const std::string& path, const std::vector<Probe>& probes) {
+  std::string group;
+  const auto change = [&](const std::string& to) {
+    if (to == group) return;
+    if (!group.empty()) view.end_group(group);
+    if (!to.empty()) view.group(to);
+    group = to;
+  };
+  for (const Probe& probe : probes) {
+    change(probe.group);
+    add_probe(view, probe, name_of(words_file(path, probe)));
+  }
+  change("");
 }
 
 void add_registers(View& view, const WaveShape& shape) {
@@ -129,9 +157,9 @@ void add_registers(View& view, const WaveShape& shape) {
   view.end_group("Registers (block of the source)");
 }
 
-void lines_of_words(const std::string& path, const std::vector<std::string>& words) {
+void write_words(const std::string& path, const Probe& probe) {
   OutputFile file(path);
-  for (std::size_t i = 0; i < words.size(); ++i) file.line("{:x} {}", i, words[i]);
+  for (std::size_t i = 0; i < probe.words.size(); ++i) file.line("{:x} {}", i, probe.words[i]);
   file.close();
 }
 
@@ -146,21 +174,24 @@ double number_of(const Field& field, Word value) {
   return field.format == Format::ones_quarters ? number / 4 : number;
 }
 
-ViewFiles::ViewFiles(const std::string& path) {
-  const std::filesystem::path fst = path;
-  const std::string stem = (fst.parent_path() / fst.stem()).string();
-  view = stem + ".gtkw";
-  phases = stem + ".phase.txt";
-  steps = stem + ".step.txt";
+std::string view_file(const std::string& path) { return beside_wave(path, ".gtkw"); }
+
+std::string words_file(const std::string& path, const Probe& probe) {
+  return beside_wave(path, fmt::format(".{}.txt", probe.name));
+}
+
+std::vector<std::string> view_files(const std::string& path, const std::vector<Probe>& probes) {
+  std::vector<std::string> all{view_file(path)};
+  for (const Probe& probe : probes) {
+    if (probe.kind == Probe::Kind::words) all.push_back(words_file(path, probe));
+  }
+  return all;
 }
 
 void write_view(const std::string& path, const WaveShape& shape, const WaveRange& range) {
-  const auto name_of = [](const std::string& file) {
-    return std::filesystem::path(file).filename().string();
-  };
-  const ViewFiles files(path);
-  lines_of_words(files.phases, shape.phases);
-  lines_of_words(files.steps, shape.steps);
+  for (const Probe& probe : shape.probes) {
+    if (probe.kind == Probe::Kind::words) write_words(words_file(path, probe), probe);
+  }
 
   // A wave of many clocks is opened around the mismatch, or where it begins.
   constexpr std::uint64_t shown_clocks = 32;
@@ -174,10 +205,11 @@ void write_view(const std::string& path, const WaveShape& shape, const WaveRange
   constexpr double frames = 1100 / 200.0;
   const double zoom = -std::log2(static_cast<double>(clocks * wave_period) / frames);
 
-  OutputFile file(files.view);
+  const std::string view_path = view_file(path);
+  OutputFile file(view_path);
   file.line("[*] {}: to be opened in the folder it lies in", shape.title);
   file.line("[dumpfile] \"{}\"", name_of(path));
-  file.line("[savefile] \"{}\"", name_of(files.view));
+  file.line("[savefile] \"{}\"", name_of(view_path));
   file.line("[timestart] {}", from * wave_period);
   file.line("[size] 1480 960");
   file.line("[pos] -1 -1");
@@ -191,7 +223,7 @@ void write_view(const std::string& path, const WaveShape& shape, const WaveRange
 
   View view(file);
   view.signal("cosim.clk", 1, binary, "clk");
-  view.signal("cosim.clock", position_width, decimal, "clock");
+  view.signal("cosim.clock", clock_width, decimal, "clock");
   view.signal("cosim.mismatch.any", 1, binary, "mismatch", red);
   for (const Field& f : shape.compared) {
     if (f.name != range.signal) continue;
@@ -199,9 +231,7 @@ void write_view(const std::string& path, const WaveShape& shape, const WaveRange
     add_pair(view, f);
     view.end_group("First difference: " + range.signal);
   }
-  view.words("cosim.words.phase", 4, name_of(files.phases), "phase");
-  view.words("cosim.words.step", 4, name_of(files.steps), "step");
-  add_path(view);
+  add_probes(view, path, shape.probes);
   view.group("Pins (of the source)");
   for (const Field& f : shape.inputs) {
     view.signal(std::string("cosim.inputs.") + f.name, f.width, format_of(f),

@@ -1,8 +1,9 @@
-// The GTKWave view of a wave: its save file and the words for phases and steps.
+// The GTKWave view of a wave: its save file and the words that its probes stand for.
 #pragma once
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "tb/wave/wave.h"
 
@@ -16,12 +17,12 @@ bool has_number(const Field& field);
 /// That number: quarters as a fraction.
 double number_of(const Field& field, Word value);
 
-/// The files of a view, which lie beside its wave `path`, x.fst, and belong together: x.gtkw, and
-/// the words x.phase.txt and x.step.txt.
-struct ViewFiles {
-  explicit ViewFiles(const std::string& path);
-  std::string view, phases, steps;
-};
+/// The view of wave `path`, x.fst, which lies beside it: x.gtkw.
+std::string view_file(const std::string& path);
+/// The words of a probe, which belong to the view: x.PROBE.txt.
+std::string words_file(const std::string& path, const Probe& probe);
+/// All that lie beside the wave, the view first.
+std::vector<std::string> view_files(const std::string& path, const std::vector<Probe>& probes);
 
 /// Writes the view of wave `path`, a file whose name ends in .fst. InputError where it cannot.
 void write_view(const std::string& path, const WaveShape& shape, const WaveRange& range);

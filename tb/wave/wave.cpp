@@ -10,8 +10,6 @@ namespace cosim {
 namespace {
 
 constexpr std::uint64_t period = wave_period;
-constexpr int clock_width = position_width;
-constexpr int word_width = 4;
 
 // Opens and closes scopes so that those of `to` are open; `from` are.
 void change_scope(Fst& fst, const std::vector<std::string>& from,
@@ -52,18 +50,18 @@ Wave::Wave(const std::string& path, const WaveShape& shape, std::vector<Signal> 
     expected_numbers_.push_back(has_number(f) ? fst.real(std::string("expected_") + f.name) : 0);
   }
   fst.close_scope();
-  fst.open_scope("path");
-  x_ = fst.variable("x", position_width);
-  y_ = fst.variable("y", position_width);
-  expected_x_ = fst.variable("expected_x", position_width);
-  expected_y_ = fst.variable("expected_y", position_width);
-  fst.close_scope();
-  fst.open_scope("words");
-  phase_ = fst.variable("phase", word_width);
-  step_ = fst.variable("step", word_width);
-  fst.close_scope();
-  fst.close_scope();
   std::vector<std::string> scope;
+  for (const Probe& probe : shape.probes) {
+    change_scope(fst, scope, {probe.scope});
+    scope = {probe.scope};
+    probes_.push_back(fst.variable(probe.name, probe.width));
+    const bool both = probe.side == Probe::Side::both;
+    expected_probes_.push_back(
+        both ? fst.variable(std::string("expected_") + probe.name, probe.width) : 0);
+  }
+  change_scope(fst, scope, {});
+  fst.close_scope();
+  scope.clear();
   for (const Signal& s : rtl_) {
     change_scope(fst, scope, s.scope);
     scope = s.scope;
@@ -92,12 +90,14 @@ void Wave::clock(const WaveClock& now) {
     fst.number(expected_numbers_[i], number_of(field, now.expected[i]));
   }
   fst.value(any_, 1, now.expected == now.actual ? 0 : 1);
-  fst.value(x_, position_width, now.actual_at.x);
-  fst.value(y_, position_width, now.actual_at.y);
-  fst.value(expected_x_, position_width, now.expected_at.x);
-  fst.value(expected_y_, position_width, now.expected_at.y);
-  fst.value(phase_, word_width, static_cast<Word>(now.phase));
-  fst.value(step_, word_width, static_cast<Word>(now.step));
+  for (std::size_t i = 0; i < probes_.size(); ++i) {
+    const Probe& probe = shape_.probes[i];
+    const bool expected = probe.side == Probe::Side::expected;
+    fst.value(probes_[i], probe.width, expected ? now.expected_probes[i] : now.actual_probes[i]);
+    if (probe.side == Probe::Side::both) {
+      fst.value(expected_probes_[i], probe.width, now.expected_probes[i]);
+    }
+  }
   for (std::size_t i = 0; i < rtl_.size(); ++i) {
     // The clock is drawn as it looks, not as it stands when the signals are read.
     if (rtl_[i].name == "clk") {

@@ -9,9 +9,8 @@
 //   cosim.inputs.NAME              the pins driven
 //   cosim.number.NAME              a ones' complement register of the RTL as the number it is
 //   cosim.number.expected_NAME     and the model's
-//   cosim.path.x, y                the position by the RTL's outputs, two's complement
-//   cosim.path.expected_x, _y      the position by the model's
-//   cosim.words.phase, step        numbers for which the view has words
+//   cosim.SCOPE.NAME               a probe of the design, by the side that it names or the RTL
+//   cosim.SCOPE.expected_NAME      one of both sides, by the model
 //   DESIGN....                     the RTL
 #pragma once
 
@@ -22,6 +21,7 @@
 #include <vector>
 
 #include "model/core/fields.h"
+#include "model/core/probe.h"
 #include "tb/dut/signal.h"
 
 namespace cosim {
@@ -32,20 +32,14 @@ struct WaveShape {
   std::vector<Field> inputs;
   std::vector<Field> compared;  ///< registers first
   std::size_t registers = 0;
-  std::vector<std::string> phases;  ///< words for the phases, by number
-  std::vector<std::string> steps;   ///< words for the steps of a clock
-};
-
-struct WavePoint {
-  Word x = 0, y = 0;
+  std::vector<Probe> probes;  ///< those of a scope side by side
 };
 
 /// One clock of a run.
 struct WaveClock {
   std::uint64_t clock = 0;
   std::vector<Word> inputs, expected, actual;
-  WavePoint expected_at, actual_at;
-  std::size_t phase = 0, step = 0;
+  std::vector<Word> expected_probes, actual_probes;
 };
 
 /// The clocks of a run that a wave shows, and the first that differs.
@@ -56,8 +50,8 @@ struct WaveRange {
   std::string signal;  ///< the first that differs; empty where none does
 };
 
-/// Bits of the signed x and y.
-inline constexpr int position_width = 40;
+/// Bits of the clock's number.
+inline constexpr int clock_width = 40;
 
 class Fst;
 
@@ -77,9 +71,8 @@ class Wave {
   const WaveShape& shape_;
   std::vector<Signal> rtl_;
   std::vector<std::uint32_t> rtl_handles_, inputs_, expected_, actual_, mismatch_, numbers_,
-      expected_numbers_;
-  std::uint32_t clk_ = 0, clock_ = 0, any_ = 0, x_ = 0, y_ = 0, expected_x_ = 0, expected_y_ = 0,
-                phase_ = 0, step_ = 0;
+      expected_numbers_, probes_, expected_probes_;
+  std::uint32_t clk_ = 0, clock_ = 0, any_ = 0;
   std::uint64_t end_ = 0;
 };
 

@@ -39,8 +39,12 @@ class Asked {
     if (std::find(paths_.begin(), paths_.end(), path) != paths_.end()) return true;
     for (const std::string& stem : stems_) {
       for (const char* part : {"", ".linear", ".circular"}) {
-        for (const char* end : {".fst", ".gtkw", ".phase.txt", ".step.txt"}) {
-          if (path == stem + part + end) return true;
+        const std::string wave = stem + part;
+        if (path == wave + ".fst" || path == wave + ".gtkw") return true;
+        // The words of a probe, whatever it is called.
+        const std::size_t slash = path.find('/', wave.size());
+        if (path.starts_with(wave + ".") && path.ends_with(".txt") && slash == std::string::npos) {
+          return true;
         }
       }
     }

@@ -87,6 +87,43 @@ TEST_F(KilledSweep, StartsFromWhatTheCheckpointSays) {
   EXPECT_EQ(report["runs"][0]["clocks"], kClocks + 7);
 }
 
+// The measures of a check are kept with all that it takes to go on and to print them.
+TEST_F(KilledSweep, GoesOnWithWhatTheCheckMeasured) {
+  const Arguments measured{"sweep",        "linear",
+                           "--random",     "200000",
+                           "--m",          "5",
+                           "--checkpoint", folder_.path("state"),
+                           "--report",     folder_.path("report")};
+  for (int after = 200; !folder_.holds("state"); after *= 2) {
+    ASSERT_TRUE(cosim_killed(measured, after)) << "it ended and kept nothing";
+  }
+  const std::string state = folder_.text("state");
+  const auto run_from = [&](const nlohmann::json& file) {
+    folder_.write("state", file.dump());
+    const Ended ended = cosim(measured);
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    EXPECT_NE(ended.out.find(" steps, largest deviation "), std::string::npos) << ended.out;
+    return nlohmann::json::parse(folder_.text("report"));
+  };
+  auto file = nlohmann::json::parse(state);
+  const auto whole = run_from(file);
+  auto& measures = file["state"][0]["measures"];
+  ASSERT_EQ(measures.size(), 2U);
+  measures[0]["value"] = measures[0]["value"].get<std::uint64_t>() + 7;
+  measures[1]["value"] = 12345.5;
+  const auto changed = run_from(file);
+  EXPECT_EQ(changed["steps"], whole["steps"].get<std::uint64_t>() + 7);
+  EXPECT_EQ(changed["max_deviation"], 12345.5);
+  for (const char* none : {"-1", "\"1\"", "null"}) {
+    measures[0]["value"] = nlohmann::json::parse(none);
+    folder_.write("state", file.dump());
+    const Ended refused = cosim(measured);
+    EXPECT_EQ(refused.status, 2);
+    EXPECT_NE(refused.err.find(": no checkpoint of these sweeps"), std::string::npos)
+        << refused.err;
+  }
+}
+
 void expect_refused(const Ended& ended, const std::string& line) {
   EXPECT_EQ(ended.status, 2);
   EXPECT_NE(ended.err.find(line), std::string::npos) << ended.err;

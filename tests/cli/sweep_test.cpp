@@ -108,6 +108,8 @@ TEST(Sweep, RunsSoManyHostileClocks) {
     for (const std::uint64_t clocks : clocks_of_runs(s.report)) EXPECT_EQ(clocks, 1234U);
     // Hostile clocks draw nothing: nothing is said of steps.
     EXPECT_EQ(s.ended.out.find("step"), std::string::npos) << s.ended.out;
+    EXPECT_FALSE(s.report.contains("steps"));
+    EXPECT_FALSE(s.report["runs"][0].contains("max_deviation"));
     EXPECT_NE(s.ended.out.find(": 1234 clocks ("), std::string::npos) << s.ended.out;
   }
   EXPECT_NE(sweep({"linear", "--hostile", "1", "--m", "5"}).ended.out.find(" on the one clock\n"),

@@ -76,7 +76,7 @@ void expect_wave(const fs::path& file, const AnyBench& bench, const Difference& 
   if (first.clock > 0) {
     EXPECT_EQ(wave.at("cosim.mismatch.any", time - 1), "0");
   }
-  EXPECT_EQ(wave.at("cosim.clock", time), bits(static_cast<Word>(first.clock), position_width));
+  EXPECT_EQ(wave.at("cosim.clock", time), bits(static_cast<Word>(first.clock), clock_width));
   EXPECT_TRUE(wave.has(bench.design() + ".clk")) << "no RTL in the wave";
 }
 

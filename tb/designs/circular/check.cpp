@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/circular/oracle.h"
+#include "model/circular/steps.h"
 
 namespace cosim::circular {
 
@@ -14,16 +15,17 @@ void Check::open() {
   if (job_ == arcs_.size()) return;
   at_ = arcs_[job_].from;
   steps_ = 0;
-  found_.max_deviation = std::max(found_.max_deviation, radial_deviation(at_, arcs_[job_].radius2));
+  max_deviation_ = std::max(max_deviation_, radial_deviation(at_, arcs_[job_].radius2));
 }
 
 void Check::clock(std::size_t job, const Compared<Design>& seen) {
   while (job_ < job) close();
-  if (!(seen.outputs.step_x | seen.outputs.step_y) || !found_.error.empty()) return;
+  const Point step = step_of(seen.outputs);
+  if (step == Point{} || !found_.error.empty()) return;
   const std::uint64_t radius2 = arcs_[job].radius2;
   ++steps_;
-  ++found_.steps;
-  const Point got = {at_.x - seen.outputs.step_x, at_.y + seen.outputs.step_y};
+  ++drawn_;
+  const Point got = {at_.x + step.x, at_.y + step.y};
   if (at_.x <= 0) {
     found_.error = fmt::format("R^2 = {}: a step past the end, at ({}, {})", radius2, at_.x, at_.y);
     return;
@@ -35,7 +37,7 @@ void Check::clock(std::size_t job, const Compared<Design>& seen) {
     return;
   }
   at_ = got;
-  found_.max_deviation = std::max(found_.max_deviation, radial_deviation(at_, radius2));
+  max_deviation_ = std::max(max_deviation_, radial_deviation(at_, radius2));
 }
 
 void Check::close() {
@@ -58,9 +60,17 @@ void Check::close() {
   open();
 }
 
+Checked Check::so_far() const {
+  Checked found = found_;
+  found.measures = {
+      {"steps", Measure::Sum::total, "", "step", drawn_},
+      {"max_deviation", Measure::Sum::largest, "largest deviation", "step", max_deviation_}};
+  return found;
+}
+
 Checked Check::finish() {
   while (job_ < arcs_.size()) close();
-  return found_;
+  return so_far();
 }
 
 }  // namespace cosim::circular

@@ -16,7 +16,7 @@ class Check final : public Observer<Design> {
   explicit Check(std::span<const Arc> arcs);
   void clock(std::size_t job, const Compared<Design>& seen) override;
   /// What was found so far, the present job left open.
-  const Checked& so_far() const { return found_; }
+  Checked so_far() const;
   /// Closes the last job.
   Checked finish();
 
@@ -28,6 +28,8 @@ class Check final : public Observer<Design> {
   std::int64_t steps_ = 0;
   Point at_;
   Checked found_;
+  std::uint64_t drawn_ = 0;  // elementary steps: clocks with a step
+  double max_deviation_ = 0;
 };
 
 }  // namespace cosim::circular

@@ -30,14 +30,7 @@ Sweep over_radii(const CircularBench& bench, const char* name, std::int64_t firs
 
 Result run_arcs(const CircularBench& bench, std::span<const Arc> arcs, std::uint32_t power_up) {
   Check check(arcs);
-  Run run = bench.open(power_up)->draw(arcs, check);
-  Result result;
-  result.cases = 1;
-  result.clocks = run.clocks;
-  result.mismatch = std::move(run.mismatch);
-  // After a mismatch the arcs behind it were not drawn; the oracle has nothing to say of them.
-  if (!result.mismatch) result.checked = check.finish();
-  return result;
+  return result_of(bench.open(power_up)->draw(arcs, check), check);
 }
 
 std::vector<Point> every_start(std::uint64_t radius2) {

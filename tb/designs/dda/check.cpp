@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/dda/equation.h"
+#include "model/dda/steps.h"
 
 namespace cosim::dda {
 
@@ -23,7 +24,7 @@ void Check::clock(std::size_t job, const Compared<Design>& seen) {
   const auto signed_code = [this](Word code) { return from_twos_complement(code, p_.width + 1); };
   const Point from = track_->at();
   const Point at{signed_code(seen.outputs.code_x), signed_code(seen.outputs.code_y)};
-  const Point got{seen.outputs.x_up - seen.outputs.x_down, seen.outputs.y_up - seen.outputs.y_down};
+  const Point got = step_of(seen.outputs);
   const std::optional<Point> due = track_->next();
   // On the clock of the end or of a stop there is no step.
   if (!due) over_ = true;
@@ -36,8 +37,8 @@ void Check::clock(std::size_t job, const Compared<Design>& seen) {
   }
   ++clocks_;
   if (got == Point{}) return;
-  ++found_.steps;
-  found_.max_deviation = std::max(found_.max_deviation, deviation(jobs_[job_], track_->at()));
+  ++drawn_;
+  max_deviation_ = std::max(max_deviation_, deviation(jobs_[job_], track_->at()));
 }
 
 void Check::close() {
@@ -50,9 +51,17 @@ void Check::close() {
   open();
 }
 
+Checked Check::so_far() const {
+  Checked found = found_;
+  found.measures = {
+      {"steps", Measure::Sum::total, "", "step", drawn_},
+      {"max_deviation", Measure::Sum::largest, "largest deviation", "step", max_deviation_}};
+  return found;
+}
+
 Checked Check::finish() {
   while (job_ < jobs_.size()) close();
-  return found_;
+  return so_far();
 }
 
 }  // namespace cosim::dda

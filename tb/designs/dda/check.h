@@ -17,7 +17,7 @@ class Check final : public Observer<Design> {
   Check(const Params& p, std::span<const Job> jobs);
   void clock(std::size_t job, const Compared<Design>& seen) override;
   /// What was found so far, the present job left open.
-  const Checked& so_far() const { return found_; }
+  Checked so_far() const;
   /// Closes the last job.
   Checked finish();
 
@@ -31,6 +31,8 @@ class Check final : public Observer<Design> {
   std::int64_t clocks_ = 0;
   bool over_ = false;
   Checked found_;
+  std::uint64_t drawn_ = 0;  // elementary steps: clocks with a step
+  double max_deviation_ = 0;
 };
 
 }  // namespace cosim::dda

@@ -57,14 +57,7 @@ Job random_conic(const Params& p, Random& random, const Settings& settings) {
 
 Result run_jobs(const DdaBench& bench, std::span<const Job> jobs, std::uint32_t power_up) {
   Check check(bench.params(), jobs);
-  Run run = bench.open(power_up)->draw(jobs, check);
-  Result result;
-  result.cases = 1;
-  result.clocks = run.clocks;
-  result.mismatch = std::move(run.mismatch);
-  // After a mismatch the jobs behind it were not drawn; the oracle has nothing to say of them.
-  if (!result.mismatch) result.checked = check.finish();
-  return result;
+  return result_of(bench.open(power_up)->draw(jobs, check), check);
 }
 
 Sweep every_line(const DdaBench& bench) {

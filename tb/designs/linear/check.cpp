@@ -3,9 +3,9 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <bit>
 
 #include "model/linear/oracle.h"
+#include "model/linear/steps.h"
 
 namespace cosim::linear {
 
@@ -17,7 +17,7 @@ void Check::clock(std::size_t job, const Compared<Design>& seen) {
   const Words got = {static_cast<std::uint64_t>(seen.outputs.major),
                      static_cast<std::uint64_t>(seen.outputs.minor)};
   ++tick_;
-  found_.steps += static_cast<std::uint64_t>(std::popcount(got.major));
+  drawn_ += static_cast<std::uint64_t>(way_of(seen.outputs).x);
   if (got == due) return;
   found_.error =
       fmt::format("BP = {}, UK = {:0{}b}, word {}: oracle {:0{}b} {:0{}b}, machine {:0{}b} {:0{}b}",
@@ -32,16 +32,24 @@ void Check::close() {
     found_.error = fmt::format("BP = {}, UK = {:0{}b}: oracle {} words, machine {}", job.line.major,
                                job.line.code, p_.m, due, tick_);
   }
-  found_.max_deviation =
-      std::max(found_.max_deviation, max_deviation(p_.m, job.line.major, job.line.code).value());
+  max_deviation_ =
+      std::max(max_deviation_, max_deviation(p_.m, job.line.major, job.line.code).value());
   ++found_.jobs;
   ++job_;
   tick_ = 0;
 }
 
+Checked Check::so_far() const {
+  Checked found = found_;
+  found.measures = {
+      {"steps", Measure::Sum::total, "", "step", drawn_},
+      {"max_deviation", Measure::Sum::largest, "largest deviation", "step", max_deviation_}};
+  return found;
+}
+
 Checked Check::finish() {
   while (job_ < jobs_.size()) close();
-  return found_;
+  return so_far();
 }
 
 }  // namespace cosim::linear

@@ -16,7 +16,7 @@ class Check final : public Observer<Design> {
   Check(const Params& p, std::span<const Job> jobs) : p_(p), jobs_(jobs) {}
   void clock(std::size_t job, const Compared<Design>& seen) override;
   /// What was found so far, the present job left open.
-  const Checked& so_far() const { return found_; }
+  Checked so_far() const;
   /// Closes the last job.
   Checked finish();
 
@@ -27,6 +27,8 @@ class Check final : public Observer<Design> {
   std::size_t job_ = 0;
   std::int64_t tick_ = 0;
   Checked found_;
+  std::uint64_t drawn_ = 0;  // elementary steps: positions of the major axis
+  double max_deviation_ = 0;
 };
 
 }  // namespace cosim::linear

@@ -13,14 +13,7 @@ namespace cosim::linear {
 
 Result run_lines(const LinearBench& bench, std::span<const Job> jobs, std::uint32_t power_up) {
   Check check(bench.params(), jobs);
-  Run run = bench.open(power_up)->draw(jobs, check);
-  Result result;
-  result.cases = 1;
-  result.clocks = run.clocks;
-  result.mismatch = std::move(run.mismatch);
-  // After a mismatch the jobs behind it were not drawn; the oracle has nothing to say of them.
-  if (!result.mismatch) result.checked = check.finish();
-  return result;
+  return result_of(bench.open(power_up)->draw(jobs, check), check);
 }
 
 Sweep every_line(const LinearBench& bench) {

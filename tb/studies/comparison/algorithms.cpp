@@ -31,17 +31,15 @@ class Follower {
 
 class LineFollower final : public Observer<linear::Design>, Follower {
  public:
-  LineFollower(Drawing& drawing, int word) : Follower(drawing), word_(word) {}
+  LineFollower(Drawing& drawing, const linear::Params& p) : Follower(drawing), p_(p) {}
   void clock(std::size_t, const Compared<linear::Design>& seen) override {
     if (!seen.outputs.strobe) return;
     Follower::clock();
-    for (int i = word_ - 1; i >= 0; --i) {
-      if (bit(seen.outputs.major, i)) position(1, bit(seen.outputs.minor, i));
-    }
+    for_each_step(p_, seen.outputs, [this](Word dx, Word dy) { position(dx, dy); });
   }
 
  private:
-  int word_;
+  linear::Params p_;
 };
 
 // The clock that only sees the end does not count; the one of the sector change does.
@@ -54,10 +52,11 @@ class ArcFollower final : public Observer<circular::Design>, Follower {
       Follower::clock();
       position(0, 0);
     }
-    waiting_ = !(seen.outputs.step_x | seen.outputs.step_y);
+    const Point step = circular::step_of(seen.outputs);
+    waiting_ = step == Point{};
     if (waiting_) return;
     Follower::clock();
-    position(-seen.outputs.step_x, seen.outputs.step_y);
+    position(step.x, step.y);
   }
 
  private:
@@ -71,16 +70,15 @@ class DdaFollower final : public Observer<dda::Design>, Follower {
     if (!seen.outputs.busy) return;
     if (running_) {
       Follower::clock();
-      position(dx_, dy_);
+      position(step_.x, step_.y);
     }
     running_ = true;
-    dx_ = seen.outputs.x_up - seen.outputs.x_down;
-    dy_ = seen.outputs.y_up - seen.outputs.y_down;
+    step_ = dda::step_of(seen.outputs);
   }
 
  private:
   bool running_ = false;
-  std::int64_t dx_ = 0, dy_ = 0;
+  Point step_;
 };
 
 template <class Design, class Job, class Follow, class Check>
@@ -89,10 +87,7 @@ Drawing in_lockstep(const Bench<Design>& bench, std::uint32_t power_up, const Jo
   Observers<Design> observers{&follower, &check};
   Run run = bench.open(power_up)->draw({&job, 1}, observers);
   drawing.bench = &bench;
-  drawing.result.cases = 1;
-  drawing.result.clocks = run.clocks;
-  drawing.result.checked = run.mismatch ? check.so_far() : check.finish();
-  drawing.result.mismatch = std::move(run.mismatch);
+  drawing.result = result_of(std::move(run), check);
   return std::move(drawing);
 }
 
@@ -103,7 +98,7 @@ Drawing by_words(const Machines& machines, const Line& line) {
   const linear::Params p = machines.linear->params();
   const linear::Job job{{line.major, rule(p.m, line.major, line.minor)}, {}};
   Drawing drawing{{{0, 0}}, 0, nullptr, {}};
-  LineFollower follower(drawing, p.word());
+  LineFollower follower(drawing, p);
   linear::Check check(p, {&job, 1});
   return in_lockstep(*machines.linear, machines.power_up, job, drawing, follower, check);
 }

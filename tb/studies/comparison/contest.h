@@ -30,17 +30,7 @@ Entry entry_of(const Algorithm<Work>& algorithm, const Machines& machines,
     const Work& work = works[i];
     Drawing drawing = algorithm.draw(machines, work);
     entry.bench = drawing.bench;
-    if (entry.bench != nullptr) {
-      Result& sum = entry.result;
-      sum.cases += drawing.result.cases;
-      sum.clocks += drawing.result.clocks;
-      sum.checked.jobs += drawing.result.checked.jobs;
-      sum.checked.steps += drawing.result.checked.steps;
-      sum.checked.max_deviation =
-          std::max(sum.checked.max_deviation, drawing.result.checked.max_deviation);
-      sum.checked.error = drawing.result.checked.error;
-      sum.mismatch = std::move(drawing.result.mismatch);
-    }
+    if (entry.bench != nullptr) add(entry.result, std::move(drawing.result));
     entry.figures.add(measured(work, drawing.points, drawing.clocks));
     if (sink) sink(i, drawing.points);
     if (!entry.result.match()) break;

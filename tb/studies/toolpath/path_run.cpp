@@ -34,31 +34,17 @@ class Pen {
   Point at_;
 };
 
-class LinePen final : public Observer<linear::Design> {
+template <class Design>
+class PenOf final : public Observer<Design> {
  public:
-  LinePen(Pen& pen, int word) : pen_(pen), word_(word) {}
-  void clock(std::size_t, const Compared<linear::Design>& seen) override {
-    if (!seen.outputs.strobe) return;
-    for (int i = word_ - 1; i >= 0; --i) {
-      if (bit(seen.outputs.major, i)) pen_.step({1, bit(seen.outputs.minor, i)});
-    }
+  PenOf(Pen& pen, const typename Design::Params& p) : pen_(pen), p_(p) {}
+  void clock(std::size_t, const Compared<Design>& seen) override {
+    for_each_step(p_, seen.outputs, [this](Word dx, Word dy) { pen_.step({dx, dy}); });
   }
 
  private:
   Pen& pen_;
-  int word_;
-};
-
-class ArcPen final : public Observer<circular::Design> {
- public:
-  explicit ArcPen(Pen& pen) : pen_(pen) {}
-  void clock(std::size_t, const Compared<circular::Design>& seen) override {
-    const circular::Outputs<Word>& out = seen.outputs;
-    if (out.step_x | out.step_y) pen_.step({-out.step_x, out.step_y});
-  }
-
- private:
-  Pen& pen_;
+  typename Design::Params p_;
 };
 
 template <class Check, class Design, class Job>
@@ -66,25 +52,21 @@ void draw_piece(Session<Design>& session, const Job& job, Check check, Observer<
                 Result& sum) {
   Observers<Design> both{&check, &pen};
   Run run = session.draw({&job, 1}, both);
-  sum.cases += 1;
-  sum.clocks += run.clocks;
-  sum.mismatch = std::move(run.mismatch);
-  const Checked checked = sum.mismatch ? check.so_far() : check.finish();
-  sum.checked.jobs += checked.jobs;
-  sum.checked.steps += checked.steps;
-  sum.checked.max_deviation = std::max(sum.checked.max_deviation, checked.max_deviation);
-  sum.checked.error = checked.error;
+  add(sum, result_of(std::move(run), check));
 }
 
 }  // namespace
 
 double PathResult::max_deviation() const {
-  return std::max(lines.checked.max_deviation, arcs.checked.max_deviation);
+  Result both = lines;
+  add(both, arcs);
+  return both.checked.number("max_deviation");
 }
 
 PathRun::PathRun(const Bench<linear::Design>& lines, const Bench<circular::Design>& arcs,
                  CodeChooser code, std::uint32_t power_up)
     : line_params_(lines.params()),
+      arc_params_(arcs.params()),
       lines_(lines.open(power_up)),
       arcs_(arcs.open(power_up)),
       code_(std::move(code)) {}
@@ -92,8 +74,8 @@ PathRun::PathRun(const Bench<linear::Design>& lines, const Bench<circular::Desig
 PathResult PathRun::draw(const toolpath::Plan& plan, const StepSink& sink) {
   PathResult result;
   Pen pen(sink, result);
-  LinePen line_pen(pen, line_params_.word());
-  ArcPen arc_pen(pen);
+  PenOf<linear::Design> line_pen(pen, line_params_);
+  PenOf<circular::Design> arc_pen(pen, arc_params_);
   for (std::size_t s = 0; s < plan.segments.size(); ++s) {
     const toolpath::Segment& segment = plan.segments[s];
     const std::string name =

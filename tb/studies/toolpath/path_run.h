@@ -47,6 +47,7 @@ class PathRun {
 
  private:
   linear::Params line_params_;
+  circular::Params arc_params_;
   std::unique_ptr<Session<linear::Design>> lines_;
   std::unique_ptr<Session<circular::Design>> arcs_;
   CodeChooser code_;

@@ -17,11 +17,11 @@ inline void expect_every_radius(const CircularBench& bench, std::int64_t last) {
   const auto radii = static_cast<double>(last);
   const Result result = test::expect_match(every_radius(bench, 1, last));
   EXPECT_EQ(result.checked.jobs, static_cast<std::uint64_t>(last));
-  EXPECT_NEAR(static_cast<double>(result.checked.steps),
+  EXPECT_NEAR(static_cast<double>(result.checked.count("steps")),
               std::numbers::sqrt2 * radii * (radii + 1) / 2, 2 * radii);
   // The load, the correction, the end and the clock that shows it.
-  EXPECT_EQ(result.clocks, result.checked.steps + 4 * result.checked.jobs);
-  EXPECT_LT(result.checked.max_deviation, 0.5);
+  EXPECT_EQ(result.clocks, result.checked.count("steps") + 4 * result.checked.jobs);
+  EXPECT_LT(result.checked.number("max_deviation"), 0.5);
 }
 
 /// A start stands on each row up to 45 degrees and in each column before it; one on the i-th has
@@ -36,8 +36,8 @@ inline void expect_every_start(const CircularBench& bench, std::int64_t last) {
   const auto radii = static_cast<double>(last);
   const Result result = test::expect_match(every_start(bench, last));
   EXPECT_NEAR(static_cast<double>(result.checked.jobs), starts, 2 * radii);
-  EXPECT_NEAR(static_cast<double>(result.checked.steps), steps, 2 * starts + 2 * radii);
-  EXPECT_LT(result.checked.max_deviation, 0.5);
+  EXPECT_NEAR(static_cast<double>(result.checked.count("steps")), steps, 2 * starts + 2 * radii);
+  EXPECT_LT(result.checked.number("max_deviation"), 0.5);
 }
 
 /// From a start with s steps to the end: stops after 0, 1, .. s steps and one that comes too late.
@@ -53,16 +53,16 @@ inline void expect_every_stop(const CircularBench& bench, std::int64_t last) {
   }
   const Result result = test::expect_match(every_stop(bench, last));
   EXPECT_EQ(result.checked.jobs, arcs);
-  EXPECT_EQ(result.checked.steps, steps);
+  EXPECT_EQ(result.checked.count("steps"), steps);
 }
 
 inline void expect_random_arcs(const CircularBench& bench, std::uint64_t seed,
                                std::uint64_t count) {
   const Result result = test::expect_match(random_arcs(bench, seed, count));
   EXPECT_EQ(result.checked.jobs, count);
-  EXPECT_GT(result.checked.steps, count);
-  EXPECT_GT(result.clocks, result.checked.steps + 2 * count);
-  EXPECT_LT(result.checked.max_deviation, 0.5);
+  EXPECT_GT(result.checked.count("steps"), count);
+  EXPECT_GT(result.clocks, result.checked.count("steps") + 2 * count);
+  EXPECT_LT(result.checked.number("max_deviation"), 0.5);
 }
 
 }  // namespace cosim::circular::counted

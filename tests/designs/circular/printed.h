@@ -51,7 +51,7 @@ inline std::string low_digits(Word code) {
   return digits;
 }
 
-inline char step_of(const Outputs<Word>& o) {
+inline char sign_of(const Outputs<Word>& o) {
   return o.step_x != 0 ? (o.step_y != 0 ? '/' : '-') : o.step_y != 0 ? '|' : '=';
 }
 
@@ -82,13 +82,13 @@ inline void expect_tables(const Bench<Design>& bench) {
   Word t16 = 0;
   for (std::size_t i = 0; i < kRows.size(); ++i) {
     SCOPED_TRACE("row " + std::to_string(i + 1));
-    EXPECT_EQ(step_of(clocks[1 + i].outputs), kRows[i].step);
+    EXPECT_EQ(sign_of(clocks[1 + i].outputs), kRows[i].step);
     EXPECT_EQ(clocks[1 + i].outputs.running, 1);
     if (kRows[i].step == '=') t16 = 1;
     expect_registers(clocks[2 + i].registers, kRows[i], t16);
   }
   const auto& end = clocks[1 + kRows.size()];  // cleared on its edge
-  EXPECT_EQ(step_of(end.outputs), '=');
+  EXPECT_EQ(sign_of(end.outputs), '=');
   EXPECT_EQ(end.outputs.running, 1);
   const auto& rest = clocks[2 + kRows.size()];
   EXPECT_EQ(rest.outputs.running, 0);

@@ -21,7 +21,7 @@ inline void expect_every_line(const LinearBench& bench) {
   const Result result = test::expect_match(every_line(bench));
   EXPECT_EQ(result.cases, lines);
   EXPECT_EQ(result.checked.jobs, lines * lines);
-  EXPECT_EQ(result.checked.steps, lines * positions);
+  EXPECT_EQ(result.checked.count("steps"), lines * positions);
   EXPECT_EQ(result.clocks, lines * clocks);
 }
 
@@ -30,7 +30,7 @@ inline void expect_random_lines(const LinearBench& bench, std::uint64_t seed, st
   const Result result = test::expect_match(random_lines(bench, seed, count));
   EXPECT_EQ(result.checked.jobs, count);
   EXPECT_GT(result.clocks, 5 * count);
-  EXPECT_GT(result.checked.steps, count);
+  EXPECT_GT(result.checked.count("steps"), count);
 }
 
 }  // namespace cosim::linear::counted

@@ -23,7 +23,9 @@ Result good(std::uint64_t clocks) {
   Result r;
   r.cases = 1;
   r.clocks = clocks;
-  r.checked = {1, 17, 0.25, ""};
+  r.checked.jobs = 1;
+  r.checked.measures = {{"turns", Measure::Sum::total, "", "turn", std::uint64_t{17}},
+                        {"deepest", Measure::Sum::largest, "deepest", "step", 0.25}};
   return r;
 }
 
@@ -54,7 +56,7 @@ TEST(Report, HasNoFigureThatIsNotFinite) {
   EXPECT_NO_THROW(report_json({outcome}, 1));
   EXPECT_THROW(report_json({outcome}, 1, R"({"off":[1,null]})"), std::logic_error);
   for (const double figure : {HUGE_VAL, std::nan("")}) {
-    outcome.result.checked.max_deviation = figure;
+    outcome.result.checked.measures.back().value = figure;
     EXPECT_THROW(report_json({outcome}, 1), std::logic_error);
   }
 }
@@ -81,13 +83,32 @@ TEST(ReportJson, OfOneRun) {
   EXPECT_EQ(j["parameters"], (json{{"W", 4}}));
   EXPECT_EQ(j["work"], "an arc");
   EXPECT_EQ(j["clocks"], 21);
-  EXPECT_EQ(j["steps"], 17);
-  EXPECT_EQ(j["max_deviation"], 0.25);
+  EXPECT_EQ(j["turns"], 17);
+  EXPECT_EQ(j["deepest"], 0.25);
   EXPECT_EQ(j["seed"], 7);
   EXPECT_EQ(j["points"], 18);
   EXPECT_EQ(j["compared_signals"],
             (json{"t4", "t16", "f", "ct7", "ct8", "running", "step_y", "step_x"}));
   EXPECT_FALSE(j.contains("mismatch"));
+}
+
+// A design without a check, or clocks that no check watches.
+TEST(ReportJson, HasTheMeasuresThatWereTaken) {
+  Result bare = good(21);
+  bare.checked = {};
+  for (const auto& outcomes : {std::vector<Outcome>{{&arcs(), "an arc", bare}},
+                               {{&arcs(), "an arc", bare}, {&arcs(), "an arc", bare}}}) {
+    const json j = json::parse(report_json(outcomes, 7));
+    for (const json& one : {j, j["runs"][0]}) {
+      for (const char* name : {"steps", "max_deviation", "turns", "deepest"}) {
+        EXPECT_FALSE(one.contains(name)) << name;
+      }
+    }
+  }
+  const json both =
+      json::parse(report_json({{&lines(), "a line", bare}, {&arcs(), "an arc", good(21)}}, 7));
+  EXPECT_FALSE(both["runs"][0].contains("turns"));
+  EXPECT_EQ(both["turns"], 17);
 }
 
 TEST(ReportJson, OfADifference) {
@@ -118,8 +139,8 @@ TEST(ReportJson, OfSeveralRuns) {
   EXPECT_EQ(j["verdict"], "mismatch");
   EXPECT_EQ(j["design"], (json{"linear", "circular"}));
   EXPECT_EQ(j["clocks"], 116);
-  EXPECT_EQ(j["steps"], 3 * 17);
-  EXPECT_EQ(j["max_deviation"], 0.25);
+  EXPECT_EQ(j["turns"], 3 * 17);
+  EXPECT_EQ(j["deepest"], 0.25);
   ASSERT_EQ(j["runs"].size(), 3U);
   EXPECT_EQ(j["runs"][0]["verdict"], "match");
   EXPECT_EQ(j["runs"][2]["verdict"], "mismatch");

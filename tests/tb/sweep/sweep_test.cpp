@@ -23,7 +23,8 @@ Result passed() {
   r.cases = 1;
   r.clocks = 10;
   r.checked.jobs = 2;
-  r.checked.steps = 3;
+  r.checked.measures = {{"steps", Measure::Sum::total, "", "step", std::uint64_t{3}},
+                        {"off", Measure::Sum::largest, "", "step", 0.5}};
   return r;
 }
 
@@ -40,7 +41,7 @@ TEST_P(SweepOf, SumsItsCases) {
   const auto run = [](std::uint64_t i) {
     Result r = passed();
     r.clocks = i;
-    r.checked.max_deviation = i == 600 ? 0.75 : 0.5;
+    if (i == 600) r.checked.measures.back().value = 0.75;
     return r;
   };
   const Result sum = run_sweep({"sums", 1000, run}, GetParam());
@@ -48,8 +49,8 @@ TEST_P(SweepOf, SumsItsCases) {
   EXPECT_EQ(sum.cases, 1000U);
   EXPECT_EQ(sum.clocks, 999U * 1000 / 2);
   EXPECT_EQ(sum.checked.jobs, 2000U);
-  EXPECT_EQ(sum.checked.steps, 3000U);
-  EXPECT_EQ(sum.checked.max_deviation, 0.75);
+  EXPECT_EQ(sum.checked.count("steps"), 3000U);
+  EXPECT_EQ(sum.checked.number("off"), 0.75);
   EXPECT_EQ(sum.failed, "");
 }
 
@@ -147,7 +148,7 @@ TEST_P(SweepOf, GoesOnFromWhatItKept) {
     const Result rest = run_sweep({"rest", 1000, run}, GetParam(), {}, {done, {}});
     EXPECT_EQ(rest.cases, 701U);
     EXPECT_EQ(rest.clocks, whole.clocks);
-    EXPECT_EQ(rest.checked.steps, whole.checked.steps);
+    EXPECT_EQ(rest.checked.count("steps"), whole.checked.count("steps"));
     EXPECT_EQ(rest.failed, whole.failed);
   }
 }

@@ -9,6 +9,7 @@
 #include "model/core/input_error.h"
 #include "tb/cli/common.h"
 #include "tb/cli/draw_one.h"
+#include "tb/cli/draw_steps.h"
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
 #include "tb/designs/circular/check.h"
@@ -68,40 +69,6 @@ std::string describe(const Options& o, const circular::Arc& arc) {
       arc.count ? ", at most " + count(static_cast<std::uint64_t>(*arc.count), "step") : "");
 }
 
-class Rows final : public Observer<circular::Design> {
- public:
-  Rows(OutputFile& file, circular::Point from) : file_(file), at_(from) {}
-  void clock(std::size_t, const Compared<circular::Design>& seen) override {
-    if (seen.outputs.running) ++clock_;
-    if (!(seen.outputs.step_x | seen.outputs.step_y)) return;
-    at_ = {at_.x - seen.outputs.step_x, at_.y + seen.outputs.step_y};
-    file_.line("{},{},{},{},{}", clock_, -seen.outputs.step_x, seen.outputs.step_y, at_.x, at_.y);
-  }
-
- private:
-  OutputFile& file_;
-  circular::Point at_;
-  std::uint64_t clock_ = 0;
-};
-
-// The points for a picture.
-class Drawn final : public Observer<circular::Design> {
- public:
-  Drawn(Series& series, const circular::Arc& arc) : series_(series), radius2_(arc.radius2) {
-    series_.add(arc.from, circular::radial_deviation(arc.from, radius2_));
-  }
-  void clock(std::size_t, const Compared<circular::Design>& seen) override {
-    if (!(seen.outputs.step_x | seen.outputs.step_y)) return;
-    const circular::Point at = series_.marks.back().at;
-    const circular::Point next{at.x - seen.outputs.step_x, at.y + seen.outputs.step_y};
-    series_.add(next, circular::radial_deviation(next, radius2_));
-  }
-
- private:
-  Series& series_;
-  std::uint64_t radius2_;
-};
-
 Extent extent_of(const circular::Arc& arc) {
   const std::int64_t whole = circular::steps_to_end(arc.from, arc.radius2);
   const auto steps = static_cast<std::uint64_t>(std::min(whole, arc.count.value_or(whole)));
@@ -116,15 +83,16 @@ int run(const Options& o) {
   const auto& bench = circular::bench_for(o.shape.shape(), circular::width_needed(arc.radius2));
   const Extent extent = extent_of(arc);
   check_extent(o.common, extent);
-  check_outputs(o.common);
+  check_outputs(o.common, "", {&bench});
 
   OutputFile csv(o.common.csv.value_or(""));
-  csv.line("clock,dx,dy,x,y");
   const std::string work = describe(o, arc);
   circular::Check check({&arc, 1});
-  Rows rows(csv, arc.from);
+  StepRows<circular::Design> rows(bench.params(), csv, arc.from, &circular::Outputs<Word>::running);
   Series path{bench.title(), {}};
-  Drawn points(path, arc);
+  StepPoints<circular::Design> points(bench.params(), path, arc.from, [&](circular::Point at) {
+    return circular::radial_deviation(at, arc.radius2);
+  });
   const auto ideal = [&] { return curve_of(arc.from, arc.radius2, path.marks.back().at); };
   return draw_one<circular::Design, circular::Arc, circular::Check>(
       {o.common, power_up, bench, work, arc, check, csv, rows, path, points, ideal, extent});

@@ -9,6 +9,7 @@
 #include "model/dda/equation.h"
 #include "tb/cli/common.h"
 #include "tb/cli/draw_one.h"
+#include "tb/cli/draw_steps.h"
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
 #include "tb/designs/dda/check.h"
@@ -95,45 +96,6 @@ void check_kind(const Options& o) {
   if (o.from && !o.conic) throw InputError("--from: belongs to --conic");
 }
 
-class Rows final : public Observer<dda::Design> {
- public:
-  Rows(OutputFile& file, Point from) : file_(file), at_(from) {}
-  void clock(std::size_t, const Compared<dda::Design>& seen) override {
-    if (!seen.outputs.busy) return;
-    ++clock_;
-    const Point step{seen.outputs.x_up - seen.outputs.x_down,
-                     seen.outputs.y_up - seen.outputs.y_down};
-    if (step == Point{}) return;
-    at_ = {at_.x + step.x, at_.y + step.y};
-    file_.line("{},{},{},{},{}", clock_, step.x, step.y, at_.x, at_.y);
-  }
-
- private:
-  OutputFile& file_;
-  Point at_;
-  std::uint64_t clock_ = 0;
-};
-
-// The points for a picture.
-class Drawn final : public Observer<dda::Design> {
- public:
-  Drawn(Series& series, const dda::Job& job) : series_(series), job_(job) {
-    add({job.start.x, job.start.y});
-  }
-  void clock(std::size_t, const Compared<dda::Design>& seen) override {
-    const Point step{seen.outputs.x_up - seen.outputs.x_down,
-                     seen.outputs.y_up - seen.outputs.y_down};
-    const Point at = series_.marks.back().at;
-    if (!(step == Point{})) add({at.x + step.x, at.y + step.y});
-  }
-
- private:
-  void add(Point at) { series_.add(at, deviation(job_, at)); }
-
-  Series& series_;
-  const dda::Job& job_;
-};
-
 // The smallest bench that holds the work on its whole way, and the job.
 std::pair<const Bench<dda::Design>*, dda::Job> chosen_for(const Shape& shape, const Work& work) {
   const auto found = matching<dda::Design>(shape);
@@ -183,14 +145,15 @@ int run(const Options& o) {
   const auto& bench = *chosen;
   const Extent extent = extent_of(bench.params(), job);
   check_extent(o.common, extent);
-  check_outputs(o.common);
+  check_outputs(o.common, "", {&bench});
 
   OutputFile csv(o.common.csv.value_or(""));
-  csv.line("clock,dx,dy,x,y");
   dda::Check check(bench.params(), {&job, 1});
-  Rows rows(csv, {job.start.x, job.start.y});
+  const Point from{job.start.x, job.start.y};
+  StepRows<dda::Design> rows(bench.params(), csv, from, &dda::Outputs<Word>::busy);
   Series path{bench.title(), {}};
-  Drawn points(path, job);
+  StepPoints<dda::Design> points(bench.params(), path, from,
+                                 [drawn = &job](Point at) { return deviation(*drawn, at); });
   return draw_one<dda::Design, dda::Job, dda::Check>(
       {o.common, power_up, bench, work.text, job, check, csv, rows, path, points,
        [&, drawn = &job] { return curve_of(*drawn, path.marks); }, extent});

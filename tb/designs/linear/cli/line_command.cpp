@@ -7,6 +7,7 @@
 #include "model/linear/oracle.h"
 #include "tb/cli/common.h"
 #include "tb/cli/draw_one.h"
+#include "tb/cli/draw_steps.h"
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
 #include "tb/designs/linear/check.h"
@@ -49,29 +50,6 @@ class Rows final : public Observer<linear::Design> {
   std::uint64_t tick_ = 0;
 };
 
-// The points for a picture.
-class Drawn final : public Observer<linear::Design> {
- public:
-  Drawn(Series& series, std::int64_t major, std::int64_t minor, int word)
-      : series_(series), major_(major), minor_(minor), word_(word) {
-    series_.add({0, 0}, 0);
-  }
-  void clock(std::size_t, const Compared<linear::Design>& seen) override {
-    for (int i = word_ - 1; i >= 0; --i) {
-      if (!bit(seen.outputs.major, i)) continue;
-      auto next = series_.marks.back().at;
-      next.x += 1;
-      next.y += bit(seen.outputs.minor, i);
-      series_.add(next, linear::deviation(major_, minor_, next.x, next.y));
-    }
-  }
-
- private:
-  Series& series_;
-  std::int64_t major_, minor_;
-  int word_;
-};
-
 // Where nobody names M, a code's bits do, if there is such a machine.
 Shape shape_of(const Options& o) {
   Shape shape = o.shape.shape();
@@ -98,7 +76,7 @@ int run(const Options& o) {
   const Extent extent{words, static_cast<std::uint64_t>(major), words,
                       digits(words) + 2 * static_cast<std::size_t>(p.word()) + 3};
   check_extent(o.common, extent);
-  check_outputs(o.common);
+  check_outputs(o.common, "", {&bench});
 
   OutputFile csv(o.common.csv.value_or(""));
   csv.line("tick,major,minor");
@@ -109,7 +87,9 @@ int run(const Options& o) {
   linear::Check check(p, {&job, 1});
   Rows rows(csv, p.word());
   Series path{bench.title(), {}};
-  Drawn points(path, major, code.minor, p.word());
+  StepPoints<linear::Design> points(p, path, {0, 0}, [&](GridPoint at) {
+    return linear::deviation(major, code.minor, at.x, at.y);
+  });
   const auto ideal = [&]() -> Curve {
     return {{0, 0}, {static_cast<double>(major), static_cast<double>(code.minor)}};
   };

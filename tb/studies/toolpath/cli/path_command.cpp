@@ -139,7 +139,7 @@ int run(const Options& o) {
     check_wave_clocks(parts.arcs.clocks);
   }
   if (o.common.plot) Series::check_steps(extent.steps);
-  check_outputs(o.common, file, {lines.design(), arcs.design()});
+  check_outputs(o.common, file, {&lines, &arcs});
 
   OutputFile csv(o.common.csv.value_or(""));
   csv.line("segment,dx,dy,x,y");
@@ -184,7 +184,7 @@ int run(const Options& o) {
   }
   fmt::print("path: {}, ends at ({}, {})\n", count(result.steps, "step"), result.end.x,
              result.end.y);
-  fmt::print("grid: largest quantisation error {}", in_steps(plan.largest_quantisation));
+  fmt::print("grid: largest quantisation error {}", amount(plan.largest_quantisation, "step"));
   if (plan.largest_closing != 0) {
     const auto closing = static_cast<std::uint64_t>(plan.largest_closing);
     fmt::print(", arcs closed by lines of at most {}", count(closing, "step"));

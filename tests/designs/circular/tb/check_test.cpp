@@ -35,9 +35,9 @@ TEST(ArcCheck, PassesWhatTheSourcePrints) {
   const Checked found = checked(kSteps);
   EXPECT_EQ(found.error, "");
   EXPECT_EQ(found.jobs, 3U);
-  EXPECT_EQ(found.steps, 17U + 8 + 3);
+  EXPECT_EQ(found.count("steps"), 17U + 8 + 3);
   // The farthest points are (12, 3) and its mirror image.
-  EXPECT_NEAR(found.max_deviation, std::sqrt(153.0) - 12, 1e-9);
+  EXPECT_NEAR(found.number("max_deviation"), std::sqrt(153.0) - 12, 1e-9);
 }
 
 TEST(ArcCheck, SeesEveryWrongStep) {

@@ -48,7 +48,7 @@ TEST_P(LargestQuarter, Matches) {
   const std::vector<Arc> arcs = {{{radius, 0}, static_cast<std::uint64_t>(radius * radius), {}}};
   const Result result = run_arcs(*GetParam(), arcs, 1);
   EXPECT_TRUE(result.match()) << test::explain(result);
-  EXPECT_NEAR(static_cast<double>(result.checked.steps),
+  EXPECT_NEAR(static_cast<double>(result.checked.count("steps")),
               std::numbers::sqrt2 * static_cast<double>(radius), 2);
 }
 INSTANTIATE_TEST_SUITE_P(Circular, LargestQuarter, widths(4, 24), test::name_of_shape<Param>);

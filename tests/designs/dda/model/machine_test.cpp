@@ -114,8 +114,8 @@ double worst_of(const Job& job, const DdaBench& bench, std::int64_t radius) {
 
 TEST(DdaAccuracy, OfALineIsBelowAStep) {
   const Result lines = test::expect_match(every_line(model<6>()));
-  EXPECT_LT(lines.checked.max_deviation, 1);
-  EXPECT_GT(lines.checked.max_deviation, 0.95);
+  EXPECT_LT(lines.checked.number("max_deviation"), 1);
+  EXPECT_GT(lines.checked.number("max_deviation"), 0.95);
 }
 
 TEST(DdaAccuracy, OfAQuarterWithHalfPreloadIsAboutOne) {

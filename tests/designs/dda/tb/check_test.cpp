@@ -32,8 +32,8 @@ TEST(DdaCheck, PassesTheModel) {
   const Checked found = checked(right_clocks());
   EXPECT_EQ(found.error, "");
   EXPECT_EQ(found.jobs, 2U);
-  EXPECT_EQ(found.steps, 27U + 3);
-  EXPECT_GT(found.max_deviation, 0);
+  EXPECT_EQ(found.count("steps"), 27U + 3);
+  EXPECT_GT(found.number("max_deviation"), 0);
 }
 
 TEST(DdaCheck, SeesAnyWrongStepOrCode) {

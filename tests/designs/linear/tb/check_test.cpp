@@ -49,8 +49,8 @@ TEST(LineCheck, PassesWhatTheSourcePrints) {
   const Checked found = checked(right_lines());
   EXPECT_EQ(found.error, "");
   EXPECT_EQ(found.jobs, 2U);
-  EXPECT_EQ(found.steps, 27U + 8);
-  EXPECT_GT(found.max_deviation, 0);
+  EXPECT_EQ(found.count("steps"), 27U + 8);
+  EXPECT_GT(found.number("max_deviation"), 0);
 }
 
 TEST(LineCheck, SeesEveryWrongBit) {

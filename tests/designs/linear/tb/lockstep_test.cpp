@@ -54,7 +54,7 @@ TEST_P(LongestLine, Matches) {
   const Result result = run_lines(*GetParam(), jobs, 1);
   EXPECT_TRUE(result.match()) << test::explain(result);
   EXPECT_EQ(result.checked.jobs, jobs.size());
-  EXPECT_EQ(result.checked.steps, positions);
+  EXPECT_EQ(result.checked.count("steps"), positions);
 }
 INSTANTIATE_TEST_SUITE_P(Linear, LongestLine, testing::ValuesIn(benches_of<Design>()),
                          test::name_of_shape<Param>);

@@ -1,0 +1,49 @@
+// What came of one case or, added up, of many.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "tb/lockstep/run.h"
+#include "tb/sweep/checked.h"
+
+namespace cosim {
+
+struct Result {
+  std::uint64_t cases = 0;
+  std::uint64_t clocks = 0;  ///< compared
+  Checked checked;           ///< by the design's check, if it has one
+  std::optional<Mismatch> mismatch;
+  std::string failed;  ///< what the failing case was, one line; empty where none failed
+
+  bool match() const { return !mismatch && checked.error.empty(); }
+};
+
+/// Adds up what came of them: the failure of the sum is the first one.
+inline void add(Result& sum, Result one) {
+  if (sum.match() && !one.match()) {
+    sum.mismatch = std::move(one.mismatch);
+    sum.failed = std::move(one.failed);
+  } else {
+    one.checked.error.clear();
+  }
+  sum.cases += one.cases;
+  sum.clocks += one.clocks;
+  add(sum.checked, one.checked);
+}
+
+/// What came of one run of jobs that `check` has watched. Of a mismatch it has nothing to say, nor
+/// of what was to come behind it.
+template <class Check>
+Result result_of(Run run, Check& check) {
+  Result result;
+  result.cases = 1;
+  result.clocks = run.clocks;
+  result.checked = run.mismatch ? check.so_far() : check.finish();
+  result.mismatch = std::move(run.mismatch);
+  return result;
+}
+
+}  // namespace cosim

@@ -1,0 +1,156 @@
+// What a wave shows beside the fields is what the design's view has, if it has one.
+#include "model/core/probe.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "tb/support/replace_file.h"
+#include "tests/support/model_adapter.h"
+#include "tests/support/vcd.h"
+
+namespace cosim {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Two bits of shift register.
+#define SHIFT_INPUTS(FIELD) FIELD(in, 1, flag, "", "what comes in")
+#define SHIFT_STATE(FIELD) FIELD(held, 2, bits, "", "the last two")
+#define SHIFT_OUTPUTS(FIELD) FIELD(out, 1, flag, "", "what came in before the last")
+struct Params {};
+COSIM_RECORD(Inputs, SHIFT_INPUTS, Params);
+COSIM_RECORD(State, SHIFT_STATE, Params);
+COSIM_RECORD(Registers, SHIFT_STATE, Params);
+COSIM_RECORD(Outputs, SHIFT_OUTPUTS, Params);
+
+// A design without a view.
+struct Bare {
+  struct Host {
+    struct Job {};
+    Host(const Params&, std::span<const Job>) {}
+    bool next(Inputs<Word>&, const Outputs<Word>&) { return false; }
+    static std::vector<Job> smaller(const Params&, const Job&) { return {}; }
+    static std::string describe(const Params&, const Job&) { return ""; }
+    std::size_t job() const { return 0; }
+  };
+  using Params = cosim::Params;
+  template <class V>
+  using Inputs = cosim::Inputs<V>;
+  template <class V>
+  using Outputs = cosim::Outputs<V>;
+  template <class V>
+  using State = cosim::State<V>;
+  template <class V>
+  using Registers = cosim::Registers<V>;
+  template <class V>
+  struct Step {
+    State<V> state;
+    Outputs<V> outputs;
+  };
+  template <class V>
+  static constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
+    return {{low_bits(shift_left(s.held, 1) + in.in, 2)}, {shift_right(s.held, 1)}};
+  }
+  template <class V>
+  static constexpr Registers<V> registers(const Params&, const State<V>& s) {
+    return {s.held};
+  }
+  static constexpr const char* name = "shift";
+  static constexpr const char* source = "made up";
+  static constexpr std::array<Parameter, 0> parameters(const Params&) { return {}; }
+  static constexpr cosim::Inputs<Word> rest() { return {}; }
+  static constexpr cosim::Inputs<Word> clear() { return {}; }
+  template <class V>
+  static constexpr State<V> cleared() {
+    return {};
+  }
+};
+
+// The same with one.
+struct Seen : Bare {
+  class View {
+   public:
+    static constexpr std::array levels{"low", "high"};
+    static constexpr std::array<Probe, 3> probes(const Params&) {
+      using enum Probe::Kind;
+      return {
+          {{"level", words, "line", "", 2, {}, Probe::Side::expected, levels},
+           {"ones", number, "line", "Counted", 8, Format::number},
+           {"sum", analog, "line", "Counted", 8, Format::twos_complement, Probe::Side::actual}}};
+    }
+    void clock(const Params&, const State<Word>& s, const Outputs<Word>& out) {
+      level_ = out.out;
+      ones_ += s.held & 1;
+      --sum_;
+    }
+    std::array<Word, 3> values() const { return {level_, ones_, sum_}; }
+
+   private:
+    Word level_ = 0, ones_ = 0, sum_ = 0;
+  };
+};
+
+class ProbesOf : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "probes_XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  std::string draw(const AnyBench& bench) {
+    const std::string path = folder_ / "x.fst";
+    bench.draw_wave(path, {.machine = bench.title(), .clocks = {{1}, {1}, {0}, {1}}}, {});
+    return path;
+  }
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      names.push_back(entry.path().filename());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+  std::string text(const char* name) const { return text_of_file(folder_ / name); }
+  fs::path folder_;
+};
+
+TEST_F(ProbesOf, ADesignWithoutAViewAreNone) {
+  const AnyBench& bench = test::model_bench<Bare, Params{}>();
+  EXPECT_TRUE(bench.probes().empty());
+  const std::string path = draw(bench);
+  EXPECT_EQ(files(), (std::vector<std::string>{"x.fst", "x.gtkw"}));
+  EXPECT_NE(text("x.gtkw").find("cosim.actual.held[1:0]"), std::string::npos);
+  if (!test::can_read_waves()) GTEST_SKIP() << "there is no fst2vcd";
+  EXPECT_EQ(test::Vcd(path).at("cosim.actual.held", 20), "11");
+}
+
+TEST_F(ProbesOf, AViewAreInTheWave) {
+  const std::string path = draw(test::model_bench<Seen, Params{}>());
+  EXPECT_EQ(files(), (std::vector<std::string>{"x.fst", "x.gtkw", "x.level.txt"}));
+  EXPECT_EQ(text("x.level.txt"), "0 low\n1 high\n");
+  const std::string view = text("x.gtkw");
+  EXPECT_NE(view.find("@2022\n^1 x.level.txt\n+{level} cosim.line.level[1:0]\n"), std::string::npos)
+      << view;
+  // A number in decimals; the curve of a signed number, three lines higher.
+  EXPECT_NE(view.find("@800200\n-Counted\n[color] 4\n@24\n+{ones} cosim.line.ones[7:0]\n"
+                      "[color] 4\n@88420\n+{sum} cosim.line.sum[7:0]\n@20000\n-\n-\n-\n"
+                      "@1000200\n-Counted\n"),
+            std::string::npos)
+      << view;
+  if (!test::can_read_waves()) GTEST_SKIP() << "there is no fst2vcd";
+  const test::Vcd wave(path);
+  EXPECT_EQ(wave.at("cosim.line.level", 10), "00");
+  EXPECT_EQ(wave.at("cosim.line.level", 20), "01");
+  EXPECT_EQ(wave.at("cosim.line.ones", 35), "00000010");
+  EXPECT_EQ(wave.at("cosim.line.expected_ones", 35), "00000010");
+  EXPECT_EQ(wave.at("cosim.line.sum", 35), "11111100");
+  EXPECT_FALSE(wave.at("cosim.line.expected_sum", 35));
+  EXPECT_FALSE(wave.at("cosim.line.expected_level", 35));
+}
+
+}  // namespace
+}  // namespace cosim

@@ -1,14 +1,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <cstdio>
 #include <exception>
-#include <memory>
-#include <sstream>
 #include <thread>
 
 #include "model/core/input_error.h"
+#include "tb/proof/machines.h"
+#include "tb/proof/mutants.h"
 #include "tb/support/replace_file.h"
 #include "tests/mutation/campaign.h"
 #include "tests/mutation/survivor.h"
@@ -16,43 +15,34 @@
 namespace cosim::mutation {
 namespace {
 
-/// What a shell command prints. InputError where it fails.
-std::string output_of(const std::string& command) {
-  const auto close = [](std::FILE* pipe) { pclose(pipe); };
-  std::unique_ptr<std::FILE, decltype(close)> pipe(popen(command.c_str(), "r"), close);
-  if (!pipe) throw InputError(command + ": cannot run");
-  std::string text;
-  std::array<char, 4096> part{};
-  while (const std::size_t n = std::fread(part.data(), 1, part.size(), pipe.get())) {
-    text.append(part.data(), n);
-  }
-  if (pclose(pipe.release()) != 0) throw InputError(command + ": failed");
-  return text;
-}
+constexpr int kLimit = 60;  // seconds of a solver for one mutant
 
-/// A prover that is a program: `COMMAND VERILOG CLEAR K...` prints for each K a line "K equal"
-/// where it is equal to the RTL without a mutant.
-Prover program(const std::string& command, const Subject& subject) {
-  return [command, &subject](const std::vector<unsigned>& mutants) {
-    std::vector<bool> proved(mutants.size(), false);
-    if (command.empty()) return proved;
-    std::istringstream lines(output_of(fmt::format("{} '{}' {} {}", command, subject.verilog(),
-                                                   subject.clear(), fmt::join(mutants, " "))));
-    unsigned mutant = 0;
-    for (std::string verdict; lines >> mutant >> verdict;) {
-      const auto at = std::find(mutants.begin(), mutants.end(), mutant);
-      if (at != mutants.end()) {
-        proved[static_cast<std::size_t>(at - mutants.begin())] = verdict == "equal";
+/// The solvers, on the formulas of the subject's model.
+Prover solvers(const Subject& subject) {
+  for (const auto& machine : proof::built_machines()) {
+    if (machine.title != subject.bench().title()) continue;
+    return [&subject, formula = machine.formula()](const std::vector<unsigned>& mutants) {
+      std::vector<bool> proved;
+      for (const auto& judged :
+           proof::judge_mutants(formula, subject.verilog(), mutants, kLimit, 1)) {
+        proved.push_back(judged.same);
       }
-    }
-    return proved;
-  };
+      return proved;
+    };
+  }
+  throw InputError(subject.bench().title() + ": is no machine that is built");
 }
 
-int run(const Subject& subject, const std::string& results, const std::string& prover,
-        unsigned threads, const std::string& failures) {
+Prover nobody() {
+  return
+      [](const std::vector<unsigned>& mutants) { return std::vector<bool>(mutants.size(), false); };
+}
+
+int run(const Subject& subject, const std::string& results, bool prove, unsigned threads,
+        const std::string& failures) {
   Checkpoint checkpoint(results + ".part", "mutants of " + subject.bench().title());
-  const Campaign campaign = run_campaign(subject, program(prover, subject), threads, checkpoint);
+  const Campaign campaign =
+      run_campaign(subject, prove ? solvers(subject) : nobody(), threads, checkpoint);
   replace_file(results, to_json(subject, campaign));
   checkpoint.done();
   for (std::size_t i = 0; i < campaign.outcomes.size(); ++i) {
@@ -68,15 +58,17 @@ int run(const Subject& subject, const std::string& results, const std::string& p
 int main_of(const Subject& subject, int argc, char** argv) {
   CLI::App app{"Attacks the mutants of " + subject.bench().title() +
                ".\nStatus: 0 none survived, 1 some did, 2 could not be run."};
-  std::string results, prover, failures = "failures";
+  std::string results, failures = "failures";
+  bool unproved = false;
   unsigned threads = std::max(1U, std::thread::hardware_concurrency());
   app.add_option("RESULTS", results, "Write the outcomes to this file, as JSON")->required();
-  app.add_option("--prover", prover, "Program that proves mutants equivalent");
+  app.add_flag("--unproved", unproved,
+               "Prove no mutant to be the same: what is not killed survives");
   app.add_option("--failures", failures, "Where a survivor leaves its folder");
   app.add_option("--jobs", threads, "Threads")->check(CLI::Range(1, 1024));
   try {
     app.parse(argc, argv);
-    return run(subject, results, prover, threads, failures);
+    return run(subject, results, !unproved, threads, failures);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const std::exception& error) {

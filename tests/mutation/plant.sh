@@ -34,7 +34,7 @@ sed -E 's/^mutate //; s/-module [^ ]+ //' "$folder/part.txt" > "$folder/mutants.
 yosys -q "$folder/mutants.ys"
 
 cd "$folder"
-sed "s/@DESIGN@/$design/" "$rtl/../tb/registers.vlt.in" > registers.vlt
+sed "s/@DESIGN@/$design/" "$rtl/../tb/dut/registers.vlt.in" > registers.vlt
 rm -rf verilated
 verilator --cc --top-module "$design" --prefix "$prefix" --Mdir verilated -Wno-WIDTH -Wno-UNOPTFLAT \
   --x-initial unique --x-assign unique --noassert -O3 registers.vlt mutants.v

@@ -2,6 +2,9 @@
 // hold.
 #include <gtest/gtest.h>
 
+#include "model/circular/stated.h"
+#include "model/dda/stated.h"
+#include "model/linear/stated.h"
 #include "tb/stimulus/hostile.h"
 #include "tests/support/model_machine.h"
 #include "tests/support/shapes.h"
@@ -50,6 +53,15 @@ void expect_recovered(const dda::Params& p, const dda::State<Word>& s) {
   }
 }
 
+// What a design states of its state.
+template <class Params, class State>
+void expect_stated(const Params& p, const State& s) {
+  for (const auto& [sentence, holds] : invariant(p, s)) ASSERT_TRUE(holds) << sentence;
+  if constexpr (requires { reached(p, s); }) {
+    for (const auto& [sentence, holds] : reached(p, s)) ASSERT_TRUE(holds) << sentence;
+  }
+}
+
 template <class S>
 class Reachable : public testing::Test {};
 TYPED_TEST_SUITE(Reachable, Shapes, ShapeNames);
@@ -69,6 +81,7 @@ TYPED_TEST(Reachable, StatesFitTheRegisters) {
       expect_fits(seen, TypeParam::params);
       expect_fits(machine.registers(), TypeParam::params);
       expect_recovered(TypeParam::params, machine.state);
+      expect_stated(TypeParam::params, machine.state);
       if (this->HasFatalFailure()) FAIL() << "case " << i << " clock " << clocks % kClocks;
       busy += to_words(seen)[0] != 0;  // busy, running
     }

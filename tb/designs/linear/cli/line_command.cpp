@@ -60,8 +60,8 @@ class Drawn final : public Observer<linear::Design> {
   void clock(std::size_t, const Compared<linear::Design>& seen) override {
     for (int i = word_ - 1; i >= 0; --i) {
       if (!bit(seen.outputs.major, i)) continue;
-      const circular::Point at = series_.marks.back().at;
-      const circular::Point next{at.x + 1, at.y + bit(seen.outputs.minor, i)};
+      const plane::Point at = series_.marks.back().at;
+      const plane::Point next{at.x + 1, at.y + bit(seen.outputs.minor, i)};
       series_.add(next, compare::radial(line_, next));
     }
   }

@@ -11,7 +11,7 @@ namespace cosim::compare {
 /// Where a line or an arc lies in the plane, and which steps of a whole path are its.
 struct Place {
   toolpath::Orientation orientation;
-  circular::Point origin;  ///< of a line its start, of an arc its centre
+  plane::Point origin;  ///< of a line its start, of an arc its centre
   double begin = 0;        ///< steps of the path before it
   double steps = 0;
 };

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "model/circular/host.h"
+#include "model/linear/host.h"
 #include "tests/support/model_adapter.h"
 
 namespace cosim {

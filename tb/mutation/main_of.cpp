@@ -6,11 +6,11 @@
 #include <thread>
 
 #include "model/core/input_error.h"
+#include "tb/mutation/campaign.h"
+#include "tb/mutation/survivor.h"
 #include "tb/proof/machines.h"
 #include "tb/proof/mutants.h"
 #include "tb/support/replace_file.h"
-#include "tests/mutation/campaign.h"
-#include "tests/mutation/survivor.h"
 
 namespace cosim::mutation {
 namespace {

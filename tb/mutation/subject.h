@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "tests/mutation/cases.h"
-#include "tests/mutation/mutants.h"
+#include "tb/mutation/cases.h"
+#include "tb/mutation/mutants.h"
 
 namespace cosim::mutation {
 

@@ -5,13 +5,11 @@
 #include <cstdint>
 #include <optional>
 
+#include "model/plane/point.h"
+
 namespace cosim::circular {
 
-struct Point {
-  std::int64_t x = 0;
-  std::int64_t y = 0;
-  friend bool operator==(const Point&, const Point&) = default;
-};
+using plane::Point;
 
 /// One piece of work for the machine: from `from` along x^2 + y^2 = radius2 to (0, R), or until
 /// `count` steps have been made, when it is ended through input 32.

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "model/circular/ones_complement.h"
 #include "model/core/design.h"
 #include "model/core/fields.h"
 #include "model/core/value.h"
@@ -31,11 +32,12 @@ struct Params {
   FIELD(step_y,  1,           flag,            "35", "Y + 1 on this clock")                        \
   FIELD(step_x,  1,           flag,            "36", "X - 1 on this clock")
 
-// The registers, by the same names in the model's state (numbers) and in the RTL (codes).
+// The registers, by the same names in the model's state (numbers, F in quarters) and in the RTL
+// (codes).
 #define CIRCULAR_REGISTERS(FIELD)                                                                  \
   FIELD(t4,      1,           flag,            "4",  "running")                                    \
   FIELD(t16,     1,           flag,            "16", "sector 2")                                   \
-  FIELD(f,       p.width + 4, ones_quarters,   "1",  "evaluation function; the state's F in quarters") \
+  FIELD(f,       p.width + 4, ones_complement.with_fraction(2), "1", "evaluation function F")      \
   FIELD(ct7,     p.width + 1, ones_complement, "7",  "Y in sector 1, X - 1 in sector 2")           \
   FIELD(ct8,     p.width + 1, ones_complement, "8",  "X - Y - 1 in sector 1, X - Y in sector 2")
 // clang-format on

@@ -14,6 +14,13 @@ constexpr std::array<Stated<V>, 0> invariant(const Params&, const State<V>&) {
   return {};
 }
 
+/// True of every state after a clear, and no matter to RTL and model: what a mutant may rest on.
+template <class V>
+constexpr std::array<Stated<V>, 1> reached(const Params&, const State<V>& s) {
+  return {
+      {{"F has a fraction of 3/4 while no arc runs", is_set(s.t4) | (low_bits(s.f, 2) == V(3))}}};
+}
+
 /// The clocks as a proof takes them one by one, each without those before it: by what is added to
 /// F.
 template <class V>

@@ -4,7 +4,8 @@
 //   FIELD(name, width, format, source, meaning)
 //
 // `name` is the RTL's port, or its register without the suffix _q; `width` in bits may use p, the
-// design's parameters; `source` is the number of the pin or block in the source.
+// design's parameters; `format` is a name of Format, with_fraction(n) behind it where the lowest n
+// bits stand behind the point; `source` is the number of the pin or block in the source.
 #pragma once
 
 #include <array>
@@ -22,7 +23,6 @@ enum class Format {
   number,           ///< a number >= 0
   twos_complement,  ///< a signed number
   ones_complement,  ///< a signed number
-  ones_quarters,    ///< ones' complement with two fraction bits
 };
 
 struct Field {
@@ -31,7 +31,20 @@ struct Field {
   Format format;
   const char* source;  ///< pin or block number, "" where the source has none
   const char* meaning;
+  int fraction = 0;  ///< bits of a number that stand behind the point, 0 to 18
 };
+
+constexpr bool is_signed(const Field& field) {
+  return field.format == Format::twos_complement || field.format == Format::ones_complement;
+}
+
+/// The number that a field's code stands for, in units of its last bit: quarters, where its
+/// fraction has two. One of 64 bits without a sign stays a bit pattern.
+constexpr Word units_of(const Field& field, Word code) {
+  if (field.format == Format::twos_complement) return from_twos_complement(code, field.width);
+  if (field.format == Format::ones_complement) return from_ones_complement(code, field.width);
+  return code;
+}
 
 /// Whether a field of a model's state can be `number`: signed formats hold as much on both sides.
 constexpr bool is_state(const Field& field, Word number) {
@@ -43,11 +56,31 @@ constexpr bool is_state(const Field& field, Word number) {
     case Format::twos_complement:
       return from_twos_complement(low_bits(number, field.width), field.width) == number;
     case Format::ones_complement:
-    case Format::ones_quarters:
       return number <= ones(field.width - 1) && number >= -ones(field.width - 1);
   }
   return false;
 }
+
+/// What stands in a table's row for a format, by the formats' names.
+namespace row {
+
+struct Notation {
+  Format format;
+  int fraction = 0;
+  constexpr Notation with_fraction(int bits) const { return {format, bits}; }
+};
+inline constexpr Notation flag{Format::flag};
+inline constexpr Notation bits{Format::bits};
+inline constexpr Notation number{Format::number};
+inline constexpr Notation twos_complement{Format::twos_complement};
+inline constexpr Notation ones_complement{Format::ones_complement};
+
+constexpr Field field(const char* name, int width, Notation notation, const char* source,
+                      const char* meaning) {
+  return {name, width, notation.format, source, meaning, notation.fraction};
+}
+
+}  // namespace row
 
 /// One parameter of a design's RTL.
 struct Parameter {
@@ -95,7 +128,7 @@ constexpr Record from_words(const Words<Record>& words) {
 #define COSIM_INDEX(name, width, format, source, meaning) index_##name,
 #define COSIM_POINTER(name, width, format, source, meaning) &Self::name,
 #define COSIM_FIELD(name, width, format, source, meaning) \
-  Field{#name, width, Format::format, source, meaning},
+  ::cosim::row::field(#name, width, ::cosim::row::format, source, meaning),
 
 /// Defines `template <class V> struct Record` with one member a row of TABLE, and its table as
 /// data. Params is the type of p in the rows' widths.

@@ -91,37 +91,6 @@ constexpr V to_ones_complement(V v, int width) {
   return select(v < V(0), v + V(ones(width)), v);
 }
 
-/// The same with 0 as -0, all ones.
-template <class V>
-constexpr V to_ones_complement_minus_zero(V v, int width) {
-  return select(v > V(0), v, v + V(ones(width)));
-}
-
-/// Wraps a register of `width` bits that adds with end-around carry: v modulo 2^width - 1, brought
-/// to |v| < 2^(width-1). For |v| < 2^width - 1, the most a sum of two such values can reach.
-template <class V>
-constexpr V wrap_end_around(V v, int width) {
-  const Word largest = ones(width - 1);
-  return select(v > V(largest), v - V(ones(width)), select(v < V(-largest), v + V(ones(width)), v));
-}
-
-/// v of 32 bits with neighbouring groups of bits exchanged; `lower` has ones in every other group.
-template <class V>
-constexpr V exchanged(V v, int bits, Word lower) {
-  return shift_left(both(v, V(lower)), bits) + both(shift_right(v, bits), V(lower));
-}
-
-/// The bits of v in reverse order: bit 0 becomes bit `width` - 1. 1 <= width <= 32, v < 2^width.
-template <class V>
-constexpr V reversed(V v, int width) {
-  v = exchanged(v, 16, 0xffff);
-  v = exchanged(v, 8, 0xff'00ff);
-  v = exchanged(v, 4, 0xf0f'0f0f);
-  v = exchanged(v, 2, 0x3333'3333);
-  v = exchanged(v, 1, 0x5555'5555);
-  return shift_right(v, 32 - width);
-}
-
 /// Wraps a counter of `width` bits: v modulo 2^width.
 template <class V>
 constexpr V wrap(V v, int width) {

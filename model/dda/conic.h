@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <optional>
 
-#include "model/circular/arc.h"
+#include "model/plane/point.h"
 
 namespace cosim::dda {
 
-using circular::Point;
+using plane::Point;
 
 /// The largest A to E in size, and the largest F.
 inline constexpr std::int64_t largest_factor = 0x7fffffff;

@@ -6,6 +6,7 @@
 #include "model/core/design.h"
 #include "model/core/fields.h"
 #include "model/core/value.h"
+#include "model/linear/reversed.h"
 
 namespace cosim::linear {
 

@@ -17,6 +17,13 @@ constexpr std::array<Stated<V>, 3> invariant(const Params&, const State<V>& s) {
            {"a word that is formed has a position left", (s.left > V(0)) | !is_set(s.formed)}}};
 }
 
+/// True of every state after a clear, and no matter to RTL and model: what a mutant may rest on.
+template <class V>
+constexpr std::array<Stated<V>, 2> reached(const Params&, const State<V>& s) {
+  return {{{"between lines no words are counted", is_set(s.running) | (s.tick == V(0))},
+           {"between lines the multiplier has no bit", is_set(s.running) | (s.last_bit == V(0))}}};
+}
+
 /// The clocks as a proof takes them one by one, each without those before it: here at once.
 template <class V>
 constexpr std::array<Stated<V>, 0> parts(const Params&, const State<V>&) {

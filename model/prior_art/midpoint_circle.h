@@ -2,6 +2,7 @@
 // two candidates, kept up to date by additions; the other octant is its mirror image.
 #pragma once
 
+#include "model/circular/arc.h"
 #include "model/prior_art/work.h"
 
 namespace cosim::prior_art {

@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "model/circular/arc.h"
+#include "model/plane/point.h"
 
 namespace cosim::prior_art {
 
-using circular::Point;
+using plane::Point;
 
 /// A line from (0, 0) to (major, minor), 0 <= minor <= major.
 struct Line {

@@ -5,10 +5,11 @@
 #include <variant>
 
 #include "model/circular/arc.h"
+#include "model/plane/point.h"
 
 namespace cosim::toolpath {
 
-using circular::Point;
+using plane::Point;
 
 /// Takes a machine's two outputs to the plane's axes: a machine step (u, v) is the step
 /// (xu * u + xv * v, yu * u + yv * v) of the path. A rotation by quarter turns or a reflection:

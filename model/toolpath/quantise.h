@@ -4,13 +4,13 @@
 #include <cstdint>
 #include <optional>
 
-#include "model/circular/arc.h"
+#include "model/plane/point.h"
 #include "model/toolpath/gcode.h"
 
 namespace cosim::toolpath {
 
 /// A grid point in machine coordinates, in steps.
-using circular::Point;
+using plane::Point;
 
 /// The reach of the machines: |x| and |y| of a position, and the radius of an arc, in steps.
 inline constexpr std::int64_t max_coordinate = (std::int64_t{1} << 31) - 1;

@@ -20,7 +20,7 @@ constexpr int bad_input = 2;
 constexpr const char* no_output = "cannot write to standard output";
 
 int refuse(const std::string& line) {
-  cosim::cli::complain(line);
+  cosim::complain(line);
   return bad_input;
 }
 

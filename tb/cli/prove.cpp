@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <numeric>
 #include <sstream>
 #include <thread>
 
@@ -121,8 +122,7 @@ void explain(const Options& o, const Subject& subject, const Claim& claim, const
 }
 
 // As a last line.
-void say_limit(const std::vector<Decision>& decisions, int limit) {
-  if (!proof::timed_out(decisions)) return;
+void say_limit(int limit) {
   fmt::print("a solver was stopped after {} s of processor time; give it more: --limit {}\n", limit,
              std::min(10 * limit, kLongest));
 }
@@ -155,7 +155,7 @@ int run_theorems(const Options& o, int limit, unsigned jobs) {
     proved += claim.proved && premises.proved ? 1 : 0;
   }
   fmt::print("{} of {} proved by all solvers\n", proved, count(theorems.size(), "theorem"));
-  say_limit(decisions, limit);
+  if (proof::timed_out(decisions)) say_limit(limit);
   return proved == theorems.size() ? 0 : 1;
 }
 
@@ -166,7 +166,6 @@ int run_mutants(const Options& o, int limit, unsigned jobs) {
   const proof::MachineFormula& formula = subjects.front().formula;
   const fs::path file = *o.mutants;
   if (!fs::is_regular_file(file)) throw InputError(file.string() + ": no such file");
-  const proof::Rtl rtl(proof::Source{{fs::absolute(file)}, formula.design, {}});
   if (o.mutant && o.count) throw InputError("--mutant: is one, with no --count");
   const auto pick = [](const char* option, const std::string& text) {
     return static_cast<unsigned>(whole(option, text, 1, 65535));
@@ -174,38 +173,22 @@ int run_mutants(const Options& o, int limit, unsigned jobs) {
   const unsigned first = o.mutant ? pick("--mutant", *o.mutant) : 1;
   const unsigned number = o.mutant ? 1 : pick("--count", o.count.value_or("100"));
 
-  std::vector<Claim> steps, clears;
-  std::vector<const Claim*> step_list, clear_list;
-  for (unsigned k = first; k < first + number; ++k) {
-    steps.push_back(proof::mutant_step(formula, rtl, k));
-    clears.push_back(proof::mutant_clear(formula, rtl, k));
-  }
-  for (const Claim& c : steps) step_list.push_back(&c);
-  const auto step = proof::decide(step_list, limit, jobs);
-  std::vector<unsigned> same;
-  for (unsigned k = 0; k < number; ++k) {
-    if (!step[k].proved) continue;
-    same.push_back(k);
-    clear_list.push_back(&clears[k]);
-  }
-  const auto clear = proof::decide(clear_list, limit, jobs);
-
+  std::vector<unsigned> numbers(number);
+  std::iota(numbers.begin(), numbers.end(), first);
+  const auto judged = proof::judge_mutants(formula, file, numbers, limit, jobs);
   std::size_t refuted = 0, equal = 0;
-  const auto count_one = [&](unsigned k, const Decision& d) {
-    refuted += d.refuted ? 1 : 0;
-    if (!d.refuted) fmt::print("mutant {}: {}\n", first + k, d.verdict);
-  };
+  bool timed_out = false;
   for (unsigned k = 0; k < number; ++k) {
-    if (!step[k].proved) count_one(k, step[k]);
-  }
-  for (std::size_t i = 0; i < same.size(); ++i) {
-    equal += clear[i].proved ? 1 : 0;
-    if (!clear[i].proved) count_one(same[i], clear[i]);
+    refuted += judged[k].refuted ? 1 : 0;
+    equal += judged[k].same ? 1 : 0;
+    timed_out = timed_out || judged[k].timed_out;
+    if (!judged[k].same && !judged[k].refuted) {
+      fmt::print("mutant {}: {}\n", first + k, judged[k].verdict);
+    }
   }
   fmt::print("{}: {}, {} refuted, {} proved to be the same, {} undecided\n", subjects.front().title,
              count(number, "mutant"), refuted, equal, number - refuted - equal);
-  say_limit(step, limit);
-  say_limit(clear, limit);
+  if (timed_out) say_limit(limit);
   return refuted + equal == number ? 0 : 1;
 }
 
@@ -256,7 +239,7 @@ int run(const Options& o) {
   if (explain_first) explain_first();
   fmt::print("{} of {} proved by all solvers, in {:.1f} s\n", proved, count(claims.size(), "claim"),
              took.count());
-  say_limit(decisions, limit);
+  if (proof::timed_out(decisions)) say_limit(limit);
   return proved == claims.size() ? 0 : 1;
 }
 
@@ -280,7 +263,8 @@ void add_prove(const Command& program) {
   add_failures(command, o->common);
   command.footer(
       "Needs yosys, cvc5 and z3; only what both solvers prove is proved.\n"
-      "Example: cosim prove linear M=8 N=5");
+      "Example: cosim prove " +
+      proof::built_machines().back().title);
   command.action([o] { return run(*o); });
 }
 

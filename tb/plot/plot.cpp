@@ -32,13 +32,13 @@ void Series::add(const Mark& mark) {
 }
 
 void check_plot() {
-  if (proof::run_program({"gnuplot", "--version"}).status != 0) {
+  if (run_program({"gnuplot", "--version"}).status != 0) {
     throw InputError("--plot: needs gnuplot, which is not installed (apt-get install gnuplot-nox)");
   }
 }
 
 void draw_plot(const std::string& path, const Plot& plot) {
-  const proof::Scratch scratch;
+  const Scratch scratch;
   const Leftover and_on_signals(scratch.path());
   const std::string script = scratch.path() / "plot.gp";
   const std::string picture = scratch.path() / ("picture" + fs::path(path).extension().string());
@@ -47,7 +47,7 @@ void draw_plot(const std::string& path, const Plot& plot) {
     write_script(out, picture, plot);
     if (!out.flush()) throw InputError(fmt::format("--plot: {}: cannot write", script));
   }
-  const auto ended = proof::run_program({"gnuplot", script});
+  const auto ended = run_program({"gnuplot", script});
   if (ended.status != 0) throw InputError(fmt::format("--plot: {}: gnuplot failed", path));
   // Of a full disk gnuplot says nothing.
   const std::string text = text_of_file(picture);

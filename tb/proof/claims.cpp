@@ -199,8 +199,7 @@ std::optional<Counterexample> counterexample(const MachineFormula& m,
   Counterexample c;
   for (const Wire& w : m.state) {
     const Word code = word(w.code.text());
-    const Word value =
-        detail::is_signed(w.field) ? from_twos_complement(code, w.field.width) : code;
+    const Word value = is_signed(w.field) ? from_twos_complement(code, w.field.width) : code;
     c.state.push_back({w.field, value, value});
   }
   for (const Wire& w : m.inputs) {

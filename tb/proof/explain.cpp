@@ -39,7 +39,8 @@ std::string to_text(const Counterexample& c) {
   std::string text = "from this state, under these inputs:\n";
   std::vector<Value> codes = c.state;
   for (Value& v : codes) {
-    v.field.format = detail::is_signed(v.field) ? Format::twos_complement : v.field.format;
+    v.field.format = is_signed(v.field) ? Format::twos_complement : v.field.format;
+    v.field.fraction = 0;  // as a stimulus has it
     v.expected = v.actual = cosim::low_bits(v.expected, v.field.width);
   }
   text += rows("state", codes) + rows("in", c.inputs) + rows("out", c.outputs);

@@ -64,6 +64,5 @@ Integer select(const Truth& c, const Integer& a, const Integer& b) {
   if (c.known()) return *c.known() ? a : b;
   return Integer(Expression("ite", integer_sort, {c.expression(), a.expression(), b.expression()}));
 }
-Integer wrap_end_around(const Integer& v, int) { return v; }
 
 }  // namespace cosim::proof

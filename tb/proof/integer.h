@@ -32,8 +32,6 @@ Truth bit(const Integer& v, int i);
 Integer shift_left(const Integer& v, int n);
 Integer shift_right(const Integer& v, int n);
 Integer select(const Truth& c, const Integer& a, const Integer& b);
-/// Itself: these registers have no width.
-Integer wrap_end_around(const Integer& v, int width);
 
 // For theorems alone; a model has no products.
 Integer operator*(const Integer& a, const Integer& b);

@@ -29,11 +29,14 @@ struct MachineFormula {
   std::vector<Named>
       invariant;  ///< of the state before the clock: its fields are in range, and more
   std::vector<Named> invariant_after;  ///< the same of the state after it
-  std::vector<Wire> registers;         ///< what the RTL's registers are to hold before the clock
-  std::vector<Wire> outputs;           ///< during it
-  std::vector<Wire> after;             ///< what the registers are to hold after it
-  std::vector<Named> parts;            ///< of all clocks: one by one they are easier
-  std::vector<Named> cases;  ///< what may happen on a clock, each of which must be possible
+  /// True of every state that a clear leads to, and not needed for RTL and model to be the same; of
+  /// the state before, after it, and after a clear.
+  std::vector<Named> reached, reached_after, reached_cleared;
+  std::vector<Wire> registers;  ///< what the RTL's registers are to hold before the clock
+  std::vector<Wire> outputs;    ///< during it
+  std::vector<Wire> after;      ///< what the registers are to hold after it
+  std::vector<Named> parts;     ///< of all clocks: one by one they are easier
+  std::vector<Named> cases;     ///< what may happen on a clock, each of which must be possible
   std::vector<Wire>
       clearing;               ///< the inputs that clear the machine, with the values they have then
   std::vector<Wire> cleared;  ///< the registers after that
@@ -44,11 +47,6 @@ namespace detail {
 
 inline Expression symbol(const char* kind, const Field& f) {
   return {std::string(kind) + '.' + f.name, bit_vector(f.width)};
-}
-
-inline bool is_signed(const Field& f) {
-  return f.format == Format::twos_complement || f.format == Format::ones_complement ||
-         f.format == Format::ones_quarters;
 }
 
 /// A record of free symbols. A state's signed field is a number, an input's is a code.
@@ -101,6 +99,19 @@ std::vector<Named> whole_invariant(const typename Design::Params& p,
   return all;
 }
 
+/// What a design may state beside its invariant: reached(p, s).
+template <class Design>
+std::vector<Named> whole_reached(const typename Design::Params& p,
+                                 const typename Design::template State<Bits>& s) {
+  std::vector<Named> all;
+  if constexpr (requires { reached(p, s); }) {
+    for (const auto& [name, condition] : reached(p, s)) {
+      all.push_back({name, condition.expression()});
+    }
+  }
+  return all;
+}
+
 }  // namespace detail
 
 /// The formulas of one design at the parameters p.
@@ -126,6 +137,8 @@ MachineFormula formula(const typename Design::Params& p) {
   const auto step = Design::next(p, s, in);
   m.invariant = detail::whole_invariant<Design>(p, s);
   m.invariant_after = detail::whole_invariant<Design>(p, step.state);
+  m.reached = detail::whole_reached<Design>(p, s);
+  m.reached_after = detail::whole_reached<Design>(p, step.state);
   m.registers = wires(Design::registers(p, s), register_fields);
   m.outputs = wires(step.outputs, output_fields);
   m.after = wires(Design::registers(p, step.state), register_fields);
@@ -139,6 +152,7 @@ MachineFormula formula(const typename Design::Params& p) {
   const auto cleared = Design::template cleared<Bits>();
   m.cleared = wires(Design::registers(p, cleared), register_fields);
   m.invariant_cleared = detail::whole_invariant<Design>(p, cleared);
+  m.reached_cleared = detail::whole_reached<Design>(p, cleared);
   const auto clear = to_words(Design::clear());
   const auto rest = to_words(Design::rest());
   for (std::size_t i = 0; i < input_fields.size(); ++i) {

@@ -2,17 +2,23 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
+#include <fstream>
+#include <map>
 #include <optional>
 #include <regex>
+#include <utility>
+
+#include "model/core/input_error.h"
+#include "tb/support/process.h"
 
 namespace cosim::proof {
 namespace {
 
-constexpr const char* kSelect = "mutsel";
-constexpr int kSelectBits = 16;
+namespace fs = std::filesystem;
 
 std::string net(const Field& f) { return std::string(f.name) + "_q"; }
+std::string sort_of(const Rtl::Free& f) { return f.is_bool ? boolean : bit_vector(f.width); }
+Expression differ(const Expression& a, const Expression& b) { return negation(equal(a, b)); }
 
 // The same symbols on the clock after.
 std::string on_next_clock(const std::string& text) {
@@ -26,79 +32,241 @@ Expression on_next_clock(const Expression& e) {
   return {e.text(), e.sort(), parts};
 }
 
-// The inputs are the model's, mutsel is the number, the flip-flops are free; two clocks of it.
-Script two_clocks(const MachineFormula& m, const Rtl& rtl, unsigned number) {
+Script declared(const MachineFormula& m) {
   Script script("QF_BV");
   for (const Wire& w : m.inputs) script.declare(w.code.text(), w.code.sort());
   for (const Wire& w : m.state) script.declare(w.code.text(), w.code.sort());
-  std::vector<std::optional<Expression>> given(rtl.free().size());
-  const auto give = [&](const std::string& name, const Expression& code, int low) {
-    for (const std::size_t i : rtl.pieces(name)) {
-      low -= rtl.free()[i].width;
-      given[i] = cut(code, low, rtl.free()[i].width);
-    }
-  };
-  for (const Wire& w : m.inputs) give(w.field.name, w.code, w.field.width);
-  give(kSelect, Bits(static_cast<Word>(number)).code(kSelectBits), kSelectBits);
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    const Rtl::Free& f = rtl.free()[i];
-    const std::string sort = f.is_bool ? boolean : bit_vector(f.width);
-    if (given[i] && f.after.empty()) {
-      script.define(f.symbol, as_sort(*given[i], sort));
-    } else {
-      script.declare(f.symbol, sort);
-    }
-  }
-  script.add(rtl.definitions());
-  const std::vector<std::size_t> select = rtl.pieces(kSelect);
-  for (std::size_t i = 0; i < given.size(); ++i) {
-    const Rtl::Free& f = rtl.free()[i];
-    const std::string sort = f.is_bool ? boolean : bit_vector(f.width);
-    const bool selects = std::find(select.begin(), select.end(), i) != select.end();
-    if (!f.after.empty() || selects) {
-      script.define(on_next_clock(f.symbol), {selects ? f.symbol : f.after, sort});
-    } else {
-      script.declare(on_next_clock(f.symbol), sort);
-    }
-  }
-  script.add(on_next_clock(rtl.definitions()));
   return script;
 }
 
-Expression differ(const Expression& a, const Expression& b) { return negation(equal(a, b)); }
-
-Expression after_differs(const std::vector<Wire>& expected, const Rtl& rtl) {
-  Expression any = truth(false);
-  for (const Wire& w : expected) {
-    any = disjunction(any, differ(on_next_clock(rtl.wire(net(w.field))), w.code));
+// One of the two machines in a question: its inputs are the model's; its flip-flops are what the
+// nets of the registers are given to hold, or free.
+class Side {
+ public:
+  Side(const MachineFormula& m, const Rtl& rtl, const std::vector<Wire>& given, Script& script)
+      : rtl_(rtl), script_(script) {
+    std::vector<std::optional<Expression>> known(rtl.free().size());
+    const auto know = [&](const Wire& w, const std::string& name, bool is_register) {
+      const auto pieces = rtl.pieces(name);
+      for (const std::size_t i : pieces) {
+        if (rtl.free()[i].after.empty() == is_register || known[i]) return false;
+      }
+      int low = w.field.width;
+      for (const std::size_t i : pieces) {
+        low -= rtl.free()[i].width;
+        known[i] = cut(w.code, low, rtl.free()[i].width);
+      }
+      return low == 0;
+    };
+    std::vector<std::pair<std::string, Expression>> assumed;
+    const auto give = [&](const Wire& w, const std::string& name, bool is_register) {
+      if (!know(w, name, is_register)) assumed.emplace_back(name, w.code);
+    };
+    for (const Wire& w : m.inputs) give(w, w.field.name, false);
+    for (const Wire& w : given) give(w, net(w.field), true);
+    for (std::size_t i = 0; i < known.size(); ++i) {
+      const Rtl::Free& f = rtl.free()[i];
+      if (known[i]) {
+        script.define(f.symbol, as_sort(*known[i], sort_of(f)));
+      } else {
+        script.declare(f.symbol, sort_of(f));
+      }
+    }
+    script.add(rtl.definitions());
+    for (const auto& [name, code] : assumed) script.assume(equal(rtl.wire(name), code));
   }
-  return any;
+
+  Expression output(const Field& f) const { return rtl_.wire(f.name); }
+
+  // What a register's net holds after the clock.
+  Expression after(const Field& f) {
+    std::optional<Expression> code;
+    int width = 0;
+    for (const std::size_t i : rtl_.pieces(net(f))) {
+      const Rtl::Free& piece = rtl_.free()[i];
+      if (piece.after.empty()) return with_next_clock(f);
+      const Expression bits = as_code({piece.after, sort_of(piece)});
+      width += piece.width;
+      code = code ? Expression("concat", bit_vector(width), {*code, bits}) : bits;
+    }
+    return code ? *code : with_next_clock(f);
+  }
+
+ private:
+  // More than the flip-flops makes the net: it takes the clock after to say.
+  Expression with_next_clock(const Field& f) {
+    if (!next_clock_) {
+      for (const Rtl::Free& free : rtl_.free()) {
+        if (free.after.empty()) {
+          script_.declare(on_next_clock(free.symbol), sort_of(free));
+        } else {
+          script_.define(on_next_clock(free.symbol), {free.after, sort_of(free)});
+        }
+      }
+      script_.add(on_next_clock(rtl_.definitions()));
+      next_clock_ = true;
+    }
+    return on_next_clock(rtl_.wire(net(f)));
+  }
+
+  const Rtl& rtl_;
+  Script& script_;
+  bool next_clock_ = false;
+};
+
+Claim asked(const std::string& what, const std::string& asks, Script script,
+            const Expression& wrong) {
+  script.ask(wrong);
+  return {what, Answer::unsat, {{{asks}, script.text()}}, {}};
 }
 
-Claim asked(const std::string& what, unsigned number, Script script, const Expression& wrong) {
-  script.ask(wrong);
-  return {what, Answer::unsat, {{{fmt::format("mutant {}", number)}, script.text()}}, {}};
+// By module, what yosys wrote of it.
+std::map<std::string, std::string> modules_in(const fs::path& file) {
+  std::ifstream stream(file);
+  std::map<std::string, std::string> all;
+  const std::string mark = "; yosys-smt2-module ";
+  std::string name;
+  for (std::string line; std::getline(stream, line);) {
+    if (line.starts_with(mark)) name = line.substr(mark.size());
+    all[name] += line + '\n';
+  }
+  return all;
+}
+
+// Flip-flops by name, with whether they are clocked by an input's rising edge, its falling one, or
+// in another way.
+enum class Edge { rising, falling, other };
+std::map<std::string, Edge> clocks_in(const fs::path& stem) {
+  std::map<std::string, Edge> all;
+  const auto read = [&](const char* list, Edge edge) {
+    std::ifstream stream(stem.string() + list);
+    for (std::string line; std::getline(stream, line);) all[line.substr(line.find('/'))] = edge;
+  };
+  read(".all", Edge::other);
+  read(".rising", Edge::rising);
+  read(".falling", Edge::falling);
+  return all;
 }
 
 }  // namespace
 
-Claim mutant_clear(const MachineFormula& m, const Rtl& rtl, unsigned number) {
-  Script script = two_clocks(m, rtl, number);
-  for (const Wire& w : m.clearing) {
-    script.assume(equal(detail::symbol("in", w.field), w.code));
+Claim reached_claim(const MachineFormula& m) {
+  Script script = declared(m);
+  for (const auto* all : {&m.invariant, &m.reached}) {
+    for (const Named& n : *all) script.assume(n.condition);
   }
-  return asked("a clear makes them the same", number, script, after_differs(m.cleared, rtl));
+  Expression wrong = truth(false);
+  for (const auto* all :
+       {&m.invariant_after, &m.reached_after, &m.invariant_cleared, &m.reached_cleared}) {
+    for (const Named& n : *all) wrong = disjunction(wrong, negation(n.condition));
+  }
+  return asked("what is reached stays so", "any clock", script, wrong);
 }
 
-Claim mutant_step(const MachineFormula& m, const Rtl& rtl, unsigned number) {
-  Script script = two_clocks(m, rtl, number);
-  for (const Named& n : m.invariant) script.assume(n.condition);
-  for (const Wire& w : m.registers) script.assume(equal(rtl.wire(net(w.field)), w.code));
-  Expression wrong = after_differs(m.after, rtl);
-  for (const Wire& w : m.outputs) {
-    wrong = disjunction(wrong, differ(rtl.wire(w.field.name), w.code));
+Mutants::Mutants(const MachineFormula& machine, const fs::path& verilog,
+                 const std::vector<unsigned>& numbers)
+    : machine_(machine) {
+  const Scratch scratch;
+  const auto in_scratch = [&](const std::string& name) { return (scratch.path() / name).string(); };
+  std::string commands = fmt::format(
+      "read_verilog \"{}\"; prep -flatten -top {}; rename -top machine; setattr -set keep 1 w:*_q; "
+      "async2sync; setundef -anyseq; ",
+      fs::absolute(verilog).string(), machine.design);
+  std::vector<unsigned> all{0};
+  all.insert(all.end(), numbers.begin(), numbers.end());
+  for (const unsigned k : all) {
+    commands += fmt::format(
+        "copy machine m{0}; cd m{0}; delete -input mutsel; connect -set mutsel 16'd{0}; opt_expr; "
+        "opt_clean -purge; select -write {1}.all t:$dff; "
+        "select -write {1}.rising t:$dff i:* %co1:+$dff[CLK] %i r:CLK_POLARITY=1'b1 %i; "
+        "select -write {1}.falling t:$dff i:* %co1:+$dff[CLK] %i r:CLK_POLARITY=1'b1 %d; cd ..; ",
+        k, in_scratch(fmt::format("m{}", k)));
   }
-  return asked("every clock keeps them the same", number, script, wrong);
+  run_yosys(commands + "delete machine; write_smt2 -wires " + in_scratch("all.smt2"),
+            machine.design);
+
+  const auto texts = modules_in(in_scratch("all.smt2"));
+  const auto clocks = clocks_in(in_scratch("m0"));
+  original_.emplace_back("m0", texts.at("m0"));
+  for (const unsigned k : numbers) {
+    const std::string name = fmt::format("m{}", k);
+    bool same_clocks = true;
+    for (const auto& [cell, edge] : clocks_in(in_scratch(name))) {
+      const auto in_original = clocks.find(cell);
+      same_clocks = same_clocks && edge != Edge::other && in_original != clocks.end() &&
+                    in_original->second == edge;
+    }
+    mutants_.push_back({k, Rtl(name, texts.at(name)), same_clocks});
+  }
+}
+
+Claim Mutants::clear(std::size_t i) const {
+  const Mutant& mutant = mutants_[i];
+  Script script = declared(machine_);
+  Side side(machine_, mutant.rtl, {}, script);
+  for (const Wire& w : machine_.clearing) {
+    script.assume(equal(detail::symbol("in", w.field), w.code));
+  }
+  Expression wrong = truth(false);
+  for (const Wire& w : machine_.cleared) {
+    wrong = disjunction(wrong, differ(side.after(w.field), w.code));
+  }
+  return asked("a clear makes them the same", fmt::format("mutant {}", mutant.number), script,
+               wrong);
+}
+
+Claim Mutants::step(std::size_t i) const {
+  const Mutant& mutant = mutants_[i];
+  Script script = declared(machine_);
+  for (const auto* all : {&machine_.invariant, &machine_.reached}) {
+    for (const Named& n : *all) script.assume(n.condition);
+  }
+  Side before(machine_, original_.front(), machine_.registers, script);
+  Side with(machine_, mutant.rtl, machine_.registers, script);
+  Expression wrong = truth(false);
+  for (const Wire& w : machine_.registers) {
+    wrong = disjunction(wrong, differ(before.after(w.field), with.after(w.field)));
+  }
+  for (const Wire& w : machine_.outputs) {
+    wrong = disjunction(wrong, differ(before.output(w.field), with.output(w.field)));
+  }
+  return asked("every clock keeps them the same", fmt::format("mutant {}", mutant.number), script,
+               wrong);
+}
+
+std::vector<Judged> judge_mutants(const MachineFormula& machine, const fs::path& verilog,
+                                  const std::vector<unsigned>& numbers, int limit, unsigned jobs) {
+  const Claim reached = reached_claim(machine);
+  const Decision stays = decide({&reached}, limit, jobs).front();
+  for (const auto& by_solver : stays.solved) {
+    if (by_solver.front().answer == Answer::missing) throw InputError("needs cvc5 and z3");
+  }
+  if (!stays.proved) {
+    throw InputError(fmt::format("{}: {}: {}", machine.design, reached.what, stays.verdict));
+  }
+
+  // Each run of yosys reads the file anew.
+  constexpr std::size_t a_run = 16;
+  std::vector<Judged> all(numbers.size());
+  in_parallel((numbers.size() + a_run - 1) / a_run, jobs, [&](std::size_t run) {
+    const std::size_t first = run * a_run, last = std::min(first + a_run, numbers.size());
+    const Mutants mutants(machine, verilog,
+                          {numbers.begin() + static_cast<std::ptrdiff_t>(first),
+                           numbers.begin() + static_cast<std::ptrdiff_t>(last)});
+    for (std::size_t i = 0; i < mutants.size(); ++i) {
+      Judged& judged = all[first + i];
+      if (!mutants.has_same_clocks(i)) {
+        judged = {false, true, false, "REFUTED: a register with another clock"};
+        continue;
+      }
+      const Claim step = mutants.step(i), clear = mutants.clear(i);
+      std::vector<Decision> decided = decide({&step}, limit, 1);
+      if (decided.front().proved) decided = decide({&clear}, limit, 1);
+      const Decision& d = decided.front();
+      judged = {d.proved, d.refuted, timed_out(decided), d.verdict};
+    }
+  });
+  return all;
 }
 
 }  // namespace cosim::proof

@@ -1,15 +1,67 @@
-// The proof on a mutant: RTL in which one of many small faults is turned on by an input.
+// The proof on mutants: RTL in which one of many small faults is turned on by an input.
+//
+// What is asked is whether a mutant is the same machine as the RTL without one, for ever, from the
+// first clear on:
+//
+//   clear   after a clock that clears the machine, whatever its flip-flops held, the mutant's
+//           registers hold what they are to hold
+//   step    from every state that satisfies the invariant and what else is true of all states
+//           reached, with the registers of both holding what they are to hold in it, under every
+//           input: outputs, and registers after the clock, are the same
+//
+// That the RTL without a mutant is the same as the model is another claim (claims.h), so that all
+// states after the clock are such states again; reached_claim() says so of what claims.h does not
+// use. A mutant's flip-flop need not be what a register's net shows, so a register is its net.
 #pragma once
 
-#include "tb/proof/claims.h"
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tb/proof/decide.h"
 
 namespace cosim::proof {
 
-/// The claims of tb/proof/claims.h on RTL whose input `mutsel` is `number`. A mutant's flip-flop
-/// need not be what a register's net shows, so nothing is said of the flip-flops: they may hold
-/// anything with which the nets of the registers hold what they are to hold, and after the clock
-/// the nets are to do so again. InputError where the RTL has no such nets.
-Claim mutant_clear(const MachineFormula& machine, const Rtl& rtl, unsigned number);
-Claim mutant_step(const MachineFormula& machine, const Rtl& rtl, unsigned number);
+/// That `reached` is true after a clear and stays so, by the model alone.
+Claim reached_claim(const MachineFormula& machine);
+
+/// Some of the mutants in a file, each as formulas of its own.
+class Mutants {
+ public:
+  /// `verilog` has the machine as one module with the input `mutsel` of 16 bits: 0 turns none on, k
+  /// the mutant of that number. InputError where yosys does not find it so.
+  Mutants(const MachineFormula& machine, const std::filesystem::path& verilog,
+          const std::vector<unsigned>& numbers);
+
+  std::size_t size() const { return mutants_.size(); }
+  Claim clear(std::size_t i) const;
+  Claim step(std::size_t i) const;
+  /// Whether every flip-flop has the clock it has without the mutant: the formulas know no other.
+  bool has_same_clocks(std::size_t i) const { return mutants_[i].same_clocks; }
+
+ private:
+  struct Mutant {
+    unsigned number;
+    Rtl rtl;
+    bool same_clocks;
+  };
+  const MachineFormula& machine_;
+  std::vector<Rtl> original_;  // one
+  std::vector<Mutant> mutants_;
+};
+
+/// What is known of a mutant.
+struct Judged {
+  bool same = false;       ///< proved by all solvers
+  bool refuted = false;    ///< shown not to be, from a state that may never be reached
+  bool timed_out = false;  ///< more time might help
+  std::string verdict;
+};
+
+/// Has the solvers judge these mutants, `jobs` questions at a time, each for `limit` seconds of
+/// processor time at the most. InputError where a solver or yosys is missing.
+std::vector<Judged> judge_mutants(const MachineFormula& machine,
+                                  const std::filesystem::path& verilog,
+                                  const std::vector<unsigned>& numbers, int limit, unsigned jobs);
 
 }  // namespace cosim::proof

@@ -40,18 +40,21 @@ std::string written_by_yosys(const Source& source) {
       "; rename -top {}; setattr -set keep 1 w:*_q; prep -flatten; async2sync; setundef -anyseq; "
       "write_smt2 -wires {}",
       source.top, file.string());
-  const Ended ended = run_program({"yosys", "-q", "-p", commands});
-  if (ended.status == 127) throw InputError("needs yosys");
-  if (ended.status != 0) {
-    std::string error = ended.text.substr(std::min(ended.text.find("ERROR"), ended.text.size()));
-    error.resize(std::min(error.find('\n'), error.size()));
-    throw InputError(fmt::format("{}: yosys cannot read it: {}", source.top, error));
-  }
+  run_yosys(commands, source.top);
   std::ifstream stream(file);
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 }  // namespace
+
+void run_yosys(const std::string& commands, const std::string& what) {
+  const Ended ended = run_program({"yosys", "-q", "-p", commands});
+  if (ended.status == 127) throw InputError("needs yosys");
+  if (ended.status == 0) return;
+  std::string error = ended.text.substr(std::min(ended.text.find("ERROR"), ended.text.size()));
+  error.resize(std::min(error.find('\n'), error.size()));
+  throw InputError(fmt::format("{}: yosys cannot read it: {}", what, error));
+}
 
 Source source_in(const fs::path& folder, const std::string& design,
                  const std::vector<Parameter>& parameters) {
@@ -62,9 +65,8 @@ Source source_in(const fs::path& folder, const std::string& design,
     if (entry.path().extension() == ".v") source.files.push_back(fs::absolute(entry.path()));
   }
   if (source.files.empty()) {
-    throw InputError(
-        fmt::format("{}: no Verilog of the {} interpolator; --rtl DIR names the folder that has it",
-                    folder.string(), design));
+    throw InputError(fmt::format("{}: no Verilog of {}; --rtl DIR names the folder that has it",
+                                 folder.string(), design));
   }
   std::sort(source.files.begin(), source.files.end());
   return source;

@@ -23,6 +23,9 @@ struct Source {
 Source source_in(const std::filesystem::path& folder, const std::string& design,
                  const std::vector<Parameter>& parameters);
 
+/// Runs yosys. InputError where there is none or it stops with an error; it names `what`.
+void run_yosys(const std::string& commands, const std::string& what);
+
 /// One clock of a machine as yosys writes it for SMT-LIB 2, but without its notion of a state: each
 /// register and each input is a symbol, and all else is defined from them.
 class Rtl {

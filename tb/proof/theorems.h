@@ -1,4 +1,5 @@
-// What the sources claim of their machines, as theorems on the golden models.
+// What is claimed of a design beyond its RTL, as theorems on its golden model. A design brings them
+// by defining std::vector<Theorem> cosim::DESIGN::theorems() in tb/designs/DESIGN/proof.
 #pragma once
 
 #include <string>
@@ -15,16 +16,10 @@ struct Theorem {
   Claim premises;        ///< what it assumes can be: it says something
 };
 
-/// All of them.
+/// Those of all designs; made by CMake.
 std::vector<Theorem> theorems();
 
-// By what they speak of. SU 1665343, on integers without end: every radius and every width.
-std::vector<Theorem> circular_theorems();
-/// The same, from the pins to the first point: every shipped width.
-std::vector<Theorem> arc_theorems();
-/// SU 1631518: what a code gives, for every BP of up to 32 bits.
-std::vector<Theorem> code_theorems();
-/// The same, from the pins to the words: every shipped width.
-std::vector<Theorem> word_theorems();
+/// Several lists as one.
+std::vector<Theorem> joined(std::vector<std::vector<Theorem>> lists);
 
 }  // namespace cosim::proof

@@ -58,10 +58,7 @@ class HostileStimulus {
   /// The bits that a value is drawn from: half of a signed field's values are >= 0, for the ends of
   /// the numbers that it counts up and down through are not those of its codes.
   int range(const Field& field) {
-    const bool is_signed = field.format == Format::twos_complement ||
-                           field.format == Format::ones_complement ||
-                           field.format == Format::ones_quarters;
-    return is_signed && random_.one_in_power(1) ? field.width - 1 : field.width;
+    return is_signed(field) && random_.one_in_power(1) ? field.width - 1 : field.width;
   }
 
   bool happens(std::size_t i) { return rarity_[i] != never && random_.one_in_power(rarity_[i]); }

@@ -17,7 +17,7 @@
 
 #include "model/core/input_error.h"
 
-namespace cosim::proof {
+namespace cosim {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -109,4 +109,4 @@ Scratch::~Scratch() {
   std::filesystem::remove_all(path_, ignored);
 }
 
-}  // namespace cosim::proof
+}  // namespace cosim

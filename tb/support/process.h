@@ -7,7 +7,7 @@
 
 #include "tb/support/interrupt.h"
 
-namespace cosim::proof {
+namespace cosim {
 
 struct Ended {
   int status = 0;          ///< 127 where there is no such program, 128 + n where signal n ended it
@@ -36,4 +36,4 @@ class Scratch {
   std::filesystem::path path_;
 };
 
-}  // namespace cosim::proof
+}  // namespace cosim

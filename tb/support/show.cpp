@@ -22,37 +22,54 @@ std::optional<Number> parse(std::string_view text, int base = 10) {
   return number;
 }
 
+// What one in the last of so many decimals is, in units of the last of so many bits.
+std::uint64_t decimal(int fraction) {
+  std::uint64_t power = 1;
+  for (int i = 0; i < fraction; ++i) power *= 5;
+  return power;
+}
+
+// A number without its sign, with as many decimals as its field has fraction bits: no fewer tell
+// all its values.
+std::string show_size(const Field& field, std::uint64_t size) {
+  if (field.fraction == 0) return fmt::format("{}", size);
+  const auto part = static_cast<std::uint64_t>(low_bits(static_cast<Word>(size), field.fraction));
+  return fmt::format("{}.{:0{}}", size >> field.fraction, part * decimal(field.fraction),
+                     field.fraction);
+}
+
+std::optional<Word> parse_size(const Field& field, std::string_view text) {
+  const std::size_t point = std::min(text.find('.'), text.size());
+  const auto whole = parse<std::uint64_t>(text.substr(0, point));
+  if (!whole) return {};
+  std::uint64_t size = *whole << field.fraction;
+  if (field.fraction > 0) {
+    const auto decimals = parse<std::uint64_t>(text.substr(std::min(point + 1, text.size())));
+    if (!decimals) return {};
+    size += *decimals / decimal(field.fraction);
+  } else if (point != text.size()) {
+    return {};
+  }
+  return static_cast<Word>(size);
+}
+
 std::optional<Word> parse_raw(const Field& field, std::string_view text) {
   switch (field.format) {
-    case Format::flag:
-    case Format::number:
     case Format::bits: {
-      const int base = field.format != Format::bits ? 10 : field.width <= 16 ? 2 : 16;
-      const auto number = parse<std::uint64_t>(text, base);
+      const auto number = parse<std::uint64_t>(text, field.width <= 16 ? 2 : 16);
       if (!number) return {};
       return static_cast<Word>(*number);
     }
-    case Format::twos_complement: {
-      const auto number = parse<Word>(text);
-      if (!number) return {};
-      return low_bits(*number, field.width);
-    }
+    case Format::flag:
+    case Format::number:
+    case Format::twos_complement:
     case Format::ones_complement: {
-      if (text == "-0") return ones(field.width);
-      const auto number = parse<Word>(text);
-      if (!number) return {};
-      return to_ones_complement(*number, field.width);
-    }
-    case Format::ones_quarters: {
       const bool negative = text.starts_with('-');
-      const std::size_t point = text.find('.');
-      if (point == std::string_view::npos || point + 3 != text.size()) return {};
-      const std::size_t sign = negative ? 1 : 0;
-      const auto whole = parse<std::uint32_t>(text.substr(sign, point - sign));
-      const auto hundredths = parse<std::uint32_t>(text.substr(point + 1));
-      if (!whole || !hundredths) return {};
-      const Word size = Word{*whole} * 4 + *hundredths / 25;
-      return negative ? ones(field.width) ^ size : size;
+      const auto size = parse_size(field, text.substr(negative ? 1 : 0));
+      if (!size) return {};
+      if (!negative) return *size;
+      if (field.format == Format::ones_complement) return ones(field.width) ^ *size;
+      return low_bits(static_cast<Word>(-static_cast<std::uint64_t>(*size)), field.width);
     }
   }
   return {};
@@ -64,21 +81,15 @@ std::string show_short(const Field& field, Word value) {
   switch (field.format) {
     case Format::flag:
     case Format::number:
-      return fmt::format("{}", static_cast<std::uint64_t>(value));
+      return show_size(field, static_cast<std::uint64_t>(value));
     case Format::bits:
       if (field.width <= 16) return digits(field, value);
       return fmt::format("{:0{}x}", static_cast<std::uint64_t>(value), (field.width + 3) / 4);
     case Format::twos_complement:
-      return fmt::format("{}", from_twos_complement(value, field.width));
     case Format::ones_complement: {
-      const Word number = from_ones_complement(value, field.width);
-      return number == 0 && value != 0 ? "-0" : fmt::format("{}", number);
-    }
-    case Format::ones_quarters: {
-      const Word number = from_ones_complement(value, field.width);
-      const Word size = number < 0 ? -number : number;
-      const char* sign = bit(value, field.width - 1) ? "-" : "";
-      return fmt::format("{}{}.{:02}", sign, size / 4, size % 4 * 25);
+      const auto number = static_cast<std::uint64_t>(units_of(field, value));
+      if (!bit(value, field.width - 1)) return show_size(field, number);
+      return '-' + show_size(field, 0 - number);  // -0, too
     }
   }
   return {};

@@ -9,7 +9,7 @@
 
 #include "tb/support/finite.h"
 
-namespace cosim::cli {
+namespace cosim {
 namespace {
 
 // The bytes of the printable UTF-8 character that begins there; 0 where none does.
@@ -72,4 +72,4 @@ void complain(const std::string& text) {
   std::fputs(("cosim: " + one_line(text) + '\n').c_str(), stderr);
 }
 
-}  // namespace cosim::cli
+}  // namespace cosim

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace cosim::cli {
+namespace cosim {
 
 /// "1 step", "2 steps"
 std::string count(std::uint64_t n, const std::string& noun);
@@ -24,4 +24,4 @@ std::string quoted(const std::string& text);
 /// is nobody left to tell.
 void complain(const std::string& text);
 
-}  // namespace cosim::cli
+}  // namespace cosim

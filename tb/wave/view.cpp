@@ -41,7 +41,6 @@ unsigned format_of(const Field& f) {
     case Format::twos_complement:
       return signed_decimal;
     case Format::ones_complement:
-    case Format::ones_quarters:
       return f.width <= 8 ? binary : hex;  // its number stands beside it
   }
   return hex;
@@ -146,7 +145,7 @@ void add_registers(View& view, const WaveShape& shape) {
     const std::string shown = f.name + source_of(f);
     if (!has_number(f)) {
       view.signal(std::string("cosim.actual.") + f.name, f.width, format_of(f), shown);
-    } else if (f.format == Format::ones_quarters) {
+    } else if (f.fraction > 0) {
       view.signal(std::string("cosim.number.") + f.name, 1,
                   signed_decimal | analog_step | analog_full, shown, orange);
       view.higher(3);
@@ -166,12 +165,12 @@ void write_words(const std::string& path, const Probe& probe) {
 }  // namespace
 
 bool has_number(const Field& field) {
-  return field.format == Format::ones_complement || field.format == Format::ones_quarters;
+  return field.format == Format::ones_complement || field.fraction > 0;
 }
 
 double number_of(const Field& field, Word value) {
-  const auto number = static_cast<double>(from_ones_complement(value, field.width));
-  return field.format == Format::ones_quarters ? number / 4 : number;
+  const Word number = units_of(field, value);
+  return std::ldexp(static_cast<double>(number), -field.fraction);
 }
 
 std::string view_file(const std::string& path) { return beside_wave(path, ".gtkw"); }

@@ -90,8 +90,9 @@ TEST_F(Prove, ShowsACounterexampleOfOtherRtl) {
   EXPECT_EQ(cosim({"replay", kept[1].str(), "--failures", failures}).status, 0);
 }
 
-// The shipped RTL in one file, with a port that chooses among two machines in its place: one that
-// says it runs when it does not, and one that is the same.
+// The shipped RTL in one file, with a port that chooses among three machines in its place: one that
+// says it runs when it does not, one that is the same, and one with registers on the clock's other
+// edge.
 std::string with_mutants(const Folder& folder) {
   std::string all;
   for (const auto& file : std::filesystem::directory_iterator(kRtl + "/circular")) {
@@ -111,6 +112,7 @@ std::string with_mutants(const Folder& folder) {
   replace("input  wire         clk,", "input wire [15:0] mutsel, input wire clk,");
   replace("assign running = t4_q;",
           "assign running = mutsel == 1 ? ~t4_q : mutsel == 2 ? ~~t4_q : t4_q;");
+  replace(".clk(clk)", ".clk(mutsel == 3 ? ~clk : clk)");
   return folder.write("mutants.v", others + all);
 }
 
@@ -124,6 +126,8 @@ TEST_F(Prove, RefutesMutantsOrProvesThemTheSame) {
   };
   EXPECT_EQ(with({"--count", "2"}).out,
             "circular W=4: 2 mutants, 1 refuted, 1 proved to be the same, 0 undecided\n");
+  EXPECT_EQ(with({"--mutant", "3"}).out,
+            "circular W=4: 1 mutant, 1 refuted, 0 proved to be the same, 0 undecided\n");
   EXPECT_EQ(with({"--mutant", "2"}).out,
             "circular W=4: 1 mutant, 0 refuted, 1 proved to be the same, 0 undecided\n");
   EXPECT_EQ(with({"--mutant", "2", "--count", "1"}).err,

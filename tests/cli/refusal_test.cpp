@@ -69,7 +69,7 @@ TEST(Refusal, OfProofs) {
   expect_unused({"prove", "--mutant", "5"}, "--mutant: belongs to --mutants");
   expect_unused({"prove", "--theorems", "spiral"}, "spiral: is no design with theorems");
   expect_unused({"prove", "linear", "--rtl", "/dev/null"},
-                "/dev/null: no Verilog of the linear interpolator; --rtl DIR names the folder that "
+                "/dev/null: no Verilog of linear; --rtl DIR names the folder that "
                 "has it");
 }
 

@@ -9,7 +9,7 @@ set -euo pipefail
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 status=0
-"$1" "$folder/results.json" --failures "$folder/failures" > "$folder/said" || status=$?
+"$1" "$folder/results.json" --unproved --failures "$folder/failures" > "$folder/said" || status=$?
 ((status == 1)) || { echo "status $status with survivors" && exit 1; }
 survived=$(grep -c '"end": "survived"' "$folder/results.json")
 kept=("$folder"/failures/*)

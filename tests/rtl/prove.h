@@ -16,7 +16,7 @@ constexpr int kLimit = 60;  // seconds for one answer
 
 inline bool can_prove() {
   for (const char* program : {"yosys", "cvc5", "z3"}) {
-    if (proof::run_program({program, "--version"}).status == 127) return false;
+    if (run_program({program, "--version"}).status == 127) return false;
   }
   return true;
 }

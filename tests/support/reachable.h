@@ -18,6 +18,15 @@ void expect_fits(const Record& record, const Params& p) {
   }
 }
 
+/// What a design states of its state, in model/NAME/stated.h.
+template <class Params, class State>
+void expect_stated(const Params& p, const State& s) {
+  for (const auto& [sentence, holds] : invariant(p, s)) ASSERT_TRUE(holds) << sentence;
+  if constexpr (requires { reached(p, s); }) {
+    for (const auto& [sentence, holds] : reached(p, s)) ASSERT_TRUE(holds) << sentence;
+  }
+}
+
 /// Hostile clocks on the model: all that it shows fits its fields. `recovered(params, state)`
 /// expects that every number of the state comes back from its code in the registers.
 template <class Shape, class Recovered>
@@ -36,6 +45,7 @@ void expect_states_fit_the_registers(Recovered recovered) {
       expect_fits(seen, Shape::params);
       expect_fits(machine.registers(), Shape::params);
       recovered(Shape::params, machine.state);
+      expect_stated(Shape::params, machine.state);
       if (testing::Test::HasFatalFailure()) FAIL() << "case " << i << " clock " << clocks % kClocks;
       busy += to_words(seen)[0] != 0;  // busy, running
     }

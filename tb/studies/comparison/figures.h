@@ -50,7 +50,7 @@ Figures measured(const Line& line, const Points& points, std::uint64_t clocks);
 Figures measured(const Arc& arc, const Points& points, std::uint64_t clocks);
 
 /// The deviations of one point; they are the figures' own.
-double radial(const Line& line, circular::Point at);
-double radial(const Arc& arc, circular::Point at);
+double radial(const Line& line, plane::Point at);
+double radial(const Arc& arc, plane::Point at);
 
 }  // namespace cosim::compare

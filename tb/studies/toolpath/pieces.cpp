@@ -5,7 +5,7 @@
 namespace cosim::pieces {
 namespace {
 
-using circular::Point;
+using plane::Point;
 using toolpath::Piece;
 
 // The arc of a piece, to where the circular machine is stopped.

@@ -18,7 +18,7 @@ struct Sizes {
 #define EXAMPLE_FIELDS(FIELD)                         \
   FIELD(enable, 1, flag, "3", "counts")               \
   FIELD(count, p.width, number, "4", "clocks so far") \
-  FIELD(level, p.width + 1, ones_complement, "", "signed")
+  FIELD(level, p.width + 1, ones_complement.with_fraction(3), "", "signed")
 COSIM_RECORD(Example, EXAMPLE_FIELDS, Sizes);
 
 TEST(Record, HasOneMemberAFieldInOrder) {
@@ -41,6 +41,8 @@ TEST(Record, KnowsItsFields) {
   EXPECT_EQ(fields[1].width, 12);
   EXPECT_EQ(fields[2].width, 13);
   EXPECT_EQ(fields[2].format, Format::ones_complement);
+  EXPECT_EQ(fields[1].fraction, 0);
+  EXPECT_EQ(fields[2].fraction, 3);
   EXPECT_STREQ(fields[1].source, "4");
   EXPECT_STREQ(fields[1].meaning, "clocks so far");
 }
@@ -64,6 +66,8 @@ TYPED_TEST(Tables, AreSound) {
       EXPECT_GE(f.width, 1) << f.name;
       EXPECT_LE(f.width, 64) << f.name;
       EXPECT_TRUE(f.format != Format::flag || f.width == 1) << f.name;
+      EXPECT_TRUE(f.fraction == 0 || (is_signed(f) || f.format == Format::number)) << f.name;
+      EXPECT_LE(f.fraction, 18) << f.name;
       EXPECT_STRNE(f.meaning, "") << f.name;
       EXPECT_TRUE(names.insert(f.name).second) << f.name << " twice";
     }

@@ -85,19 +85,6 @@ TEST(Both, IsBitwise) {
   EXPECT_EQ(both(-1, kLeast), kLeast);
 }
 
-TEST(Reversed, LastBitFirst) {
-  for (int width = 1; width <= 32; ++width) {
-    const Word step = width <= 12 ? 1 : ones(width) / 997;  // all values, or a thousand of them
-    for (Word v = 0; v <= ones(width); v += step) {
-      Word expected = 0;
-      for (int i = 0; i < width; ++i) {
-        if (bit(v, i)) expected += Word{1} << (width - 1 - i);
-      }
-      ASSERT_EQ(reversed(v, width), expected) << v << " of " << width << " bits";
-    }
-  }
-}
-
 TEST(Condition, SelectsFlagsAndTests) {
   EXPECT_EQ(select(true, Word{3}, Word{4}), 3);
   EXPECT_EQ(select(false, Word{3}, Word{4}), 4);
@@ -140,11 +127,9 @@ TEST(OnesComplement, NumbersComeBackFromTheirCodes) {
   for (int width = 2; width <= 9; ++width) {
     const Word half = Word{1} << (width - 1);
     for (Word v = -half + 1; v < half; ++v) {
-      for (const Word code :
-           {to_ones_complement(v, width), to_ones_complement_minus_zero(v, width)}) {
-        ASSERT_EQ(low_bits(code, width), code) << v << " width " << width;
-        ASSERT_EQ(ones_complement_value(code, width), v) << "width " << width;
-      }
+      const Word code = to_ones_complement(v, width);
+      ASSERT_EQ(low_bits(code, width), code) << v << " width " << width;
+      ASSERT_EQ(ones_complement_value(code, width), v) << "width " << width;
     }
   }
 }
@@ -152,44 +137,13 @@ TEST(OnesComplement, NumbersComeBackFromTheirCodes) {
 TEST(OnesComplement, HasTwoZeros) {
   for (int width = 2; width <= 63; ++width) {
     EXPECT_EQ(to_ones_complement(Word{0}, width), 0);
-    EXPECT_EQ(to_ones_complement_minus_zero(Word{0}, width), ones(width));
     EXPECT_EQ(from_ones_complement(ones(width), width), 0);
     EXPECT_EQ(from_ones_complement(Word{0}, width), 0);
   }
 }
 
-TEST(WrapEndAround, IsTheNearestNumberModuloTwoToTheWidthLessOne) {
-  for (int width = 2; width <= 8; ++width) {
-    const Word modulus = (Word{1} << width) - 1;
-    const Word bound = Word{1} << (width - 1);
-    for (Word v = -modulus + 1; v < modulus; ++v) {
-      const Word wrapped = wrap_end_around(v, width);
-      ASSERT_EQ(modulo(wrapped, modulus), modulo(v, modulus)) << v << " width " << width;
-      ASSERT_LT(wrapped, bound) << v << " width " << width;
-      ASSERT_GT(wrapped, -bound) << v << " width " << width;
-    }
-  }
-}
-
-// An adder whose carry out comes back in, on the codes themselves.
-TEST(WrapEndAround, IsWhatAnEndAroundCarryDoes) {
-  for (int width = 2; width <= 6; ++width) {
-    for (Word a = 0; a >> width == 0; ++a) {
-      for (Word b = 0; b >> width == 0; ++b) {
-        const Word sum = a + b;
-        const Word code = ((sum & ((Word{1} << width) - 1)) + (sum >> width)) & ones(width);
-        ASSERT_EQ(
-            wrap_end_around(from_ones_complement(a, width) + from_ones_complement(b, width), width),
-            ones_complement_value(code, width))
-            << a << " + " << b << " width " << width;
-      }
-    }
-  }
-}
-
 // Models are evaluated at compile time too.
 static_assert(low_bits(-1, 64) == -1 && ones(64) == -1);
-static_assert(wrap_end_around(Word{8}, 4) == -7 && wrap_end_around(Word{-8}, 4) == 7);
 
 }  // namespace
 }  // namespace cosim

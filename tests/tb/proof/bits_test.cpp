@@ -10,6 +10,22 @@
 #include "tb/support/process.h"
 #include "tb/support/random.h"
 
+namespace cosim {
+namespace {
+
+// Several operations at once.
+template <class V>
+V wrapped(const V& v) {
+  return select(v > V(255), v - V(511), select(v < V(-255), v + V(511), v));
+}
+template <class V>
+V exchanged(const V& v) {
+  return shift_left(both(v, V(0xf)), 4) + both(shift_right(v, 4), V(0xf));
+}
+
+}  // namespace
+}  // namespace cosim
+
 namespace cosim::proof {
 namespace {
 
@@ -55,10 +71,10 @@ std::vector<Operation> operations() {
        [](const Bits& a, const Bits&) { return shift_right(a, 30); }},
       {"both", [](Word a, Word b) { return cosim::both(a, b); },
        [](const Bits& a, const Bits& b) { return both(a, b); }},
-      {"wrap_end_around", [](Word a, Word b) { return cosim::wrap_end_around(a + b, 9); },
-       [](const Bits& a, const Bits& b) { return wrap_end_around(a + b, 9); }},
-      {"reversed", [](Word a, Word) { return cosim::reversed(cosim::low_bits(a, 8), 8); },
-       [](const Bits& a, const Bits&) { return reversed(low_bits(a, 8), 8); }},
+      {"a sum that wraps", [](Word a, Word b) { return wrapped(a + b); },
+       [](const Bits& a, const Bits& b) { return wrapped(a + b); }},
+      {"halves exchanged", [](Word a, Word) { return exchanged(a); },
+       [](const Bits& a, const Bits&) { return exchanged(a); }},
       {"not, and, or", [](Word a, Word b) { return Word{!(a < 0 && b > 3) || a == b}; },
        [](const Bits& a, const Bits& b) {
          return select((a == b) | !((a < Bits(0)) & (b > Bits(3))), Bits(1), Bits(0));

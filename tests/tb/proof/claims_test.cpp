@@ -6,6 +6,7 @@
 #include "model/core/input_error.h"
 #include "tb/proof/decide.h"
 #include "tb/proof/machines.h"
+#include "tb/proof/mutants.h"
 #include "tb/support/process.h"
 #include "tests/support/root.h"
 
@@ -63,6 +64,15 @@ TEST_P(Claims, NeedEverySentenceOfTheInvariant) {
     less.invariant_after.erase(less.invariant_after.begin() + static_cast<std::ptrdiff_t>(i));
     EXPECT_TRUE(decided(claim_step(less, rtl)).refuted) << whole.invariant[i].name;
   }
+}
+
+// What a mutant may rest on.
+TEST_P(Claims, AreProvedOfWhatIsReached) {
+  const MachineFormula whole = GetParam().formula();
+  EXPECT_EQ(decided(reached_claim(whole)).verdict, "proved");
+  MachineFormula wrong = whole;
+  wrong.reached_after.push_back({"never", truth(false)});
+  EXPECT_TRUE(decided(reached_claim(wrong)).refuted);
 }
 
 // Were the hypotheses contradictory, all would be proved; the cases would not be possible.

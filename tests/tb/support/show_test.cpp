@@ -6,7 +6,9 @@
 namespace cosim {
 namespace {
 
-Field field(int width, Format format) { return {"x", width, format, "", ""}; }
+Field field(int width, Format format, int fraction = 0) {
+  return {"x", width, format, "", "", fraction};
+}
 
 TEST(ShowShort, FlagsAndNumbers) {
   EXPECT_EQ(show_short(field(1, Format::flag), 1), "1");
@@ -35,17 +37,51 @@ TEST(ShowShort, SignedNumbers) {
 TEST(ShowShort, TellsTheTwoZerosApart) {
   EXPECT_EQ(show_short(field(5, Format::ones_complement), 0), "0");
   EXPECT_EQ(show_short(field(5, Format::ones_complement), 0b11111), "-0");
-  EXPECT_EQ(show_short(field(8, Format::ones_quarters), 0), "0.00");
-  EXPECT_EQ(show_short(field(8, Format::ones_quarters), 0xff), "-0.00");
+  EXPECT_EQ(show_short(field(8, Format::ones_complement, 2), 0), "0.00");
+  EXPECT_EQ(show_short(field(8, Format::ones_complement, 2), 0xff), "-0.00");
 }
 
 // 12.25 is 1100.01, its negative the complement of that.
 TEST(ShowShort, Quarters) {
-  EXPECT_EQ(show_short(field(8, Format::ones_quarters), 0b00101011), "10.75");
-  EXPECT_EQ(show_short(field(8, Format::ones_quarters), 0b00110001), "12.25");
-  EXPECT_EQ(show_short(field(8, Format::ones_quarters), 0b11001110), "-12.25");
-  EXPECT_EQ(show_short(field(8, Format::ones_quarters), 0b11111110), "-0.25");
-  EXPECT_EQ(show_short(field(8, Format::ones_quarters), 0b11111101), "-0.50");
+  EXPECT_EQ(show_short(field(8, Format::ones_complement, 2), 0b00101011), "10.75");
+  EXPECT_EQ(show_short(field(8, Format::ones_complement, 2), 0b00110001), "12.25");
+  EXPECT_EQ(show_short(field(8, Format::ones_complement, 2), 0b11001110), "-12.25");
+  EXPECT_EQ(show_short(field(8, Format::ones_complement, 2), 0b11111110), "-0.25");
+  EXPECT_EQ(show_short(field(8, Format::ones_complement, 2), 0b11111101), "-0.50");
+}
+
+// 5.375 is 101.011; in two's complement the code of -5.375 is 32 - 5.375 = 26.625, 11010.101.
+TEST(ShowShort, FractionsOfAnyFormat) {
+  EXPECT_EQ(show_short(field(8, Format::number, 3), 0b11010101), "26.625");
+  EXPECT_EQ(show_short(field(8, Format::twos_complement, 3), 0b00101011), "5.375");
+  EXPECT_EQ(show_short(field(8, Format::twos_complement, 3), 0b11010101), "-5.375");
+  EXPECT_EQ(show_short(field(4, Format::number, 4), 1), "0.0625");
+  EXPECT_EQ(show_short(field(64, Format::number, 18), -1), "70368744177663.999996185302734375");
+}
+
+TEST(ParseShort, TakesWhatIsShown) {
+  for (const Format format : {Format::flag, Format::bits, Format::number, Format::twos_complement,
+                              Format::ones_complement}) {
+    for (const int fraction : {0, 1, 3}) {
+      const Field f = field(6, format, fraction);
+      for (Word code = 0; code >> 6 == 0; ++code) {
+        EXPECT_EQ(parse_short(f, show_short(f, code)), code) << show_short(f, code);
+      }
+    }
+  }
+}
+
+TEST(ParseShort, RefusesAllElse) {
+  const Field number = field(5, Format::number), fixed = field(5, Format::twos_complement, 2);
+  for (const char* text : {"", "-", "-0", "-1", "+1", "32", "01", "1.", "1.0", "1x", " 1"}) {
+    EXPECT_FALSE(parse_short(number, text)) << text;
+  }
+  for (const char* text :
+       {"", ".", "1", "1.", "1.5", ".50", "1.500", "1.51", "-0.00", "4.00", "-4.25", "1.-5"}) {
+    EXPECT_FALSE(parse_short(fixed, text)) << text;
+  }
+  EXPECT_EQ(parse_short(fixed, "-4.00"), 0b10000);
+  EXPECT_FALSE(parse_short(field(5, Format::twos_complement), "-0"));
 }
 
 TEST(Show, HasTheBitsAndWhatTheyStandFor) {
@@ -54,19 +90,22 @@ TEST(Show, HasTheBitsAndWhatTheyStandFor) {
   EXPECT_EQ(show(field(5, Format::bits), 0b01010), "01010");
   EXPECT_EQ(show(field(20, Format::bits), 0xabcde), "10101011110011011110 (abcde)");
   EXPECT_EQ(show(field(5, Format::ones_complement), 0b11110), "11110 (-1)");
-  EXPECT_EQ(show(field(8, Format::ones_quarters), 0b11001110), "11001110 (-12.25)");
+  EXPECT_EQ(show(field(8, Format::ones_complement, 2), 0b11001110), "11001110 (-12.25)");
 }
 
 TEST(ShowWidth, IsTheLongestThereIs) {
-  for (const Format format : {Format::bits, Format::number, Format::twos_complement,
-                              Format::ones_complement, Format::ones_quarters}) {
+  for (const Format format :
+       {Format::bits, Format::number, Format::twos_complement, Format::ones_complement}) {
     for (int width = 2; width <= 12; ++width) {
-      std::size_t longest = 0;
-      for (Word code = 0; code >> width == 0; ++code) {
-        longest = std::max(longest, show_short(field(width, format), code).size());
+      for (const int fraction : {0, 2}) {
+        const Field f = field(width, format, fraction);
+        std::size_t longest = 0;
+        for (Word code = 0; code >> width == 0; ++code) {
+          longest = std::max(longest, show_short(f, code).size());
+        }
+        EXPECT_EQ(show_width(f), longest)
+            << "format " << static_cast<int>(format) << " width " << width;
       }
-      EXPECT_EQ(show_width(field(width, format)), longest)
-          << "format " << static_cast<int>(format) << " width " << width;
     }
   }
   EXPECT_EQ(show_width(field(1, Format::flag)), 1U);

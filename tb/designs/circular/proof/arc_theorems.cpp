@@ -1,23 +1,21 @@
 // SU 1665343: from what the device outside puts on the pins to the first point, at every width that
 // is shipped.
 #include "tb/designs/circular/proof/points.h"
-#include "tb/proof/theorems.h"
+#include "tb/designs/circular/proof/theorems.h"
 #include "tb/proof/widths.h"
 
-namespace cosim::proof {
+namespace cosim::circular {
 namespace {
 
-using circular::Inputs;
-using circular::Params;
-using circular::State;
+using namespace proof;
 
 // A load with a start, from a machine at rest, of the source's F, CT7 and CT8 at a point that is
 // nearest to the circle: the pins take the whole of F and codes of the counters.
 Asked arc_begins(const Widths& widths) {
   const Params p{static_cast<int>(widths[0].value)};
   Script script("QF_BV");
-  const Point<Bits> at{free_number(script, "X", p.width), free_number(script, "Y", p.width),
-                       free_signed(script, "D", p.width + 1)};
+  const ArcPoint<Bits> at{free_number(script, "X", p.width), free_number(script, "Y", p.width),
+                          free_signed(script, "D", p.width + 1)};
   const Truth in_second = !(at.x > at.y);
   const Bits resting = select(in_second, at.y, at.x);
   // Nearest, as in circular_theorems.cpp; on X = 0 the arc is over.
@@ -38,7 +36,7 @@ Asked arc_begins(const Widths& widths) {
   pins.ct7 = code(&State<Bits>::ct7);
   pins.ct8 = code(&State<Bits>::ct8);
 
-  const auto step = circular::next(p, circular::cleared<Bits>(), pins);
+  const auto step = next(p, cleared<Bits>(), pins);
   Truth right = !(is_set(step.outputs.step_x) | is_set(step.outputs.step_y));
   for_each_member<State<Bits>>(
       [&](auto member, std::size_t) { right = right & (step.state.*member == of_sector(member)); });
@@ -47,12 +45,12 @@ Asked arc_begins(const Widths& widths) {
 
 }  // namespace
 
-std::vector<Theorem> arc_theorems() {
+std::vector<proof::Theorem> arc_theorems() {
   return {at_every_width(
-      circular::Design::name,
+      Design::name,
       "at every shipped width a load with a start puts a machine at rest at any point nearest to "
       "its circle, in the point's sector, without a step",
       arc_begins)};
 }
 
-}  // namespace cosim::proof
+}  // namespace cosim::circular

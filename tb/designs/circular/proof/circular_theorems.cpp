@@ -1,15 +1,22 @@
 // SU 1665343 on integers without end: every radius and every width. Q is R^2, an integer.
 #include "tb/designs/circular/proof/points.h"
+#include "tb/designs/circular/proof/theorems.h"
 #include "tb/proof/integer.h"
-#include "tb/proof/theorems.h"
 
 namespace cosim::proof {
+
+// Itself: these registers have no width. Found in place of the model's, as an operation of its
+// value.
+Integer wrap_end_around(const Integer& v, int) { return v; }
+
+}  // namespace cosim::proof
+
+namespace cosim::circular {
 namespace {
 
-using circular::Inputs;
-using circular::Params;
-using circular::State;
-using IntegerPoint = Point<Integer>;
+using namespace proof;
+
+using IntegerPoint = ArcPoint<Integer>;
 
 // The circle crosses the point's row, or column, less than half a step away: (x - 1/2)^2 < R^2 -
 // y^2 < (x + 1/2)^2, which on integers is -x < d <= x.
@@ -37,7 +44,7 @@ class Proposition {
     Script premises = script_;
     premises.ask(truth(true));
     script_.ask(negation(t.expression()));
-    return {"circular",
+    return {Design::name,
             sentence,
             {sentence, Answer::unsat, {{{"any"}, script_.text()}}, {}},
             {"its premises", Answer::sat, {{{"any"}, premises.text()}}, {}}};
@@ -47,11 +54,9 @@ class Proposition {
   /// D, where the radius matters and not only the distance from it.
   Integer d_of(const Integer& q) const { return q - p.x * p.x - p.y * p.y; }
   /// One clock of the golden model with all pins at rest. Its width plays no part.
-  circular::Step<Integer> clock(const State<Integer>& s) {
-    return circular::next(Params{}, s, Inputs<Integer>{});
-  }
+  Step<Integer> clock(const State<Integer>& s) { return next(Params{}, s, Inputs<Integer>{}); }
   /// The point after the steps that the clock puts out; distance() proves its d.
-  IntegerPoint moved(const circular::Step<Integer>& step) const {
+  IntegerPoint moved(const Step<Integer>& step) const {
     const Truth left = step.outputs.step_x == Integer(1), up = step.outputs.step_y == Integer(1);
     const Integer zero(0), one(1);
     return {p.x - step.outputs.step_x, p.y + step.outputs.step_y,
@@ -63,7 +68,7 @@ Theorem distance() {
   Proposition a;
   const Integer q = a.integer("Q"), i = a.integer("i"), j = a.integer("j"), zero(0), one(1);
   a.assume((i >= zero) & (i <= one) & (j >= zero) & (j <= one) & (a.p.d == a.d_of(q)));
-  circular::Step<Integer> step;
+  Step<Integer> step;
   step.outputs.step_x = i;
   step.outputs.step_y = j;
   const IntegerPoint next = a.moved(step);
@@ -145,7 +150,7 @@ Theorem end() {
   const auto step = a.clock(in_sector2(a.p));
   return a.follows("on X = 0 the arc ends: the machine clears itself and moves no more",
                    (step.outputs.step_x == Integer(0)) & (step.outputs.step_y == Integer(0)) &
-                       same(step.state, circular::cleared<Integer>()));
+                       same(step.state, cleared<Integer>()));
 }
 
 Theorem progress1() {
@@ -198,9 +203,9 @@ Theorem bounds() {
 
 }  // namespace
 
-std::vector<Theorem> circular_theorems() {
+std::vector<proof::Theorem> circle_theorems() {
   return {distance(),  start(),     sector1(),    change(), sector2(), steps(),
           progress1(), progress2(), last_point(), end(),    extent(),  bounds()};
 }
 
-}  // namespace cosim::proof
+}  // namespace cosim::circular

@@ -4,10 +4,10 @@
 
 #include "model/circular/machine.h"
 
-namespace cosim::proof {
+namespace cosim::circular {
 
 template <class V>
-struct Point {
+struct ArcPoint {
   V x, y, d;
 };
 
@@ -15,22 +15,22 @@ struct Point {
 // has a fraction of 3/4. The midpoint of (x, y + 1) and (x - 1, y + 1) has d + x - 2y - 1 - 1/4,
 // that of (x - 1, y) and (x - 1, y + 1) has d + 2x - 1 - y - 1/4.
 template <class V>
-V f_in_sector1(const Point<V>& p) {
+V f_in_sector1(const ArcPoint<V>& p) {
   return shift_left(p.d + p.x - p.y - p.y - V(1), 2) - V(1);
 }
 template <class V>
-V f_in_sector2(const Point<V>& p) {
+V f_in_sector2(const ArcPoint<V>& p) {
   return shift_left(p.d + p.x + p.x - V(1) - p.y, 2) - V(1);
 }
 
 /// On its way, in the one sector and in the other.
 template <class V>
-circular::State<V> in_sector1(const Point<V>& p) {
+State<V> in_sector1(const ArcPoint<V>& p) {
   return {V(1), V(0), f_in_sector1(p), p.y, p.x - p.y - V(1)};
 }
 template <class V>
-circular::State<V> in_sector2(const Point<V>& p) {
+State<V> in_sector2(const ArcPoint<V>& p) {
   return {V(1), V(1), f_in_sector2(p), p.x - V(1), p.x - p.y};
 }
 
-}  // namespace cosim::proof
+}  // namespace cosim::circular

@@ -2,11 +2,13 @@
 // to bit i of the code, a_i, where q = 2^(i-1) * odd.
 #include <fmt/core.h>
 
+#include "tb/designs/linear/proof/theorems.h"
 #include "tb/proof/bits.h"
-#include "tb/proof/theorems.h"
 
-namespace cosim::proof {
+namespace cosim::linear {
 namespace {
+
+using namespace proof;
 
 constexpr int kMostBits = 32;
 
@@ -83,6 +85,6 @@ Theorem codes() {
 
 }  // namespace
 
-std::vector<Theorem> code_theorems() { return {weights_count(), weights_sum(), codes()}; }
+std::vector<proof::Theorem> code_theorems() { return {weights_count(), weights_sum(), codes()}; }
 
-}  // namespace cosim::proof
+}  // namespace cosim::linear

@@ -3,15 +3,13 @@
 #include <array>
 
 #include "model/linear/machine.h"
-#include "tb/proof/theorems.h"
+#include "tb/designs/linear/proof/theorems.h"
 #include "tb/proof/widths.h"
 
-namespace cosim::proof {
+namespace cosim::linear {
 namespace {
 
-using linear::Inputs;
-using linear::Params;
-using linear::State;
+using namespace proof;
 
 Params params(const Widths& widths) {
   return {static_cast<int>(widths[0].value), static_cast<int>(widths[1].value)};
@@ -27,7 +25,7 @@ State<Bits> on_its_way(const Params& p, const Bits& bp, const Bits& words, const
   s.left = bp - shift_left(words, p.gamma());
   s.tick = low_bits(words + formed, p.n);
   s.low_code = low_bits(code, p.n);
-  s.pattern = linear::pattern_of(p, code);
+  s.pattern = pattern_of(p, code);
   s.last_bit = last_bit;
   return s;
 }
@@ -40,7 +38,7 @@ struct Line {
 
 // What follows a clock is to be this again, for one word more.
 Truth formed_right(const Params& p, const State<Bits>& s) {
-  return (s.last_bit == linear::last_bit_of(p, s.low_code, s.tick)) | !is_set(s.formed);
+  return (s.last_bit == last_bit_of(p, s.low_code, s.tick)) | !is_set(s.formed);
 }
 
 // Any line, anywhere on its way.
@@ -88,12 +86,12 @@ Asked line_begins(const Widths& widths) {
   Truth strobe = false;
   for (const auto& in : pins) {
     started = s;  // in the end the state that the start left
-    const auto step = linear::next(p, s, in);
+    const auto step = next(p, s, in);
     strobe = strobe | is_set(step.outputs.strobe);
     s = step.state;
   }
   const Truth begun = same(started, on_its_way(p, bp, Bits(0), code, Bits(0), Bits(0)));
-  const Truth over = same(s, linear::at_rest(started)) | (bp > Bits(0));
+  const Truth over = same(s, at_rest(started)) | (bp > Bits(0));
   return {script, strobe | !(begun & over)};
 }
 
@@ -115,7 +113,7 @@ Asked words_hold(const Widths& widths) {
   Script script("QF_BV");
   const Line a = any_line(p, script);
   script.assume((a.holds & is_set(a.state.formed)).expression());
-  const auto out = linear::next(p, a.state, pins_at_rest()).outputs;
+  const auto out = next(p, a.state, pins_at_rest()).outputs;
   const Bits before = shift_left(a.words, p.gamma());
   Truth wrong = !is_set(out.strobe);
   for (int q = 1; q <= p.word(); ++q) {
@@ -139,15 +137,15 @@ Asked words_follow(const Widths& widths) {
   const State<Bits> wanted = on_its_way(p, a.bp, words, a.code, Bits(1), next.last_bit);
   const Truth some_left = wanted.left > Bits(0);
   const Truth goes_on = some_left & same(next, wanted) & formed_right(p, next);
-  const Truth ends = same(next, linear::at_rest(a.state)) & !some_left;
+  const Truth ends = same(next, at_rest(a.state)) & !some_left;
   return {script, !(goes_on | ends)};
 }
 
 }  // namespace
 
-std::vector<Theorem> word_theorems() {
+std::vector<proof::Theorem> word_theorems() {
   const auto theorem = [](const char* sentence, Asked (*ask)(const Widths&)) {
-    return at_every_width(linear::Design::name, sentence, ask);
+    return at_every_width(Design::name, sentence, ask);
   };
   return {
       theorem("at every shipped width BP and UK written and a start put a machine at rest before "
@@ -162,4 +160,4 @@ std::vector<Theorem> word_theorems() {
               words_follow)};
 }
 
-}  // namespace cosim::proof
+}  // namespace cosim::linear

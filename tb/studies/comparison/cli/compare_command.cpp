@@ -147,14 +147,14 @@ void check_known(const Text& asked, const std::vector<bool>& known, const compar
             ? names_of(compare::line_algorithms())
             : names_of(compare::line_algorithms()) + ", " + names_of(compare::arc_algorithms());
     throw InputError(fmt::format("--algorithms: {} cannot do this work; there are {}",
-                                 cli::quoted(split(*asked)[i]), there));
+                                 quoted(split(*asked)[i]), there));
   }
 }
 
 void check_once(const std::vector<std::string>& names) {
   for (auto at = names.begin(); at != names.end(); ++at) {
     if (std::find(names.begin(), at, *at) != at) {
-      throw InputError(fmt::format("--algorithms: {} stands there twice", cli::quoted(*at)));
+      throw InputError(fmt::format("--algorithms: {} stands there twice", quoted(*at)));
     }
   }
 }

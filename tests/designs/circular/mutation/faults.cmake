@@ -87,3 +87,8 @@ fault("The oracle steps up in sector 2 whenever it may" circular/oracle.cpp
   [[nearest_on(p.x - 1, radius2) > p.y]] [[nearest_on(p.x - 1, radius2) >= p.y]])
 fault("A point outside has a deviation of 0" circular/oracle.cpp
   [[at > radius2 ? at - radius2 : radius2 - at]] [[at > radius2 ? Uint128{0} : radius2 - at]])
+
+fault("A sum wraps one number late" circular/ones_complement.h
+  [[v > V(largest)]] [[v > V(largest + 1)]])
+fault("A sum below the least number does not wrap" circular/ones_complement.h
+  [[select(v < V(-largest), v + V(ones(width)), v)]] [[v]])

@@ -89,3 +89,6 @@ fault("The oracle has a tick more for a line of whole words" linear/oracle.cpp
   [[whole << gamma != major ? 1 : 0]] [[1]])
 fault("The oracle leaves the last position out" linear/oracle.cpp
   [[p <= line.major - before]] [[p < line.major - before]])
+
+fault("The middle bytes are not exchanged where a word is reversed" linear/reversed.h
+  [[v = exchanged(v, 8, 0xff'00ff);]] [[v = exchanged(v, 8, 0xff);]])

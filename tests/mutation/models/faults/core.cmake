@@ -7,11 +7,5 @@ fault("A negative code of ones' complement is one less" core/value.h
 fault("A negative number has the code of two's complement" core/value.h
   [[select(v < V(0), v + V(ones(width)), v)]]
   [[select(v < V(0), v + V(shift_left(1, width)), v)]])
-fault("A sum wraps one number late" core/value.h
-  [[v > V(largest)]] [[v > V(largest + 1)]])
-fault("A sum below the least number does not wrap" core/value.h
-  [[select(v < V(-largest), v + V(ones(width)), v)]] [[v]])
-fault("The middle bytes are not exchanged where a word is reversed" core/value.h
-  [[v = exchanged(v, 8, 0xff'00ff);]] [[v = exchanged(v, 8, 0xff);]])
 fault("A counter is one bit longer" core/value.h
   [[return low_bits(v, width);]] [[return low_bits(v, width + 1);]])

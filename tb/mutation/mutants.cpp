@@ -1,4 +1,4 @@
-#include "tests/mutation/mutants.h"
+#include "tb/mutation/mutants.h"
 
 #include <sstream>
 #include <utility>

@@ -1,5 +1,5 @@
 // What mutants are attacked with: the printed examples, hostile clocks, whole jobs at random, long
-// ones. A design says in tests/designs/NAME/mutation/jobs.h what its jobs are; hostile clocks need
+// ones. A design says in tb/designs/NAME/mutation/jobs.h what its jobs are; hostile clocks need
 // nothing.
 #pragma once
 
@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/mutation/mutants.h"
+#include "tb/mutation/mutants.h"
 
 namespace cosim::mutation {
 

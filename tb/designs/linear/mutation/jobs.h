@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tb/designs/linear/sweeps.h"
-#include "tests/mutation/cases.h"
+#include "tb/mutation/cases.h"
 
 namespace cosim::mutation {
 

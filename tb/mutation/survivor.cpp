@@ -1,4 +1,4 @@
-#include "tests/mutation/survivor.h"
+#include "tb/mutation/survivor.h"
 
 #include <fmt/core.h>
 

@@ -36,8 +36,6 @@ class Subject {
   virtual ~Subject() = default;
 
   virtual const AnyBench& bench() const = 0;
-  /// What clears the machine in one clock: "reset=1", several inputs with commas between them.
-  virtual std::string clear() const = 0;
   /// Chooses the mutant of all machines that the calling thread makes from now on, 1 to the number
   /// of mutants; 0 is the RTL as it is.
   virtual void choose(unsigned mutant) const = 0;
@@ -59,8 +57,8 @@ class Subject {
 /// Otherwise the outcome is open.
 Outcome attack(const Subject& subject, unsigned mutant, std::size_t first, std::size_t last);
 
-/// The program around a subject: `NAME RESULTS [--prover COMMAND] [--failures DIR] [--jobs J]`. The
-/// exit status.
+/// The program around a subject: `NAME RESULTS [--unproved] [--failures DIR] [--jobs J]`. The exit
+/// status.
 int main_of(const Subject& subject, int argc, char** argv);
 
 }  // namespace cosim::mutation

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "tests/mutation/cases.h"
-#include "tests/mutation/mutants.h"
+#include "tb/mutation/cases.h"
+#include "tb/mutation/mutants.h"
 
 namespace cosim::mutation {
 
@@ -31,18 +31,6 @@ class AdapterSubject final : public Subject {
       : Subject(std::move(verilog), std::move(list)) {}
 
   const AnyBench& bench() const override { return bench_; }
-  std::string clear() const override {
-    using Inputs = typename Adapter::Design::template Inputs<Word>;
-    const auto fields = Inputs::fields(Adapter::params);
-    const auto clear = to_words(Adapter::Design::clear());
-    const auto rest = to_words(Adapter::Design::rest());
-    std::string text;
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-      if (clear[i] == rest[i]) continue;
-      text += fmt::format("{}{}={}", text.empty() ? "" : ",", fields[i].name, clear[i]);
-    }
-    return text;
-  }
   void choose(unsigned mutant) const override { Adapter::chosen = mutant; }
   const std::vector<Case>& cases() const override { return cases_; }
   std::size_t quick() const override { return quick_; }

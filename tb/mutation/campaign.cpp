@@ -1,4 +1,4 @@
-#include "tests/mutation/campaign.h"
+#include "tb/mutation/campaign.h"
 
 #include <algorithm>
 #include <atomic>

@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-#include "tests/mutation/mutants.h"
+#include "tb/mutation/mutants.h"
 
 namespace cosim::mutation {
 

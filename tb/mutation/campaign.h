@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "tb/mutation/mutants.h"
 #include "tb/sweep/checkpoint.h"
-#include "tests/mutation/mutants.h"
 
 namespace cosim::mutation {
 

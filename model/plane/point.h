@@ -1,0 +1,15 @@
+// A point of the grid, shared by designs that draw in a plane.
+#pragma once
+
+#include <cstdint>
+
+namespace cosim::plane {
+
+/// In steps.
+struct Point {
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+  friend bool operator==(const Point&, const Point&) = default;
+};
+
+}  // namespace cosim::plane

@@ -1,0 +1,124 @@
+// Arrows between the folders point one way: a model knows no other one, and the harness none at
+// all.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "tests/support/root.h"
+
+namespace cosim::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+// "model", "linear" and "host.h" of model/linear/host.h.
+std::vector<std::string> parts(const std::string& path) {
+  std::vector<std::string> all;
+  for (const fs::path& part : fs::path(path)) all.push_back(part.string());
+  return all;
+}
+
+bool is_own(const std::vector<std::string>& part) {
+  return part[0] == "tb" && (part[1] == "designs" || part[1] == "studies");
+}
+
+// Whether the file `from` of model/ or tb/ may include `what`.
+bool may_include(const std::string& from, const std::string& what) {
+  const std::vector<std::string> to = parts(what), at = parts(from);
+  const bool shared =
+      to[0] == "model" && (to[1] == "core" || (to[1] == "plane" && at[1] != "core"));
+  if (at[0] == "model") {
+    // What joins designs belongs to studies.
+    const bool joins = at[1] == "prior_art" || at[1] == "toolpath";
+    return to[0] == "model" && (joins || shared || to[1] == at[1]);
+  }
+  if (!is_own(at)) return to[0] == "tb" ? !is_own(to) : to[0] == "model" && to[1] == "core";
+  if (at[1] == "studies") return to[0] == "tb" || to[0] == "model";
+  if (to[0] == "tb") return !is_own(to) || (to[1] == at[1] && to[2] == at[2]);
+  return shared || (to[0] == "model" && to[1] == at[2]);
+}
+
+// Not yet as it is to be: to be taken from this list with the rest of what the harness names.
+const std::set<std::string> exceptions = {
+    "tb/cli/choose.h model/circular/host.h",
+    "tb/cli/choose.h model/dda/host.h",
+    "tb/cli/choose.h model/linear/host.h",
+    "tb/cli/number.h model/circular/arc.h",
+    "tb/cli/sweep.cpp tb/designs/circular/sweeps.h",
+    "tb/cli/sweep.cpp tb/designs/dda/sweeps.h",
+    "tb/cli/sweep.cpp tb/designs/linear/sweeps.h",
+    "tb/designs/linear/cli/line_command.cpp tb/studies/comparison/figures.h",
+    "tb/plot/drawn.cpp model/dda/equation.h",
+    "tb/plot/drawn.h model/dda/host.h",
+    "tb/plot/drawn.h tb/studies/comparison/work.h",
+    "tb/plot/plot.h model/circular/arc.h",
+    "tb/stimulus/stimulus.cpp model/toolpath/source.h",
+};
+
+// "FROM WHAT" of every include of a file of the project in these folders.
+std::vector<std::string> includes(const std::vector<std::string>& folders) {
+  static const std::regex include(R"re(#include "([^"]*)")re");
+  std::vector<std::string> all;
+  for (const std::string& folder : folders) {
+    for (const auto& entry : fs::recursive_directory_iterator(project_root() / folder)) {
+      const std::string kind = entry.path().extension().string();
+      if (kind != ".h" && kind != ".cpp") continue;
+      std::ifstream file(entry.path());
+      const std::string from = fs::relative(entry.path(), project_root()).generic_string();
+      std::smatch found;
+      for (std::string line; std::getline(file, line);) {
+        if (!std::regex_match(line, found, include)) continue;
+        // What has no folder in front is made by CMake or Verilator.
+        if (fs::exists(project_root() / found[1].str())) all.push_back(from + ' ' + found[1].str());
+      }
+    }
+  }
+  return all;
+}
+
+TEST(Includes, PointOneWay) {
+  std::size_t seen = 0;
+  std::set<std::string> unused = exceptions;
+  for (const std::string& one : includes({"model", "tb"})) {
+    ++seen;
+    unused.erase(one);
+    const std::size_t space = one.find(' ');
+    if (exceptions.contains(one)) continue;
+    EXPECT_TRUE(may_include(one.substr(0, space), one.substr(space + 1))) << one;
+  }
+  EXPECT_GT(seen, 300U);
+  for (const std::string& one : unused) ADD_FAILURE() << "is no exception any more: " << one;
+}
+
+TEST(Includes, AreToldApart) {
+  const auto expect = [](bool may, const std::string& from, std::vector<const char*> what) {
+    for (const char* one : what) EXPECT_EQ(may_include(from, one), may) << from << ' ' << one;
+  };
+  expect(true, "model/dda/host.h",
+         {"model/dda/curve.h", "model/core/value.h", "model/plane/point.h"});
+  expect(false, "model/dda/host.h",
+         {"model/circular/arc.h", "model/toolpath/piece.h", "tb/support/show.h",
+          "tb/designs/dda/bench.h", "tests/support/root.h"});
+  expect(true, "model/toolpath/walk.cpp", {"model/linear/oracle.h", "model/toolpath/plan.h"});
+  expect(false, "model/core/fields.h", {"model/plane/point.h", "model/dda/host.h"});
+  expect(true, "tb/proof/claims.h", {"model/core/fields.h", "tb/support/process.h"});
+  expect(false, "tb/proof/claims.h",
+         {"model/plane/point.h", "model/linear/machine.h", "tb/designs/linear/check.h",
+          "tb/studies/comparison/work.h", "tests/support/root.h"});
+  expect(true, "tb/designs/dda/check.h",
+         {"model/dda/host.h", "model/core/fields.h", "model/plane/point.h",
+          "tb/designs/dda/sweeps.h", "tb/sweep/sweep.h"});
+  expect(false, "tb/designs/dda/check.h",
+         {"model/linear/host.h", "model/toolpath/plan.h", "tb/designs/linear/check.h",
+          "tb/studies/comparison/work.h"});
+  expect(true, "tb/studies/toolpath/path_run.h",
+         {"model/linear/host.h", "tb/designs/circular/check.h", "tb/studies/comparison/work.h"});
+}
+
+}  // namespace
+}  // namespace cosim::test

@@ -10,6 +10,11 @@ template <class V>
 struct Stated {
   const char* sentence;
   Condition<V> holds;
+
+  /// Of machine integers conditions joined by & and | are an int.
+  template <class C>
+  constexpr Stated(const char* text, const C& condition)
+      : sentence(text), holds(static_cast<Condition<V>>(condition)) {}
 };
 
 }  // namespace cosim

@@ -10,8 +10,8 @@ namespace {
 
 struct Shown {
   const std::string& unit;
-  std::string operator()(std::uint64_t value) const { return cli::count(value, unit); }
-  std::string operator()(double value) const { return cli::amount(value, unit); }
+  std::string operator()(std::uint64_t value) const { return count(value, unit); }
+  std::string operator()(double value) const { return amount(value, unit); }
 };
 
 void add(Measure& sum, const Measure& one) {

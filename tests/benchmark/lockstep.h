@@ -115,7 +115,8 @@ bool measure(const std::string& name, MakeJob job) {
     for (std::uint64_t i = 0; i < 1000; ++i) jobs.push_back(job(Adapter::params, 1, i));
     return inputs_of<Adapter>(jobs);
   };
-  const auto add = [&](const char* kind, void (*run)(benchmark::State&, const InputList<Adapter>&)) {
+  const auto add = [&](const char* kind,
+                       void (*run)(benchmark::State&, const InputList<Adapter>&)) {
     benchmark::RegisterBenchmark((name + kind).c_str(),
                                  [=](benchmark::State& state) { run(state, list()); });
   };

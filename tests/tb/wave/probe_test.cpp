@@ -103,7 +103,10 @@ class ProbesOf : public testing::Test {
 
   std::string draw(const AnyBench& bench) {
     const std::string path = folder_ / "x.fst";
-    bench.draw_wave(path, {.machine = bench.title(), .clocks = {{1}, {1}, {0}, {1}}}, {});
+    Stimulus stimulus;
+    stimulus.machine = bench.title();
+    stimulus.clocks = {{1}, {1}, {0}, {1}};
+    bench.draw_wave(path, stimulus, {});
     return path;
   }
   std::vector<std::string> files() const {

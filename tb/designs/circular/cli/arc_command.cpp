@@ -93,7 +93,9 @@ int run(const Options& o) {
   StepPoints<circular::Design> points(bench.params(), path, arc.from, [&](circular::Point at) {
     return circular::radial_deviation(at, arc.radius2);
   });
-  const auto ideal = [&] { return curve_of(arc.from, arc.radius2, path.marks.back().at); };
+  const auto ideal = [&] {
+    return circular::curve_of(arc.from, arc.radius2, path.marks.back().at);
+  };
   return draw_one<circular::Design, circular::Arc, circular::Check>(
       {o.common, power_up, bench, work, arc, check, csv, rows, path, points, ideal, extent});
 }

@@ -9,10 +9,13 @@
 #include "model/circular/oracle.h"
 #include "tests/rtl/straight.h"
 
-namespace cosim::circular {
+namespace cosim::plane {
 
 static void PrintTo(const Point& p, std::ostream* out) { *out << p.x << ',' << p.y; }
 
+}  // namespace cosim::plane
+
+namespace cosim::circular {
 namespace {
 
 using test::expect_found;

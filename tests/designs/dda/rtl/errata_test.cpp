@@ -11,11 +11,11 @@
 #include "tests/designs/dda/flow_chart.h"
 #include "tests/rtl/straight.h"
 
-namespace cosim::circular {
+namespace cosim::plane {
 
 static void PrintTo(const Point& p, std::ostream* out) { *out << p.x << ',' << p.y; }
 
-}  // namespace cosim::circular
+}  // namespace cosim::plane
 
 namespace cosim::dda {
 namespace {

@@ -7,7 +7,7 @@
 
 namespace cosim::mutation {
 
-Subject::Subject(std::string verilog, std::string list) : verilog_(std::move(verilog)) {
+Subject::Subject(std::string verilog, const std::string& list) : verilog_(std::move(verilog)) {
   std::istringstream lines(text_of_file(list));
   for (std::string line; std::getline(lines, line);) mutants_.push_back(line);
 }

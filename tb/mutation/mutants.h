@@ -32,7 +32,7 @@ struct Case {
 /// The RTL of one design at one set of parameters, with its mutants.
 class Subject {
  public:
-  Subject(std::string verilog, std::string list);
+  Subject(std::string verilog, const std::string& list);
   virtual ~Subject() = default;
 
   virtual const AnyBench& bench() const = 0;

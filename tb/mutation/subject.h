@@ -27,8 +27,8 @@ class AdapterSubject final : public Subject {
   using Adapter = MutantAdapter<Base>;
 
  public:
-  AdapterSubject(std::string verilog, std::string list)
-      : Subject(std::move(verilog), std::move(list)) {}
+  AdapterSubject(std::string verilog, const std::string& list)
+      : Subject(std::move(verilog), list) {}
 
   const AnyBench& bench() const override { return bench_; }
   void choose(unsigned mutant) const override { Adapter::chosen = mutant; }

@@ -118,7 +118,7 @@ std::vector<std::size_t> Rtl::pieces(const std::string& wire) const {
   const std::string& body = of->second.body;
   std::size_t read = 0;
   for (std::sregex_iterator i(body.begin(), body.end(), word), end; i != end; ++i) {
-    read += i->length();
+    read += static_cast<std::size_t>(i->length());
     if (!i->str().starts_with('|')) continue;
     const auto symbol = std::find_if(free_.begin(), free_.end(),
                                      [&](const Free& f) { return f.symbol == i->str(); });

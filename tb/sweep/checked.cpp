@@ -14,16 +14,20 @@ struct Shown {
   std::string operator()(double value) const { return amount(value, unit); }
 };
 
+struct Add {
+  const Measure& one;
+  template <class Value>
+  void operator()(Value& value) const {
+    const Value other = std::get<Value>(one.value);
+    value = one.sum == Measure::Sum::total ? value + other : std::max(value, other);
+  }
+};
+
 void add(Measure& sum, const Measure& one) {
   if (sum.sum != one.sum || sum.value.index() != one.value.index()) {
     throw std::logic_error("the measure " + sum.name + " is taken in two ways");
   }
-  std::visit(
-      [&]<class Value>(Value& value) {
-        const Value other = std::get<Value>(one.value);
-        value = one.sum == Measure::Sum::total ? value + other : std::max(value, other);
-      },
-      sum.value);
+  std::visit(Add{one}, sum.value);
 }
 
 }  // namespace

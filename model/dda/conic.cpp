@@ -18,8 +18,6 @@ struct Coefficient {
 
 [[noreturn]] void refuse(const std::string& why) { throw InputError("conic: " + why); }
 
-std::string text(Point p) { return "(" + std::to_string(p.x) + ", " + std::to_string(p.y) + ")"; }
-
 bool is_degenerate(const Conic& q) {
   const Wide a = q.a, b = q.b, c = q.c, d = q.d, e = q.e, f = q.f;
   return 4 * a * c * f + b * d * e - a * e * e - c * d * d - b * b * f == 0;

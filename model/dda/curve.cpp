@@ -13,8 +13,6 @@ namespace {
 
 constexpr std::int64_t most_clocks = std::int64_t{1} << 28;
 
-std::string text(Point p) { return "(" + std::to_string(p.x) + ", " + std::to_string(p.y) + ")"; }
-
 [[noreturn]] void refuse(const char* what, const std::string& why) {
   throw InputError(std::string(what) + ": " + why);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 namespace cosim::plane {
 
@@ -11,5 +12,10 @@ struct Point {
   std::int64_t y = 0;
   friend bool operator==(const Point&, const Point&) = default;
 };
+
+/// "(x, y)", for messages.
+inline std::string text(Point p) {
+  return "(" + std::to_string(p.x) + ", " + std::to_string(p.y) + ")";
+}
 
 }  // namespace cosim::plane

@@ -12,8 +12,6 @@ namespace {
 
 __extension__ typedef __int128 Int128;
 
-constexpr double pm_per_mm = 1e9;
-
 double length_mm(Position from, Position to) {
   return std::hypot(static_cast<double>(to.x - from.x), static_cast<double>(to.y - from.y)) /
          pm_per_mm;

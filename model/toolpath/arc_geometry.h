@@ -6,6 +6,8 @@
 
 namespace cosim::toolpath {
 
+constexpr double pm_per_mm = 1e9;
+
 /// A position in picometres (1e-9 mm); each coordinate at most 1e18.
 struct Position {
   std::int64_t x = 0;

@@ -12,7 +12,6 @@ namespace cosim::toolpath {
 
 namespace {
 
-constexpr double pm_per_mm = 1e9;
 constexpr double reach_mm = 1e9;
 constexpr int no_motion_mode = -1;  // at the start
 

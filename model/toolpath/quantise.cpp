@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "model/toolpath/arc_geometry.h"
+
 namespace cosim::toolpath {
 
 namespace {
@@ -11,9 +13,9 @@ namespace {
 // scale's double is half a unit of its last place off at the most, and a half is a half for all
 // that: 4.475 mm at 100 steps are 447.5.
 long double steps(double mm, double steps_per_mm) {
-  constexpr long double pm_per_mm = 1e9L;
   constexpr long double last_place = std::numeric_limits<double>::epsilon();
-  const long double exact = std::round(mm * pm_per_mm) * steps_per_mm / pm_per_mm;
+  const long double exact =
+      std::round(mm * static_cast<long double>(pm_per_mm)) * steps_per_mm / pm_per_mm;
   return exact * (1 + last_place);
 }
 

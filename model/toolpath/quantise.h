@@ -16,10 +16,13 @@ using plane::Point;
 inline constexpr std::int64_t max_coordinate = (std::int64_t{1} << 31) - 1;
 inline constexpr std::int64_t max_radius = (std::int64_t{1} << 32) - 1;
 
+/// The most steps in a millimetre.
+inline constexpr double finest_grid = 1e9;
+
 /// The grid point nearest to `p`, halves, as written in decimals, away from 0; none where a
 /// coordinate would be more than `reach` <= 2^52 steps. Each point is quantised by itself, never
 /// from the one before, so the error of a target never exceeds half a step an axis. steps_per_mm is
-/// finite and > 0.
+/// > 0 and at most finest_grid.
 std::optional<Point> quantise(PointMm p, double steps_per_mm, std::int64_t reach);
 
 /// The distance in steps between `p` and the grid point `q`.

@@ -37,11 +37,11 @@ std::string commands_of(const CLI::App& app) {
 
 std::string unexpected(const CLI::App& app, const std::string& argument) {
   if (argument.starts_with('-')) {
-    return fmt::format("{}no such option: {}", prefix(app), quoted(argument));
+    return fmt::format("{}no such option: {}", prefix(app), in_quotes(argument));
   }
   const std::string commands = commands_of(app);
-  if (commands.empty()) return fmt::format("{}takes no {}", prefix(app), quoted(argument));
-  return fmt::format("{}no such command: {}; there are {}", prefix(app), quoted(argument),
+  if (commands.empty()) return fmt::format("{}takes no {}", prefix(app), in_quotes(argument));
+  return fmt::format("{}no such command: {}; there are {}", prefix(app), in_quotes(argument),
                      commands);
 }
 

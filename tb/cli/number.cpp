@@ -16,8 +16,8 @@ std::uint64_t whole(const std::string& name, const std::string& text, std::uint6
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc{} || rest != end || value < low || value > high) {
-    throw InputError(
-        fmt::format("{}: {} is not a whole number from {} to {}", name, quoted(text), low, high));
+    throw InputError(fmt::format("{}: {} is not a whole number from {} to {}", name,
+                                 in_quotes(text), low, high));
   }
   return value;
 }
@@ -27,8 +27,8 @@ std::int64_t integer(const std::string& name, const std::string& text, std::int6
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc{} || rest != end || value < -size || value > size) {
-    throw InputError(
-        fmt::format("{}: {} is not a whole number from {} to {}", name, quoted(text), -size, size));
+    throw InputError(fmt::format("{}: {} is not a whole number from {} to {}", name,
+                                 in_quotes(text), -size, size));
   }
   return value;
 }
@@ -42,7 +42,7 @@ std::vector<std::int64_t> integers(const std::string& name, const std::string& t
     const std::size_t comma = text.find(',', begin);
     const bool last = all.size() + 1 == sizes.size();
     if ((comma == std::string::npos) != last) {
-      throw InputError(fmt::format("{}: {} is not {}", name, quoted(text), form));
+      throw InputError(fmt::format("{}: {} is not {}", name, in_quotes(text), form));
     }
     all.push_back(integer(name, text.substr(begin, comma - begin), size));
     begin = comma + 1;
@@ -56,7 +56,7 @@ double positive(const std::string& name, const std::string& text, double high) {
   const auto [rest, error] = std::from_chars(text.data(), end, value);
   if (error != std::errc{} || rest != end || !(value > 0 && value <= high)) {
     throw InputError(
-        fmt::format("{}: {} is not a number above 0 and at most {}", name, quoted(text), high));
+        fmt::format("{}: {} is not a number above 0 and at most {}", name, in_quotes(text), high));
   }
   return value;
 }
@@ -64,7 +64,7 @@ double positive(const std::string& name, const std::string& text, double high) {
 circular::Point point(const std::string& name, const std::string& text, std::uint64_t high) {
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos) {
-    throw InputError(fmt::format("{}: {} is not X,Y", name, quoted(text)));
+    throw InputError(fmt::format("{}: {} is not X,Y", name, in_quotes(text)));
   }
   return {static_cast<std::int64_t>(whole(name + ": X", text.substr(0, comma), 0, high)),
           static_cast<std::int64_t>(whole(name + ": Y", text.substr(comma + 1), 0, high))};

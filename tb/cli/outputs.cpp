@@ -47,7 +47,7 @@ void check_ending(const char* option, const std::string& path,
   for (const std::string& ending : endings) {
     if (name == ending) {
       throw InputError(
-          fmt::format("{}: {} has no name before its {}", option, quoted(path), ending));
+          fmt::format("{}: {} has no name before its {}", option, in_quotes(path), ending));
     }
     if (name.ends_with(ending)) return;
   }

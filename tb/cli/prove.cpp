@@ -32,7 +32,7 @@ using proof::Decision;
 
 constexpr int kLongest = 86400;  // seconds that a solver may be given
 
-struct Options {
+struct ProveOptions {
   Common common;
   std::vector<std::string> machine;
   Text rtl, limit, jobs, scripts, mutants, mutant, count;
@@ -83,8 +83,8 @@ void keep_scripts(const std::string& folder, const std::string& title, const Cla
 }
 
 // RTL that is not what this program was built from has no bench here to be replayed on.
-void explain(const Options& o, const Subject& subject, const Claim& claim, const Decision& decision,
-             int limit) {
+void explain(const ProveOptions& o, const Subject& subject, const Claim& claim,
+             const Decision& decision, int limit) {
   std::optional<proof::Counterexample> found;
   for (std::size_t v = 0; v < decision.solved.size(); ++v) {
     for (std::size_t q = 0; q < claim.queries.size() && !found; ++q) {
@@ -128,7 +128,7 @@ void say_limit(int limit) {
 }
 
 // Each by its sentence.
-int run_theorems(const Options& o, int limit, unsigned jobs) {
+int run_theorems(const ProveOptions& o, int limit, unsigned jobs) {
   std::vector<proof::Theorem> theorems;
   for (const proof::Theorem& t : proof::theorems()) {
     if (o.machine.empty() || o.machine.front() == t.design) theorems.push_back(t);
@@ -160,7 +160,7 @@ int run_theorems(const Options& o, int limit, unsigned jobs) {
 }
 
 // Mutants of one machine, each refuted or proved to be the same.
-int run_mutants(const Options& o, int limit, unsigned jobs) {
+int run_mutants(const ProveOptions& o, int limit, unsigned jobs) {
   const std::vector<Subject> subjects = chosen(o.machine);
   if (subjects.size() != 1) throw InputError("--mutants: needs one machine");
   const proof::MachineFormula& formula = subjects.front().formula;
@@ -192,7 +192,7 @@ int run_mutants(const Options& o, int limit, unsigned jobs) {
   return refuted + equal == number ? 0 : 1;
 }
 
-int run(const Options& o) {
+int run(const ProveOptions& o) {
   const InterruptGuard interrupts;
   const int limit = static_cast<int>(whole("--limit", o.limit.value_or("300"), 1, kLongest));
   const unsigned cores = std::max(std::thread::hardware_concurrency(), 1U);
@@ -246,7 +246,7 @@ int run(const Options& o) {
 }  // namespace
 
 void add_prove(const Command& program) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<ProveOptions>();
   const Command command =
       program.sub("prove", "Proves that RTL and model are the same, for every state and input");
   command.arguments("MACHINE", o->machine, "A design, or a line of cosim list; default all");

@@ -15,12 +15,12 @@
 namespace cosim::cli {
 namespace {
 
-struct Options {
+struct ReplayOptions {
   Common common;
   Text file;
 };
 
-int run(const Options& o) {
+int run(const ReplayOptions& o) {
   std::string file = *o.file;
   if (file.empty()) throw InputError("FILE: names no file");
   if (std::filesystem::is_directory(file)) {
@@ -46,7 +46,7 @@ int run(const Options& o) {
 }  // namespace
 
 void add_replay(const Command& program) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<ReplayOptions>();
   const Command command =
       program.sub("replay", "A stimulus file, or the folder of a failure, once more");
   command.argument("FILE", o->file, "The stimulus; of a folder its stimulus.stim", true);

@@ -23,8 +23,8 @@ namespace {
 
 constexpr std::uint64_t most = std::uint64_t{1} << 48;
 
-struct Options {
-  explicit Options(const DesignSweeps& d) : design(d), shape(d.shape) {}
+struct SweepOptions {
+  explicit SweepOptions(const DesignSweeps& d) : design(d), shape(d.shape) {}
   const DesignSweeps& design;
   Common common;
   Text random, hostile, jobs;
@@ -34,7 +34,7 @@ struct Options {
 
 using Benches = std::vector<const AnyBench*>;
 
-void check_kind(const Options& o) {
+void check_kind(const SweepOptions& o) {
   const int kinds = (o.exhaustive ? 1 : 0) + (o.random ? 1 : 0) + (o.hostile ? 1 : 0);
   if (kinds != 1) {
     throw InputError(fmt::format("sweep: one of --exhaustive, --random and --hostile is needed, {}",
@@ -43,7 +43,8 @@ void check_kind(const Options& o) {
 }
 
 // All that is to be swept, each with the bench it runs on.
-std::vector<std::pair<const AnyBench*, Sweep>> planned(const Options& o, const Benches& benches) {
+std::vector<std::pair<const AnyBench*, Sweep>> planned(const SweepOptions& o,
+                                                       const Benches& benches) {
   const std::uint64_t seed = o.common.seed();
   const std::uint64_t cases = o.random ? whole("--random", *o.random, 1, most) : 0;
   const std::uint64_t clocks = o.hostile ? whole("--hostile", *o.hostile, 1, most) : 0;
@@ -88,7 +89,7 @@ int stopped(const Interrupted& interrupted, ProgressLine& progress, const std::s
   return 128 + interrupted.signal;
 }
 
-int run(const Options& o) {
+int run(const SweepOptions& o) {
   const Benches benches = matching(o.design.design, o.shape.shape());
   check_kind(o);
   const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
@@ -129,7 +130,7 @@ int run(const Options& o) {
   return status;
 }
 
-void add_options(const Command& design, Options& o) {
+void add_options(const Command& design, SweepOptions& o) {
   design.flag("--exhaustive", o.exhaustive, "Everything, at the widths small enough for it");
   design.text("--random", o.random, "COUNT", "COUNT random cases at each width");
   design.text("--hostile", o.hostile, "COUNT",
@@ -142,7 +143,7 @@ void add_options(const Command& design, Options& o) {
 }
 
 void add_design(const Command& sweep, const DesignSweeps& swept) {
-  auto o = std::make_shared<Options>(swept);
+  auto o = std::make_shared<SweepOptions>(swept);
   const Command design =
       sweep.sub(swept.design, swept.help + ": one of --exhaustive, --random and --hostile");
   add_options(design, *o);

@@ -10,6 +10,7 @@
 #include "model/toolpath/source.h"
 #include "tb/bench/bench.h"
 #include "tb/support/show.h"
+#include "tb/support/words.h"
 
 namespace cosim {
 namespace {
@@ -48,12 +49,6 @@ std::string printable(std::string_view text) {
   std::string clean(text);
   for (char& c : clean) c = c >= ' ' && c <= '~' ? c : '?';
   return clean;
-}
-
-// Printable, and short enough for one line of an error.
-std::string quoted(std::string_view text) {
-  constexpr std::size_t longest = 40;
-  return "'" + printable(text.substr(0, longest)) + (text.size() > longest ? "..." : "") + "'";
 }
 
 class Parser {
@@ -121,7 +116,7 @@ class Parser {
       if (bench->title() == title) replay_.bench = bench.get();
     }
     if (replay_.bench == nullptr) {
-      fail(fmt::format("no machine {} is built; see cosim list", quoted(title)));
+      fail(fmt::format("no machine {} is built; see cosim list", in_quotes(title)));
     }
     replay_.stimulus.machine = title;
     inputs_ = replay_.bench->inputs();
@@ -138,7 +133,7 @@ class Parser {
     } else if (words_[0] == "state") {
       state();
     } else {
-      fail(fmt::format("{} is none of origin, power-up, state, clock", quoted(words_[0])));
+      fail(fmt::format("{} is none of origin, power-up, state, clock", in_quotes(words_[0])));
     }
   }
 
@@ -148,16 +143,16 @@ class Parser {
     for (std::size_t w = 1; w < words_.size(); ++w) {
       const std::size_t equals = words_[w].find('=');
       if (equals == std::string_view::npos) {
-        fail(fmt::format("{} is not NAME=NUMBER", quoted(words_[w])));
+        fail(fmt::format("{} is not NAME=NUMBER", in_quotes(words_[w])));
       }
       const std::string_view name = words_[w].substr(0, equals);
       const auto field = std::find_if(fields.begin(), fields.end(),
                                       [&](const Field& f) { return f.name == name; });
       if (field == fields.end()) {
-        fail(fmt::format("{} has no state {}", replay_.stimulus.machine, quoted(name)));
+        fail(fmt::format("{} has no state {}", replay_.stimulus.machine, in_quotes(name)));
       }
       const auto value = parse_state(*field, words_[w].substr(equals + 1));
-      if (!value) fail(fmt::format("{} is out of range or no number", quoted(words_[w])));
+      if (!value) fail(fmt::format("{} is out of range or no number", in_quotes(words_[w])));
       (*replay_.stimulus.state)[static_cast<std::size_t>(field - fields.begin())] = *value;
     }
   }
@@ -175,12 +170,12 @@ class Parser {
     for (std::size_t w = 1; w < words_.size(); ++w) {
       if (std::find(words_.begin() + 1, words_.begin() + static_cast<std::ptrdiff_t>(w),
                     words_[w]) != words_.begin() + static_cast<std::ptrdiff_t>(w)) {
-        fail(fmt::format("{} stands twice", quoted(words_[w])));
+        fail(fmt::format("{} stands twice", in_quotes(words_[w])));
       }
       const auto field = std::find_if(inputs_.begin(), inputs_.end(),
                                       [&](const Field& f) { return f.name == words_[w]; });
       if (field == inputs_.end()) {
-        fail(fmt::format("{} has no input {}", replay_.stimulus.machine, quoted(words_[w])));
+        fail(fmt::format("{} has no input {}", replay_.stimulus.machine, in_quotes(words_[w])));
       }
       columns_.push_back(static_cast<std::size_t>(field - inputs_.begin()));
     }
@@ -198,7 +193,7 @@ class Parser {
     const auto first = number(words_[0].substr(0, dash));
     const auto last = dash == std::string_view::npos ? first : number(words_[0].substr(dash + 1));
     if (!first || !last || *last < *first) {
-      fail(fmt::format("{} is no clock and no range of clocks", quoted(words_[0])));
+      fail(fmt::format("{} is no clock and no range of clocks", in_quotes(words_[0])));
     }
     if (*first != clocks.size()) {
       fail(fmt::format("clock {} stands where clock {} should", *first, clocks.size()));
@@ -216,7 +211,7 @@ class Parser {
       const Field& field = inputs_[columns_[c]];
       const auto value = parse_short(field, words_[c + 1]);
       if (!value) {
-        fail(fmt::format("{}: {} is no value of {} bit{}", field.name, quoted(words_[c + 1]),
+        fail(fmt::format("{}: {} is no value of {} bit{}", field.name, in_quotes(words_[c + 1]),
                          field.width, field.width == 1 ? "" : "s"));
       }
       values[columns_[c]] = *value;

@@ -60,12 +60,12 @@ std::string one_line(std::string text) {
   return text;
 }
 
-std::string quoted(const std::string& text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 40;
-  if (text.size() <= longest) return "'" + one_line(text) + "'";
+  if (text.size() <= longest) return "'" + one_line(std::string(text)) + "'";
   std::size_t end = longest;
   while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) --end;  // UTF-8
-  return "'" + one_line(text.substr(0, end)) + "...'";
+  return "'" + one_line(std::string(text.substr(0, end))) + "...'";
 }
 
 void complain(const std::string& text) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 namespace cosim {
 
@@ -18,7 +19,7 @@ std::string amount(double n, const std::string& noun);
 std::string one_line(std::string text);
 
 /// What a person typed, in quotes and on one line; cut where it is long.
-std::string quoted(const std::string& text);
+std::string in_quotes(std::string_view text);
 
 /// "cosim: TEXT" as one line on standard error. Throws nothing: where that is closed or full there
 /// is nobody left to tell.

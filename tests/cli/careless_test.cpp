@@ -47,7 +47,7 @@ void expect_match(const Ended& ended) {
   EXPECT_NE(ended.out.find("verdict: match\n"), std::string::npos) << ended.out;
 }
 
-void expect_refused(const Ended& ended, const std::string& line) {
+void expect_unread(const Ended& ended, const std::string& line) {
   EXPECT_EQ(ended.status, 2);
   EXPECT_EQ(ended.out, "");
   EXPECT_EQ(ended.err.rfind("cosim: " + line, 0), 0U) << ended.err.substr(0, 1000);
@@ -84,17 +84,17 @@ TEST_F(Careless, BytesThatAreNoTextAreNamed) {
     return replaced(text, "3", std::string("3\0", 2));
   };
   std::string path = folder_.write("nul", nul(good_program));
-  expect_refused(read(Reads::program, path), path + ":3:6: NUL byte: this is not a text file");
+  expect_unread(read(Reads::program, path), path + ":3:6: NUL byte: this is not a text file");
   path = folder_.write("nul", replaced(good_stimulus, "27", std::string("27\0", 3)));
-  expect_refused(read(Reads::stimulus, path), path + ":5: data: '27?' is no value of 5 bits");
+  expect_unread(read(Reads::stimulus, path), path + ":5: data: '27?' is no value of 5 bits");
   path = folder_.write("utf16", std::string("\xff\xfeG\0\n\0", 6));
-  expect_refused(read(Reads::program, path), path + ":1:1: unexpected byte 0xff");
-  expect_refused(read(Reads::stimulus, path), path + ":1: is not 'cosim stimulus 1'");
-  expect_refused(read(Reads::checkpoint, path), path + ": no checkpoint");
+  expect_unread(read(Reads::program, path), path + ":1:1: unexpected byte 0xff");
+  expect_unread(read(Reads::stimulus, path), path + ":1: is not 'cosim stimulus 1'");
+  expect_unread(read(Reads::checkpoint, path), path + ": no checkpoint");
   path = folder_.write("empty", "");
-  expect_refused(read(Reads::program, path), path + ":1:1: the program ends without a motion");
-  expect_refused(read(Reads::stimulus, path), path + ":1: is not 'cosim stimulus 1'");
-  expect_refused(read(Reads::checkpoint, path), path + ": no checkpoint");
+  expect_unread(read(Reads::program, path), path + ":1:1: the program ends without a motion");
+  expect_unread(read(Reads::stimulus, path), path + ":1: is not 'cosim stimulus 1'");
+  expect_unread(read(Reads::checkpoint, path), path + ": no checkpoint");
 }
 
 // What a stimulus says of its origin goes to the terminal: nothing there may move its cursor.
@@ -109,14 +109,14 @@ TEST_F(Careless, WhatIsNoFileIsSaid) {
   const std::string folder = folder_.path("folder"), pipe = folder_.path("pipe");
   fs::create_directory(folder);
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  expect_refused(read(Reads::program, folder), folder + ": is a directory, not a file");
-  expect_refused(read(Reads::stimulus, folder), folder + "/stimulus.stim: no such file");
-  expect_refused(read(Reads::checkpoint, folder), folder + ": cannot write: Is a directory");
+  expect_unread(read(Reads::program, folder), folder + ": is a directory, not a file");
+  expect_unread(read(Reads::stimulus, folder), folder + "/stimulus.stim: no such file");
+  expect_unread(read(Reads::checkpoint, folder), folder + ": cannot write: Is a directory");
   // None of these may wait for somebody to write into the pipe.
   for (const std::string& path : {pipe, std::string("/dev/full"), std::string("/dev/zero")}) {
-    expect_refused(read(Reads::program, path), path + ": is not a regular file");
-    expect_refused(read(Reads::stimulus, path), path + ": is not a regular file");
-    expect_refused(read(Reads::checkpoint, path), path + ": no checkpoint: not a regular file");
+    expect_unread(read(Reads::program, path), path + ": is not a regular file");
+    expect_unread(read(Reads::stimulus, path), path + ": is not a regular file");
+    expect_unread(read(Reads::checkpoint, path), path + ": no checkpoint: not a regular file");
   }
 }
 
@@ -126,12 +126,12 @@ TEST_F(Careless, OutputsThatAreNoFileAreSaid) {
   const auto line = [](const std::string& option, const std::string& path) {
     return cosim({"line", "--major", "5", "--minor", "1", option, path});
   };
-  expect_refused(line("--wave", folder), "--wave: " + folder + " does not end in .fst");
+  expect_unread(line("--wave", folder), "--wave: " + folder + " does not end in .fst");
   fs::create_directory(folder_.path("w.fst"));
-  expect_refused(line("--wave", folder_.path("w.fst")),
+  expect_unread(line("--wave", folder_.path("w.fst")),
                  folder_.path("w.fst") + ": cannot write: Is a directory");
   ASSERT_EQ(mkfifo(folder_.path("pipe.fst").c_str(), 0600), 0);
-  expect_refused(line("--wave", folder_.path("pipe.fst")),
+  expect_unread(line("--wave", folder_.path("pipe.fst")),
                  "--wave: " + folder_.path("pipe.fst") + " cannot be replaced by a file");
   // A wave takes the place of a link; what it led to is left alone.
   fs::create_symlink("/dev/full", folder_.path("full.fst"));
@@ -167,10 +167,10 @@ TEST_F(Careless, ProgramsOfHugeLinesAreReadInBoundedMemory) {
   expect_match(huge("G0 X1 (", "x", ")\n"));
   expect_match(huge("G0 X1", " \t", "Y2"));
   expect_match(huge("G0 X1", "\r\n"));
-  expect_refused(huge("G0 X", "1"), place + "4: the number of X is out of range");
-  expect_refused(huge("", "X"), place + "1: X needs a number");
-  expect_refused(huge("G0 ", "X1 "), place + "7: X stands twice in the block");
-  expect_refused(huge("", "("), place + "1: the comment is not closed on its line");
+  expect_unread(huge("G0 X", "1"), place + "4: the number of X is out of range");
+  expect_unread(huge("", "X"), place + "1: X needs a number");
+  expect_unread(huge("G0 ", "X1 "), place + "7: X stands twice in the block");
+  expect_unread(huge("", "("), place + "1: the comment is not closed on its line");
 }
 
 TEST_F(Careless, StimuliOfHugeLinesAreReadInBoundedMemory) {
@@ -188,20 +188,20 @@ TEST_F(Careless, StimuliOfHugeLinesAreReadInBoundedMemory) {
   expect_match(huge("clock", "origin ", "a "));
   expect_match(huge("clock", "", " "));
   expect_match(huge("clock", "", "\n"));
-  expect_refused(huge("cosim", "", "x"), place + "1: is not 'cosim stimulus 1'");
-  expect_refused(huge("machine", "", "a "), place + "2: more than 1000 words in a line");
-  expect_refused(huge("machine", "machine ", "a"), place + "2: no machine 'aaaa");
-  expect_refused(huge("clock", "", "a "), place + "4: more than 1000 words in a line");
-  expect_refused(huge("clock", "state ", "a"), place + "4: 'aaaa");
-  expect_refused(huge("3-9", "", "a "), place + "8: more than 1000 words in a line");
-  expect_refused(huge("3-9", "3 1 0 0 0 0 ", "1"), place + "8: data: '1111");
+  expect_unread(huge("cosim", "", "x"), place + "1: is not 'cosim stimulus 1'");
+  expect_unread(huge("machine", "", "a "), place + "2: more than 1000 words in a line");
+  expect_unread(huge("machine", "machine ", "a"), place + "2: no machine 'aaaa");
+  expect_unread(huge("clock", "", "a "), place + "4: more than 1000 words in a line");
+  expect_unread(huge("clock", "state ", "a"), place + "4: 'aaaa");
+  expect_unread(huge("3-9", "", "a "), place + "8: more than 1000 words in a line");
+  expect_unread(huge("3-9", "3 1 0 0 0 0 ", "1"), place + "8: data: '1111");
 }
 
 TEST_F(Careless, CheckpointsOfHugeSizeAreRefused) {
   for (const char* piece : {"[", "x", "[],", " "}) {
     const std::string path = write_huge(folder_, "{\"state\":[", piece, "]}");
     const Ended ended = read(Reads::checkpoint, path);
-    expect_refused(ended, path + ": no checkpoint: larger than 4 MiB");
+    expect_unread(ended, path + ": no checkpoint: larger than 4 MiB");
     EXPECT_LT(ended.peak, most_memory);
   }
 }

@@ -124,7 +124,7 @@ TEST_F(KilledSweep, GoesOnWithWhatTheCheckMeasured) {
   }
 }
 
-void expect_refused(const Ended& ended, const std::string& line) {
+void expect_refusal(const Ended& ended, const std::string& line) {
   EXPECT_EQ(ended.status, 2);
   EXPECT_NE(ended.err.find(line), std::string::npos) << ended.err;
   EXPECT_EQ(lines(ended.err).size(), 1U) << ended.err;
@@ -135,13 +135,13 @@ TEST_F(KilledSweep, RefusesACheckpointOfOtherWork) {
   const std::string before = folder_.text("state");
   const std::string refusal =
       folder_.path("state") + ": a checkpoint of other work or of another build";
-  expect_refused(cosim({"sweep", "linear", "--hostile", std::to_string(kClocks + 1), "--seed", "3",
+  expect_refusal(cosim({"sweep", "linear", "--hostile", std::to_string(kClocks + 1), "--seed", "3",
                         "--checkpoint", folder_.path("state")}),
                  refusal);
-  expect_refused(cosim({"sweep", "linear", "--hostile", std::to_string(kClocks), "--seed", "4",
+  expect_refusal(cosim({"sweep", "linear", "--hostile", std::to_string(kClocks), "--seed", "4",
                         "--checkpoint", folder_.path("state")}),
                  refusal);
-  expect_refused(another_build(kept()), refusal);
+  expect_refusal(another_build(kept()), refusal);
   EXPECT_EQ(folder_.text("state"), before);
 }
 
@@ -152,7 +152,7 @@ TEST_F(KilledSweep, RefusesCountsThatCannotBe) {
   for (const std::string& cases : {too_many, "-1"s, "1e300"s, "\"1\""s, "null"s}) {
     file["state"][0]["cases"] = nlohmann::json::parse(cases);
     folder_.write("state", file.dump());
-    expect_refused(cosim(kept()), folder_.path("state") + ": no checkpoint of these sweeps");
+    expect_refusal(cosim(kept()), folder_.path("state") + ": no checkpoint of these sweeps");
   }
 }
 
@@ -160,14 +160,14 @@ TEST_F(KilledSweep, RefusesWhatIsNoCheckpoint) {
   const auto with = [&](const std::string& path) { return sweep({"--checkpoint", path}); };
   for (const char* text : {"", "hello", "[1,2]", "{\"work\":1}", "{\"work\":\"x\",\"state\":0"}) {
     const std::string path = folder_.write("other", text);
-    expect_refused(cosim(with(path)), path + ": no checkpoint");
+    expect_refusal(cosim(with(path)), path + ": no checkpoint");
     EXPECT_EQ(folder_.text("other"), text);
   }
-  expect_refused(cosim(with("/dev/null")), "/dev/null: no checkpoint: not a regular file");
-  expect_refused(cosim(with(folder_.path("none/file"))), "cannot write");
-  expect_refused(cosim(with("")), "--checkpoint: names no file");
+  expect_refusal(cosim(with("/dev/null")), "/dev/null: no checkpoint: not a regular file");
+  expect_refusal(cosim(with(folder_.path("none/file"))), "cannot write");
+  expect_refusal(cosim(with("")), "--checkpoint: names no file");
   const std::string same = folder_.path("same");
-  expect_refused(cosim(sweep({"--checkpoint", same, "--report", same})),
+  expect_refusal(cosim(sweep({"--checkpoint", same, "--report", same})),
                  "--checkpoint: " + same + " is the file of --report");
 }
 

@@ -7,19 +7,10 @@
 
 #include "tb/proof/decide.h"
 #include "tb/proof/machines.h"
-#include "tb/support/process.h"
 #include "tests/rtl/variant.h"
+#include "tests/support/solvers.h"
 
 namespace cosim::test {
-
-constexpr int kLimit = 60;  // seconds for one answer
-
-inline bool can_prove() {
-  for (const char* program : {"yosys", "cvc5", "z3"}) {
-    if (run_program({program, "--version"}).status == 127) return false;
-  }
-  return true;
-}
 
 /// The files of variants/<design>/<name>, as CMake made them.
 inline proof::Rtl rtl_of(const std::string& design, const std::string& name,

@@ -7,20 +7,14 @@
 #include "tb/proof/decide.h"
 #include "tb/proof/machines.h"
 #include "tb/proof/mutants.h"
-#include "tb/support/process.h"
 #include "tests/support/root.h"
+#include "tests/support/solvers.h"
 
 namespace cosim::proof {
 namespace {
 
-constexpr int kLimit = 60;
-
-bool can_prove() {
-  for (const char* program : {"yosys", "cvc5", "z3"}) {
-    if (run_program({program, "--version"}).status == 127) return false;
-  }
-  return true;
-}
+using test::can_prove;
+using test::kLimit;
 
 // The first machine of each design, the one with the smallest parameters.
 std::vector<BuiltMachine> smallest() {

@@ -8,17 +8,13 @@
 
 #include "tb/proof/decide.h"
 #include "tb/proof/integer.h"
-#include "tb/support/process.h"
+#include "tests/support/solvers.h"
 
 namespace cosim::proof {
 namespace {
 
-constexpr int kLimit = 60;
-
-bool can_prove() {
-  return run_program({"cvc5", "--version"}).status != 127 &&
-         run_program({"z3", "--version"}).status != 127;
-}
+using test::can_prove;
+using test::kLimit;
 
 void expect_all_proved(const std::vector<Theorem>& theorems) {
   std::vector<const Claim*> claims;
@@ -60,8 +56,8 @@ TEST(Theorems, ThatAreFalseAreRefuted) {
   const Integer x(script.declare("x", "Int")), n(script.declare("n", "Int"));
   script.assume((x * x - x < n + Integer(2)).expression());
   script.ask(negation((x * x - x < n).expression()));
-  const Claim claim{"a false one", Answer::unsat, {{{"any"}, script.text()}}, {}};
-  EXPECT_TRUE(decide({&claim}, kLimit, 1).front().refuted);
+  const Claim wrong{"a false one", Answer::unsat, {{{"any"}, script.text()}}, {}};
+  EXPECT_TRUE(decide({&wrong}, kLimit, 1).front().refuted);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::uint64_t largest_coordinate = 0xffffffff;
 
-struct Options {
+struct ArcOptions {
   Common common;
   Text from, radius, radius2, count;
   ShapeOptions shape{circular::shape_options()};
@@ -36,7 +36,7 @@ std::string suggestion(const circular::Arc& arc) {
   return circular::next_to_circle(p, arc.radius2) ? fmt::format("; ({}, {}) is", p.x, p.y) : "";
 }
 
-circular::Arc parse_arc(const Options& o) {
+circular::Arc parse_arc(const ArcOptions& o) {
   if (o.radius.has_value() == o.radius2.has_value()) {
     throw InputError(o.radius ? "--radius: is given, and --radius2 too"
                               : "--radius: is needed, or --radius2");
@@ -60,7 +60,7 @@ circular::Arc parse_arc(const Options& o) {
   return arc;
 }
 
-std::string describe(const Options& o, const circular::Arc& arc) {
+std::string describe(const ArcOptions& o, const circular::Arc& arc) {
   return fmt::format(
       "{} from ({}, {}){}",
       o.radius ? fmt::format("R = {}", circular::nearest_root(arc.radius2))
@@ -77,7 +77,7 @@ Extent extent_of(const circular::Arc& arc) {
   return {steps, steps, steps, digits(steps) + 2 * number + 8};
 }
 
-int run(const Options& o) {
+int run(const ArcOptions& o) {
   const auto power_up = static_cast<std::uint32_t>(o.common.seed());
   const circular::Arc arc = parse_arc(o);
   const auto& bench = circular::bench_for(o.shape.shape(), circular::width_needed(arc.radius2));
@@ -103,7 +103,7 @@ int run(const Options& o) {
 }  // namespace
 
 void add_arc(const Command& program) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<ArcOptions>();
   const Command command =
       program.sub("arc", "An arc of the first quadrant, anticlockwise, on the circular machine");
   command.text("--radius", o->radius, "R", "Needed, or --radius2: R in steps, 0 to 2^W - 1");

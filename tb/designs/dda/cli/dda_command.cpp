@@ -25,7 +25,7 @@ using dda::Point;
 
 constexpr std::int64_t largest = 0xffffffff;
 
-struct Options {
+struct DdaOptions {
   Common common;
   Text line, circle, conic, from, clocks;
   DdaSettings settings;
@@ -55,7 +55,7 @@ struct Work {
   std::function<dda::Job(const dda::Params&)> job;
 };
 
-Work parse_work(const Options& o) {
+Work parse_work(const DdaOptions& o) {
   const dda::Settings settings = o.settings.parse();
   std::optional<std::int64_t> clocks;
   if (o.clocks) clocks = static_cast<std::int64_t>(whole("--clocks", *o.clocks, 0, 0xfffffff));
@@ -87,7 +87,7 @@ Work parse_work(const Options& o) {
           [=](const dda::Params& p) { return conic(p, q, from, settings, clocks); }};
 }
 
-void check_kind(const Options& o) {
+void check_kind(const DdaOptions& o) {
   const int kinds = (o.line ? 1 : 0) + (o.circle ? 1 : 0) + (o.conic ? 1 : 0);
   if (kinds != 1) {
     throw InputError(fmt::format("dda: one of --line, --circle and --conic is needed, {}",
@@ -137,7 +137,7 @@ Extent extent_of(const dda::Params& p, const dda::Job& job) {
   return extent;
 }
 
-int run(const Options& o) {
+int run(const DdaOptions& o) {
   const auto power_up = static_cast<std::uint32_t>(o.common.seed());
   check_kind(o);
   const Work work = parse_work(o);
@@ -162,7 +162,7 @@ int run(const Options& o) {
 }  // namespace
 
 void add_dda(const Command& program) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<DdaOptions>();
   const Command command = program.sub("dda", "A line, a circle or a conic on the DDA");
   command.text("--line", o->line, "X,Y", "From (0, 0) to X,Y");
   command.text("--circle", o->circle, "R",

@@ -12,7 +12,7 @@ namespace {
 bool is_second(const char* name, const Text& text, const char* first, const char* second) {
   const std::string value = text.value_or(first);
   if (value != first && value != second) {
-    throw InputError(fmt::format("{}: {} is not {} or {}", name, quoted(value), first, second));
+    throw InputError(fmt::format("{}: {} is not {} or {}", name, in_quotes(value), first, second));
   }
   return value == second;
 }

@@ -21,7 +21,7 @@ linear::Code parse_code(const std::string& text, int m) {
   const bool fits = hexadecimal ? value >> m == 0 : digits.size() == static_cast<std::size_t>(m);
   if (!is_number || !fits) {
     throw InputError(fmt::format("--code: {} is not best, greedy, {} bits (M={}) or 0x0 to {:#x}",
-                                 quoted(text), m, m, (std::uint64_t{1} << m) - 1));
+                                 in_quotes(text), m, m, (std::uint64_t{1} << m) - 1));
   }
   return value;
 }
@@ -37,7 +37,7 @@ linear::Code (*code_rule(const Text& code))(int, std::int64_t, std::int64_t) {
   const std::string rule = code.value_or("best");
   if (rule == "best") return linear::best_code;
   if (rule == "greedy") return linear::greedy_code;
-  throw InputError(fmt::format("--code: {} is not best or greedy", quoted(rule)));
+  throw InputError(fmt::format("--code: {} is not best or greedy", in_quotes(rule)));
 }
 
 ChosenCode choose_code(const Text& code, int m, std::int64_t major,
@@ -50,7 +50,7 @@ ChosenCode choose_code(const Text& code, int m, std::int64_t major,
   const linear::Code bits = parse_code(text, m);
   const std::int64_t given = linear::minor_steps(m, major, bits);
   if (minor && given != *minor) {
-    throw InputError(fmt::format("--code: {} gives {} on a line of {}, not {}", quoted(text),
+    throw InputError(fmt::format("--code: {} gives {} on a line of {}, not {}", in_quotes(text),
                                  count(static_cast<std::uint64_t>(given), "minor step"), major,
                                  *minor));
   }

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::uint64_t most_steps = 0xffffffff;
 
-struct Options {
+struct LineOptions {
   Common common;
   Text major, minor, code;
   ShapeOptions shape{linear::shape_options()};
@@ -51,7 +51,7 @@ class Rows final : public Observer<linear::Design> {
 };
 
 // Where nobody names M, a code's bits do, if there is such a machine.
-Shape shape_of(const Options& o) {
+Shape shape_of(const LineOptions& o) {
   Shape shape = o.shape.shape();
   const std::optional<int> width = width_of(o.code);
   const auto is_m = [](const Parameter& p) { return std::string(p.name) == "M"; };
@@ -64,7 +64,7 @@ Shape shape_of(const Options& o) {
   return shape;
 }
 
-int run(const Options& o) {
+int run(const LineOptions& o) {
   const auto power_up = static_cast<std::uint32_t>(o.common.seed());
   const auto major =
       static_cast<std::int64_t>(whole("--major", needed("--major", o.major), 0, most_steps));
@@ -100,7 +100,7 @@ int run(const Options& o) {
 }  // namespace
 
 void add_line(const Command& program) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<LineOptions>();
   const Command command = program.sub("line", "A straight line on the linear machine");
   command.text("--major", o->major, "BP", "Needed: steps on the major axis, 0 to 2^M - 1");
   command.text("--minor", o->minor, "MP",

@@ -27,7 +27,7 @@ using compare::Arc;
 using compare::Entry;
 using compare::Line;
 
-struct Options {
+struct CompareOptions {
   Common common;
   WorkOptions work;
   Text algorithms;
@@ -147,19 +147,19 @@ void check_known(const Text& asked, const std::vector<bool>& known, const compar
             ? names_of(compare::line_algorithms())
             : names_of(compare::line_algorithms()) + ", " + names_of(compare::arc_algorithms());
     throw InputError(fmt::format("--algorithms: {} cannot do this work; there are {}",
-                                 quoted(split(*asked)[i]), there));
+                                 in_quotes(split(*asked)[i]), there));
   }
 }
 
 void check_once(const std::vector<std::string>& names) {
   for (auto at = names.begin(); at != names.end(); ++at) {
     if (std::find(names.begin(), at, *at) != at) {
-      throw InputError(fmt::format("--algorithms: {} stands there twice", quoted(*at)));
+      throw InputError(fmt::format("--algorithms: {} stands there twice", in_quotes(*at)));
     }
   }
 }
 
-int run(const Options& o) {
+int run(const CompareOptions& o) {
   const std::uint64_t seed = o.common.seed();
   const auto [text, work] = parse_work(o.work);
   if (o.algorithms && o.algorithms->empty()) throw InputError("--algorithms: names none");
@@ -201,7 +201,7 @@ int run(const Options& o) {
 }  // namespace
 
 void add_compare(const Command& program) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<CompareOptions>();
   const Command command =
       program.sub("compare", "The same line, arc or program by every algorithm that can do it");
   o->work.add(command);

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "model/core/input_error.h"
+#include "model/toolpath/quantise.h"
 #include "tb/cli/number.h"
 #include "tb/support/words.h"
 
@@ -14,12 +15,11 @@ using compare::Line;
 
 constexpr int widest = 16;
 constexpr std::int64_t largest = (1 << widest) - 1;
-constexpr double finest_grid = 1e9;
 
 Line parse_line(const std::string& text) {
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos) {
-    throw InputError(fmt::format("--line: {} is not BP,MP", quoted(text)));
+    throw InputError(fmt::format("--line: {} is not BP,MP", in_quotes(text)));
   }
   const std::uint64_t major = whole("--line: BP", text.substr(0, comma), 1, largest);
   const std::uint64_t minor = whole("--line: MP", text.substr(comma + 1), 0, major);
@@ -28,7 +28,7 @@ Line parse_line(const std::string& text) {
 
 NamedWork read_work(const std::string& file, const Text& steps_per_mm) {
   const double scale =
-      positive("--steps-per-mm", needed("--steps-per-mm", steps_per_mm), finest_grid);
+      positive("--steps-per-mm", needed("--steps-per-mm", steps_per_mm), toolpath::finest_grid);
   const toolpath::Plan plan = toolpath::plan(toolpath::read_gcode_file(file), scale);
   if (plan.pieces.empty()) {
     throw InputError(fmt::format("{}: no motion reaches a step at {} steps/mm", file, scale));

@@ -8,6 +8,7 @@
 #include "model/core/input_error.h"
 #include "model/linear/oracle.h"
 #include "model/toolpath/plan.h"
+#include "model/toolpath/quantise.h"
 #include "tb/cli/common.h"
 #include "tb/cli/conclude.h"
 #include "tb/cli/extent.h"
@@ -28,9 +29,7 @@
 namespace cosim::cli {
 namespace {
 
-constexpr double finest_grid = 1e9;
-
-struct Options {
+struct PathOptions {
   Common common;
   Text file, steps_per_mm, code;
   ShapeOptions line_shape{linear::shape_options()}, arc_shape{circular::shape_options()};
@@ -116,12 +115,12 @@ Extent whole(const Extents& parts, std::size_t segments) {
   return {steps, steps, steps, digits(segments) + 2 * coordinate + 9};
 }
 
-int run(const Options& o) {
+int run(const PathOptions& o) {
   const std::uint64_t seed = o.common.seed();
   const std::string& file = *o.file;
   if (file.empty()) throw InputError("FILE: names no file");
   const double scale =
-      positive("--steps-per-mm", needed("--steps-per-mm", o.steps_per_mm), finest_grid);
+      positive("--steps-per-mm", needed("--steps-per-mm", o.steps_per_mm), toolpath::finest_grid);
   const auto rule = code_rule(o.code);
   const Shape line_shape = o.line_shape.shape();
   const Shape arc_shape = o.arc_shape.shape();
@@ -196,7 +195,7 @@ int run(const Options& o) {
 }  // namespace
 
 void add_path(const Command& program) {
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<PathOptions>();
   const Command command =
       program.sub("path", "The path in X and Y of a G-code program, on both machines");
   command.argument("FILE", o->file, "The program", true);

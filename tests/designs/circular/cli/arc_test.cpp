@@ -12,9 +12,8 @@
 namespace cosim::cli {
 namespace {
 
-constexpr int kBuilt[] = {4, 8, 12, 16, 24, 32};
+constexpr int kWidths[] = {4, 8, 12, 16, 24, 32};
 
-std::string number(std::uint64_t n) { return std::to_string(n); }
 std::string point(Lattice p) { return std::to_string(p.x) + "," + std::to_string(p.y); }
 
 // The rows that a walk along the circle gives; the sector change takes a clock of its own unless
@@ -71,15 +70,15 @@ TEST(Arc, OfTheSourceGivesItsTable) {
 TEST(Arc, OfEverySmallRadiusIsTheNearest) {
   for (std::uint64_t r = 0; r <= 15; ++r) {
     SCOPED_TRACE(r);
-    expect_arc(draw({"arc", "--radius", number(r)}), {static_cast<std::int64_t>(r), 0}, r * r,
-               1000);
+    expect_arc(draw({"arc", "--radius", std::to_string(r)}), {static_cast<std::int64_t>(r), 0},
+               r * r, 1000);
   }
 }
 
 // Radii that are not whole, from anywhere, stopped or not, on every machine.
 TEST(Arc, FromAnywhereIsTheNearest) {
   std::mt19937_64 random(3);
-  for (const int width : kBuilt) {
+  for (const int width : kWidths) {
     for (int i = 0; i < 16; ++i) {
       const std::uint64_t largest = (std::uint64_t{1} << width) - 1;
       const std::uint64_t r = 1 + random() % largest;
@@ -90,9 +89,9 @@ TEST(Arc, FromAnywhereIsTheNearest) {
       const Lattice from = i % 2 == 0 ? Lattice{across, along} : Lattice{along, across};
       const bool stopped = r > 1000 || i % 3 == 0;
       const std::int64_t most = stopped ? static_cast<std::int64_t>(random() % 2000) : 1 << 20;
-      SCOPED_TRACE("R^2 = " + number(radius2) + " from " + point(from) +
+      SCOPED_TRACE("R^2 = " + std::to_string(radius2) + " from " + point(from) +
                    " W=" + std::to_string(width));
-      Arguments command{"arc", "--radius2", number(radius2), "--from", point(from)};
+      Arguments command{"arc", "--radius2", std::to_string(radius2), "--from", point(from)};
       command.insert(command.end(), {"--width", std::to_string(width)});
       if (stopped) command.insert(command.end(), {"--count", std::to_string(most)});
       const Drawing d = draw(command);
@@ -106,8 +105,8 @@ TEST(Arc, FromAnywhereIsTheNearest) {
 TEST(Arc, StartsOnTheAxisByDefault) {
   for (const std::uint64_t radius2 : {2U, 3U, 12U, 13U, 150U, 23U * 23U, 1000003U}) {
     SCOPED_TRACE(radius2);
-    expect_arc(draw({"arc", "--radius2", number(radius2)}), {rounded_root(radius2), 0}, radius2,
-               1 << 20);
+    expect_arc(draw({"arc", "--radius2", std::to_string(radius2)}), {rounded_root(radius2), 0},
+               radius2, 1 << 20);
   }
 }
 

@@ -16,7 +16,7 @@ namespace {
 struct Shape {
   int m, n;
 };
-constexpr Shape kBuilt[] = {{5, 2}, {6, 3}, {8, 5}, {16, 12}, {16, 13}, {24, 21}, {32, 26}};
+constexpr Shape kShapes[] = {{5, 2}, {6, 3}, {8, 5}, {16, 12}, {16, 13}, {24, 21}, {32, 26}};
 
 std::string bits(std::uint64_t value, int width) {
   std::string text;
@@ -73,8 +73,6 @@ void expect_line(const Drawing& d, std::uint64_t major, const std::string& uk, S
       << d.ended.out;
 }
 
-std::string number(std::uint64_t n) { return std::to_string(n); }
-
 TEST(Line, OfTheSourceGivesTable3) {
   const Drawing d = draw({"line", "--major", "27", "--minor", "9", "--code", "01010"});
   EXPECT_EQ(d.csv, (std::vector<std::string>{"tick,major,minor", "1,11111111,01000101",
@@ -85,18 +83,19 @@ TEST(Line, OfTheSourceGivesTable3) {
 
 TEST(Line, WithACodeGivenFollowsItsDefinition) {
   std::mt19937_64 random(1);
-  for (const Shape shape : kBuilt) {
+  for (const Shape shape : kShapes) {
     for (int i = 0; i < 12; ++i) {
       const std::uint64_t most = std::min<std::uint64_t>((std::uint64_t{1} << shape.m) - 1, 5000);
       const std::uint64_t major = i == 0 ? most : random() % (most + 1);
       // Of the wide codes only the first bits have a weight on so short a line.
       const std::string uk = bits(random(), shape.m);
-      SCOPED_TRACE(number(major) + " " + uk + " N=" + std::to_string(shape.n));
-      Arguments command{"line", "--major", number(major), "--code", uk};
+      SCOPED_TRACE(std::to_string(major) + " " + uk + " N=" + std::to_string(shape.n));
+      Arguments command{"line", "--major", std::to_string(major), "--code", uk};
       command.insert(command.end(),
                      {"--m", std::to_string(shape.m), "--n", std::to_string(shape.n)});
       expect_line(draw(command), major, uk, shape);
-      command.insert(command.end(), {"--minor", number(definition(major, uk, shape.n).minor)});
+      command.insert(command.end(),
+                     {"--minor", std::to_string(definition(major, uk, shape.n).minor)});
       if (i == 1) expect_line(draw(command), major, uk, shape);
     }
   }
@@ -110,17 +109,18 @@ std::string code_of(const Drawing& d, int m) {
 
 TEST(Line, WithoutACodeHasTheMinorStepsAskedFor) {
   std::mt19937_64 random(2);
-  for (const Shape shape : kBuilt) {
+  for (const Shape shape : kShapes) {
     for (int i = 0; i < 6; ++i) {
       const std::uint64_t most = std::min<std::uint64_t>((std::uint64_t{1} << shape.m) - 1, 3000);
       const std::uint64_t major = random() % (most + 1);
       const std::uint64_t minor = i == 0 ? 0 : i == 1 ? major : random() % (major + 1);
-      SCOPED_TRACE(number(major) + " " + number(minor) + " M=" + std::to_string(shape.m));
+      SCOPED_TRACE(std::to_string(major) + " " + std::to_string(minor) +
+                   " M=" + std::to_string(shape.m));
       double deviation[2] = {};
       for (const std::string rule : {"best", "greedy"}) {
         const Drawing d =
-            draw({"line", "--major", number(major), "--minor", number(minor), "--code", rule, "--m",
-                  std::to_string(shape.m), "--n", std::to_string(shape.n)});
+            draw({"line", "--major", std::to_string(major), "--minor", std::to_string(minor),
+                  "--code", rule, "--m", std::to_string(shape.m), "--n", std::to_string(shape.n)});
         const std::string uk = code_of(d, shape.m);
         EXPECT_EQ(definition(major, uk, shape.n).minor, minor);
         expect_line(d, major, uk, shape);
@@ -135,7 +135,8 @@ TEST(Line, WithoutACodeHasTheMinorStepsAskedFor) {
 TEST(Line, HasTheBestCodeByDefault) {
   for (const auto& [major, minor] :
        {std::pair<std::uint64_t, std::uint64_t>{27, 9}, {31, 13}, {20, 7}, {16, 1}}) {
-    const Drawing d = draw({"line", "--major", number(major), "--minor", number(minor)});
+    const Drawing d =
+        draw({"line", "--major", std::to_string(major), "--minor", std::to_string(minor)});
     double least = 1e9;
     for (std::uint64_t code = 0; code < 32; ++code) {
       const Expected e = definition(major, bits(code, 5), 2);
@@ -147,7 +148,7 @@ TEST(Line, HasTheBestCodeByDefault) {
 
 TEST(Line, RunsOnTheSmallestMachineThatHoldsIt) {
   const auto machine = [](const Arguments& more, std::uint64_t major) {
-    Arguments command{"line", "--major", number(major), "--minor", "0"};
+    Arguments command{"line", "--major", std::to_string(major), "--minor", "0"};
     command.insert(command.end(), more.begin(), more.end());
     const std::string text = cosim(command).out;
     return text.substr(0, text.find(':'));

@@ -92,7 +92,7 @@ TEST_F(LinearPins, ResetClearsEverythingWheneverItComes) {
       in.reset = 1;
       in.initial_set_n = set;
       machine.clock(in);
-      EXPECT_EQ(words(), (Words<Registers<Word>>{})) << clocks << " clocks into the line";
+      EXPECT_EQ(words(), (cosim::Words<Registers<Word>>{})) << clocks << " clocks into the line";
     }
   }
 }
@@ -257,7 +257,7 @@ TEST_F(LinearPins, DataWithoutAWriteIsNotTaken) {
   In in = rest();
   in.data = 31;
   machine.clock(in);
-  EXPECT_EQ(words(), (Words<Registers<Word>>{}));
+  EXPECT_EQ(words(), (cosim::Words<Registers<Word>>{}));
 }
 
 TEST_F(LinearPins, WordsAreZeroWithoutAStrobe) {

@@ -16,7 +16,7 @@ namespace cosim::cli {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::string text_of(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);

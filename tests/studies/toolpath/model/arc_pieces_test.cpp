@@ -11,7 +11,7 @@
 namespace cosim::toolpath {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(PointAfter, IsWhereWalkingLeads) {
   for (std::uint64_t radius2 = 1; radius2 <= 2500; ++radius2) {

@@ -16,7 +16,7 @@ namespace cosim::toolpath {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 std::string example(const std::string& name) {
   return (test::project_root() / "tests/toolpaths" / name).string();

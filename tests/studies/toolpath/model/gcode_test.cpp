@@ -10,7 +10,7 @@
 namespace cosim::toolpath {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 void expect_near(PointMm p, double x, double y) {
   EXPECT_NEAR(p.x, x, 2e-9);

@@ -24,16 +24,16 @@ constexpr const char* kBody =
     "G0 Z5\n"
     "X0 Y0\n";
 
-struct Case {
+struct HeaderCase {
   std::string name;
   std::string decision;
   std::string head;
   std::string end;
 };
 
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+void PrintTo(const HeaderCase& c, std::ostream* out) { *out << c.name; }
 
-void read_cases(const fs::path& path, std::vector<Case>& cases) {
+void read_cases(const fs::path& path, std::vector<HeaderCase>& cases) {
   std::ifstream file(path);
   std::string* part = nullptr;
   for (std::string line; std::getline(file, line);) {
@@ -49,8 +49,8 @@ void read_cases(const fs::path& path, std::vector<Case>& cases) {
   }
 }
 
-std::vector<Case> all_cases() {
-  std::vector<Case> cases;
+std::vector<HeaderCase> all_cases() {
+  std::vector<HeaderCase> cases;
   const std::set<fs::path> files{
       fs::directory_iterator(test::project_root() / "tests/toolpaths/headers"), {}};
   for (const fs::path& file : files) {
@@ -71,10 +71,10 @@ bool same(const Motion& a, const Motion& b) {
          a.sweep == b.sweep && a.full_circle == b.full_circle;
 }
 
-class Headers : public testing::TestWithParam<Case> {};
+class Headers : public testing::TestWithParam<HeaderCase> {};
 
 TEST_P(Headers, AreTakenOrRefused) {
-  const Case& c = GetParam();
+  const HeaderCase& c = GetParam();
   const std::string program = c.head + kBody + c.end;
   const std::string refused = "refused ", taken_as = "taken as ";
   if (c.decision.starts_with(refused)) {

@@ -25,39 +25,40 @@ std::string words(std::string_view text) {
   }
 }
 
-struct Case {
+struct LexerCase {
   const char* text;
   const char* expected;
 };
 
-void PrintTo(const Case& c, std::ostream* out) { *out << testing::PrintToString(c.text); }
+void PrintTo(const LexerCase& c, std::ostream* out) { *out << testing::PrintToString(c.text); }
 
-class Words : public testing::TestWithParam<Case> {};
+class Words : public testing::TestWithParam<LexerCase> {};
 
 TEST_P(Words, AreRead) { EXPECT_EQ(words(GetParam().text), GetParam().expected); }
 
 INSTANTIATE_TEST_SUITE_P(
     , Words,
-    testing::Values(Case{"", ""}, Case{"G1X10Y5", "G1@1:1 X10@1:3 Y5@1:6 "},
-                    Case{"g01 x+1 y-2", "G1@1:1 X1@1:5 Y-2@1:9 "},
-                    Case{"X.5Y5.Z-.25", "X0.5@1:1 Y5@1:4 Z-0.25@1:7 "},
-                    Case{"X 10\tY\t20", "X10@1:1 Y20@1:6 "},
-                    // The example of the RS274/NGC definition: blanks mean nothing.
-                    Case{"g0x +0. 12 34y 7", "G0@1:1 X0.1234@1:3 Y7@1:14 "},
-                    Case{"X1\nY2\r\nZ3\rA4", "X1@1:1 | Y2@2:1 | Z3@3:1 | A4@4:1 "},
-                    Case{"X1\n", "X1@1:1 | "}, Case{"\n\n X1", "| | X1@3:2 "},
-                    Case{"(a ; b) X1 (c) Y2 ; d ( e\nX3", "X1@1:9 Y2@1:16 | X3@2:1 "},
-                    Case{"( ( ) X1", "X1@1:7 "}, Case{"( \xc3\xa9 ) X1 ; \xff\x01", "X1@1:8 "},
-                    Case{"\xef\xbb\xbfX1", "X1@1:1 "}, Case{"%\nX1\n%\nX2", "| X1@2:1 | "},
-                    Case{" % (flange) ; 1\nX1\n", "| X1@2:1 | "}, Case{"X1\n%\nX2", "X1@1:1 | "},
-                    Case{"; head\n%\nX1", "| | X1@3:1 "}, Case{"%\n%\nX1", "| "},
-                    Case{"X00012.50", "X12.5@1:1 "}, Case{"%00001\nX1\n%", "| X1@2:1 | "},
-                    Case{"%\nO1000 (name)\nX1", "| | X1@3:1 "}, Case{":1001\nX1", "| X1@2:1 "},
-                    Case{"O1\n%\nX1", "| "}, Case{"/X1", "/0@1:1 X1@1:2 "},
-                    Case{"/2 M8", "/0@1:1 M8@1:4 "}, Case{"( ( ) X1 (b)", "X1@1:7 "},
-                    Case{"M117 Hello; X5\nX1", "M117@1:1 | X1@2:1 "},
-                    Case{"M0 \xc3\x9c (x", "M0@1:1 "}, Case{"M117", "M117@1:1 "},
-                    Case{"M117 X 5", "M117@1:1 X5@1:6 "}));
+    testing::Values(
+        LexerCase{"", ""}, LexerCase{"G1X10Y5", "G1@1:1 X10@1:3 Y5@1:6 "},
+        LexerCase{"g01 x+1 y-2", "G1@1:1 X1@1:5 Y-2@1:9 "},
+        LexerCase{"X.5Y5.Z-.25", "X0.5@1:1 Y5@1:4 Z-0.25@1:7 "},
+        LexerCase{"X 10\tY\t20", "X10@1:1 Y20@1:6 "},
+        // The example of the RS274/NGC definition: blanks mean nothing.
+        LexerCase{"g0x +0. 12 34y 7", "G0@1:1 X0.1234@1:3 Y7@1:14 "},
+        LexerCase{"X1\nY2\r\nZ3\rA4", "X1@1:1 | Y2@2:1 | Z3@3:1 | A4@4:1 "},
+        LexerCase{"X1\n", "X1@1:1 | "}, LexerCase{"\n\n X1", "| | X1@3:2 "},
+        LexerCase{"(a ; b) X1 (c) Y2 ; d ( e\nX3", "X1@1:9 Y2@1:16 | X3@2:1 "},
+        LexerCase{"( ( ) X1", "X1@1:7 "}, LexerCase{"( \xc3\xa9 ) X1 ; \xff\x01", "X1@1:8 "},
+        LexerCase{"\xef\xbb\xbfX1", "X1@1:1 "}, LexerCase{"%\nX1\n%\nX2", "| X1@2:1 | "},
+        LexerCase{" % (flange) ; 1\nX1\n", "| X1@2:1 | "}, LexerCase{"X1\n%\nX2", "X1@1:1 | "},
+        LexerCase{"; head\n%\nX1", "| | X1@3:1 "}, LexerCase{"%\n%\nX1", "| "},
+        LexerCase{"X00012.50", "X12.5@1:1 "}, LexerCase{"%00001\nX1\n%", "| X1@2:1 | "},
+        LexerCase{"%\nO1000 (name)\nX1", "| | X1@3:1 "}, LexerCase{":1001\nX1", "| X1@2:1 "},
+        LexerCase{"O1\n%\nX1", "| "}, LexerCase{"/X1", "/0@1:1 X1@1:2 "},
+        LexerCase{"/2 M8", "/0@1:1 M8@1:4 "}, LexerCase{"( ( ) X1 (b)", "X1@1:7 "},
+        LexerCase{"M117 Hello; X5\nX1", "M117@1:1 | X1@2:1 "},
+        LexerCase{"M0 \xc3\x9c (x", "M0@1:1 "}, LexerCase{"M117", "M117@1:1 "},
+        LexerCase{"M117 X 5", "M117@1:1 X5@1:6 "}));
 
 TEST(Lexer, CountsTheLinesLeft) {
   const auto left = [](std::string_view text) {

@@ -13,7 +13,7 @@
 namespace cosim::toolpath {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(Walk, GivesTheStepsOfALine) {
   // Major 4 with weights 2, 1, 1: two minor steps are the first bit, positions 1 and 3.

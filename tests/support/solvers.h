@@ -1,0 +1,19 @@
+// What a test of the proof needs.
+#pragma once
+
+#include "tb/support/process.h"
+
+namespace cosim::test {
+
+/// For one answer, in seconds of the solver's own processor time.
+constexpr int kLimit = 60;
+
+/// Whether the solvers, and yosys where RTL is read, are installed.
+inline bool can_prove() {
+  for (const char* program : {"yosys", "cvc5", "z3"}) {
+    if (run_program({program, "--version"}).status == 127) return false;
+  }
+  return true;
+}
+
+}  // namespace cosim::test

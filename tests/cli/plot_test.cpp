@@ -47,7 +47,7 @@ TEST(Plot, DrawsEitherFormat) {
   }
 }
 
-void expect_refused(const std::string& file, const std::string& error) {
+void expect_no_plot(const std::string& file, const std::string& error) {
   for (Arguments arguments : drawings()) {
     arguments.insert(arguments.end(), {"--plot", file});
     const Ended ended = cosim(arguments);
@@ -58,15 +58,15 @@ void expect_refused(const std::string& file, const std::string& error) {
 }
 
 TEST(Plot, RefusesWhatItCannotDraw) {
-  expect_refused("a.pdf", "--plot: a.pdf does not end in .svg or .png");
-  expect_refused("png", "--plot: png does not end in .svg or .png");
-  expect_refused(".png", "--plot: '.png' has no name before its .png");
+  expect_no_plot("a.pdf", "--plot: a.pdf does not end in .svg or .png");
+  expect_no_plot("png", "--plot: png does not end in .svg or .png");
+  expect_no_plot(".png", "--plot: '.png' has no name before its .png");
   const Ended twice =
       cosim({"arc", "--radius", "12", "--csv", "/tmp/a.png", "--plot", "/tmp/a.png"});
   EXPECT_EQ(twice.status, 2);
   EXPECT_EQ(twice.err, "cosim: --plot: /tmp/a.png is the file of --csv\n");
   if (!can_plot()) GTEST_SKIP() << "no gnuplot";
-  expect_refused("/nowhere/a.png", "/nowhere/a.png: cannot write: No such file or directory");
+  expect_no_plot("/nowhere/a.png", "/nowhere/a.png: cannot write: No such file or directory");
 }
 
 TEST(Plot, RefusesAPathTooLongToDraw) {
@@ -83,7 +83,7 @@ TEST(Plot, SaysThatGnuplotIsMissing) {
   const std::string path = std::getenv("PATH");
   const Folder folder;
   setenv("PATH", folder.path("empty").c_str(), 1);
-  expect_refused(folder.path("a.png"),
+  expect_no_plot(folder.path("a.png"),
                  "--plot: needs gnuplot, which is not installed (apt-get install gnuplot-nox)");
   setenv("PATH", path.c_str(), 1);
   EXPECT_FALSE(folder.holds("a.png"));

@@ -264,7 +264,7 @@ void add_prove(const Command& program) {
   command.footer(
       "Needs yosys, cvc5 and z3; only what both solvers prove is proved.\n"
       "Example: cosim prove " +
-      proof::built_machines().back().title);
+      proof::built_machines().front().title);
   command.action([o] { return run(*o); });
 }
 

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "tb/bench/bench.h"
+#include "tb/bench/wanted.h"
 #include "tb/lockstep/replay.h"
 #include "tb/wave/recorder.h"
-#include "tb/wave/wanted.h"
 
 namespace cosim {
 

@@ -17,7 +17,7 @@ std::uint64_t Common::seed() const {
 
 Window Common::window() const {
   constexpr std::uint64_t most = 1'000'000;
-  Window window = FailureOptions{}.wave;
+  Window window = wave_window;
   if (wave_before) window.before = whole("--wave-before", *wave_before, 0, most);
   if (wave_after) window.after = whole("--wave-after", *wave_after, 0, Mismatch::clocks_behind);
   return window;

@@ -27,6 +27,9 @@ struct Window {
   std::uint64_t after = 4;
 };
 
+/// What a wave shows, where nobody says more.
+inline constexpr Window wave_window{200, 50};
+
 /// A case that is smaller and fails as well.
 struct SmallerCase {
   std::string what;  ///< the case, one line

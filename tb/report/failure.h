@@ -16,7 +16,7 @@ namespace cosim {
 
 struct FailureOptions {
   std::filesystem::path root = "failures";
-  Window wave{200, 50};
+  Window wave = wave_window;
   std::string command = "cosim";  ///< how the program that replays is called
 };
 

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "tb/stimulus/stimulus.h"
+#include "tb/bench/bench.h"
 
 namespace cosim {
 

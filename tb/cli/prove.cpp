@@ -7,7 +7,6 @@
 #include <memory>
 #include <numeric>
 #include <sstream>
-#include <thread>
 
 #include "model/core/input_error.h"
 #include "tb/cli/commands.h"
@@ -21,6 +20,7 @@
 #include "tb/report/failure.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/output_file.h"
+#include "tb/support/parallel.h"
 #include "tb/support/words.h"
 
 namespace cosim::cli {
@@ -195,8 +195,7 @@ int run_mutants(const Options& o, int limit, unsigned jobs) {
 int run(const Options& o) {
   const InterruptGuard interrupts;
   const int limit = static_cast<int>(whole("--limit", o.limit.value_or("300"), 1, kLongest));
-  const unsigned cores = std::max(std::thread::hardware_concurrency(), 1U);
-  const auto jobs = o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores;
+  const auto jobs = o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores();
   if (!o.mutants && (o.count || o.mutant)) {
     throw InputError(std::string(o.count ? "--count" : "--mutant") + ": belongs to --mutants");
   }
@@ -205,12 +204,13 @@ int run(const Options& o) {
   std::vector<Subject> subjects = chosen(o.machine);
   const auto began = std::chrono::steady_clock::now();
 
-  proof::in_parallel(subjects.size(), jobs, [&](std::size_t i) {
+  in_parallel(subjects.size(), jobs, [&](std::uint64_t i) {
     Subject& s = subjects[i];
     const proof::Rtl rtl(
         proof::source_in(o.rtl.value_or("rtl"), s.formula.design, s.formula.parameters));
     s.claims = {claim_clear(s.formula, rtl), claim_step(s.formula, rtl),
                 claim_cases(s.formula, rtl)};
+    return true;
   });
   std::vector<const Claim*> claims;
   for (const Subject& s : subjects) {

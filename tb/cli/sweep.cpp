@@ -4,7 +4,6 @@
 #include <atomic>
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include "model/core/input_error.h"
 #include "tb/cli/commands.h"
@@ -16,6 +15,7 @@
 #include "tb/cli/registry.h"
 #include "tb/cli/sweep_checkpoint.h"
 #include "tb/support/interrupt.h"
+#include "tb/support/parallel.h"
 #include "tb/support/words.h"
 
 namespace cosim::cli {
@@ -91,8 +91,7 @@ int stopped(const Interrupted& interrupted, ProgressLine& progress, const std::s
 int run(const Options& o) {
   const Benches benches = matching(o.design.design, o.shape.shape());
   check_kind(o);
-  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-  const auto threads = o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores;
+  const auto threads = o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores();
   const auto sweeps = planned(o, benches);
   check_outputs(o.common);
   std::string work =

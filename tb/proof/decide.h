@@ -1,7 +1,6 @@
 // Claims put before the solvers, several questions at a time.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,8 +26,5 @@ bool timed_out(const std::vector<Decision>& decisions);
 
 /// What answers come to, by solver and query.
 Decision judged(const Claim& claim, std::vector<std::vector<Solved>> solved);
-
-/// Calls work(0), ..., work(count - 1) on `threads` threads. The first exception ends it.
-void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work);
 
 }  // namespace cosim::proof

@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "model/core/input_error.h"
-#include "model/toolpath/source.h"
 #include "tb/bench/bench.h"
+#include "tb/support/read_file.h"
 #include "tb/support/show.h"
 
 namespace cosim {
@@ -277,7 +277,7 @@ Replay parse_stimulus(const std::string& name, const std::string& text,
 
 Replay read_stimulus(const std::string& path,
                      const std::vector<std::unique_ptr<AnyBench>>& benches) {
-  return parse_stimulus(path, toolpath::read_text(path), benches);
+  return parse_stimulus(path, read_file(path), benches);
 }
 
 }  // namespace cosim

@@ -22,7 +22,4 @@ int open_beside(const std::string& path);
 /// the old file stays.
 void replace_file(const std::string& path, const std::string& text);
 
-/// The text of a file. InputError where it cannot be read.
-std::string text_of_file(const std::string& path);
-
 }  // namespace cosim

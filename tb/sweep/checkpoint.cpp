@@ -13,6 +13,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/support/finite.h"
+#include "tb/support/read_file.h"
 #include "tb/support/replace_file.h"
 
 namespace cosim {
@@ -64,7 +65,7 @@ Checkpoint::Json Checkpoint::state() const {
   if (std::filesystem::file_size(path_) > most_bytes) {
     throw InputError(path_ + ": no checkpoint: larger than 4 MiB");
   }
-  const Json file = Json::parse(text_of_file(path_), nullptr, false);
+  const Json file = Json::parse(read_file(path_), nullptr, false);
   if (!file.is_object() || !file.contains("work") || !file.contains("state")) {
     throw InputError(path_ + ": no checkpoint");
   }

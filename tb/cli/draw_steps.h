@@ -1,6 +1,5 @@
 // What watches a run of a design that steps on a grid, for draw_one(): rows for --csv and points
-// for
-// --plot. Such a design has a function
+// for --plot. Such a design has a function
 //
 //   for_each_step(params, outputs, take)      calls take(dx, dy) for each step of a clock, in order
 //
@@ -16,9 +15,6 @@
 #include "tb/support/output_file.h"
 
 namespace cosim::cli {
-
-/// A point of the grid.
-using GridPoint = decltype(Mark::at);
 
 /// Writes "clock,dx,dy,x,y", a row a step, x and y after it. Clocks count while an output is 1.
 template <class Design>

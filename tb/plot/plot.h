@@ -6,16 +6,19 @@
 #include <utility>
 #include <vector>
 
-#include "model/circular/arc.h"
-
 namespace cosim {
 
 /// A curve as a polyline, in steps.
 using Curve = std::vector<std::pair<double, double>>;
 
+/// A point of the grid.
+struct GridPoint {
+  std::int64_t x = 0, y = 0;
+};
+
 /// A point of a path.
 struct Mark {
-  circular::Point at;
+  GridPoint at;
   double off = 0;    ///< its distance from the curve, in steps
   double along = 0;  ///< where it lies on the path, in steps from its start
 };
@@ -33,7 +36,7 @@ struct Series {
   /// InputError where there are more than that.
   void add(const Mark& mark);
   /// The next step of a path that is drawn step by step.
-  void add(circular::Point at, double off) { add({at, off, static_cast<double>(marks.size())}); }
+  void add(GridPoint at, double off) { add({at, off, static_cast<double>(marks.size())}); }
 };
 
 struct Plot {

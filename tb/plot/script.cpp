@@ -33,7 +33,7 @@ void write_marks(std::ostream& out, const std::string& name, const std::vector<M
 // An empty line ends what is joined.
 void write_joined(std::ostream& out, int panel, const std::vector<Mark>& marks) {
   out << "$way" << panel << " << EOD\n";
-  circular::Point last = marks.front().at;
+  GridPoint last = marks.front().at;
   for (const Mark& m : marks) {
     if (std::abs(m.at.x - last.x) > 1 || std::abs(m.at.y - last.y) > 1) out << '\n';
     out << m.at.x << ' ' << m.at.y << '\n';

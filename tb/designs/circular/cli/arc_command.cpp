@@ -48,8 +48,12 @@ circular::Arc parse_arc(const Options& o) {
   } else {
     arc.radius2 = whole("--radius2", *o.radius2, 0, largest_coordinate * largest_coordinate);
   }
-  arc.from = o.from ? point("--from", *o.from, largest_coordinate)
-                    : circular::Point{circular::nearest_root(arc.radius2), 0};
+  arc.from = {circular::nearest_root(arc.radius2), 0};
+  if (o.from) {
+    const Range range{0, largest_coordinate};
+    const auto from = integers("--from", *o.from, "X,Y", {range, range});
+    arc.from = {from[0], from[1]};
+  }
   if (!circular::next_to_circle(arc.from, arc.radius2)) {
     throw InputError(fmt::format("--from: ({}, {}) is not next to the circle of R^2 = {}{}",
                                  arc.from.x, arc.from.y, arc.radius2, suggestion(arc)));
@@ -88,13 +92,15 @@ int run(const Options& o) {
   OutputFile csv(o.common.csv.value_or(""));
   const std::string work = describe(o, arc);
   circular::Check check({&arc, 1});
-  StepRows<circular::Design> rows(bench.params(), csv, arc.from, &circular::Outputs<Word>::running);
+  const GridPoint from{arc.from.x, arc.from.y};
+  StepRows<circular::Design> rows(bench.params(), csv, from, &circular::Outputs<Word>::running);
   Series path{bench.title(), {}};
-  StepPoints<circular::Design> points(bench.params(), path, arc.from, [&](circular::Point at) {
-    return circular::radial_deviation(at, arc.radius2);
+  StepPoints<circular::Design> points(bench.params(), path, from, [&](GridPoint at) {
+    return circular::radial_deviation({at.x, at.y}, arc.radius2);
   });
   const auto ideal = [&] {
-    return circular::curve_of(arc.from, arc.radius2, path.marks.back().at);
+    const GridPoint end = path.marks.back().at;
+    return circular::curve_of(arc.from, arc.radius2, {end.x, end.y});
   };
   return draw_one<circular::Design, circular::Arc, circular::Check>(
       {o.common, power_up, bench, work, arc, check, csv, rows, path, points, ideal, extent});

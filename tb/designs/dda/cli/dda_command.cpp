@@ -33,7 +33,7 @@ struct Options {
 };
 
 Point point(const char* name, const std::string& text) {
-  const auto all = integers(name, text, "X,Y", {largest, largest});
+  const auto all = integers(name, text, "X,Y", {{-largest, largest}, {-largest, largest}});
   return {all[0], all[1]};
 }
 
@@ -42,9 +42,9 @@ int bits(std::int64_t size) {
 }
 
 dda::Conic parse_conic(const std::string& text) {
-  std::vector<std::int64_t> sizes(5, dda::largest_factor);
-  sizes.push_back(dda::largest_constant);
-  const auto all = integers("--conic", text, "A,B,C,D,E,F", sizes);
+  std::vector<Range> ranges(5, {-dda::largest_factor, dda::largest_factor});
+  ranges.push_back({-dda::largest_constant, dda::largest_constant});
+  const auto all = integers("--conic", text, "A,B,C,D,E,F", ranges);
   return {all[0], all[1], all[2], all[3], all[4], all[5]};
 }
 
@@ -112,7 +112,7 @@ std::pair<const Bench<dda::Design>*, dda::Job> chosen_for(const Shape& shape, co
 // The point of the curve that is next to each mark.
 Curve curve_of(const dda::Job& job, const std::vector<Mark>& marks) {
   Curve curve;
-  for (const Mark& mark : marks) curve.push_back(on_curve(job, mark.at));
+  for (const Mark& mark : marks) curve.push_back(on_curve(job, {mark.at.x, mark.at.y}));
   return curve;
 }
 
@@ -149,11 +149,12 @@ int run(const Options& o) {
 
   OutputFile csv(o.common.csv.value_or(""));
   dda::Check check(bench.params(), {&job, 1});
-  const Point from{job.start.x, job.start.y};
+  const GridPoint from{job.start.x, job.start.y};
   StepRows<dda::Design> rows(bench.params(), csv, from, &dda::Outputs<Word>::busy);
   Series path{bench.title(), {}};
-  StepPoints<dda::Design> points(bench.params(), path, from,
-                                 [drawn = &job](Point at) { return deviation(*drawn, at); });
+  StepPoints<dda::Design> points(bench.params(), path, from, [drawn = &job](GridPoint at) {
+    return deviation(*drawn, {at.x, at.y});
+  });
   return draw_one<dda::Design, dda::Job, dda::Check>(
       {o.common, power_up, bench, work.text, job, check, csv, rows, path, points,
        [&, drawn = &job] { return curve_of(*drawn, path.marks); }, extent});

@@ -21,7 +21,7 @@ namespace cosim::cli {
 /// cosim sweep DESIGN.
 struct DesignSweeps {
   std::string design;
-  std::string help;     ///< what is swept: "Lines on the linear machine"
+  std::string help;     ///< what is swept: "Lines of any slope"
   std::string example;  ///< the words behind "cosim sweep DESIGN"
   std::vector<ShapeOption> shape;
   /// Everything; nothing where the bench is too wide for it.

@@ -9,8 +9,6 @@
 #include <sstream>
 #include <vector>
 
-#include "model/linear/control_code.h"
-#include "tb/designs/linear/cli/code_option.h"
 #include "tests/fuzz/expect.h"
 
 namespace cosim::fuzz {
@@ -79,18 +77,6 @@ void check_positive(const std::string& text) {
   expect(value == std::strtod(text.c_str(), nullptr), "the number is that of the C library");
 }
 
-void check_code(const std::string& text) {
-  for (const int m : {2, 5, 16, 32}) {
-    const std::int64_t major = (std::int64_t{1} << m) - 1;
-    cli::ChosenCode chosen;
-    if (!accepted("--code: ", [&] { chosen = cli::choose_code(text, m, major, major / 3); })) {
-      continue;
-    }
-    expect(chosen.code >> m == 0, "the code fits the machine");
-    expect(linear::minor_steps(m, major, chosen.code) == major / 3, "it gives the minor steps");
-  }
-}
-
 }  // namespace
 }  // namespace cosim::fuzz
 
@@ -99,6 +85,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   cosim::fuzz::check_whole(text);
   cosim::fuzz::check_integers(text);
   cosim::fuzz::check_positive(text);
-  cosim::fuzz::check_code(text);
   return 0;
 }

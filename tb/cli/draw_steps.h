@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <utility>
 
 #include "tb/bench/bench.h"
@@ -16,7 +17,8 @@
 
 namespace cosim::cli {
 
-/// Writes "clock,dx,dy,x,y", a row a step, x and y after it. Clocks count while an output is 1.
+/// Writes "clock,dx,dy,x,y", one row a step: x and y are the point after the step, and only clocks
+/// on which the output `counted` is 1 are counted.
 template <class Design>
 class StepRows final : public Observer<Design> {
   using Outputs = typename Design::template Outputs<Word>;
@@ -43,6 +45,15 @@ class StepRows final : public Observer<Design> {
   Word Outputs::*counted_;
   std::uint64_t clock_ = 0;
 };
+
+/// The rows of OneRun as StepRows.
+template <class Design>
+auto step_rows(const Bench<Design>& bench, GridPoint from,
+               Word Design::template Outputs<Word>::*counted) {
+  return [=, p = bench.params()](OutputFile& file) {
+    return std::make_unique<StepRows<Design>>(p, file, from, counted);
+  };
+}
 
 /// Adds the points of a path to a picture.
 template <class Design>

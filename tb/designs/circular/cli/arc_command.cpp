@@ -9,9 +9,7 @@
 #include "model/core/input_error.h"
 #include "tb/cli/common.h"
 #include "tb/cli/draw_one.h"
-#include "tb/cli/draw_steps.h"
 #include "tb/cli/number.h"
-#include "tb/cli/outputs.h"
 #include "tb/designs/circular/check.h"
 #include "tb/designs/circular/cli/arc_command.h"
 #include "tb/designs/circular/cli/curve.h"
@@ -85,25 +83,18 @@ int run(const Options& o) {
   const auto power_up = static_cast<std::uint32_t>(o.common.seed());
   const circular::Arc arc = parse_arc(o);
   const auto& bench = circular::bench_for(o.shape.shape(), circular::width_needed(arc.radius2));
-  const Extent extent = extent_of(arc);
-  check_extent(o.common, extent);
-  check_outputs(o.common, "", {&bench});
-
-  OutputFile csv(o.common.csv.value_or(""));
-  const std::string work = describe(o, arc);
-  circular::Check check({&arc, 1});
   const GridPoint from{arc.from.x, arc.from.y};
-  StepRows<circular::Design> rows(bench.params(), csv, from, &circular::Outputs<Word>::running);
-  Series path{bench.title(), {}};
-  StepPoints<circular::Design> points(bench.params(), path, from, [&](GridPoint at) {
-    return circular::radial_deviation({at.x, at.y}, arc.radius2);
-  });
-  const auto ideal = [&] {
-    const GridPoint end = path.marks.back().at;
-    return circular::curve_of(arc.from, arc.radius2, {end.x, end.y});
-  };
-  return draw_one<circular::Design, circular::Arc, circular::Check>(
-      {o.common, power_up, bench, work, arc, check, csv, rows, path, points, ideal, extent});
+  circular::Check check({&arc, 1});
+  return draw_one<circular::Design>(
+      {o.common, power_up, bench, describe(o, arc), arc, extent_of(arc), check,
+       step_rows(bench, from, &circular::Outputs<Word>::running), from,
+       [&](GridPoint at) {
+         return circular::radial_deviation({at.x, at.y}, arc.radius2);
+       },
+       [&](const std::vector<Mark>& marks) {
+         const GridPoint end = marks.back().at;
+         return circular::curve_of(arc.from, arc.radius2, {end.x, end.y});
+       }});
 }
 
 }  // namespace
@@ -117,14 +108,9 @@ void add_arc(const Command& program) {
   command.text("--from", o->from, "X,Y", "A lattice point next to the circle; default R,0");
   command.text("--count", o->count, "K", "Stop after K steps through input 32");
   o->shape.add(command);
-  add_csv(command, o->common,
-          "Write clock,dx,dy,x,y: a row a step, x and y after it; clock 1 is the first\n"
-          "of the running machine");
-  add_table(command, o->common);
-  add_plot(command, o->common);
-  add_wave(command, o->common, "Draw the run as a waveform, with FILE.gtkw, its view for GTKWave");
-  add_failures(command, o->common);
-  add_common(command, o->common);
+  add_drawing(command, o->common,
+              "Write clock,dx,dy,x,y: a row a step, x and y after it; clock 1 is the first\n"
+              "of the running machine");
   command.footer("Example: cosim arc --radius 12 --from 8,9 --csv arc.csv");
   command.action([o] { return run(*o); });
 }

@@ -9,9 +9,7 @@
 #include "model/dda/equation.h"
 #include "tb/cli/common.h"
 #include "tb/cli/draw_one.h"
-#include "tb/cli/draw_steps.h"
 #include "tb/cli/number.h"
-#include "tb/cli/outputs.h"
 #include "tb/designs/dda/check.h"
 #include "tb/designs/dda/cli/dda_command.h"
 #include "tb/designs/dda/cli/settings.h"
@@ -143,21 +141,15 @@ int run(const Options& o) {
   const Work work = parse_work(o);
   const auto [chosen, job] = chosen_for(o.shape.shape(), work);
   const auto& bench = *chosen;
-  const Extent extent = extent_of(bench.params(), job);
-  check_extent(o.common, extent);
-  check_outputs(o.common, "", {&bench});
-
-  OutputFile csv(o.common.csv.value_or(""));
   dda::Check check(bench.params(), {&job, 1});
   const GridPoint from{job.start.x, job.start.y};
-  StepRows<dda::Design> rows(bench.params(), csv, from, &dda::Outputs<Word>::busy);
-  Series path{bench.title(), {}};
-  StepPoints<dda::Design> points(bench.params(), path, from, [drawn = &job](GridPoint at) {
-    return deviation(*drawn, {at.x, at.y});
-  });
-  return draw_one<dda::Design, dda::Job, dda::Check>(
-      {o.common, power_up, bench, work.text, job, check, csv, rows, path, points,
-       [&, drawn = &job] { return curve_of(*drawn, path.marks); }, extent});
+  return draw_one<dda::Design>(
+      {o.common, power_up, bench, work.text, job, extent_of(bench.params(), job), check,
+       step_rows(bench, from, &dda::Outputs<Word>::busy), from,
+       [drawn = &job](GridPoint at) {
+         return deviation(*drawn, {at.x, at.y});
+       },
+       [drawn = &job](const std::vector<Mark>& marks) { return curve_of(*drawn, marks); }});
 }
 
 }  // namespace
@@ -174,12 +166,7 @@ void add_dda(const Command& program) {
   command.text("--clocks", o->clocks, "N", "Stop after N running clocks");
   o->settings.add(command);
   o->shape.add(command);
-  add_csv(command, o->common, "Write clock,dx,dy,x,y: a row a step, x and y after it");
-  add_table(command, o->common);
-  add_plot(command, o->common);
-  add_wave(command, o->common, "Draw the run as a waveform, with FILE.gtkw, its view for GTKWave");
-  add_failures(command, o->common);
-  add_common(command, o->common);
+  add_drawing(command, o->common, "Write clock,dx,dy,x,y: a row a step, x and y after it");
   command.footer("Example: cosim dda --conic 1,1,2,0,0,-10000 --from 100,0 --width 16");
   command.action([o] { return run(*o); });
 }

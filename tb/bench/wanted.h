@@ -1,5 +1,5 @@
-// A wave of a test that someone wants to see: where the environment names a file in COSIM_WAVE, the
-// first machine that is run in the process is drawn there.
+// The wave of a test: if the environment variable COSIM_WAVE names a file, the first machine that
+// the process runs is drawn there.
 #pragma once
 
 #include <functional>
@@ -8,8 +8,8 @@
 
 namespace cosim {
 
-/// Draws what `stimulus` gives, if no machine was drawn before. Costs nothing where no wave is
-/// wanted. Says on standard error why it could not.
+/// Draws the result of `stimulus`, if no machine was drawn before. Costs nothing if no wave is
+/// wanted. An error goes to standard error.
 void draw_if_wanted(const AnyBench& bench, const std::function<Stimulus()>& stimulus);
 
 }  // namespace cosim

@@ -82,7 +82,7 @@ void keep_scripts(const std::string& folder, const std::string& title, const Cla
   }
 }
 
-// RTL that is not what this program was built from has no bench here to be replayed on.
+// A counterexample can be replayed only if this program was built from the same RTL.
 void explain(const Options& o, const Subject& subject, const Claim& claim, const Decision& decision,
              int limit) {
   std::optional<proof::Counterexample> found;
@@ -127,7 +127,7 @@ void say_limit(int limit) {
              std::min(10 * limit, kLongest));
 }
 
-// Each by its sentence.
+// One line for each theorem, with its sentence.
 int run_theorems(const Options& o, int limit, unsigned jobs) {
   std::vector<proof::Theorem> theorems;
   for (const proof::Theorem& t : proof::theorems()) {
@@ -253,13 +253,13 @@ void add_prove(const Command& program) {
   command.text("--rtl", o->rtl, "DIR", "The RTL, a folder for each design; default rtl");
   command.text("--limit", o->limit, "S", "Seconds of processor time for one answer; default 300");
   command.text("--jobs", o->jobs, "J", "Solvers at a time; default one a core");
-  command.text("--scripts", o->scripts, "DIR", "Leave what the solvers read in DIR");
+  command.text("--scripts", o->scripts, "DIR", "Keep the scripts for the solvers in DIR");
   command.flag("--theorems", o->theorems,
-               "In place of that: what the sources claim, as theorems on the models");
+               "Instead: what the sources claim, as theorems on the models");
   command.text("--mutants", o->mutants, "FILE.v",
-               "In place of that: mutants of one machine, this RTL with mutsel = 1, 2, ...");
-  command.text("--count", o->count, "N", "The first N of them; default 100");
-  command.text("--mutant", o->mutant, "K", "Of them the one with mutsel = K");
+               "Instead: the mutants of one machine, in RTL with an input mutsel");
+  command.text("--count", o->count, "N", "Only the first N mutants; default 100");
+  command.text("--mutant", o->mutant, "K", "Only the mutant with mutsel = K");
   add_failures(command, o->common);
   command.footer(
       "Needs yosys, cvc5 and z3; only what both solvers prove is proved.\n"

@@ -103,7 +103,7 @@ Campaign run_campaign(const Subject& subject, const Prover& prover, unsigned thr
   const std::size_t all = subject.cases().size();
   const Outcome control = attack(subject, 0, 0, quick);
   if (control.end != End::open) {
-    throw InputError(subject.bench().title() + ": RTL and model part without a mutant: " +
+    throw InputError(subject.bench().title() + ": RTL and model differ without a mutant: " +
                      control.stimulus + ", " + control.signal);
   }
   Course course(subject, threads, checkpoint);

@@ -19,7 +19,7 @@ std::string quoted(const std::string& text) {
   return safe + "'";
 }
 
-// Single points of the grid can be told apart, and are joined by what the machine did.
+// Whether single points of the grid can be told apart; then they are joined as they were drawn.
 bool shows_steps(const Layout& all) { return all.pixels_a_step() >= 6; }
 
 void write_marks(std::ostream& out, const std::string& name, const std::vector<Mark>& marks) {

@@ -20,7 +20,7 @@ namespace cosim {
 namespace {
 
 // A hash of the program's file: another build may have other cases, or other RTL. By words and in
-// pieces, for with all that a debugger wants to know it is hundreds of MB.
+// pieces, because with debug information the file has hundreds of MB.
 std::uint64_t program() {
   std::ifstream file("/proc/self/exe", std::ios::binary);
   std::uint64_t hash = 0xcbf29ce484222325ULL;
@@ -39,7 +39,7 @@ std::uint64_t program() {
   return hash;
 }
 
-// More than any work keeps: what is no checkpoint may be of any size.
+// No checkpoint is larger; another file may be of any size.
 constexpr std::uintmax_t most_bytes = std::uintmax_t{4} << 20;
 
 // The work of a checkpoint, short enough for an error.

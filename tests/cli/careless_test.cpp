@@ -169,7 +169,7 @@ TEST_F(Careless, ProgramsOfHugeLinesAreReadInBoundedMemory) {
   expect_match(huge("G0 X1", "\r\n"));
   expect_refused(huge("G0 X", "1"), place + "4: the number of X is out of range");
   expect_refused(huge("", "X"), place + "1: X needs a number");
-  expect_refused(huge("G0 ", "X1 "), place + "7: X stands twice in the block");
+  expect_refused(huge("G0 ", "X1 "), place + "7: X is given twice in the block");
   expect_refused(huge("", "("), place + "1: the comment is not closed on its line");
 }
 

@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# A display that nobody sees, to render a window on.
+# A hidden display to render a window on.
 #   hidden_display FOLDER WIDTHxHEIGHT...  starts Xvfb with these screens and a free display's name.
 #                                          Sets `display`, and `xvfb`, the process for the caller to
 #                                          end; leaves files in FOLDER. 1, with a log, if it fails.

@@ -46,9 +46,9 @@ std::int64_t nearest_on(std::int64_t line, std::uint64_t radius2);
 /// The last point of the quadrant's arc: (0, round(R)).
 Point end_point(std::uint64_t radius2);
 
-/// The steps the machine makes from `from` until it stands level with `target`: on its row where
-/// the target lies in sector 1 (x > y), in its column where it lies in sector 2. A target next to
-/// the circle is then reached exactly; one behind `from` takes 0 steps; one that is level with no
+/// The steps the machine makes from `from` until it is level with `target`: on its row if
+/// the target lies in sector 1 (x > y), in its column if it lies in sector 2. A target next to
+/// the circle is then reached exactly; one before `from` takes 0 steps; one that is level with no
 /// point of its own sector counts as the change of sector. Never more than steps_to_end().
 /// Closed form, no walking along the arc. `from` is next to the circle; coordinates outside 0 ..
 /// 2^32 count as the nearer bound.

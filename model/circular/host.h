@@ -25,8 +25,8 @@ class Host {
   /// clock before (of no meaning on the first call).
   bool next(Inputs<Word>& in, const Outputs<Word>& seen);
 
-  /// Arcs that are less in one way, the least first: what to try in place of an arc that shows a
-  /// fault.
+  /// Simpler arcs to try in place of an arc that shows a fault, the simplest first. Each is smaller
+  /// in one respect and larger in none.
   static std::vector<Arc> smaller(const Params& p, const Arc& arc);
   /// "R^2 = 144 from (12, 0)"
   static std::string describe(const Params& p, const Arc& arc);

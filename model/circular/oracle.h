@@ -15,7 +15,7 @@ namespace cosim::circular {
 ///
 /// The choice is of two for the sake of the step across the diagonal: there the nearest x of the
 /// row can fall by 2 (radius 23: x = 16.52 on row 16, 15.49 on row 17). The machine falls by 1 and
-/// then stands on the nearest point of its new column instead.
+/// then is on the nearest point of its new column instead.
 Point next_point(Point p, std::uint64_t radius2);
 
 /// |sqrt(x^2 + y^2) - sqrt(radius2)| in steps, accurate to 1e-9 of a step for points near the

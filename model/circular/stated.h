@@ -35,7 +35,7 @@ constexpr std::array<Stated<V>, 6> parts(const Params&, const State<V>& s) {
            {"diagonal in sector 2", s.f > V(0)}}};
 }
 
-/// Each is to be possible.
+/// Each must be possible.
 template <class V>
 constexpr auto cases(const Params&, const State<V>& s, const Inputs<V>& in) {
   using Flag = Condition<V>;

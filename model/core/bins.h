@@ -1,4 +1,4 @@
-// Functional coverage: what the stimuli of a design must have brought about, each a condition over
+// Functional coverage: what must have happened under the stimuli of a design, each a condition over
 // one clock. A design declares its bins once; where a build measures coverage, lockstep counts
 // them.
 #pragma once
@@ -20,7 +20,7 @@ struct Moment {
 
 template <class Design>
 struct Bin {
-  const char* name;                    ///< what is to happen, a few words
+  const char* name;                    ///< what must happen, in a few words
   bool (*hit)(const Moment<Design>&);  ///< whether it happens on this clock
 };
 

@@ -4,8 +4,8 @@
 //   FIELD(name, width, format, source, meaning)
 //
 // `name` is the RTL's port, or its register without the suffix _q; `width` in bits may use p, the
-// design's parameters; `format` is a name of Format, with_fraction(n) behind it where the lowest n
-// bits stand behind the point; `source` is the number of the pin or block in the source.
+// design's parameters; `format` is a name of Format, followed by with_fraction(n) if the lowest n
+// bits are a fraction; `source` is the number of the pin or block in the source.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace cosim {
 
-/// How a person wants to read a field's bits.
+/// How a field's bits are read.
 enum class Format {
   flag,             ///< one bit
   bits,             ///< a bit string
@@ -31,15 +31,15 @@ struct Field {
   Format format;
   const char* source;  ///< pin or block number, "" where the source has none
   const char* meaning;
-  int fraction = 0;  ///< bits of a number that stand behind the point, 0 to 18
+  int fraction = 0;  ///< bits of a number after the binary point, 0 to 18
 };
 
 constexpr bool is_signed(const Field& field) {
   return field.format == Format::twos_complement || field.format == Format::ones_complement;
 }
 
-/// The number that a field's code stands for, in units of its last bit: quarters, where its
-/// fraction has two. One of 64 bits without a sign stays a bit pattern.
+/// The number that a field's code stands for, in units of its last bit: quarters if its
+/// fraction has two bits. An unsigned code of 64 bits stays a bit pattern.
 constexpr Word units_of(const Field& field, Word code) {
   if (field.format == Format::twos_complement) return from_twos_complement(code, field.width);
   if (field.format == Format::ones_complement) return from_ones_complement(code, field.width);
@@ -61,7 +61,7 @@ constexpr bool is_state(const Field& field, Word number) {
   return false;
 }
 
-/// What stands in a table's row for a format, by the formats' names.
+/// The formats by the names that a table's rows use.
 namespace row {
 
 struct Notation {

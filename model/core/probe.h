@@ -1,12 +1,12 @@
-// What a person wants to see of a design beside its fields: its position, its phase in words. A
+// Values of a design that a wave shows beside its fields: its position, its phase in words. A
 // design that has such values defines a View, and has a member type of that name:
 //
 //   class View {
-//     /// What there is to be seen; the same on every clock.
+//     /// The probes; the same on every clock.
 //     static constexpr std::array<Probe, N> probes(const Params& p);
 //     /// One clock: the state before it and the outputs during it.
 //     void clock(const Params& p, const State<Word>& s, const Outputs<Word>& out);
-//     /// Of that clock, a value a probe.
+//     /// The value of each probe on that clock.
 //     std::array<Word, N> values() const;
 //   };
 //
@@ -24,18 +24,18 @@ struct Probe {
   enum class Kind {
     number,
     analog,  ///< a number, drawn as a curve
-    words,   ///< a number that stands for a word of a list
+    words,   ///< a number that selects a word of a list
   };
-  /// Whose outputs it is made of.
+  /// Whose outputs it is computed from.
   enum class Side { both, expected, actual };
 
   const char* name;  ///< with a scope that no other probe of the design has
   Kind kind;
-  const char* scope;       ///< in the waveform it is cosim.SCOPE.NAME
-  const char* group = "";  ///< the title it stands under in a view; "" for none
-  int width = 64;          ///< bits, 1 to 64
-  Format format = {};      ///< of a number or a curve: how it is read
-  Side side = Side::both;  ///< where it is both, the model's is cosim.SCOPE.expected_NAME
+  const char* scope;                        ///< in the waveform it is cosim.SCOPE.NAME
+  const char* group = "";                   ///< its title in a view; "" for none
+  int width = 64;                           ///< bits, 1 to 64
+  Format format = {};                       ///< of a number or a curve: how it is read
+  Side side = Side::both;                   ///< of both, the model's is cosim.SCOPE.expected_NAME
   std::span<const char* const> words = {};  ///< by number, from 0
 };
 

@@ -54,7 +54,7 @@ requires(!std::same_as<C, bool>) constexpr auto either(C c, Then then, Otherwise
 
 // The rest is built from these.
 
-/// The condition a one-bit field stands for.
+/// A one-bit field as a condition.
 template <class V>
 constexpr Condition<V> is_set(V flag) {
   return !(flag == V(0));

@@ -15,7 +15,7 @@ enum class Update {
   sequential,  ///< on the same one: the source's flow chart
 };
 
-/// What stands in an accumulator at the start, of the 2^width that make a step. An axis that goes
+/// What an accumulator holds at the start, of the 2^width that make a step. An axis that goes
 /// backwards starts from the ones' complement of it, so that both directions step alike.
 enum class Preload { zero, half };
 

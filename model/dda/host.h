@@ -24,8 +24,8 @@ class Host {
   /// clock before (of no meaning on the first call).
   bool next(Inputs<Word>& in, const Outputs<Word>& seen);
 
-  /// Jobs that are less in one way, the least first: what to try in place of a job that shows a
-  /// fault. Each of them ends.
+  /// Simpler jobs to try in place of a job that shows a fault, the simplest first. Each is smaller
+  /// in one respect and larger in none. Each of them ends.
   static std::vector<Job> smaller(const Params& p, const Job& job);
   /// "rates (27, 9) from (0, 0), 27 and 9 steps"
   static std::string describe(const Params& p, const Job& job);

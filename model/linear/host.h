@@ -34,8 +34,8 @@ class Host {
   /// clock before (of no meaning on the first call).
   bool next(Inputs<Word>& in, const Outputs<Word>& seen);
 
-  /// Lines that are less in one way, the least first: what to try in place of a line that shows a
-  /// fault.
+  /// Simpler lines to try in place of a line that shows a fault, the simplest first. Each is
+  /// smaller in one respect and larger in none.
   static std::vector<Job> smaller(const Params& p, const Job& job);
   /// "BP = 27, UK = 01010"
   static std::string describe(const Params& p, const Job& job);

@@ -30,7 +30,7 @@ constexpr std::array<Stated<V>, 0> parts(const Params&, const State<V>&) {
   return {};
 }
 
-/// Each is to be possible.
+/// Each must be possible.
 template <class V>
 constexpr auto cases(const Params& p, const State<V>& s, const Inputs<V>& in) {
   using Flag = Condition<V>;

@@ -47,7 +47,7 @@ void Block::add(const Token& word, std::string_view name) {
     fail(name, word.place, "unknown word " + letter);
   }
   const auto i = static_cast<std::size_t>(word.letter - 'A');
-  if ((given_ >> i & 1) != 0) fail(name, word.place, letter + " stands twice in the block");
+  if ((given_ >> i & 1) != 0) fail(name, word.place, letter + " is given twice in the block");
   given_ |= std::uint32_t{1} << i;
   words_[i] = word;
 }

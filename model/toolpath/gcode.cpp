@@ -277,6 +277,4 @@ Program read_gcode(std::string_view text, const std::string& name) {
   return Reader(text, name).read();
 }
 
-Program read_gcode_file(const std::string& path) { return read_gcode(read_text(path), path); }
-
 }  // namespace cosim::toolpath

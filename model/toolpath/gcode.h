@@ -74,7 +74,4 @@ inline constexpr std::size_t max_motions = 1'000'000;
 /// Linear in the length of the text.
 Program read_gcode(std::string_view text, const std::string& name);
 
-/// read_gcode of the file's text, under its path as name; errors also as read_text.
-Program read_gcode_file(const std::string& path);
-
 }  // namespace cosim::toolpath

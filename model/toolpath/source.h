@@ -1,4 +1,4 @@
-// The text a person hands in: how it is opened, and how a place in it is named in an error.
+// How a place in a text that a person hands in is named in an error.
 #pragma once
 
 #include <cstdint>
@@ -18,12 +18,5 @@ struct Place {
 /// Throws InputError "name:line:column: what". Control characters in `name` are shown as '?', so
 /// that the text stays one line.
 [[noreturn]] void fail(std::string_view name, Place place, std::string_view what);
-
-/// The largest text that read_text takes, in bytes.
-inline constexpr std::size_t max_text_bytes = std::size_t{256} << 20;
-
-/// The whole of a regular file, byte for byte. InputError for a directory, a pipe or a device, a
-/// file that cannot be read and a file of more than max_text_bytes.
-std::string read_text(const std::string& path);
 
 }  // namespace cosim::toolpath

@@ -1,5 +1,5 @@
-// A testbench for one design at one set of parameters, its Verilated class hidden behind it: what
-// tests and the command line hold.
+// A testbench for one design at one set of parameters. It hides the Verilated class from tests and
+// from the command line.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +35,7 @@ class AnyBench {
   virtual std::vector<Field> inputs() const = 0;
   /// What a wave shows beside the fields.
   virtual std::vector<Probe> probes() const = 0;
-  /// The inputs of a clock on which nothing is asked of the machine.
+  /// The inputs of an idle clock.
   virtual std::vector<Word> rest() const = 0;
   /// The fields of the model's state, and the state after a clear.
   virtual std::vector<Field> state() const = 0;
@@ -43,10 +43,10 @@ class AnyBench {
   /// Runs hostile clocks.
   virtual Run run_hostile(const HostileCase& c) const = 0;
 
-  /// Runs a stimulus of this machine, to its end or to the first difference. InputError where it
-  /// starts from a state and the machine cannot.
+  /// Runs a stimulus of this machine, to its end or to the first difference. InputError if it
+  /// starts from a state and the machine cannot be set to one.
   virtual Run replay(const Stimulus& stimulus, Window window = {}) const = 0;
-  /// The same, only to know the first clock that differs.
+  /// Runs it too, but finds only the first clock that differs.
   virtual std::optional<std::uint64_t> first_difference(const Stimulus& stimulus) const = 0;
   /// Draws `stimulus` in the FST file `path` and the view beside it: the clocks of `around` the
   /// first difference, or all where none differs. InputError where a file cannot be written.
@@ -57,8 +57,8 @@ class AnyBench {
   std::string title() const;
 };
 
-/// What a caller wants to see of a run of jobs: registers and outputs on every clock that matched,
-/// and the job they belong to.
+/// Sees registers and outputs on every clock that matched, and the number of the job they belong
+/// to.
 template <class Design>
 class Observer {
  public:
@@ -80,7 +80,7 @@ class Observers final : public Observer<Design> {
   std::vector<Observer<Design>*> list_;
 };
 
-/// One machine in lockstep, at work for as long as the caller has jobs.
+/// One machine in lockstep that draws jobs as they come.
 template <class Design>
 class Session {
  public:
@@ -100,7 +100,7 @@ class Bench : public AnyBench {
   virtual typename Design::Params params() const = 0;
   /// A machine of its own, powered up at random from `power_up`.
   virtual std::unique_ptr<Session<Design>> open(std::uint32_t power_up) const = 0;
-  /// Its DUT by itself: no model beside it, nothing compared.
+  /// The DUT alone, without a model.
   virtual std::unique_ptr<Dut<Design>> dut(std::uint32_t power_up) const = 0;
 };
 

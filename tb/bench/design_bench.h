@@ -1,5 +1,5 @@
-// The bench of any shape. What runs for long, hostile clocks and jobs, is compiled for each shape
-// by itself where that is worth its time (FastBench); all else once for a design.
+// The bench of any shape. Hostile clocks and jobs run for long: where it pays they are compiled for
+// each shape (FastBench). Everything else is compiled once for a design.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "tb/bench/bench.h"
+#include "tb/bench/wanted.h"
 #include "tb/lockstep/replay.h"
 #include "tb/wave/recorder.h"
-#include "tb/wave/wanted.h"
 
 namespace cosim {
 
@@ -22,7 +22,7 @@ template <class Design>
 class Loop {
  public:
   virtual ~Loop() = default;
-  /// Clocks through what the host or the stimulus gives, to its end (true) or to the first
+  /// Clocks through the inputs of the host or the stimulus, to their end (true) or to the first
   /// difference (false). Adds the clocks, the differing one included, to `clocks`.
   virtual bool through(typename Design::Host& host, Observer<Design>& observer,
                        std::uint64_t& clocks) = 0;
@@ -112,7 +112,7 @@ class DesignBench : public Bench<Design> {
     return result;
   }
   std::optional<std::uint64_t> first_difference(const Stimulus& s) const override {
-    // From a clear the class that lockstep runs by does it, and faster.
+    // The class without the open hierarchy is faster, and a start from a clear needs no more.
     return differing_clock(s.state ? instrumented_ : dut_, s);
   }
   void draw_wave(const std::string& path, const Stimulus& s, Window around) const override {
@@ -121,7 +121,7 @@ class DesignBench : public Bench<Design> {
   }
 
  protected:
-  /// A lockstep of its own, which has just been cleared.
+  /// A new lockstep that has just been cleared.
   virtual std::unique_ptr<Loop<Design>> loop(std::uint32_t power_up) const {
     return std::make_unique<AdapterLoop<AnyAdapter<Design>>>(start(power_up));
   }
@@ -166,7 +166,7 @@ class DesignBench : public Bench<Design> {
   typename AnyAdapter<Design>::PowerUp start(std::uint32_t power_up) const {
     return {dut_, power_up};
   }
-  /// The difference on `clock` of what `source` gives, the first.
+  /// Describes the first difference, which is on `clock` of the inputs from `source`.
   template <class Source>
   Mismatch examined(const Source& source, std::uint64_t clock, std::uint32_t power_up) const {
     AnyLockstep<Design> again(start(power_up));
@@ -189,14 +189,14 @@ class DesignBench : public Bench<Design> {
   DutMaker<Design> dut_, instrumented_;
 };
 
-/// The bench of one adapter: for what does not run for long.
+/// The bench of one adapter, for short runs.
 template <class Adapter>
 class AdapterBench final : public DesignBench<typename Adapter::Design> {
  public:
   AdapterBench() : DesignBench<typename Adapter::Design>(dut_maker<Adapter>()) {}
 };
 
-/// The same with its loops compiled for it: for what runs for long.
+/// The same with loops compiled for this adapter, for long runs.
 template <class Adapter, class Instrumented = Adapter>
 class FastBench final : public DesignBench<typename Adapter::Design> {
   using Design = typename Adapter::Design;

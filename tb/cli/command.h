@@ -1,5 +1,5 @@
-// The commands of a program and their options. What reads the command line stands behind this, in
-// command.cpp alone: its header takes longer to compile than all the rest of a command.
+// The commands of a program and their options. The library that reads the command line is hidden in
+// command.cpp: its header takes longer to compile than all the rest of a command.
 #pragma once
 
 #include <functional>
@@ -24,14 +24,13 @@ using Text = std::optional<std::string>;
 /// The variables that options write to must live until the command's action has ended.
 class Command {
  public:
-  /// A command below this one. Of several the user has to name one.
+  /// A command below this one. If there are several, the user has to name one.
   Command sub(const std::string& name, const std::string& help) const;
 
-  /// An option "--name" with a value, whose help reads "--name TYPE help". A value of no characters
-  /// is a value too.
+  /// An option "--name" with a value, whose help reads "--name TYPE help". The value may be empty.
   void text(const std::string& name, Text& value, const std::string& type,
             const std::string& help) const;
-  /// A word without a name; "NAME: is needed" where it is `needed` and not there.
+  /// A word without a name. InputError "NAME: is needed" if it is `needed` and missing.
   void argument(const std::string& name, Text& value, const std::string& help,
                 bool needed = false) const;
   /// All words without a name.
@@ -51,9 +50,9 @@ class Command {
   Action* chosen_;
 };
 
-/// Reads the command line of the program `name`, whose help begins with `help`, and does what it
-/// says: the exit status. `commands` adds the commands. InputError, one line, for a command line
-/// that cannot be read; without any argument the help is printed before.
+/// Reads the command line of the program `name`, whose help begins with `help`, runs the command
+/// and returns the exit status. `commands` adds the commands. InputError, one line, for a command
+/// line that cannot be read; without any argument the help is printed first.
 int run_program(int argc, const char* const* argv, const std::string& name, const std::string& help,
                 const std::function<void(const Command&)>& commands);
 

@@ -17,7 +17,7 @@ std::uint64_t Common::seed() const {
 
 Window Common::window() const {
   constexpr std::uint64_t most = 1'000'000;
-  Window window = FailureOptions{}.wave;
+  Window window = wave_window;
   if (wave_before) window.before = whole("--wave-before", *wave_before, 0, most);
   if (wave_after) window.after = whole("--wave-after", *wave_after, 0, Mismatch::clocks_behind);
   return window;
@@ -47,7 +47,7 @@ void add_failures(const Command& command, Common& common, bool kept) {
   common.keeps_failures = kept;
   command.text("--failures", common.failures, "DIR",
                kept ? "Where a mismatch leaves its folder; default $COSIM_FAILURES or failures"
-                    : "Leave a folder in DIR where it does not match");
+                    : "Leave a folder in DIR if it does not match");
   add_window(command, common);
 }
 
@@ -59,7 +59,7 @@ void add_window(const Command& command, Common& common) {
   command.text("--wave-before", common.wave_before, "N",
                "Clocks that a wave shows before a mismatch; default 200");
   command.text("--wave-after", common.wave_after, "N",
-               fmt::format("and behind it, 0 to {}; default 50", Mismatch::clocks_behind));
+               fmt::format("Clocks after it, 0 to {}; default 50", Mismatch::clocks_behind));
 }
 
 void add_plot(const Command& command, Common& common) {
@@ -67,8 +67,13 @@ void add_plot(const Command& command, Common& common) {
                "Draw the path over the curve, and how far each step is off it: .svg or .png");
 }
 
-void add_table(const Command& command, Common& common) {
+void add_drawing(const Command& command, Common& common, const std::string& rows) {
+  add_csv(command, common, rows);
   command.flag("--table", common.table, "Print every compared signal on every clock");
+  add_plot(command, common);
+  add_wave(command, common, "Draw the run as a waveform, with FILE.gtkw, its view for GTKWave");
+  add_failures(command, common);
+  add_common(command, common);
 }
 
 }  // namespace cosim::cli

@@ -32,15 +32,15 @@ void add_common(const Command& command, Common& common);
 void add_report(const Command& command, Common& common);
 /// --csv, whose help is `rows`.
 void add_csv(const Command& command, Common& common, const std::string& rows);
-/// --failures; `kept`: failures are kept without it, too.
+/// --failures; `kept`: failures are kept even without the option.
 void add_failures(const Command& command, Common& common, bool kept = true);
-/// --wave, and what of it is drawn.
+/// --wave, whose help is `file`.
 void add_wave(const Command& command, Common& common, const std::string& file);
 /// --wave-before and --wave-after.
 void add_window(const Command& command, Common& common);
 /// --plot.
 void add_plot(const Command& command, Common& common);
-/// --table.
-void add_table(const Command& command, Common& common);
+/// All options that draw_one() uses; the help of --csv is `rows`.
+void add_drawing(const Command& command, Common& common, const std::string& rows);
 
 }  // namespace cosim::cli

@@ -22,7 +22,7 @@ std::string drawn(const Result& result) {
 
 namespace {
 
-// What was found stands, also where it cannot be kept.
+// The verdict holds even if the failure cannot be kept.
 void keep_failure(const std::vector<Outcome>& outcomes, const Common& common) {
   if (!common.keeps_failures && !common.failures) return;
   for (const Outcome& o : outcomes) {

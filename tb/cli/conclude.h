@@ -10,9 +10,8 @@
 
 namespace cosim::cli {
 
-/// What the check measured of it: "27 steps, largest deviation 1 step"; where it measured nothing,
-/// how many clocks it took. Before a mismatch only totals count, for the jobs were not drawn to
-/// their ends. To be put behind a colon.
+/// What the check measured: "27 steps, largest deviation 1 step". If it measured nothing, the
+/// number of clocks. With a mismatch only the totals, for the jobs were not drawn to their ends.
 std::string drawn(const Result& result);
 
 /// The outcome of one run of one job that `check` has watched.

@@ -7,35 +7,40 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "tb/bench/table.h"
 #include "tb/cli/conclude.h"
+#include "tb/cli/draw_steps.h"
 #include "tb/cli/extent.h"
+#include "tb/cli/outputs.h"
 #include "tb/cli/progress.h"
 #include "tb/cli/wave.h"
 #include "tb/plot/plot.h"
 #include "tb/support/output_file.h"
+#include "tb/sweep/path_check.h"
 
 namespace cosim::cli {
 
-/// What is drawn, and what watches it.
-template <class Design, class Job, class Check>
+/// What is drawn, and what is asked of it.
+template <class Design>
 struct OneRun {
   const Common& common;
   std::uint32_t power_up;  ///< the seed
   const Bench<Design>& bench;
-  const std::string& work;  ///< what the job is, in one line
-  const Job& job;
-  Check& check;
-  OutputFile& csv;
-  Observer<Design>& rows;        ///< writes into csv
-  Series& path;                  ///< for --plot
-  Observer<Design>& points;      ///< adds to path
-  std::function<Curve()> ideal;  ///< what the path was to be, asked for when it is whole
+  std::string work;  ///< what the job is, in one line
+  const typename Design::Host::Job& job;
   Extent extent;
+  PathCheck<Design>& check;
+  /// Makes what writes the rows of --csv.
+  std::function<std::unique_ptr<Observer<Design>>(OutputFile&)> rows;
+  GridPoint from;
+  std::function<double(GridPoint)> off;  ///< how far a point is off the curve, in steps
+  /// The curve that the whole path was to follow.
+  std::function<Curve(const std::vector<Mark>&)> ideal;
 };
 
-/// Says how far a run is, and ends one whose wave could not be drawn.
+/// Shows how far a run is, and ends a run that is too long for its wave.
 template <class Design>
 class Watch final : public Observer<Design> {
  public:
@@ -54,26 +59,32 @@ class Watch final : public Observer<Design> {
 };
 
 /// Runs it, prints and writes what the options ask for: the exit status.
-template <class Design, class Job, class Check>
-int draw_one(const OneRun<Design, Job, Check>& one) {
+template <class Design>
+int draw_one(const OneRun<Design>& one) {
   const Common& common = one.common;
-  fmt::print("{}: {}\n", one.bench.title(), one.work);
-  announce_csv(common, one.extent);
-  Watch<Design> watch(common, one.bench.title(), one.extent);
-  Observers<Design> observers{&one.check, &one.rows, &watch};
-  if (common.plot) observers.add(one.points);
-  std::unique_ptr<Table<Design>> table;
-  if (common.table) {
-    observers.add(*(table = std::make_unique<Table<Design>>(one.bench.params())));
-  }
+  const Bench<Design>& bench = one.bench;
+  check_extent(common, one.extent);
+  check_outputs(common, "", {&bench});
+  OutputFile csv(common.csv.value_or(""));
+  const auto rows = one.rows(csv);
+  Series path{bench.title(), {}};
+  StepPoints<Design> points(bench.params(), path, one.from, one.off);
 
-  const auto session = one.bench.open(one.power_up);
+  fmt::print("{}: {}\n", bench.title(), one.work);
+  announce_csv(common, one.extent);
+  Watch<Design> watch(common, bench.title(), one.extent);
+  Observers<Design> observers{&one.check, rows.get(), &watch};
+  if (common.plot) observers.add(points);
+  std::unique_ptr<Table<Design>> table;
+  if (common.table) observers.add(*(table = std::make_unique<Table<Design>>(bench.params())));
+
+  const auto session = bench.open(one.power_up);
   Run run = session->draw({&one.job, 1}, observers);
   watch.finish();
-  if (common.plot) draw_plot(*common.plot, {one.work, {one.ideal()}, {one.path}});
-  draw_wave(common, one.bench, one.work, *session, run.mismatch);
-  one.csv.close();
-  const Outcome outcome = outcome_of(one.bench, one.work, std::move(run), one.check);
+  if (common.plot) draw_plot(*common.plot, {one.work, {one.ideal(path.marks)}, {path}});
+  draw_wave(common, bench, one.work, *session, run.mismatch);
+  csv.close();
+  const Outcome outcome = outcome_of(bench, one.work, std::move(run), one.check);
   fmt::print("drawn: {}\n", drawn(outcome.result));
   return conclude({outcome}, common);
 }

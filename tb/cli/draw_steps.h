@@ -1,6 +1,5 @@
 // What watches a run of a design that steps on a grid, for draw_one(): rows for --csv and points
-// for
-// --plot. Such a design has a function
+// for --plot. Such a design has a function
 //
 //   for_each_step(params, outputs, take)      calls take(dx, dy) for each step of a clock, in order
 //
@@ -9,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <utility>
 
 #include "tb/bench/bench.h"
@@ -17,10 +17,8 @@
 
 namespace cosim::cli {
 
-/// A point of the grid.
-using GridPoint = decltype(Mark::at);
-
-/// Writes "clock,dx,dy,x,y", a row a step, x and y after it. Clocks count while an output is 1.
+/// Writes "clock,dx,dy,x,y", one row a step: x and y are the point after the step, and only clocks
+/// on which the output `counted` is 1 are counted.
 template <class Design>
 class StepRows final : public Observer<Design> {
   using Outputs = typename Design::template Outputs<Word>;
@@ -47,6 +45,15 @@ class StepRows final : public Observer<Design> {
   Word Outputs::*counted_;
   std::uint64_t clock_ = 0;
 };
+
+/// The rows of OneRun as StepRows.
+template <class Design>
+auto step_rows(const Bench<Design>& bench, GridPoint from,
+               Word Design::template Outputs<Word>::*counted) {
+  return [=, p = bench.params()](OutputFile& file) {
+    return std::make_unique<StepRows<Design>>(p, file, from, counted);
+  };
+}
 
 /// Adds the points of a path to a picture.
 template <class Design>

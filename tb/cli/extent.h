@@ -1,5 +1,5 @@
-// How much a run is, where that is known before it: what cannot be drawn is refused then, and who
-// waits is told for what.
+// The size of a run, as far as it is known before: a run that is too long is refused at once, and a
+// long one is announced.
 #pragma once
 
 #include <cstddef>
@@ -13,22 +13,22 @@ namespace cosim::cli {
 inline constexpr std::uint64_t most_wave_clocks = 2'000'000;
 
 struct Extent {
-  std::uint64_t clocks = 0;  ///< it takes as many, or a few more
-  std::uint64_t steps = 0;   ///< it makes as many, or more; 0 where that is not known
-  std::uint64_t rows = 0;    ///< of its CSV at the most
-  std::size_t row = 0;       ///< bytes of such a row at the most
+  std::uint64_t clocks = 0;  ///< at least, and at most a few more
+  std::uint64_t steps = 0;   ///< at least; 0 if not known
+  std::uint64_t rows = 0;    ///< of the CSV at most
+  std::size_t row = 0;       ///< bytes of a row at most
 };
 
-/// InputError where --wave or --plot cannot draw so much.
+/// InputError if --wave or --plot cannot draw that much.
 void check_extent(const Common& common, const Extent& extent);
 
-/// InputError of a wave of so many clocks, where it is known only now that they are too many.
+/// InputError if these are more clocks than a wave can show: for a run whose length was not known.
 void check_wave_clocks(std::uint64_t clocks);
 
-/// Whether nothing but a few lines goes to the terminal meanwhile.
+/// Whether the run prints only a few lines, so that a progress bar can be shown.
 bool leaves_terminal(const Common& common);
 
-/// A line of its own on a CSV of a gigabyte or more.
+/// Prints a line if the CSV will have a gigabyte or more.
 void announce_csv(const Common& common, const Extent& extent);
 
 /// The bytes of a number in decimal.

@@ -39,8 +39,7 @@ bool same_file(const std::string& a, const std::string& b) {
   return first == place(b) && !error;
 }
 
-// The letters of a name's last part decide what is written; an ending alone is a hidden file's
-// name.
+// The ending decides what is written. A name that is nothing but an ending is a hidden file.
 void check_ending(const char* option, const std::string& path,
                   const std::vector<std::string>& endings) {
   const std::string name = path.substr(path.find_last_of('/') + 1);
@@ -60,7 +59,7 @@ void check_ending(const char* option, const std::string& path,
   throw InputError(fmt::format("{}: cannot write: {}", path, why));
 }
 
-// Makes nothing, which could be left behind, and changes nothing.
+// Neither creates nor changes a file.
 void check_writable(const std::string& path) {
   std::error_code error;
   const fs::file_type type = fs::status(path, error).type();
@@ -72,14 +71,14 @@ void check_writable(const std::string& path) {
     return;
   }
   if (type == fs::file_type::none) cannot_write(path, error.message().c_str());
-  // To open a pipe would wait for its reader, who would then see it closed.
+  // Opening a pipe would wait for its reader, which would then see it closed.
   if (type != fs::file_type::regular && type != fs::file_type::directory) return;
   const int file = open(path.c_str(), O_WRONLY | O_CLOEXEC);
   if (file < 0) cannot_write(path, std::strerror(errno));
   close(file);
 }
 
-// Whether a wave can take its place: what is there is a file, or a link that is none the worse.
+// Whether a wave can replace what is there: a file, or a link.
 bool gives_way(const std::string& path) {
   std::error_code error;
   const fs::file_type type = fs::symlink_status(path, error).type();

@@ -1,5 +1,5 @@
-// The files a command writes, looked at before it runs: a long run shall not end in an error that
-// was there from its start, and no file is written over that is read or written otherwise.
+// The files a command writes are checked before it runs. A long run must not fail at its end for a
+// reason that was there at its start, and no file may be written twice, or read and written.
 #pragma once
 
 #include <string>
@@ -10,15 +10,14 @@
 
 namespace cosim::cli {
 
-/// The benches whose waves --wave draws: of one it is the file, of several each has its design's
-/// name for the part of wave_file, wave.h.
+/// The benches whose waves --wave draws. One bench draws into the file itself; of several each
+/// draws into wave_file (wave.h) with its design's name as the part.
 using WavesOf = std::vector<const AnyBench*>;
 
-/// InputError where --csv, --report, --checkpoint, --plot or --wave names no file, where two would
-/// write one and the same, what lies beside a wave included, where one of them is the file `input`
-/// or the one that standard output goes to, and where any of them cannot be written; where
-/// --failures names no folder. Leaves all files as they are. To be called when all other input has
-/// proved good.
+/// InputError if --csv, --report, --checkpoint, --plot or --wave names no file, or one that cannot
+/// be written, or the file `input`, or the file that standard output goes to; if two of them name
+/// the same file, those beside a wave included; and if --failures names no folder. Leaves all files
+/// as they are. To be called last, when all other input has been checked.
 void check_outputs(const Common& common, const std::string& input = "", const WavesOf& waves = {});
 
 }  // namespace cosim::cli

@@ -11,7 +11,7 @@
 namespace cosim::cli {
 namespace {
 
-// A line that fills the terminal would wrap, and \r go back to a part of it alone.
+// A line as wide as the terminal would wrap, and \r would return only to its last part.
 std::size_t columns() {
   winsize size{};
   const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;

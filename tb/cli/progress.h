@@ -12,11 +12,10 @@ class ProgressLine {
  public:
   explicit ProgressLine(std::string title);
 
-  /// To be called by the sweep; must not outlive this. No call where standard output is no
-  /// terminal.
+  /// To be called by the sweep; must not outlive this. Empty if standard output is no terminal.
   Progress callback();
 
-  /// Leaves a plain line: `text` and the seconds taken.
+  /// Ends with a plain line: `text` and the seconds taken.
   void finish(const std::string& text);
 
  private:
@@ -26,10 +25,10 @@ class ProgressLine {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// How far one long run is: the same bar, where it takes more than a moment. It leaves nothing.
+/// How far one long run is: the same bar, shown after a moment and removed at the end.
 class RunProgress {
  public:
-  /// `wanted`: false where the terminal is given other things meanwhile.
+  /// `wanted`: false if the run prints other things to the terminal.
   RunProgress(std::string title, std::uint64_t total, bool wanted);
   ~RunProgress() { clear(); }
   RunProgress(const RunProgress&) = delete;

@@ -7,7 +7,6 @@
 #include <memory>
 #include <numeric>
 #include <sstream>
-#include <thread>
 
 #include "model/core/input_error.h"
 #include "tb/cli/commands.h"
@@ -21,6 +20,7 @@
 #include "tb/report/failure.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/output_file.h"
+#include "tb/support/parallel.h"
 #include "tb/support/words.h"
 
 namespace cosim::cli {
@@ -82,7 +82,7 @@ void keep_scripts(const std::string& folder, const std::string& title, const Cla
   }
 }
 
-// RTL that is not what this program was built from has no bench here to be replayed on.
+// A counterexample can be replayed only if this program was built from the same RTL.
 void explain(const ProveOptions& o, const Subject& subject, const Claim& claim,
              const Decision& decision, int limit) {
   std::optional<proof::Counterexample> found;
@@ -127,7 +127,7 @@ void say_limit(int limit) {
              std::min(10 * limit, kLongest));
 }
 
-// Each by its sentence.
+// One line for each theorem, with its sentence.
 int run_theorems(const ProveOptions& o, int limit, unsigned jobs) {
   std::vector<proof::Theorem> theorems;
   for (const proof::Theorem& t : proof::theorems()) {
@@ -195,8 +195,7 @@ int run_mutants(const ProveOptions& o, int limit, unsigned jobs) {
 int run(const ProveOptions& o) {
   const InterruptGuard interrupts;
   const int limit = static_cast<int>(whole("--limit", o.limit.value_or("300"), 1, kLongest));
-  const unsigned cores = std::max(std::thread::hardware_concurrency(), 1U);
-  const auto jobs = o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores;
+  const auto jobs = o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores();
   if (!o.mutants && (o.count || o.mutant)) {
     throw InputError(std::string(o.count ? "--count" : "--mutant") + ": belongs to --mutants");
   }
@@ -205,12 +204,13 @@ int run(const ProveOptions& o) {
   std::vector<Subject> subjects = chosen(o.machine);
   const auto began = std::chrono::steady_clock::now();
 
-  proof::in_parallel(subjects.size(), jobs, [&](std::size_t i) {
+  in_parallel(subjects.size(), jobs, [&](std::uint64_t i) {
     Subject& s = subjects[i];
     const proof::Rtl rtl(
         proof::source_in(o.rtl.value_or("rtl"), s.formula.design, s.formula.parameters));
     s.claims = {claim_clear(s.formula, rtl), claim_step(s.formula, rtl),
                 claim_cases(s.formula, rtl)};
+    return true;
   });
   std::vector<const Claim*> claims;
   for (const Subject& s : subjects) {
@@ -253,13 +253,13 @@ void add_prove(const Command& program) {
   command.text("--rtl", o->rtl, "DIR", "The RTL, a folder for each design; default rtl");
   command.text("--limit", o->limit, "S", "Seconds of processor time for one answer; default 300");
   command.text("--jobs", o->jobs, "J", "Solvers at a time; default one a core");
-  command.text("--scripts", o->scripts, "DIR", "Leave what the solvers read in DIR");
+  command.text("--scripts", o->scripts, "DIR", "Keep the scripts for the solvers in DIR");
   command.flag("--theorems", o->theorems,
-               "In place of that: what the sources claim, as theorems on the models");
+               "Instead: what the sources claim, as theorems on the models");
   command.text("--mutants", o->mutants, "FILE.v",
-               "In place of that: mutants of one machine, this RTL with mutsel = 1, 2, ...");
-  command.text("--count", o->count, "N", "The first N of them; default 100");
-  command.text("--mutant", o->mutant, "K", "Of them the one with mutsel = K");
+               "Instead: the mutants of one machine, in RTL with an input mutsel");
+  command.text("--count", o->count, "N", "Only the first N mutants; default 100");
+  command.text("--mutant", o->mutant, "K", "Only the mutant with mutsel = K");
   add_failures(command, o->common);
   command.footer(
       "Needs yosys, cvc5 and z3; only what both solvers prove is proved.\n"

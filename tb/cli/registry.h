@@ -21,10 +21,10 @@ namespace cosim::cli {
 /// cosim sweep DESIGN.
 struct DesignSweeps {
   std::string design;
-  std::string help;     ///< what is swept: "Lines on the linear machine"
+  std::string help;     ///< what is swept: "Lines of any slope"
   std::string example;  ///< the words behind "cosim sweep DESIGN"
   std::vector<ShapeOption> shape;
-  /// Everything; nothing where the bench is too wide for it.
+  /// Every case there is; empty if the bench is too wide for that.
   std::function<std::vector<Sweep>(const AnyBench&)> exhaustive;
   std::string exhaustible;  ///< the shapes that are not too wide: "M <= 8"
   /// `count` cases, which the seed decides.
@@ -56,7 +56,7 @@ class Registry {
   std::vector<Example> examples_;
 };
 
-/// A function of the design's own benches as one of any bench.
+/// Makes a function of the design's own benches one of any bench.
 template <class Design, class F>
 auto for_bench_of(F f) {
   return [f](const AnyBench& bench, auto... more) {

@@ -10,7 +10,7 @@
 
 namespace cosim::cli {
 
-/// The parameters that the person fixed, by the RTL's names; any other one is free.
+/// The parameters that the user fixed, by the RTL's names; all others are free.
 using Shape = std::vector<Parameter>;
 
 /// An option that fixes a parameter of a design.
@@ -29,7 +29,7 @@ class ShapeOptions {
   explicit ShapeOptions(std::vector<ShapeOption> options)
       : options_(std::move(options)), typed_(options_.size()) {}
 
-  /// Adds them. `otherwise`: what is taken where none is given, for the help of the first.
+  /// Adds them. `otherwise`: the default, for the help of the first option.
   void add(const Command& command, const std::string& otherwise = smallest);
   /// InputError "--width: ..." for a value that is no number in range.
   Shape shape() const;
@@ -39,8 +39,8 @@ class ShapeOptions {
   std::vector<Text> typed_;
 };
 
-/// All benches of the design that were built in that shape, the smallest first parameter first.
-/// InputError where there is none.
+/// All benches of the design that were built in that shape, ordered by their first parameter.
+/// InputError if there is none.
 std::vector<const AnyBench*> matching(const std::string& design, const Shape& shape);
 
 template <class Design>

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <memory>
 #include <optional>
-#include <thread>
 
 #include "model/core/input_error.h"
 #include "tb/cli/commands.h"
@@ -16,6 +15,7 @@
 #include "tb/cli/registry.h"
 #include "tb/cli/sweep_checkpoint.h"
 #include "tb/support/interrupt.h"
+#include "tb/support/parallel.h"
 #include "tb/support/words.h"
 
 namespace cosim::cli {
@@ -62,14 +62,14 @@ std::vector<std::pair<const AnyBench*, Sweep>> planned(const SweepOptions& o,
   return all;
 }
 
-// Hostile clocks are no lines or arcs: the oracle has nothing to count.
+// Hostile clocks are no jobs: the oracle has nothing to count.
 std::string swept(const Result& r) {
   if (r.checked.jobs == 0) return count(r.clocks, "clock");
   return count(r.cases, "case") + ", " + drawn(r);
 }
 
-// The same sweep, which ends with the case it is at when it is interrupted, and counts those that
-// matched.
+// The same sweep, but it ends after the present case when it is interrupted, and it counts the
+// cases that matched.
 Sweep interruptible(const Sweep& sweep, std::atomic<std::uint64_t>& matched) {
   Sweep all = sweep;
   all.run = [run = sweep.run, &matched](std::uint64_t i) {
@@ -81,7 +81,7 @@ Sweep interruptible(const Sweep& sweep, std::atomic<std::uint64_t>& matched) {
   return all;
 }
 
-// What there is to say of an interrupted run: the sweeps finished have their lines already.
+// Ends an interrupted run. Finished sweeps have printed their lines already.
 int stopped(const Interrupted& interrupted, ProgressLine& progress, const std::string& text,
             const std::vector<Outcome>& finished, std::size_t sweeps) {
   progress.finish(text);
@@ -92,8 +92,7 @@ int stopped(const Interrupted& interrupted, ProgressLine& progress, const std::s
 int run(const SweepOptions& o) {
   const Benches benches = matching(o.design.design, o.shape.shape());
   check_kind(o);
-  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-  const auto threads = o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores;
+  const auto threads = o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores();
   const auto sweeps = planned(o, benches);
   check_outputs(o.common);
   std::string work =
@@ -124,7 +123,7 @@ int run(const SweepOptions& o) {
     if (!result.match()) break;
     resume.keep(result);
   }
-  interrupts.reset();  // a report to a pipe waits for its reader, and is ended as any program
+  interrupts.reset();  // a report to a pipe waits for its reader: there a signal ends the program
   const int status = conclude(outcomes, o.common);
   checkpoint.done();
   return status;
@@ -138,7 +137,7 @@ void add_options(const Command& design, SweepOptions& o) {
   design.text("--jobs", o.jobs, "J", "Threads, 1 to 1024; default one a core");
   add_failures(design, o.common);
   design.text("--checkpoint", o.common.checkpoint, "FILE",
-              "Keep what is done in FILE and, where it exists, go on from there");
+              "Keep progress in FILE and continue from it if it exists");
   add_common(design, o.common);
 }
 

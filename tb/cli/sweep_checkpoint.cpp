@@ -12,7 +12,7 @@ using Json = Checkpoint::Json;
 constexpr const char* total = "total";
 constexpr const char* largest = "largest";
 
-// In full, for a sweep that is all done is not run again to say what it measures.
+// In full: a finished sweep is not run again to learn what it measures.
 Json to_json(const Measure& m) {
   Json j{{"name", m.name},
          {"sum", m.sum == Measure::Sum::total ? total : largest},

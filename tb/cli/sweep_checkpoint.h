@@ -14,14 +14,14 @@ namespace cosim::cli {
 
 class SweepCheckpoint {
  public:
-  /// `work`: the sweeps and what they depend on. An empty path keeps nothing. InputError where the
-  /// file cannot be gone on from.
+  /// `work`: the sweeps and what they depend on. An empty path keeps nothing. InputError if the
+  /// file is no checkpoint of this work.
   SweepCheckpoint(const std::string& path, const std::string& work);
 
-  /// What sweep number i, of so many cases, goes on from, and the way it keeps its state; must not
-  /// outlive this. InputError where the file says that more cases are done.
+  /// Where sweep number i continues, and how it saves its state; must not outlive this. InputError
+  /// if the file claims more finished cases than the sweep has.
   Resume resume(std::size_t i, std::uint64_t cases);
-  /// To be called when the report is written: the file goes.
+  /// Removes the file. To be called when the report is written.
   void done() { checkpoint_.done(); }
 
  private:

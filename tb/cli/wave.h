@@ -9,7 +9,7 @@
 
 namespace cosim::cli {
 
-/// The file of --wave FILE.fst, or FILE.part.fst where there are several.
+/// FILE.fst of --wave, or FILE.part.fst if there are several waves.
 std::string wave_file(const std::string& file, const std::string& part = "");
 
 /// Draws the stimulus where --wave asks for it: the window around its mismatch, or all of it.
@@ -17,7 +17,7 @@ std::string wave_file(const std::string& file, const std::string& part = "");
 void draw_wave(const Common& common, const AnyBench& bench, Stimulus stimulus,
                const std::string& work, const std::string& part = "");
 
-/// The same of all that a session drew; of a mismatch, with the clocks behind it.
+/// The same of everything a session drew. A mismatch is shown with the clocks after it.
 template <class Design>
 void draw_wave(const Common& common, const AnyBench& bench, const std::string& work,
                const Session<Design>& session, const std::optional<Mismatch>& mismatch,

@@ -1,5 +1,5 @@
-// In a build that measures coverage, lockstep counts a design's bins; elsewhere nothing of this
-// costs anything.
+// In a build that measures coverage, lockstep counts a design's bins. In other builds this costs
+// nothing.
 #pragma once
 
 #include <atomic>
@@ -25,13 +25,13 @@ struct Count {
 };
 
 /// A file for `what`, number `number` of this process, in the folder that the environment variable
-/// COSIM_COVERAGE names; empty where it is not set: then no counts are left.
+/// COSIM_COVERAGE names; empty if it is not set: then no counts are written.
 std::string file_for(const std::string& what, int number);
 
-/// Leaves the counts of a design's bins in such a file, a line a bin.
+/// Writes the counts of a design's bins into such a file, one line a bin.
 void leave(const std::string& design, const std::vector<Count>& counts);
 
-/// The counts of a design, left when the process ends.
+/// The counts of a design, written when the process ends.
 template <class Adapter>
 class Counts {
  public:

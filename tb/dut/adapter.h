@@ -19,12 +19,12 @@ namespace cosim {
 
 /// The signals of the instance in `context`.
 std::vector<Signal> signals_of(VerilatedContext& context);
-/// Sets name_q wherever it stands in the hierarchy: the register and the wires it goes through.
-/// std::logic_error where it stands nowhere.
+/// Sets every name_q of the hierarchy: the register and the wires that carry it. std::logic_error
+/// if there is none.
 void load_register(VerilatedContext& context, const std::string& name, Word value);
 
 /// Owns one instance of a Verilated class. Its registers power up at random from `power_up`, so
-/// that a register no reset reaches is seen.
+/// that a register that no reset reaches shows.
 template <class Top>
 class VerilatedInstance {
  public:
@@ -33,16 +33,16 @@ class VerilatedInstance {
   VerilatedInstance(const VerilatedInstance&) = delete;
   VerilatedInstance& operator=(const VerilatedInstance&) = delete;
 
-  /// Brings the clock pin to a level and settles everything behind it.
+  /// Sets the clock pin and settles everything that depends on it.
   void eval(bool clk) {
     top_->clk = clk;
     top_->eval();
   }
 
-  /// Every signal of the hierarchy. None but in a class Verilated with --vpi --public-flat-rw.
+  /// Every signal of the hierarchy; empty unless Verilated with --vpi --public-flat-rw.
   std::vector<Signal> signals() const { return signals_of(machine_->context()); }
 #ifndef COSIM_NETLIST  // there a register is a wire from flip-flops that are cells
-  /// Sets the register that the field `name` stands for, before the first eval; in such a class.
+  /// Sets the register of the field `name` before the first eval; only in such a class.
   void load(const char* name, Word value) { load_register(machine_->context(), name, value); }
 #endif
 

@@ -1,6 +1,6 @@
-// One DUT: an instance of the RTL, or what a test puts in its place. An adapter is its form for
-// speed, a class of its own for each shape; Dut is the same behind virtual calls, for all that is
-// compiled once for a design.
+// One DUT: an instance of the RTL, or what a test puts in its place. The adapter is the fast form,
+// one class for each shape. Dut is the same with virtual calls, for code compiled once for a
+// design.
 //
 // An adapter has the types and members
 //
@@ -8,7 +8,7 @@
 //   params                       the shape's parameters, static constexpr
 //   Adapter(uint32_t power_up)   registers hold random values that follow from power_up
 //   drive(inputs)                sets the input pins
-//   eval(bool clk)               brings the clock pin to a level and settles everything behind it
+//   eval(bool clk)               sets the clock pin and settles everything that depends on it
 //   outputs(), registers()       what they hold now
 //   load(name, word)             may be absent: sets a register before the first eval
 //   signals()                    may be absent: every signal of the hierarchy
@@ -36,9 +36,9 @@ class Dut {
   virtual void eval(bool clk) = 0;
   virtual Outputs outputs() const = 0;
   virtual Registers registers() const = 0;
-  /// std::logic_error where the maker says that registers cannot be loaded.
+  /// std::logic_error if the maker says that registers cannot be loaded.
   virtual void load(const char* name, Word value) = 0;
-  /// None where the instance does not show them.
+  /// Empty if the instance does not show them.
   virtual std::vector<Signal> signals() const { return {}; }
 };
 

@@ -26,8 +26,8 @@ class Instance {
     top_ = std::make_unique<Top>(context_.get(), "TOP");
   }
   ~Instance() {
-    // The class takes its scopes out of the thread's context, which is that of the instance built
-    // last; another one may be gone by now.
+    // The class takes its scopes from the context of the thread. That was set by the instance built
+    // last, which may be gone by now.
     ::Verilated::threadContextp(context_.get());
     top_->final();
     top_.reset();
@@ -45,8 +45,8 @@ class Instance {
   std::unique_ptr<Top> top_;
 };
 
-/// Where coverage is measured, Verilator counts in each instance of a class: those that nobody uses
-/// are kept to be used again, and leave their counts when the process ends.
+/// Verilator counts coverage in each instance of a class. When coverage is measured, instances are
+/// kept and used again, and write their counts when the process ends.
 template <class Top>
 class SpareInstances {
  public:
@@ -62,7 +62,7 @@ class SpareInstances {
     return machine;
   }
   void give(std::unique_ptr<Instance<Top>> machine) {
-    // What a random power-up state toggles is no work of the stimuli: the first use does not count.
+    // A random power-up state toggles bits, but not by the stimuli: the first use does not count.
     if (std::exchange(machine->first_use, false)) machine->context().coveragep()->zero();
     const std::lock_guard lock(guard_);
     spare_.push_back(std::move(machine));
@@ -80,8 +80,8 @@ class SpareInstances {
   std::vector<std::unique_ptr<Instance<Top>>> spare_;
 };
 
-/// A machine to use. Where coverage is measured it may hold what it held at its last use, and not
-/// what `power_up` gives.
+/// A machine to use. When coverage is measured, its registers may hold values of an earlier use in
+/// place of those from `power_up`.
 template <class Top>
 std::unique_ptr<Instance<Top>> acquire(std::uint32_t power_up) {
   if constexpr (coverage::measured) {

@@ -11,7 +11,7 @@ struct Signal {
   std::vector<std::string> scope;  ///< the instances from the top module down to its own
   std::string name;
   int width = 1;  ///< bits
-  /// Where its bits lie, as long as the simulation lives: the lowest byte first.
+  /// Its bits, the lowest byte first; valid as long as the simulation lives.
   const unsigned char* bytes = nullptr;
 };
 

@@ -9,8 +9,8 @@
 #include "model/core/fields.h"
 #include "tb/coverage/counts.h"
 
-/// Before a function: all that it calls becomes part of it. Without it under the sanitizers, where
-/// that takes a compiler minutes.
+/// Inlines all calls in a function. Not under the sanitizers, where the compiler would take
+/// minutes.
 #ifdef __SANITIZE_ADDRESS__
 #define COSIM_FLATTEN
 #else
@@ -35,8 +35,8 @@ constexpr Word difference(const Record& a, const Record& b) {
   return bits;
 }
 
-/// Copies field by field: a wider move would have to wait for the fields, only just stored one by
-/// one, which costs more than it saves.
+/// Copies field by field.
+/// A wider load would stall, because the fields have just been stored one by one.
 template <class Record>
 constexpr void copy_fields(Record& to, const Record& from) {
   for_each_member<Record>([&](auto member, std::size_t) { to.*member = from.*member; });
@@ -50,8 +50,8 @@ class Lockstep {
   using Inputs = typename Design::template Inputs<Word>;
   using State = typename Design::template State<Word>;
 
-  /// Powers up at random from `power_up`, which is what the adapter is made of, then clears both
-  /// sides: one clock, not compared, for before it the RTL's registers hold anything.
+  /// Makes the adapter, which powers up at random from `power_up`, and clears both sides. That
+  /// clock is not compared: before it the RTL's registers may hold any value.
   template <class PowerUp>
   explicit Lockstep(const PowerUp& power_up)
       : dut_(power_up), state_(Design::template cleared<Word>()) {
@@ -67,7 +67,7 @@ class Lockstep {
   }
 
   /// One clock: drives, settles, compares, then the rising edge. False where anything differs; the
-  /// clock is completed all the same, so that the clocks behind a difference can be shown.
+  /// clock is completed all the same, so that the clocks after a difference can be shown.
   /// `sample(expected, actual)` is called before the edge.
   /// Flattened, so that the model sees its parameters as constants.
   template <class Sample>
@@ -101,7 +101,7 @@ class Lockstep {
 
  private:
   Compared<Design> read() const { return {dut_.registers(), dut_.outputs()}; }
-  /// Out of the way, so that what was read need not be held for it.
+  /// Out of line, so that the usual path need not keep its values in registers.
   [[gnu::noinline, gnu::cold]] void keep_actual() { actual_ = read(); }
   void edge() {
     dut_.eval(false);

@@ -27,6 +27,9 @@ struct Window {
   std::uint64_t after = 4;
 };
 
+/// What a wave shows by default.
+inline constexpr Window wave_window{200, 50};
+
 /// A case that is smaller and fails as well.
 struct SmallerCase {
   std::string what;  ///< the case, one line
@@ -35,12 +38,12 @@ struct SmallerCase {
 
 class AnyBench;
 
-/// Where RTL and model part.
+/// The first difference between RTL and model.
 struct Mismatch {
-  /// What the stimulus has behind the first difference, for a wave to show.
+  /// How many clocks the stimulus has after the first difference, for a wave to show.
   static constexpr std::uint64_t clocks_behind = 200;
 
-  const AnyBench* bench = nullptr;  ///< the machine; none where it has none
+  const AnyBench* bench = nullptr;  ///< the machine; null if no bench ran
   std::uint64_t clock = 0;          ///< clocks after the clear, from 0: the first with a difference
   std::string signal;  ///< the first differing signal in table order, registers before outputs
   Field field{};
@@ -48,11 +51,11 @@ struct Mismatch {
   Word actual = 0;
   std::uint64_t first = 0;    ///< the clock of the traces' first entry
   std::vector<Trace> traces;  ///< inputs, registers, outputs, in table order
-  /// Runs into the difference again; machine and origin are left to who knows them. It may start
-  /// from a state, long after clock 0.
+  /// Leads to the same difference. The caller fills in machine and origin. It may start from a
+  /// state, long after clock 0.
   Stimulus stimulus;
-  /// Looks for a smaller case of the same kind, a shorter line or arc; empty where there is no such
-  /// kind.
+  /// Looks for a smaller case of the same kind: fewer or smaller jobs. Empty if the case has no
+  /// jobs.
   std::function<SmallerCase()> smaller_case;
 };
 

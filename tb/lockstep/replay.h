@@ -1,4 +1,4 @@
-// Runs a stimulus again, and makes one of what a host does.
+// Runs a stimulus again, and records what a host does as a stimulus.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ class Rows {
     return true;
   }
 
-  /// The record whose fields have the words given.
+  /// A record from the words of its fields.
   template <class Record>
   static Record record_of(const std::vector<Word>& words) {
     Words<Record> array;
@@ -42,8 +42,8 @@ class Rows {
   std::span<const std::vector<Word>> left_;
 };
 
-/// A machine where the stimulus starts. InputError where it starts from a state and the registers
-/// cannot be loaded.
+/// A machine at the start of the stimulus. InputError if the stimulus starts from a state and the
+/// registers cannot be loaded.
 template <class Design>
 std::unique_ptr<AnyLockstep<Design>> started(const DutMaker<Design>& maker, const Stimulus& s) {
   using State = typename Design::template State<Word>;
@@ -64,7 +64,7 @@ std::optional<std::uint64_t> differing_clock(const DutMaker<Design>& maker, cons
   return clocks - 1;
 }
 
-/// What comes of the stimulus.
+/// Runs the stimulus and describes the first difference.
 template <class Design>
 Run replayed(const DutMaker<Design>& maker, const Stimulus& s, Window window) {
   Run result;
@@ -78,8 +78,8 @@ Run replayed(const DutMaker<Design>& maker, const Stimulus& s, Window window) {
   return result;
 }
 
-/// The inputs that `source` gives to a machine without a fault, as a stimulus of at most `clocks`
-/// clocks: by the model alone.
+/// The inputs that `source` gives when it sees the model in place of the RTL, as a stimulus of at
+/// most `clocks` clocks.
 template <class Design, class Source>
 Stimulus recorded(const typename Design::Params& p, Source source, std::uint32_t power_up,
                   std::uint64_t clocks) {
@@ -116,7 +116,7 @@ SmallerCase smaller_case(const DutMaker<Design>& maker,
     return failed;
   };
   fails(jobs);
-  // The last job is the one that failed; the others matter only where it fails not by itself.
+  // The last job is the one that failed; the others matter only if it does not fail alone.
   if (std::vector<Job> last{jobs.back()}; fails(last)) jobs = last;
   for (std::size_t i = jobs.size(); jobs.size() > 1 && i-- > 0;) {
     std::vector<Job> fewer = jobs;

@@ -1,6 +1,6 @@
-// Runs a stimulus in lockstep. Nothing is recorded on the way: a case that fails is run again from
-// its start, which its seed makes the same, with every signal of the clocks around the difference
-// kept.
+// Runs a stimulus in lockstep. Nothing is recorded on the way.
+//
+// A failing case is run again by its seed, with every signal around the difference recorded.
 #pragma once
 
 #include <cstdint>
@@ -53,13 +53,13 @@ void add_inputs(Stimulus& stimulus, const Inputs& in) {
 
 }  // namespace detail
 
-/// The most clocks before a difference that its stimulus has. A longer one starts from the state
-/// that the model had so many clocks before: until then RTL and model were the same.
+/// A stimulus keeps at most so many clocks before the difference. A longer one starts from the
+/// state that the model had then: up to there RTL and model were the same.
 inline constexpr std::uint64_t most_kept = 1U << 20;
 
-/// Runs a failing case again: `lockstep`, which has just started, is clocked through `source` until
+/// Runs a failing case again: clocks `lockstep`, which has just started, through `source` until
 /// `window.after` clocks past `clock`, the first that differs. Keeps every signal of the window,
-/// and the inputs with what a wave wants before and after it.
+/// and the inputs of the longer range that a wave shows.
 template <class Design, class Source>
 Mismatch examine(AnyLockstep<Design>& lockstep, Source source, std::uint64_t clock, Window window) {
   const auto& p = lockstep.dut().params;
@@ -93,7 +93,7 @@ Mismatch examine(AnyLockstep<Design>& lockstep, Source source, std::uint64_t clo
 
 /// Clocks `lockstep` from `source` until the source ends (true) or RTL and model differ (false),
 /// and counts the clocks, the differing one included. `observe(source, compared)` is called after
-/// each clock that matched. Flattened, for lockstep's registers are many to put aside for a call.
+/// each clock that matched. Flattened: a call would have to save and restore too many registers.
 template <class Adapter, class Source, class Observe>
 COSIM_FLATTEN bool clock_through(Lockstep<Adapter>& lockstep, Source& source, std::uint64_t& clocks,
                                  Observe&& observe) {

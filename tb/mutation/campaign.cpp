@@ -1,14 +1,13 @@
 #include "tb/mutation/campaign.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <exception>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "model/core/input_error.h"
+#include "tb/support/parallel.h"
 
 namespace cosim::mutation {
 
@@ -27,7 +26,7 @@ using Clock = std::chrono::steady_clock;
 class Course {
  public:
   Course(const Subject& subject, unsigned threads, Checkpoint& checkpoint)
-      : subject_(subject), threads_(std::max(threads, 1U)), checkpoint_(checkpoint) {
+      : subject_(subject), threads_(threads), checkpoint_(checkpoint) {
     campaign_.outcomes.resize(subject.mutants().size());
     const auto state = checkpoint.state();
     if (state.is_null()) return;
@@ -59,22 +58,10 @@ class Course {
   /// Calls work(mutant) for each of the mutants, some at a time.
   template <class Work>
   void each(const std::vector<unsigned>& mutants, const Work& work) {
-    std::atomic<std::size_t> next{0};
-    std::exception_ptr thrown;
-    const auto take = [&] {
-      try {
-        for (std::size_t i = next++; i < mutants.size(); i = next++) work(mutants[i]);
-      } catch (...) {
-        const std::lock_guard lock(guard_);
-        thrown = std::current_exception();
-        next = mutants.size();
-      }
-    };
-    {
-      std::vector<std::jthread> pool;
-      for (unsigned t = 0; t < threads_; ++t) pool.emplace_back(take);
-    }
-    if (thrown) std::rethrow_exception(thrown);
+    in_parallel(mutants.size(), threads_, [&](std::uint64_t i) {
+      work(mutants[i]);
+      return true;
+    });
   }
 
   void attack_with(std::size_t first, std::size_t last, End otherwise) {
@@ -116,7 +103,7 @@ Campaign run_campaign(const Subject& subject, const Prover& prover, unsigned thr
   const std::size_t all = subject.cases().size();
   const Outcome control = attack(subject, 0, 0, quick);
   if (control.end != End::open) {
-    throw InputError(subject.bench().title() + ": RTL and model part without a mutant: " +
+    throw InputError(subject.bench().title() + ": RTL and model differ without a mutant: " +
                      control.stimulus + ", " + control.signal);
   }
   Course course(subject, threads, checkpoint);

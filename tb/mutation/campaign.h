@@ -10,7 +10,7 @@
 
 namespace cosim::mutation {
 
-/// Says of each of the mutants given whether it was proved equivalent.
+/// For each of these mutants, whether it was proved equivalent.
 using Prover = std::function<std::vector<bool>(const std::vector<unsigned>& mutants)>;
 
 struct Campaign {
@@ -20,9 +20,9 @@ struct Campaign {
   std::size_t count(Outcome::End end) const;
 };
 
-/// Attacks every mutant with the quick stimuli, has the prover look at what is left, and attacks
-/// what it did not prove with all the others; on `threads` threads, >= 1. Goes on from the
-/// checkpoint and leaves it in place. InputError where the RTL without a mutant differs from the
+/// Attacks every mutant with the quick stimuli, gives the survivors to the prover, and attacks
+/// those that are not proved with all other stimuli, on `threads` threads, >= 1. Continues from the
+/// checkpoint and leaves it in place. InputError if the RTL without a mutant differs from the
 /// model.
 Campaign run_campaign(const Subject& subject, const Prover& prover, unsigned threads,
                       Checkpoint& checkpoint);

@@ -30,7 +30,7 @@ struct Jobs {
 inline constexpr std::uint64_t seed = 1;
 inline constexpr std::uint64_t long_jobs = 4;
 
-/// Draws jobs on a machine of its own, the same power-up state for the same jobs.
+/// Draws jobs on a new machine; the same jobs get the same power-up state.
 template <class Design>
 Case drawing(const Bench<Design>& bench, std::string name, typename Jobs<Design>::List jobs,
              std::uint64_t power_up) {
@@ -48,7 +48,7 @@ Case hostile(const Bench<Design>& bench, std::uint64_t i) {
           }};
 }
 
-/// Cases first .. last - 1 of hostile clocks and of random jobs, taking turns.
+/// Cases first .. last - 1 of hostile clocks and of random jobs, by turns.
 template <class Design>
 void add_cases(std::vector<Case>& all, const Bench<Design>& bench, std::uint64_t first,
                std::uint64_t last) {

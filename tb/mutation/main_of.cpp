@@ -3,13 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
-#include <thread>
 
 #include "model/core/input_error.h"
 #include "tb/mutation/campaign.h"
 #include "tb/mutation/survivor.h"
 #include "tb/proof/machines.h"
 #include "tb/proof/mutants.h"
+#include "tb/support/parallel.h"
 #include "tb/support/replace_file.h"
 
 namespace cosim::mutation {
@@ -60,7 +60,7 @@ int main_of(const Subject& subject, int argc, char** argv) {
                ".\nStatus: 0 none survived, 1 some did, 2 could not be run."};
   std::string results, failures = "failures";
   bool unproved = false;
-  unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+  unsigned threads = cosim::cores();
   app.add_option("RESULTS", results, "Write the outcomes to this file, as JSON")->required();
   app.add_flag("--unproved", unproved,
                "Prove no mutant to be the same: what is not killed survives");

@@ -3,12 +3,12 @@
 #include <sstream>
 #include <utility>
 
-#include "tb/support/replace_file.h"
+#include "tb/support/read_file.h"
 
 namespace cosim::mutation {
 
 Subject::Subject(std::string verilog, const std::string& list) : verilog_(std::move(verilog)) {
-  std::istringstream lines(text_of_file(list));
+  std::istringstream lines(read_file(list));
   for (std::string line; std::getline(lines, line);) mutants_.push_back(line);
 }
 

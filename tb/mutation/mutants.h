@@ -13,9 +13,9 @@ namespace cosim::mutation {
 struct Outcome {
   enum class End {
     open,        ///< not yet decided
-    killed,      ///< RTL and model parted
+    killed,      ///< RTL and model differed
     equivalent,  ///< proved to be the same machine
-    survived,    ///< neither, after every stimulus
+    survived,    ///< neither, after all stimuli
   };
   End end = End::open;
   std::string stimulus;     ///< killed: by what
@@ -36,14 +36,14 @@ class Subject {
   virtual ~Subject() = default;
 
   virtual const AnyBench& bench() const = 0;
-  /// Chooses the mutant of all machines that the calling thread makes from now on, 1 to the number
-  /// of mutants; 0 is the RTL as it is.
+  /// Chooses the mutant, from 1, for all machines that the calling thread makes from now on; 0 is
+  /// the unchanged RTL.
   virtual void choose(unsigned mutant) const = 0;
-  /// From the cheapest on. The first `quick()` of them kill nearly all that can be killed.
+  /// The cheapest first. The first `quick()` of them kill nearly every mutant that can be killed.
   virtual const std::vector<Case>& cases() const = 0;
   virtual std::size_t quick() const = 0;
 
-  /// The Verilog file that holds them, its input `mutsel` chooses.
+  /// The Verilog file that holds them; its input `mutsel` chooses one.
   const std::string& verilog() const { return verilog_; }
   /// What each mutant is, in the words of yosys's `mutate`; that of mutsel = 1 first.
   const std::vector<std::string>& mutants() const { return mutants_; }

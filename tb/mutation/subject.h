@@ -1,5 +1,4 @@
-// A subject from a design's adapter, the same that lockstep uses: mutants are found as any other
-// difference is.
+// A subject from the adapter that lockstep uses: a mutant is found like any other difference.
 #pragma once
 
 #include <cstdint>

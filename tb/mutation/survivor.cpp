@@ -7,7 +7,7 @@
 
 #include "tb/report/failure.h"
 #include "tb/support/draft.h"
-#include "tb/support/replace_file.h"
+#include "tb/support/read_file.h"
 
 namespace cosim::mutation {
 namespace {
@@ -48,7 +48,7 @@ std::filesystem::path leave_survivor(const Subject& subject, unsigned mutant,
 
   draft.write("report.txt", text);
   draft.write("report.json", json.dump(1) + '\n');
-  draft.write("mutants.v", text_of_file(subject.verilog()));
+  draft.write("mutants.v", read_file(subject.verilog()));
   draft.finish();
   return draft.target();
 }

@@ -1,6 +1,6 @@
-// The folder that a mutant leaves which nothing told from the RTL.
+// The folder that a surviving mutant leaves: one that no stimulus and no proof told from the RTL.
 //
-//   report.txt   what it is, what was tried, how to have the solvers look at it
+//   report.txt   what it is, what was tried, how to give it to the solvers
 //   report.json  the same for a program
 //   mutants.v    the RTL with its mutants; mutsel is the number
 #pragma once

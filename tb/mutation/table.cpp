@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "tb/support/read_file.h"
 #include "tb/support/replace_file.h"
 
 namespace {
@@ -34,7 +35,7 @@ int run(const std::string& out, const std::vector<std::string>& paths) {
   std::map<std::string, Row> rows;
   std::size_t survived = 0;
   for (const std::string& path : paths) {
-    const Json& results = all.emplace_back(Json::parse(cosim::text_of_file(path)));
+    const Json& results = all.emplace_back(Json::parse(cosim::read_file(path)));
     const std::string name =
         fmt::format("| {} | {} |", results.at("design").get<std::string>(), shape_of(results));
     if (!rows.contains(name)) order.push_back(name);

@@ -15,7 +15,7 @@ void show_all(Layout& all, const Plot& plot) {
     all.x0 = std::min(all.x0, x), all.x1 = std::max(all.x1, x);
     all.y0 = std::min(all.y0, y), all.y1 = std::max(all.y1, y);
   };
-  const circular::Point first = plot.series.front().marks.front().at;
+  const GridPoint first = plot.series.front().marks.front().at;
   all.x0 = all.x1 = static_cast<double>(first.x);
   all.y0 = all.y1 = static_cast<double>(first.y);
   double worst = 0;

@@ -5,7 +5,7 @@
 
 namespace cosim {
 
-/// The deviation from which on colours and bars are all the same, in steps.
+/// Colours and bars show no difference above this deviation, in steps.
 inline constexpr double worst_shown = 2;
 
 struct Box {
@@ -27,11 +27,11 @@ struct Layout {
   int panel_width = 0;
   int panel_height = 0;
 
-  double x0 = 0, x1 = 0, y0 = 0, y1 = 0;  ///< what of the grid is shown; a step is square
+  double x0 = 0, x1 = 0, y0 = 0, y1 = 0;  ///< the part of the grid that is shown; a step is square
   double length = 1;                      ///< of the longest path, in steps
   double top = 0;                         ///< of the bars, in steps: 0.5 to worst_shown
 
-  /// A box of the first panel where it stands in another one.
+  /// The place of a box of the first panel in another panel.
   Box in(int panel, Box box) const;
   double pixels_a_step() const { return path.width / (x1 - x0); }
 };

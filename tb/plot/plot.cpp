@@ -12,7 +12,7 @@
 #include "tb/support/leftover.h"
 #include "tb/support/output_file.h"
 #include "tb/support/process.h"
-#include "tb/support/replace_file.h"
+#include "tb/support/read_file.h"
 
 namespace cosim {
 
@@ -50,7 +50,7 @@ void draw_plot(const std::string& path, const Plot& plot) {
   const auto ended = run_program({"gnuplot", script});
   if (ended.status != 0) throw InputError(fmt::format("--plot: {}: gnuplot failed", path));
   // Of a full disk gnuplot says nothing.
-  const std::string text = text_of_file(picture);
+  const std::string text = read_file(picture);
   const std::string end = text.substr(text.size() - std::min<std::size_t>(text.size(), 12));
   if (end.find("</svg>") == std::string::npos && end.find("IEND") == std::string::npos) {
     throw InputError(fmt::format("--plot: {}: gnuplot could not write it whole", path));

@@ -6,34 +6,37 @@
 #include <utility>
 #include <vector>
 
-#include "model/circular/arc.h"
-
 namespace cosim {
 
 /// A curve as a polyline, in steps.
 using Curve = std::vector<std::pair<double, double>>;
 
+/// A point of the grid.
+struct GridPoint {
+  std::int64_t x = 0, y = 0;
+};
+
 /// A point of a path.
 struct Mark {
-  circular::Point at;
+  GridPoint at;
   double off = 0;    ///< its distance from the curve, in steps
   double along = 0;  ///< where it lies on the path, in steps from its start
 };
 
-/// One path. Marks are in the order they were drawn; two that are no neighbours on the grid are not
-/// joined.
+/// One path. Marks are in the order they were drawn.
+/// Only neighbours on the grid are joined.
 struct Series {
   static constexpr std::size_t most_marks = 1'000'000;
 
   std::string name;
   std::vector<Mark> marks;  ///< at least one
 
-  /// InputError where a path of so many steps is more than a picture holds.
+  /// InputError if a path of so many steps is too long for a picture.
   static void check_steps(std::uint64_t steps);
-  /// InputError where there are more than that.
+  /// InputError if there are too many.
   void add(const Mark& mark);
   /// The next step of a path that is drawn step by step.
-  void add(circular::Point at, double off) { add({at, off, static_cast<double>(marks.size())}); }
+  void add(GridPoint at, double off) { add({at, off, static_cast<double>(marks.size())}); }
 };
 
 struct Plot {

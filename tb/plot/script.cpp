@@ -19,7 +19,7 @@ std::string literal(const std::string& text) {
   return safe + "'";
 }
 
-// Single points of the grid can be told apart, and are joined by what the machine did.
+// Whether single points of the grid can be told apart; then they are joined as they were drawn.
 bool shows_steps(const Layout& all) { return all.pixels_a_step() >= 6; }
 
 void write_marks(std::ostream& out, const std::string& name, const std::vector<Mark>& marks) {
@@ -33,7 +33,7 @@ void write_marks(std::ostream& out, const std::string& name, const std::vector<M
 // An empty line ends what is joined.
 void write_joined(std::ostream& out, int panel, const std::vector<Mark>& marks) {
   out << "$way" << panel << " << EOD\n";
-  circular::Point last = marks.front().at;
+  GridPoint last = marks.front().at;
   for (const Mark& m : marks) {
     if (std::abs(m.at.x - last.x) > 1 || std::abs(m.at.y - last.y) > 1) out << '\n';
     out << m.at.x << ' ' << m.at.y << '\n';

@@ -9,7 +9,7 @@
 
 namespace cosim::proof {
 
-/// A condition on symbols. What is known without a solver stays a plain truth value.
+/// A condition on symbols. If its value is known without a solver it stays a plain truth value.
 class Truth {
  public:
   Truth(bool known) : known_(known), expression_(truth(known)) {}  // NOLINT: a truth value is one
@@ -27,10 +27,9 @@ Truth operator!(const Truth& a);
 Truth operator&(const Truth& a, const Truth& b);
 Truth operator|(const Truth& a, const Truth& b);
 
-/// A Word within known bounds. Its expression is its two's complement code of as many bits as these
-/// need: what a Word does on 64 bits is done here on no more than make a difference, for a solver
-/// has to work for each bit. Where bounds would leave the 64 bits there are none, and it wraps as a
-/// Word does.
+/// A Word within known bounds. Its expression is a two's complement code with only as many bits as
+/// the bounds need, because each bit costs the solver work. If the bounds would leave 64 bits there
+/// are none, and the value wraps as a Word does.
 class Bits {
  public:
   Bits() : Bits(0) {}
@@ -45,7 +44,7 @@ class Bits {
   Word most() const { return most_; }
   std::optional<Word> known() const;
   int width() const { return width_; }
-  /// So many low bits are known to be zeros.
+  /// How many low bits are known to be zero.
   int zeros() const { return zeros_; }
   /// The lower `width` bits, of the number in two's complement.
   Expression code(int width) const;

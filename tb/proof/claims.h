@@ -1,15 +1,15 @@
 // What is claimed of one machine: RTL and golden model are the same for ever.
 //
 //   clear   after a clock that clears the machine, whatever registers and state held before, the
-//           registers hold what they are to hold in the model's state after a clear, and that state
-//           satisfies the invariant
-//   step    from every state that satisfies the invariant, with the registers holding what they are
-//           to hold in it, under every input: outputs and registers after the clock are those of
+//           registers hold the values of the model's state after a clear, and that state satisfies
+//           the invariant
+//   step    from every state that satisfies the invariant, with the registers holding its
+//           values, under every input: outputs and registers after the clock are those of
 //           the model, and the state after it satisfies the invariant
-//   cases   the same hypotheses, and each of the design's cases, can be
+//   cases   the same hypotheses can hold together with each of the design's cases
 //
 // The first two are an induction over the clocks: nothing is assumed of the inputs, and no bound is
-// set. The third says that the second is not empty.
+// set. The third shows that the hypotheses of the second can be met.
 #pragma once
 
 #include <map>
@@ -27,14 +27,14 @@ namespace cosim::proof {
 struct Query {
   std::vector<std::string> asks;  ///< what each question asks, a few words
   std::string script;
-  bool eager = false;  ///< Solver::eager is the better way to it
+  bool eager = false;  ///< Solver::eager is faster
 };
 /// A claim, as questions that must all be answered alike.
 struct Claim {
   std::string what;  ///< a sentence
   Answer wanted = Answer::unsat;
   std::vector<Query> queries;
-  std::vector<std::string> terms;  ///< whose values are a counterexample; empty where there is none
+  std::vector<std::string> terms;  ///< whose values make a counterexample; may be empty
 };
 
 /// InputError where the RTL's registers, inputs and outputs are not those of the machine's tables,
@@ -57,8 +57,7 @@ struct Counterexample {
   std::vector<Value> after;         ///< registers, after it
   std::vector<std::string> broken;  ///< what of the invariant the model's next state breaks
 };
-/// What a solver found against claim_step, from the values of its terms; none where some are
-/// missing.
+/// A solver's counterexample to claim_step, from the values of its terms; none if some are missing.
 std::optional<Counterexample> counterexample(const MachineFormula& machine,
                                              const std::map<std::string, std::string>& values);
 

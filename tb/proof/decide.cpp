@@ -3,10 +3,8 @@
 #include <fmt/core.h>
 
 #include <array>
-#include <atomic>
-#include <exception>
-#include <mutex>
-#include <thread>
+
+#include "tb/support/parallel.h"
 
 namespace cosim::proof {
 namespace {
@@ -75,10 +73,11 @@ std::vector<Decision> decide(const std::vector<const Claim*>& claims, int limit,
       for (std::size_t v = 0; v < solvers().size(); ++v) work.push_back({c, q, v});
     }
   }
-  in_parallel(work.size(), jobs, [&](std::size_t i) {
+  in_parallel(work.size(), jobs, [&](std::uint64_t i) {
     const auto [c, q, v] = work[i];
     const Query& query = claims[c]->queries[q];
     solved[c][v][q] = solve(solvers()[v], query.script, limit, query.eager);
+    return true;
   });
   std::vector<Decision> all;
   for (std::size_t c = 0; c < claims.size(); ++c) {
@@ -96,30 +95,6 @@ bool timed_out(const std::vector<Decision>& decisions) {
     }
   }
   return false;
-}
-
-void in_parallel(std::size_t count, unsigned threads,
-                 const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next = 0;
-  std::mutex mutex;
-  std::exception_ptr error;
-  const auto run = [&] {
-    for (std::size_t i = next++; i < count; i = next++) {
-      try {
-        work(i);
-      } catch (...) {
-        const std::scoped_lock lock(mutex);
-        if (!error) error = std::current_exception();
-        next = count;
-      }
-    }
-  };
-  {
-    std::vector<std::jthread> all;
-    for (unsigned t = 1; t < threads; ++t) all.emplace_back(run);
-    run();
-  }
-  if (error) std::rethrow_exception(error);
 }
 
 }  // namespace cosim::proof

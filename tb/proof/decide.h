@@ -1,7 +1,6 @@
 // Claims put before the solvers, several questions at a time.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,21 +13,18 @@ struct Decision {
   std::vector<std::vector<Solved>> solved;  ///< by solver and query
   std::vector<double> seconds;              ///< of processor time, by solver, of all queries
   bool proved = false;                      ///< every solver answered every question as wanted
-  bool refuted = false;  ///< one answered one of them the other way, and none denied that
+  bool refuted = false;  ///< a solver gave an opposite answer, and no solver a wanted one
   std::string verdict;   ///< "proved", "REFUTED", or why it is neither
 };
 
 /// Has every one of solvers() answer every query of the claims, `jobs` at a time, each for `limit`
-/// seconds of processor time at the most. What comes is in the claims' order.
+/// seconds of processor time at most. Results are in the order of the claims.
 std::vector<Decision> decide(const std::vector<const Claim*>& claims, int limit, unsigned jobs);
 
-/// Whether a solver came to its limit, so that more of it might help.
+/// Whether a solver reached its time limit, so that a longer one might help.
 bool timed_out(const std::vector<Decision>& decisions);
 
-/// What answers come to, by solver and query.
+/// Judges the answers, by solver and query.
 Decision judged(const Claim& claim, std::vector<std::vector<Solved>> solved);
-
-/// Calls work(0), ..., work(count - 1) on `threads` threads. The first exception ends it.
-void in_parallel(std::size_t count, unsigned threads, const std::function<void(std::size_t)>& work);
 
 }  // namespace cosim::proof

@@ -8,8 +8,8 @@
 
 namespace cosim::proof {
 
-/// Starts from its state, has its inputs for a clock and then a clock at rest, so that what differs
-/// after the clock is seen.
+/// Starts from its state, applies its inputs for one clock and then one idle clock, so that a
+/// difference after the clock shows.
 Stimulus stimulus_of(const Counterexample& c, const AnyBench& bench);
 
 /// Every signal of it, expected above actual where they differ. Lines end in '\n'.

@@ -57,11 +57,11 @@ class Script {
   Expression declare(const std::string& name, const std::string& sort);
   /// Gives `value` a name that a reader knows.
   Expression define(const std::string& name, const Expression& value);
-  /// Lines taken over as they are.
+  /// Adds lines unchanged.
   void add(const std::string& lines) { text_ += lines; }
   void assume(const Expression& condition);
 
-  /// Asks the one question of a script: can all that was assumed be so, and `also` as well?
+  /// Asks the only question of a script: can all assumptions and `also` hold together?
   void ask(const Expression& also);
   /// Asks one of several.
   void ask_apart(const Expression& also);

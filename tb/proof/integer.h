@@ -1,5 +1,5 @@
-// Integers without end as symbols: a model run on Integer gives the formula of what it does with
-// registers that never overflow. Whether a register of some width does is a theorem by itself.
+// Unbounded integers as symbols: a model run on Integer gives its formula for registers that never
+// overflow. That a register of some width does not overflow is a theorem of its own.
 #pragma once
 
 #include <optional>
@@ -33,11 +33,11 @@ Integer shift_left(const Integer& v, int n);
 Integer shift_right(const Integer& v, int n);
 Integer select(const Truth& c, const Integer& a, const Integer& b);
 
-// For theorems alone; a model has no products.
+// For theorems only; a model has no products.
 Integer operator*(const Integer& a, const Integer& b);
 Truth operator<=(const Integer& a, const Integer& b);
 Truth operator>=(const Integer& a, const Integer& b);
-/// Where a holds, b does.
+/// a implies b.
 Truth implies(const Truth& a, const Truth& b);
 
 }  // namespace cosim::proof

@@ -29,14 +29,14 @@ struct MachineFormula {
   std::vector<Named>
       invariant;  ///< of the state before the clock: its fields are in range, and more
   std::vector<Named> invariant_after;  ///< the same of the state after it
-  /// True of every state that a clear leads to, and not needed for RTL and model to be the same; of
-  /// the state before, after it, and after a clear.
+  /// True of every state that can follow a clear, but not needed for RTL and model to be the same:
+  /// of the state before the clock, after it, and after a clear.
   std::vector<Named> reached, reached_after, reached_cleared;
-  std::vector<Wire> registers;  ///< what the RTL's registers are to hold before the clock
+  std::vector<Wire> registers;  ///< what the RTL's registers must hold before the clock
   std::vector<Wire> outputs;    ///< during it
-  std::vector<Wire> after;      ///< what the registers are to hold after it
-  std::vector<Named> parts;     ///< of all clocks: one by one they are easier
-  std::vector<Named> cases;     ///< what may happen on a clock, each of which must be possible
+  std::vector<Wire> after;      ///< what the registers must hold after it
+  std::vector<Named> parts;     ///< they cover all clocks and are easier one by one
+  std::vector<Named> cases;     ///< what may happen on a clock; each must be possible
   std::vector<Wire>
       clearing;               ///< the inputs that clear the machine, with the values they have then
   std::vector<Wire> cleared;  ///< the registers after that

@@ -2,14 +2,16 @@
 
 #include <fmt/core.h>
 
-#include <fstream>
 #include <map>
 #include <optional>
 #include <regex>
+#include <sstream>
 #include <utility>
 
 #include "model/core/input_error.h"
+#include "tb/support/parallel.h"
 #include "tb/support/process.h"
+#include "tb/support/read_file.h"
 
 namespace cosim::proof {
 namespace {
@@ -122,7 +124,7 @@ Claim asked(const std::string& what, const std::string& asks, Script script,
 
 // By module, what yosys wrote of it.
 std::map<std::string, std::string> modules_in(const fs::path& file) {
-  std::ifstream stream(file);
+  std::istringstream stream(read_file(file.string()));
   std::map<std::string, std::string> all;
   const std::string mark = "; yosys-smt2-module ";
   std::string name;
@@ -139,7 +141,7 @@ enum class Edge { rising, falling, other };
 std::map<std::string, Edge> clocks_in(const fs::path& stem) {
   std::map<std::string, Edge> all;
   const auto read = [&](const char* list, Edge edge) {
-    std::ifstream stream(stem.string() + list);
+    std::istringstream stream(read_file(stem.string() + list));
     for (std::string line; std::getline(stream, line);) all[line.substr(line.find('/'))] = edge;
   };
   read(".all", Edge::other);
@@ -248,7 +250,7 @@ std::vector<Judged> judge_mutants(const MachineFormula& machine, const fs::path&
   // Each run of yosys reads the file anew.
   constexpr std::size_t a_run = 16;
   std::vector<Judged> all(numbers.size());
-  in_parallel((numbers.size() + a_run - 1) / a_run, jobs, [&](std::size_t run) {
+  in_parallel((numbers.size() + a_run - 1) / a_run, jobs, [&](std::uint64_t run) {
     const std::size_t first = run * a_run, last = std::min(first + a_run, numbers.size());
     const Mutants mutants(machine, verilog,
                           {numbers.begin() + static_cast<std::ptrdiff_t>(first),
@@ -265,6 +267,7 @@ std::vector<Judged> judge_mutants(const MachineFormula& machine, const fs::path&
       const Decision& d = decided.front();
       judged = {d.proved, d.refuted, timed_out(decided), d.verdict};
     }
+    return true;
   });
   return all;
 }

@@ -4,14 +4,14 @@
 // first clear on:
 //
 //   clear   after a clock that clears the machine, whatever its flip-flops held, the mutant's
-//           registers hold what they are to hold
+//           registers hold the right values
 //   step    from every state that satisfies the invariant and what else is true of all states
-//           reached, with the registers of both holding what they are to hold in it, under every
+//           reached, with the registers of both holding the values of that state, under every
 //           input: outputs, and registers after the clock, are the same
 //
 // That the RTL without a mutant is the same as the model is another claim (claims.h), so that all
-// states after the clock are such states again; reached_claim() says so of what claims.h does not
-// use. A mutant's flip-flop need not be what a register's net shows, so a register is its net.
+// states after the clock are such states again; reached_claim() says so of the part that claims.h
+// does not use. A mutant may change what lies between a flip-flop and its net: the net counts.
 #pragma once
 
 #include <filesystem>

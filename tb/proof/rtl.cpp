@@ -3,12 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <fstream>
 #include <regex>
 #include <sstream>
 
 #include "model/core/input_error.h"
 #include "tb/support/process.h"
+#include "tb/support/read_file.h"
 
 namespace cosim::proof {
 namespace {
@@ -41,8 +41,7 @@ std::string written_by_yosys(const Source& source) {
       "write_smt2 -wires {}",
       source.top, file.string());
   run_yosys(commands, source.top);
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
+  return read_file(file.string());
 }
 
 }  // namespace

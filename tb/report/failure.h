@@ -1,4 +1,4 @@
-// The folder that a mismatch leaves behind: all that is needed to see why, and to run it again.
+// The folder that a mismatch leaves: all that is needed to understand it and to run it again.
 //
 //   report.txt       what and where, the clocks around it, the smallest case, how to replay
 //   report.json      the same for a program
@@ -16,7 +16,7 @@ namespace cosim {
 
 struct FailureOptions {
   std::filesystem::path root = "failures";
-  Window wave{200, 50};
+  Window wave = wave_window;
   std::string command = "cosim";  ///< how the program that replays is called
 };
 

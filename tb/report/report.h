@@ -22,18 +22,18 @@ bool all_match(const std::vector<Outcome>& outcomes);
 /// "9 registers and 4 outputs"
 std::string compared_signals(const AnyBench& bench);
 
-/// What was compared and over how many clocks, a line a design, which is named where there are
+/// What was compared and over how many clocks, one line a design, with its name if there are
 /// several. Lines end in '\n', here and below.
 std::string comparison_text(const std::vector<Outcome>& outcomes);
 
-/// The verdict of all outcomes in words, behind each mismatch or objection of the oracle in full.
+/// Every mismatch and every error of an oracle in full, then the verdict of all outcomes.
 std::string verdict_text(const std::vector<Outcome>& outcomes);
 
 /// The report as JSON text: an object with `verdict`, `design`, `parameters`, `clocks`, the
 /// measures of the design's check under their names, `compared_signals`, `seed`, where they do not
 /// match `mismatch`, and `runs`, an object for each outcome. Over several outcomes clocks are added
-/// up, measures as they say, mismatch is the first, and parameters an array of what would be one
-/// object; over several designs design is an array of names and compared_signals an object of
+/// up, measures are combined as they say, mismatch is the first, and parameters is an array of
+/// objects; over several designs design is an array of names and compared_signals an object of
 /// arrays under these names. Over none the verdict is "nothing compared". `extra` is a JSON object
 /// whose keys are added. Text that is not UTF-8 gets replacement characters.
 std::string report_json(const std::vector<Outcome>& outcomes, std::uint64_t seed,

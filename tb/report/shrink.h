@@ -9,7 +9,7 @@ namespace cosim {
 
 /// The smallest stimulus found within `budget` on which RTL and model still differ: fewer clocks,
 /// pins at rest, lower values; it ends with the first clock that differs. `stimulus` fails on
-/// `bench`. A change that lets another signal differ first is a change all the same.
+/// `bench`. It does not matter which signal differs first.
 Stimulus shrink(const AnyBench& bench, Stimulus stimulus,
                 std::chrono::milliseconds budget = std::chrono::seconds(8));
 

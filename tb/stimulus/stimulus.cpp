@@ -7,8 +7,8 @@
 #include <string_view>
 
 #include "model/core/input_error.h"
-#include "model/toolpath/source.h"
 #include "tb/bench/bench.h"
+#include "tb/support/read_file.h"
 #include "tb/support/show.h"
 #include "tb/support/words.h"
 
@@ -16,7 +16,7 @@ namespace cosim {
 namespace {
 
 constexpr const char* first_line = "cosim stimulus 1";
-// A little more than a mismatch leaves behind: 100 MB.
+// A little more than the stimulus of any mismatch: 100 MB.
 constexpr std::uint64_t most_clocks = 1'100'000;
 static_assert(most_clocks > most_kept + Mismatch::clocks_behind);
 // More than any machine has inputs.
@@ -64,8 +64,8 @@ class Parser {
     while (need_line("a row 'clock' of the inputs' names"), words_[0] != "clock") header();
     names();
     while (need_line("'end'"), words_[0] != "end") row();
-    if (words_.size() != 1) fail("text behind 'end'");
-    if (next_words()) fail("text behind 'end'");
+    if (words_.size() != 1) fail("text after 'end'");
+    if (next_words()) fail("text after 'end'");
     if (replay_.stimulus.clocks.empty()) fail("there is no clock in it");
     return std::move(replay_);
   }
@@ -95,9 +95,9 @@ class Parser {
     return false;
   }
   void need_line(const char* wanted) {
-    if (!next_words()) fail(fmt::format("the file ends before {}: it is not whole", wanted));
+    if (!next_words()) fail(fmt::format("the file ends before {}: it is not complete", wanted));
   }
-  // What stands behind the line's first word.
+  // The text after the line's first word.
   std::string rest() const {
     const std::size_t begin = line_.find(words_[0]) + words_[0].size();
     const std::size_t text = line_.find_first_not_of(" \t", begin);
@@ -170,7 +170,7 @@ class Parser {
     for (std::size_t w = 1; w < words_.size(); ++w) {
       if (std::find(words_.begin() + 1, words_.begin() + static_cast<std::ptrdiff_t>(w),
                     words_[w]) != words_.begin() + static_cast<std::ptrdiff_t>(w)) {
-        fail(fmt::format("{} stands twice", in_quotes(words_[w])));
+        fail(fmt::format("{} is given twice", in_quotes(words_[w])));
       }
       const auto field = std::find_if(inputs_.begin(), inputs_.end(),
                                       [&](const Field& f) { return f.name == words_[w]; });
@@ -196,7 +196,7 @@ class Parser {
       fail(fmt::format("{} is no clock and no range of clocks", in_quotes(words_[0])));
     }
     if (*first != clocks.size()) {
-      fail(fmt::format("clock {} stands where clock {} should", *first, clocks.size()));
+      fail(fmt::format("clock {} where clock {} should be", *first, clocks.size()));
     }
     if (*last >= most_clocks) fail(fmt::format("more than {} clocks", most_clocks));
     return *last - *first + 1;
@@ -272,7 +272,7 @@ Replay parse_stimulus(const std::string& name, const std::string& text,
 
 Replay read_stimulus(const std::string& path,
                      const std::vector<std::unique_ptr<AnyBench>>& benches) {
-  return parse_stimulus(path, toolpath::read_text(path), benches);
+  return parse_stimulus(path, read_file(path), benches);
 }
 
 }  // namespace cosim

@@ -11,10 +11,10 @@
 //   2-9                1      0         0         0      0     0
 //   end
 //
-// A row stands for one clock or for several alike; each has every input, as the tables show it:
-// bit strings in bits, above 16 bits in hexadecimal, all else as numbers. `state NAME=NUMBER ...`
-// before the rows starts the run from that state of the model, not named ones as after a clear.
-// What stands behind a # is not read.
+// A row is one clock, or several equal ones. It has every input, in the form of the tables: bit
+// strings in bits, above 16 bits in hexadecimal, all else as numbers. `state NAME=NUMBER ...`
+// before the rows starts the run from that state of the model; fields without a NAME are as after a
+// clear. A # begins a comment.
 #pragma once
 
 #include <cstdint>

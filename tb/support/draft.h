@@ -9,8 +9,7 @@
 
 namespace cosim {
 
-/// Written under a name that no reader takes for the folder, and gone again if it is not finished,
-/// or a signal ends the program.
+/// Written under another name, and removed if it is not finished or a signal ends the program.
 class Draft {
  public:
   /// Of root/name. InputError where that cannot be written.
@@ -24,8 +23,8 @@ class Draft {
   /// A file of the folder. InputError as OutputFile.
   void write(const std::string& name, const std::string& text) const;
 
-  /// Takes the place of what stood there. Another program may leave the same folder meanwhile: the
-  /// last one stays.
+  /// Replaces an older folder of that name. If two programs write the same folder, the last one
+  /// stays.
   void finish();
 
  private:

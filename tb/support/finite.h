@@ -1,5 +1,4 @@
-// Every figure that leaves the program is a finite number: JSON has no other, and no reader expects
-// one.
+// Every figure that the program prints is a finite number: JSON has no others.
 #pragma once
 
 #include <cmath>
@@ -13,7 +12,7 @@ inline double finite(double figure) {
   return figure;
 }
 
-/// Of every figure in a JSON value; null is what JSON makes of one that is not finite.
+/// Checks every figure in a JSON value, in which a figure that is not finite has become null.
 template <class Json>
 void check_finite(const Json& json) {
   if (json.is_null()) throw std::logic_error("a figure is not finite");

@@ -1,4 +1,4 @@
-// Ctrl-C in a long run: the run stops where it is and says what it had finished.
+// Ctrl-C in a long run: the run stops and reports what it has finished.
 #pragma once
 
 namespace cosim {
@@ -8,7 +8,7 @@ struct Interrupted {
   int signal = 0;
 };
 
-/// While one lives, SIGINT and SIGTERM are only taken down; a second one ends the program.
+/// While a guard lives, SIGINT and SIGTERM are only recorded; a second one ends the program.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -18,7 +18,7 @@ class InterruptGuard {
 
   /// The signal that came, or 0.
   static int signal();
-  /// Throws Interrupted where one came. May be called from any thread.
+  /// Throws Interrupted if one came. May be called from any thread.
   static void check();
 };
 

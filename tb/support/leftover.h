@@ -1,12 +1,12 @@
-// What is not whole yet, and shall not be left behind: not by an error, and not by a signal.
+// Removes unfinished files after an error or a signal.
 #pragma once
 
 #include <string>
 
 namespace cosim {
 
-/// A file, or a folder with files alone in it, that is being written: gone with this, and where a
-/// signal ends the program.
+/// A file, or a folder of files, that is being written. Removed with this object, and when a signal
+/// ends the program.
 class Leftover {
  public:
   /// To be made before the file is.
@@ -16,7 +16,7 @@ class Leftover {
   Leftover& operator=(const Leftover&) = delete;
 
   const std::string& path() const { return path_; }
-  /// It is whole, or has another name by now.
+  /// The file is finished or renamed: it is not removed any more.
   void keep();
 
  private:
@@ -24,9 +24,8 @@ class Leftover {
   int slot_ = -1;
 };
 
-/// From then on SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE and SIGXCPU, where they are not ignored,
-/// remove all that is left over before they end the program, and a file that grows too large is an
-/// error of its writer.
+/// From then on SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE and SIGXCPU, unless ignored, remove all
+/// unfinished files before they end the program. A file that grows too large is a write error.
 void remove_leftovers_on_signals();
 
 }  // namespace cosim

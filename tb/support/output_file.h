@@ -1,5 +1,5 @@
-// An output file that is whole or an error: every write is checked, and until it is whole it has
-// another name where it can, and what stood there before stays.
+// An output file that is complete, or an error. Every write is checked. If possible the file is
+// written under another name, so that an older file stays until the new one is complete.
 #pragma once
 
 #include <fmt/core.h>
@@ -16,9 +16,8 @@ namespace cosim {
 
 class OutputFile {
  public:
-  /// Opens the file for writing; of one that can be replaced at once, as replace_file.h has it, the
-  /// one that takes its place. An empty path gives a file that takes text and writes nothing.
-  /// InputError where the file cannot be written, here and below.
+  /// Opens the file for writing, or the file that will replace it (replace_file.h). With an empty
+  /// path all text is dropped. InputError if the file cannot be written, here and below.
   explicit OutputFile(const std::string& path);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
@@ -39,7 +38,7 @@ class OutputFile {
     if (buffer_.size() > std::size_t{1} << 16) flush();
   }
 
-  /// To be called when all is in: then it stands there.
+  /// Completes the file. To be called last.
   void close();
 
  private:

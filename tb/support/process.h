@@ -13,16 +13,15 @@ struct Ended {
   int status = 0;          ///< 127 where there is no such program, 128 + n where signal n ended it
   bool timed_out = false;  ///< it was stopped at its limit
   double seconds = 0;      ///< of processor time that it took
-  std::string text;        ///< what it printed, errors among it
+  std::string text;        ///< what it printed, errors included
 };
 
 /// Runs a program, found as a shell finds it, with nothing to read. After `limit` seconds of
-/// processor time, which a busy computer does not take from it, it is stopped; 0 is no limit. One
-/// that waits instead of working is stopped as well, after many times that.
-/// Where SIGINT or SIGTERM come the program is ended, and Interrupted thrown.
+/// processor time it is stopped; 0 is no limit. A program that only waits is stopped after many
+/// times the limit. On SIGINT or SIGTERM the program is stopped and Interrupted is thrown.
 Ended run_program(const std::vector<std::string>& words, int limit = 0);
 
-/// A folder for files in between, gone with this: where SIGINT or SIGTERM come, too.
+/// A folder for temporary files, removed with this object, also after SIGINT or SIGTERM.
 class Scratch {
  public:
   Scratch();

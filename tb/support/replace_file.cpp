@@ -24,10 +24,6 @@ struct Close {
 };
 using File = std::unique_ptr<std::FILE, Close>;
 
-[[noreturn]] void fail(const std::string& path, const char* what) {
-  throw InputError(fmt::format("{}: cannot {}: {}", path, what, std::strerror(errno)));
-}
-
 bool write_all(std::FILE* file, const std::string& text) {
   return std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0 &&
          fsync(fileno(file)) == 0;
@@ -65,19 +61,9 @@ void replace_file(const std::string& path, const std::string& text) {
   const File file(number < 0 ? nullptr : fdopen(number, "w"));
   if (!file || !write_all(file.get(), text) ||
       std::rename(half.path().c_str(), path.c_str()) != 0) {
-    fail(path, "write");
+    throw InputError(fmt::format("{}: cannot write: {}", path, std::strerror(errno)));
   }
   half.keep();
-}
-
-std::string text_of_file(const std::string& path) {
-  const File file(std::fopen(path.c_str(), "r"));
-  if (!file) fail(path, "read");
-  std::string text;
-  char part[1 << 12];
-  while (const std::size_t n = std::fread(part, 1, sizeof part, file.get())) text.append(part, n);
-  if (std::ferror(file.get()) != 0) fail(path, "read");
-  return text;
 }
 
 }  // namespace cosim

@@ -23,7 +23,7 @@ std::optional<Number> parse(std::string_view text, int base = 10) {
 }
 
 // What one in the last of so many decimals is, in units of the last of so many bits.
-std::uint64_t decimal(int fraction) {
+std::uint64_t last_decimal(int fraction) {
   std::uint64_t power = 1;
   for (int i = 0; i < fraction; ++i) power *= 5;
   return power;
@@ -34,7 +34,7 @@ std::uint64_t decimal(int fraction) {
 std::string show_size(const Field& field, std::uint64_t size) {
   if (field.fraction == 0) return fmt::format("{}", size);
   const auto part = static_cast<std::uint64_t>(low_bits(static_cast<Word>(size), field.fraction));
-  return fmt::format("{}.{:0{}}", size >> field.fraction, part * decimal(field.fraction),
+  return fmt::format("{}.{:0{}}", size >> field.fraction, part * last_decimal(field.fraction),
                      field.fraction);
 }
 
@@ -46,7 +46,7 @@ std::optional<Word> parse_size(const Field& field, std::string_view text) {
   if (field.fraction > 0) {
     const auto decimals = parse<std::uint64_t>(text.substr(std::min(point + 1, text.size())));
     if (!decimals) return {};
-    size += *decimals / decimal(field.fraction);
+    size += *decimals / last_decimal(field.fraction);
   } else if (point != text.size()) {
     return {};
   }

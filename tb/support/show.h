@@ -9,14 +9,14 @@
 
 namespace cosim {
 
-/// The shortest reading of a value: bits for a bit string, else the number they stand for. Bit
-/// strings of more than 16 bits in hexadecimal.
+/// A value in its shortest form: the bits of a bit string, in hexadecimal above 16 bits, else the
+/// number.
 std::string show_short(const Field& field, Word value);
 
-/// The value that show_short gives as `text`; none where it gives no such text.
+/// The value for which show_short gives `text`; none if there is none.
 std::optional<Word> parse_short(const Field& field, std::string_view text);
 
-/// The bits, and behind them what they stand for: "11110 (-1)".
+/// The bits and the number they encode: "11110 (-1)".
 std::string show(const Field& field, Word value);
 
 /// The longest that show_short gets for the field.

@@ -10,19 +10,18 @@ namespace cosim {
 /// "1 step", "2 steps"
 std::string count(std::uint64_t n, const std::string& noun);
 
-/// A number of them that need not be whole, rounded to three decimals, exact where it has no more:
-/// "0.369 steps", "1 step". More decimals where three would round it to a multiple of a half that
-/// it is not: "0.4996 steps".
+/// A number that need not be whole, rounded to three decimals: "0.369 steps", "1 step". It gets
+/// more decimals if three would round it to a multiple of 1/2: "0.4996 steps".
 std::string amount(double n, const std::string& noun);
 
-/// The text on one line, as UTF-8: every byte that is no part of a printable character as "?".
+/// The text on one line, as UTF-8: every byte outside of printable characters becomes "?".
 std::string one_line(std::string text);
 
 /// What a person typed, in quotes and on one line; cut where it is long.
 std::string in_quotes(std::string_view text);
 
-/// "cosim: TEXT" as one line on standard error. Throws nothing: where that is closed or full there
-/// is nobody left to tell.
+/// "cosim: TEXT" as one line on standard error. Throws nothing, even if standard error is closed or
+/// full.
 void complain(const std::string& text);
 
 }  // namespace cosim

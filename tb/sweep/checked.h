@@ -11,7 +11,7 @@ namespace cosim {
 
 /// A figure that a design's check takes of its jobs.
 struct Measure {
-  /// How the figure of several runs comes of theirs.
+  /// How the figures of several runs are combined.
   enum class Sum { total, largest };
 
   std::string name;  ///< its key in reports: "max_deviation"
@@ -27,7 +27,7 @@ std::string to_text(const Measure& measure);
 /// What a check found of a run of jobs.
 struct Checked {
   std::uint64_t jobs = 0;  ///< finished
-  std::string error;       ///< empty, or one line: the first place where machine and oracle part
+  std::string error;       ///< empty, or one line: the first difference between machine and oracle
   std::vector<Measure> measures;  ///< each name once
 
   /// The measure of that name, which must be one.
@@ -37,8 +37,8 @@ struct Checked {
   double number(std::string_view name) const;
 };
 
-/// Adds up what two runs came to; an error stays the first one. std::logic_error where they take a
-/// measure of one name in two ways.
+/// Adds the findings of two runs; the first error stays. std::logic_error if a measure of the same
+/// name is combined in two ways.
 void add(Checked& sum, const Checked& one);
 
 }  // namespace cosim

@@ -13,13 +13,14 @@
 
 #include "model/core/input_error.h"
 #include "tb/support/finite.h"
+#include "tb/support/read_file.h"
 #include "tb/support/replace_file.h"
 
 namespace cosim {
 namespace {
 
 // A hash of the program's file: another build may have other cases, or other RTL. By words and in
-// pieces, for with all that a debugger wants to know it is hundreds of MB.
+// pieces, because with debug information the file has hundreds of MB.
 std::uint64_t program() {
   std::ifstream file("/proc/self/exe", std::ios::binary);
   std::uint64_t hash = 0xcbf29ce484222325ULL;
@@ -38,7 +39,7 @@ std::uint64_t program() {
   return hash;
 }
 
-// More than any work keeps: what is no checkpoint may be of any size.
+// No checkpoint is larger; another file may be of any size.
 constexpr std::uintmax_t most_bytes = std::uintmax_t{4} << 20;
 
 // The work of a checkpoint, short enough for an error.
@@ -64,7 +65,7 @@ Checkpoint::Json Checkpoint::state() const {
   if (std::filesystem::file_size(path_) > most_bytes) {
     throw InputError(path_ + ": no checkpoint: larger than 4 MiB");
   }
-  const Json file = Json::parse(text_of_file(path_), nullptr, false);
+  const Json file = Json::parse(read_file(path_), nullptr, false);
   if (!file.is_object() || !file.contains("work") || !file.contains("state")) {
     throw InputError(path_ + ": no checkpoint");
   }

@@ -1,5 +1,5 @@
-// Work that outlives its process. What is done so far stands in a file, which a run killed at any
-// moment leaves whole; a run of the same work goes on from there.
+// Work that can continue in another process. Progress is kept in a file that is always whole, even
+// if the run is killed; a later run of the same work continues from it.
 #pragma once
 
 #include <chrono>
@@ -12,8 +12,8 @@ class Checkpoint {
  public:
   using Json = nlohmann::json;
 
-  /// `work` says what the work is and what its result depends on, but for the running program,
-  /// which is added. An empty path keeps nothing. InputError where the path is no file's.
+  /// `work` says what the work is and what its result depends on; the program itself is added. An
+  /// empty path keeps nothing. InputError if the path is not that of a file.
   Checkpoint(std::string path, std::string work);
 
   /// The state last saved, null where there is none. InputError where the file is no checkpoint, or
@@ -21,9 +21,9 @@ class Checkpoint {
   Json state() const;
   /// Replaces the state. InputError where it cannot be written.
   void save(const Json& state);
-  /// Whether it is time to save: a moment after the last one, never where nothing is kept.
+  /// Whether it is time to save: a moment after the last time; never if nothing is kept.
   bool due() const;
-  /// To be called when the result is in: the file goes.
+  /// Removes the file. To be called when the result is known.
   void done();
 
  private:

@@ -21,7 +21,7 @@ struct Result {
   bool match() const { return !mismatch && checked.error.empty(); }
 };
 
-/// Adds up what came of them: the failure of the sum is the first one.
+/// Adds two results; the first failure stays.
 inline void add(Result& sum, Result one) {
   if (sum.match() && !one.match()) {
     sum.mismatch = std::move(one.mismatch);
@@ -34,8 +34,8 @@ inline void add(Result& sum, Result one) {
   add(sum.checked, one.checked);
 }
 
-/// What came of one run of jobs that `check` has watched. Of a mismatch it has nothing to say, nor
-/// of what was to come behind it.
+/// The result of one run of jobs that `check` has observed. The check does not judge the clock of a
+/// mismatch or any later one.
 template <class Check>
 Result result_of(Run run, Check& check) {
   Result result;

@@ -6,68 +6,61 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
-#include <exception>
+#include <future>
 #include <map>
 #include <mutex>
-#include <thread>
 #include <utility>
 #include <vector>
 
 #include "tb/bench/bench.h"
+#include "tb/support/parallel.h"
 
 namespace cosim {
+
 Result run_sweep(const Sweep& sweep, unsigned threads, const Progress& progress,
                  const Resume& resume) {
-  std::atomic<std::uint64_t> next{resume.done.cases};
+  const std::uint64_t before = resume.done.cases;
   std::atomic<std::uint64_t> end{sweep.cases};
   std::mutex guard;  // of all below
-  std::condition_variable finished, room;
+  std::condition_variable room;
   Result sum = resume.done;                 // of the first cases
   std::map<std::uint64_t, Result> waiting;  // for a case before them
-  std::exception_ptr thrown;
-  unsigned running = std::max(threads, 1U);
 
-  const auto work = [&] {
+  const auto work = [&](std::uint64_t i) {
     try {
-      for (std::uint64_t i = next++; i < end; i = next++) {
-        Result one = sweep.run(i);
-        one.cases = 1;
-        std::unique_lock lock(guard);
-        if (!one.match() && i < end) end = i;
-        waiting.emplace(i, std::move(one));
-        while (!waiting.empty() && waiting.begin()->first == sum.cases && sum.cases < end) {
-          add(sum, std::move(waiting.begin()->second));
-          waiting.erase(waiting.begin());
-        }
-        room.notify_all();
-        room.wait(lock, [&] { return waiting.size() < most_waiting || sum.cases >= end; });
+      Result one = sweep.run(i);
+      one.cases = 1;
+      std::unique_lock lock(guard);
+      if (!one.match() && i < end) end = i;
+      waiting.emplace(i, std::move(one));
+      while (!waiting.empty() && waiting.begin()->first == sum.cases && sum.cases < end) {
+        add(sum, std::move(waiting.begin()->second));
+        waiting.erase(waiting.begin());
       }
+      room.notify_all();
+      room.wait(lock, [&] { return waiting.size() < most_waiting || sum.cases >= end; });
     } catch (...) {
       const std::lock_guard lock(guard);
-      thrown = std::current_exception();
       end = 0;
       room.notify_all();
+      throw;
     }
-    const std::lock_guard lock(guard);
-    --running;
-    finished.notify_one();
+    return i < end;
   };
 
-  std::vector<std::jthread> pool;
-  for (unsigned t = running; t > 0; --t) pool.emplace_back(work);
-  {
+  // The calling thread is kept for what reports and saves.
+  auto all = std::async(std::launch::async, [&] {
+    in_parallel(sweep.cases - before, threads, [&](std::uint64_t i) { return work(before + i); });
+  });
+  while (all.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready) {
     std::unique_lock lock(guard);
-    while (!finished.wait_for(lock, std::chrono::milliseconds(100), [&] { return running == 0; })) {
-      const std::uint64_t done = sum.cases + waiting.size();
-      const Result first = sum;
-      lock.unlock();
-      if (progress) progress(done, sweep.cases);
-      if (resume.keep) resume.keep(first);
-      lock.lock();
-    }
+    const std::uint64_t done = sum.cases + waiting.size();
+    const Result first = sum;
+    lock.unlock();
+    if (progress) progress(done, sweep.cases);
+    if (resume.keep) resume.keep(first);
   }
-  pool.clear();
-  if (thrown) std::rethrow_exception(thrown);
+  all.get();
   if (sum.cases == end && end < sweep.cases) {
     Result& one = waiting.at(end);
     one.failed = fmt::format("case {}: {}", end.load(), one.failed);

@@ -1,5 +1,5 @@
-// Many cases, over several threads: the case's number alone decides what it is, so any case can be
-// run again by itself, and a sweep needs no memory for those behind it.
+// Many cases on several threads. A case follows from its number alone, so any case can be run again
+// by itself, and finished cases need no memory.
 #pragma once
 
 #include <cstddef>
@@ -21,14 +21,14 @@ struct Sweep {
 /// Called now and then from the calling thread with the cases done so far.
 using Progress = std::function<void(std::uint64_t done, std::uint64_t cases)>;
 
-/// A sweep that goes on where another one was.
+/// A sweep that continues an earlier one.
 struct Resume {
   Result done;  ///< the first cases, as many as `done.cases`, all matching, added up
-  /// Called now and then from the calling thread with what to go on from.
+  /// Called now and then from the calling thread with what to continue from.
   std::function<void(const Result& done)> keep;
 };
 
-/// How many cases may be done before one that they follow: what a sweep remembers at most.
+/// How many finished cases a sweep remembers at most while an earlier case is still running.
 inline constexpr std::size_t most_waiting = 1 << 14;
 
 /// Runs the cases on `threads` threads, >= 1. Of several failing cases the one with the smallest

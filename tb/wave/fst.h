@@ -35,7 +35,7 @@ class Fst {
   void bytes(Handle handle, int width, const unsigned char* bytes);
   void number(Handle handle, double number);
 
-  /// To be called when all is in: then the file stands there.
+  /// Completes the file. To be called last.
   void close();
 
  private:

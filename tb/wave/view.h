@@ -14,7 +14,7 @@ inline constexpr std::uint64_t wave_period = 10;
 
 /// True for a field that GTKWave cannot read by itself, so that the wave has its number too.
 bool has_number(const Field& field);
-/// That number, its fraction bits behind the point.
+/// That number, with its fraction.
 double number_of(const Field& field, Word value);
 
 /// The view of wave `path`, x.fst, which lies beside it: x.gtkw.

@@ -1,5 +1,5 @@
 // A waveform of a run: the RTL's whole hierarchy, and beside it what the model expects. All values
-// of clock c stand from 10 c ns to 10 c + 10 ns, behind the rising edge that brought them about.
+// of clock c stand from 10 c ns to 10 c + 10 ns, after the rising edge that caused them.
 //
 //   cosim.clk, cosim.clock         the clock, and its number
 //   cosim.mismatch.any             1 where any compared signal differs
@@ -26,7 +26,7 @@
 
 namespace cosim {
 
-/// What there is to be drawn of a machine.
+/// The signals of a machine that are drawn.
 struct WaveShape {
   std::string title;
   std::vector<Field> inputs;
@@ -63,7 +63,7 @@ class Wave {
 
   /// The next clock; the RTL's signals are read as they are now.
   void clock(const WaveClock& now);
-  /// To be called behind the last clock.
+  /// To be called after the last clock.
   void close();
 
  private:

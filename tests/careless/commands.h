@@ -13,7 +13,7 @@ struct Option {
 };
 
 struct Command {
-  std::vector<std::string> words;  ///< "sweep", "linear"
+  std::vector<std::string> words;  ///< "sweep", "DESIGN"
   std::vector<std::string> positionals;
   std::vector<Option> options;
   std::vector<std::string> example;  ///< the arguments of its example, the words among them

@@ -38,14 +38,12 @@ class Asked {
     if (killed_ && (path.starts_with("tmp/") || path.ends_with(".hier"))) return true;
     if (std::find(paths_.begin(), paths_.end(), path) != paths_.end()) return true;
     for (const std::string& stem : stems_) {
-      for (const char* part : {"", ".linear", ".circular"}) {
-        const std::string wave = stem + part;
-        if (path == wave + ".fst" || path == wave + ".gtkw") return true;
-        // The words of a probe, whatever it is called.
-        const std::size_t slash = path.find('/', wave.size());
-        if (path.starts_with(wave + ".") && path.ends_with(".txt") && slash == std::string::npos) {
-          return true;
-        }
+      // A wave of one design among several has its name, the words of a probe have that of the
+      // probe.
+      if (!path.starts_with(stem + ".") || path.find('/', stem.size()) != std::string::npos)
+        continue;
+      for (const char* end : {".fst", ".gtkw", ".txt"}) {
+        if (path.ends_with(end)) return true;
       }
     }
     return std::any_of(folders_.begin(), folders_.end(), [&](const std::string& one) {

@@ -129,10 +129,10 @@ TEST_F(Careless, OutputsThatAreNoFileAreSaid) {
   expect_unread(line("--wave", folder), "--wave: " + folder + " does not end in .fst");
   fs::create_directory(folder_.path("w.fst"));
   expect_unread(line("--wave", folder_.path("w.fst")),
-                 folder_.path("w.fst") + ": cannot write: Is a directory");
+                folder_.path("w.fst") + ": cannot write: Is a directory");
   ASSERT_EQ(mkfifo(folder_.path("pipe.fst").c_str(), 0600), 0);
   expect_unread(line("--wave", folder_.path("pipe.fst")),
-                 "--wave: " + folder_.path("pipe.fst") + " cannot be replaced by a file");
+                "--wave: " + folder_.path("pipe.fst") + " cannot be replaced by a file");
   // A wave takes the place of a link; what it led to is left alone.
   fs::create_symlink("/dev/full", folder_.path("full.fst"));
   expect_match(line("--wave", folder_.path("full.fst")));
@@ -169,7 +169,7 @@ TEST_F(Careless, ProgramsOfHugeLinesAreReadInBoundedMemory) {
   expect_match(huge("G0 X1", "\r\n"));
   expect_unread(huge("G0 X", "1"), place + "4: the number of X is out of range");
   expect_unread(huge("", "X"), place + "1: X needs a number");
-  expect_unread(huge("G0 ", "X1 "), place + "7: X stands twice in the block");
+  expect_unread(huge("G0 ", "X1 "), place + "7: X is given twice in the block");
   expect_unread(huge("", "("), place + "1: the comment is not closed on its line");
 }
 

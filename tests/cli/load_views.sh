@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# load_views.sh FILE.gtkw...: has GTKWave load each view, on screens that nobody sees. Every signal of
+# load_views.sh FILE.gtkw...: has GTKWave load each view, on hidden screens. Every signal of
 # the view must be found, and its picture must not be empty.
 # Status: 0 all loaded; 1 not, each with its reason; 77, saying so, without GTKWave or Xvfb.
 set -euo pipefail

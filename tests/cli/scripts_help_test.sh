@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Every script of scripts/ says what it is for, the same by -h and by --help, and needs nothing for
-# it: no package, no build. Behind other words too, but for those that hand their words on.
+# Every script of scripts/ prints its purpose, the same with -h and --help, without any package or
+# build. Also after other words, unless the script passes its words on.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 

@@ -163,7 +163,7 @@ TEST(Replay, RefusesWhatIsNoStimulus) {
       "z.stim",
       "cosim stimulus 1\nmachine circular W=4\nclock rst load f ct7 ct8 sector2 start stop\n");
   EXPECT_EQ(refusal({"replay", half}),
-            "cosim: " + half + ":3: the file ends before 'end': it is not whole\n");
+            "cosim: " + half + ":3: the file ends before 'end': it is not complete\n");
   fs::create_directory(folder.path("empty"));
   EXPECT_NE(refusal({"replay", folder.path("empty")}).find("empty/stimulus.stim: "),
             std::string::npos);

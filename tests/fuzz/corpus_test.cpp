@@ -6,12 +6,11 @@
 #include <cctype>
 #include <chrono>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "tb/support/read_file.h"
 #include "tests/fuzz/expect.h"
 
 namespace cosim::fuzz {
@@ -32,10 +31,7 @@ void feed(const std::string& text) {
 
 class Corpus : public testing::TestWithParam<fs::path> {
  protected:
-  std::string text() const {
-    std::ifstream file(GetParam(), std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
+  std::string text() const { return read_file(GetParam().string()); }
 };
 
 TEST_P(Corpus, IsReadOrRefused) { feed(text()); }

@@ -2,7 +2,7 @@
 # killed_test.sh PROGRAM
 #
 # A run over mutants, killed at 20 random moments, ends with the same results as one that was not,
-# but for the seconds; its results file is whole whenever it is there.
+# except for the seconds; its results file is never incomplete.
 # Status: 0 so, 1 not, 77 where a solver is not installed.
 set -euo pipefail
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # survivor_test.sh PROGRAM COSIM
 #
-# A mutant that nothing kills and, here, nobody proves to be the same machine has survived: status 1,
-# and a folder that says what it is and from which it can be proved.
+# A mutant that no stimulus kills and no proof shows to be the same machine has survived: status 1, and
+# a folder that describes it and from which it can be proved.
 # Status: 0 so, 1 not, 77 where a solver is not installed.
 set -euo pipefail
 

@@ -10,8 +10,8 @@
 #include <functional>
 #include <thread>
 
-#include "model/toolpath/source.h"
 #include "tb/lockstep/replay.h"
+#include "tb/support/read_file.h"
 #include "tb/wave/view.h"
 #include "tests/rtl/planted.h"
 #include "tests/rtl/straight.h"
@@ -103,7 +103,7 @@ void expect_failure_explained(const Variant<Design>& variant) {
   using Pair = std::pair<std::string, const char*>;
   for (const auto& [name, wave] :
        {Pair{"stimulus", "wave.fst"}, Pair{"smallest", "smallest.fst"}}) {
-    const std::string text = toolpath::read_text((failure.folder / (name + ".stim")).string());
+    const std::string text = read_file((failure.folder / (name + ".stim")).string());
     std::vector<std::unique_ptr<AnyBench>> one;
     one.push_back(variant.make_bench());
     const Stimulus s = parse_stimulus(name, text, one).stimulus;

@@ -48,8 +48,7 @@ const Variant<Design>& variant(std::string_view name) {
   for (const auto& v : variants<Design>()) {
     if (v.name == name) return v;
   }
-  throw std::out_of_range("no variant " + std::string(name) + " of the " + Design::name +
-                          " interpolator");
+  throw std::out_of_range("no variant " + std::string(name) + " of " + Design::name);
 }
 
 }  // namespace cosim::test

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What is installed later is found later: CMake runs again when a tool has come or gone, and begins
-# anew with another compiler; else it does not. With a CMake that only says what it is asked.
+# CMake runs again when a tool was installed or removed, and from the start with another compiler, but
+# not otherwise. Tested with a CMake that only prints its arguments.
 # Status: 0 so, 1 not.
 set -euo pipefail
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# scripts/test names each test that was skipped, with its reason, and fails where the reason is one
-# that the scripts are to prevent. Status: 0 so, 1 not.
+# scripts/test names each test that was skipped, with its reason, and fails if the scripts should have
+# prevented the reason. Status: 0 so, 1 not.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)

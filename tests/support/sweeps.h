@@ -3,15 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <thread>
-
+#include "tb/support/parallel.h"
 #include "tests/support/explain.h"
 
 namespace cosim::test {
 
 inline Result expect_match(const Sweep& sweep) {
-  const Result result = run_sweep(sweep, std::max(std::thread::hardware_concurrency(), 1U));
+  const Result result = run_sweep(sweep, cores());
   EXPECT_TRUE(result.match()) << sweep.name << ", " << result.failed << '\n' << explain(result);
   EXPECT_EQ(result.cases, sweep.cases);
   EXPECT_EQ(result.failed, "");

@@ -2,34 +2,23 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
 #include "model/circular/host.h"
-#include "tb/bench/bench.h"
-#include "tb/sweep/checked.h"
+#include "tb/sweep/path_check.h"
 
 namespace cosim::circular {
 
 /// Compares each step with the oracle, the number of steps and the last point.
-class Check final : public Observer<Design> {
+class Check final : public PathCheck<Design> {
  public:
-  explicit Check(std::span<const Arc> arcs);
-  void clock(std::size_t job, const Compared<Design>& seen) override;
-  /// What was found so far, the present job left open.
-  Checked so_far() const;
-  /// Closes the last job.
-  Checked finish();
+  using PathCheck::PathCheck;
 
  private:
-  void open();
-  void close();
-  std::span<const Arc> arcs_;
-  std::size_t job_ = 0;
+  void open(const Arc& arc) override;
+  void compare(const Arc& arc, const Compared<Design>& seen) override;
+  void close(const Arc& arc) override;
   std::int64_t steps_ = 0;
   Point at_;
-  Checked found_;
-  std::uint64_t drawn_ = 0;  // elementary steps: clocks with a step
-  double max_deviation_ = 0;
 };
 
 }  // namespace cosim::circular

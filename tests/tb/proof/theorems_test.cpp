@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <thread>
 
 #include "tb/proof/decide.h"
 #include "tb/proof/integer.h"
+#include "tb/support/parallel.h"
 #include "tests/support/solvers.h"
 
 namespace cosim::proof {
@@ -22,7 +22,7 @@ void expect_all_proved(const std::vector<Theorem>& theorems) {
     claims.push_back(&t.claim);
     claims.push_back(&t.premises);
   }
-  const auto decided = decide(claims, kLimit, std::max(std::thread::hardware_concurrency(), 1U));
+  const auto decided = decide(claims, kLimit, cores());
   for (std::size_t i = 0; i < claims.size(); ++i) {
     EXPECT_EQ(decided[i].verdict, "proved") << theorems[i / 2].sentence << claims[i]->what;
   }

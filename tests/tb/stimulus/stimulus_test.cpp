@@ -126,20 +126,20 @@ TEST(StimulusFile, IsRefusedWithTheLineAndTheReason) {
       {5, "clock a initial_set_n reset write_bp write_uk start data",
        "x.stim:6: linear M=5 N=2 has no input 'a'"},
       {5, "clock data data initial_set_n reset write_bp write_uk start",
-       "x.stim:6: 'data' stands twice"},
+       "x.stim:6: 'data' is given twice"},
       {6, "0 1 0 1 0 0", "x.stim:7: 5 values for 6 inputs"},
       {6, "0 1 0 1 0 0 32", "x.stim:7: data: '32' is no value of 5 bits"},
       {6, "0 1 0 1 0 2 3", "x.stim:7: start: '2' is no value of 1 bit"},
       {6, "0 1 0 1 0 0 0x1", "x.stim:7: data: '0x1' is no value of 5 bits"},
-      {6, "1 1 0 1 0 0 3", "x.stim:7: clock 1 stands where clock 0 should"},
+      {6, "1 1 0 1 0 0 3", "x.stim:7: clock 1 where clock 0 should be"},
       {6, "x 1 0 1 0 0 3", "x.stim:7: 'x' is no clock and no range of clocks"},
       {7, "2-1 1 0 1 0 0 3", "x.stim:8: '2-1' is no clock and no range of clocks"},
       {7, "1-99999999999 1 0 1 0 0 3", "x.stim:8: more than 1100000 clocks"},
       {7, "1-99999999999999999999 1 0 1 0 0 3",
        "x.stim:8: '1-99999999999999999999' is no clock and no range of clocks"},
-      {8, "end here", "x.stim:9: text behind 'end'"},
-      {8, "end\n0 1 0 1 0 0 3", "x.stim:10: text behind 'end'"},
-      {8, "", "x.stim:9: the file ends before 'end': it is not whole"}};
+      {8, "end here", "x.stim:9: text after 'end'"},
+      {8, "end\n0 1 0 1 0 0 3", "x.stim:10: text after 'end'"},
+      {8, "", "x.stim:9: the file ends before 'end': it is not complete"}};
   for (const auto& [line, text, reason] : cases) EXPECT_EQ(refusal(with(line, text)), reason);
 }
 

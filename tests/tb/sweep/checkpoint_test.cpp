@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "model/core/input_error.h"
+#include "tb/support/read_file.h"
 #include "tb/support/replace_file.h"
 
 namespace cosim {
@@ -79,7 +80,7 @@ TEST_F(CheckpointIn, ReplacesFilesAtOnce) {
     }
   });
   for (int i = 0; i < 2000; ++i) {
-    const std::string text = text_of_file(path_);
+    const std::string text = read_file(path_);
     ASSERT_TRUE(text == a || text == b) << text.size();
   }
 }
@@ -88,7 +89,7 @@ TEST_F(CheckpointIn, LeavesTheOldFileWhereItCannotReplaceIt) {
   std::filesystem::create_directory(path_);
   EXPECT_THROW(replace_file(path_, "text"), InputError);
   EXPECT_THROW(replace_file(folder_ / "none/file", "text"), InputError);
-  EXPECT_THROW(text_of_file(folder_ / "none"), InputError);
+  EXPECT_THROW(read_file(folder_ / "none"), InputError);
   EXPECT_TRUE(std::filesystem::is_directory(path_));
   std::filesystem::remove(path_);
   EXPECT_TRUE(std::filesystem::is_empty(folder_));

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "tb/support/replace_file.h"
+#include "tb/support/read_file.h"
 #include "tests/support/model_adapter.h"
 #include "tests/support/vcd.h"
 
@@ -117,7 +117,7 @@ class ProbesOf : public testing::Test {
     std::sort(names.begin(), names.end());
     return names;
   }
-  std::string text(const char* name) const { return text_of_file(folder_ / name); }
+  std::string text(const char* name) const { return read_file(folder_ / name); }
   fs::path folder_;
 };
 

@@ -9,9 +9,7 @@
 #include "model/core/input_error.h"
 #include "tb/cli/common.h"
 #include "tb/cli/draw_one.h"
-#include "tb/cli/draw_steps.h"
 #include "tb/cli/number.h"
-#include "tb/cli/outputs.h"
 #include "tb/designs/circular/check.h"
 #include "tb/designs/circular/cli/arc_command.h"
 #include "tb/designs/circular/cli/curve.h"
@@ -48,8 +46,12 @@ circular::Arc parse_arc(const ArcOptions& o) {
   } else {
     arc.radius2 = whole("--radius2", *o.radius2, 0, largest_coordinate * largest_coordinate);
   }
-  arc.from = o.from ? point("--from", *o.from, largest_coordinate)
-                    : circular::Point{circular::nearest_root(arc.radius2), 0};
+  arc.from = {circular::nearest_root(arc.radius2), 0};
+  if (o.from) {
+    const Range range{0, largest_coordinate};
+    const auto from = integers("--from", *o.from, "X,Y", {range, range});
+    arc.from = {from[0], from[1]};
+  }
   if (!circular::next_to_circle(arc.from, arc.radius2)) {
     throw InputError(fmt::format("--from: ({}, {}) is not next to the circle of R^2 = {}{}",
                                  arc.from.x, arc.from.y, arc.radius2, suggestion(arc)));
@@ -81,23 +83,18 @@ int run(const ArcOptions& o) {
   const auto power_up = static_cast<std::uint32_t>(o.common.seed());
   const circular::Arc arc = parse_arc(o);
   const auto& bench = circular::bench_for(o.shape.shape(), circular::width_needed(arc.radius2));
-  const Extent extent = extent_of(arc);
-  check_extent(o.common, extent);
-  check_outputs(o.common, "", {&bench});
-
-  OutputFile csv(o.common.csv.value_or(""));
-  const std::string work = describe(o, arc);
+  const GridPoint from{arc.from.x, arc.from.y};
   circular::Check check({&arc, 1});
-  StepRows<circular::Design> rows(bench.params(), csv, arc.from, &circular::Outputs<Word>::running);
-  Series path{bench.title(), {}};
-  StepPoints<circular::Design> points(bench.params(), path, arc.from, [&](circular::Point at) {
-    return circular::radial_deviation(at, arc.radius2);
-  });
-  const auto ideal = [&] {
-    return circular::curve_of(arc.from, arc.radius2, path.marks.back().at);
-  };
-  return draw_one<circular::Design, circular::Arc, circular::Check>(
-      {o.common, power_up, bench, work, arc, check, csv, rows, path, points, ideal, extent});
+  return draw_one<circular::Design>(
+      {o.common, power_up, bench, describe(o, arc), arc, extent_of(arc), check,
+       step_rows(bench, from, &circular::Outputs<Word>::running), from,
+       [&](GridPoint at) {
+         return circular::radial_deviation({at.x, at.y}, arc.radius2);
+       },
+       [&](const std::vector<Mark>& marks) {
+         const GridPoint end = marks.back().at;
+         return circular::curve_of(arc.from, arc.radius2, {end.x, end.y});
+       }});
 }
 
 }  // namespace
@@ -111,14 +108,9 @@ void add_arc(const Command& program) {
   command.text("--from", o->from, "X,Y", "A lattice point next to the circle; default R,0");
   command.text("--count", o->count, "K", "Stop after K steps through input 32");
   o->shape.add(command);
-  add_csv(command, o->common,
-          "Write clock,dx,dy,x,y: a row a step, x and y after it; clock 1 is the first\n"
-          "of the running machine");
-  add_table(command, o->common);
-  add_plot(command, o->common);
-  add_wave(command, o->common, "Draw the run as a waveform, with FILE.gtkw, its view for GTKWave");
-  add_failures(command, o->common);
-  add_common(command, o->common);
+  add_drawing(command, o->common,
+              "Write clock,dx,dy,x,y: a row a step, x and y after it; clock 1 is the first\n"
+              "of the running machine");
   command.footer("Example: cosim arc --radius 12 --from 8,9 --csv arc.csv");
   command.action([o] { return run(*o); });
 }

@@ -9,9 +9,7 @@
 #include "model/dda/equation.h"
 #include "tb/cli/common.h"
 #include "tb/cli/draw_one.h"
-#include "tb/cli/draw_steps.h"
 #include "tb/cli/number.h"
-#include "tb/cli/outputs.h"
 #include "tb/designs/dda/check.h"
 #include "tb/designs/dda/cli/dda_command.h"
 #include "tb/designs/dda/cli/settings.h"
@@ -33,7 +31,7 @@ struct DdaOptions {
 };
 
 Point point(const char* name, const std::string& text) {
-  const auto all = integers(name, text, "X,Y", {largest, largest});
+  const auto all = integers(name, text, "X,Y", {{-largest, largest}, {-largest, largest}});
   return {all[0], all[1]};
 }
 
@@ -42,9 +40,9 @@ int bits(std::int64_t size) {
 }
 
 dda::Conic parse_conic(const std::string& text) {
-  std::vector<std::int64_t> sizes(5, dda::largest_factor);
-  sizes.push_back(dda::largest_constant);
-  const auto all = integers("--conic", text, "A,B,C,D,E,F", sizes);
+  std::vector<Range> ranges(5, {-dda::largest_factor, dda::largest_factor});
+  ranges.push_back({-dda::largest_constant, dda::largest_constant});
+  const auto all = integers("--conic", text, "A,B,C,D,E,F", ranges);
   return {all[0], all[1], all[2], all[3], all[4], all[5]};
 }
 
@@ -112,7 +110,7 @@ std::pair<const Bench<dda::Design>*, dda::Job> chosen_for(const Shape& shape, co
 // The point of the curve that is next to each mark.
 Curve curve_of(const dda::Job& job, const std::vector<Mark>& marks) {
   Curve curve;
-  for (const Mark& mark : marks) curve.push_back(on_curve(job, mark.at));
+  for (const Mark& mark : marks) curve.push_back(on_curve(job, {mark.at.x, mark.at.y}));
   return curve;
 }
 
@@ -143,20 +141,15 @@ int run(const DdaOptions& o) {
   const Work work = parse_work(o);
   const auto [chosen, job] = chosen_for(o.shape.shape(), work);
   const auto& bench = *chosen;
-  const Extent extent = extent_of(bench.params(), job);
-  check_extent(o.common, extent);
-  check_outputs(o.common, "", {&bench});
-
-  OutputFile csv(o.common.csv.value_or(""));
   dda::Check check(bench.params(), {&job, 1});
-  const Point from{job.start.x, job.start.y};
-  StepRows<dda::Design> rows(bench.params(), csv, from, &dda::Outputs<Word>::busy);
-  Series path{bench.title(), {}};
-  StepPoints<dda::Design> points(bench.params(), path, from,
-                                 [drawn = &job](Point at) { return deviation(*drawn, at); });
-  return draw_one<dda::Design, dda::Job, dda::Check>(
-      {o.common, power_up, bench, work.text, job, check, csv, rows, path, points,
-       [&, drawn = &job] { return curve_of(*drawn, path.marks); }, extent});
+  const GridPoint from{job.start.x, job.start.y};
+  return draw_one<dda::Design>(
+      {o.common, power_up, bench, work.text, job, extent_of(bench.params(), job), check,
+       step_rows(bench, from, &dda::Outputs<Word>::busy), from,
+       [drawn = &job](GridPoint at) {
+         return deviation(*drawn, {at.x, at.y});
+       },
+       [drawn = &job](const std::vector<Mark>& marks) { return curve_of(*drawn, marks); }});
 }
 
 }  // namespace
@@ -173,12 +166,7 @@ void add_dda(const Command& program) {
   command.text("--clocks", o->clocks, "N", "Stop after N running clocks");
   o->settings.add(command);
   o->shape.add(command);
-  add_csv(command, o->common, "Write clock,dx,dy,x,y: a row a step, x and y after it");
-  add_table(command, o->common);
-  add_plot(command, o->common);
-  add_wave(command, o->common, "Draw the run as a waveform, with FILE.gtkw, its view for GTKWave");
-  add_failures(command, o->common);
-  add_common(command, o->common);
+  add_drawing(command, o->common, "Write clock,dx,dy,x,y: a row a step, x and y after it");
   command.footer("Example: cosim dda --conic 1,1,2,0,0,-10000 --from 100,0 --width 16");
   command.action([o] { return run(*o); });
 }

@@ -7,9 +7,7 @@
 #include "model/linear/oracle.h"
 #include "tb/cli/common.h"
 #include "tb/cli/draw_one.h"
-#include "tb/cli/draw_steps.h"
 #include "tb/cli/number.h"
-#include "tb/cli/outputs.h"
 #include "tb/designs/linear/check.h"
 #include "tb/designs/linear/cli/code_option.h"
 #include "tb/designs/linear/cli/line_command.h"
@@ -37,7 +35,7 @@ std::optional<std::int64_t> parse_minor(const Text& text, std::int64_t major) {
 
 class Rows final : public Observer<linear::Design> {
  public:
-  Rows(OutputFile& file, int word) : file_(file), word_(word) {}
+  Rows(OutputFile& file, int word) : file_(file), word_(word) { file_.line("tick,major,minor"); }
   void clock(std::size_t, const Compared<linear::Design>& seen) override {
     if (!seen.outputs.strobe) return;
     file_.line("{},{:0{}b},{:0{}b}", ++tick_, static_cast<std::uint64_t>(seen.outputs.major), word_,
@@ -75,26 +73,25 @@ int run(const LineOptions& o) {
   const auto words = static_cast<std::uint64_t>(linear::ticks(p.gamma(), major));
   const Extent extent{words, static_cast<std::uint64_t>(major), words,
                       digits(words) + 2 * static_cast<std::size_t>(p.word()) + 3};
-  check_extent(o.common, extent);
-  check_outputs(o.common, "", {&bench});
-
-  OutputFile csv(o.common.csv.value_or(""));
-  csv.line("tick,major,minor");
   const std::string work =
       fmt::format("BP = {}, MP = {}, UK = {:0{}b}{}", major, code.minor, code.code, p.m,
                   code.rule.empty() ? "" : " (" + code.rule + ")");
   const linear::Job job{{major, code.code}, {}};
   linear::Check check(p, {&job, 1});
-  Rows rows(csv, p.word());
-  Series path{bench.title(), {}};
-  StepPoints<linear::Design> points(p, path, {0, 0}, [&](GridPoint at) {
-    return linear::deviation(major, code.minor, at.x, at.y);
-  });
-  const auto ideal = [&]() -> Curve {
-    return {{0, 0}, {static_cast<double>(major), static_cast<double>(code.minor)}};
-  };
-  return draw_one<linear::Design, linear::Job, linear::Check>(
-      {o.common, power_up, bench, work, job, check, csv, rows, path, points, ideal, extent});
+  return draw_one<linear::Design>(
+      {o.common,
+       power_up,
+       bench,
+       work,
+       job,
+       extent,
+       check,
+       [&](OutputFile& csv) { return std::make_unique<Rows>(csv, p.word()); },
+       {0, 0},
+       [&](GridPoint at) { return linear::deviation(major, code.minor, at.x, at.y); },
+       [&](const auto&) -> Curve {
+         return {{0, 0}, {static_cast<double>(major), static_cast<double>(code.minor)}};
+       }});
 }
 
 }  // namespace
@@ -108,13 +105,8 @@ void add_line(const Command& program) {
   command.text("--code", o->code, "UK",
                "Control code: best (default), greedy, M bits such as 01010, or 0x0a");
   o->shape.add(command);
-  add_csv(command, o->common,
-          "Write tick,major,minor: a row a strobe, words in bits, first step leftmost");
-  add_table(command, o->common);
-  add_plot(command, o->common);
-  add_wave(command, o->common, "Draw the run as a waveform, with FILE.gtkw, its view for GTKWave");
-  add_failures(command, o->common);
-  add_common(command, o->common);
+  add_drawing(command, o->common,
+              "Write tick,major,minor: a row a strobe, words in bits, first step leftmost");
   command.footer("Example: cosim line --major 27 --minor 9");
   command.action([o] { return run(*o); });
 }

@@ -5,6 +5,7 @@
 #include "model/core/input_error.h"
 #include "model/toolpath/quantise.h"
 #include "tb/cli/number.h"
+#include "tb/support/read_file.h"
 #include "tb/support/words.h"
 
 namespace cosim::cli {
@@ -29,7 +30,7 @@ Line parse_line(const std::string& text) {
 NamedWork read_work(const std::string& file, const Text& steps_per_mm) {
   const double scale =
       positive("--steps-per-mm", needed("--steps-per-mm", steps_per_mm), toolpath::finest_grid);
-  const toolpath::Plan plan = toolpath::plan(toolpath::read_gcode_file(file), scale);
+  const toolpath::Plan plan = toolpath::plan(toolpath::read_gcode(read_file(file), file), scale);
   if (plan.pieces.empty()) {
     throw InputError(fmt::format("{}: no motion reaches a step at {} steps/mm", file, scale));
   }

@@ -24,6 +24,7 @@
 #include "tb/studies/toolpath/cli/path_command.h"
 #include "tb/studies/toolpath/path_run.h"
 #include "tb/support/output_file.h"
+#include "tb/support/read_file.h"
 #include "tb/support/words.h"
 
 namespace cosim::cli {
@@ -124,7 +125,7 @@ int run(const PathOptions& o) {
   const auto rule = code_rule(o.code);
   const Shape line_shape = o.line_shape.shape();
   const Shape arc_shape = o.arc_shape.shape();
-  const toolpath::Program program = toolpath::read_gcode_file(file);
+  const toolpath::Program program = toolpath::read_gcode(read_file(file), file);
   const toolpath::Plan plan = toolpath::plan(program, scale);
   if (plan.pieces.empty()) {
     throw InputError(fmt::format("{}: no motion reaches a step at {} steps/mm", file, scale));
@@ -162,7 +163,7 @@ int run(const PathOptions& o) {
   const PathResult result =
       path.draw(plan, [&](std::uint32_t segment, toolpath::Point step, toolpath::Point at) {
         csv.line("{},{},{},{},{}", segment, step.x, step.y, at.x, at.y);
-        if (o.common.plot) series.add(at, off(plan.segments[segment - 1], at));
+        if (o.common.plot) series.add({at.x, at.y}, off(plan.segments[segment - 1], at));
         progress.at(++steps);
       });
   progress.clear();

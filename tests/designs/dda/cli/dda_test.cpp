@@ -121,7 +121,7 @@ TEST(Dda, RefusesWhatItCannotDraw) {
   expect_refused_dda({}, one + "none is given\n");
   expect_refused_dda({"--line", "1,2", "--circle", "4"}, one + "more are given\n");
   expect_refused_dda({"--line", "1,2,3"}, "--line: '1,2,3' is not X,Y\n");
-  expect_refused_dda({"--line", "1,x"}, "--line: 'x' is not a whole number from ");
+  expect_refused_dda({"--line", "1,x"}, "--line: Y: 'x' is not a whole number from ");
   expect_refused_dda({"--line", "64,1", "--width", "6"},
                      "a curve that needs 7 bits does not fit dda W=6\n");
   expect_refused_dda({"--line", "1,2", "--update", "late"},

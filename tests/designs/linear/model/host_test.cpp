@@ -103,7 +103,7 @@ TEST(LinearHost, GivesNoEmptyLineUp) {
   EXPECT_EQ(printed::strobed(clocks, 1).size(), 1U);
 }
 
-// Each is less in one way and more in none, so that shrinking ends.
+// Each is smaller in one respect and larger in none, so that shrinking ends.
 TEST(LinearHost, TriesSmallerJobs) {
   constexpr Params p{5, 2};
   const auto size = [](const Job& job) {

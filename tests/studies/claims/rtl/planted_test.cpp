@@ -3,10 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
 #include <regex>
 
+#include "tb/support/read_file.h"
 #include "tests/rtl/variant.h"
 #include "tests/support/designs.h"
 #include "tests/support/root.h"
@@ -15,8 +14,7 @@ namespace cosim::test {
 namespace {
 
 TEST(Planted, AreAsManyAndShrinkAsFarAsTheReadmeSays) {
-  std::ifstream readme(project_root() / "README.md");
-  const std::string text{std::istreambuf_iterator<char>(readme), {}};
+  const std::string text = read_file((project_root() / "README.md").string());
   const std::regex sentence(
       "Each of (\\d+)\\splanted\\sfaults\\sand\\smisprints\\sshrinks\\sto\\s(\\d+)\\sclocks");
   std::smatch found;

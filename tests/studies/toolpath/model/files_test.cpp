@@ -1,6 +1,5 @@
 // Programs from files: what opens, the project's own examples, other people's programs.
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <fstream>
 #include <numbers>
 
+#include "tb/support/read_file.h"
 #include "tests/studies/toolpath/model/helpers.h"
 #include "tests/support/root.h"
 
@@ -22,8 +22,10 @@ std::string example(const std::string& name) {
   return (test::project_root() / "tests/toolpaths" / name).string();
 }
 
+Program program_of(const std::string& path) { return read_gcode(read_file(path), path); }
+
 std::string error_of_file(const std::string& path) {
-  return error_of([&] { read_gcode_file(path); });
+  return error_of([&] { program_of(path); });
 }
 
 class Files : public testing::Test {
@@ -43,22 +45,10 @@ class Files : public testing::Test {
   fs::path folder_;
 };
 
-TEST_F(Files, ThatCannotBeReadSaySo) {
-  EXPECT_EQ(error_of_file(path("none")), path("none") + ": no such file");
-  EXPECT_EQ(error_of_file(path("")), path("") + ": is a directory, not a file");
-  ASSERT_EQ(mkfifo(path("pipe").c_str(), 0600), 0);
-  EXPECT_EQ(error_of_file(path("pipe")), path("pipe") + ": is not a regular file");
-  EXPECT_EQ(error_of_file("/dev/null"), "/dev/null: is not a regular file");
-  EXPECT_EQ(error_of_file(std::string(100000, 'a')).substr(100000),
-            ": cannot be read: File name too long");
-  const std::string under = write("file", "G0 X1") + "/x";
-  EXPECT_NE(error_of_file(under).find(under + ": "), std::string::npos);
-}
-
 TEST_F(Files, OfAnySortOfTextAreRead) {
   EXPECT_EQ(error_of_file(write("empty", "")),
             path("empty") + ":1:1: the program ends without a motion in X or Y");
-  EXPECT_EQ(read_gcode_file(write("dos", "\xef\xbb\xbfG0 X1\r\nG1 Y2")).motions.size(), 2u);
+  EXPECT_EQ(program_of(write("dos", "\xef\xbb\xbfG0 X1\r\nG1 Y2")).motions.size(), 2u);
   EXPECT_EQ(error_of_file(write("binary", std::string("\x7f\x45\x4c\x46\0", 5))),
             path("binary") + ":1:1: unexpected byte 0x7f");
   EXPECT_EQ(error_of_file(write("utf16", std::string("\xff\xfeG\0", 4))),
@@ -80,12 +70,6 @@ TEST_F(Files, OfHugeLinesTakeLinearTime) {
   EXPECT_EQ(error_of([&] { read(std::string(size, 'X')); }), "p.ngc:1:1: X needs a number");
 }
 
-TEST_F(Files, OfMoreThanTheLimitAreRefused) {
-  const std::string large = write("large", "G0 X1\n");
-  fs::resize_file(large, max_text_bytes + 1);  // a hole: takes no space
-  EXPECT_EQ(error_of_file(large), large + ": is larger than 256 MiB");
-}
-
 // The signed area, in square mm, of the closed contour that segments first to last draw.
 double area(const std::vector<Step>& path, std::uint32_t first, std::uint32_t last, double scale) {
   double sum = 0;
@@ -97,7 +81,7 @@ double area(const std::vector<Step>& path, std::uint32_t first, std::uint32_t la
 }
 
 TEST(Examples, TheFlangeEnclosesItsAreas) {
-  const Program program = read_gcode_file(example("flange.ngc"));
+  const Program program = program_of(example("flange.ngc"));
   EXPECT_EQ(program.motions.size(), 39u);
   EXPECT_EQ(program.other_axis_moves, 22u);
   constexpr double scale = 20;
@@ -134,7 +118,7 @@ TEST(Examples, TheFlangeEnclosesItsAreas) {
 }
 
 TEST(Examples, TheHexafoilClosesAtEveryScale) {
-  const Program program = read_gcode_file(example("hexafoil.ngc"));
+  const Program program = program_of(example("hexafoil.ngc"));
   ASSERT_EQ(program.motions.size(), 10u);
   for (const double scale : {0.1, 1.0, 7.3, 40.0}) {
     const Plan p = plan(program, scale);
@@ -182,7 +166,7 @@ TEST(OtherPeoples, ProgramsAreDrawn) {
   };
   for (const File& file : files) {
     SCOPED_TRACE(file.name);
-    const Program program = read_gcode_file((fs::path(folder) / file.name).string());
+    const Program program = program_of((fs::path(folder) / file.name).string());
     EXPECT_EQ(program.motions.size(), file.motions);
     EXPECT_EQ(program.motions.back().end, file.end);
     for (const double scale : {3.0, 40.0, 80.7}) {

@@ -25,7 +25,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongCase{"G1 X1\nG1 E5", "2:4: unknown word E"},
         WrongCase{"G1 X1e999", "1:6: unknown word E"},
         WrongCase{"G1 Xinf", "1:4: X needs a number"}, WrongCase{"L1", "1:1: unknown word L"},
-        WrongCase{"G1 X1 Y2 X3", "1:10: X stands twice in the block"},
+        WrongCase{"G1 X1 Y2 X3", "1:10: X is given twice in the block"},
         WrongCase{"G2 X1 I1 K1",
                   "1:10: K is not supported: it belongs to arcs in other planes than G17"},
         WrongCase{"G0 X3000000000", "1:4: X is out of reach: more than 1e9 mm"},

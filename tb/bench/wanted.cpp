@@ -1,4 +1,4 @@
-#include "tb/wave/wanted.h"
+#include "tb/bench/wanted.h"
 
 #include <fmt/core.h>
 
@@ -7,8 +7,6 @@
 #include <cstdlib>
 
 #include "model/core/input_error.h"
-#include "tb/bench/bench.h"
-#include "tb/report/failure.h"
 
 namespace cosim {
 
@@ -20,7 +18,7 @@ void draw_if_wanted(const AnyBench& bench, const std::function<Stimulus()>& stim
   try {
     Stimulus s = stimulus();
     s.machine = bench.title();
-    if (!s.clocks.empty()) bench.draw_wave(path, s, FailureOptions{}.wave);
+    if (!s.clocks.empty()) bench.draw_wave(path, s, wave_window);
   } catch (const InputError& error) {
     fmt::print(stderr, "COSIM_WAVE: {}\n", error.what());
   }

@@ -1,0 +1,71 @@
+// What the checks of designs that draw paths share: jobs come one after the other, each is opened,
+// compared clock by clock and closed, and the first error ends the comparing.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "tb/bench/bench.h"
+#include "tb/sweep/checked.h"
+
+namespace cosim {
+
+template <class Design>
+class PathCheck : public Observer<Design> {
+ public:
+  using Job = typename Design::Host::Job;
+
+  explicit PathCheck(std::span<const Job> jobs) : jobs_(jobs) {}
+  void clock(std::size_t job, const Compared<Design>& seen) final {
+    while (job_ < job) close_one();
+    open_one();
+    if (found_.error.empty()) compare(jobs_[job], seen);
+  }
+  /// What was found so far, the present job left open.
+  Checked so_far() const {
+    Checked found = found_;
+    found.measures = {
+        {"steps", Measure::Sum::total, "", "step", steps_},
+        {"max_deviation", Measure::Sum::largest, "largest deviation", "step", max_deviation_}};
+    return found;
+  }
+  /// Closes the last job.
+  Checked finish() {
+    while (job_ < jobs_.size()) close_one();
+    return so_far();
+  }
+
+ protected:
+  void fail(std::string error) { found_.error = std::move(error); }
+  void drew(std::uint64_t steps) { steps_ += steps; }
+  void deviates(double steps) { max_deviation_ = std::max(max_deviation_, steps); }
+
+ private:
+  virtual void open(const Job& job) = 0;
+  /// These two are called until one of them fails.
+  virtual void compare(const Job& job, const Compared<Design>& seen) = 0;
+  virtual void close(const Job& job) = 0;
+
+  void open_one() {
+    if (!open_) open(jobs_[job_]);
+    open_ = true;
+  }
+  void close_one() {
+    open_one();
+    if (found_.error.empty()) close(jobs_[job_]);
+    ++found_.jobs;
+    ++job_;
+    open_ = false;
+  }
+
+  std::span<const Job> jobs_;
+  std::size_t job_ = 0;
+  bool open_ = false;
+  Checked found_;
+  std::uint64_t steps_ = 0;
+  double max_deviation_ = 0;
+};
+
+}  // namespace cosim

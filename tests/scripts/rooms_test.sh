@@ -33,7 +33,7 @@ cat > CMakeLists.txt <<- END
 	endforeach()
 END
 
-diff - <(cmake -S . -B build | sed -n '/^-- Config/q; p') <<- 'END'
+diff - <(cmake -G Ninja -S . -B build | sed -n '/^-- Config/q; p') <<- 'END'
 	-- design unshipped left out: no line in rtl/shipped.txt
 	-- study absent left out: no design third
 	-- study needs_absent left out: no study absent
@@ -46,6 +46,6 @@ diff - <(cmake -S . -B build | sed -n '/^-- Config/q; p') <<- 'END'
 END
 
 rm -r model/second
-said=$(cmake -S . -B build 2>&1) && echo "takes a design without a model" && exit 1
+said=$(cmake -G Ninja -S . -B build 2>&1) && echo "takes a design without a model" && exit 1
 [[ $said == *"rtl/shipped.txt: there is no folder model/second"* ]] || { echo "$said" && exit 1; }
 echo "as expected"

@@ -45,7 +45,7 @@ struct Params {
 COSIM_RECORD(Inputs, CIRCULAR_INPUTS, Params);
 COSIM_RECORD(Outputs, CIRCULAR_OUTPUTS, Params);
 COSIM_RECORD(State, CIRCULAR_REGISTERS, Params);
-COSIM_RECORD(Registers, CIRCULAR_REGISTERS, Params);
+COSIM_REGISTERS(Registers, CIRCULAR_REGISTERS, Params);
 
 /// The state after a clear. F is +0.75: its fraction is wired.
 template <class V>
@@ -54,12 +54,8 @@ constexpr State<V> cleared() {
   return s;
 }
 
-/// What one clock does: the outputs during it and the state after it.
 template <class V>
-struct Step {
-  State<V> state;
-  Outputs<V> outputs;
-};
+using Step = StepOf<State<V>, Outputs<V>>;
 
 /// The state after a step with F's sign and the sector as given.
 template <class V>
@@ -161,6 +157,7 @@ class View;  // what a person wants to see of it, view.h
 /// The design as one type, for code that is generic over designs.
 struct Design {
   COSIM_DESIGN(circular);
+  using Host = circular::Host;
   using View = circular::View;
   static constexpr const char* name = "circular";
   static constexpr const char* source = "SU 1665343";

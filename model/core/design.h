@@ -1,25 +1,183 @@
-// A design as one type, for code that is generic over designs: struct Design of model/*/machine.h.
+// A design as one type, for code that is generic over designs: struct Design of its model. What a
+// design may leave out has its default here.
 #pragma once
 
-/// What struct Design takes over from its own namespace: the types of the same names, next() and
-/// registers().
-#define COSIM_DESIGN(space)                                                                \
-  using Host = space::Host;                                                                \
-  using Params = space::Params;                                                            \
-  template <class V>                                                                       \
-  using Inputs = space::Inputs<V>;                                                         \
-  template <class V>                                                                       \
-  using Outputs = space::Outputs<V>;                                                       \
-  template <class V>                                                                       \
-  using State = space::State<V>;                                                           \
-  template <class V>                                                                       \
-  using Registers = space::Registers<V>;                                                   \
-  template <class V>                                                                       \
-  static constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) { \
-    return space::next(p, s, in);                                                          \
-  }                                                                                        \
-  template <class V>                                                                       \
-  static constexpr Registers<V> registers(const Params& p, const State<V>& s) {            \
-    return space::registers(p, s);                                                         \
-  }                                                                                        \
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/core/fields.h"
+#include "model/core/stated.h"
+#include "model/core/value.h"
+
+namespace cosim {
+
+/// What one clock does: the outputs during it and the state after it.
+template <class StateRecord, class OutputsRecord>
+struct StepOf {
+  StateRecord state;
+  OutputsRecord outputs;
+};
+
+namespace detail {
+
+/// What the RTL's registers hold in state s: registers(p, s), or s itself where a model has no such
+/// function.
+template <class Params, class State>
+constexpr auto registers_of(const Params& p, const State& s) {
+  if constexpr (requires { registers(p, s); }) {
+    return registers(p, s);
+  } else {
+    return s;
+  }
+}
+
+}  // namespace detail
+
+/// Inputs of a clock on which nothing is asked of the design: rest(), or all 0.
+template <class Design>
+constexpr auto rest_of() {
+  if constexpr (requires { Design::rest(); }) {
+    return Design::rest();
+  } else {
+    return typename Design::template Inputs<Word>{};
+  }
+}
+
+/// The state after a clear: cleared<V>(), or all 0.
+template <class Design, class V>
+constexpr auto cleared_of() {
+  using State = typename Design::template State<V>;
+  if constexpr (requires { Design::template cleared<V>(); }) {
+    return Design::template cleared<V>();
+  } else {
+    State s;
+    for_each_member<State>([&](auto member, std::size_t) { s.*member = V(0); });
+    return s;
+  }
+}
+
+/// The parameters by the RTL's names: parameters(p), or none.
+template <class Design>
+constexpr auto parameters_of(const typename Design::Params& p) {
+  if constexpr (requires { Design::parameters(p); }) {
+    return Design::parameters(p);
+  } else {
+    return std::array<Parameter, 0>{};
+  }
+}
+
+/// The printed source of the design, or "".
+template <class Design>
+constexpr const char* source_of() {
+  if constexpr (requires { Design::source; }) {
+    return Design::source;
+  } else {
+    return "";
+  }
+}
+
+// What a model may state beside its step, each a function found by its arguments; none by default.
+
+template <class V, class Params, class State>
+constexpr auto invariant_of(const Params& p, const State& s) {
+  if constexpr (requires { invariant(p, s); }) {
+    return invariant(p, s);
+  } else {
+    return std::array<Stated<V>, 0>{};
+  }
+}
+template <class V, class Params, class State>
+constexpr auto reached_of(const Params& p, const State& s) {
+  if constexpr (requires { reached(p, s); }) {
+    return reached(p, s);
+  } else {
+    return std::array<Stated<V>, 0>{};
+  }
+}
+template <class V, class Params, class State>
+constexpr auto parts_of(const Params& p, const State& s) {
+  if constexpr (requires { parts(p, s); }) {
+    return parts(p, s);
+  } else {
+    return std::array<Stated<V>, 0>{};
+  }
+}
+template <class V, class Params, class State, class Inputs>
+constexpr auto cases_of(const Params& p, const State& s, const Inputs& in) {
+  if constexpr (requires { cases(p, s, in); }) {
+    return cases(p, s, in);
+  } else {
+    return std::array<Stated<V>, 0>{};
+  }
+}
+
+/// The host of a design that has none: it has no jobs, and any pin may have any value on any clock.
+template <class Design>
+class NoHost {
+ public:
+  struct Job {};
+  NoHost(const typename Design::Params&, std::span<const Job>) {}
+  bool next(typename Design::template Inputs<Word>&,
+            const typename Design::template Outputs<Word>&) {
+    return false;
+  }
+  static std::vector<Job> smaller(const typename Design::Params&, const Job&) { return {}; }
+  static std::string describe(const typename Design::Params&, const Job&) { return {}; }
+  std::size_t job() const { return 0; }
+};
+
+namespace detail {
+
+template <class Design>
+struct HostType {
+  using Type = NoHost<Design>;
+};
+
+template <class Design>
+requires requires { typename Design::Host; }
+struct HostType<Design> {
+  using Type = typename Design::Host;
+};
+
+}  // namespace detail
+
+/// The design's Host, or one without jobs.
+template <class Design>
+using HostOf = typename detail::HostType<Design>::Type;
+
+}  // namespace cosim
+
+/// Defines the records Inputs, Outputs and State from the tables PREFIX_INPUTS, PREFIX_OUTPUTS and
+/// PREFIX_STATE, and Step, what next() gives.
+#define COSIM_RECORDS(PREFIX, Params)              \
+  COSIM_RECORD(Inputs, PREFIX##_INPUTS, Params);   \
+  COSIM_RECORD(Outputs, PREFIX##_OUTPUTS, Params); \
+  COSIM_RECORD(State, PREFIX##_STATE, Params);     \
+  template <class V>                               \
+  using Step = ::cosim::StepOf<State<V>, Outputs<V>>
+
+/// What struct Design takes over from its own namespace: the types of the same names, next(), and
+/// registers() where there is one.
+#define COSIM_DESIGN(space)                                                                      \
+  using Params = space::Params;                                                                  \
+  template <class V>                                                                             \
+  using Inputs = space::Inputs<V>;                                                               \
+  template <class V>                                                                             \
+  using Outputs = space::Outputs<V>;                                                             \
+  template <class V>                                                                             \
+  using State = space::State<V>;                                                                 \
+  template <class V>                                                                             \
+  static constexpr auto next(const Params& p, const State<V>& s, const Inputs<V>& in) {          \
+    return space::next(p, s, in);                                                                \
+  }                                                                                              \
+  template <class V>                                                                             \
+  static constexpr auto registers(const Params& p, const State<V>& s) {                          \
+    return ::cosim::detail::registers_of(p, s);                                                  \
+  }                                                                                              \
+  template <class V>                                                                             \
+  using Registers =                                                                              \
+      decltype(::cosim::detail::registers_of(std::declval<Params>(), std::declval<State<V>>())); \
   static_assert(true, "so that a semicolon stands behind it")

@@ -3,9 +3,10 @@
 //
 //   FIELD(name, width, format, source, meaning)
 //
-// `name` is the RTL's port, or its register without the suffix _q; `width` in bits may use p, the
-// design's parameters; `format` is a name of Format, followed by with_fraction(n) if the lowest n
-// bits are a fraction; `source` is the number of the pin or block in the source.
+// `name` is the RTL's port or register; `width` in bits may use p, the design's parameters;
+// `format` is a name of Format, followed by with_fraction(n) if the lowest n bits are a fraction,
+// and by at("PATH") if the RTL has it by another name or below the top module; `source` is the
+// number of the pin or block in the source.
 #pragma once
 
 #include <array>
@@ -31,7 +32,8 @@ struct Field {
   Format format;
   const char* source;  ///< pin or block number, "" where the source has none
   const char* meaning;
-  int fraction = 0;  ///< bits of a number after the binary point, 0 to 18
+  int fraction = 0;      ///< bits of a number after the binary point, 0 to 18
+  const char* net = "";  ///< where it is in the RTL: "count", or below the top, "fifo.count"
 };
 
 constexpr bool is_signed(const Field& field) {
@@ -67,7 +69,9 @@ namespace row {
 struct Notation {
   Format format;
   int fraction = 0;
-  constexpr Notation with_fraction(int bits) const { return {format, bits}; }
+  const char* net = nullptr;
+  constexpr Notation with_fraction(int bits) const { return {format, bits, net}; }
+  constexpr Notation at(const char* path) const { return {format, fraction, path}; }
 };
 inline constexpr Notation flag{Format::flag};
 inline constexpr Notation bits{Format::bits};
@@ -76,8 +80,9 @@ inline constexpr Notation twos_complement{Format::twos_complement};
 inline constexpr Notation ones_complement{Format::ones_complement};
 
 constexpr Field field(const char* name, int width, Notation notation, const char* source,
-                      const char* meaning) {
-  return {name, width, notation.format, source, meaning, notation.fraction};
+                      const char* meaning, const char* net) {
+  if (notation.net != nullptr) net = notation.net;
+  return {name, width, notation.format, source, meaning, notation.fraction, net};
 }
 
 }  // namespace row
@@ -128,11 +133,18 @@ constexpr Record from_words(const Words<Record>& words) {
 #define COSIM_INDEX(name, width, format, source, meaning) index_##name,
 #define COSIM_POINTER(name, width, format, source, meaning) &Self::name,
 #define COSIM_FIELD(name, width, format, source, meaning) \
-  ::cosim::row::field(#name, width, ::cosim::row::format, source, meaning),
+  ::cosim::row::field(#name, width, ::cosim::row::format, source, meaning, #name),
+#define COSIM_FIELD_Q(name, width, format, source, meaning) \
+  ::cosim::row::field(#name, width, ::cosim::row::format, source, meaning, #name "_q"),
 
 /// Defines `template <class V> struct Record` with one member a row of TABLE, and its table as
 /// data. Params is the type of p in the rows' widths.
-#define COSIM_RECORD(Record, TABLE, Params)                                             \
+#define COSIM_RECORD(Record, TABLE, Params) COSIM_RECORD_OF(Record, TABLE, COSIM_FIELD, Params)
+
+/// The same of registers whose nets have the suffix _q in the RTL and not in the table.
+#define COSIM_REGISTERS(Record, TABLE, Params) COSIM_RECORD_OF(Record, TABLE, COSIM_FIELD_Q, Params)
+
+#define COSIM_RECORD_OF(Record, TABLE, ROW, Params)                                     \
   template <class V>                                                                    \
   struct Record {                                                                       \
     TABLE(COSIM_MEMBER)                                                                 \
@@ -143,7 +155,7 @@ constexpr Record from_words(const Words<Record>& words) {
       return std::array<V Self::*, size>{TABLE(COSIM_POINTER)};                         \
     }                                                                                   \
     static constexpr std::array<Field, size> fields([[maybe_unused]] const Params& p) { \
-      return {TABLE(COSIM_FIELD)};                                                      \
+      return {TABLE(ROW)};                                                              \
     }                                                                                   \
     /* No parameter may have the name of a field. */                                    \
     friend Record select(Condition<V> when, const Record& then, const Record& other) {  \

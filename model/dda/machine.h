@@ -57,14 +57,10 @@ struct Params {
 COSIM_RECORD(Inputs, DDA_INPUTS, Params);
 COSIM_RECORD(Outputs, DDA_OUTPUTS, Params);
 COSIM_RECORD(State, DDA_REGISTERS, Params);
-COSIM_RECORD(Registers, DDA_REGISTERS, Params);
+COSIM_REGISTERS(Registers, DDA_REGISTERS, Params);
 
-/// What one clock does: the outputs during it and the state after it.
 template <class V>
-struct Step {
-  State<V> state;
-  Outputs<V> outputs;
-};
+using Step = StepOf<State<V>, Outputs<V>>;
 
 /// The bits that a field's code has, as the number that it stands for.
 template <class V>
@@ -223,6 +219,7 @@ class View;  // what a person wants to see of it, view.h
 /// The design as one type, for code that is generic over designs.
 struct Design {
   COSIM_DESIGN(dda);
+  using Host = dda::Host;
   using View = dda::View;
   static constexpr const char* name = "dda";
   static constexpr const char* source = "the method of differential increments";

@@ -57,14 +57,10 @@ struct Params {
 COSIM_RECORD(Inputs, LINEAR_INPUTS, Params);
 COSIM_RECORD(Outputs, LINEAR_OUTPUTS, Params);
 COSIM_RECORD(State, LINEAR_STATE, Params);
-COSIM_RECORD(Registers, LINEAR_REGISTERS, Params);
+COSIM_REGISTERS(Registers, LINEAR_REGISTERS, Params);
 
-/// What one clock does: the outputs during it and the state after it.
 template <class V>
-struct Step {
-  State<V> state;
-  Outputs<V> outputs;
-};
+using Step = StepOf<State<V>, Outputs<V>>;
 
 /// The word with a one in each live position: the first `left` of 2^gamma, all where left is more.
 template <class V>
@@ -202,6 +198,7 @@ class View;  // what a person wants to see of it, view.h
 /// The design as one type, for code that is generic over designs.
 struct Design {
   COSIM_DESIGN(linear);
+  using Host = linear::Host;
   using View = linear::View;
   static constexpr const char* name = "linear";
   static constexpr const char* source = "SU 1631518";

@@ -84,7 +84,7 @@ class Observers final : public Observer<Design> {
 template <class Design>
 class Session {
  public:
-  using Job = typename Design::Host::Job;
+  using Job = typename HostOf<Design>::Job;
   virtual ~Session() = default;
   /// Has the design's host draw the jobs one after the other, to their end or to the first
   /// difference; after a difference the session is over. Clocks of a Run count from this call, the

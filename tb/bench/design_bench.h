@@ -24,8 +24,7 @@ class Loop {
   virtual ~Loop() = default;
   /// Clocks through the inputs of the host or the stimulus, to their end (true) or to the first
   /// difference (false). Adds the clocks, the differing one included, to `clocks`.
-  virtual bool through(typename Design::Host& host, Observer<Design>& observer,
-                       std::uint64_t& clocks) = 0;
+  virtual bool through(HostOf<Design>& host, Observer<Design>& observer, std::uint64_t& clocks) = 0;
   virtual bool through(HostileStimulus<Design>& hostile, std::uint64_t& clocks) = 0;
 };
 
@@ -36,8 +35,7 @@ class AdapterLoop final : public Loop<typename Adapter::Design> {
  public:
   template <class PowerUp>
   explicit AdapterLoop(const PowerUp& power_up) : lockstep_(power_up) {}
-  bool through(typename Design::Host& host, Observer<Design>& observer,
-               std::uint64_t& clocks) override {
+  bool through(HostOf<Design>& host, Observer<Design>& observer, std::uint64_t& clocks) override {
     return clock_through(lockstep_, host, clocks,
                          [&](const auto& h, const auto& seen) { observer.clock(h.job(), seen); });
   }
@@ -53,7 +51,7 @@ class AdapterLoop final : public Loop<typename Adapter::Design> {
 /// open and with registers that can be loaded, for replays and waves.
 template <class Design>
 class DesignBench : public Bench<Design> {
-  using Host = typename Design::Host;
+  using Host = HostOf<Design>;
   using Job = typename Host::Job;
 
  public:
@@ -62,9 +60,9 @@ class DesignBench : public Bench<Design> {
       : dut_(dut), instrumented_(instrumented) {}
 
   std::string design() const override { return Design::name; }
-  std::string source() const override { return Design::source; }
+  std::string source() const override { return source_of<Design>(); }
   std::vector<Parameter> parameters() const override {
-    const auto list = Design::parameters(dut_.params);
+    const auto list = parameters_of<Design>(dut_.params);
     return {list.begin(), list.end()};
   }
   std::vector<Field> inputs() const override {
@@ -84,8 +82,8 @@ class DesignBench : public Bench<Design> {
     return {list.begin(), list.end()};
   }
   std::size_t registers() const override { return Design::template Registers<Word>::size; }
-  std::vector<Word> rest() const override { return words(Design::rest()); }
-  std::vector<Word> cleared() const override { return words(Design::template cleared<Word>()); }
+  std::vector<Word> rest() const override { return words(rest_of<Design>()); }
+  std::vector<Word> cleared() const override { return words(cleared_of<Design, Word>()); }
   typename Design::Params params() const override { return dut_.params; }
   std::unique_ptr<Dut<Design>> dut(std::uint32_t power_up) const override {
     return dut_.make(power_up);

@@ -29,7 +29,7 @@ struct OneRun {
   std::uint32_t power_up;  ///< the seed
   const Bench<Design>& bench;
   std::string work;  ///< what the job is, in one line
-  const typename Design::Host::Job& job;
+  const typename HostOf<Design>::Job& job;
   Extent extent;
   PathCheck<Design>& check;
   /// Makes what writes the rows of --csv.

@@ -43,15 +43,25 @@ struct ProveOptions {
 struct Subject {
   std::string title;
   proof::MachineFormula formula;
+  proof::Source source;
   std::vector<Claim> claims;
 };
+
+// The RTL that is proved: what the program was built from, or what --rtl names.
+proof::Source source_of(const ProveOptions& o, const Subject& s) {
+  proof::Source source = s.source;
+  if (o.rtl) source = proof::source_in(*o.rtl, s.formula.design, {});
+  source.parameters = s.formula.parameters;
+  for (const proof::Wire& w : s.formula.registers) source.kept.emplace_back(w.field.net);
+  return source;
+}
 
 std::vector<Subject> chosen(const std::vector<std::string>& words) {
   std::vector<Subject> all;
   const std::string wanted = fmt::format("{}", fmt::join(words, " "));
   for (const auto& machine : proof::built_machines()) {
     if ((machine.title + ' ').starts_with(wanted.empty() ? "" : wanted + ' ')) {
-      all.push_back({machine.title, machine.formula(), {}});
+      all.push_back({machine.title, machine.formula(), machine.source, {}});
     }
   }
   if (all.empty()) throw InputError(wanted + ": is no machine that is built; see cosim list");
@@ -206,8 +216,7 @@ int run(const ProveOptions& o) {
 
   in_parallel(subjects.size(), jobs, [&](std::uint64_t i) {
     Subject& s = subjects[i];
-    const proof::Rtl rtl(
-        proof::source_in(o.rtl.value_or("rtl"), s.formula.design, s.formula.parameters));
+    const proof::Rtl rtl(source_of(o, s));
     s.claims = {claim_clear(s.formula, rtl), claim_step(s.formula, rtl),
                 claim_cases(s.formula, rtl)};
     return true;
@@ -250,7 +259,7 @@ void add_prove(const Command& program) {
   const Command command =
       program.sub("prove", "Proves that RTL and model are the same, for every state and input");
   command.arguments("MACHINE", o->machine, "A design, or a line of cosim list; default all");
-  command.text("--rtl", o->rtl, "DIR", "The RTL, a folder for each design; default rtl");
+  command.text("--rtl", o->rtl, "DIR", "Other RTL than that built here: a folder for each design");
   command.text("--limit", o->limit, "S", "Seconds of processor time for one answer; default 300");
   command.text("--jobs", o->jobs, "J", "Solvers at a time; default one a core");
   command.text("--scripts", o->scripts, "DIR", "Keep the scripts for the solvers in DIR");

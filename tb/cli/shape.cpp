@@ -64,7 +64,8 @@ std::vector<const AnyBench*> matching(const std::string& design, const Shape& sh
         fmt::format("{} {} was not built; built are {}", design, text_of(shape), built));
   }
   std::stable_sort(found.begin(), found.end(), [](const AnyBench* a, const AnyBench* b) {
-    return a->parameters().front().value < b->parameters().front().value;
+    const auto one = a->parameters(), other = b->parameters();
+    return !one.empty() && !other.empty() && one.front().value < other.front().value;
   });
   return found;
 }

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <deque>
 #include <memory>
 #include <optional>
+#include <set>
 
 #include "model/core/input_error.h"
 #include "tb/cli/commands.h"
@@ -35,6 +37,10 @@ struct SweepOptions {
 using Benches = std::vector<const AnyBench*>;
 
 void check_kind(const SweepOptions& o) {
+  if (!o.design.random) {
+    if (!o.hostile) throw InputError("sweep: --hostile COUNT is needed");
+    return;
+  }
   const int kinds = (o.exhaustive ? 1 : 0) + (o.random ? 1 : 0) + (o.hostile ? 1 : 0);
   if (kinds != 1) {
     throw InputError(fmt::format("sweep: one of --exhaustive, --random and --hostile is needed, {}",
@@ -130,8 +136,12 @@ int run(const SweepOptions& o) {
 }
 
 void add_options(const Command& design, SweepOptions& o) {
-  design.flag("--exhaustive", o.exhaustive, "Everything, at the widths small enough for it");
-  design.text("--random", o.random, "COUNT", "COUNT random cases at each width");
+  if (o.design.exhaustive) {
+    design.flag("--exhaustive", o.exhaustive, "Everything, at the widths small enough for it");
+  }
+  if (o.design.random) {
+    design.text("--random", o.random, "COUNT", "COUNT random cases at each width");
+  }
   design.text("--hostile", o.hostile, "COUNT",
               "COUNT clocks of any value on any pin at each width");
   design.text("--jobs", o.jobs, "J", "Threads, 1 to 1024; default one a core");
@@ -144,7 +154,8 @@ void add_options(const Command& design, SweepOptions& o) {
 void add_design(const Command& sweep, const DesignSweeps& swept) {
   auto o = std::make_shared<SweepOptions>(swept);
   const Command design =
-      sweep.sub(swept.design, swept.help + ": one of --exhaustive, --random and --hostile");
+      sweep.sub(swept.design,
+                swept.help + (swept.random ? ": one of --exhaustive, --random and --hostile" : ""));
   add_options(design, *o);
   o->shape.add(design, "every one built");
   design.footer(fmt::format("Example: cosim sweep {} {}", swept.design, swept.example));
@@ -156,6 +167,16 @@ void add_design(const Command& sweep, const DesignSweeps& swept) {
 void add_sweep(const Command& program, const Registry& registry) {
   const Command command = program.sub("sweep", "Many cases on every built width of a design");
   for (const DesignSweeps& design : registry.sweeps()) add_design(command, design);
+
+  // Hostile clocks need nothing but the design.
+  static std::deque<DesignSweeps> others;
+  std::set<std::string> known;
+  for (const DesignSweeps& design : registry.sweeps()) known.insert(design.design);
+  for (const auto& bench : benches()) {
+    if (!known.insert(bench->design()).second) continue;
+    others.push_back({bench->design(), "Hostile clocks", "--hostile 100000", {}, {}, "", {}});
+    add_design(command, others.back());
+  }
 }
 
 }  // namespace cosim::cli

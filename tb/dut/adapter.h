@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "model/core/value.h"
+#include "model/core/fields.h"
 #include "tb/dut/instance.h"
 #include "tb/dut/signal.h"
 
@@ -19,9 +19,10 @@ namespace cosim {
 
 /// The signals of the instance in `context`.
 std::vector<Signal> signals_of(VerilatedContext& context);
-/// Sets every name_q of the hierarchy: the register and the wires that carry it. std::logic_error
-/// if there is none.
-void load_register(VerilatedContext& context, const std::string& name, Word value);
+/// Sets the register `net`: where that is a path, the one there; where it is a name, every net of
+/// that name in the hierarchy, the register and the wires that carry it. std::logic_error if there
+/// is none.
+void load_register(VerilatedContext& context, const std::string& net, Word value);
 
 /// Owns one instance of a Verilated class. Its registers power up at random from `power_up`, so
 /// that a register that no reset reaches shows.
@@ -43,7 +44,9 @@ class VerilatedInstance {
   std::vector<Signal> signals() const { return signals_of(machine_->context()); }
 #ifndef COSIM_NETLIST  // there a register is a wire from flip-flops that are cells
   /// Sets the register of the field `name` before the first eval; only in such a class.
-  void load(const char* name, Word value) { load_register(machine_->context(), name, value); }
+  void load(const Field& field, Word value) {
+    load_register(machine_->context(), field.net, value);
+  }
 #endif
 
  protected:
@@ -56,6 +59,7 @@ class VerilatedInstance {
     return static_cast<Word>(pin);
   }
 
+  VerilatedContext& context() { return machine_->context(); }
   Top& top() { return *top_; }
   const Top& top() const { return *top_; }
 

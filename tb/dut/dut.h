@@ -10,7 +10,7 @@
 //   drive(inputs)                sets the input pins
 //   eval(bool clk)               sets the clock pin and settles everything that depends on it
 //   outputs(), registers()       what they hold now
-//   load(name, word)             may be absent: sets a register before the first eval
+//   load(field, word)            may be absent: sets a register before the first eval
 //   signals()                    may be absent: every signal of the hierarchy
 #pragma once
 
@@ -37,7 +37,7 @@ class Dut {
   virtual Outputs outputs() const = 0;
   virtual Registers registers() const = 0;
   /// std::logic_error if the maker says that registers cannot be loaded.
-  virtual void load(const char* name, Word value) = 0;
+  virtual void load(const Field& field, Word value) = 0;
   /// Empty if the instance does not show them.
   virtual std::vector<Signal> signals() const { return {}; }
 };
@@ -48,16 +48,16 @@ class AdapterDut final : public Dut<typename Adapter::Design> {
   using Base = Dut<typename Adapter::Design>;
 
  public:
-  static constexpr bool can_load = requires(Adapter & a) { a.load("", Word{}); };
+  static constexpr bool can_load = requires(Adapter & a) { a.load(Field{}, Word{}); };
 
   explicit AdapterDut(std::uint32_t power_up) : adapter_(power_up) {}
   void drive(const typename Base::Inputs& in) override { adapter_.drive(in); }
   void eval(bool clk) override { adapter_.eval(clk); }
   typename Base::Outputs outputs() const override { return adapter_.outputs(); }
   typename Base::Registers registers() const override { return adapter_.registers(); }
-  void load([[maybe_unused]] const char* name, [[maybe_unused]] Word value) override {
+  void load([[maybe_unused]] const Field& field, [[maybe_unused]] Word value) override {
     if constexpr (can_load) {
-      adapter_.load(name, value);
+      adapter_.load(field, value);
     } else {
       throw std::logic_error("registers of this DUT cannot be loaded");
     }
@@ -105,7 +105,7 @@ class AnyAdapter {
   void eval(bool clk) { dut_->eval(clk); }
   typename D::template Outputs<Word> outputs() const { return dut_->outputs(); }
   typename D::template Registers<Word> registers() const { return dut_->registers(); }
-  void load(const char* name, Word value) { dut_->load(name, value); }
+  void load(const Field& field, Word value) { dut_->load(field, value); }
   std::vector<Signal> signals() const { return dut_->signals(); }
 
  private:

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <bit>
 #include <stdexcept>
+#include <string_view>
 
 #include "tb/dut/adapter.h"
 
@@ -53,11 +54,14 @@ std::vector<Signal> signals_of(VerilatedContext& context) {
   return signals;
 }
 
-void load_register(VerilatedContext& context, const std::string& name, Word value) {
+void load_register(VerilatedContext& context, const std::string& net, Word value) {
+  const std::size_t dot = net.rfind('.');
+  const std::string name = dot == std::string::npos ? net : net.substr(dot + 1);
+  const std::string below = dot == std::string::npos ? "" : '.' + net.substr(0, dot);
   bool found = false;
   for (const auto& [path, scope] : *context.scopeNameMap()) {
-    if (scope->varsp() == nullptr) continue;
-    const auto var = scope->varsp()->find((name + "_q").c_str());
+    if (scope->varsp() == nullptr || !std::string_view(path).ends_with(below)) continue;
+    const auto var = scope->varsp()->find(name.c_str());
     if (var == scope->varsp()->end()) continue;
     auto* bytes = static_cast<unsigned char*>(var->second.datap());
     for (std::size_t i = 0; i < var->second.entSize(); ++i) {
@@ -65,7 +69,7 @@ void load_register(VerilatedContext& context, const std::string& name, Word valu
     }
     found = true;
   }
-  if (!found) throw std::logic_error("no register " + name + "_q");
+  if (!found) throw std::logic_error("no register " + net);
 }
 
 }  // namespace cosim

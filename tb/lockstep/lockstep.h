@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "model/core/design.h"
 #include "model/core/fields.h"
 #include "tb/coverage/counts.h"
 
@@ -54,7 +55,7 @@ class Lockstep {
   /// clock is not compared: before it the RTL's registers may hold any value.
   template <class PowerUp>
   explicit Lockstep(const PowerUp& power_up)
-      : dut_(power_up), state_(Design::template cleared<Word>()) {
+      : dut_(power_up), state_(cleared_of<Design, Word>()) {
     dut_.drive(Design::clear());
     edge();
   }
@@ -63,7 +64,7 @@ class Lockstep {
   Lockstep(const PowerUp& power_up, const State& state) : dut_(power_up), state_(state) {
     const auto fields = Design::template Registers<Word>::fields(dut_.params);
     const auto words = to_words(Design::registers(dut_.params, state));
-    for (std::size_t i = 0; i < fields.size(); ++i) dut_.load(fields[i].name, words[i]);
+    for (std::size_t i = 0; i < fields.size(); ++i) dut_.load(fields[i], words[i]);
   }
 
   /// One clock: drives, settles, compares, then the rising edge. False where anything differs; the

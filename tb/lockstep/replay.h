@@ -85,7 +85,7 @@ Stimulus recorded(const typename Design::Params& p, Source source, std::uint32_t
                   std::uint64_t clocks) {
   Stimulus stimulus;
   stimulus.power_up = power_up;
-  auto state = Design::template cleared<Word>();
+  auto state = cleared_of<Design, Word>();
   typename Design::template Inputs<Word> in;
   typename Design::template Outputs<Word> out{};
   while (stimulus.clocks.size() < clocks && source.next(in, out)) {
@@ -100,8 +100,8 @@ Stimulus recorded(const typename Design::Params& p, Source source, std::uint32_t
 /// The smallest case found that fails as `jobs` do: fewer jobs, then smaller ones.
 template <class Design>
 SmallerCase smaller_case(const DutMaker<Design>& maker,
-                         std::vector<typename Design::Host::Job> jobs, std::uint32_t power_up) {
-  using Host = typename Design::Host;
+                         std::vector<typename HostOf<Design>::Job> jobs, std::uint32_t power_up) {
+  using Host = HostOf<Design>;
   using Job = typename Host::Job;
   constexpr std::uint64_t most_clocks = 20'000'000;  // a second or two
   std::uint64_t clocks = 0, spent = 0;

@@ -17,7 +17,7 @@ namespace cosim::mutation {
 /// The jobs of a design. Each function gives the jobs of one run.
 template <class Design>
 struct Jobs {
-  using List = std::vector<typename Design::Host::Job>;
+  using List = std::vector<typename HostOf<Design>::Job>;
   static List printed(const typename Design::Params&) { return {}; }
   static List random(const typename Design::Params&, std::uint64_t /*seed*/, std::uint64_t /*i*/) {
     return {};

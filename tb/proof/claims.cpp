@@ -2,12 +2,13 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "model/core/input_error.h"
 
 namespace cosim::proof {
 namespace {
 
-std::string register_name(const Field& f) { return std::string(f.name) + "_q"; }
 std::string named(const char* side, const std::string& name) {
   return fmt::format("{}.{}", side, name);
 }
@@ -18,8 +19,23 @@ struct Place {
   int low = 0;
 };
 
-// The tables name every register of the RTL, and the RTL has every register and input of them.
+// An error where the RTL has a port that the table does not name.
+void require_ports(const MachineFormula& m, const char* what, const std::vector<std::string>& ports,
+                   const std::vector<Wire>& table) {
+  for (const std::string& port : ports) {
+    if (std::any_of(table.begin(), table.end(),
+                    [&](const Wire& w) { return port == w.field.net; })) {
+      continue;
+    }
+    throw InputError(
+        fmt::format("{}: the RTL has an {} {} that no table names", m.design, what, port));
+  }
+}
+
+// The tables name every register and port of the RTL, and the RTL has all that they name.
 std::vector<Place> places(const MachineFormula& m, const Rtl& rtl) {
+  require_ports(m, "input", rtl.inputs(), m.inputs);
+  require_ports(m, "output", rtl.outputs(), m.outputs);
   std::vector<Place> all(rtl.free().size());
   const auto place = [&](const Wire& w, const std::string& name, bool is_register) {
     int low = w.field.width;
@@ -32,8 +48,8 @@ std::vector<Place> places(const MachineFormula& m, const Rtl& rtl) {
     throw InputError(fmt::format("{}: the RTL has no {} {} of {} bits by itself", m.design,
                                  is_register ? "register" : "input", name, w.field.width));
   };
-  for (const Wire& w : m.inputs) place(w, w.field.name, false);
-  for (const Wire& w : m.registers) place(w, register_name(w.field), true);
+  for (const Wire& w : m.inputs) place(w, w.field.net, false);
+  for (const Wire& w : m.registers) place(w, w.field.net, true);
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].wire != nullptr || rtl.free()[i].after.empty()) continue;
     throw InputError(m.design + ": the RTL has a register that no table names");
@@ -74,12 +90,12 @@ class Question {
     const Expression a = script_.define(named("rtl", expected.field.name) + what, actual);
     return negation(equal(e, a));
   }
-  Expression output(const Wire& w) { return rtl_.wire(w.field.name); }
+  Expression output(const Wire& w) { return rtl_.wire(w.field.net); }
   // Of register number i.
   Expression after(std::size_t i) {
     std::optional<Expression> code;
     int width = 0;
-    for (const std::size_t piece : rtl_.pieces(register_name(m_.registers[i].field))) {
+    for (const std::size_t piece : rtl_.pieces(m_.registers[i].field.net)) {
       const Rtl::Free& f = rtl_.free()[piece];
       const Expression bits = as_code({f.after, f.is_bool ? boolean : bit_vector(f.width)});
       width += f.width;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "model/core/design.h"
 #include "model/core/fields.h"
 #include "tb/proof/bits.h"
 
@@ -93,7 +94,7 @@ std::vector<Named> whole_invariant(const typename Design::Params& p,
   std::vector<Named> all;
   const auto fields = Design::template State<Word>::fields(p);
   all.push_back({"every field of the state is in range", in_range(s, fields).expression()});
-  for (const auto& [name, condition] : invariant(p, s)) {
+  for (const auto& [name, condition] : invariant_of<Bits>(p, s)) {
     all.push_back({name, condition.expression()});
   }
   return all;
@@ -104,10 +105,8 @@ template <class Design>
 std::vector<Named> whole_reached(const typename Design::Params& p,
                                  const typename Design::template State<Bits>& s) {
   std::vector<Named> all;
-  if constexpr (requires { reached(p, s); }) {
-    for (const auto& [name, condition] : reached(p, s)) {
-      all.push_back({name, condition.expression()});
-    }
+  for (const auto& [name, condition] : reached_of<Bits>(p, s)) {
+    all.push_back({name, condition.expression()});
   }
   return all;
 }
@@ -127,7 +126,7 @@ MachineFormula formula(const typename Design::Params& p) {
 
   MachineFormula m;
   m.design = Design::name;
-  const auto parameters = Design::parameters(p);
+  const auto parameters = parameters_of<Design>(p);
   m.parameters.assign(parameters.begin(), parameters.end());
   for (const Field& f : input_fields) m.inputs.push_back({f, detail::symbol("in", f)});
   for (const Field& f : state_fields) m.state.push_back({f, detail::symbol("state", f)});
@@ -142,19 +141,19 @@ MachineFormula formula(const typename Design::Params& p) {
   m.registers = wires(Design::registers(p, s), register_fields);
   m.outputs = wires(step.outputs, output_fields);
   m.after = wires(Design::registers(p, step.state), register_fields);
-  for (const auto& [name, condition] : parts(p, s)) {
+  for (const auto& [name, condition] : parts_of<Bits>(p, s)) {
     m.parts.push_back({name, condition.expression()});
   }
-  for (const auto& [name, condition] : cases(p, s, in)) {
+  for (const auto& [name, condition] : cases_of<Bits>(p, s, in)) {
     m.cases.push_back({name, condition.expression()});
   }
 
-  const auto cleared = Design::template cleared<Bits>();
+  const auto cleared = cleared_of<Design, Bits>();
   m.cleared = wires(Design::registers(p, cleared), register_fields);
   m.invariant_cleared = detail::whole_invariant<Design>(p, cleared);
   m.reached_cleared = detail::whole_reached<Design>(p, cleared);
   const auto clear = to_words(Design::clear());
-  const auto rest = to_words(Design::rest());
+  const auto rest = to_words(rest_of<Design>());
   for (std::size_t i = 0; i < input_fields.size(); ++i) {
     if (clear[i] == rest[i]) continue;
     m.clearing.push_back({input_fields[i], Bits(clear[i]).code(input_fields[i].width)});

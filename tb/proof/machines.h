@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tb/proof/machine.h"
+#include "tb/proof/rtl.h"
 
 namespace cosim::proof {
 
@@ -9,6 +10,7 @@ namespace cosim::proof {
 struct BuiltMachine {
   std::string title;
   MachineFormula (*formula)();
+  Source source;  ///< the RTL it was built from
 };
 
 /// All of them, in that file's order; made by CMake.

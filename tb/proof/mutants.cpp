@@ -18,7 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string net(const Field& f) { return std::string(f.name) + "_q"; }
 std::string sort_of(const Rtl::Free& f) { return f.is_bool ? boolean : bit_vector(f.width); }
 Expression differ(const Expression& a, const Expression& b) { return negation(equal(a, b)); }
 
@@ -64,8 +63,8 @@ class Side {
     const auto give = [&](const Wire& w, const std::string& name, bool is_register) {
       if (!know(w, name, is_register)) assumed.emplace_back(name, w.code);
     };
-    for (const Wire& w : m.inputs) give(w, w.field.name, false);
-    for (const Wire& w : given) give(w, net(w.field), true);
+    for (const Wire& w : m.inputs) give(w, w.field.net, false);
+    for (const Wire& w : given) give(w, w.field.net, true);
     for (std::size_t i = 0; i < known.size(); ++i) {
       const Rtl::Free& f = rtl.free()[i];
       if (known[i]) {
@@ -84,7 +83,7 @@ class Side {
   Expression after(const Field& f) {
     std::optional<Expression> code;
     int width = 0;
-    for (const std::size_t i : rtl_.pieces(net(f))) {
+    for (const std::size_t i : rtl_.pieces(f.net)) {
       const Rtl::Free& piece = rtl_.free()[i];
       if (piece.after.empty()) return with_next_clock(f);
       const Expression bits = as_code({piece.after, sort_of(piece)});
@@ -108,7 +107,7 @@ class Side {
       script_.add(on_next_clock(rtl_.definitions()));
       next_clock_ = true;
     }
-    return on_next_clock(rtl_.wire(net(f)));
+    return on_next_clock(rtl_.wire(f.net));
   }
 
   const Rtl& rtl_;
@@ -170,10 +169,12 @@ Mutants::Mutants(const MachineFormula& machine, const fs::path& verilog,
     : machine_(machine) {
   const Scratch scratch;
   const auto in_scratch = [&](const std::string& name) { return (scratch.path() / name).string(); };
+  std::string kept = "w:*_q";
+  for (const Wire& w : machine.registers) kept += std::string(" w:") + w.field.net;
   std::string commands = fmt::format(
-      "read_verilog \"{}\"; prep -flatten -top {}; rename -top machine; setattr -set keep 1 w:*_q; "
+      "read_verilog \"{}\"; prep -flatten -top {}; rename -top machine; setattr -set keep 1 {}; "
       "async2sync; setundef -anyseq; ",
-      fs::absolute(verilog).string(), machine.design);
+      fs::absolute(verilog).string(), machine.design, kept);
   std::vector<unsigned> all{0};
   all.insert(all.end(), numbers.begin(), numbers.end());
   for (const unsigned k : all) {

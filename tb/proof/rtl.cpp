@@ -30,16 +30,21 @@ std::string written_by_yosys(const Source& source) {
   const Scratch scratch;
   const fs::path file = scratch.path() / "rtl.smt2";
   std::string commands = "read_verilog";
+  for (const fs::path& folder : source.include_dirs)
+    commands += fmt::format(" -I{}", folder.string());
+  for (const std::string& define : source.defines) commands += " -D" + define;
   for (const fs::path& f : source.files) commands += " \"" + f.string() + '"';
   commands += "; hierarchy -check -top " + source.top;
   for (const Parameter& p : source.parameters) {
     commands += fmt::format(" -chparam {} {}", p.name, p.value);
   }
   // A register that nothing reads stays one, and what is undefined is free in the formula.
+  std::string kept = "w:*_q";
+  for (const std::string& net : source.kept) kept += " w:" + net.substr(net.rfind('.') + 1);
   commands += fmt::format(
-      "; rename -top {}; setattr -set keep 1 w:*_q; prep -flatten; async2sync; setundef -anyseq; "
+      "; rename -top {}; setattr -set keep 1 {}; prep -flatten; async2sync; setundef -anyseq; "
       "write_smt2 -wires {}",
-      source.top, file.string());
+      source.top, kept, file.string());
   run_yosys(commands, source.top);
   return read_file(file.string());
 }
@@ -85,7 +90,7 @@ void Rtl::read_line(const std::string& line) {
   static const std::regex function(
       R"(\(define-fun (\|[^|]*\|) \(\(state \|[^|]*\|\)\) (Bool|\(_ BitVec \d+\)) (.*)\)( ;.*)?)");
   std::smatch part;
-  if (line.starts_with(';')) return;
+  if (line.starts_with(';')) return read_port(line);
   if (line.starts_with("(define-fun |" + top_ + "_t|")) {
     in_relation_ = true;
   } else if (in_relation_ && std::regex_match(line, part, relation)) {
@@ -98,6 +103,16 @@ void Rtl::read_line(const std::string& line) {
   } else if (!in_relation_ && std::regex_match(line, part, function)) {
     define(part[1], part[2], without_state(part[3]));
   }
+}
+
+// "; yosys-smt2-KIND NAME ...". A clock's line stands behind its own as an input.
+void Rtl::read_port(const std::string& line) {
+  std::istringstream words(line.substr(1));
+  std::string kind, name;
+  words >> kind >> name;
+  if (kind == "yosys-smt2-input") inputs_.push_back(name);
+  if (kind == "yosys-smt2-output") outputs_.push_back(name);
+  if (kind == "yosys-smt2-clock") std::erase(inputs_, name);
 }
 
 void Rtl::define(const std::string& name, const std::string& sort, const std::string& body) {

@@ -16,6 +16,10 @@ struct Source {
   std::vector<std::filesystem::path> files;
   std::string top;
   std::vector<Parameter> parameters;  ///< none where the files hold them
+  /// Registers that stay although nothing reads them, by their nets; those named *_q stay always.
+  std::vector<std::string> kept = {};
+  std::vector<std::filesystem::path> include_dirs = {};
+  std::vector<std::string> defines = {};  ///< "NAME" or "NAME=VALUE"
 };
 
 /// The RTL of `design`: the files of folder/design, or of the folder itself where there is no such
@@ -44,6 +48,9 @@ class Rtl {
     std::string after;  ///< what it is after the clock, a term; empty where it is no register
   };
   const std::vector<Free>& free() const { return free_; }
+  /// The ports of the top, its clocks aside.
+  const std::vector<std::string>& inputs() const { return inputs_; }
+  const std::vector<std::string>& outputs() const { return outputs_; }
   /// The definitions, to stand behind those of the free symbols.
   const std::string& definitions() const { return definitions_; }
   /// The free symbols that a wire of the top is made of, highest bits first; empty where it is made
@@ -54,10 +61,12 @@ class Rtl {
 
  private:
   void read_line(const std::string& line);
+  void read_port(const std::string& line);
   void define(const std::string& name, const std::string& sort, const std::string& body);
 
   std::string top_;
   std::vector<Free> free_;
+  std::vector<std::string> inputs_, outputs_;
   std::string definitions_;
   struct Wire {
     std::string sort;

@@ -75,7 +75,7 @@ class HostileStimulus {
   std::array<Field, Inputs::size> fields_;
   Random random_;
   std::uint64_t left_;
-  Inputs rest_ = Design::rest();
+  Inputs rest_ = rest_of<Design>();
   Inputs held_{};
   std::array<int, Inputs::size> rarity_{};
   bool first_ = true;

@@ -15,7 +15,7 @@ namespace cosim {
 template <class Design>
 class PathCheck : public Observer<Design> {
  public:
-  using Job = typename Design::Host::Job;
+  using Job = typename HostOf<Design>::Job;
 
   explicit PathCheck(std::span<const Job> jobs) : jobs_(jobs) {}
   void clock(std::size_t job, const Compared<Design>& seen) final {

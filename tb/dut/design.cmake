@@ -1,0 +1,170 @@
+# Designs, as a project adds them:
+#
+#   cosim_add_design(NAME
+#     SOURCES file.v...            Verilog or SystemVerilog that Verilator reads
+#     [TOP module]                 the top module; default NAME
+#     [CLOCK port]                 its clock; default clk
+#     [INCLUDE_DIRS folder...] [DEFINES name[=value]...]
+#     MODEL header...              what defines struct cosim::NAME::Design
+#     [SHAPES "W=8 D=4"...])       parameters of the top, one build each; none: as the RTL has them
+#
+#   cosim_add_program(TARGET)      a program with every command for all designs added so far
+#
+# The parameters of a shape are those of the model's Params, in its order. Paths are relative to the
+# folder that calls.
+include_guard(GLOBAL)
+set_property(GLOBAL PROPERTY COSIM_ROOT "${CMAKE_CURRENT_LIST_DIR}/../..")
+
+# Files that are there, as absolute paths.
+function(cosim_files variable what)
+  set(all)
+  foreach(file IN LISTS ARGN)
+    cmake_path(ABSOLUTE_PATH file BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
+    if(NOT EXISTS ${file})
+      message(FATAL_ERROR "${what}: no such file: ${file}")
+    endif()
+    list(APPEND all ${file})
+  endforeach()
+  set(${variable} ${all} PARENT_SCOPE)
+endfunction()
+
+# cosim_shape(ID "M=5 N=2"): sets, of a shape, ID_words (M=5;N=2) and ID_values (5, 2).
+function(cosim_shape prefix shape)
+  separate_arguments(words UNIX_COMMAND "${shape}")
+  set(values ${words})
+  list(TRANSFORM values REPLACE "^.*=" "")
+  list(JOIN values ", " values)
+  set(${prefix}_words ${words} PARENT_SCOPE)
+  set(${prefix}_values "${values}" PARENT_SCOPE)
+endfunction()
+
+# Many small files, most of whose time to compile is Verilator's header: compiled some classes at a
+# time. Newer Verilators refuse two classes in one file, by a macro, for the sake of precompiled
+# headers, which are not used here.
+function(cosim_verilated_library target)
+  add_library(${target} STATIC)
+  set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX
+    UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 40
+    UNITY_BUILD_CODE_AFTER_INCLUDE "#undef VL_PCH_INCLUDED")
+endfunction()
+
+function(cosim_add_design NAME)
+  cmake_parse_arguments(PARSE_ARGV 1 D "" "TOP;CLOCK" "SOURCES;INCLUDE_DIRS;DEFINES;MODEL;SHAPES")
+  set(what "cosim_add_design(${NAME})")
+  if(D_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "${what}: what is ${D_UNPARSED_ARGUMENTS}?")
+  endif()
+  foreach(needed SOURCES MODEL)
+    if(NOT D_${needed})
+      message(FATAL_ERROR "${what}: needs ${needed}")
+    endif()
+  endforeach()
+  set(TOP ${NAME})
+  if(D_TOP)
+    set(TOP ${D_TOP})
+  endif()
+  set(CLOCK clk)
+  if(D_CLOCK)
+    set(CLOCK ${D_CLOCK})
+  endif()
+  if(NOT D_SHAPES)
+    set(D_SHAPES " ")
+  endif()
+  cosim_files(rtl "${what}: SOURCES" ${D_SOURCES})
+  cosim_files(model "${what}: MODEL" ${D_MODEL})
+  cosim_files(folders "${what}: INCLUDE_DIRS" ${D_INCLUDE_DIRS})
+
+  set(MODEL_INCLUDES "")
+  foreach(header IN LISTS model)
+    string(APPEND MODEL_INCLUDES "#include \"${header}\"\n")
+  endforeach()
+  set(options)
+  foreach(folder IN LISTS folders)
+    list(APPEND options -I${folder})
+  endforeach()
+  foreach(define IN LISTS D_DEFINES)
+    list(APPEND options -D${define})
+  endforeach()
+  list(JOIN rtl "\", \"" FILES)
+  list(JOIN folders "\", \"" FOLDERS)
+  list(JOIN D_DEFINES "\", \"" DEFINES)
+  foreach(list FILES FOLDERS DEFINES)
+    if(${list})
+      set(${list} "\"${${list}}\"")
+    endif()
+  endforeach()
+
+  get_property(root GLOBAL PROPERTY COSIM_ROOT)
+  cosim_verilated_library(${NAME}_verilated)
+  foreach(shape IN LISTS D_SHAPES)
+    cosim_shape(shape "${shape}")
+    string(REGEX REPLACE "[ =]" "" ID "${NAME}${shape}")
+    set(PREFIX V${ID})
+    string(STRIP "${NAME} ${shape}" TITLE)
+    set(PARAMETERS "${shape_values}")
+    set(generics ${shape_words})
+    list(TRANSFORM generics PREPEND "-G")
+    # Its whole hierarchy is open, for registers anywhere in it, for replays and for waves.
+    verilate(${NAME}_verilated PREFIX ${PREFIX} TOP_MODULE ${TOP} SOURCES ${rtl}
+      VERILATOR_ARGS ${generics} ${options} -Wno-fatal --x-initial unique --x-assign unique
+                     --noassert --vpi --public-flat-rw)
+    configure_file(${root}/tb/bench/named_bench_of.cpp.in
+      ${CMAKE_CURRENT_BINARY_DIR}/bench_${ID}.cpp @ONLY)
+    set_property(GLOBAL APPEND PROPERTY COSIM_BENCH_SOURCES
+      ${CMAKE_CURRENT_BINARY_DIR}/bench_${ID}.cpp)
+    set_property(GLOBAL APPEND PROPERTY COSIM_BENCHES ${ID})
+  endforeach()
+  set_property(GLOBAL APPEND PROPERTY COSIM_VERILATED ${NAME}_verilated)
+endfunction()
+
+# cosim_share_runtime(LIBRARY TARGET...): Verilator's own library, which verilate() puts into every
+# target, in one of its own.
+function(cosim_share_runtime library)
+  set(runtime)
+  foreach(target IN LISTS ARGN)
+    get_target_property(sources ${target} SOURCES)
+    set(own ${sources})
+    list(FILTER own INCLUDE REGEX "^${VERILATOR_ROOT}/include/")
+    list(FILTER sources EXCLUDE REGEX "^${VERILATOR_ROOT}/include/")
+    set_property(TARGET ${target} PROPERTY SOURCES ${sources})
+    list(APPEND runtime ${own})
+  endforeach()
+  list(REMOVE_DUPLICATES runtime)
+  add_library(${library} STATIC ${runtime})
+  list(GET ARGN 0 first)
+  get_target_property(definitions ${first} COMPILE_DEFINITIONS)
+  set_target_properties(${library} PROPERTIES UNITY_BUILD OFF)
+  target_compile_definitions(${library} PRIVATE ${definitions})
+  target_include_directories(${library} SYSTEM PRIVATE
+    ${VERILATOR_ROOT}/include ${VERILATOR_ROOT}/include/vltstd)
+  target_link_libraries(${library} PUBLIC Threads::Threads)
+endfunction()
+
+function(cosim_add_program TARGET)
+  get_property(root GLOBAL PROPERTY COSIM_ROOT)
+  get_property(sources GLOBAL PROPERTY COSIM_BENCH_SOURCES)
+  get_property(benches GLOBAL PROPERTY COSIM_BENCHES)
+  get_property(verilated GLOBAL PROPERTY COSIM_VERILATED)
+  if(NOT benches)
+    message(FATAL_ERROR "cosim_add_program(${TARGET}): no design was added before it")
+  endif()
+  set(DECLARATIONS "")
+  set(BENCHES "")
+  set(MACHINES "")
+  foreach(id IN LISTS benches)
+    string(APPEND DECLARATIONS
+      "std::unique_ptr<AnyBench> make_${id}();\nproof::BuiltMachine machine_${id}();\n")
+    string(APPEND BENCHES "    all.push_back(make_${id}());\n")
+    string(APPEND MACHINES "machine_${id}(), ")
+  endforeach()
+  configure_file(${root}/tb/cli/program.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/${TARGET}.cpp @ONLY)
+  cosim_share_runtime(${TARGET}_runtime ${verilated})
+  add_executable(${TARGET} ${CMAKE_CURRENT_BINARY_DIR}/${TARGET}.cpp ${sources})
+  foreach(library IN LISTS verilated)
+    get_target_property(folders ${library} INCLUDE_DIRECTORIES)
+    target_include_directories(${TARGET} SYSTEM PRIVATE ${folders})
+  endforeach()
+  target_compile_features(${TARGET} PRIVATE cxx_std_20)
+  target_link_libraries(${TARGET} PRIVATE
+    cosim::program cosim::prover cosim::dut cosim::harness ${verilated} ${TARGET}_runtime)
+endfunction()

@@ -7,6 +7,7 @@
 namespace cosim::cli {
 
 void add_examples(const Command& program, const Registry& registry) {
+  if (registry.examples().empty()) return;
   const Command command = program.sub("examples", "A command line for each thing to be seen first");
   command.action([&registry] {
     for (const Example& example : registry.examples()) {

@@ -1,5 +1,7 @@
 #include <fmt/core.h>
 
+#include <string>
+
 #include "tb/cli/commands.h"
 #include "tb/report/report.h"
 
@@ -12,8 +14,9 @@ void add_list(const Command& program) {
     for (const auto& bench : benches()) {
       if (bench->design() != design) {
         design = bench->design();
-        fmt::print("{}, {}: {} compared on every clock\n", design, bench->source(),
-                   compared_signals(*bench));
+        const std::string source = bench->source();
+        fmt::print("{}{}: {} compared on every clock\n", design,
+                   source.empty() ? "" : ", " + source, compared_signals(*bench));
       }
       fmt::print("  {}\n", bench->title());
     }

@@ -9,6 +9,9 @@
 #     [SHAPES "W=8 D=4"...])       parameters of the top, one build each; none: as the RTL has them
 #
 #   cosim_add_program(TARGET)      a program with every command for all designs added so far
+#   cosim_add_tests(TARGET [HOSTILE clocks])
+#                                  CTest tests of its designs: NAME.hostile, so many hostile clocks a
+#                                  shape (100000), and NAME.proof; labels hostile and proof
 #
 # The parameters of a shape are those of the model's Params, in its order. Paths are relative to the
 # folder that calls.
@@ -115,6 +118,7 @@ function(cosim_add_design NAME)
     set_property(GLOBAL APPEND PROPERTY COSIM_BENCHES ${ID})
   endforeach()
   set_property(GLOBAL APPEND PROPERTY COSIM_VERILATED ${NAME}_verilated)
+  set_property(GLOBAL APPEND PROPERTY COSIM_DESIGNS ${NAME})
 endfunction()
 
 # cosim_share_runtime(LIBRARY TARGET...): Verilator's own library, which verilate() puts into every
@@ -167,4 +171,22 @@ function(cosim_add_program TARGET)
   target_compile_features(${TARGET} PRIVATE cxx_std_20)
   target_link_libraries(${TARGET} PRIVATE
     cosim::program cosim::prover cosim::dut cosim::harness ${verilated} ${TARGET}_runtime)
+endfunction()
+
+function(cosim_add_tests TARGET)
+  cmake_parse_arguments(PARSE_ARGV 1 T "" "HOSTILE" "")
+  if(T_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "cosim_add_tests(${TARGET}): what is ${T_UNPARSED_ARGUMENTS}?")
+  endif()
+  if(NOT T_HOSTILE)
+    set(T_HOSTILE 100000)
+  endif()
+  get_property(designs GLOBAL PROPERTY COSIM_DESIGNS)
+  foreach(name IN LISTS designs)
+    add_test(NAME ${name}.hostile COMMAND ${TARGET} sweep ${name} --hostile ${T_HOSTILE})
+    add_test(NAME ${name}.proof COMMAND ${TARGET} prove ${name})
+    set_tests_properties(${name}.hostile PROPERTIES LABELS hostile)
+    set_tests_properties(${name}.proof PROPERTIES
+      LABELS proof SKIP_REGULAR_EXPRESSION "needs (yosys|cvc5|z3)")
+  endforeach()
 endfunction()

@@ -25,11 +25,14 @@ Net net_of(const VerilatedVar& var) { return {var.datap(), static_cast<int>(var.
   throw InputError(title + ": " + why);
 }
 
-// The one module below the class, and its path: its ports are the design's.
+// The path of the top module. Beside it stands the class's own scope, which has the pins.
+constexpr const char* pins = "TOP.TOP";
 std::string top_of(VerilatedContext& context) {
   for (const auto& [path, scope] : *context.scopeNameMap()) {
     const std::string name = path;
-    if (name.starts_with("TOP.") && name.find('.', 4) == std::string::npos) return name;
+    if (name != pins && name.starts_with("TOP.") && name.find('.', 4) == std::string::npos) {
+      return name;
+    }
   }
   return "TOP";
 }
@@ -37,7 +40,7 @@ std::string top_of(VerilatedContext& context) {
 }  // namespace
 
 std::vector<Net> find_ports(VerilatedContext& context, const Ports& ports) {
-  const VerilatedScope* scope = scope_of(context, "TOP");
+  const VerilatedScope* scope = scope_of(context, pins);
   if (scope == nullptr || scope->varsp() == nullptr) {
     refuse(ports.title, "its class does not show its ports");
   }
@@ -85,7 +88,7 @@ Net find_register(VerilatedContext& context, const std::string& title, const Fie
   const std::string name = dot == std::string::npos ? net : net.substr(dot + 1);
   const auto var = scope->varsp()->find(name.c_str());
   if (var == scope->varsp()->end() || var->second.udims() != 0) {
-    refuse(title, fmt::format("register {}: the RTL has no net {}", net, net));
+    refuse(title, fmt::format("register {}: the RTL has no such net", net));
   }
   if (width_of(var->second) != field.width) {
     refuse(title, fmt::format("register {}: {} bits in the table, {} in the RTL", net, field.width,

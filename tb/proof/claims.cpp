@@ -195,7 +195,10 @@ Claim claim_cases(const MachineFormula& m, const Rtl& rtl) {
     q.script().ask_apart(n.condition);
   }
   query.script = q.script().text();
-  return {fmt::format("each of {} cases is possible", m.cases.size()), Answer::sat, {query}, {}};
+  const std::string what = m.cases.size() == 1
+                               ? m.cases.front().name + " is possible"
+                               : fmt::format("each of {} cases is possible", m.cases.size());
+  return {what, Answer::sat, {query}, {}};
 }
 
 std::optional<Counterexample> counterexample(const MachineFormula& m,

@@ -86,8 +86,31 @@ TEST_P(Claims, AreOfEveryRegister) {
   unnamed.cleared.pop_back();
   EXPECT_THROW(claim_step(unnamed, rtl), InputError);
   MachineFormula other = GetParam().formula();
-  other.registers.front().field.name = "no_such";
+  other.registers.front().field.net = "no_such";
   EXPECT_THROW(claim_step(other, rtl), InputError);
+}
+
+// A port that no table names would be compared with nothing, or stay free.
+TEST_P(Claims, AreOfEveryPort) {
+  const Rtl rtl = rtl_of(GetParam().formula());
+  const auto refusal = [&](const MachineFormula& m) -> std::string {
+    try {
+      claim_step(m, rtl);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  MachineFormula fewer = GetParam().formula();
+  const std::string output = fewer.outputs.back().field.name;
+  fewer.outputs.pop_back();
+  EXPECT_EQ(refusal(fewer),
+            fewer.design + ": the RTL has an output " + output + " that no table names");
+  fewer = GetParam().formula();
+  const std::string input = fewer.inputs.back().field.name;
+  fewer.inputs.pop_back();
+  EXPECT_EQ(refusal(fewer),
+            fewer.design + ": the RTL has an input " + input + " that no table names");
 }
 
 std::string name_of(const testing::TestParamInfo<BuiltMachine>& info) {

@@ -1,0 +1,10 @@
+// Every D-th clock since the last restart.
+module uart_divider #(parameter D = 4) (
+    input  wire clock,
+    input  wire restart,
+    output wire tick
+);
+  reg [7:0] count;
+  assign tick = count == D - 1;
+  always @(posedge clock) count <= restart | tick ? 8'd0 : count + 8'd1;
+endmodule

@@ -1,0 +1,97 @@
+// The adapter that finds nets by name, on the circular RTL: it drives and reads what the other one
+// does, and refuses tables that are not the RTL's.
+#include "tb/dut/named_adapter.h"
+
+#include <IcircularW4.h>
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "model/core/input_error.h"
+#include "tb/designs/circular/bench.h"
+
+namespace cosim::circular {
+namespace {
+
+struct Trait {
+  using Design = circular::Design;
+  static constexpr Params params{4};
+  static constexpr const char* title = "circular W=4";
+  static constexpr const char* clock = "clk";
+};
+using Named = NamedAdapter<IcircularW4, Trait>;
+
+TEST(NamedAdapter, IsInLockstep) {
+  const AdapterBench<Named> bench;
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    const auto run = bench.run_hostile({1, i, 1000});
+    ASSERT_FALSE(run.mismatch) << to_text(*run.mismatch);
+    EXPECT_EQ(run.clocks, 1000U);
+  }
+}
+
+class Instance : public VerilatedInstance<IcircularW4> {
+ public:
+  Instance() : VerilatedInstance(1) {}
+  using VerilatedInstance::context;
+};
+
+Ports whole() {
+  const auto in = Inputs<Word>::fields(Trait::params);
+  const auto out = Outputs<Word>::fields(Trait::params);
+  return {"circular W=4", "clk", {in.begin(), in.end()}, {out.begin(), out.end()}};
+}
+
+// What is said of tables that `change` has made wrong.
+std::string refusal(const std::function<void(Ports&)>& change) {
+  Instance instance;
+  Ports ports = whole();
+  change(ports);
+  try {
+    find_ports(instance.context(), ports);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(Ports, AreThoseOfTheTables) {
+  EXPECT_EQ(refusal([](Ports&) {}), "none");
+  EXPECT_EQ(refusal([](Ports& p) { p.inputs.pop_back(); }),
+            "circular W=4: the RTL has an input stop that no table names");
+  EXPECT_EQ(refusal([](Ports& p) { p.outputs.pop_back(); }),
+            "circular W=4: the RTL has an output step_x that no table names");
+  EXPECT_EQ(refusal([](Ports& p) { p.inputs[1].net = "lode"; }),
+            "circular W=4: input lode: the RTL has no such port");
+  EXPECT_EQ(refusal([](Ports& p) { p.inputs[2].width = 5; }),
+            "circular W=4: input f: 5 bits in the table, 6 in the RTL");
+  EXPECT_EQ(refusal([](Ports& p) { p.inputs[0].net = "running"; }),
+            "circular W=4: input running: in the RTL it is no input");
+  EXPECT_EQ(refusal([](Ports& p) { p.clock = "clock"; }),
+            "circular W=4: clock clock: the RTL has no such port");
+}
+
+std::string refusal_of_register(const char* net, int width) {
+  Instance instance;
+  Field field = Registers<Word>::fields(Trait::params)[0];
+  field.net = net;
+  field.width = width;
+  try {
+    find_register(instance.context(), "circular W=4", field);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(Register, IsFoundByItsPath) {
+  EXPECT_EQ(refusal_of_register("t4_q", 1), "none");
+  EXPECT_EQ(refusal_of_register("t5_q", 1), "circular W=4: register t5_q: the RTL has no such net");
+  EXPECT_EQ(refusal_of_register("block1.f_q", 1),
+            "circular W=4: register block1.f_q: the RTL has no instance block1");
+  EXPECT_EQ(refusal_of_register("t4_q", 2),
+            "circular W=4: register t4_q: 2 bits in the table, 1 in the RTL");
+}
+
+}  // namespace
+}  // namespace cosim::circular

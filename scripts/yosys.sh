@@ -12,6 +12,7 @@
 rtl=$root/rtl
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
+export HOME=$scratch # where yosys keeps a history
 
 check_shape() {
   local design=${1-} parameter

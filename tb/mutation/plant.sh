@@ -21,6 +21,7 @@ prepare="read_verilog $design/*.v
 # In the folder of the RTL, so that a mutant is known by the place in its file. yosys warns where
 # there are fewer mutants than asked.
 cd "$rtl"
+export HOME=$folder # where yosys keeps a history
 yosys -q -p "$prepare; mutate -list $count -seed 1 -o $folder/all.txt" > "$folder/yosys.log" 2>&1 ||
   { cat "$folder/yosys.log" >&2 && exit 1; }
 awk -v part="$part" -v parts="$parts" 'NR % parts == part % parts' "$folder/all.txt" \

@@ -1,6 +1,7 @@
 // The ends of the parameters' ranges that rtl/shipped.txt leaves out: RTL and model are proved
 // to be the same there. What fits is drawn in lockstep by the tests of each design.
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include "tests/rtl/prove.h"
 #include "tests/support/designs.h"

@@ -3,6 +3,7 @@
 // or a figure is not the one known.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>

@@ -140,8 +140,8 @@ void worst_codes() {
     double worst_greedy = 0, worst_best = 0;
     for (std::int64_t major = 1 << (bits - 1); major < 1 << bits; ++major) {
       for (std::int64_t minor = 0; minor <= major; ++minor) {
-        const auto off = [&](linear::Code code) {
-          return linear::max_deviation(bits, major, code).value();
+        const auto off = [&, m = bits](linear::Code code) {
+          return linear::max_deviation(m, major, code).value();
         };
         worst_greedy = std::max(worst_greedy, off(linear::greedy_code(bits, major, minor)));
         worst_best = std::max(worst_best, off(linear::best_code(bits, major, minor)));

@@ -48,6 +48,7 @@ int run(int argc, char** argv) {
         cosim::cli::add_sweep(program, registry);
         cosim::cli::add_replay(program);
         cosim::cli::add_prove(program);
+        cosim::cli::add_new(program);
       });
 }
 

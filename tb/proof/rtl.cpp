@@ -55,7 +55,10 @@ void run_yosys(const std::string& commands, const std::string& what) {
   const Ended ended = run_program({"yosys", "-q", "-p", commands});
   if (ended.status == 127) throw InputError("needs yosys");
   if (ended.status == 0) return;
-  std::string error = ended.text.substr(std::min(ended.text.find("ERROR"), ended.text.size()));
+  // The line of the error: it begins with the file and the line of the RTL.
+  const std::size_t at = std::min(ended.text.find("ERROR"), ended.text.size());
+  const std::size_t newline = ended.text.rfind('\n', at);
+  std::string error = ended.text.substr(newline == std::string::npos ? 0 : newline + 1);
   error.resize(std::min(error.find('\n'), error.size()));
   throw InputError(fmt::format("{}: yosys cannot read it: {}", what, error));
 }

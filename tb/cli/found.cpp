@@ -1,0 +1,221 @@
+#include "tb/cli/found.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <tuple>
+
+#include "model/core/input_error.h"
+#include "tb/proof/rtl.h"
+#include "tb/support/process.h"
+#include "tb/support/read_file.h"
+
+namespace cosim::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Bits = std::vector<int>;
+
+constexpr int widest = 64;
+
+[[noreturn]] void refuse(const std::string& why) { throw InputError("new: " + why); }
+
+// Bits of a net by their numbers; a constant bit is -1.
+Bits bits_of(const Json& list) {
+  Bits bits;
+  for (const Json& bit : list) bits.push_back(bit.is_number() ? bit.get<int>() : -1);
+  return bits;
+}
+
+// The top module, flat, as yosys writes it.
+struct Netlist {
+  std::string top;
+  Json module;
+};
+
+Netlist netlist_of(const std::vector<std::string>& files, const std::string& top,
+                   const std::string& parameters) {
+  const Scratch scratch;
+  const std::string json = (scratch.path() / "found.json").string();
+  std::string commands = "read_verilog -sv";
+  for (const std::string& f : files) {
+    commands += " \"" + std::filesystem::absolute(f).string() + '"';
+  }
+  const std::string which = top.empty() ? "-auto-top" : "-top " + top;
+  commands += fmt::format("; hierarchy -check {}{}; proc; flatten; write_json \"{}\"", which,
+                          parameters, json);
+  proof::run_yosys(commands, "new");
+  const Json all = Json::parse(read_file(json));
+  for (const auto& [name, module] : all.at("modules").items()) {
+    const Json& attributes = module.at("attributes");
+    if (!attributes.contains("top")) continue;
+    // With parameters of its own it has another name, and its first one as an attribute.
+    return {attributes.value("hdlname", name), module};
+  }
+  refuse("yosys finds no top module");
+}
+
+std::vector<FoundNet> ports(const Json& module, const std::string& direction) {
+  std::vector<FoundNet> all;
+  for (const auto& [name, port] : module.at("ports").items()) {
+    const std::string way = port.at("direction");
+    if (way == "inout") refuse(fmt::format("{}: a port of both directions", name));
+    if (way == direction) all.push_back({name, static_cast<int>(port.at("bits").size()), "", 0});
+  }
+  return all;
+}
+
+// The name of a bit of the module, for a person.
+std::string name_of(const Json& module, int bit) {
+  for (const auto& [name, net] : module.at("netnames").items()) {
+    const Bits bits = bits_of(net.at("bits"));
+    if (std::find(bits.begin(), bits.end(), bit) != bits.end()) return name;
+  }
+  return "a net";
+}
+
+std::string without_backslash(const std::string& name) {
+  return name.starts_with('\\') ? name.substr(1) : name;
+}
+
+// The bits that registers hold; and their clock's bit, which is one.
+std::set<int> held(const Json& module, int& clock) {
+  std::set<int> bits;
+  for (const auto& [name, cell] : module.at("cells").items()) {
+    const std::string type = cell.at("type");
+    if (type.find("latch") != std::string::npos) {
+      const int bit = bits_of(cell.at("connections").at("Q")).front();
+      refuse(fmt::format("{}: a latch", name_of(module, bit)));
+    }
+    if (type.starts_with("$mem")) {
+      refuse(fmt::format("{}: a memory, which no field can hold yet",
+                         without_backslash(cell.at("parameters").value("MEMID", name))));
+    }
+    if (!type.starts_with("$") || type.find("dff") == std::string::npos) continue;
+    if (type.starts_with("$a")) {
+      const int bit = bits_of(cell.at("connections").at("Q")).front();
+      refuse(fmt::format("{}: an asynchronous reset", name_of(module, bit)));
+    }
+    const int by = bits_of(cell.at("connections").at("CLK")).front();
+    if (clock >= 0 && by != clock) {
+      refuse(fmt::format("{} and {}: two clocks", name_of(module, clock), name_of(module, by)));
+    }
+    clock = by;
+    for (const int bit : bits_of(cell.at("connections").at("Q"))) bits.insert(bit);
+  }
+  return bits;
+}
+
+// The nets that are those bits: of several names of the same the one nearest to the top.
+std::vector<FoundNet> registers(const Json& module, std::set<int> left) {
+  struct Named {
+    std::string name;
+    Bits bits;
+  };
+  std::vector<Named> nets;
+  for (const auto& [name, net] : module.at("netnames").items()) {
+    if (net.value("hide_name", 0) != 0) continue;
+    nets.push_back({name, bits_of(net.at("bits"))});
+  }
+  const auto depth = [](const Named& n) { return std::count(n.name.begin(), n.name.end(), '.'); };
+  const auto is_port = [&](const Named& n) { return module.at("ports").contains(n.name); };
+  std::stable_sort(nets.begin(), nets.end(), [&](const Named& a, const Named& b) {
+    // A port that is wired to a register is not its name, unless it has no other.
+    return std::tuple(is_port(a), depth(a)) < std::tuple(is_port(b), depth(b));
+  });
+  std::vector<FoundNet> all;
+  for (const Named& n : nets) {
+    const auto is_left = [&](int bit) { return left.contains(bit); };
+    if (!std::all_of(n.bits.begin(), n.bits.end(), is_left)) continue;
+    for (const int bit : n.bits) left.erase(bit);
+    all.push_back({n.name, static_cast<int>(n.bits.size()), "", 0});
+  }
+  if (!left.empty()) refuse(fmt::format("{} bits of registers have no name", left.size()));
+  return all;
+}
+
+std::vector<FoundParameter> parameters(const Json& module) {
+  std::vector<FoundParameter> all;
+  if (!module.contains("parameter_default_values")) return all;
+  for (const auto& [name, value] : module.at("parameter_default_values").items()) {
+    const std::string bits = value;
+    const bool whole = bits.size() == 32 && bits.find_first_not_of("01") == std::string::npos;
+    if (whole) all.push_back({name, static_cast<int>(std::stoul(bits, nullptr, 2))});
+  }
+  return all;
+}
+
+// A width that is one more where the parameter is one more follows it.
+void follow(std::vector<FoundNet>& nets, const std::vector<FoundNet>& wider,
+            const FoundParameter& p) {
+  for (FoundNet& net : nets) {
+    const auto same = std::find_if(wider.begin(), wider.end(),
+                                   [&](const FoundNet& w) { return w.name == net.name; });
+    if (same == wider.end() || same->width != net.width + 1) continue;
+    net.parameter = p.name;
+    net.more = net.width - p.value;
+  }
+}
+
+Found read(const Netlist& n) {
+  Found found;
+  found.top = n.top;
+  int clock = -1;
+  const std::set<int> bits = held(n.module, clock);
+  if (bits.empty()) refuse(n.top + " has no register");
+  found.registers = registers(n.module, bits);
+  for (const FoundNet& port : ports(n.module, "input")) {
+    if (bits_of(n.module.at("ports").at(port.name).at("bits")) == Bits{clock}) {
+      found.clock = port.name;
+    } else {
+      found.inputs.push_back(port);
+    }
+  }
+  if (found.clock.empty()) refuse(n.top + ": its clock is no input");
+  found.outputs = ports(n.module, "output");
+  for (const auto* list : {&found.inputs, &found.outputs, &found.registers}) {
+    for (const FoundNet& net : *list) {
+      if (net.width > widest) {
+        refuse(fmt::format("{}: {} bits, and a field has at most {}", net.name, net.width, widest));
+      }
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+Found found_in(const std::vector<std::string>& files) {
+  const Netlist netlist = netlist_of(files, "", "");
+  Found found = read(netlist);
+  found.parameters = parameters(netlist.module);
+  for (const FoundParameter& p : found.parameters) {
+    Found wider;
+    try {
+      wider =
+          read(netlist_of(files, found.top, fmt::format(" -chparam {} {}", p.name, p.value + 1)));
+    } catch (const InputError&) {
+      continue;  // the RTL does not take that one: its widths stand as numbers
+    }
+    follow(found.inputs, wider.inputs, p);
+    follow(found.outputs, wider.outputs, p);
+    follow(found.registers, wider.registers, p);
+  }
+  const std::set<std::string> high{"rst", "reset", "clear", "clr"};
+  const std::set<std::string> low{"rst_n", "reset_n", "rstn", "resetn", "nrst", "aresetn"};
+  for (const FoundNet& in : found.inputs) {
+    std::string name = in.name;
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (in.width != 1 || !(high.contains(name) || low.contains(name))) continue;
+    found.reset = in.name;
+    found.active_low = low.contains(name);
+  }
+  return found;
+}
+
+}  // namespace cosim::cli

@@ -1,0 +1,37 @@
+// What yosys finds in RTL that somebody brings: its ports, parameters and registers.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace cosim::cli {
+
+/// A port or a register, and how wide it is: `width` bits with the parameters' defaults.
+struct FoundNet {
+  std::string name;  ///< of a register its path below the top
+  int width = 1;
+  /// The parameter that the width follows, and what is to be added to it; empty where none does.
+  std::string parameter;
+  int more = 0;
+};
+
+struct FoundParameter {
+  std::string name;
+  int value = 0;  ///< its default
+};
+
+struct Found {
+  std::string top;
+  std::string clock;
+  std::string reset;  ///< the input that is thought to be it, by its name; empty where none is
+  bool active_low = false;
+  std::vector<FoundNet> inputs, outputs, registers;  ///< inputs without the clock
+  std::vector<FoundParameter> parameters;            ///< those that are whole numbers
+};
+
+/// Reads the files. InputError, one line, where yosys cannot, where there is no clock or a second
+/// one, and for what a design cannot have: a latch, a memory, a net of more than 64 bits, a
+/// bidirectional port, a register without a name.
+Found found_in(const std::vector<std::string>& files);
+
+}  // namespace cosim::cli

@@ -20,7 +20,7 @@ results() { grep -v '"seconds"' "$1"; }
 begin=${EPOCHREALTIME//[!0-9]/}
 "$program" "$folder/expected.json"
 # Milliseconds: long enough to go on by some checkpoints, short enough for most runs to be killed.
-most=$(((${EPOCHREALTIME//[!0-9]/} - begin) / 10000))
+most=$(((${EPOCHREALTIME//[!0-9]/} - begin) / 3000))
 kills=0 gone_on=0
 for ((i = 0; i < 20; ++i)); do
   [[ ! -e $folder/results.json.part ]] || gone_on=$((gone_on + 1))

@@ -20,9 +20,9 @@ class Table final : public Observer<Design> {
   explicit Table(const typename Design::Params& p)
       : registers_(Registers::fields(p)), outputs_(Outputs::fields(p)) {
     fmt::print("{:>6}", "clock");
-    const auto heading = [](const Field& f) { fmt::print("  {:>{}}", f.name, width(f)); };
-    for (const Field& f : registers_) heading(f);
-    for (const Field& f : outputs_) heading(f);
+    const auto column = [](const Field& f) { fmt::print("  {:>{}}", f.name, width(f)); };
+    for (const Field& f : registers_) column(f);
+    for (const Field& f : outputs_) column(f);
     fmt::print("\n");
   }
 

@@ -72,6 +72,7 @@ std::vector<FoundNet> ports(const Json& module, const std::string& direction) {
 // The name of a bit of the module, for a person.
 std::string name_of(const Json& module, int bit) {
   for (const auto& [name, net] : module.at("netnames").items()) {
+    if (net.value("hide_name", 0) != 0) continue;
     const Bits bits = bits_of(net.at("bits"));
     if (std::find(bits.begin(), bits.end(), bit) != bits.end()) return name;
   }
@@ -102,7 +103,8 @@ std::set<int> held(const Json& module, int& clock) {
     }
     const int by = bits_of(cell.at("connections").at("CLK")).front();
     if (clock >= 0 && by != clock) {
-      refuse(fmt::format("{} and {}: two clocks", name_of(module, clock), name_of(module, by)));
+      const std::string one = name_of(module, clock), other = name_of(module, by);
+      refuse(fmt::format("{} and {}: two clocks", std::min(one, other), std::max(one, other)));
     }
     clock = by;
     for (const int bit : bits_of(cell.at("connections").at("Q"))) bits.insert(bit);

@@ -52,7 +52,10 @@ std::string written_by_yosys(const Source& source) {
 }  // namespace
 
 void run_yosys(const std::string& commands, const std::string& what) {
-  const Ended ended = run_program({"yosys", "-q", "-p", commands});
+  // yosys keeps a history in the user's home.
+  const Scratch home;
+  const Ended ended = run_program({"env", "-u", "XDG_STATE_HOME", "HOME=" + home.path().string(),
+                                   "yosys", "-q", "-p", commands});
   if (ended.status == 127) throw InputError("needs yosys");
   if (ended.status == 0) return;
   // The line of the error: it begins with the file and the line of the RTL.

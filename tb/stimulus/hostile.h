@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 
+#include "model/core/design.h"
 #include "model/core/fields.h"
 #include "tb/support/random.h"
 

@@ -1,0 +1,91 @@
+#!/usr/bin/env bash
+# new_test.sh PROGRAM
+#
+# `cosim new` reads ports, parameters and registers out of RTL, and refuses in one line what a design
+# cannot have. Status: 0 so, 1 not, 77 where yosys is not installed.
+set -euo pipefail
+
+command -v yosys > /dev/null || { echo "skipped: no yosys" && exit 77; }
+program=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+
+# A register below the top, one that a port is wired to, a width that follows a parameter, one that
+# does not, a reset that is active low, a clock by another name.
+cat > pair.v << 'RTL'
+module pair #(parameter WIDTH = 6) (
+    input wire ck, input wire resetn, input wire [WIDTH-1:0] d, output reg [WIDTH:0] sum,
+    output wire [2:0] low);
+  reg [WIDTH-1:0] last;
+  part one(.ck(ck), .d(d[2:0]), .q(low));
+  always @(posedge ck) begin
+    last <= resetn ? d : {WIDTH{1'b0}};
+    sum <= resetn ? d + last : {WIDTH+1{1'b0}};
+  end
+endmodule
+RTL
+cat > part.v << 'RTL'
+module part(input wire ck, input wire [2:0] d, output wire [2:0] q);
+  reg [2:0] kept;
+  assign q = kept;
+  always @(posedge ck) kept <= d;
+endmodule
+RTL
+"$program" new pair pair.v part.v > said
+diff - said << 'SAID'
+pair/: 2 inputs, 2 outputs, 3 registers; README.md has its two commands
+pair/pair.h: next() is to be written
+SAID
+diff - <(sed -n '/^#define\|^  FIELD\|^COSIM/p; /rest()\|clear()/p' pair/pair.h) << 'TABLES'
+#define PAIR_INPUTS(FIELD) \
+  FIELD(resetn, 1, flag, "", "") \
+  FIELD(d, p.WIDTH, bits, "", "")
+#define PAIR_OUTPUTS(FIELD) \
+  FIELD(sum, p.WIDTH + 1, bits, "", "") \
+  FIELD(low, 3, bits, "", "")
+#define PAIR_STATE(FIELD) \
+  FIELD(last, p.WIDTH, bits, "", "") \
+  FIELD(one_kept, 3, bits.at("one.kept"), "", "") \
+  FIELD(sum, p.WIDTH + 1, bits, "", "")
+COSIM_RECORDS(PAIR, Params);
+  static constexpr Inputs<Word> rest() { return {.resetn = 1}; }
+  static constexpr Inputs<Word> clear() { return {.resetn = 0}; }
+TABLES
+grep -qx 'cosim_add_design(pair SOURCES pair.v part.v CLOCK ck MODEL pair.h SHAPES "WIDTH=6")' \
+  pair/CMakeLists.txt
+
+# refused LINE WORDS...: that is all that it says, its status is 2, and there is no folder `made`.
+refused() {
+  local line="cosim: $1" said status=0
+  shift
+  said=$("$program" new "$@" 2>&1) || status=$?
+  [[ $status == 2 && $said == "$line" && ! -e made ]] && return
+  printf 'new %s: status %d, it said\n%s\nin place of\n%s\n' "$*" "$status" "$said" "$line"
+  exit 1
+}
+# rtl BODY: a module with a clock, some inputs and outputs.
+rtl() {
+  printf 'module made(input wire clk, other, d, input wire [79:0] w, output reg q, r);\n%s\nendmodule\n' \
+    "$1" > made.v
+}
+refused "NAME: is needed"
+refused "NAME: 'Made' is not small letters, digits and _, a letter first" Made
+refused "pair: exists" pair
+refused "none.v: no such file" made none.v
+rtl 'always @(posedge clk) q <= d'
+refused "new: yosys cannot read it: $folder/made.v:3: ERROR: syntax error, unexpected TOK_ENDMODULE" \
+  made made.v
+rtl 'always @* if (other) q = d; always @(posedge clk) r <= q;'
+refused "new: q: a latch" made made.v
+rtl 'always @(posedge clk or posedge other) if (other) q <= 0; else q <= d;'
+refused "new: q: an asynchronous reset" made made.v
+rtl 'always @(posedge clk) q <= d; always @(posedge other) r <= d;'
+refused "new: clk and other: two clocks" made made.v
+rtl 'always @(posedge clk) q <= d;'
+refused "new: w: 80 bits, and a field has at most 64" made made.v
+rtl 'reg [7:0] mem[0:15]; always @(posedge clk) begin mem[w[3:0]] <= w[7:0]; q <= mem[w[7:4]][0]; end'
+refused "new: mem: a memory, which no field can hold yet" made made.v
+rtl 'always @* q = d;'
+refused "new: made has no register" made made.v
+echo "read or refused"

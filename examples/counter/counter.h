@@ -21,8 +21,7 @@ COSIM_RECORDS(COUNTER, Params);
 template <class V>
 constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) {
   const V counted = wrap(s.total + in.en, p.width);
-  return {{select(is_set(in.rst), V(0), counted)},
-          {s.total, flag<V>(s.total == V(ones(p.width)))}};
+  return {{select(is_set(in.rst), V(0), counted)}, {s.total, flag<V>(s.total == V(ones(p.width)))}};
 }
 
 struct Design {

@@ -13,12 +13,12 @@ struct Params {
   FIELD(rst_n, 1, flag, "", "0: stop at once")         \
   FIELD(valid, 1, flag, "", "there is a byte to send") \
   FIELD(data, 8, bits, "", "the byte")
-#define UART_OUTPUTS(FIELD)                           \
-  FIELD(ready, 1, flag, "", "a byte would be taken")  \
+#define UART_OUTPUTS(FIELD)                          \
+  FIELD(ready, 1, flag, "", "a byte would be taken") \
   FIELD(tx, 1, flag, "", "the line")
-#define UART_STATE(FIELD)                                                \
-  FIELD(left, 4, number, "", "bits of the frame still to come")          \
-  FIELD(frame, 9, bits, "", "what is left of it, the next bit lowest")   \
+#define UART_STATE(FIELD)                                              \
+  FIELD(left, 4, number, "", "bits of the frame still to come")        \
+  FIELD(frame, 9, bits, "", "what is left of it, the next bit lowest") \
   FIELD(count, 8, number.at("divider.count"), "", "clocks of this bit")
 COSIM_RECORDS(UART, Params);
 
@@ -36,10 +36,9 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
   step.outputs.tx = flag<V>(ready | bit(s.frame, 0));
   step.state.left =
       select(reset, V(0), select(accept, V(10), select(shift, wrap(s.left - V(1), 4), s.left)));
-  step.state.frame =
-      select(reset, V(0x1ff),
-             select(accept, shift_left(in.data, 1),
-                    select(shift, shift_right(s.frame, 1) + V(0x100), s.frame)));
+  step.state.frame = select(reset, V(0x1ff),
+                            select(accept, shift_left(in.data, 1),
+                                   select(shift, shift_right(s.frame, 1) + V(0x100), s.frame)));
   step.state.count = select(reset | accept | tick, V(0), wrap(s.count + V(1), 8));
   return step;
 }

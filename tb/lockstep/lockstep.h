@@ -54,8 +54,7 @@ class Lockstep {
   /// Makes the adapter, which powers up at random from `power_up`, and clears both sides. That
   /// clock is not compared: before it the RTL's registers may hold any value.
   template <class PowerUp>
-  explicit Lockstep(const PowerUp& power_up)
-      : dut_(power_up), state_(cleared_of<Design, Word>()) {
+  explicit Lockstep(const PowerUp& power_up) : dut_(power_up), state_(cleared_of<Design, Word>()) {
     dut_.drive(Design::clear());
     edge();
   }

@@ -35,8 +35,8 @@ NamedWork read_work(const std::string& file, const Text& steps_per_mm) {
     throw InputError(fmt::format("{}: no motion reaches a step at {} steps/mm", file, scale));
   }
   if (plan.longest_line > largest_major || plan.arc_width > widest_work) {
-    throw InputError(
-        fmt::format("{}: at {} steps/mm a line or a radius is above {}", file, scale, largest_major));
+    throw InputError(fmt::format("{}: at {} steps/mm a line or a radius is above {}", file, scale,
+                                 largest_major));
   }
   return {fmt::format("{} at {} steps/mm", one_line(file), scale), compare::work_of(plan)};
 }

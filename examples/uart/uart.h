@@ -18,7 +18,7 @@ struct Params {
   FIELD(tx, 1, flag, "", "the line")
 #define UART_STATE(FIELD)                                              \
   FIELD(left, 4, number, "", "bits of the frame still to come")        \
-  FIELD(frame, 9, bits, "", "what is left of it, the next bit lowest") \
+  FIELD(frame, 9, bits.unreset(), "", "what is left, the next lowest") \
   FIELD(count, 8, number.at("divider.count"), "", "clocks of this bit")
 COSIM_RECORDS(UART, Params);
 
@@ -36,7 +36,7 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
   step.outputs.tx = flag<V>(ready | bit(s.frame, 0));
   step.state.left =
       select(reset, V(0), select(accept, V(10), select(shift, wrap(s.left - V(1), 4), s.left)));
-  step.state.frame = select(reset, V(0x1ff),
+  step.state.frame = select(reset, s.frame,
                             select(accept, shift_left(in.data, 1),
                                    select(shift, shift_right(s.frame, 1) + V(0x100), s.frame)));
   step.state.count = select(reset | accept | tick, V(0), wrap(s.count + V(1), 8));
@@ -48,10 +48,6 @@ struct Design {
   static constexpr const char* name = "uart";
   static constexpr Inputs<Word> rest() { return {.rst_n = 1}; }
   static constexpr Inputs<Word> clear() { return {.rst_n = 0}; }
-  template <class V>
-  static constexpr State<V> cleared() {
-    return {V(0), V(0x1ff), V(0)};
-  }
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {
     return {{{"D", p.divider}}};
   }

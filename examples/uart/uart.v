@@ -21,8 +21,7 @@ module uart #(parameter D = 4) (
 
   always @(posedge clock)
     if (!rst_n) begin
-      left  <= 4'd0;
-      frame <= 9'h1ff;
+      left <= 4'd0;
     end else if (accept) begin
       left  <= 4'd10;
       frame <= {data, 1'b0};

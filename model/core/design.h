@@ -23,14 +23,23 @@ struct StepOf {
 
 namespace detail {
 
-/// What the RTL's registers hold in state s: registers(p, s), or s itself where a model has no such
-/// function.
+/// What the RTL's registers hold in state s: registers(p, s), or where a model has no such function
+/// the fields of s, those with a sign as their codes.
 template <class Params, class State>
 constexpr auto registers_of(const Params& p, const State& s) {
   if constexpr (requires { registers(p, s); }) {
     return registers(p, s);
   } else {
-    return s;
+    State codes = s;
+    const auto fields = State::fields(p);
+    for_each_member<State>([&](auto member, std::size_t i) {
+      const Field& f = fields[i];
+      if (f.format == Format::twos_complement) codes.*member = low_bits(s.*member, f.width);
+      if (f.format == Format::ones_complement) {
+        codes.*member = to_ones_complement(s.*member, f.width);
+      }
+    });
+    return codes;
   }
 }
 

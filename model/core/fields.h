@@ -5,8 +5,8 @@
 //
 // `name` is the RTL's port or register; `width` in bits may use p, the design's parameters;
 // `format` is a name of Format, followed by with_fraction(n) if the lowest n bits are a fraction,
-// and by at("PATH") if the RTL has it by another name or below the top module; `source` is the
-// number of the pin or block in the source.
+// by at("PATH") if the RTL has it by another name or below the top module, and by unreset() if it
+// is a register that no reset reaches; `source` is the number of the pin or block in the source.
 #pragma once
 
 #include <array>
@@ -34,6 +34,7 @@ struct Field {
   const char* meaning;
   int fraction = 0;      ///< bits of a number after the binary point, 0 to 18
   const char* net = "";  ///< where it is in the RTL: "count", or below the top, "fifo.count"
+  bool unreset = false;  ///< a clear leaves it as it is: the model takes its value from the RTL
 };
 
 constexpr bool is_signed(const Field& field) {
@@ -70,8 +71,10 @@ struct Notation {
   Format format;
   int fraction = 0;
   const char* net = nullptr;
-  constexpr Notation with_fraction(int bits) const { return {format, bits, net}; }
-  constexpr Notation at(const char* path) const { return {format, fraction, path}; }
+  bool is_unreset = false;
+  constexpr Notation with_fraction(int bits) const { return {format, bits, net, is_unreset}; }
+  constexpr Notation at(const char* path) const { return {format, fraction, path, is_unreset}; }
+  constexpr Notation unreset() const { return {format, fraction, net, true}; }
 };
 inline constexpr Notation flag{Format::flag};
 inline constexpr Notation bits{Format::bits};
@@ -82,7 +85,8 @@ inline constexpr Notation ones_complement{Format::ones_complement};
 constexpr Field field(const char* name, int width, Notation notation, const char* source,
                       const char* meaning, const char* net) {
   if (notation.net != nullptr) net = notation.net;
-  return {name, width, notation.format, source, meaning, notation.fraction, net};
+  return {
+      name, width, notation.format, source, meaning, notation.fraction, net, notation.is_unreset};
 }
 
 }  // namespace row

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 #include "model/core/design.h"
@@ -57,6 +58,7 @@ class Lockstep {
   explicit Lockstep(const PowerUp& power_up) : dut_(power_up), state_(cleared_of<Design, Word>()) {
     dut_.drive(Design::clear());
     edge();
+    take_over();
   }
   /// Starts both sides from `state` instead, for an adapter that can load registers.
   template <class PowerUp>
@@ -101,6 +103,18 @@ class Lockstep {
 
  private:
   Compared<Design> read() const { return {dut_.registers(), dut_.outputs()}; }
+  /// Gives the model what the RTL holds where no reset reaches. Such a register is a field of the
+  /// state by the same name.
+  void take_over() {
+    if constexpr (std::is_same_v<State, typename Design::template Registers<Word>>) {
+      dut_.eval(false);
+      const auto fields = State::fields(dut_.params);
+      const State held = dut_.registers();
+      for_each_member<State>([&](auto member, std::size_t i) {
+        if (fields[i].unreset) state_.*member = units_of(fields[i], held.*member);
+      });
+    }
+  }
   /// Out of line, so that the usual path need not keep its values in registers.
   [[gnu::noinline, gnu::cold]] void keep_actual() { actual_ = read(); }
   void edge() {

@@ -129,13 +129,21 @@ Claim claim_clear(const MachineFormula& m, const Rtl& rtl) {
     q.script().assume(equal(detail::symbol("in", given.field), given.code));
   }
   Expression wrong = any_fails(m.invariant_cleared);
+  std::string taken;
   for (std::size_t i = 0; i < m.cleared.size(); ++i) {
     const Wire& w = m.cleared[i];
+    if (w.field.unreset) {
+      taken += std::string(taken.empty() ? ", but for " : ", ") + w.field.name;
+      continue;
+    }
     wrong = disjunction(wrong, q.differs(kAfter, w, q.after(i)));
     wrong = disjunction(wrong, negation(equal(m.after[i].code, w.code)));
   }
   q.script().ask(wrong);
-  return {"a clear makes them the same", Answer::unsat, {{{"any clock"}, q.script().text()}}, {}};
+  return {"a clear makes them the same" + taken,
+          Answer::unsat,
+          {{{"any clock"}, q.script().text()}},
+          {}};
 }
 
 Claim claim_step(const MachineFormula& m, const Rtl& rtl) {

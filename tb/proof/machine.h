@@ -150,7 +150,10 @@ MachineFormula formula(const typename Design::Params& p) {
   // Else nothing would show that the invariant can be met.
   if (m.cases.empty()) m.cases.push_back({"any clock", truth(true)});
 
-  const auto cleared = cleared_of<Design, Bits>();
+  auto cleared = cleared_of<Design, Bits>();
+  for_each_member<State>([&](auto member, std::size_t i) {
+    if (state_fields[i].unreset) cleared.*member = s.*member;
+  });
   m.cleared = wires(Design::registers(p, cleared), register_fields);
   m.invariant_cleared = detail::whole_invariant<Design>(p, cleared);
   m.reached_cleared = detail::whole_reached<Design>(p, cleared);

@@ -34,12 +34,6 @@ class VerilatedInstance {
   VerilatedInstance(const VerilatedInstance&) = delete;
   VerilatedInstance& operator=(const VerilatedInstance&) = delete;
 
-  /// Sets the clock pin and settles everything that depends on it.
-  void eval(bool clk) {
-    top_->clk = clk;
-    top_->eval();
-  }
-
   /// Every signal of the hierarchy; empty unless Verilated with --vpi --public-flat-rw.
   std::vector<Signal> signals() const { return signals_of(machine_->context()); }
 #ifndef COSIM_NETLIST  // there a register is a wire from flip-flops that are cells

@@ -15,7 +15,7 @@ int guards = 0;  // that live, on all threads
 struct Taken {
   int number;
   void (*before)(int);
-} all[] = {{SIGINT, SIG_DFL}, {SIGTERM, SIG_DFL}};
+} all[] = {{SIGHUP, SIG_DFL}, {SIGINT, SIG_DFL}, {SIGQUIT, SIG_DFL}, {SIGTERM, SIG_DFL}};
 
 // The second one does what the first would have done without a guard.
 void take_down(int number) {

@@ -8,7 +8,8 @@ struct Interrupted {
   int signal = 0;
 };
 
-/// While a guard lives, SIGINT and SIGTERM are only recorded; a second one ends the program.
+/// While a guard lives, SIGHUP, SIGINT, SIGQUIT and SIGTERM are only recorded; a second one ends
+/// the program.
 class InterruptGuard {
  public:
   InterruptGuard();

@@ -18,10 +18,11 @@ struct Ended {
 
 /// Runs a program, found as a shell finds it, with nothing to read. After `limit` seconds of
 /// processor time it is stopped; 0 is no limit. A program that only waits is stopped after many
-/// times the limit. On SIGINT or SIGTERM the program is stopped and Interrupted is thrown.
+/// times the limit. When interrupted (interrupt.h) the program is stopped and Interrupted is
+/// thrown.
 Ended run_program(const std::vector<std::string>& words, int limit = 0);
 
-/// A folder for temporary files, removed with this object, also after SIGINT or SIGTERM.
+/// A folder for temporary files, removed with this object, also after a signal that interrupts.
 class Scratch {
  public:
   Scratch();

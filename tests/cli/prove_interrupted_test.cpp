@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 
@@ -80,8 +81,10 @@ TEST_P(InterruptedProof, EndsGnuplot) {
   expect_ended({"line", "--major", "5", "--minor", "3", "--plot", folder_.path("plot.svg")});
 }
 
-INSTANTIATE_TEST_SUITE_P(On, InterruptedProof, testing::Values(SIGINT, SIGTERM),
-                         [](const auto& at) { return at.param == SIGINT ? "SIGINT" : "SIGTERM"; });
+INSTANTIATE_TEST_SUITE_P(On, InterruptedProof, testing::Values(SIGHUP, SIGINT, SIGQUIT, SIGTERM),
+                         [](const auto& at) {
+                           return std::string("SIG") + sigabbrev_np(at.param);
+                         });
 
 // What a busy computer, or a harder question, may end with.
 TEST(ProofAtItsLimit, SaysWhatToDo) {

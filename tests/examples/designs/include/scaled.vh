@@ -1,0 +1,1 @@
+`define SCALED_STEP_OF(x) ((x) * `SCALED_STEP)

@@ -1,0 +1,71 @@
+#!/usr/bin/env bash
+# designs_test.sh FOLDER [PROGRAM]
+#
+# Installs the harness that was built in FOLDER, builds designs/ against it, and tries each design:
+# hostile clocks find no difference where it is as it is meant (FAULT=0), and find and shrink the
+# planted fault (FAULT=1), which the smallest stimulus shows again; the proof proves the one and
+# refutes the other. Then designs/NAME.sh, what is particular to a design. PROGRAM: one that was built
+# already. Status: 0 so, 1 not.
+set -euo pipefail
+
+designs=$(cd "$(dirname "$0")/designs" && pwd)
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+if (($# > 1)); then
+  program=$(realpath "$2")
+else
+  cmake --install "$1" --prefix "$scratch/prefix" > "$scratch/log"
+  # The headers cost more than the designs.
+  if ! cmake -S "$designs" -B "$scratch/build" -G Ninja "-DCMAKE_PREFIX_PATH=$scratch/prefix" \
+    -DCMAKE_UNITY_BUILD=ON > "$scratch/log" 2>&1 ||
+    ! cmake --build "$scratch/build" -j "$(nproc)" >> "$scratch/log" 2>&1; then
+    tail -50 "$scratch/log"
+    exit 1
+  fi
+  program=$scratch/build/designs
+fi
+cd "$scratch"
+
+# fails TEXT...: what was not so, and what was said last.
+fails() {
+  cat said
+  printf 'not so: %s\n' "$*"
+  exit 1
+}
+# ends STATUS WORDS...: the program ends with that status; what it says is in `said`.
+ends() {
+  local wanted=$1 status=0
+  shift
+  "$program" "$@" > said 2>&1 || status=$?
+  [[ $status == "$wanted" ]] || fails "'$*' ends with $wanted; it is $status"
+}
+# says TEXT: a line with that text was said.
+says() { grep -qF -- "$1" said || fails "it says: $1"; }
+# says_not TEXT: none was.
+says_not() { ! grep -qF -- "$1" said || fails "it says nothing of: $1"; }
+
+solvers=yes
+for tool in yosys cvc5 z3; do
+  command -v "$tool" > /dev/null || { solvers='' && echo "no $tool: nothing is proved"; }
+done
+
+mapfile -t names < <(cd "$designs" && find . -name '*.h' | sort | sed 's,^\./,,; s,\.h$,,')
+clocks=20000
+for name in "${names[@]}"; do
+  ends 1 sweep "$name" --hostile "$clocks" --failures failures
+  grep -q "^$name FAULT=0.*: $clocks clocks" said || fails "$name without a fault matches"
+  grep -q "^$name FAULT=1.*, case [0-9]*: " said || fails "the fault of $name is found"
+  smallest=(failures/"$name"-FAULT1-*/smallest.stim)
+  [[ -f ${smallest[0]} ]] || fails "the fault of $name is shrunk"
+  ends 1 replay "${smallest[0]}"
+  if [[ $solvers ]]; then
+    ends 0 prove "$name" FAULT=0
+    ends 1 prove "$name" FAULT=1 --failures failures
+    says REFUTED
+  fi
+  if [[ -f $designs/$name.sh ]]; then
+    # shellcheck source=/dev/null
+    source "$designs/$name.sh"
+  fi
+  echo "$name: as it should be"
+done

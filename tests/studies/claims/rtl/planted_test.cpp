@@ -1,4 +1,4 @@
-// What README.md says of the faults planted in all designs.
+// What docs/failures.md says of the faults planted in all designs.
 #include "tests/rtl/planted.h"
 
 #include <gtest/gtest.h>
@@ -13,8 +13,8 @@
 namespace cosim::test {
 namespace {
 
-TEST(Planted, AreAsManyAndShrinkAsFarAsTheReadmeSays) {
-  const std::string text = read_file((project_root() / "README.md").string());
+TEST(Planted, AreAsManyAndShrinkAsFarAsThePageSays) {
+  const std::string text = read_file((project_root() / "docs/failures.md").string());
   const std::regex sentence(
       "Each of (\\d+)\\splanted\\sfaults\\sand\\smisprints\\sshrinks\\sto\\s(\\d+)\\sclocks");
   std::smatch found;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "model/core/fields.h"
@@ -141,21 +142,19 @@ class NoHost {
 namespace detail {
 
 template <class Design>
-struct HostType {
-  using Type = NoHost<Design>;
-};
-
-template <class Design>
-requires requires { typename Design::Host; }
-struct HostType<Design> {
-  using Type = typename Design::Host;
-};
+constexpr auto host_of() {
+  if constexpr (requires { typename Design::Host; }) {
+    return std::type_identity<typename Design::Host>{};
+  } else {
+    return std::type_identity<NoHost<Design>>{};
+  }
+}
 
 }  // namespace detail
 
 /// The design's Host, or one without jobs.
 template <class Design>
-using HostOf = typename detail::HostType<Design>::Type;
+using HostOf = typename decltype(detail::host_of<Design>())::type;
 
 }  // namespace cosim
 

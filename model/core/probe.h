@@ -15,6 +15,7 @@
 
 #include <array>
 #include <span>
+#include <type_traits>
 
 #include "model/core/fields.h"
 
@@ -52,20 +53,18 @@ class NoView {
 namespace detail {
 
 template <class Design>
-struct View {
-  using Type = NoView<Design>;
-};
-
-template <class Design>
-requires requires { typename Design::View; }
-struct View<Design> {
-  using Type = typename Design::View;
-};
+constexpr auto view_of() {
+  if constexpr (requires { typename Design::View; }) {
+    return std::type_identity<typename Design::View>{};
+  } else {
+    return std::type_identity<NoView<Design>>{};
+  }
+}
 
 }  // namespace detail
 
 /// The design's View, or one without probes.
 template <class Design>
-using ViewOf = typename detail::View<Design>::Type;
+using ViewOf = typename decltype(detail::view_of<Design>())::type;
 
 }  // namespace cosim

@@ -2,12 +2,22 @@
 
 #include <fmt/core.h>
 
+#include "model/core/input_error.h"
+
 namespace cosim {
 
 std::string AnyBench::title() const {
   std::string text = design();
   for (const Parameter& p : parameters()) text += fmt::format(" {}={}", p.name, p.value);
   return text;
+}
+
+void require_shape(const AnyBench& bench, const std::string& shape) {
+  if (bench.title() == shape) return;
+  throw InputError(
+      fmt::format("{}: its model says it is {}: Design::name and parameters() are to be "
+                  "those of cosim_add_design()",
+                  shape, bench.title()));
 }
 
 }  // namespace cosim

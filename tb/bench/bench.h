@@ -57,6 +57,10 @@ class AnyBench {
   std::string title() const;
 };
 
+/// InputError if the bench's title is not `shape`, what the RTL was built as: its model has other
+/// parameters, or the same in another order.
+void require_shape(const AnyBench& bench, const std::string& shape);
+
 /// Sees registers and outputs on every clock that matched, and the number of the job they belong
 /// to.
 template <class Design>

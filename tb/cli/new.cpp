@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "counter.h"
 #include "model/core/input_error.h"
 #include "tb/cli/commands.h"
 #include "tb/cli/found.h"
@@ -22,38 +23,6 @@ namespace fs = std::filesystem;
 struct NewOptions {
   std::vector<std::string> words;  ///< the name, then the files
 };
-
-// What a project has where no RTL is given.
-constexpr const char* counter = R"(// Counts the clocks on which `en` is set.
-module NAME #(parameter W = 8) (
-    input  wire         clk,
-    input  wire         rst,
-    input  wire         en,
-    output wire [W-1:0] count,
-    output wire         last
-);
-  reg [W-1:0] total;
-  assign count = total;
-  assign last  = &total;
-  always @(posedge clk) total <= rst ? {W{1'b0}} : total + {{W-1{1'b0}}, en};
-endmodule
-)";
-constexpr const char* counter_step = R"(  step.outputs.count = s.total;
-  step.outputs.last = flag<V>(s.total == V(ones(p.W)));
-  step.state.total = select(is_set(in.rst), V(0), wrap(s.total + in.en, p.W));
-)";
-
-Found counter_found(const std::string& name) {
-  Found found;
-  found.top = name;
-  found.clock = "clk";
-  found.reset = "rst";
-  found.inputs = {{"rst", 1, "", 0}, {"en", 1, "", 0}};
-  found.outputs = {{"count", 8, "W", 0}, {"last", 1, "", 0}};
-  found.registers = {{"total", 8, "W", 0}};
-  found.parameters = {{"W", 8}};
-  return found;
-}
 
 std::string upper(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -94,7 +63,7 @@ std::string table(const std::string& name, const std::vector<FoundNet>& nets) {
   return text + '\n';
 }
 
-std::string model_of(const std::string& name, const Found& f, const std::string& step) {
+std::string model_of(const std::string& name, const Found& f) {
   const std::string table_name = upper(name);
   std::string members, pairs;
   for (const FoundParameter& p : f.parameters) {
@@ -136,30 +105,36 @@ std::string model_of(const std::string& name, const Found& f, const std::string&
       "constexpr Step<V> next([[maybe_unused]] const Params& p, const State<V>& s,\n"
       "                       [[maybe_unused]] const Inputs<V>& in) {{\n"
       "  Step<V> step{{s, {{}}}};\n"
-      "{6}"
+      "  // To be written: step.outputs of this clock, step.state after it.\n"
       "  return step;\n"
       "}}\n\n"
       "struct Design {{\n"
       "  COSIM_DESIGN({0});\n"
       "  static constexpr const char* name = \"{0}\";\n"
-      "{7}{8}"
+      "{6}{7}"
       "}};\n\n"
       "}}  // namespace cosim::{0}\n",
       name, members, table(table_name + "_INPUTS", f.inputs),
       table(table_name + "_OUTPUTS", f.outputs), table(table_name + "_STATE", f.registers),
-      table_name, step, clear, parameters);
+      table_name, clear, parameters);
 }
 
-std::string cmake_of(const std::string& name, const Found& f,
-                     const std::vector<std::string>& sources) {
+// What cosim_add_design() is told of RTL that was read.
+std::string design_of(const std::string& name, const Found& f,
+                      const std::vector<std::string>& sources) {
+  std::string text = name + " SOURCES";
+  for (const std::string& s : sources) text += ' ' + s;
+  if (f.top != name) text += " TOP " + f.top;
+  if (f.clock != "clk") text += " CLOCK " + f.clock;
+  text += fmt::format(" MODEL {}.h", name);
   std::string shape;
   for (const FoundParameter& p : f.parameters) {
     shape += fmt::format("{}{}={}", shape.empty() ? "" : " ", p.name, p.value);
   }
-  std::string list, top, clock;
-  for (const std::string& s : sources) list += ' ' + s;
-  if (f.top != name) top = " TOP " + f.top;
-  if (f.clock != "clk") clock = " CLOCK " + f.clock;
+  return shape.empty() ? text : fmt::format("{} SHAPES \"{}\"", text, shape);
+}
+
+std::string cmake_of(const std::string& name, const std::string& design) {
   return fmt::format(R"(cmake_minimum_required(VERSION 3.25)
 project({0} LANGUAGES C CXX)
 set(COSIM_SOURCE "" CACHE PATH "The sources of cosim, where it is not installed")
@@ -169,12 +144,11 @@ else()
   find_package(cosim REQUIRED)
 endif()
 enable_testing()
-cosim_add_design({0} SOURCES{1}{2}{3} MODEL {0}.h{4})
+cosim_add_design({1})
 cosim_add_program({0}_cosim)
 cosim_add_tests({0}_cosim)
 )",
-                     name, list, top, clock,
-                     shape.empty() ? "" : fmt::format(" SHAPES \"{}\"", shape));
+                     name, design);
 }
 
 std::string readme_of(const std::string& name) {
@@ -222,31 +196,39 @@ int run(const NewOptions& o) {
   const std::vector<std::string> files(o.words.begin() + 1, o.words.end());
   std::vector<std::string> texts;
   for (const std::string& f : files) texts.push_back(read_file(f));
-  const Found found = files.empty() ? counter_found(name) : found_in(files);
+  const Found found = files.empty() ? Found{} : found_in(files);
 
   Draft project(fs::current_path(), name);
-  std::vector<std::string> sources;
+  std::string design;
   if (files.empty()) {
-    sources = {name + ".v"};
-    project.write(sources.front(), replaced(counter, "NAME", name));
+    const auto named = [&](const char* text) {
+      return replaced(replaced(text, "counter", name), "COUNTER", upper(name));
+    };
+    project.write(name + ".v", named(counter_rtl));
+    project.write(name + ".h", named(counter_model));
+    design = fmt::format("{0} SOURCES {0}.v MODEL {0}.h SHAPES \"W=8\"", name);
+  } else {
+    std::vector<std::string> sources;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      sources.push_back(fs::path(files[i]).filename().string());
+      project.write(sources.back(), texts[i]);
+    }
+    project.write(name + ".h", model_of(name, found));
+    design = design_of(name, found, sources);
   }
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    sources.push_back(fs::path(files[i]).filename().string());
-    project.write(sources.back(), texts[i]);
-  }
-  const std::string step =
-      files.empty() ? counter_step
-                    : "  // To be written: step.outputs of this clock, step.state after it.\n";
-  project.write(name + ".h", model_of(name, found, step));
-  project.write("CMakeLists.txt", cmake_of(name, found, sources));
+  project.write("CMakeLists.txt", cmake_of(name, design));
   project.write("README.md", readme_of(name));
   fs::create_directories(project.folder() / ".github/workflows");
   project.write(".github/workflows/ci.yml", ci_of());
   project.finish();
+  if (files.empty()) {
+    fmt::print("{}/: a counter; README.md has its two commands\n", name);
+    return 0;
+  }
   fmt::print("{}/: {}, {}, {}; README.md has its two commands\n", name,
              count(found.inputs.size(), "input"), count(found.outputs.size(), "output"),
              count(found.registers.size(), "register"));
-  if (!files.empty()) fmt::print("{0}/{0}.h: next() is to be written\n", name);
+  fmt::print("{0}/{0}.h: next() is to be written\n", name);
   if (found.reset.empty()) fmt::print("{0}/{0}.h: clear() is to name the reset\n", name);
   return 0;
 }

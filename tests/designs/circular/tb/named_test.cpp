@@ -30,6 +30,14 @@ TEST(NamedAdapter, IsInLockstep) {
   }
 }
 
+TEST(NamedAdapter, IsOfTheShapeThatItsModelNames) {
+  const AdapterBench<Named> bench;
+  require_shape(bench, Trait::title);
+  for (const char* other : {"circular W=8", "circular", "arc W=4", "circular V=4"}) {
+    EXPECT_THROW(require_shape(bench, other), InputError) << other;
+  }
+}
+
 class Instance : public VerilatedInstance<IcircularW4> {
  public:
   Instance() : VerilatedInstance(1) {}

@@ -9,7 +9,9 @@
 #include <type_traits>
 #include <vector>
 
+#include "model/core/bit_strings.h"
 #include "model/core/fields.h"
+#include "model/core/memory.h"
 #include "model/core/stated.h"
 #include "model/core/value.h"
 

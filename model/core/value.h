@@ -1,9 +1,11 @@
 // The operations a golden model may use, for machine integers.
 //
-// A model is a template over its value type V. V offers + and - (with V), comparisons, V(int), and
-// the functions below; a comparison gives a Condition<V>, which offers !, & and |. A model uses
-// nothing else, so that one text runs on machine integers, on vectors of them, and on symbols.
-// A sum or difference must fit into a Word; codes of 64 bits are doubled by shift_left().
+// A model is a template over its value type V. V offers +, - and * (with V), &, | and ^ bit by bit,
+// comparisons, V(int), and the functions below; a comparison gives a Condition<V>, which offers !,
+// &, | and ^. A model uses nothing else, so that one text runs on machine integers, on vectors of
+// them, and on symbols. A sum, difference or product must fit into a Word; where it may not, as
+// those of codes of 64 bits, there are add(), subtract() and multiply(). What is built from these
+// alone: bit_strings.h and memory.h.
 #pragma once
 
 #include <concepts>
@@ -35,8 +37,25 @@ constexpr Word shift_left(Word v, int n) {
 /// floor(v / 2^n), 0 <= n <= 63.
 constexpr Word shift_right(Word v, int n) { return v >> n; }
 
-/// The bits set in both of two bit strings.
-constexpr Word both(Word a, Word b) { return a & b; }
+/// The same by a value. It is a number without a sign, so that one of more than 63, or a negative
+/// one, shifts every bit out: what is left is 0, or -1 of a negative number to the right.
+constexpr Word shift_left(Word v, Word n) {
+  return (n & ~Word{63}) == 0 ? shift_left(v, int(n)) : 0;
+}
+constexpr Word shift_right(Word v, Word n) {
+  return shift_right(v, (n & ~Word{63}) == 0 ? int(n) : 63);
+}
+
+/// a + b, a - b and a * b modulo 2^64, as a bit pattern.
+constexpr Word add(Word a, Word b) {
+  return static_cast<Word>(static_cast<std::uint64_t>(a) + static_cast<std::uint64_t>(b));
+}
+constexpr Word subtract(Word a, Word b) {
+  return static_cast<Word>(static_cast<std::uint64_t>(a) - static_cast<std::uint64_t>(b));
+}
+constexpr Word multiply(Word a, Word b) {
+  return static_cast<Word>(static_cast<std::uint64_t>(a) * static_cast<std::uint64_t>(b));
+}
 
 /// a where c holds, else b.
 constexpr Word select(bool c, Word a, Word b) { return c ? a : b; }
@@ -54,7 +73,7 @@ requires(!std::same_as<C, bool>) constexpr auto either(C c, Then then, Otherwise
 
 // The rest is built from these.
 
-/// A one-bit field as a condition.
+/// A one-bit field as a condition; of a wider value, whether any bit of it is set.
 template <class V>
 constexpr Condition<V> is_set(V flag) {
   return !(flag == V(0));

@@ -94,8 +94,8 @@ constexpr V pattern_of(const Params& p, V code) {
 /// place of k's lowest one; none where k is 0.
 template <class V>
 constexpr V last_bit_of(const Params& p, V low_code, V k) {
-  const V lowest_one = both(k, V(shift_left(1, p.n)) - k);
-  return flag<V>(!(both(lowest_one, reversed(low_code, p.n)) == V(0)));
+  const V lowest_one = k & (V(shift_left(1, p.n)) - k);
+  return flag<V>(is_set(lowest_one & reversed(low_code, p.n)));
 }
 
 /// The state with no line, keeping the code.
@@ -160,7 +160,7 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
   result.outputs.strobe = s.formed;
   result.outputs.major = either(
       is_set(s.formed), [&] { return live_positions(p, s.left); }, [] { return V(0); });
-  result.outputs.minor = both(shift_left(s.pattern, 1) + s.last_bit, result.outputs.major);
+  result.outputs.minor = (shift_left(s.pattern, 1) + s.last_bit) & result.outputs.major;
   result.state = either(
       is_set(in.reset), [] { return State<V>{}; },
       [&] {

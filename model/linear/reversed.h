@@ -8,7 +8,7 @@ namespace cosim::linear {
 /// v of 32 bits with neighbouring groups of bits exchanged; `lower` has ones in every other group.
 template <class V>
 constexpr V exchanged(V v, int bits, Word lower) {
-  return shift_left(both(v, V(lower)), bits) + both(shift_right(v, bits), V(lower));
+  return shift_left(v & V(lower), bits) + (shift_right(v, bits) & V(lower));
 }
 
 /// The bits of v in reverse order: bit 0 becomes bit `width` - 1. 1 <= width <= 32, v < 2^width.

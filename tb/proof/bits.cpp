@@ -62,6 +62,11 @@ Truth operator|(const Truth& a, const Truth& b) {
   if (b.known()) return *b.known() ? b : a;
   return Truth(disjunction(a.expression(), b.expression()));
 }
+Truth operator^(const Truth& a, const Truth& b) {
+  if (a.known()) return *a.known() ? !b : b;
+  if (b.known()) return *b.known() ? !a : a;
+  return Truth(Expression("xor", boolean, {a.expression(), b.expression()}));
+}
 
 Bits::Bits(Word known)
     : least_(known),
@@ -103,6 +108,7 @@ Expression Bits::code(int width) const {
 Bits operator+(const Bits& a, const Bits& b) {
   if (a.known() == 0) return b;
   if (b.known() == 0) return a;
+  if (a.known() && b.known()) return Bits(cosim::add(*a.known(), *b.known()));
   if (a.code(a.width()).identity() == b.code(b.width()).identity()) return shift_left(a, 1);
   Bounds bounds;
   if (__builtin_add_overflow(a.least(), b.least(), &bounds.least) ||
@@ -120,6 +126,7 @@ Bits operator+(const Bits& a, const Bits& b) {
 }
 Bits operator-(const Bits& a, const Bits& b) {
   if (b.known() == 0) return a;
+  if (a.known() && b.known()) return Bits(cosim::subtract(*a.known(), *b.known()));
   Bounds bounds;
   if (__builtin_sub_overflow(a.least(), b.most(), &bounds.least) ||
       __builtin_sub_overflow(a.most(), b.least(), &bounds.most)) {
@@ -166,13 +173,6 @@ Bits shift_right(const Bits& v, int n) {
   if (least == most) return Bits(least);
   const int width = std::max(v.width(), n + 1);
   return {cut(v.code(width), n, width - n), width - n, least, most};
-}
-Bits both(const Bits& a, const Bits& b) {
-  if (a.known() && b.known()) return Bits(*a.known() & *b.known());
-  Bounds bounds;
-  if (a.least() >= 0) bounds = {0, a.most()};
-  if (b.least() >= 0) bounds = {0, a.least() >= 0 ? std::min(a.most(), b.most()) : b.most()};
-  return made("bvand", a, b, bounds);
 }
 Bits select(const Truth& c, const Bits& a, const Bits& b) {
   if (c.known()) return *c.known() ? a : b;

@@ -26,6 +26,7 @@ class Truth {
 Truth operator!(const Truth& a);
 Truth operator&(const Truth& a, const Truth& b);
 Truth operator|(const Truth& a, const Truth& b);
+Truth operator^(const Truth& a, const Truth& b);
 
 /// A Word within known bounds. Its expression is a two's complement code with only as many bits as
 /// the bounds need, because each bit costs the solver work. If the bounds would leave 64 bits there
@@ -62,6 +63,10 @@ Expression cut(const Expression& code, int low, int width);
 
 Bits operator+(const Bits& a, const Bits& b);
 Bits operator-(const Bits& a, const Bits& b);
+Bits operator*(const Bits& a, const Bits& b);
+Bits operator&(const Bits& a, const Bits& b);
+Bits operator|(const Bits& a, const Bits& b);
+Bits operator^(const Bits& a, const Bits& b);
 Truth operator<(const Bits& a, const Bits& b);
 Truth operator>(const Bits& a, const Bits& b);
 Truth operator==(const Bits& a, const Bits& b);
@@ -69,7 +74,13 @@ Bits low_bits(const Bits& v, int width);
 Truth bit(const Bits& v, int i);
 Bits shift_left(const Bits& v, int n);
 Bits shift_right(const Bits& v, int n);
-Bits both(const Bits& a, const Bits& b);
+Bits shift_left(const Bits& v, const Bits& n);
+Bits shift_right(const Bits& v, const Bits& n);
 Bits select(const Truth& c, const Bits& a, const Bits& b);
+
+// The operators wrap already.
+inline Bits add(const Bits& a, const Bits& b) { return a + b; }
+inline Bits subtract(const Bits& a, const Bits& b) { return a - b; }
+inline Bits multiply(const Bits& a, const Bits& b) { return a * b; }
 
 }  // namespace cosim::proof

@@ -1,5 +1,6 @@
 // Unbounded integers as symbols: a model run on Integer gives its formula for registers that never
-// overflow. That a register of some width does not overflow is a theorem of its own.
+// overflow. That a register of some width does not overflow is a theorem of its own. What is of
+// bits alone, or wraps, has no meaning here: a model that uses it does not compile on Integer.
 #pragma once
 
 #include <optional>
@@ -33,8 +34,9 @@ Integer shift_left(const Integer& v, int n);
 Integer shift_right(const Integer& v, int n);
 Integer select(const Truth& c, const Integer& a, const Integer& b);
 
-// For theorems only; a model has no products.
 Integer operator*(const Integer& a, const Integer& b);
+
+// For theorems only.
 Truth operator<=(const Integer& a, const Integer& b);
 Truth operator>=(const Integer& a, const Integer& b);
 /// a implies b.

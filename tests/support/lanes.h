@@ -29,6 +29,9 @@ struct Mask {
   friend Mask operator|(const Mask& a, const Mask& b) {
     return {each_lane([&](std::size_t i) { return a.lane[i] || b.lane[i]; })};
   }
+  friend Mask operator^(const Mask& a, const Mask& b) {
+    return {each_lane([&](std::size_t i) { return a.lane[i] != b.lane[i]; })};
+  }
 };
 
 struct Lanes {
@@ -42,6 +45,18 @@ struct Lanes {
   }
   friend Lanes operator-(const Lanes& a, const Lanes& b) {
     return Lanes(each_lane([&](std::size_t i) { return a.lane[i] - b.lane[i]; }));
+  }
+  friend Lanes operator*(const Lanes& a, const Lanes& b) {
+    return Lanes(each_lane([&](std::size_t i) { return a.lane[i] * b.lane[i]; }));
+  }
+  friend Lanes operator&(const Lanes& a, const Lanes& b) {
+    return Lanes(each_lane([&](std::size_t i) { return a.lane[i] & b.lane[i]; }));
+  }
+  friend Lanes operator|(const Lanes& a, const Lanes& b) {
+    return Lanes(each_lane([&](std::size_t i) { return a.lane[i] | b.lane[i]; }));
+  }
+  friend Lanes operator^(const Lanes& a, const Lanes& b) {
+    return Lanes(each_lane([&](std::size_t i) { return a.lane[i] ^ b.lane[i]; }));
   }
   friend Mask operator<(const Lanes& a, const Lanes& b) {
     return {each_lane([&](std::size_t i) { return a.lane[i] < b.lane[i]; })};
@@ -66,8 +81,20 @@ inline Lanes shift_left(const Lanes& v, int n) {
 inline Lanes shift_right(const Lanes& v, int n) {
   return Lanes(each_lane([&](std::size_t i) { return cosim::shift_right(v.lane[i], n); }));
 }
-inline Lanes both(const Lanes& a, const Lanes& b) {
-  return Lanes(each_lane([&](std::size_t i) { return a.lane[i] & b.lane[i]; }));
+inline Lanes shift_left(const Lanes& a, const Lanes& b) {
+  return Lanes(each_lane([&](std::size_t i) { return cosim::shift_left(a.lane[i], b.lane[i]); }));
+}
+inline Lanes shift_right(const Lanes& a, const Lanes& b) {
+  return Lanes(each_lane([&](std::size_t i) { return cosim::shift_right(a.lane[i], b.lane[i]); }));
+}
+inline Lanes add(const Lanes& a, const Lanes& b) {
+  return Lanes(each_lane([&](std::size_t i) { return cosim::add(a.lane[i], b.lane[i]); }));
+}
+inline Lanes subtract(const Lanes& a, const Lanes& b) {
+  return Lanes(each_lane([&](std::size_t i) { return cosim::subtract(a.lane[i], b.lane[i]); }));
+}
+inline Lanes multiply(const Lanes& a, const Lanes& b) {
+  return Lanes(each_lane([&](std::size_t i) { return cosim::multiply(a.lane[i], b.lane[i]); }));
 }
 inline Lanes select(const Mask& c, const Lanes& a, const Lanes& b) {
   return Lanes(each_lane([&](std::size_t i) { return c.lane[i] ? a.lane[i] : b.lane[i]; }));

@@ -80,11 +80,6 @@ TEST(Shift, LeftMultipliesModuloTheWord) {
   EXPECT_EQ(shift_left(kGreatest, 1), -2);
 }
 
-TEST(Both, IsBitwise) {
-  EXPECT_EQ(both(0b1100, 0b1010), 0b1000);
-  EXPECT_EQ(both(-1, kLeast), kLeast);
-}
-
 TEST(Condition, SelectsFlagsAndTests) {
   EXPECT_EQ(select(true, Word{3}, Word{4}), 3);
   EXPECT_EQ(select(false, Word{3}, Word{4}), 4);

@@ -6,6 +6,8 @@
 
 #include <functional>
 
+#include "model/core/bit_strings.h"
+#include "model/core/memory.h"
 #include "tb/proof/solver.h"
 #include "tb/support/process.h"
 #include "tb/support/random.h"
@@ -20,16 +22,27 @@ V wrapped(const V& v) {
 }
 template <class V>
 V exchanged(const V& v) {
-  return shift_left(both(v, V(0xf)), 4) + both(shift_right(v, 4), V(0xf));
+  return shift_left(v & V(0xf), 4) + (shift_right(v, 4) & V(0xf));
+}
+// An array of five at an index of three bits and more: three of its elements are not there.
+template <class V>
+Array<V, 5> five(const V& a, const V& b) {
+  return {{a, b, a + b, V(7), a - b}};
+}
+template <class V>
+V read_five(const V& a, const V& b) {
+  return read(five(a, b), b);
+}
+template <class V>
+V write_five(const V& a, const V& b) {
+  const auto written = write_where(a < V(3), write(five(a, b), b, V(11)), a, b);
+  V sum(0);
+  for (const V& e : written) sum = shift_left(sum, 2) + e;
+  return sum;
 }
 
-}  // namespace
-}  // namespace cosim
-
-namespace cosim::proof {
-namespace {
-
 using WordOperation = std::function<Word(Word, Word)>;
+using proof::Bits;
 using BitsOperation = std::function<Bits(const Bits&, const Bits&)>;
 struct Operation {
   const char* name;
@@ -37,50 +50,68 @@ struct Operation {
   BitsOperation on_bits;
 };
 
+// Of one text for any value type.
+template <class Text>
+Operation of(const char* name, Text text) {
+  return {name, [text](Word a, Word b) { return text(a, b); },
+          [text](const Bits& a, const Bits& b) { return text(a, b); }};
+}
 // Every operation that a model may use, with widths and shifts of several kinds.
 std::vector<Operation> operations() {
+#define OF(name, text) \
+  of(name, []<class V>(const V& a, [[maybe_unused]] const V& b) -> V { return text; })
+#define HOLDS(name, text) OF(name, flag<V>(static_cast<Condition<V>>(text)))
   return {
-      {"+", [](Word a, Word b) { return a + b; },
-       [](const Bits& a, const Bits& b) { return a + b; }},
-      {"-", [](Word a, Word b) { return a - b; },
-       [](const Bits& a, const Bits& b) { return a - b; }},
-      {"a + a", [](Word a, Word) { return a + a; },
-       [](const Bits& a, const Bits&) { return a + a; }},
-      {"8 a + low bits of b",
-       [](Word a, Word b) { return cosim::shift_left(a, 3) + cosim::low_bits(b, 3); },
-       [](const Bits& a, const Bits& b) { return shift_left(a, 3) + low_bits(b, 3); }},
-      {"<", [](Word a, Word b) { return Word{a < b}; },
-       [](const Bits& a, const Bits& b) { return select(a < b, Bits(1), Bits(0)); }},
-      {">", [](Word a, Word b) { return Word{a > b}; },
-       [](const Bits& a, const Bits& b) { return select(a > b, Bits(1), Bits(0)); }},
-      {"==", [](Word a, Word b) { return Word{a == b}; },
-       [](const Bits& a, const Bits& b) { return select(a == b, Bits(1), Bits(0)); }},
-      {"low_bits", [](Word a, Word) { return cosim::low_bits(a, 5); },
-       [](const Bits& a, const Bits&) { return low_bits(a, 5); }},
-      {"low_bits of few", [](Word a, Word) { return cosim::low_bits(a, 40); },
-       [](const Bits& a, const Bits&) { return low_bits(a, 40); }},
-      {"bit", [](Word a, Word) { return Word{cosim::bit(a, 3)}; },
-       [](const Bits& a, const Bits&) { return select(bit(a, 3), Bits(1), Bits(0)); }},
-      {"bit beyond", [](Word a, Word) { return Word{cosim::bit(a, 50)}; },
-       [](const Bits& a, const Bits&) { return select(bit(a, 50), Bits(1), Bits(0)); }},
-      {"shift_left", [](Word a, Word) { return cosim::shift_left(a, 7); },
-       [](const Bits& a, const Bits&) { return shift_left(a, 7); }},
-      {"shift_right", [](Word a, Word) { return cosim::shift_right(a, 4); },
-       [](const Bits& a, const Bits&) { return shift_right(a, 4); }},
-      {"shift_right of all", [](Word a, Word) { return cosim::shift_right(a, 30); },
-       [](const Bits& a, const Bits&) { return shift_right(a, 30); }},
-      {"both", [](Word a, Word b) { return cosim::both(a, b); },
-       [](const Bits& a, const Bits& b) { return both(a, b); }},
-      {"a sum that wraps", [](Word a, Word b) { return wrapped(a + b); },
-       [](const Bits& a, const Bits& b) { return wrapped(a + b); }},
-      {"halves exchanged", [](Word a, Word) { return exchanged(a); },
-       [](const Bits& a, const Bits&) { return exchanged(a); }},
-      {"not, and, or", [](Word a, Word b) { return Word{!(a < 0 && b > 3) || a == b}; },
-       [](const Bits& a, const Bits& b) {
-         return select((a == b) | !((a < Bits(0)) & (b > Bits(3))), Bits(1), Bits(0));
-       }},
+      OF("+", a + b),
+      OF("-", a - b),
+      OF("a + a", a + a),
+      OF("8 a + low bits of b", shift_left(a, 3) + low_bits(b, 3)),
+      OF("*", a * b),
+      OF("* of a negative constant", a * V(-3)),
+      OF("* beyond a word", multiply(multiply(a, V(Word{1} << 60)), b)),
+      OF("+ beyond a word", add(shift_left(a, 60), shift_left(b, 60))),
+      OF("- beyond a word", subtract(shift_left(a, 60), shift_left(b, 60))),
+      OF("&", a & b),
+      OF("|", a | b),
+      OF("^", a ^ b),
+      OF("& | ^ with constants", ((a & V(5)) | V(2)) ^ V(-4)),
+      HOLDS("<", a < b),
+      HOLDS(">", a > b),
+      HOLDS("==", a == b),
+      HOLDS("below", below(a, b)),
+      OF("low_bits", low_bits(a, 5)),
+      OF("low_bits of few", low_bits(a, 40)),
+      HOLDS("bit", bit(a, 3)),
+      HOLDS("bit beyond", bit(a, 50)),
+      OF("shift_left", shift_left(a, 7)),
+      OF("shift_right", shift_right(a, 4)),
+      OF("shift_right of all", shift_right(a, 30)),
+      OF("shift_left by a value", shift_left(a, b)),
+      OF("shift_left by few", shift_left(a, b & V(7))),
+      OF("shift_left by many", shift_left(a, shift_left(b, 3))),
+      OF("shift_right by a value", shift_right(a, b)),
+      OF("shift_right by many", shift_right(a, shift_left(b, 3))),
+      OF("slice", slice(a, 6, 2)),
+      OF("join", join(a, b, 3)),
+      OF("invert", invert(a, 6)),
+      OF("rotate_left", rotate_left(a, 2, 5)),
+      HOLDS("all_set", all_set(a, 3)),
+      HOLDS("parity", parity(a, 7)),
+      OF("read", read_five(a, b)),
+      OF("write", write_five(a, b)),
+      OF("a sum that wraps", wrapped(a + b)),
+      OF("halves exchanged", exchanged(a)),
+      HOLDS("not, and, or", (a == b) | !((a < V(0)) & (b > V(3)))),
+      HOLDS("not of one, exclusive or", !(a == b) & ((a < V(0)) ^ (b > V(3)))),
   };
+#undef HOLDS
+#undef OF
 }
+
+}  // namespace
+
+namespace proof {
+namespace {
 
 TEST(Bits, OfKnownValuesAreKnown) {
   Random random(7);
@@ -132,5 +163,48 @@ TEST(Bits, OfSymbolsAreWhatWordsAre) {
   }
 }
 
+// For all values of three bits, each with a sign and without: no pair for which the formula is not
+// what the words give.
+TEST(Bits, OfThreeBitsAreWhatWordsAreForAllValues) {
+  if (run_program({"z3", "--version"}).status == 127) GTEST_SKIP() << "needs z3";
+  constexpr int width = 3;
+  Script script("QF_BV");
+  const Expression x = script.declare("x", bit_vector(width)),
+                   y = script.declare("y", bit_vector(width));
+  const auto value = [](Word code, bool is_signed) {
+    return is_signed ? from_twos_complement(code, width) : code;
+  };
+  const auto bits = [](const Expression& e, bool is_signed) {
+    return is_signed ? Bits::signed_code(e, width) : Bits::unsigned_code(e, width);
+  };
+  std::vector<const char*> asked;
+  const std::vector<Operation> all = operations();
+  for (const Operation& o : all) {
+    for (const bool x_signed : {false, true}) {
+      for (const bool y_signed : {false, true}) {
+        const Expression result = o.on_bits(bits(x, x_signed), bits(y, y_signed)).code(64);
+        std::vector<Expression> wrong;
+        for (Word a = 0; a <= ones(width); ++a) {
+          for (Word b = 0; b <= ones(width); ++b) {
+            const Word expected = o.on_words(value(a, x_signed), value(b, y_signed));
+            wrong.emplace_back(
+                "and", boolean,
+                std::vector{equal(x, Bits(a).code(width)), equal(y, Bits(b).code(width)),
+                            negation(equal(result, Bits(expected).code(64)))});
+          }
+        }
+        script.ask_apart(Expression("or", boolean, wrong));
+        asked.push_back(o.name);
+      }
+    }
+  }
+  const Solved solved = solve(solvers()[1], script.text(), 120);
+  ASSERT_EQ(solved.answers.size(), asked.size()) << solved.said;
+  for (std::size_t i = 0; i < asked.size(); ++i) {
+    EXPECT_EQ(solved.answers[i], Answer::unsat) << asked[i];
+  }
+}
+
 }  // namespace
-}  // namespace cosim::proof
+}  // namespace proof
+}  // namespace cosim

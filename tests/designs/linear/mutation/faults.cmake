@@ -53,7 +53,7 @@ fault("Busy follows the first word" linear/machine.h
 fault("The strobe comes with the start" linear/machine.h
   [[result.outputs.strobe = s.formed;]] [[result.outputs.strobe = s.running;]])
 fault("The minor axis steps on past the end" linear/machine.h
-  [[both(shift_left(s.pattern, 1) + s.last_bit, result.outputs.major)]]
+  [[(shift_left(s.pattern, 1) + s.last_bit) & result.outputs.major]]
   [[shift_left(s.pattern, 1) + s.last_bit]])
 fault("Counter 4 counts words of half the length" linear/machine.h
   [[shift_right(s.left, p.gamma())]] [[shift_right(s.left, p.gamma() - 1)]])

@@ -1,0 +1,180 @@
+// The operations that a model may use beside sums and comparisons: on machine integers against
+// their definitions tried out bit by bit, and on every other value type against machine integers.
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <vector>
+
+#include "model/core/bit_strings.h"
+#include "model/core/memory.h"
+#include "tb/support/random.h"
+#include "tests/support/lanes.h"
+#include "tests/support/strict.h"
+
+namespace cosim {
+namespace {
+
+using test::each_lane, test::kLanes, test::Lanes, test::Strict;
+
+__extension__ using Number = __int128;
+
+// Bit i of v.
+bool at(Word v, int i) { return ((static_cast<std::uint64_t>(v) >> i) & 1) != 0; }
+// The word whose bit i is what `of` gives for i.
+Word built(const std::function<bool(int)>& of) {
+  std::uint64_t v = 0;
+  for (int i = 0; i < 64; ++i) v |= static_cast<std::uint64_t>(of(i)) << i;
+  return static_cast<Word>(v);
+}
+
+struct Pair {
+  Word a, b;
+};
+// Words of any width, with and without a sign.
+std::vector<Pair> pairs() {
+  Random random(5);
+  std::vector<Pair> all{{0, 0}, {-1, -1}, {-1, 63}, {-1, 64}, {1, -1}, {ones(63), -1}};
+  for (int i = 0; i < 2000; ++i) {
+    const auto any = [&] {
+      const int width = 1 + static_cast<int>(random.below(64));
+      const Word code = random.corner(width);
+      return random.one_in_power(1) ? from_twos_complement(code, width) : code;
+    };
+    all.push_back({any(), any()});
+  }
+  return all;
+}
+
+TEST(Operations, AreBitByBit) {
+  for (const auto& [a, b] : pairs()) {
+    ASSERT_EQ(a & b, built([&](int i) { return at(a, i) && at(b, i); }));
+    ASSERT_EQ(a | b, built([&](int i) { return at(a, i) || at(b, i); }));
+    ASSERT_EQ(a ^ b, built([&](int i) { return at(a, i) != at(b, i); }));
+    for (const int width : {1, 2, 7, 31, 32, 33, 63, 64}) {
+      ASSERT_EQ(invert(a, width), built([&](int i) { return i < width && !at(a, i); }));
+      int set = 0;
+      for (int i = 0; i < width; ++i) set += at(a, i) ? 1 : 0;
+      ASSERT_EQ(all_set(a, width), set == width) << a << " width " << width;
+      ASSERT_EQ(parity(a, width), set % 2 == 1) << a << " width " << width;
+      for (int n = 0; n < width; n += 5) {
+        ASSERT_EQ(rotate_left(a, n, width),
+                  built([&](int i) { return i < width && at(a, (i + width - n) % width); }))
+            << a << " by " << n << " of " << width;
+      }
+    }
+  }
+}
+
+TEST(Operations, ShiftByAValueAndLoseWhatIsOut) {
+  for (const auto& [a, b] : pairs()) {
+    for (const Word n : {b, low_bits(b, 6), low_bits(b, 7)}) {
+      const bool out = n < 0 || n > 63;
+      ASSERT_EQ(shift_left(a, n),
+                built([&](int i) { return !out && i >= n && at(a, i - static_cast<int>(n)); }))
+          << a << " by " << n;
+      ASSERT_EQ(shift_right(a, n), built([&](int i) {
+                  return at(a, out || i + n > 63 ? 63 : i + static_cast<int>(n));
+                }))
+          << a << " by " << n;
+    }
+  }
+}
+
+TEST(Operations, CutAndJoin) {
+  for (const auto& [a, b] : pairs()) {
+    for (int low = 0; low < 64; low += 3) {
+      for (int high = low; high < 64; high += 7) {
+        ASSERT_EQ(slice(a, high, low),
+                  built([&](int i) { return i + low <= high && at(a, i + low); }));
+      }
+      if (low == 0) continue;
+      ASSERT_EQ(join(a, b, low), built([&](int i) { return i < low ? at(b, i) : at(a, i - low); }))
+          << a << " above " << low << " bits of " << b;
+    }
+  }
+}
+
+TEST(Operations, WrapAndCompareWithoutASign) {
+  for (const auto& [a, b] : pairs()) {
+    const auto modulo = [](Number n) { return static_cast<Word>(static_cast<std::uint64_t>(n)); };
+    ASSERT_EQ(add(a, b), modulo(Number{a} + b));
+    ASSERT_EQ(subtract(a, b), modulo(Number{a} - b));
+    ASSERT_EQ(multiply(a, b), modulo(Number{a} * b));
+    ASSERT_EQ(below(a, b), static_cast<std::uint64_t>(a) < static_cast<std::uint64_t>(b));
+  }
+}
+
+TEST(Operations, ReadAndWriteOnlyWhatIsThere) {
+  const Array<Word, 5> array{{10, 11, 12, 13, 14}};
+  for (const Word index : {Word{-1}, Word{0}, Word{4}, Word{5}, Word{7}, ones(63)}) {
+    const bool there = index >= 0 && index <= 4;
+    EXPECT_EQ(read(array, index), there ? 10 + index : 0) << index;
+    const auto written = write(array, index, Word{99});
+    const auto kept = write_where(false, array, index, Word{99});
+    for (int i = 0; i < 5; ++i) {
+      EXPECT_EQ(written[i], i == index ? 99 : 10 + i) << index;
+      EXPECT_EQ(kept[i], 10 + i) << index;
+    }
+    EXPECT_EQ(read(write_where(true, array, index, Word{99}), index), there ? 99 : 0) << index;
+  }
+}
+
+// Each operation, of every value type: those that wrap or lose bits, and a product of few bits.
+template <class V>
+std::vector<V> results(const V& a, const V& b) {
+  const Array<V, 3> three{{a, b, V(5)}};
+  return {add(a, b),
+          subtract(a, b),
+          multiply(a, b),
+          low_bits(a, 20) * low_bits(b, 30),
+          a & b,
+          a | b,
+          a ^ b,
+          shift_left(a, b),
+          shift_right(a, b),
+          shift_left(a, low_bits(b, 6)),
+          shift_right(a, low_bits(b, 7)),
+          slice(a, 40, 7),
+          join(a, b, 12),
+          invert(a, 50),
+          rotate_left(a, 13, 32),
+          flag<V>(static_cast<Condition<V>>(all_set(a, 2) ^ (a < b))),
+          flag<V>(parity(a, 47)),
+          flag<V>(below(a, b)),
+          read(three, low_bits(b, 2)),
+          read(write(three, low_bits(a, 2), b), low_bits(b, 2)),
+          read(write_where(a < b, three, low_bits(b, 2), a), low_bits(b, 2))};
+}
+
+TEST(Operations, OfStrictValuesAreThoseOfWords) {
+  for (const auto& [a, b] : pairs()) {
+    const auto expected = results<Word>(a, b);
+    const auto strict = results<Strict>(Strict(a), Strict(b));
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      ASSERT_EQ(strict[i].word, expected[i]) << "operation " << i << " of " << a << " and " << b;
+    }
+  }
+  EXPECT_THROW(Strict(ones(40)) * Strict(ones(40)), std::overflow_error);
+}
+
+TEST(Operations, OfLanesAreThoseOfWords) {
+  const auto all = pairs();
+  for (std::size_t first = 0; first + kLanes <= all.size(); first += kLanes) {
+    const Lanes a(each_lane([&](std::size_t i) { return all[first + i].a; }));
+    const Lanes b(each_lane([&](std::size_t i) { return all[first + i].b; }));
+    const auto lanes = results<Lanes>(a, b);
+    for (std::size_t lane = 0; lane < kLanes; ++lane) {
+      const auto expected = results<Word>(a.lane[lane], b.lane[lane]);
+      for (std::size_t i = 0; i < expected.size(); ++i) {
+        ASSERT_EQ(lanes[i].lane[lane], expected[i]) << "operation " << i;
+      }
+    }
+  }
+}
+
+// At compile time too.
+static_assert(slice(Word{0xabcd}, 11, 4) == 0xbc && join(Word{0xab}, Word{0xcd}, 8) == 0xabcd);
+static_assert(read(write(Array<Word, 2>{}, Word{1}, Word{9}), Word{1}) == 9);
+
+}  // namespace
+}  // namespace cosim

@@ -126,6 +126,43 @@ constexpr auto cases_of(const Params& p, const State& s, const Inputs& in) {
   }
 }
 
+template <class V, class Params, class State, class Inputs>
+constexpr auto legal_of(const Params& p, const State& s, const Inputs& in) {
+  if constexpr (requires { legal(p, s, in); }) {
+    return legal(p, s, in);
+  } else {
+    return std::array<Stated<V>, 0>{};
+  }
+}
+
+/// Whether a design states which inputs are legal in a state, with legal(p, s, in).
+template <class Design>
+inline constexpr bool has_legal = requires(const typename Design::Params& p,
+                                           const typename Design::template State<Word>& s,
+                                           const typename Design::template Inputs<Word>& in) {
+  legal(p, s, in);
+};
+
+/// Legal inputs of a clock in state s on which as little as possible is asked: idle(p, s), or where
+/// a model has no such function rest_of<Design>(), which then is to be legal in every state.
+template <class Design, class V>
+constexpr auto idle_of(const typename Design::Params& p,
+                       const typename Design::template State<V>& s) {
+  if constexpr (requires { idle(p, s); }) {
+    return idle(p, s);
+  } else if constexpr (std::same_as<V, Word>) {
+    return rest_of<Design>();
+  } else {
+    using Rest = typename Design::template Inputs<Word>;
+    typename Design::template Inputs<V> in;
+    const Rest rest = rest_of<Design>();
+    const auto members = Rest::members();
+    for_each_member<typename Design::template Inputs<V>>(
+        [&](auto member, std::size_t i) { in.*member = V(rest.*members[i]); });
+    return in;
+  }
+}
+
 /// The host of a design that has none: it has no jobs, and any pin may have any value on any clock.
 template <class Design>
 class NoHost {

@@ -77,6 +77,12 @@ class DesignBench : public Bench<Design> {
     all.insert(all.end(), outputs.begin(), outputs.end());
     return all;
   }
+  std::vector<std::string> assumed() const override {
+    std::vector<std::string> all;
+    const auto rules = legal_of<Word>(dut_.params, cleared_of<Design, Word>(), rest_of<Design>());
+    for (const Stated<Word>& rule : rules) all.emplace_back(rule.sentence);
+    return all;
+  }
   std::vector<Probe> probes() const override {
     const auto list = ViewOf<Design>::probes(dut_.params);
     return {list.begin(), list.end()};
@@ -111,7 +117,7 @@ class DesignBench : public Bench<Design> {
   }
   std::optional<std::uint64_t> first_difference(const Stimulus& s) const override {
     // The class without the open hierarchy is faster, and a start from a clear needs no more.
-    return differing_clock(s.state ? instrumented_ : dut_, s);
+    return ran(s.state ? instrumented_ : dut_, s).differs;
   }
   void draw_wave(const std::string& path, const Stimulus& s, Window around) const override {
     record_wave(instrumented_, path, s, around,

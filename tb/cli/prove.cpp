@@ -219,6 +219,7 @@ int run(const ProveOptions& o) {
     const proof::Rtl rtl(source_of(o, s));
     s.claims = {claim_clear(s.formula, rtl), claim_step(s.formula, rtl),
                 claim_cases(s.formula, rtl)};
+    if (!s.formula.legal.empty()) s.claims.push_back(claim_legal(s.formula));
     return true;
   });
   std::vector<const Claim*> claims;
@@ -243,6 +244,8 @@ int run(const ProveOptions& o) {
       if (d.proved || explain_first || claim.terms.empty()) continue;
       explain_first = [&] { explain(o, s, claim, d, limit); };
     }
+    for (const proof::Named& n : s.formula.legal)
+      fmt::print("  assumed of the inputs: {}\n", n.name);
   }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   if (explain_first) explain_first();

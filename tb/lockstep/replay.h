@@ -27,8 +27,18 @@ class Rows {
     if (left_.empty()) return false;
     in = record_of<Inputs>(left_.front());
     left_ = left_.subspan(1);
+    ++clock_;
     return true;
   }
+  /// The same, but it ends at a clock that breaks a rule of the design in the model's state s.
+  bool next_legal(const typename Design::Params& p, const typename Design::template State<Word>& s,
+                  Inputs& in) {
+    if (!next(in, {})) return false;
+    illegal_ = {clock_ - 1, broken_rule<Design>(p, s, in)};
+    return illegal_.rule == nullptr;
+  }
+  /// Whether it ended so.
+  const IllegalClock& illegal() const { return illegal_; }
 
   /// A record from the words of its fields.
   template <class Record>
@@ -40,6 +50,8 @@ class Rows {
 
  private:
   std::span<const std::vector<Word>> left_;
+  std::uint64_t clock_ = 0;
+  IllegalClock illegal_;
 };
 
 /// A machine at the start of the stimulus. InputError if the stimulus starts from a state and the
@@ -54,14 +66,30 @@ std::unique_ptr<AnyLockstep<Design>> started(const DutMaker<Design>& maker, cons
                                                Rows<Design>::template record_of<State>(*s.state));
 }
 
-/// The first clock of the stimulus on which RTL and model differ.
+/// What came of a stimulus.
+struct Ran {
+  std::optional<std::uint64_t> differs;  ///< the first clock on which RTL and model differ
+  IllegalClock illegal;                  ///< before that
+};
+
 template <class Design>
-std::optional<std::uint64_t> differing_clock(const DutMaker<Design>& maker, const Stimulus& s) {
+Ran ran(const DutMaker<Design>& maker, const Stimulus& s) {
   const auto lockstep = started(maker, s);
   Rows<Design> rows(s);
   std::uint64_t clocks = 0;
-  if (clock_through(*lockstep, rows, clocks, [](const auto&, const auto&) {})) return {};
-  return clocks - 1;
+  if (clock_through(*lockstep, rows, clocks, [](const auto&, const auto&) {})) {
+    return {{}, rows.illegal()};
+  }
+  return {clocks - 1, {}};
+}
+
+/// The first clock of the stimulus on which RTL and model differ. InputError where a clock before
+/// it breaks a rule of the design.
+template <class Design>
+std::optional<std::uint64_t> differing_clock(const DutMaker<Design>& maker, const Stimulus& s) {
+  const Ran r = ran(maker, s);
+  r.illegal.refuse(s.machine);
+  return r.differs;
 }
 
 /// Runs the stimulus and describes the first difference.
@@ -88,7 +116,7 @@ Stimulus recorded(const typename Design::Params& p, Source source, std::uint32_t
   auto state = cleared_of<Design, Word>();
   typename Design::template Inputs<Word> in;
   typename Design::template Outputs<Word> out{};
-  while (stimulus.clocks.size() < clocks && source.next(in, out)) {
+  while (stimulus.clocks.size() < clocks && next_inputs<Design>(source, p, state, in, out)) {
     detail::add_inputs(stimulus, in);
     const auto step = Design::next(p, state, in);
     out = step.outputs;

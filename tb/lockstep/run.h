@@ -9,6 +9,7 @@
 #include "tb/dut/dut.h"
 #include "tb/lockstep/lockstep.h"
 #include "tb/lockstep/mismatch.h"
+#include "tb/stimulus/legal.h"
 
 namespace cosim {
 
@@ -77,7 +78,7 @@ Mismatch examine(AnyLockstep<Design>& lockstep, Source source, std::uint64_t clo
       const auto state = to_words(lockstep.state());
       m.stimulus.state.emplace(state.begin(), state.end());
     }
-    if (!source.next(in, lockstep.expected().outputs)) break;
+    if (!next_inputs<Design>(source, p, lockstep.state(), in, lockstep.expected().outputs)) break;
     const bool same = lockstep.clock(in);
     if (c >= kept) detail::add_inputs(m.stimulus, in);
     if (c < m.first || c > clock + window.after) continue;
@@ -97,8 +98,10 @@ Mismatch examine(AnyLockstep<Design>& lockstep, Source source, std::uint64_t clo
 template <class Adapter, class Source, class Observe>
 COSIM_FLATTEN bool clock_through(Lockstep<Adapter>& lockstep, Source& source, std::uint64_t& clocks,
                                  Observe&& observe) {
-  typename Adapter::Design::template Inputs<Word> in;
-  while (source.next(in, lockstep.expected().outputs)) {
+  using Design = typename Adapter::Design;
+  typename Design::template Inputs<Word> in;
+  while (next_inputs<Design>(source, lockstep.dut().params, lockstep.state(), in,
+                             lockstep.expected().outputs)) {
     ++clocks;
     if (!lockstep.clock(in)) return false;
     observe(source, lockstep.expected());

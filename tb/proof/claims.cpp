@@ -80,8 +80,11 @@ class Question {
 
   Script& script() { return script_; }
 
-  void assume_invariant() {
-    for (const Named& n : m_.invariant) script_.assume(n.condition);
+  // Of the state before the clock and of its inputs.
+  void assume_hypotheses() {
+    for (const auto* all : {&m_.invariant, &m_.legal}) {
+      for (const Named& n : *all) script_.assume(n.condition);
+    }
   }
 
   // Whether a field differs, with names for both sides that a reader of the script finds.
@@ -148,7 +151,7 @@ Claim claim_clear(const MachineFormula& m, const Rtl& rtl) {
 
 Claim claim_step(const MachineFormula& m, const Rtl& rtl) {
   Question q(m, rtl, false);
-  q.assume_invariant();
+  q.assume_hypotheses();
   Claim claim{"every clock keeps them the same", Answer::unsat, {}, {}};
   for (const Wire& w : m.inputs) claim.terms.push_back(w.code.text());
   for (const Wire& w : m.state) claim.terms.push_back(w.code.text());
@@ -196,7 +199,7 @@ Claim claim_step(const MachineFormula& m, const Rtl& rtl) {
 
 Claim claim_cases(const MachineFormula& m, const Rtl& rtl) {
   Question q(m, rtl, false);
-  q.assume_invariant();
+  q.assume_hypotheses();
   Query query;
   for (const Named& n : m.cases) {
     query.asks.push_back(n.name);
@@ -207,6 +210,14 @@ Claim claim_cases(const MachineFormula& m, const Rtl& rtl) {
                                ? m.cases.front().name + " is possible"
                                : fmt::format("each of {} cases is possible", m.cases.size());
   return {what, Answer::sat, {query}, {}};
+}
+
+Claim claim_legal(const MachineFormula& m) {
+  Script script("QF_BV");
+  for (const Wire& w : m.state) script.declare(w.code.text(), w.code.sort());
+  for (const Named& n : m.invariant) script.assume(n.condition);
+  script.ask(any_fails(m.idle));
+  return {"legal inputs in every state", Answer::unsat, {{{"any state"}, script.text()}}, {}};
 }
 
 std::optional<Counterexample> counterexample(const MachineFormula& m,

@@ -7,9 +7,11 @@
 //           values, under every input: outputs and registers after the clock are those of
 //           the model, and the state after it satisfies the invariant
 //   cases   the same hypotheses can hold together with each of the design's cases
+//   legal   where the design says which inputs are legal in a state, and the others assume no other
+//           ones: in every state that satisfies the invariant some are
 //
-// The first two are an induction over the clocks: nothing is assumed of the inputs, and no bound is
-// set. The third shows that the hypotheses of the second can be met.
+// The first two are an induction over the clocks: nothing else is assumed of the inputs, and no
+// bound is set. The others show that the hypotheses of the second can be met.
 #pragma once
 
 #include <map>
@@ -42,6 +44,8 @@ struct Claim {
 Claim claim_clear(const MachineFormula& machine, const Rtl& rtl);
 Claim claim_step(const MachineFormula& machine, const Rtl& rtl);
 Claim claim_cases(const MachineFormula& machine, const Rtl& rtl);
+/// For a machine whose inputs are not all legal.
+Claim claim_legal(const MachineFormula& machine);
 
 /// One value of a signal in a counterexample to claim_step.
 struct Value {

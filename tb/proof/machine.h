@@ -38,6 +38,8 @@ struct MachineFormula {
   std::vector<Wire> after;      ///< what the registers must hold after it
   std::vector<Named> parts;     ///< they cover all clocks and are easier one by one
   std::vector<Named> cases;     ///< what may happen on a clock; each must be possible
+  std::vector<Named> legal;     ///< what is assumed of the inputs of a clock
+  std::vector<Named> idle;      ///< the same of the inputs that the model says are legal always
   std::vector<Wire>
       clearing;               ///< the inputs that clear the machine, with the values they have then
   std::vector<Wire> cleared;  ///< the registers after that
@@ -146,6 +148,14 @@ MachineFormula formula(const typename Design::Params& p) {
   }
   for (const auto& [name, condition] : cases_of<Bits>(p, s, in)) {
     m.cases.push_back({name, condition.expression()});
+  }
+  for (const auto& [name, condition] : legal_of<Bits>(p, s, in)) {
+    m.legal.push_back({name, condition.expression()});
+  }
+  if (!m.legal.empty()) {
+    for (const auto& [name, condition] : legal_of<Bits>(p, s, idle_of<Design, Bits>(p, s))) {
+      m.idle.push_back({name, condition.expression()});
+    }
   }
   // Else nothing would show that the invariant can be met.
   if (m.cases.empty()) m.cases.push_back({"any clock", truth(true)});

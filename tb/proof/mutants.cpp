@@ -153,7 +153,7 @@ std::map<std::string, Edge> clocks_in(const fs::path& stem) {
 
 Claim reached_claim(const MachineFormula& m) {
   Script script = declared(m);
-  for (const auto* all : {&m.invariant, &m.reached}) {
+  for (const auto* all : {&m.invariant, &m.reached, &m.legal}) {
     for (const Named& n : *all) script.assume(n.condition);
   }
   Expression wrong = truth(false);
@@ -221,7 +221,7 @@ Claim Mutants::clear(std::size_t i) const {
 Claim Mutants::step(std::size_t i) const {
   const Mutant& mutant = mutants_[i];
   Script script = declared(machine_);
-  for (const auto* all : {&machine_.invariant, &machine_.reached}) {
+  for (const auto* all : {&machine_.invariant, &machine_.reached, &machine_.legal}) {
     for (const Named& n : *all) script.assume(n.condition);
   }
   Side before(machine_, original_.front(), machine_.registers, script);

@@ -60,12 +60,19 @@ void put_measures(Json& object, const Checked& checked) {
   }
 }
 
+Json assumed(const AnyBench& bench) {
+  Json all = Json::array();
+  for (const std::string& rule : bench.assumed()) all.push_back(rule);
+  return all;
+}
+
 Json run_json(const Outcome& o) {
   Json object;
   object["verdict"] = o.result.match() ? "match" : "mismatch";
   object["design"] = o.bench->design();
   object["parameters"] = parameters(*o.bench);
   object["work"] = o.work;
+  if (Json rules = assumed(*o.bench); !rules.empty()) object["assumed"] = std::move(rules);
   object["clocks"] = o.result.clocks;
   put_measures(object, o.result.checked);
   if (!o.result.match()) object["mismatch"] = mismatch(o.result);
@@ -109,6 +116,10 @@ std::string comparison_text(const std::vector<Outcome>& outcomes) {
                         benches.size() > 1 ? " of " + bench->design() : "",
                         clocks == 1 ? "the one" : fmt::format("each of {}", clocks),
                         clocks == 1 ? "" : "s");
+    for (const std::string& rule : bench->assumed()) {
+      text += fmt::format("assumed of the inputs{}: {}\n",
+                          benches.size() > 1 ? " of " + bench->design() : "", rule);
+    }
   }
   return text;
 }

@@ -23,7 +23,8 @@ bool all_match(const std::vector<Outcome>& outcomes);
 std::string compared_signals(const AnyBench& bench);
 
 /// What was compared and over how many clocks, one line a design, with its name if there are
-/// several. Lines end in '\n', here and below.
+/// several, and a line for each thing that is assumed of its inputs. Lines end in '\n', here and
+/// below.
 std::string comparison_text(const std::vector<Outcome>& outcomes);
 
 /// Every mismatch and every error of an oracle in full, then the verdict of all outcomes.
@@ -31,7 +32,8 @@ std::string verdict_text(const std::vector<Outcome>& outcomes);
 
 /// The report as JSON text: an object with `verdict`, `design`, `parameters`, `clocks`, the
 /// measures of the design's check under their names, `compared_signals`, `seed`, where they do not
-/// match `mismatch`, and `runs`, an object for each outcome. Over several outcomes clocks are added
+/// match `mismatch`, and `runs`, an object for each outcome; where
+/// something is assumed of the inputs `assumed`, sentences. Over several outcomes clocks are added
 /// up, measures are combined as they say, mismatch is the first, and parameters is an array of
 /// objects; over several designs design is an array of names and compared_signals an object of
 /// arrays under these names. Over none the verdict is "nothing compared". `extra` is a JSON object

@@ -1,5 +1,5 @@
-// Hostile stimulus: any value on any pin on any clock, resets too. Made from a design's field table
-// alone, so it fits every design.
+// Hostile stimulus: any value on any pin on any clock, resets too, but for inputs that the design
+// says never come. Made from a design's field table alone, so it fits every design.
 #pragma once
 
 #include <array>
@@ -7,6 +7,7 @@
 
 #include "model/core/design.h"
 #include "model/core/fields.h"
+#include "tb/stimulus/legal.h"
 #include "tb/support/random.h"
 
 namespace cosim {
@@ -32,14 +33,44 @@ class HostileStimulus {
  public:
   using Inputs = typename Design::template Inputs<Word>;
   using Outputs = typename Design::template Outputs<Word>;
+  using Params = typename Design::Params;
+  using State = typename Design::template State<Word>;
 
   HostileStimulus(const typename Design::Params& p, const HostileCase& c)
       : fields_(Inputs::fields(p)), random_(Random::for_case(c.seed, c.index)), left_(c.clocks) {}
 
   bool next(Inputs& in, const Outputs&) {
+    if (!more()) return false;
+    draw(in);
+    return true;
+  }
+
+  /// The same for a design that states which inputs are legal in the model's state s: draws again,
+  /// and at last takes of what was drawn only the pins that leave its inputs at rest legal.
+  /// InputError where those are not.
+  bool next_legal(const Params& p, const State& s, Inputs& in) {
+    if (!more()) return false;
+    for (int i = 0; i < tries; ++i) {
+      draw(in);
+      if (broken_rule<Design>(p, s, in) == nullptr) return true;
+    }
+    mend(p, s, in);
+    return true;
+  }
+
+ private:
+  static constexpr std::uint64_t stretch = 256;
+  static constexpr int never = 64;
+  static constexpr int tries = 4;
+
+  bool more() {
     if (left_ == 0) return false;
     if (left_-- % stretch == 0 || first_) redraw();
     first_ = false;
+    return true;
+  }
+
+  void draw(Inputs& in) {
     in = rest_;
     for_each_member<Inputs>([&](auto member, std::size_t i) {
       if (fields_[i].width > 1) {
@@ -49,12 +80,25 @@ class HostileStimulus {
         in.*member = 1 - rest_.*member;
       }
     });
-    return true;
   }
 
- private:
-  static constexpr std::uint64_t stretch = 256;
-  static constexpr int never = 64;
+  static void mend(const Params& p, const State& s, Inputs& in) {
+    const Inputs drawn = in;
+    in = idle_of<Design, Word>(p, s);
+    if (const char* rule = broken_rule<Design>(p, s, in)) {
+      throw InputError(std::string(Design::name) +
+                       ": its inputs at rest break a rule of its own in a state that it reaches; " +
+                       "idle(p, s) is to give legal ones. The rule is: " + rule);
+    }
+    // One pin may be legal only beside another one: hence twice.
+    for (int pass = 0; pass < 2; ++pass) {
+      for_each_member<Inputs>([&](auto member, std::size_t) {
+        Inputs tried = in;
+        tried.*member = drawn.*member;
+        if (broken_rule<Design>(p, s, tried) == nullptr) in = tried;
+      });
+    }
+  }
 
   /// The bits that a value is drawn from: half of a signed field's values are >= 0, for the ends of
   /// the numbers that it counts up and down through are not those of its codes.

@@ -1,0 +1,57 @@
+// Inputs that a design's neighbour may give: the rules that the design states with legal(p, s, in).
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "model/core/design.h"
+#include "model/core/input_error.h"
+
+namespace cosim {
+
+/// The first rule that the inputs break in state s, a sentence; null where they break none.
+template <class Design>
+constexpr const char* broken_rule(const typename Design::Params& p,
+                                  const typename Design::template State<Word>& s,
+                                  const typename Design::template Inputs<Word>& in) {
+  for (const auto& rule : legal_of<Word>(p, s, in)) {
+    if (!rule.holds) return rule.sentence;
+  }
+  return nullptr;
+}
+
+/// The inputs of the next clock from `source`; false at its end. Where the design states rules, a
+/// source sees the state of the model if it has next_legal(p, s, in), as a stimulus has that is
+/// made up here. InputError where any other one, a host, breaks a rule.
+template <class Design, class Source>
+constexpr bool next_inputs(Source& source, const typename Design::Params& p,
+                           const typename Design::template State<Word>& s,
+                           typename Design::template Inputs<Word>& in,
+                           const typename Design::template Outputs<Word>& out) {
+  if constexpr (!has_legal<Design>) {
+    return source.next(in, out);
+  } else if constexpr (requires { source.next_legal(p, s, in); }) {
+    return source.next_legal(p, s, in);
+  } else {
+    if (!source.next(in, out)) return false;
+    if (const char* rule = broken_rule<Design>(p, s, in)) {
+      throw InputError(std::string(Design::name) + ": its host breaks the rule: " + rule);
+    }
+    return true;
+  }
+}
+
+/// Where a stimulus ended because its next clock breaks a rule.
+struct IllegalClock {
+  std::uint64_t clock = 0;
+  const char* rule = nullptr;  ///< null where none was broken
+
+  /// InputError where one was.
+  void refuse(const std::string& machine) const {
+    if (rule == nullptr) return;
+    throw InputError(machine + ": clock " + std::to_string(clock) +
+                     ": inputs that are assumed never to come; the rule is: " + rule);
+  }
+};
+
+}  // namespace cosim

@@ -7,20 +7,20 @@
 namespace cosim::proof {
 namespace {
 
-constexpr int kWord = 64;
+constexpr int word_bits = 64;
 
 // Words whose two's complement code has `width` bits.
-struct Bounds {
+struct Range {
   Word least, most;
 };
-Bounds of_width(int width) {
+Range range_of(int width) {
   const Word most = cosim::low_bits(-1, width) / 2;
-  return width == kWord ? Bounds{cosim::shift_left(1, 63), cosim::low_bits(-1, 63)}
-                        : Bounds{-most - 1, most};
+  return width == word_bits ? Range{cosim::shift_left(1, 63), cosim::low_bits(-1, 63)}
+                            : Range{-most - 1, most};
 }
 
 // The operation on codes of `width` bits, which holds its result and both values.
-Bits made(const char* head, const Bits& a, const Bits& b, int width, const Bounds& bounds) {
+Bits coded(const char* head, const Bits& a, const Bits& b, int width, const Range& bounds) {
   return {Expression(head, bit_vector(width), {a.code(width), b.code(width)}), width, bounds.least,
           bounds.most};
 }
@@ -28,9 +28,9 @@ Bits made(const char* head, const Bits& a, const Bits& b, int width, const Bound
 // Or, exclusive or: no more bits than the longer one.
 Bits bitwise(const char* head, const Bits& a, const Bits& b) {
   const int width = std::max(a.width(), b.width());
-  Bounds bounds = of_width(width);
+  Range bounds = range_of(width);
   if (a.least() >= 0 && b.least() >= 0) bounds.least = 0;
-  return made(head, a, b, width, bounds);
+  return coded(head, a, b, width, bounds);
 }
 
 }  // namespace
@@ -47,10 +47,10 @@ Bits operator*(const Bits& a, const Bits& b) {
       fits = !__builtin_mul_overflow(x, y, &ends[i++]) && fits;
     }
   }
-  if (!fits) return made("bvmul", a, b, kWord, of_width(kWord));
+  if (!fits) return coded("bvmul", a, b, word_bits, range_of(word_bits));
   const auto [least, most] = std::minmax_element(ends.begin(), ends.end());
   const int width = std::max(Bits(*least).width(), Bits(*most).width());
-  return made("bvmul", a, b, width, {*least, *most});
+  return coded("bvmul", a, b, width, {*least, *most});
 }
 
 Bits operator&(const Bits& a, const Bits& b) {
@@ -58,7 +58,7 @@ Bits operator&(const Bits& a, const Bits& b) {
   if (a.known() == 0 || b.known() == -1) return a;
   if (b.known() == 0 || a.known() == -1) return b;
   int width = std::max(a.width(), b.width());
-  Bounds bounds = of_width(width);
+  Range bounds = range_of(width);
   if (a.least() >= 0 || b.least() >= 0) {
     const Word most = b.least() < 0   ? a.most()
                       : a.least() < 0 ? b.most()
@@ -66,7 +66,7 @@ Bits operator&(const Bits& a, const Bits& b) {
     bounds = {0, most};
     width = Bits(most).width();
   }
-  return made("bvand", a, b, width, bounds);
+  return coded("bvand", a, b, width, bounds);
 }
 Bits operator|(const Bits& a, const Bits& b) {
   if (a.known() && b.known()) return Bits(*a.known() | *b.known());
@@ -85,26 +85,26 @@ Bits operator^(const Bits& a, const Bits& b) {
 // out where that is the width or more.
 Bits shift_left(const Bits& v, const Bits& n) {
   if (v.known() && n.known()) return Bits(cosim::shift_left(*v.known(), *n.known()));
-  if (n.known() && *n.known() >= 0 && *n.known() < kWord) {
+  if (n.known() && *n.known() >= 0 && *n.known() < word_bits) {
     return shift_left(v, static_cast<int>(*n.known()));
   }
-  Bounds bounds = of_width(kWord);
-  int width = kWord;
-  if (n.least() >= 0 && v.width() + n.most() < kWord) {
+  Range bounds = range_of(word_bits);
+  int width = word_bits;
+  if (n.least() >= 0 && v.width() + n.most() < word_bits) {
     const int far = static_cast<int>(n.most());
     bounds = {std::min(cosim::shift_left(v.least(), far), Word{0}),
               std::max(cosim::shift_left(v.most(), far), Word{0})};
     width = std::max(v.width() + far, n.width());
   }
-  return made("bvshl", v, n, width, bounds);
+  return coded("bvshl", v, n, width, bounds);
 }
 Bits shift_right(const Bits& v, const Bits& n) {
   if (v.known() && n.known()) return Bits(cosim::shift_right(*v.known(), *n.known()));
-  if (n.known() && *n.known() >= 0 && *n.known() < kWord) {
+  if (n.known() && *n.known() >= 0 && *n.known() < word_bits) {
     return shift_right(v, static_cast<int>(*n.known()));
   }
-  return made("bvashr", v, n, std::max(v.width(), n.width()),
-              {std::min(v.least(), Word{0}), std::max(v.most(), Word{-1})});
+  return coded("bvashr", v, n, std::max(v.width(), n.width()),
+               {std::min(v.least(), Word{0}), std::max(v.most(), Word{-1})});
 }
 
 }  // namespace cosim::proof

@@ -48,6 +48,15 @@ constexpr auto registers_of(const Params& p, const State& s) {
 
 }  // namespace detail
 
+/// Whether the design's next() takes values of type V. A generic model's takes any; that of a plain
+/// one, a function of State<Word> and Inputs<Word>, machine integers alone.
+template <class Design, class V>
+concept StepsOn = requires(const typename Design::Params& p,
+                           const typename Design::template State<V>& s,
+                           const typename Design::template Inputs<V>& in) {
+  Design::next(p, s, in);
+};
+
 /// Inputs of a clock on which nothing is asked of the design: rest(), or all 0.
 template <class Design>
 constexpr auto rest_of() {
@@ -217,9 +226,11 @@ using HostOf = typename decltype(detail::host_of<Design>())::type;
   template <class V>                                                                             \
   using State = space::State<V>;                                                                 \
   template <class V>                                                                             \
-  static constexpr auto next(const Params& p, const State<V>& s, const Inputs<V>& in) {          \
-    return space::next(p, s, in);                                                                \
+  static constexpr auto next(const Params& p, const State<V>& s,                                 \
+                             const Inputs<V>& in) requires requires {                            \
+    space::next(p, s, in);                                                                       \
   }                                                                                              \
+  { return space::next(p, s, in); }                                                              \
   template <class V>                                                                             \
   static constexpr auto registers(const Params& p, const State<V>& s) {                          \
     return ::cosim::detail::registers_of(p, s);                                                  \

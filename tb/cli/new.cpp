@@ -22,6 +22,7 @@ namespace fs = std::filesystem;
 
 struct NewOptions {
   std::vector<std::string> words;  ///< the name, then the files
+  bool plain = false;
 };
 
 std::string upper(std::string text) {
@@ -63,7 +64,31 @@ std::string table(const std::string& name, const std::vector<FoundNet>& nets) {
   return text + '\n';
 }
 
-std::string model_of(const std::string& name, const Found& f) {
+// The head of a model's step, up to its body.
+std::string step_head(bool plain) {
+  return fmt::format(
+      "{0} Step<{1}> next([[maybe_unused]] const Params& p, const State<{1}>& s,\n"
+      "                       [[maybe_unused]] const Inputs<{1}>& in) {{\n",
+      plain ? "inline" : "template <class V>\nconstexpr", plain ? "Word" : "V");
+}
+
+// The counter's model, but its step in C++ as anyone writes it.
+std::string plain_counter() {
+  std::string model = counter_model;
+  const std::size_t from = model.find("template <class V>\n"), to = model.find("\n}\n", from) + 3;
+  return model.replace(
+      from, to - from,
+      R"(inline Step<Word> next(const Params& p, const State<Word>& s, const Inputs<Word>& in) {
+  Step<Word> step{s, {s.total, 0}};
+  if (s.total == ones(p.width)) step.outputs.last = 1;
+  if (in.en != 0) step.state.total = wrap(s.total + 1, p.width);
+  if (in.rst != 0) step.state.total = 0;
+  return step;
+}
+)");
+}
+
+std::string model_of(const std::string& name, const Found& f, bool plain) {
   const std::string table_name = upper(name);
   std::string members, pairs;
   for (const FoundParameter& p : f.parameters) {
@@ -101,10 +126,8 @@ std::string model_of(const std::string& name, const Found& f) {
       "// FIELD(name, width, format, its number in a printed source, meaning)\n"
       "{2}{3}{4}"
       "COSIM_RECORDS({5}, Params);\n\n"
-      "template <class V>\n"
-      "constexpr Step<V> next([[maybe_unused]] const Params& p, const State<V>& s,\n"
-      "                       [[maybe_unused]] const Inputs<V>& in) {{\n"
-      "  Step<V> step{{s, {{}}}};\n"
+      "{8}"
+      "  Step<{9}> step{{s, {{}}}};\n"
       "  // To be written: step.outputs of this clock, step.state after it.\n"
       "  return step;\n"
       "}}\n\n"
@@ -116,12 +139,12 @@ std::string model_of(const std::string& name, const Found& f) {
       "}}  // namespace cosim::{0}\n",
       name, members, table(table_name + "_INPUTS", f.inputs),
       table(table_name + "_OUTPUTS", f.outputs), table(table_name + "_STATE", f.registers),
-      table_name, clear, parameters);
+      table_name, clear, parameters, step_head(plain), plain ? "Word" : "V");
 }
 
 // What cosim_add_design() is told of RTL that was read.
 std::string design_of(const std::string& name, const Found& f,
-                      const std::vector<std::string>& sources) {
+                      const std::vector<std::string>& sources, bool plain) {
   std::string text = name + " SOURCES";
   for (const std::string& s : sources) text += ' ' + s;
   if (f.top != name) text += " TOP " + f.top;
@@ -131,7 +154,8 @@ std::string design_of(const std::string& name, const Found& f,
   for (const FoundParameter& p : f.parameters) {
     shape += fmt::format("{}{}={}", shape.empty() ? "" : " ", p.name, p.value);
   }
-  return shape.empty() ? text : fmt::format("{} SHAPES \"{}\"", text, shape);
+  if (!shape.empty()) text += fmt::format(" SHAPES \"{}\"", shape);
+  return plain ? text + " UNPROVED" : text;
 }
 
 std::string cmake_of(const std::string& name, const std::string& design) {
@@ -151,7 +175,7 @@ cosim_add_tests({0}_cosim)
                      name, design);
 }
 
-std::string readme_of(const std::string& name) {
+std::string readme_of(const std::string& name, bool plain) {
   return fmt::format(R"(# {0}
 
 `{0}.h` is the golden model: what every register and output is, clock by clock.
@@ -161,9 +185,9 @@ std::string readme_of(const std::string& name) {
 
 The first needs cosim installed, or `-DCOSIM_SOURCE=` and the folder of its sources. Then
 `build/{0}_cosim --help` says what else there is: the failures of a sweep shrink themselves and are
-kept in `failures/`, `replay` draws them, `prove` proves that RTL and model are the same.
+kept in `failures/`, `replay` draws them{1}.
 )",
-                     name);
+                     name, plain ? "" : ", `prove` proves that RTL and model are the same");
 }
 
 std::string ci_of() {
@@ -201,23 +225,24 @@ int run(const NewOptions& o) {
   Draft project(fs::current_path(), name);
   std::string design;
   if (files.empty()) {
-    const auto named = [&](const char* text) {
+    const auto named = [&](const std::string& text) {
       return replaced(replaced(text, "counter", name), "COUNTER", upper(name));
     };
     project.write(name + ".v", named(counter_rtl));
-    project.write(name + ".h", named(counter_model));
-    design = fmt::format("{0} SOURCES {0}.v MODEL {0}.h SHAPES \"W=8\"", name);
+    project.write(name + ".h", named(o.plain ? plain_counter() : counter_model));
+    design = fmt::format("{0} SOURCES {0}.v MODEL {0}.h SHAPES \"W=8\"{1}", name,
+                         o.plain ? " UNPROVED" : "");
   } else {
     std::vector<std::string> sources;
     for (std::size_t i = 0; i < files.size(); ++i) {
       sources.push_back(fs::path(files[i]).filename().string());
       project.write(sources.back(), texts[i]);
     }
-    project.write(name + ".h", model_of(name, found));
-    design = design_of(name, found, sources);
+    project.write(name + ".h", model_of(name, found, o.plain));
+    design = design_of(name, found, sources, o.plain);
   }
   project.write("CMakeLists.txt", cmake_of(name, design));
-  project.write("README.md", readme_of(name));
+  project.write("README.md", readme_of(name, o.plain));
   fs::create_directories(project.folder() / ".github/workflows");
   project.write(".github/workflows/ci.yml", ci_of());
   project.finish();
@@ -241,6 +266,8 @@ void add_new(const Command& program) {
   command.arguments("NAME FILE...", o->words,
                     "The folder and the design; then its Verilog, whose ports, parameters and\n"
                     "registers become the model's tables. Without a file: a counter that passes");
+  command.flag("--plain", o->plain,
+               "The model's step on machine integers alone, in any C++: nothing is proved of it");
   command.footer("Example: cosim new adder adder.v");
   command.action([o] { return run(*o); });
 }

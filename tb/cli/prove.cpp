@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <numeric>
+#include <set>
 #include <sstream>
 
 #include "model/core/input_error.h"
@@ -58,11 +59,22 @@ proof::Source source_of(const ProveOptions& o, const Subject& s) {
 
 std::vector<Subject> chosen(const std::vector<std::string>& words) {
   std::vector<Subject> all;
+  std::set<std::string> plain;
   const std::string wanted = fmt::format("{}", fmt::join(words, " "));
   for (const auto& machine : proof::built_machines()) {
-    if ((machine.title + ' ').starts_with(wanted.empty() ? "" : wanted + ' ')) {
+    if (!(machine.title + ' ').starts_with(wanted.empty() ? "" : wanted + ' ')) continue;
+    if (machine.formula == nullptr) {
+      plain.insert(machine.title.substr(0, machine.title.find(' ')));
+    } else {
       all.push_back({machine.title, machine.formula(), machine.source, {}});
     }
+  }
+  if (!plain.empty()) {
+    const std::string said =
+        fmt::format("{}: a plain model, on machine integers alone: nothing can be proved of it",
+                    fmt::join(plain, ", "));
+    if (all.empty()) throw InputError(said);
+    fmt::print("{}\n", said);
   }
   if (all.empty()) throw InputError(wanted + ": is no machine that is built; see cosim list");
   return all;

@@ -29,12 +29,8 @@ std::string without_state(const std::string& text) {
 std::string written_by_yosys(const Source& source) {
   const Scratch scratch;
   const fs::path file = scratch.path() / "rtl.smt2";
-  std::string commands = "read_verilog";
-  for (const fs::path& folder : source.include_dirs)
-    commands += fmt::format(" -I{}", folder.string());
-  for (const std::string& define : source.defines) commands += " -D" + define;
-  for (const fs::path& f : source.files) commands += " \"" + f.string() + '"';
-  commands += "; hierarchy -check -top " + source.top;
+  std::string commands = read_commands(source);
+  commands += "hierarchy -check -top " + source.top;
   for (const Parameter& p : source.parameters) {
     commands += fmt::format(" -chparam {} {}", p.name, p.value);
   }
@@ -50,6 +46,20 @@ std::string written_by_yosys(const Source& source) {
 }
 
 }  // namespace
+
+std::string read_commands(const Source& source) {
+  std::string options;
+  for (const fs::path& folder : source.include_dirs)
+    options += fmt::format(" -I{}", folder.string());
+  for (const std::string& define : source.defines) options += " -D" + define;
+  std::string commands;
+  for (const fs::path& file : source.files) {
+    const bool is_system_verilog = file.extension() == ".sv" || file.extension() == ".svh";
+    commands += fmt::format("read_verilog{}{} \"{}\"; ", is_system_verilog ? " -sv" : "", options,
+                            file.string());
+  }
+  return commands;
+}
 
 void run_yosys(const std::string& commands, const std::string& what) {
   // yosys keeps a history in the user's home.

@@ -27,6 +27,10 @@ struct Source {
 Source source_in(const std::filesystem::path& folder, const std::string& design,
                  const std::vector<Parameter>& parameters);
 
+/// The commands of yosys that read the files of `source`, each by its kind: a file .sv is
+/// SystemVerilog. They end in "; ".
+std::string read_commands(const Source& source);
+
 /// Runs yosys. InputError where there is none or it stops with an error; it names `what`.
 void run_yosys(const std::string& commands, const std::string& what);
 

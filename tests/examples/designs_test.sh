@@ -4,7 +4,7 @@
 # Installs the harness that was built in FOLDER, builds designs/ against it, and tries each design:
 # hostile clocks find no difference where it is as it is meant (FAULT=0), and find and shrink the
 # planted fault (FAULT=1), which the smallest stimulus shows again; the proof proves the one and
-# refutes the other. Then designs/NAME.sh, what is particular to a design. PROGRAM: one that was built
+# refutes the other, or refuses both. Then designs/NAME.sh, what is particular to a design. PROGRAM: one that was built
 # already. Status: 0 so, 1 not.
 set -euo pipefail
 
@@ -58,7 +58,11 @@ for name in "${names[@]}"; do
   smallest=(failures/"$name"-FAULT1-*/smallest.stim)
   [[ -f ${smallest[0]} ]] || fails "the fault of $name is shrunk"
   ends 1 replay "${smallest[0]}"
-  if [[ $solvers ]]; then
+  if [[ $solvers && -f $designs/$name.unproved ]]; then
+    ends 2 prove "$name"
+    says "$(< "$designs/$name.unproved")"
+    (($(wc -l < said) == 1)) || fails "prove refuses $name in one line"
+  elif [[ $solvers ]]; then
     ends 0 prove "$name" FAULT=0
     ends 1 prove "$name" FAULT=1 --failures failures
     says REFUTED

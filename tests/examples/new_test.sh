@@ -55,6 +55,16 @@ TABLES
 grep -qx 'cosim_add_design(pair SOURCES pair.v part.v CLOCK ck MODEL pair.h SHAPES "WIDTH=6")' \
   pair/CMakeLists.txt
 
+# The same with a model on machine integers alone: nothing but its step and the call differ.
+"$program" new plain pair.v part.v --plain > said
+diff <(sed 's/pair/plain/g; s/PAIR/PLAIN/g' pair/pair.h) plain/plain.h > changed || true
+diff - <(grep '^>' changed) << 'PLAIN'
+> inline Step<Word> next([[maybe_unused]] const Params& p, const State<Word>& s,
+>                        [[maybe_unused]] const Inputs<Word>& in) {
+>   Step<Word> step{s, {}};
+PLAIN
+grep -q '^cosim_add_design(.* UNPROVED)$' plain/CMakeLists.txt
+
 # refused LINE WORDS...: that is all that it says, its status is 2, and there is no folder `made`.
 refused() {
   local line="cosim: $1" said status=0

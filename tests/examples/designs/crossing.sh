@@ -1,0 +1,5 @@
+# shellcheck shell=bash
+# What yosys cannot read is drawn all the same.
+ends 1 replay "${smallest[0]}" --wave crossing.fst
+[[ -s crossing.fst ]] || fails "crossing is drawn"
+grep -q '{now expected}' crossing.gtkw || fails "the view of crossing has its register"

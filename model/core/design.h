@@ -144,6 +144,40 @@ constexpr auto legal_of(const Params& p, const State& s, const Inputs& in) {
   }
 }
 
+/// Registers that mean something in some states only: compared(p, s), the name of each with the
+/// condition.
+template <class V, class Params, class State>
+constexpr auto registers_compared_of(const Params& p, const State& s) {
+  if constexpr (requires { compared(p, s); }) {
+    return compared(p, s);
+  } else {
+    return std::array<Stated<V>, 0>{};
+  }
+}
+/// The same of outputs, on some clocks only: compared(p, s, in, out), of the state before the
+/// clock, its inputs and the model's outputs.
+template <class V, class Params, class State, class Inputs, class Outputs>
+constexpr auto outputs_compared_of(const Params& p, const State& s, const Inputs& in,
+                                   const Outputs& out) {
+  if constexpr (requires { compared(p, s, in, out); }) {
+    return compared(p, s, in, out);
+  } else {
+    return std::array<Stated<V>, 0>{};
+  }
+}
+template <class Design>
+inline constexpr bool compares_some_registers =
+    requires(const typename Design::Params& p, const typename Design::template State<Word>& s) {
+  compared(p, s);
+};
+template <class Design>
+inline constexpr bool compares_some_outputs =
+    requires(const typename Design::Params& p, const typename Design::template State<Word>& s,
+             const typename Design::template Inputs<Word>& in,
+             const typename Design::template Outputs<Word>& out) {
+  compared(p, s, in, out);
+};
+
 /// Whether a design states which inputs are legal in a state, with legal(p, s, in).
 template <class Design>
 inline constexpr bool has_legal = requires(const typename Design::Params& p,

@@ -48,8 +48,8 @@ class AnyBench {
   /// Runs a stimulus of this machine, to its end or to the first difference. InputError if it
   /// starts from a state and the machine cannot be set to one.
   virtual Run replay(const Stimulus& stimulus, Window window = {}) const = 0;
-  /// Runs it too, but finds only the first clock that differs; none where a clock before it breaks a
-  /// rule of the design.
+  /// Runs it too, but finds only the first clock that differs; none where a clock before it breaks
+  /// a rule of the design.
   virtual std::optional<std::uint64_t> first_difference(const Stimulus& stimulus) const = 0;
   /// Draws `stimulus` in the FST file `path` and the view beside it: the clocks of `around` the
   /// first difference, or all where none differs. InputError where a file cannot be written.

@@ -26,6 +26,8 @@ class Loop {
   /// difference (false). Adds the clocks, the differing one included, to `clocks`.
   virtual bool through(HostOf<Design>& host, Observer<Design>& observer, std::uint64_t& clocks) = 0;
   virtual bool through(HostileStimulus<Design>& hostile, std::uint64_t& clocks) = 0;
+  /// So far, as of a Run.
+  virtual std::vector<std::uint64_t> left_out() const = 0;
 };
 
 template <class Adapter>
@@ -42,6 +44,7 @@ class AdapterLoop final : public Loop<typename Adapter::Design> {
   bool through(HostileStimulus<Design>& hostile, std::uint64_t& clocks) override {
     return clock_through(lockstep_, hostile, clocks, [](const auto&, const auto&) {});
   }
+  std::vector<std::uint64_t> left_out() const override { return lockstep_.meant().left_out(); }
 
  private:
   Lockstep<Adapter> lockstep_;
@@ -101,7 +104,10 @@ class DesignBench : public Bench<Design> {
                    [&] { return recorded<Design>(params(), hostile, c.power_up(), c.clocks); });
     Run result;
     HostileStimulus<Design> left = hostile;
-    if (!loop(c.power_up())->through(left, result.clocks)) {
+    const auto both = loop(c.power_up());
+    const bool same = both->through(left, result.clocks);
+    result.left_out = both->left_out();
+    if (!same) {
       result.mismatch = examined(hostile, result.clocks - 1, c.power_up());
     }
     return result;
@@ -143,7 +149,10 @@ class DesignBench : public Bench<Design> {
       history_.insert(history_.end(), jobs.begin(), jobs.end());
       Host host(bench_.params(), jobs);
       Run result;
+      const auto before = loop_->left_out();
       const bool same = loop_->through(host, observer, result.clocks);
+      result.left_out = loop_->left_out();
+      for (std::size_t i = 0; i < before.size(); ++i) result.left_out[i] -= before[i];
       clocks_ += result.clocks;
       if (!same) {
         result.mismatch = bench_.examined(Host(bench_.params(), history_), clocks_ - 1, power_up_);

@@ -256,6 +256,11 @@ int run(const ProveOptions& o) {
       if (d.proved || explain_first || claim.terms.empty()) continue;
       explain_first = [&] { explain(o, s, claim, d, limit); };
     }
+    for (const auto* wires : {&s.formula.registers, &s.formula.outputs}) {
+      for (const proof::Wire& w : *wires) {
+        if (w.when) fmt::print("  compared only where it means something: {}\n", w.field.name);
+      }
+    }
     for (const proof::Named& n : s.formula.legal)
       fmt::print("  assumed of the inputs: {}\n", n.name);
   }

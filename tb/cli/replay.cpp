@@ -38,6 +38,7 @@ int run(const ReplayOptions& o) {
   Outcome outcome{bench, file, {}};
   outcome.result.cases = 1;
   outcome.result.clocks = run.clocks;
+  outcome.result.left_out = std::move(run.left_out);
   outcome.result.mismatch = std::move(run.mismatch);
   outcome.result.failed = work;
   return conclude({outcome}, o.common);

@@ -25,8 +25,11 @@ Json to_json(const Measure& m) {
 Json to_json(const Result& r) {
   Json measures = Json::array();
   for (const Measure& m : r.checked.measures) measures.push_back(to_json(m));
-  return {
-      {"cases", r.cases}, {"clocks", r.clocks}, {"jobs", r.checked.jobs}, {"measures", measures}};
+  return {{"cases", r.cases},
+          {"clocks", r.clocks},
+          {"jobs", r.checked.jobs},
+          {"measures", measures},
+          {"left_out", r.left_out}};
 }
 
 void get_count(const Json& j, const char* name, std::uint64_t& count) {
@@ -54,6 +57,10 @@ Result from_json(const Json& j) {
   get_count(j, "cases", r.cases);
   get_count(j, "clocks", r.clocks);
   get_count(j, "jobs", r.checked.jobs);
+  for (const Json& one : j.at("left_out")) {
+    if (!one.is_number_unsigned()) throw InputError("left_out: no count");
+    r.left_out.push_back(one.get<std::uint64_t>());
+  }
   for (const Json& one : j.at("measures")) r.checked.measures.push_back(measure_from_json(one));
   return r;
 }

@@ -19,6 +19,12 @@ struct Trace {
   Kind kind = Kind::input;
   std::vector<Word> expected;  ///< one entry a clock; an input has the same in both
   std::vector<Word> actual;
+  std::vector<bool> left_out{};  ///< where it was not compared; empty where it always was
+
+  bool compared(std::size_t clock) const { return left_out.empty() || !left_out[clock]; }
+  bool differs(std::size_t clock) const {
+    return compared(clock) && expected[clock] != actual[clock];
+  }
 };
 
 /// Clocks shown before and after the first difference.
@@ -61,7 +67,7 @@ struct Mismatch {
 
 /// The mismatch as text: what and where, then the table of the clocks around it, with expected
 /// above actual wherever they differ, in parts one below the other where it is wider than 120
-/// columns. Lines end in '\n'.
+/// columns. What was not compared is expected to be "-". Lines end in '\n'.
 std::string to_text(const Mismatch& mismatch);
 
 }  // namespace cosim

@@ -70,6 +70,7 @@ std::unique_ptr<AnyLockstep<Design>> started(const DutMaker<Design>& maker, cons
 struct Ran {
   std::optional<std::uint64_t> differs;  ///< the first clock on which RTL and model differ
   IllegalClock illegal;                  ///< before that
+  std::vector<std::uint64_t> left_out;   ///< as of a Run
 };
 
 template <class Design>
@@ -78,9 +79,9 @@ Ran ran(const DutMaker<Design>& maker, const Stimulus& s) {
   Rows<Design> rows(s);
   std::uint64_t clocks = 0;
   if (clock_through(*lockstep, rows, clocks, [](const auto&, const auto&) {})) {
-    return {{}, rows.illegal()};
+    return {{}, rows.illegal(), lockstep->meant().left_out()};
   }
-  return {clocks - 1, {}};
+  return {clocks - 1, {}, lockstep->meant().left_out()};
 }
 
 /// The first clock of the stimulus on which RTL and model differ. InputError where a clock before
@@ -97,7 +98,10 @@ template <class Design>
 Run replayed(const DutMaker<Design>& maker, const Stimulus& s, Window window) {
   Run result;
   result.clocks = s.clocks.size();
-  if (const auto clock = differing_clock(maker, s)) {
+  Ran came = ran(maker, s);
+  came.illegal.refuse(s.machine);
+  result.left_out = std::move(came.left_out);
+  if (const auto clock = came.differs) {
     result.clocks = *clock + 1;
     const auto again = started(maker, s);
     result.mismatch = examine(*again, Rows<Design>(s), *clock, window);

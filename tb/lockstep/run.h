@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "tb/dut/dut.h"
 #include "tb/lockstep/lockstep.h"
@@ -16,6 +17,8 @@ namespace cosim {
 /// What came of one case.
 struct Run {
   std::uint64_t clocks = 0;  ///< clocks compared, the differing one included
+  /// Of each register, then of each output, on how many of them it was left out; may be empty.
+  std::vector<std::uint64_t> left_out{};
   std::optional<Mismatch> mismatch;
 };
 
@@ -30,14 +33,17 @@ void add_traces(Mismatch& m, Trace::Kind kind, const Params& p) {
   for (const Field& f : Record::fields(p)) m.traces.push_back({f, kind, {}, {}});
 }
 
-template <class Record>
-void add_clock(Mismatch& m, std::size_t& at, const Record& expected, const Record& actual) {
+// is_compared(i) says it of the record's field i.
+template <class Record, class IsCompared>
+void add_clock(Mismatch& m, std::size_t& at, const Record& expected, const Record& actual,
+               IsCompared is_compared) {
   const Words<Record> e = to_words(expected);
   const Words<Record> a = to_words(actual);
   for (std::size_t i = 0; i < Record::size; ++i, ++at) {
     m.traces[at].expected.push_back(e[i]);
     m.traces[at].actual.push_back(a[i]);
-    if (e[i] != a[i] && m.signal.empty()) {
+    m.traces[at].left_out.push_back(!is_compared(i));
+    if (m.traces[at].differs(m.traces[at].actual.size() - 1) && m.signal.empty()) {
       m.signal = m.traces[at].field.name;
       m.field = m.traces[at].field;
       m.expected = e[i];
@@ -79,15 +85,18 @@ Mismatch examine(AnyLockstep<Design>& lockstep, Source source, std::uint64_t clo
       m.stimulus.state.emplace(state.begin(), state.end());
     }
     if (!next_inputs<Design>(source, p, lockstep.state(), in, lockstep.expected().outputs)) break;
-    const bool same = lockstep.clock(in);
+    Compared<Design> actual;
+    lockstep.clock(in, [&](const auto&, const auto& rtl) { actual = rtl; });
     if (c >= kept) detail::add_inputs(m.stimulus, in);
     if (c < m.first || c > clock + window.after) continue;
     const Compared<Design>& expected = lockstep.expected();
-    const Compared<Design>& actual = same ? expected : lockstep.actual();
+    const auto& meant = lockstep.meant();
     std::size_t at = 0;
-    detail::add_clock(m, at, in, in);
-    detail::add_clock(m, at, expected.registers, actual.registers);
-    detail::add_clock(m, at, expected.outputs, actual.outputs);
+    detail::add_clock(m, at, in, in, [](std::size_t) { return true; });
+    detail::add_clock(m, at, expected.registers, actual.registers,
+                      [&](std::size_t i) { return meant[i]; });
+    detail::add_clock(m, at, expected.outputs, actual.outputs,
+                      [&](std::size_t i) { return meant[expected.registers.size + i]; });
   }
   return m;
 }

@@ -57,6 +57,13 @@ std::vector<Place> places(const MachineFormula& m, const Rtl& rtl) {
   return all;
 }
 
+// What a register's symbols stand for: its value where it means something, else anything.
+Expression held(const Wire& w, Script& script) {
+  if (!w.when) return w.code;
+  const Expression any = script.declare(named("any", w.field.name), w.code.sort());
+  return {"ite", w.code.sort(), {*w.when, w.code, any}};
+}
+
 // Declares what is free and defines all the rest: the RTL's inputs are the model's, its registers
 // what the model says, or free as well.
 class Question {
@@ -66,13 +73,16 @@ class Question {
     const std::vector<Place> all = places(m, rtl);
     for (const Wire& w : m.inputs) script_.declare(w.code.text(), w.code.sort());
     for (const Wire& w : m.state) script_.declare(w.code.text(), w.code.sort());
+    std::map<const Wire*, Expression> held_by;
+    for (const Wire& w : m.registers) held_by.emplace(&w, held(w, script_));
+    for (const Wire& w : m.inputs) held_by.emplace(&w, w.code);
     for (std::size_t i = 0; i < all.size(); ++i) {
       const Rtl::Free& f = rtl.free()[i];
       const std::string sort = f.is_bool ? boolean : bit_vector(f.width);
       if (all[i].wire == nullptr || (registers_free && !f.after.empty())) {
         script_.declare(f.symbol, sort);
       } else {
-        script_.define(f.symbol, as_sort(cut(all[i].wire->code, all[i].low, f.width), sort));
+        script_.define(f.symbol, as_sort(cut(held_by.at(all[i].wire), all[i].low, f.width), sort));
       }
     }
     script_.add(rtl.definitions());
@@ -87,11 +97,12 @@ class Question {
     }
   }
 
-  // Whether a field differs, with names for both sides that a reader of the script finds.
+  // Whether a field differs that is compared, with names for both sides that a reader of the script
+  // finds.
   Expression differs(const char* what, const Wire& expected, const Expression& actual) {
     const Expression e = script_.define(named("model", expected.field.name) + what, expected.code);
     const Expression a = script_.define(named("rtl", expected.field.name) + what, actual);
-    return negation(equal(e, a));
+    return where_compared(expected, negation(equal(e, a)));
   }
   Expression output(const Wire& w) { return rtl_.wire(w.field.net); }
   // Of register number i.
@@ -140,7 +151,7 @@ Claim claim_clear(const MachineFormula& m, const Rtl& rtl) {
       continue;
     }
     wrong = disjunction(wrong, q.differs(kAfter, w, q.after(i)));
-    wrong = disjunction(wrong, negation(equal(m.after[i].code, w.code)));
+    wrong = disjunction(wrong, where_compared(w, negation(equal(m.after[i].code, w.code))));
   }
   q.script().ask(wrong);
   return {"a clear makes them the same" + taken,

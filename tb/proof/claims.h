@@ -10,6 +10,9 @@
 //   legal   where the design says which inputs are legal in a state, and the others assume no other
 //           ones: in every state that satisfies the invariant some are
 //
+// A register or an output that the design compares on some clocks only may hold anything on the
+// others, in what is assumed and in what is claimed.
+//
 // The first two are an induction over the clocks: nothing else is assumed of the inputs, and no
 // bound is set. The others show that the hypotheses of the second can be met.
 #pragma once

@@ -1,6 +1,7 @@
 // A golden model as formulas: one clock from any state, under any inputs.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,14 @@ namespace cosim::proof {
 struct Wire {
   Field field;
   Expression code;
+  /// Of a register or an output: when it is compared; always where there is no condition.
+  std::optional<Expression> when{};
 };
+
+/// What is wrong with a wire, where it is compared.
+inline Expression where_compared(const Wire& w, const Expression& wrong) {
+  return w.when ? conjunction(*w.when, wrong) : wrong;
+}
 
 /// A condition with a name.
 struct Named {
@@ -90,6 +98,25 @@ Truth in_range(const Record& r, const Fields& fields) {
   return all;
 }
 
+/// The wires with the conditions under which they are compared.
+template <class List>
+std::vector<Wire> compared_when(std::vector<Wire> wires, const List& conditions) {
+  for (const auto& [name, condition] : conditions) {
+    for (Wire& w : wires) {
+      if (std::string(w.field.name) == name) w.when = condition.expression();
+    }
+  }
+  return wires;
+}
+
+/// The registers in state s.
+template <class Design>
+std::vector<Wire> registers_in(const typename Design::Params& p,
+                               const typename Design::template State<Bits>& s) {
+  const auto fields = Design::template Registers<Word>::fields(p);
+  return compared_when(wires(Design::registers(p, s), fields), registers_compared_of<Bits>(p, s));
+}
+
 template <class Design>
 std::vector<Named> whole_invariant(const typename Design::Params& p,
                                    const typename Design::template State<Bits>& s) {
@@ -123,7 +150,6 @@ MachineFormula formula(const typename Design::Params& p) {
   using Inputs = typename Design::template Inputs<Bits>;
   const auto state_fields = Design::template State<Word>::fields(p);
   const auto input_fields = Design::template Inputs<Word>::fields(p);
-  const auto register_fields = Design::template Registers<Word>::fields(p);
   const auto output_fields = Design::template Outputs<Word>::fields(p);
 
   MachineFormula m;
@@ -140,9 +166,10 @@ MachineFormula formula(const typename Design::Params& p) {
   m.invariant_after = detail::whole_invariant<Design>(p, step.state);
   m.reached = detail::whole_reached<Design>(p, s);
   m.reached_after = detail::whole_reached<Design>(p, step.state);
-  m.registers = wires(Design::registers(p, s), register_fields);
-  m.outputs = wires(step.outputs, output_fields);
-  m.after = wires(Design::registers(p, step.state), register_fields);
+  m.registers = detail::registers_in<Design>(p, s);
+  m.outputs = detail::compared_when(wires(step.outputs, output_fields),
+                                    outputs_compared_of<Bits>(p, s, in, step.outputs));
+  m.after = detail::registers_in<Design>(p, step.state);
   for (const auto& [name, condition] : parts_of<Bits>(p, s)) {
     m.parts.push_back({name, condition.expression()});
   }
@@ -160,11 +187,18 @@ MachineFormula formula(const typename Design::Params& p) {
   // Else nothing would show that the invariant can be met.
   if (m.cases.empty()) m.cases.push_back({"any clock", truth(true)});
 
+  // Nor that what is not compared always is compared ever.
+  for (const auto* wires : {&m.registers, &m.outputs}) {
+    for (const Wire& w : *wires) {
+      if (w.when) m.cases.push_back({std::string(w.field.name) + " is compared", *w.when});
+    }
+  }
+
   auto cleared = cleared_of<Design, Bits>();
   for_each_member<State>([&](auto member, std::size_t i) {
     if (state_fields[i].unreset) cleared.*member = s.*member;
   });
-  m.cleared = wires(Design::registers(p, cleared), register_fields);
+  m.cleared = detail::registers_in<Design>(p, cleared);
   m.invariant_cleared = detail::whole_invariant<Design>(p, cleared);
   m.reached_cleared = detail::whole_reached<Design>(p, cleared);
   const auto clear = to_words(Design::clear());

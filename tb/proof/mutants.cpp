@@ -20,7 +20,6 @@ namespace fs = std::filesystem;
 
 std::string sort_of(const Rtl::Free& f) { return f.is_bool ? boolean : bit_vector(f.width); }
 Expression differ(const Expression& a, const Expression& b) { return negation(equal(a, b)); }
-
 // The same symbols on the clock after.
 std::string on_next_clock(const std::string& text) {
   static const std::regex symbol(R"(\|([^|]*)\|)");
@@ -44,7 +43,8 @@ Script declared(const MachineFormula& m) {
 // nets of the registers are given to hold, or free.
 class Side {
  public:
-  Side(const MachineFormula& m, const Rtl& rtl, const std::vector<Wire>& given, Script& script)
+  Side(const char* side, const MachineFormula& m, const Rtl& rtl, const std::vector<Wire>& given,
+       Script& script)
       : rtl_(rtl), script_(script) {
     std::vector<std::optional<Expression>> known(rtl.free().size());
     const auto know = [&](const Wire& w, const std::string& name, bool is_register) {
@@ -64,7 +64,14 @@ class Side {
       if (!know(w, name, is_register)) assumed.emplace_back(name, w.code);
     };
     for (const Wire& w : m.inputs) give(w, w.field.net, false);
-    for (const Wire& w : given) give(w, w.field.net, true);
+    for (Wire w : given) {
+      if (w.when) {  // at other times it holds anything, and not the same on both sides
+        const Expression any =
+            script.declare(fmt::format("{}.{}", side, w.field.name), w.code.sort());
+        w.code = {"ite", w.code.sort(), {*w.when, w.code, any}};
+      }
+      give(w, w.field.net, true);
+    }
     for (std::size_t i = 0; i < known.size(); ++i) {
       const Rtl::Free& f = rtl.free()[i];
       if (known[i]) {
@@ -206,13 +213,13 @@ Mutants::Mutants(const MachineFormula& machine, const fs::path& verilog,
 Claim Mutants::clear(std::size_t i) const {
   const Mutant& mutant = mutants_[i];
   Script script = declared(machine_);
-  Side side(machine_, mutant.rtl, {}, script);
+  Side side("mutant", machine_, mutant.rtl, {}, script);
   for (const Wire& w : machine_.clearing) {
     script.assume(equal(detail::symbol("in", w.field), w.code));
   }
   Expression wrong = truth(false);
   for (const Wire& w : machine_.cleared) {
-    wrong = disjunction(wrong, differ(side.after(w.field), w.code));
+    wrong = disjunction(wrong, where_compared(w, differ(side.after(w.field), w.code)));
   }
   return asked("a clear makes them the same", fmt::format("mutant {}", mutant.number), script,
                wrong);
@@ -224,14 +231,16 @@ Claim Mutants::step(std::size_t i) const {
   for (const auto* all : {&machine_.invariant, &machine_.reached, &machine_.legal}) {
     for (const Named& n : *all) script.assume(n.condition);
   }
-  Side before(machine_, original_.front(), machine_.registers, script);
-  Side with(machine_, mutant.rtl, machine_.registers, script);
+  Side before("original", machine_, original_.front(), machine_.registers, script);
+  Side with("mutant", machine_, mutant.rtl, machine_.registers, script);
   Expression wrong = truth(false);
-  for (const Wire& w : machine_.registers) {
-    wrong = disjunction(wrong, differ(before.after(w.field), with.after(w.field)));
+  for (const Wire& w : machine_.after) {
+    const Expression parts = differ(before.after(w.field), with.after(w.field));
+    wrong = disjunction(wrong, where_compared(w, parts));
   }
   for (const Wire& w : machine_.outputs) {
-    wrong = disjunction(wrong, differ(before.output(w.field), with.output(w.field)));
+    const Expression parts = differ(before.output(w.field), with.output(w.field));
+    wrong = disjunction(wrong, where_compared(w, parts));
   }
   return asked("every clock keeps them the same", fmt::format("mutant {}", mutant.number), script,
                wrong);

@@ -46,7 +46,9 @@ Json mismatch(const Result& r) {
     Json trace;
     trace["signal"] = t.field.name;
     trace["first_clock"] = m.first;
-    for (const Word w : t.expected) trace["expected"].push_back(show_short(t.field, w));
+    for (std::size_t c = 0; c < t.expected.size(); ++c) {
+      trace["expected"].push_back(t.compared(c) ? show_short(t.field, t.expected[c]) : "-");
+    }
     for (const Word w : t.actual) trace["actual"].push_back(show_short(t.field, w));
     traces.push_back(trace);
   }
@@ -66,6 +68,15 @@ Json assumed(const AnyBench& bench) {
   return all;
 }
 
+void put_left_out(Json& object, const AnyBench& bench, const Result& r) {
+  const std::vector<Field> fields = bench.compared();
+  for (std::size_t i = 0; i < r.left_out.size(); ++i) {
+    if (r.left_out[i] == 0) continue;
+    object["left_out"][fields[i].name] = r.left_out[i];
+    if (r.left_out[i] == r.clocks) object["never_compared"].push_back(fields[i].name);
+  }
+}
+
 Json run_json(const Outcome& o) {
   Json object;
   object["verdict"] = o.result.match() ? "match" : "mismatch";
@@ -74,6 +85,7 @@ Json run_json(const Outcome& o) {
   object["work"] = o.work;
   if (Json rules = assumed(*o.bench); !rules.empty()) object["assumed"] = std::move(rules);
   object["clocks"] = o.result.clocks;
+  put_left_out(object, *o.bench, o.result);
   put_measures(object, o.result.checked);
   if (!o.result.match()) object["mismatch"] = mismatch(o.result);
   return object;
@@ -89,9 +101,16 @@ std::vector<const AnyBench*> designs(const std::vector<Outcome>& outcomes) {
   return found;
 }
 
-std::uint64_t clocks_of(const std::vector<Outcome>& outcomes, const std::string& design) {
-  std::uint64_t sum = 0;
-  for (const Outcome& o : outcomes) sum += o.bench->design() == design ? o.result.clocks : 0;
+// All runs of a design, their clocks and what was left out.
+Result sum_of(const std::vector<Outcome>& outcomes, const std::string& design) {
+  Result sum;
+  for (const Outcome& o : outcomes) {
+    if (o.bench->design() != design) continue;
+    Result one;
+    one.clocks = o.result.clocks;
+    one.left_out = o.result.left_out;
+    add(sum, std::move(one));
+  }
   return sum;
 }
 
@@ -111,14 +130,24 @@ std::string comparison_text(const std::vector<Outcome>& outcomes) {
   std::string text;
   const auto benches = designs(outcomes);
   for (const AnyBench* bench : benches) {
-    const std::uint64_t clocks = clocks_of(outcomes, bench->design());
-    text += fmt::format("compared: {}{} on {} clock{}\n", compared_signals(*bench),
-                        benches.size() > 1 ? " of " + bench->design() : "",
+    const Result sum = sum_of(outcomes, bench->design());
+    const std::uint64_t clocks = sum.clocks;
+    const std::string of = benches.size() > 1 ? " of " + bench->design() : "";
+    text += fmt::format("compared: {}{} on {} clock{}\n", compared_signals(*bench), of,
                         clocks == 1 ? "the one" : fmt::format("each of {}", clocks),
                         clocks == 1 ? "" : "s");
     for (const std::string& rule : bench->assumed()) {
-      text += fmt::format("assumed of the inputs{}: {}\n",
-                          benches.size() > 1 ? " of " + bench->design() : "", rule);
+      text += fmt::format("assumed of the inputs{}: {}\n", of, rule);
+    }
+    const std::vector<Field> fields = bench->compared();
+    for (std::size_t i = 0; i < sum.left_out.size(); ++i) {
+      const std::uint64_t left_out = sum.left_out[i];
+      if (left_out == 0) continue;
+      text += left_out == clocks
+                  ? fmt::format("never compared{}: {}, it means nothing on any clock\n", of,
+                                fields[i].name)
+                  : fmt::format("left out{}: {} on {} of the clocks, where it means nothing\n", of,
+                                fields[i].name, left_out);
     }
   }
   return text;

@@ -23,7 +23,8 @@ bool all_match(const std::vector<Outcome>& outcomes);
 std::string compared_signals(const AnyBench& bench);
 
 /// What was compared and over how many clocks, one line a design, with its name if there are
-/// several, and a line for each thing that is assumed of its inputs. Lines end in '\n', here and
+/// several, a line for each thing that is assumed of its inputs, and one for each
+/// field that was not compared on every clock. Lines end in '\n', here and
 /// below.
 std::string comparison_text(const std::vector<Outcome>& outcomes);
 
@@ -33,11 +34,13 @@ std::string verdict_text(const std::vector<Outcome>& outcomes);
 /// The report as JSON text: an object with `verdict`, `design`, `parameters`, `clocks`, the
 /// measures of the design's check under their names, `compared_signals`, `seed`, where they do not
 /// match `mismatch`, and `runs`, an object for each outcome; where
-/// something is assumed of the inputs `assumed`, sentences. Over several outcomes clocks are added
-/// up, measures are combined as they say, mismatch is the first, and parameters is an array of
-/// objects; over several designs design is an array of names and compared_signals an object of
-/// arrays under these names. Over none the verdict is "nothing compared". `extra` is a JSON object
-/// whose keys are added. Text that is not UTF-8 gets replacement characters.
+/// something is assumed of the inputs `assumed`, sentences; where
+/// something was not always compared `left_out`, the number of clocks under each name, and
+/// `never_compared`, the names of what was left out on all of them. Over several outcomes clocks
+/// are added up, measures are combined as they say, mismatch is the first, and parameters is an
+/// array of objects; over several designs design is an array of names and compared_signals an
+/// object of arrays under these names. Over none the verdict is "nothing compared". `extra` is a
+/// JSON object whose keys are added. Text that is not UTF-8 gets replacement characters.
 std::string report_json(const std::vector<Outcome>& outcomes, std::uint64_t seed,
                         const std::string& extra = "{}");
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "tb/lockstep/run.h"
 #include "tb/sweep/checked.h"
@@ -14,7 +15,9 @@ namespace cosim {
 struct Result {
   std::uint64_t cases = 0;
   std::uint64_t clocks = 0;  ///< compared
-  Checked checked;           ///< by the design's check, if it has one
+  /// Of each register, then of each output, on how many of them it was left out; may be empty.
+  std::vector<std::uint64_t> left_out{};
+  Checked checked;  ///< by the design's check, if it has one
   std::optional<Mismatch> mismatch;
   std::string failed;  ///< what the failing case was, one line; empty where none failed
 
@@ -31,6 +34,8 @@ inline void add(Result& sum, Result one) {
   }
   sum.cases += one.cases;
   sum.clocks += one.clocks;
+  if (sum.left_out.empty()) sum.left_out.resize(one.left_out.size());
+  for (std::size_t i = 0; i < one.left_out.size(); ++i) sum.left_out[i] += one.left_out[i];
   add(sum.checked, one.checked);
 }
 
@@ -41,6 +46,7 @@ Result result_of(Run run, Check& check) {
   Result result;
   result.cases = 1;
   result.clocks = run.clocks;
+  result.left_out = std::move(run.left_out);
   result.checked = run.mismatch ? check.so_far() : check.finish();
   result.mismatch = std::move(run.mismatch);
   return result;

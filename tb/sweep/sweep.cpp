@@ -77,6 +77,7 @@ Sweep hostile_sweep(const AnyBench& bench, std::uint64_t seed, std::uint64_t clo
     Run r = bench.run_hostile(c);
     Result result;
     result.clocks = r.clocks;
+    result.left_out = std::move(r.left_out);
     result.mismatch = std::move(r.mismatch);
     result.failed = fmt::format("{} hostile clocks, seed {}", c.clocks, seed);
     return result;

@@ -47,10 +47,10 @@ void record_wave(const DutMaker<Design>& maker, const std::string& path, const S
       const auto expected_probes = expected.values(), actual_probes = actual.values();
       now.expected_probes.assign(expected_probes.begin(), expected_probes.end());
       now.actual_probes.assign(actual_probes.begin(), actual_probes.end());
-      if (range.signal.empty() && now.expected != now.actual) {
-        for (std::size_t i = 0; range.signal.empty(); ++i) {
-          if (now.expected[i] != now.actual[i]) range.signal = shape.compared[i].name;
-        }
+      now.differs.clear();
+      for (std::size_t i = 0; i < now.expected.size(); ++i) {
+        now.differs.push_back(lockstep->meant()[i] && now.expected[i] != now.actual[i]);
+        if (range.signal.empty() && now.differs.back()) range.signal = shape.compared[i].name;
       }
       wave.clock(now);
     });

@@ -84,12 +84,13 @@ void Wave::clock(const WaveClock& now) {
     const Field& field = shape_.compared[i];
     fst.value(expected_[i], field.width, now.expected[i]);
     fst.value(actual_[i], field.width, now.actual[i]);
-    fst.value(mismatch_[i], 1, now.expected[i] == now.actual[i] ? 0 : 1);
+    fst.value(mismatch_[i], 1, now.differs[i] ? 1 : 0);
     if (!has_number(field)) continue;
     fst.number(numbers_[i], number_of(field, now.actual[i]));
     fst.number(expected_numbers_[i], number_of(field, now.expected[i]));
   }
-  fst.value(any_, 1, now.expected == now.actual ? 0 : 1);
+  const auto& differs = now.differs;
+  fst.value(any_, 1, std::find(differs.begin(), differs.end(), true) == differs.end() ? 0 : 1);
   for (std::size_t i = 0; i < probes_.size(); ++i) {
     const Probe& probe = shape_.probes[i];
     const bool expected = probe.side == Probe::Side::expected;

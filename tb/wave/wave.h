@@ -39,6 +39,7 @@ struct WaveShape {
 struct WaveClock {
   std::uint64_t clock = 0;
   std::vector<Word> inputs, expected, actual;
+  std::vector<bool> differs;  ///< of what is compared on this clock; one an entry of expected
   std::vector<Word> expected_probes, actual_probes;
 };
 

@@ -49,6 +49,13 @@ for tool in yosys cvc5 z3; do
   command -v "$tool" > /dev/null || { solvers='' && echo "no $tool: nothing is proved"; }
 done
 
+# What is particular to a design, in a function: it may have variables of its own.
+particular() {
+  local name=$1
+  # shellcheck source=/dev/null
+  source "$designs/$name.sh"
+}
+
 mapfile -t names < <(cd "$designs" && find . -name '*.h' | sort | sed 's,^\./,,; s,\.h$,,')
 clocks=20000
 for name in "${names[@]}"; do
@@ -67,9 +74,6 @@ for name in "${names[@]}"; do
     ends 1 prove "$name" FAULT=1 --failures failures
     says REFUTED
   fi
-  if [[ -f $designs/$name.sh ]]; then
-    # shellcheck source=/dev/null
-    source "$designs/$name.sh"
-  fi
+  [[ ! -f $designs/$name.sh ]] || particular "$name"
   echo "$name: as it should be"
 done

@@ -51,7 +51,7 @@ bool read_all(int from, std::string& text, Clock::time_point patience) {
   pollfd waiting{from, POLLIN, 0};
   while (InterruptGuard::signal() == 0 && Clock::now() < patience) {
     if (poll(&waiting, 1, kMilliseconds) <= 0) continue;
-    const ssize_t n = read(from, part.data(), part.size());
+    const ssize_t n = ::read(from, part.data(), part.size());
     if (n == 0 || (n < 0 && errno != EINTR)) return true;
     if (n > 0) text.append(part, 0, static_cast<std::size_t>(n));
   }

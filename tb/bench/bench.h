@@ -107,6 +107,8 @@ class Bench : public AnyBench {
   virtual typename Design::Params params() const = 0;
   /// A machine of its own, powered up at random from `power_up`.
   virtual std::unique_ptr<Session<Design>> open(std::uint32_t power_up) const = 0;
+  /// RTL and model that were just cleared, to be clocked by hand.
+  virtual std::unique_ptr<AnyLockstep<Design>> lockstep(std::uint32_t power_up) const = 0;
   /// The DUT alone, without a model.
   virtual std::unique_ptr<Dut<Design>> dut(std::uint32_t power_up) const = 0;
 };

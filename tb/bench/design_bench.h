@@ -94,6 +94,9 @@ class DesignBench : public Bench<Design> {
   std::vector<Word> rest() const override { return words(rest_of<Design>()); }
   std::vector<Word> cleared() const override { return words(cleared_of<Design, Word>()); }
   typename Design::Params params() const override { return dut_.params; }
+  std::unique_ptr<AnyLockstep<Design>> lockstep(std::uint32_t power_up) const override {
+    return std::make_unique<AnyLockstep<Design>>(start(power_up));
+  }
   std::unique_ptr<Dut<Design>> dut(std::uint32_t power_up) const override {
     return dut_.make(power_up);
   }

@@ -19,6 +19,7 @@
 # folder that calls.
 include_guard(GLOBAL)
 set_property(GLOBAL PROPERTY COSIM_ROOT "${CMAKE_CURRENT_LIST_DIR}/../..")
+include(${CMAKE_CURRENT_LIST_DIR}/design_gtest.cmake)  # cosim_add_gtest(): tests by hand
 
 # Files that are there, as absolute paths.
 function(cosim_files variable what)

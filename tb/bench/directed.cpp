@@ -1,0 +1,94 @@
+#include "tb/bench/directed.h"
+
+#include <fmt/core.h>
+
+#include <cstdlib>
+
+#include "model/core/input_error.h"
+#include "tb/bench/wanted.h"
+#include "tb/report/failure.h"
+#include "tb/support/draft.h"
+#include "tb/support/words.h"
+
+namespace cosim {
+namespace {
+
+FailureOptions where_kept() {
+  FailureOptions options;
+  if (const char* folder = std::getenv("COSIM_FAILURES")) options.root = folder;
+  return options;
+}
+
+}  // namespace
+
+std::size_t directed_choice(const std::vector<const AnyBench*>& benches, const std::string& design,
+                            const std::string& shape) {
+  std::string there;
+  for (std::size_t i = 0; i < benches.size(); ++i) {
+    const std::string title = benches[i]->title();
+    const bool is_only = shape.empty() && benches.size() == 1;
+    if (is_only || title == design + ' ' + shape) return i;
+    there += (there.empty() ? "" : ", ") + title;
+  }
+  throw InputError(fmt::format("{}: {}; there is {}", design,
+                               shape.empty() ? "a shape is to be named" : "no shape " + shape,
+                               there.empty() ? "none" : there));
+}
+
+DirectedRecord::DirectedRecord(const AnyBench& bench, std::uint32_t power_up)
+    : bench_(bench), fields_(bench.inputs()) {
+  const PresentTest test = present_test == nullptr ? PresentTest{} : present_test();
+  name_ = test.name.empty() ? "directed test" : test.name;
+  stimulus_.machine = bench.title();
+  stimulus_.origin = name_;
+  stimulus_.power_up = power_up;
+}
+
+void DirectedRecord::clock(const std::vector<Word>& inputs) {
+  for (std::size_t i = 0; i < fields_.size(); ++i) {
+    const Field& pin = fields_[i];
+    if (pin.width < 1 || low_bits(inputs[i], pin.width) == inputs[i]) continue;
+    throw InputError(fmt::format("{}: clock {}: {} is to be {}, and has {}", bench_.title(),
+                                 clocks(), pin.name, inputs[i],
+                                 count(static_cast<std::uint64_t>(pin.width), "bit")));
+  }
+  stimulus_.clocks.push_back(inputs);
+}
+
+void DirectedRecord::differs() {
+  kept_ = true;
+  const Run run = bench_.replay(stimulus_);
+  if (!run.mismatch) throw std::logic_error("the clocks of a difference do not show it again");
+  std::string text = to_text(*run.mismatch) + '\n';
+  try {
+    text += to_text(leave_failure(bench_, name_, *run.mismatch, where_kept()));
+  } catch (const InputError& error) {
+    text += fmt::format("the failure is not kept: {}\n", error.what());
+  }
+  throw Differ(text);
+}
+
+void DirectedRecord::keep() const {
+  const FailureOptions options = where_kept();
+  Draft draft(options.root, failure_name(bench_, name_));
+  draft.write("stimulus.stim", to_text(stimulus_, bench_));
+  bench_.draw_wave((draft.folder() / "wave.fst").string(), stimulus_, {stimulus_.clocks.size(), 0});
+  draft.finish();
+  fmt::print("RTL and model are the same on all {}\nkept in: {}\n",
+             count(stimulus_.clocks.size(), "clock"), draft.target().string());
+}
+
+void DirectedRecord::finish() noexcept {
+  try {
+    draw_if_wanted(bench_, [this] { return stimulus_; });
+    const bool failed = present_test != nullptr && present_test().failed;
+    const bool thrown = std::uncaught_exceptions() > exceptions_;
+    if (kept_ || !(failed || thrown) || stimulus_.clocks.empty()) return;
+    kept_ = true;
+    keep();
+  } catch (const std::exception& error) {
+    complain(fmt::format("the failure is not kept: {}", error.what()));
+  }
+}
+
+}  // namespace cosim

@@ -1,0 +1,145 @@
+// Tests by hand: drive this, expect that, on these clocks. RTL and model run in lockstep all the
+// while, so every register is compared on every clock, and a test that fails leaves a folder as any
+// other failure does. Knows no test framework: what goes wrong is thrown as text.
+//
+//   TEST(Counter, Counts) {
+//     Directed<counter::Design> bench("W=4");
+//     bench.in.en = 1;
+//     bench.clocks(5);
+//     EXPECT_EQ(bench.clock().count, 5);
+//   }
+//
+// cosim_add_gtest() builds such tests.
+#pragma once
+
+#include <cstdint>
+#include <exception>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tb/bench/bench.h"
+#include "tb/stimulus/legal.h"
+
+namespace cosim {
+
+/// RTL and model gave different values. what() says which signal on which clock, shows the clocks
+/// around it, and names the folder of the failure.
+class Differ : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The test that runs at present, as its framework knows it.
+struct PresentTest {
+  std::string name;     ///< one line
+  bool failed = false;  ///< something that it expected is not so
+};
+/// Asked when a Directed begins and when it ends. cosim_add_gtest() sets it.
+inline PresentTest (*present_test)() = nullptr;
+
+/// What a Directed did: its clocks, and what becomes of them.
+class DirectedRecord {
+ public:
+  DirectedRecord(const AnyBench& bench, std::uint32_t power_up);
+
+  /// One clock more. InputError where a value is not one of its pin.
+  void clock(const std::vector<Word>& inputs);
+  std::uint64_t clocks() const { return stimulus_.clocks.size(); }
+  /// Keeps the failure. Throws Differ.
+  [[noreturn]] void differs();
+  /// At the end: a test that failed without a difference leaves its stimulus and its wave.
+  void finish() noexcept;
+
+ private:
+  void keep() const;
+
+  const AnyBench& bench_;
+  std::vector<Field> fields_;
+  Stimulus stimulus_;
+  std::string name_;
+  int exceptions_ = std::uncaught_exceptions();
+  bool kept_ = false;
+};
+
+/// The one of `shape`, "W=4"; where that is "", the only one. InputError where there
+/// is none or there are several.
+std::size_t directed_choice(const std::vector<const AnyBench*>& benches, const std::string& design,
+                            const std::string& shape);
+
+template <class Design>
+class Directed {
+ public:
+  using Inputs = typename Design::template Inputs<Word>;
+  using Outputs = typename Design::template Outputs<Word>;
+  using State = typename Design::template State<Word>;
+  /// Sets pins before a clock; `last` are the outputs of the clock before.
+  using Driver = std::function<void(Inputs& in, const Outputs& last)>;
+  /// Looks at a clock.
+  using Monitor = std::function<void(const Inputs& in, const Outputs& out)>;
+
+  /// The design at a shape, "W=4", just cleared; "" where only one is built. Registers that no
+  /// reset reaches follow from power_up.
+  explicit Directed(const std::string& shape = "", std::uint32_t power_up = 1)
+      : Directed(chosen(shape), power_up) {}
+  explicit Directed(const Bench<Design>& bench, std::uint32_t power_up = 1)
+      : bench_(bench), record_(bench, power_up), lockstep_(bench.lockstep(power_up)) {}
+  ~Directed() { record_.finish(); }
+  Directed(const Directed&) = delete;
+  Directed& operator=(const Directed&) = delete;
+
+  /// The pins; each holds its value until it is given another. First at rest.
+  Inputs in = rest_of<Design>();
+
+  /// One clock; the outputs during it. Differ where RTL and model do, InputError for a value that
+  /// is not one of its pin and for inputs that the design says never come.
+  const Outputs& clock() {
+    for (const Driver& drive : drivers_) drive(in, out());
+    const auto words = to_words(in);
+    const IllegalClock illegal{record_.clocks(), broken_rule<Design>(bench_.params(), state(), in)};
+    illegal.refuse(bench_.title());
+    record_.clock({words.begin(), words.end()});
+    if (!lockstep_->clock(in)) record_.differs();
+    for (const Monitor& watch : monitors_) watch(in, out());
+    return out();
+  }
+  /// As many clocks; the outputs of the last.
+  const Outputs& clocks(std::uint64_t number) {
+    while (number-- > 0) clock();
+    return out();
+  }
+  /// Clocks until holds(outputs), at most `most`. Whether it held.
+  template <class Holds>
+  bool until(Holds holds, std::uint64_t most) {
+    while (most-- > 0) {
+      if (holds(clock())) return true;
+    }
+    return false;
+  }
+
+  /// The outputs of the last clock; all 0 before the first.
+  const Outputs& out() const { return lockstep_->expected().outputs; }
+  /// The state before the next clock.
+  const State& state() const { return lockstep_->state(); }
+
+  /// From now on calls `driver` before each clock, `monitor` after it: in the order they were
+  /// added.
+  void add(Driver driver) { drivers_.push_back(std::move(driver)); }
+  void watch(Monitor monitor) { monitors_.push_back(std::move(monitor)); }
+
+ private:
+  static const Bench<Design>& chosen(const std::string& shape) {
+    const auto all = benches_of<Design>();
+    return *all[directed_choice({all.begin(), all.end()}, Design::name, shape)];
+  }
+
+  const Bench<Design>& bench_;
+  DirectedRecord record_;
+  std::unique_ptr<AnyLockstep<Design>> lockstep_;
+  std::vector<Driver> drivers_;
+  std::vector<Monitor> monitors_;
+};
+
+}  // namespace cosim

@@ -1,0 +1,33 @@
+# cosim_add_gtest(TARGET PROGRAM program SOURCES file.cpp...)
+#
+# An executable of tests by hand, tb/bench/directed.h, in GoogleTest, on the designs of a program that
+# cosim_add_program() has made: nothing of them is compiled again. Each of its tests is a CTest test
+# with the label directed.
+function(cosim_add_gtest NAME)
+  cmake_parse_arguments(PARSE_ARGV 1 G "" "PROGRAM" "SOURCES")
+  set(what "cosim_add_gtest(${NAME})")
+  if(G_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "${what}: what is ${G_UNPARSED_ARGUMENTS}?")
+  endif()
+  foreach(needed PROGRAM SOURCES)
+    if(NOT G_${needed})
+      message(FATAL_ERROR "${what}: needs ${needed}")
+    endif()
+  endforeach()
+  if(NOT TARGET ${G_PROGRAM})
+    message(FATAL_ERROR "${what}: PROGRAM ${G_PROGRAM} is no program of cosim_add_program()")
+  endif()
+  cosim_files(sources "${what}: SOURCES" ${G_SOURCES})
+  find_package(GTest REQUIRED)
+  include(GoogleTest)
+  get_property(root GLOBAL PROPERTY COSIM_ROOT)
+  set(hook ${CMAKE_CURRENT_BINARY_DIR}/${NAME}_gtest.cpp)
+  configure_file(${root}/tb/bench/named_gtest.cpp.in ${hook} @ONLY)
+  add_executable(${NAME} ${sources} ${hook} $<TARGET_OBJECTS:${G_PROGRAM}>)
+  set_target_properties(${NAME} PROPERTIES UNITY_BUILD OFF)
+  target_compile_features(${NAME} PRIVATE cxx_std_20)
+  # Its main() comes before the program's.
+  get_target_property(libraries ${G_PROGRAM} LINK_LIBRARIES)
+  target_link_libraries(${NAME} PRIVATE GTest::gtest_main ${libraries})
+  gtest_discover_tests(${NAME} NO_PRETTY_VALUES PROPERTIES LABELS directed)
+endfunction()

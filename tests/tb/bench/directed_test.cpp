@@ -1,0 +1,184 @@
+// Tests by hand, on a counter whose RTL is its model, with and without a fault.
+#include "tb/bench/directed.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "model/core/input_error.h"
+#include "tb/bench/design_bench.h"
+#include "tb/support/process.h"
+#include "tb/support/read_file.h"
+
+namespace cosim::counted {
+
+struct Params {};
+
+#define COUNTED_INPUTS(FIELD)     \
+  FIELD(rst, 1, flag, "", "at 0") \
+  FIELD(by, 3, number, "", "a step")
+#define COUNTED_OUTPUTS(FIELD) FIELD(sum, 8, number, "", "the sum so far")
+#define COUNTED_STATE(FIELD) FIELD(total, 8, number, "", "the sum so far")
+COSIM_RECORDS(COUNTED, Params);
+
+template <class V>
+constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
+  return {{select(is_set(in.rst), V(0), wrap(s.total + in.by, 8))}, {s.total}};
+}
+
+struct Design {
+  COSIM_DESIGN(counted);
+  static constexpr const char* name = "counted";
+  static constexpr Inputs<Word> clear() { return {.rst = 1}; }
+};
+
+// Its sum is 1 more from `faulty` on.
+template <Word faulty>
+class Rtl {
+ public:
+  using Design = counted::Design;
+  static constexpr Params params{};
+
+  explicit Rtl(std::uint32_t) {}
+  void drive(const Inputs<Word>& in) { in_ = in; }
+  void eval(bool clk) {
+    if (clk && !clk_) state_ = next(params, state_, in_).state;
+    clk_ = clk;
+  }
+  Outputs<Word> outputs() const {
+    return {next(params, state_, in_).outputs.sum + (state_.total >= faulty ? 1 : 0)};
+  }
+  State<Word> registers() const { return state_; }
+
+ private:
+  State<Word> state_{};
+  Inputs<Word> in_{};
+  bool clk_ = false;
+};
+
+}  // namespace cosim::counted
+
+namespace cosim::counted {
+namespace {
+
+using In = Inputs<Word>;
+using Out = Outputs<Word>;
+
+const AdapterBench<Rtl<1000>> good;
+const AdapterBench<Rtl<20>> bad;
+
+TEST(Directed, DrivesClocksAndTells) {
+  Directed<Design> bench(good);
+  EXPECT_EQ(bench.out().sum, 0);
+  bench.in.by = 3;
+  EXPECT_EQ(bench.clocks(4).sum, 9);  // during the fourth clock
+  EXPECT_EQ(bench.state().total, 12);
+  bench.in.by = 0;
+  EXPECT_EQ(bench.clock().sum, 12);
+}
+
+TEST(Directed, ClocksUntilAtMost) {
+  Directed<Design> bench(good);
+  bench.in.by = 1;
+  EXPECT_TRUE(bench.until([](const Out& out) { return out.sum == 4; }, 5));
+  EXPECT_FALSE(bench.until([](const Out& out) { return out.sum == 9; }, 4));
+  EXPECT_EQ(bench.out().sum, 8);
+}
+
+TEST(Directed, CallsDriversBeforeAClockAndMonitorsAfter) {
+  Directed<Design> bench(good);
+  std::vector<Word> seen;
+  // The same step as the sum of the clock before, but not more than 4: 1 first.
+  bench.add([](In& in, const Out& last) { in.by = last.sum == 0 ? 1 : 4; });
+  bench.add([](In& in, const Out&) { in.by += 1; });
+  bench.watch([&](const In& in, const Out& out) {
+    seen.push_back(in.by);
+    seen.push_back(out.sum);
+  });
+  bench.clocks(3);
+  EXPECT_EQ(seen, (std::vector<Word>{2, 0, 2, 2, 5, 4}));
+}
+
+TEST(Directed, RefusesAValueThatItsPinCannotHave) {
+  Directed<Design> bench(good);
+  bench.in.by = 8;
+  try {
+    bench.clock();
+    FAIL() << "8 has four bits";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "counted: clock 0: by is to be 8, and has 3 bits");
+  }
+}
+
+TEST(Directed, RefusesAShapeThatIsNotBuilt) {
+  try {
+    const Directed<Design> bench("W=9");
+    FAIL() << "there is none";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "counted: no shape W=9; there is none");
+  }
+  EXPECT_EQ(directed_choice({&good}, "counted", ""), 0U);
+  EXPECT_THROW(directed_choice({&good, &bad}, "counted", ""), InputError);
+}
+
+class DirectedFailure : public testing::Test {
+ protected:
+  DirectedFailure() { setenv("COSIM_FAILURES", folder_.path().c_str(), 1); }
+  ~DirectedFailure() override {
+    if (before_.empty()) {
+      unsetenv("COSIM_FAILURES");
+    } else {
+      setenv("COSIM_FAILURES", before_.c_str(), 1);
+    }
+    present_test = nullptr;
+  }
+  std::string kept(const std::string& name) const { return (folder_.path() / name).string(); }
+
+ private:
+  Scratch folder_;
+  std::string before_ = std::getenv("COSIM_FAILURES") ? std::getenv("COSIM_FAILURES") : "";
+};
+
+TEST_F(DirectedFailure, ADifferenceIsThrownAndKept) {
+  present_test = [] { return PresentTest{"Sum.Grows", false}; };
+  Directed<Design> bench(bad);
+  bench.in.by = 7;
+  std::string text;
+  try {
+    bench.clocks(100);
+  } catch (const Differ& differ) {
+    text = differ.what();
+  }
+  // 21 on the fourth clock.
+  EXPECT_EQ(text.substr(0, text.find('\n')), "first difference: clock 3, sum");
+  EXPECT_NE(text.find("kept in: " + kept("counted-Sum.Grows")), std::string::npos) << text;
+  const std::string stimulus = read_file(kept("counted-Sum.Grows/stimulus.stim"));
+  EXPECT_NE(stimulus.find("origin Sum.Grows\n"), std::string::npos) << stimulus;
+  EXPECT_NE(stimulus.find("\n0-3 "), std::string::npos) << stimulus;
+  EXPECT_TRUE(std::filesystem::exists(kept("counted-Sum.Grows/smallest.stim")));
+}
+
+TEST_F(DirectedFailure, ATestThatFailsOtherwiseLeavesItsClocks) {
+  present_test = [] { return PresentTest{"Sum.IsSix", true}; };
+  testing::internal::CaptureStdout();
+  {
+    Directed<Design> bench(good);
+    bench.in.by = 5;
+    bench.clocks(2);
+  }
+  EXPECT_EQ(
+      testing::internal::GetCapturedStdout(),
+      "RTL and model are the same on all 2 clocks\nkept in: " + kept("counted-Sum.IsSix") + "\n");
+  EXPECT_TRUE(std::filesystem::exists(kept("counted-Sum.IsSix/stimulus.stim")));
+  EXPECT_TRUE(std::filesystem::exists(kept("counted-Sum.IsSix/wave.fst")));
+}
+
+TEST_F(DirectedFailure, ATestThatPassesLeavesNothing) {
+  present_test = [] { return PresentTest{"Sum.IsSeven", false}; };
+  { Directed<Design>(good).clocks(2); }
+  EXPECT_FALSE(std::filesystem::exists(kept("counted-Sum.IsSeven")));
+}
+
+}  // namespace
+}  // namespace cosim::counted

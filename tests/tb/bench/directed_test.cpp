@@ -27,6 +27,11 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
   return {{select(is_set(in.rst), V(0), wrap(s.total + in.by, 8))}, {s.total}};
 }
 
+template <class V>
+constexpr auto legal(const Params&, const State<V>&, const Inputs<V>& in) {
+  return std::array{Stated<V>{"by is not 6", !(in.by == V(6))}};
+}
+
 struct Design {
   COSIM_DESIGN(counted);
   static constexpr const char* name = "counted";
@@ -108,6 +113,20 @@ TEST(Directed, RefusesAValueThatItsPinCannotHave) {
     FAIL() << "8 has four bits";
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(), "counted: clock 0: by is to be 8, and has 3 bits");
+  }
+}
+
+TEST(Directed, RefusesInputsThatNeverCome) {
+  Directed<Design> bench(good);
+  bench.clock();
+  bench.in.by = 6;
+  try {
+    bench.clock();
+    FAIL() << "6 is never given";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "counted: clock 1: inputs that are assumed never to come; the rule is: by is not 6");
   }
 }
 

@@ -46,7 +46,8 @@ std::vector<Pair> pairs() {
 }
 
 TEST(Operations, AreBitByBit) {
-  for (const auto& [a, b] : pairs()) {
+  for (const Pair& pair : pairs()) {
+    const Word a = pair.a, b = pair.b;
     ASSERT_EQ(a & b, built([&](int i) { return at(a, i) && at(b, i); }));
     ASSERT_EQ(a | b, built([&](int i) { return at(a, i) || at(b, i); }));
     ASSERT_EQ(a ^ b, built([&](int i) { return at(a, i) != at(b, i); }));
@@ -66,7 +67,8 @@ TEST(Operations, AreBitByBit) {
 }
 
 TEST(Operations, ShiftByAValueAndLoseWhatIsOut) {
-  for (const auto& [a, b] : pairs()) {
+  for (const Pair& pair : pairs()) {
+    const Word a = pair.a, b = pair.b;
     for (const Word n : {b, low_bits(b, 6), low_bits(b, 7)}) {
       const bool out = n < 0 || n > 63;
       ASSERT_EQ(shift_left(a, n),
@@ -81,7 +83,8 @@ TEST(Operations, ShiftByAValueAndLoseWhatIsOut) {
 }
 
 TEST(Operations, CutAndJoin) {
-  for (const auto& [a, b] : pairs()) {
+  for (const Pair& pair : pairs()) {
+    const Word a = pair.a, b = pair.b;
     for (int low = 0; low < 64; low += 3) {
       for (int high = low; high < 64; high += 7) {
         ASSERT_EQ(slice(a, high, low),
@@ -95,7 +98,8 @@ TEST(Operations, CutAndJoin) {
 }
 
 TEST(Operations, WrapAndCompareWithoutASign) {
-  for (const auto& [a, b] : pairs()) {
+  for (const Pair& pair : pairs()) {
+    const Word a = pair.a, b = pair.b;
     const auto modulo = [](Number n) { return static_cast<Word>(static_cast<std::uint64_t>(n)); };
     ASSERT_EQ(add(a, b), modulo(Number{a} + b));
     ASSERT_EQ(subtract(a, b), modulo(Number{a} - b));
@@ -147,7 +151,8 @@ std::vector<V> results(const V& a, const V& b) {
 }
 
 TEST(Operations, OfStrictValuesAreThoseOfWords) {
-  for (const auto& [a, b] : pairs()) {
+  for (const Pair& pair : pairs()) {
+    const Word a = pair.a, b = pair.b;
     const auto expected = results<Word>(a, b);
     const auto strict = results<Strict>(Strict(a), Strict(b));
     for (std::size_t i = 0; i < expected.size(); ++i) {

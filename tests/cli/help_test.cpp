@@ -28,7 +28,7 @@ TEST(Help, FitsATerminal) {
 TEST(Help, NamesEveryOption) {
   const std::map<std::string, std::vector<std::string>> options = {
       {"list", {"--help"}},
-      {"new", {"NAME FILE..."}},
+      {"new", {"NAME FILE...", "--plain"}},
       {"examples", {"--help"}},
       {"replay",
        {"FILE", "--wave FILE.fst", "--failures DIR", "--wave-before N", "--wave-after N",

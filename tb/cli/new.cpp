@@ -267,7 +267,7 @@ void add_new(const Command& program) {
                     "The folder and the design; then its Verilog, whose ports, parameters and\n"
                     "registers become the model's tables. Without a file: a counter that passes");
   command.flag("--plain", o->plain,
-               "The model's step on machine integers alone, in any C++: nothing is proved of it");
+               "The model's step in any C++, on machine integers: nothing is proved of it");
   command.footer("Example: cosim new adder adder.v");
   command.action([o] { return run(*o); });
 }

@@ -37,9 +37,12 @@ constexpr auto registers_of(const Params& p, const State& s) {
     const auto fields = State::fields(p);
     for_each_member<State>([&](auto member, std::size_t i) {
       const Field& f = fields[i];
-      if (f.format == Format::twos_complement) codes.*member = low_bits(s.*member, f.width);
+      if (f.format == Format::twos_complement) {
+        for_each_value(codes.*member, [&](auto& value) { value = low_bits(value, f.width); });
+      }
       if (f.format == Format::ones_complement) {
-        codes.*member = to_ones_complement(s.*member, f.width);
+        for_each_value(codes.*member,
+                       [&](auto& value) { value = to_ones_complement(value, f.width); });
       }
     });
     return codes;
@@ -75,7 +78,7 @@ constexpr auto cleared_of() {
     return Design::template cleared<V>();
   } else {
     State s;
-    for_each_member<State>([&](auto member, std::size_t) { s.*member = V(0); });
+    for_each_cell<State>([&](auto cell, std::size_t) { cell(s) = V(0); });
     return s;
   }
 }

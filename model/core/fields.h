@@ -5,14 +5,34 @@
 //
 // `name` is the RTL's port or register; `width` in bits may use p, the design's parameters;
 // `format` is a name of Format, followed by with_fraction(n) if the lowest n bits are a fraction,
-// by at("PATH") if the RTL has it by another name or below the top module, and by unreset() if it
-// is a register that no reset reaches; `source` is the number of the pin or block in the source.
+// by at("PATH") if the RTL has it by another name, below the top module or as a slice of a net, and
+// by unreset() if it is a register that no reset reaches; `source` is the number of the pin or
+// block in the source.
+//
+// array<N>(n) makes it an array of n elements of `width` bits each, n <= N and n may use p:
+// the member is an Array<V, N>. In the RTL it is a memory, element i its word i, or a net whose
+// bits the elements fill from bit 0 up. words<N>() makes it one number of `width` bits in words of
+// 64, the last with what is left; `width` is at most 64 N.
+//
+//   FIELD(store, p.width, bits.array<16>(p.depth), "", "what waits")     reg [W-1:0] store [0:D-1]
+//   FIELD(line, 512, bits.words<8>(), "", "a line of the memory")        input [511:0] line
+//   FIELD(low, 4, bits.at("divider.count[3:0]"), "", "a slice of a net")
+//
+// Whoever is generic over records works on cells: a field that is no array, or an element of one. A
+// record has the cells of its arrays at their full size; those that a shape does not have are 0 and
+// have no width.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 
+#include "model/core/array.h"
+#include "model/core/input_error.h"
 #include "model/core/value.h"
 
 namespace cosim {
@@ -26,16 +46,34 @@ enum class Format {
   ones_complement,  ///< a signed number
 };
 
+/// A cell: a field, or an element of one that is an array.
 struct Field {
   const char* name;
-  int width;  ///< bits, 1 to 64
+  int width;  ///< bits, 1 to 64; 0: an element that this shape does not have
   Format format;
   const char* source;  ///< pin or block number, "" where the source has none
   const char* meaning;
   int fraction = 0;      ///< bits of a number after the binary point, 0 to 18
-  const char* net = "";  ///< where it is in the RTL: "count", or below the top, "fifo.count"
+  const char* net = "";  ///< where it is in the RTL: "count", or below the top, "fifo.count[3:0]"
   bool unreset = false;  ///< a clear leaves it as it is: the model takes its value from the RTL
+  int index = -1;        ///< of an element, from 0; -1: no array
+  int low = 0;           ///< of an element: its first bit where the elements fill a net
+  bool is_word = false;  ///< of an element: it is a word of one wide number
 };
+
+/// The name for a person and in files: "count", of an element "store[3]", of a word of a wide
+/// number "line[127:64]".
+inline std::string label(const Field& field) {
+  if (field.index < 0) return field.name;
+  std::string name = field.name;
+  name += '[';
+  if (field.is_word) {
+    name += std::to_string(field.low + field.width - 1) + ':' + std::to_string(field.low);
+  } else {
+    name += std::to_string(field.index);
+  }
+  return name + ']';
+}
 
 constexpr bool is_signed(const Field& field) {
   return field.format == Format::twos_complement || field.format == Format::ones_complement;
@@ -67,26 +105,119 @@ constexpr bool is_state(const Field& field, Word number) {
 /// The formats by the names that a table's rows use.
 namespace row {
 
+/// N: the most elements of an array; 0 for a field that is none.
+template <int N>
 struct Notation {
+  static constexpr int capacity = N;
+
   Format format;
   int fraction = 0;
   const char* net = nullptr;
   bool is_unreset = false;
-  constexpr Notation with_fraction(int bits) const { return {format, bits, net, is_unreset}; }
-  constexpr Notation at(const char* path) const { return {format, fraction, path, is_unreset}; }
-  constexpr Notation unreset() const { return {format, fraction, net, true}; }
-};
-inline constexpr Notation flag{Format::flag};
-inline constexpr Notation bits{Format::bits};
-inline constexpr Notation number{Format::number};
-inline constexpr Notation twos_complement{Format::twos_complement};
-inline constexpr Notation ones_complement{Format::ones_complement};
+  int count = N;          ///< elements of an array
+  bool is_split = false;  ///< the width is that of all elements together
 
-constexpr Field field(const char* name, int width, Notation notation, const char* source,
-                      const char* meaning, const char* net) {
-  if (notation.net != nullptr) net = notation.net;
-  return {
-      name, width, notation.format, source, meaning, notation.fraction, net, notation.is_unreset};
+  constexpr Notation with_fraction(int bits) const {
+    Notation n = *this;
+    n.fraction = bits;
+    return n;
+  }
+  constexpr Notation at(const char* path) const {
+    Notation n = *this;
+    n.net = path;
+    return n;
+  }
+  constexpr Notation unreset() const {
+    Notation n = *this;
+    n.is_unreset = true;
+    return n;
+  }
+  template <int M>
+  constexpr Notation<M> array(int elements = M) const {
+    return {format, fraction, net, is_unreset, elements, false};
+  }
+  template <int M>
+  constexpr Notation<M> words() const {
+    return {format, fraction, net, is_unreset, M, true};
+  }
+};
+inline constexpr Notation<0> flag{Format::flag};
+inline constexpr Notation<0> bits{Format::bits};
+inline constexpr Notation<0> number{Format::number};
+inline constexpr Notation<0> twos_complement{Format::twos_complement};
+inline constexpr Notation<0> ones_complement{Format::ones_complement};
+
+constexpr int word_width = 64;
+
+/// The member of a field: a value, or an array of them.
+template <class V, int N>
+using Member = std::conditional_t<N == 0, V, Array<V, std::max(N, 1)>>;
+
+/// How many cells a field has beside its first.
+constexpr std::size_t more_cells(int capacity) {
+  return capacity > 1 ? static_cast<std::size_t>(capacity - 1) : 0;
+}
+
+/// How many elements of an array of N a shape has.
+template <int N>
+constexpr int elements(const Notation<N>& n, int width) {
+  return n.is_split ? (width + word_width - 1) / word_width : n.count;
+}
+
+/// The field, or the cells of an array of N.
+template <int N>
+constexpr auto field(const char* name, int width, const Notation<N>& n, const char* source,
+                     const char* meaning, const char* net) {
+  const Field whole{
+      name,        width, n.format, source, meaning, n.fraction, n.net == nullptr ? net : n.net,
+      n.is_unreset};
+  if constexpr (N == 0) {
+    return whole;
+  } else {
+    if (n.is_split && n.format != Format::bits) {
+      throw InputError(std::string(name) + ": only bits can be words of a wide number");
+    }
+    const int present = elements(n, width);
+    if (present < 1 || present > N) {
+      throw InputError(std::string(name) + ": " + std::to_string(present) +
+                       " elements, and its array holds 1 to " + std::to_string(N));
+    }
+    std::array<Field, N> cells{};
+    for (int i = 0; i < N; ++i) {
+      Field& cell = cells[static_cast<std::size_t>(i)];
+      const int each = n.is_split ? std::min(word_width, width - word_width * i) : width;
+      cell = whole;
+      cell.width = i < present ? each : 0;
+      cell.index = i;
+      cell.is_word = n.is_split;
+      cell.low = i * (n.is_split ? word_width : width);
+    }
+    return cells;
+  }
+}
+
+/// All cells of a table, of what field() gives for each row.
+template <std::size_t Size, class... Rows>
+constexpr std::array<Field, Size> cells(const std::tuple<Rows...>& rows) {
+  std::array<Field, Size> all{};
+  std::size_t at = 0;
+  const auto add = [&](const auto& row) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(row)>, Field>) {
+      all[at++] = row;
+    } else {
+      for (const Field& cell : row) all[at++] = cell;
+    }
+  };
+  std::apply([&](const auto&... row) { (add(row), ...); }, rows);
+  return all;
+}
+
+/// Makes the elements that a shape does not have 0.
+template <class V, class N>
+constexpr void trim(V&, const N&, int) {}
+template <class V, int N>
+constexpr void trim(Array<V, N>& array, const Notation<N>& n, int width) {
+  for (int i = elements(n, width); i < N; ++i) array[i] = V(0);
 }
 
 }  // namespace row
@@ -97,15 +228,77 @@ struct Parameter {
   int value;
 };
 
-/// The fields of a record as an array of words, in the order of its table.
+/// The cells of a record as an array of words, in the order of its table.
 template <class Record>
 using Words = std::array<Word, Record::size>;
 
-/// Calls visit(member, i) for each field's pointer to member, in the order of the table.
+/// Calls visit(member, i) for each field's pointer to member, in the order of the table; i is the
+/// number of its first cell.
 template <class Record, class Visit>
 constexpr void for_each_member(Visit visit) {
-  [&]<std::size_t... I>(std::index_sequence<I...>) { (visit(Record::members()[I], I), ...); }
-  (std::make_index_sequence<Record::size>{});
+  [&]<std::size_t... I>(std::index_sequence<I...>) {
+    (visit(std::get<I>(Record::members()),
+           std::integral_constant<std::size_t, Record::first_cell(I)>::value),
+     ...);
+  }
+  (std::make_index_sequence<std::tuple_size_v<decltype(Record::members())>>{});
+}
+
+namespace detail {
+
+template <class V>
+inline constexpr int elements_of = 0;
+template <class V, int N>
+inline constexpr int elements_of<Array<V, N>> = N;
+
+template <class Pointer>
+struct MemberCell {
+  Pointer pointer;
+  template <class Record>
+  constexpr auto& operator()(Record& r) const {
+    return r.*pointer;
+  }
+};
+template <class Pointer>
+struct ElementCell {
+  Pointer pointer;
+  int index;
+  template <class Record>
+  constexpr auto& operator()(Record& r) const {
+    return (r.*pointer)[index];
+  }
+};
+
+template <class Record, class Pointer>
+inline constexpr int elements_at =
+    elements_of<std::remove_cvref_t<decltype(std::declval<Record&>().*std::declval<Pointer>())>>;
+
+}  // namespace detail
+
+/// Calls visit(cell, i) for each cell; cell(r) is the one of the record r.
+template <class Record, class Visit>
+constexpr void for_each_cell(Visit visit) {
+  for_each_member<Record>([&](auto member, std::size_t first) {
+    using Pointer = decltype(member);
+    constexpr int n = detail::elements_at<Record, Pointer>;
+    if constexpr (n == 0) {
+      visit(detail::MemberCell<Pointer>{member}, first);
+    } else {
+      for (int i = 0; i < n; ++i) {
+        visit(detail::ElementCell<Pointer>{member, i}, first + static_cast<std::size_t>(i));
+      }
+    }
+  });
+}
+
+/// Calls visit(value) for a member that is a value, and for each element of one that is an array.
+template <class V, class Visit>
+constexpr void for_each_value(V& member, Visit visit) {
+  visit(member);
+}
+template <class V, int N, class Visit>
+constexpr void for_each_value(Array<V, N>& member, Visit visit) {
+  for (V& value : member) visit(value);
 }
 
 /// a where c holds, else b, field by field.
@@ -120,22 +313,31 @@ constexpr Record select_record(C c, const Record& a, const Record& b) {
 template <class Record>
 constexpr Words<Record> to_words(const Record& r) {
   Words<Record> words{};
-  for_each_member<Record>([&](auto member, std::size_t i) { words[i] = r.*member; });
+  for_each_cell<Record>([&](auto cell, std::size_t i) { words[i] = cell(r); });
   return words;
 }
 
 template <class Record>
 constexpr Record from_words(const Words<Record>& words) {
   Record r;
-  for_each_member<Record>([&](auto member, std::size_t i) { r.*member = words[i]; });
+  for_each_cell<Record>([&](auto cell, std::size_t i) { cell(r) = words[i]; });
   return r;
 }
 
 }  // namespace cosim
 
-#define COSIM_MEMBER(name, width, format, source, meaning) V name{};
-#define COSIM_INDEX(name, width, format, source, meaning) index_##name,
+#define COSIM_CAPACITY(name, width, format, source, meaning) \
+  capacity_##name = decltype(::cosim::row::format)::capacity,
+#define COSIM_PLUS(name, width, format, source, meaning) +capacity_##name
+#define COSIM_MEMBER(name, width, format, source, meaning) \
+  ::cosim::row::Member<V, Table::capacity_##name> name{};
+#define COSIM_INDEX(name, width, format, source, meaning) \
+  index_##name,                                           \
+      final_index_##name = index_##name + ::cosim::row::more_cells(Table::capacity_##name),
+#define COSIM_FIRST(name, width, format, source, meaning) index_##name,
 #define COSIM_POINTER(name, width, format, source, meaning) &Self::name,
+#define COSIM_TRIM(name, width, format, source, meaning) \
+  ::cosim::row::trim(r.name, ::cosim::row::format, width);
 #define COSIM_FIELD(name, width, format, source, meaning) \
   ::cosim::row::field(#name, width, ::cosim::row::format, source, meaning, #name),
 #define COSIM_FIELD_Q(name, width, format, source, meaning) \
@@ -148,21 +350,43 @@ constexpr Record from_words(const Words<Record>& words) {
 /// The same of registers whose nets have the suffix _q in the RTL and not in the table.
 #define COSIM_REGISTERS(Record, TABLE, Params) COSIM_RECORD_OF(Record, TABLE, COSIM_FIELD_Q, Params)
 
-#define COSIM_RECORD_OF(Record, TABLE, ROW, Params)                                     \
-  template <class V>                                                                    \
-  struct Record {                                                                       \
-    TABLE(COSIM_MEMBER)                                                                 \
-    enum Index : std::size_t { TABLE(COSIM_INDEX) index_end };                          \
-    static constexpr std::size_t size = index_end;                                      \
-    static constexpr auto members() {                                                   \
-      using Self = Record;                                                              \
-      return std::array<V Self::*, size>{TABLE(COSIM_POINTER)};                         \
-    }                                                                                   \
-    static constexpr std::array<Field, size> fields([[maybe_unused]] const Params& p) { \
-      return {TABLE(ROW)};                                                              \
-    }                                                                                   \
-    /* No parameter may have the name of a field. */                                    \
-    friend Record select(Condition<V> when, const Record& then, const Record& other) {  \
-      return select_record(when, then, other);                                          \
-    }                                                                                   \
+#define COSIM_RECORD_OF(Record, TABLE, ROW, Params)                                            \
+  /* What follows from the rows' types, for which p need only be a name. */                    \
+  struct Record##Table {                                                                       \
+    [[maybe_unused]] static const Params p;                                                    \
+    enum Capacity : int { TABLE(COSIM_CAPACITY) sum = 0 TABLE(COSIM_PLUS) };                   \
+  };                                                                                           \
+  template <class V>                                                                           \
+  struct Record {                                                                              \
+    using Table = Record##Table;                                                               \
+    TABLE(COSIM_MEMBER)                                                                        \
+    enum Index : std::size_t { TABLE(COSIM_INDEX) index_end };                                 \
+    static constexpr std::size_t size = index_end; /* cells */                                 \
+    static constexpr bool has_arrays = Table::sum != 0;                                        \
+    static constexpr auto members() {                                                          \
+      using Self = Record;                                                                     \
+      if constexpr (has_arrays) {                                                              \
+        return std::tuple{TABLE(COSIM_POINTER)};                                               \
+      } else {                                                                                 \
+        return std::array<V Self::*, size>{TABLE(COSIM_POINTER)};                              \
+      }                                                                                        \
+    }                                                                                          \
+    static constexpr std::size_t first_cell(std::size_t member) {                              \
+      return std::array<std::size_t, size + 1>{TABLE(COSIM_FIRST) index_end}[member];          \
+    }                                                                                          \
+    static constexpr std::array<Field, size> fields([[maybe_unused]] const Params& p) {        \
+      if constexpr (has_arrays) {                                                              \
+        return ::cosim::row::cells<size>(std::tuple{TABLE(ROW)});                              \
+      } else {                                                                                 \
+        return {TABLE(ROW)};                                                                   \
+      }                                                                                        \
+    }                                                                                          \
+    /* Elements that a shape does not have become 0. */                                        \
+    static constexpr void trim([[maybe_unused]] const Params& p, [[maybe_unused]] Record& r) { \
+      TABLE(COSIM_TRIM)                                                                        \
+    }                                                                                          \
+    /* No parameter may have the name of a field. */                                           \
+    friend Record select(Condition<V> when, const Record& then, const Record& other) {         \
+      return select_record(when, then, other);                                                 \
+    }                                                                                          \
   }

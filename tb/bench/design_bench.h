@@ -90,7 +90,9 @@ class DesignBench : public Bench<Design> {
     const auto list = ViewOf<Design>::probes(dut_.params);
     return {list.begin(), list.end()};
   }
-  std::size_t registers() const override { return Design::template Registers<Word>::size; }
+  std::size_t registers() const override {
+    return fields<typename Design::template Registers<Word>>().size();
+  }
   std::vector<Word> rest() const override { return words(rest_of<Design>()); }
   std::vector<Word> cleared() const override { return words(cleared_of<Design, Word>()); }
   typename Design::Params params() const override { return dut_.params; }
@@ -193,13 +195,11 @@ class DesignBench : public Bench<Design> {
   }
   template <class Record>
   std::vector<Field> fields() const {
-    const auto list = Record::fields(dut_.params);
-    return {list.begin(), list.end()};
+    return Cells<Record>(dut_.params).fields();
   }
   template <class Record>
-  static std::vector<Word> words(const Record& record) {
-    const auto list = to_words(record);
-    return {list.begin(), list.end()};
+  std::vector<Word> words(const Record& record) const {
+    return Cells<Record>(dut_.params).words(record);
   }
 
   DutMaker<Design> dut_, instrumented_;

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "tb/bench/bench.h"
+#include "tb/lockstep/cells.h"
 #include "tb/support/show.h"
 
 namespace cosim {
@@ -17,33 +18,32 @@ class Table final : public Observer<Design> {
   using Outputs = typename Design::template Outputs<Word>;
 
  public:
-  explicit Table(const typename Design::Params& p)
-      : registers_(Registers::fields(p)), outputs_(Outputs::fields(p)) {
+  explicit Table(const typename Design::Params& p) : registers_(p), outputs_(p) {
     fmt::print("{:>6}", "clock");
-    const auto column = [](const Field& f) { fmt::print("  {:>{}}", f.name, width(f)); };
-    for (const Field& f : registers_) column(f);
-    for (const Field& f : outputs_) column(f);
+    const auto column = [](const Field& f) { fmt::print("  {:>{}}", label(f), width(f)); };
+    for (const Field& f : registers_.fields()) column(f);
+    for (const Field& f : outputs_.fields()) column(f);
     fmt::print("\n");
   }
 
   void clock(std::size_t, const Compared<Design>& seen) override {
     fmt::print("{:>6}", clock_++);
-    const auto cell = [](const Field& f, Word w) {
-      fmt::print("  {:>{}}", show_short(f, w), width(f));
+    const auto row = [](const auto& cells, const auto& record) {
+      const std::vector<Word> words = cells.words(record);
+      for (std::size_t i = 0; i < words.size(); ++i) {
+        const Field& f = cells.fields()[i];
+        fmt::print("  {:>{}}", show_short(f, words[i]), width(f));
+      }
     };
-    const auto registers = to_words(seen.registers);
-    const auto outputs = to_words(seen.outputs);
-    for (std::size_t i = 0; i < registers.size(); ++i) cell(registers_[i], registers[i]);
-    for (std::size_t i = 0; i < outputs.size(); ++i) cell(outputs_[i], outputs[i]);
+    row(registers_, seen.registers);
+    row(outputs_, seen.outputs);
     fmt::print("\n");
   }
 
  private:
-  static std::size_t width(const Field& f) {
-    return std::max(show_width(f), std::string_view(f.name).size());
-  }
-  std::array<Field, Registers::size> registers_;
-  std::array<Field, Outputs::size> outputs_;
+  static std::size_t width(const Field& f) { return std::max(show_width(f), label(f).size()); }
+  Cells<Registers> registers_;
+  Cells<Outputs> outputs_;
   std::uint64_t clock_ = 0;
 };
 

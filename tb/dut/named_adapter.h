@@ -2,10 +2,13 @@
 // found by its net when an instance is made. For a class Verilated with --vpi --public-flat-rw.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -15,10 +18,12 @@
 
 namespace cosim {
 
-/// Where the value of a net lies: 1, 2, 4 or 8 bytes, as its width needs.
+/// Where the value of a cell lies: in 1, 2, 4 or 8 bytes that hold nothing else, or in some bits of
+/// a wide net. One that the shape does not have lies nowhere, and is 0.
 struct Net {
   void* data = nullptr;
-  int bytes = 0;
+  int bytes = 0;           ///< 0: not whole bytes
+  int low = 0, width = 0;  ///< the bits, where it is not whole bytes
 
   Word get() const {
     switch (bytes) {
@@ -28,8 +33,10 @@ struct Net {
         return *static_cast<const std::uint16_t*>(data);
       case 4:
         return *static_cast<const std::uint32_t*>(data);
-      default:
+      case 8:
         return static_cast<Word>(*static_cast<const std::uint64_t*>(data));
+      default:
+        return width == 0 ? 0 : get_bits();
     }
   }
   void set(Word value) const {
@@ -43,10 +50,17 @@ struct Net {
       case 4:
         *static_cast<std::uint32_t*>(data) = static_cast<std::uint32_t>(value);
         break;
-      default:
+      case 8:
         *static_cast<std::uint64_t*>(data) = static_cast<std::uint64_t>(value);
+        break;
+      default:
+        if (width != 0) set_bits(value);
     }
   }
+
+ private:
+  Word get_bits() const;
+  void set_bits(Word value) const;
 };
 
 /// What a design says of its pins.
@@ -56,12 +70,14 @@ struct Ports {
   std::vector<Field> inputs, outputs;
 };
 
-/// The pins of the top module in the order of `ports`: inputs, then outputs, then the clock.
-/// InputError if a port of the RTL is in neither table, if one in a table is no such port, and if a
-/// width differs.
+/// The cells of the pins of the top module in the order of `ports`: inputs, then outputs, then the
+/// clock. InputError if a port of the RTL, or a bit of one, is in neither table, if one in a table
+/// is no such port, and if a width differs.
 std::vector<Net> find_ports(VerilatedContext& context, const Ports& ports);
-/// A register of the design. InputError if there is no net of that path and width.
-Net find_register(VerilatedContext& context, const std::string& title, const Field& field);
+/// The cells of the design's registers and memories. InputError if there is no net of that path and
+/// width.
+std::vector<Net> find_registers(VerilatedContext& context, const std::string& title,
+                                std::span<const Field> cells);
 
 /// `Trait` has Design, params, and the names of the shape and of the clock: title, clock.
 template <class Top, class Trait>
@@ -86,17 +102,25 @@ class NamedAdapter : public VerilatedInstance<Top> {
     for (std::size_t i = 0; i < out.size(); ++i) outputs_[i] = nets[in.size() + i];
     clock_ = nets.back();
     const auto held = Registers::fields(params);
-    for (std::size_t i = 0; i < held.size(); ++i) {
-      registers_[i] = find_register(this->context(), Trait::title, held[i]);
-    }
+    const auto registers = find_registers(this->context(), Trait::title, held);
+    std::copy(registers.begin(), registers.end(), registers_.begin());
   }
 
+  /// Sets a register's net before the first eval.
+  void load(const Field& field, Word value) {
+    const auto held = Registers::fields(params);
+    for (std::size_t i = 0; i < held.size(); ++i) {
+      if (held[i].index == field.index && std::string_view(held[i].name) == field.name) {
+        registers_[i].set(value);
+      }
+    }
+  }
   void eval(bool clk) {
     clock_.set(clk ? 1 : 0);
     this->top().eval();
   }
   void drive(const Inputs& in) {
-    for_each_member<Inputs>([&](auto member, std::size_t i) { inputs_[i].set(in.*member); });
+    for_each_cell<Inputs>([&](auto cell, std::size_t i) { inputs_[i].set(cell(in)); });
   }
   Outputs outputs() const { return read<Outputs>(outputs_); }
   Registers registers() const { return read<Registers>(registers_); }
@@ -105,7 +129,7 @@ class NamedAdapter : public VerilatedInstance<Top> {
   template <class Record>
   static Record read(const Nets<Record>& nets) {
     Record r;
-    for_each_member<Record>([&](auto member, std::size_t i) { r.*member = nets[i].get(); });
+    for_each_cell<Record>([&](auto cell, std::size_t i) { cell(r) = nets[i].get(); });
     return r;
   }
 

@@ -3,10 +3,12 @@
 #include <verilated_syms.h>
 
 #include <algorithm>
+#include <cstring>
 #include <map>
 
 #include "model/core/input_error.h"
 #include "tb/dut/named_adapter.h"
+#include "tb/support/place.h"
 
 namespace cosim {
 namespace {
@@ -17,9 +19,18 @@ const VerilatedScope* scope_of(VerilatedContext& context, const std::string& pat
   return found == all->end() ? nullptr : found->second;
 }
 
-int width_of(const VerilatedVar& var) { return var.dims() == 0 ? 1 : var.packed().elements(); }
+RtlNet found_net(const VerilatedVar& var) {
+  const int width = var.dims() == var.udims() ? 1 : var.packed().elements();
+  return {width, var.udims() == 0 ? 0 : var.unpacked().elements()};
+}
 
-Net net_of(const VerilatedVar& var) { return {var.datap(), static_cast<int>(var.entSize())}; }
+// Words of a memory lie one behind the other, in the order of their numbers.
+Net net_at(const VerilatedVar& var, const Place& place, int width) {
+  const auto each = static_cast<int>(var.entSize());
+  auto* data = static_cast<unsigned char*>(var.datap()) + std::max(place.word, 0) * each;
+  const bool whole = place.low == 0 && width == found_net(var).width && each <= 8;
+  return {data, whole ? each : 0, place.low, width};
+}
 
 [[noreturn]] void refuse(const std::string& title, const std::string& why) {
   throw InputError(title + ": " + why);
@@ -37,64 +48,154 @@ std::string top_of(VerilatedContext& context) {
   return "TOP";
 }
 
+// "g[1].part" as Verilator writes it: "g__BRA__1__KET__.part".
+std::string encoded(const std::string& path) {
+  std::string text;
+  for (const char c : path) {
+    if (c == '[') {
+      text += "__BRA__";
+    } else if (c == ']') {
+      text += "__KET__";
+    } else {
+      text += c;
+    }
+  }
+  return text;
+}
+
+// How many cells behind `row` the shape does not have.
+std::size_t absent_after(std::span<const Field> cells, std::span<const Field> row) {
+  const auto rest = cells.subspan(static_cast<std::size_t>(row.data() - cells.data()) + row.size());
+  return static_cast<std::size_t>(
+      std::find_if(rest.begin(), rest.end(), [](const Field& f) { return f.width != 0; }) -
+      rest.begin());
+}
+
+// What a report calls the net of a field.
+std::string named(const char* what, const Field& field) {
+  return fmt::format("{} {}", what, field.net);
+}
+
 }  // namespace
+
+// At most nine bytes hold the bits of a cell.
+Word Net::get_bits() const {
+  const auto* bytes = static_cast<const unsigned char*>(data);
+  const int first = low / 8, last = (low + width - 1) / 8;
+  std::uint64_t value = 0;
+  std::memcpy(&value, bytes + first, static_cast<std::size_t>(std::min(last - first + 1, 8)));
+  value >>= low % 8;
+  if (last - first == 8) value |= static_cast<std::uint64_t>(bytes[last]) << (64 - low % 8);
+  return low_bits(static_cast<Word>(value), width);
+}
+
+void Net::set_bits(Word value) const {
+  auto* bytes = static_cast<unsigned char*>(data);
+  for (int done = 0; done < width;) {
+    const int at = low + done, bit = at % 8, count = std::min(8 - bit, width - done);
+    const auto mask = static_cast<unsigned char>(ones(count) << bit);
+    const auto part = static_cast<unsigned char>(shift_right(value, done) << bit);
+    bytes[at / 8] = static_cast<unsigned char>((bytes[at / 8] & ~mask) | (part & mask));
+    done += count;
+  }
+}
 
 std::vector<Net> find_ports(VerilatedContext& context, const Ports& ports) {
   const VerilatedScope* scope = scope_of(context, pins);
   if (scope == nullptr || scope->varsp() == nullptr) {
     refuse(ports.title, "its class does not show its ports");
   }
-  std::map<std::string, const VerilatedVar*> left;
-  for (const auto& [name, var] : *scope->varsp()) left[name] = &var;
-
-  const auto take = [&](const char* what, const std::string& name, int width, int direction) {
-    const auto found = left.find(name);
-    if (found == left.end()) {
-      refuse(ports.title, fmt::format("{} {}: the RTL has no such port", what, name));
-    }
-    const VerilatedVar& var = *found->second;
-    if ((var.vldir() & VLVD_INOUT) != direction) {
-      refuse(ports.title, fmt::format("{} {}: in the RTL it is no {}", what, name, what));
-    }
-    if (width_of(var) != width) {
-      refuse(ports.title, fmt::format("{} {}: {} bits in the table, {} in the RTL", what, name,
-                                      width, width_of(var)));
-    }
-    const Net net = net_of(var);
-    left.erase(found);
-    return net;
+  struct Port {
+    const VerilatedVar* var;
+    std::vector<bool> taken;  // by bit
   };
+  std::map<std::string, Port> all;
+  for (const auto& [name, var] : *scope->varsp()) {
+    const RtlNet net = found_net(var);
+    const int bits = net.width * std::max(net.words, 1);
+    all[name] = {&var, std::vector<bool>(static_cast<std::size_t>(bits))};
+  }
+
   std::vector<Net> nets;
-  for (const Field& f : ports.inputs) nets.push_back(take("input", f.net, f.width, VLVD_IN));
-  for (const Field& f : ports.outputs) nets.push_back(take("output", f.net, f.width, VLVD_OUT));
-  nets.push_back(take("clock", ports.clock, 1, VLVD_IN));
-  if (!left.empty()) {
-    const bool in = (left.begin()->second->vldir() & VLVD_INOUT) == VLVD_IN;
-    refuse(ports.title, fmt::format("the RTL has an {} {} that no table names",
-                                    in ? "input" : "output", left.begin()->first));
+  const auto take = [&](const char* what, std::span<const Field> cells, int direction) {
+    const std::string path = net_path(cells.front().net).path;
+    const auto found = all.find(path);
+    if (found == all.end()) {
+      refuse(ports.title, fmt::format("{} {}: the RTL has no such port", what, path));
+    }
+    auto& [var, taken] = found->second;
+    if ((var->vldir() & VLVD_INOUT) != direction) {
+      refuse(ports.title, fmt::format("{} {}: in the RTL it is no {}", what, path, what));
+    }
+    const RtlNet net = found_net(*var);
+    const auto places =
+        places_in(net, cells, fmt::format("{}: {}", ports.title, named(what, cells.front())));
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      nets.push_back(net_at(*var, places[i], cells[i].width));
+      for (int bit = 0; bit < cells[i].width; ++bit) {
+        const int at = std::max(places[i].word, 0) * net.width + places[i].low + bit;
+        if (taken[static_cast<std::size_t>(at)]) {
+          refuse(ports.title, fmt::format("{} {}: two fields have bit {}", what, path, at));
+        }
+        taken[static_cast<std::size_t>(at)] = true;
+      }
+    }
+  };
+  const auto take_all = [&](const char* what, const std::vector<Field>& table, int direction) {
+    for (const auto& row : rows_of(table)) {
+      take(what, row, direction);
+      nets.resize(nets.size() + absent_after(table, row));
+    }
+  };
+  take_all("input", ports.inputs, VLVD_IN);
+  take_all("output", ports.outputs, VLVD_OUT);
+  const Field clock{ports.clock, 1, Format::flag, "", "", 0, ports.clock};
+  take("clock", {&clock, 1}, VLVD_IN);
+  for (const auto& [name, port] : all) {
+    const char* way = (port.var->vldir() & VLVD_INOUT) == VLVD_IN ? "input" : "output";
+    const auto open = std::find(port.taken.begin(), port.taken.end(), false);
+    if (open == port.taken.end()) continue;
+    if (std::find(port.taken.begin(), port.taken.end(), true) == port.taken.end()) {
+      refuse(ports.title, fmt::format("the RTL has an {} {} that no table names", way, name));
+    }
+    refuse(ports.title,
+           fmt::format("{} {}: no field has its bit {}", way, name, open - port.taken.begin()));
   }
   return nets;
 }
 
-Net find_register(VerilatedContext& context, const std::string& title, const Field& field) {
-  const std::string net = field.net;
-  const std::size_t dot = net.rfind('.');
-  std::string path = top_of(context);
-  if (dot != std::string::npos) path += '.' + net.substr(0, dot);
-  const VerilatedScope* scope = scope_of(context, path);
-  if (scope == nullptr || scope->varsp() == nullptr) {
-    refuse(title, fmt::format("register {}: the RTL has no instance {}", net, net.substr(0, dot)));
+std::vector<Net> find_registers(VerilatedContext& context, const std::string& title,
+                                std::span<const Field> cells) {
+  std::vector<Net> nets;
+  for (const auto& row : rows_of(cells)) {
+    const std::string net = net_path(row.front().net).path;
+    const std::size_t dot = net.rfind('.');
+    std::string path = top_of(context);
+    if (dot != std::string::npos) path += '.' + encoded(net.substr(0, dot));
+    const VerilatedScope* scope = scope_of(context, path);
+    if (scope == nullptr || scope->varsp() == nullptr) {
+      refuse(title,
+             fmt::format("register {}: the RTL has no instance {}", net, net.substr(0, dot)));
+    }
+    const std::string name = dot == std::string::npos ? net : net.substr(dot + 1);
+    const auto var = scope->varsp()->find(name.c_str());
+    if (var == scope->varsp()->end()) {
+      refuse(title, fmt::format("register {}: the RTL has no such net", net));
+    }
+    const std::string what = fmt::format("{}: {}", title, named("register", row.front()));
+    if (var->second.udims() > 1)
+      refuse(what, "in the RTL it is a memory of more dimensions than one");
+    if (var->second.udims() == 1 && var->second.unpacked().low() != 0) {
+      refuse(what,
+             fmt::format("in the RTL its first word is {}, not 0", var->second.unpacked().low()));
+    }
+    const auto places = places_in(found_net(var->second), row, what);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      nets.push_back(net_at(var->second, places[i], row[i].width));
+    }
+    nets.resize(nets.size() + absent_after(cells, row));
   }
-  const std::string name = dot == std::string::npos ? net : net.substr(dot + 1);
-  const auto var = scope->varsp()->find(name.c_str());
-  if (var == scope->varsp()->end() || var->second.udims() != 0) {
-    refuse(title, fmt::format("register {}: the RTL has no such net", net));
-  }
-  if (width_of(var->second) != field.width) {
-    refuse(title, fmt::format("register {}: {} bits in the table, {} in the RTL", net, field.width,
-                              width_of(var->second)));
-  }
-  return net_of(var->second);
+  return nets;
 }
 
 }  // namespace cosim

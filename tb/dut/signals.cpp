@@ -5,6 +5,7 @@
 #include <bit>
 #include <stdexcept>
 #include <string_view>
+#include <tuple>
 
 #include "tb/dut/adapter.h"
 
@@ -13,6 +14,9 @@ namespace {
 
 // Verilator's registers lie in memory with the lowest byte first only where the machine does so.
 static_assert(std::endian::native == std::endian::little);
+
+// A wave shows no more words of a memory of the RTL.
+constexpr int most_words = 256;
 
 // "TOP.uart.fifo.g__BRA__1__KET__" as {"uart", "fifo", "g[1]"}.
 std::vector<std::string> scope_of(std::string path) {
@@ -42,14 +46,25 @@ std::vector<Signal> signals_of(VerilatedContext& context) {
     // The model's own scope has the pins a second time.
     if (scope->varsp() == nullptr || (names.size() == 1 && names.front() == "TOP")) continue;
     for (const auto& [name, var] : *scope->varsp()) {
-      if (var.udims() != 0) continue;
-      const int width = var.dims() == 0 ? 1 : var.packed().elements();
-      signals.push_back({names, name, width, static_cast<const unsigned char*>(var.datap())});
+      if (var.udims() > 1) continue;
+      const int width = var.dims() == var.udims() ? 1 : var.packed().elements();
+      const auto* bytes = static_cast<const unsigned char*>(var.datap());
+      if (var.udims() == 0) {
+        signals.push_back({names, name, width, bytes});
+        continue;
+      }
+      const int words = std::min(var.unpacked().elements(), most_words);
+      for (int i = 0; i < words; ++i, bytes += var.entSize()) {
+        const int number = var.unpacked().low() + i;
+        signals.push_back(
+            {names, name + std::string("[") + std::to_string(number) + ']', width, bytes, number});
+      }
     }
   }
   // A module's own signals stand before those of its instances.
   std::sort(signals.begin(), signals.end(), [](const Signal& a, const Signal& b) {
-    return a.scope != b.scope ? a.scope < b.scope : a.name < b.name;
+    const auto memory = [](const Signal& s) { return s.name.substr(0, s.name.find('[')); };
+    return std::tuple(a.scope, memory(a), a.word) < std::tuple(b.scope, memory(b), b.word);
   });
   return signals;
 }

@@ -34,7 +34,7 @@ struct Compared {
 template <class Record>
 constexpr Word difference(const Record& a, const Record& b) {
   Word bits = 0;
-  for_each_member<Record>([&](auto member, std::size_t) { bits |= a.*member ^ b.*member; });
+  for_each_cell<Record>([&](auto cell, std::size_t) { bits |= cell(a) ^ cell(b); });
   return bits;
 }
 
@@ -43,17 +43,18 @@ template <class Record, class Design>
 constexpr Word difference(const Record& a, const Record& b, const Meant<Design>& meant,
                           std::size_t first) {
   Word bits = 0;
-  for_each_member<Record>([&](auto member, std::size_t i) {
-    if (meant[first + i]) bits |= a.*member ^ b.*member;
+  for_each_cell<Record>([&](auto cell, std::size_t i) {
+    if (meant[first + i]) bits |= cell(a) ^ cell(b);
   });
   return bits;
 }
 
-/// Copies field by field.
+/// Copies field by field, but nothing that the shape has not.
 /// A wider load would stall, because the fields have just been stored one by one.
-template <class Record>
-constexpr void copy_fields(Record& to, const Record& from) {
+template <class Record, class Params>
+constexpr void copy_fields(const Params& p, Record& to, const Record& from) {
   for_each_member<Record>([&](auto member, std::size_t) { to.*member = from.*member; });
+  if constexpr (Record::has_arrays) Record::trim(p, to);
 }
 
 /// `Adapter`: dut.h.
@@ -79,7 +80,9 @@ class Lockstep {
       : dut_(power_up), state_(state), meant_(dut_.params) {
     const auto fields = Design::template Registers<Word>::fields(dut_.params);
     const auto words = to_words(Design::registers(dut_.params, state));
-    for (std::size_t i = 0; i < fields.size(); ++i) dut_.load(fields[i], words[i]);
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      if (fields[i].width != 0) dut_.load(fields[i], words[i]);
+    }
   }
 
   /// One clock: drives, settles, compares, then the rising edge. False where anything differs; the
@@ -90,12 +93,12 @@ class Lockstep {
   COSIM_FLATTEN bool clock(const Inputs& in, Sample&& sample) {
     dut_.drive(in);
     dut_.eval(false);
-    copy_fields(expected_.registers, Design::registers(dut_.params, state_));
+    copy_fields(dut_.params, expected_.registers, Design::registers(dut_.params, state_));
     Word bits = 0;
     if constexpr (!Meant<Design>::any) bits = difference(expected_.registers, dut_.registers());
     const auto step = Design::next(dut_.params, state_, in);
     coverage::count<Adapter>(state_, in, step);
-    copy_fields(expected_.outputs, step.outputs);
+    copy_fields(dut_.params, expected_.outputs, step.outputs);
     if constexpr (Meant<Design>::any) {
       meant_.clock(dut_.params, state_, in, step.outputs);
       bits = difference(expected_.registers, dut_.registers(), meant_, 0) |
@@ -104,7 +107,7 @@ class Lockstep {
       bits |= difference(expected_.outputs, dut_.outputs());
     }
     sample(std::as_const(expected_), read());
-    copy_fields(state_, step.state);
+    copy_fields(dut_.params, state_, step.state);
     dut_.eval(true);
     return bits == 0;
   }
@@ -129,8 +132,10 @@ class Lockstep {
       dut_.eval(false);
       const auto fields = State::fields(dut_.params);
       const State held = dut_.registers();
-      for_each_member<State>([&](auto member, std::size_t i) {
-        if (fields[i].unreset) state_.*member = units_of(fields[i], held.*member);
+      for_each_cell<State>([&](auto cell, std::size_t i) {
+        if (fields[i].unreset && fields[i].width != 0) {
+          cell(state_) = units_of(fields[i], cell(held));
+        }
       });
     }
   }

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "tb/support/show.h"
 
@@ -21,6 +22,12 @@ const char* letter(Trace::Kind kind) {
       return "out";
   }
   return "";
+}
+
+// A word of a memory that keeps its value: of hundreds only few are written.
+bool is_element_at_rest(const Trace& t) {
+  return t.field.index >= 0 && std::adjacent_find(t.expected.begin(), t.expected.end(),
+                                                  std::not_equal_to<>()) == t.expected.end();
 }
 
 }  // namespace
@@ -42,11 +49,17 @@ std::string to_text(const Mismatch& m) {
     const std::uint64_t at = m.first + c;
     rows[0].cells.push_back(at == m.clock ? fmt::format(">{}", at) : fmt::format("{}", at));
   }
+  std::size_t left_out = 0;
   for (const Trace& t : m.traces) {
     bool same = true;
     for (std::size_t c = 0; c < clocks; ++c) same = same && !t.differs(c);
-    Row expected{fmt::format("{} {}{}", letter(t.kind), t.field.name, same ? "" : " expected"), {}};
-    Row actual{same ? "" : fmt::format("{} {} actual", letter(t.kind), t.field.name), {}};
+    if (same && t.kind != Trace::Kind::input && is_element_at_rest(t)) {
+      ++left_out;
+      continue;
+    }
+    Row expected{fmt::format("{} {}{}", letter(t.kind), label(t.field), same ? "" : " expected"),
+                 {}};
+    Row actual{same ? "" : fmt::format("{} {} actual", letter(t.kind), label(t.field)), {}};
     for (std::size_t c = 0; c < clocks; ++c) {
       expected.cells.push_back(t.compared(c) ? show_short(t.field, t.expected[c]) : "-");
       actual.cells.push_back(show_short(t.field, t.actual[c]) + (t.differs(c) ? "!" : ""));
@@ -74,6 +87,9 @@ std::string to_text(const Mismatch& m) {
       }
       text += '\n';
     }
+  }
+  if (left_out != 0) {
+    text += fmt::format("  left out: {} elements of arrays that do not change here\n", left_out);
   }
   return text;
 }

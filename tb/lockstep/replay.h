@@ -21,11 +21,12 @@ class Rows {
  public:
   using Inputs = typename Design::template Inputs<Word>;
 
-  explicit Rows(const Stimulus& stimulus) : left_(stimulus.clocks) {}
+  Rows(const typename Design::Params& p, const Stimulus& stimulus)
+      : cells_(p), left_(stimulus.clocks) {}
 
   bool next(Inputs& in, const typename Design::template Outputs<Word>&) {
     if (left_.empty()) return false;
-    in = record_of<Inputs>(left_.front());
+    in = cells_.record(left_.front());
     left_ = left_.subspan(1);
     ++clock_;
     return true;
@@ -40,15 +41,8 @@ class Rows {
   /// Whether it ended so.
   const IllegalClock& illegal() const { return illegal_; }
 
-  /// A record from the words of its fields.
-  template <class Record>
-  static Record record_of(const std::vector<Word>& words) {
-    Words<Record> array;
-    std::copy_n(words.begin(), array.size(), array.begin());
-    return from_words<Record>(array);
-  }
-
  private:
+  Cells<Inputs> cells_;
   std::span<const std::vector<Word>> left_;
   std::uint64_t clock_ = 0;
   IllegalClock illegal_;
@@ -62,8 +56,7 @@ std::unique_ptr<AnyLockstep<Design>> started(const DutMaker<Design>& maker, cons
   if (s.state && !maker.can_load) throw InputError(s.machine + " cannot start from a state");
   const typename AnyAdapter<Design>::PowerUp start{maker, s.power_up};
   if (!s.state) return std::make_unique<AnyLockstep<Design>>(start);
-  return std::make_unique<AnyLockstep<Design>>(start,
-                                               Rows<Design>::template record_of<State>(*s.state));
+  return std::make_unique<AnyLockstep<Design>>(start, Cells<State>(maker.params).record(*s.state));
 }
 
 /// What came of a stimulus.
@@ -76,7 +69,7 @@ struct Ran {
 template <class Design>
 Ran ran(const DutMaker<Design>& maker, const Stimulus& s) {
   const auto lockstep = started(maker, s);
-  Rows<Design> rows(s);
+  Rows<Design> rows(maker.params, s);
   std::uint64_t clocks = 0;
   if (clock_through(*lockstep, rows, clocks, [](const auto&, const auto&) {})) {
     return {{}, rows.illegal(), lockstep->meant().left_out()};
@@ -104,7 +97,7 @@ Run replayed(const DutMaker<Design>& maker, const Stimulus& s, Window window) {
   if (const auto clock = came.differs) {
     result.clocks = *clock + 1;
     const auto again = started(maker, s);
-    result.mismatch = examine(*again, Rows<Design>(s), *clock, window);
+    result.mismatch = examine(*again, Rows<Design>(maker.params, s), *clock, window);
     result.mismatch->stimulus = s;
   }
   return result;
@@ -117,14 +110,15 @@ Stimulus recorded(const typename Design::Params& p, Source source, std::uint32_t
                   std::uint64_t clocks) {
   Stimulus stimulus;
   stimulus.power_up = power_up;
+  const Cells<typename Design::template Inputs<Word>> inputs(p);
   auto state = cleared_of<Design, Word>();
   typename Design::template Inputs<Word> in;
   typename Design::template Outputs<Word> out{};
   while (stimulus.clocks.size() < clocks && next_inputs<Design>(source, p, state, in, out)) {
-    detail::add_inputs(stimulus, in);
+    stimulus.clocks.push_back(inputs.words(in));
     const auto step = Design::next(p, state, in);
     out = step.outputs;
-    state = step.state;
+    copy_fields(p, state, step.state);
   }
   return stimulus;
 }

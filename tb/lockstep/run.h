@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tb/dut/dut.h"
+#include "tb/lockstep/cells.h"
 #include "tb/lockstep/lockstep.h"
 #include "tb/lockstep/mismatch.h"
 #include "tb/stimulus/legal.h"
@@ -28,34 +29,28 @@ using AnyLockstep = Lockstep<AnyAdapter<Design>>;
 
 namespace detail {
 
-template <class Record, class Params>
-void add_traces(Mismatch& m, Trace::Kind kind, const Params& p) {
-  for (const Field& f : Record::fields(p)) m.traces.push_back({f, kind, {}, {}});
+template <class Record>
+void add_traces(Mismatch& m, Trace::Kind kind, const Cells<Record>& cells) {
+  for (const Field& f : cells.fields()) m.traces.push_back({f, kind, {}, {}});
 }
 
-// is_compared(i) says it of the record's field i.
+// is_compared(i) says it of the record's cell i.
 template <class Record, class IsCompared>
-void add_clock(Mismatch& m, std::size_t& at, const Record& expected, const Record& actual,
-               IsCompared is_compared) {
-  const Words<Record> e = to_words(expected);
-  const Words<Record> a = to_words(actual);
-  for (std::size_t i = 0; i < Record::size; ++i, ++at) {
+void add_clock(Mismatch& m, std::size_t& at, const Cells<Record>& cells, const Record& expected,
+               const Record& actual, IsCompared is_compared) {
+  const std::vector<Word> e = cells.words(expected);
+  const std::vector<Word> a = cells.words(actual);
+  for (std::size_t i = 0; i < e.size(); ++i, ++at) {
     m.traces[at].expected.push_back(e[i]);
     m.traces[at].actual.push_back(a[i]);
     m.traces[at].left_out.push_back(!is_compared(i));
     if (m.traces[at].differs(m.traces[at].actual.size() - 1) && m.signal.empty()) {
-      m.signal = m.traces[at].field.name;
+      m.signal = label_of(m.traces[at].field);
       m.field = m.traces[at].field;
       m.expected = e[i];
       m.actual = a[i];
     }
   }
-}
-
-template <class Inputs>
-void add_inputs(Stimulus& stimulus, const Inputs& in) {
-  const auto words = to_words(in);
-  stimulus.clocks.emplace_back(words.begin(), words.end());
 }
 
 }  // namespace detail
@@ -73,30 +68,33 @@ Mismatch examine(AnyLockstep<Design>& lockstep, Source source, std::uint64_t clo
   Mismatch m;
   m.clock = clock;
   m.first = clock > window.before ? clock - window.before : 0;
-  detail::add_traces<typename Design::template Inputs<Word>>(m, Trace::Kind::input, p);
-  detail::add_traces<typename Design::template Registers<Word>>(m, Trace::Kind::reg, p);
-  detail::add_traces<typename Design::template Outputs<Word>>(m, Trace::Kind::output, p);
+  const Cells<typename Design::template Inputs<Word>> inputs(p);
+  const Cells<typename Design::template Registers<Word>> registers(p);
+  const Cells<typename Design::template Outputs<Word>> outputs(p);
+  detail::add_traces(m, Trace::Kind::input, inputs);
+  detail::add_traces(m, Trace::Kind::reg, registers);
+  detail::add_traces(m, Trace::Kind::output, outputs);
 
   const std::uint64_t kept = clock > most_kept ? clock - most_kept : 0;
   typename Design::template Inputs<Word> in;
   for (std::uint64_t c = 0; c <= clock + Mismatch::clocks_behind; ++c) {
     if (c == kept && c != 0) {
-      const auto state = to_words(lockstep.state());
-      m.stimulus.state.emplace(state.begin(), state.end());
+      m.stimulus.state = Cells<typename Design::template State<Word>>(p).words(lockstep.state());
     }
     if (!next_inputs<Design>(source, p, lockstep.state(), in, lockstep.expected().outputs)) break;
     Compared<Design> actual;
     lockstep.clock(in, [&](const auto&, const auto& rtl) { actual = rtl; });
-    if (c >= kept) detail::add_inputs(m.stimulus, in);
+    if (c >= kept) m.stimulus.clocks.push_back(inputs.words(in));
     if (c < m.first || c > clock + window.after) continue;
     const Compared<Design>& expected = lockstep.expected();
     const auto& meant = lockstep.meant();
     std::size_t at = 0;
-    detail::add_clock(m, at, in, in, [](std::size_t) { return true; });
-    detail::add_clock(m, at, expected.registers, actual.registers,
-                      [&](std::size_t i) { return meant[i]; });
-    detail::add_clock(m, at, expected.outputs, actual.outputs,
-                      [&](std::size_t i) { return meant[expected.registers.size + i]; });
+    detail::add_clock(m, at, inputs, in, in, [](std::size_t) { return true; });
+    detail::add_clock(m, at, registers, expected.registers, actual.registers,
+                      [&](std::size_t i) { return meant.of_cell(i); });
+    detail::add_clock(m, at, outputs, expected.outputs, actual.outputs, [&](std::size_t i) {
+      return meant.of_cell(registers.fields().size() + i);
+    });
   }
   return m;
 }

@@ -56,18 +56,23 @@ struct MachineFormula {
 
 namespace detail {
 
+/// The name of a cell in a script: "store.3" of an element.
+inline std::string term(const Field& f) {
+  return f.index < 0 ? std::string(f.name) : std::string(f.name) + '.' + std::to_string(f.index);
+}
 inline Expression symbol(const char* kind, const Field& f) {
-  return {std::string(kind) + '.' + f.name, bit_vector(f.width)};
+  return {std::string(kind) + '.' + term(f), bit_vector(f.width)};
 }
 
 /// A record of free symbols. A state's signed field is a number, an input's is a code.
 template <class Record, class Fields>
 Record symbols(const char* kind, const Fields& fields, bool codes) {
   Record r;
-  for_each_member<Record>([&](auto member, std::size_t i) {
+  for_each_cell<Record>([&](auto cell, std::size_t i) {
+    if (fields[i].width == 0) return;
     const Expression e = symbol(kind, fields[i]);
-    r.*member = is_signed(fields[i]) && !codes ? Bits::signed_code(e, fields[i].width)
-                                               : Bits::unsigned_code(e, fields[i].width);
+    cell(r) = is_signed(fields[i]) && !codes ? Bits::signed_code(e, fields[i].width)
+                                             : Bits::unsigned_code(e, fields[i].width);
   });
   return r;
 }
@@ -75,8 +80,8 @@ Record symbols(const char* kind, const Fields& fields, bool codes) {
 template <class Record, class Fields>
 std::vector<Wire> wires(const Record& r, const Fields& fields) {
   std::vector<Wire> all;
-  for_each_member<Record>([&](auto member, std::size_t i) {
-    all.push_back({fields[i], (r.*member).code(fields[i].width)});
+  for_each_cell<Record>([&](auto cell, std::size_t i) {
+    if (fields[i].width != 0) all.push_back({fields[i], cell(r).code(fields[i].width)});
   });
   return all;
 }
@@ -85,8 +90,9 @@ std::vector<Wire> wires(const Record& r, const Fields& fields) {
 template <class Record, class Fields>
 Truth in_range(const Record& r, const Fields& fields) {
   Truth all = true;
-  for_each_member<Record>([&](auto member, std::size_t i) {
-    const Bits& v = r.*member;
+  for_each_cell<Record>([&](auto cell, std::size_t i) {
+    if (fields[i].width == 0) return;
+    const Bits& v = cell(r);
     if (is_signed(fields[i])) {
       const Bits most(ones(fields[i].width - 1));
       const bool one_more_below = fields[i].format == Format::twos_complement;
@@ -156,12 +162,17 @@ MachineFormula formula(const typename Design::Params& p) {
   m.design = Design::name;
   const auto parameters = parameters_of<Design>(p);
   m.parameters.assign(parameters.begin(), parameters.end());
-  for (const Field& f : input_fields) m.inputs.push_back({f, detail::symbol("in", f)});
-  for (const Field& f : state_fields) m.state.push_back({f, detail::symbol("state", f)});
+  for (const Field& f : input_fields) {
+    if (f.width != 0) m.inputs.push_back({f, detail::symbol("in", f)});
+  }
+  for (const Field& f : state_fields) {
+    if (f.width != 0) m.state.push_back({f, detail::symbol("state", f)});
+  }
   const auto s = detail::symbols<State>("state", state_fields, false);
   const auto in = detail::symbols<Inputs>("in", input_fields, true);
 
-  const auto step = Design::next(p, s, in);
+  auto step = Design::next(p, s, in);
+  State::trim(p, step.state);
   m.invariant = detail::whole_invariant<Design>(p, s);
   m.invariant_after = detail::whole_invariant<Design>(p, step.state);
   m.reached = detail::whole_reached<Design>(p, s);
@@ -195,8 +206,8 @@ MachineFormula formula(const typename Design::Params& p) {
   }
 
   auto cleared = cleared_of<Design, Bits>();
-  for_each_member<State>([&](auto member, std::size_t i) {
-    if (state_fields[i].unreset) cleared.*member = s.*member;
+  for_each_cell<State>([&](auto cell, std::size_t i) {
+    if (state_fields[i].unreset) cell(cleared) = cell(s);
   });
   m.cleared = detail::registers_in<Design>(p, cleared);
   m.invariant_cleared = detail::whole_invariant<Design>(p, cleared);
@@ -204,7 +215,7 @@ MachineFormula formula(const typename Design::Params& p) {
   const auto clear = to_words(Design::clear());
   const auto rest = to_words(rest_of<Design>());
   for (std::size_t i = 0; i < input_fields.size(); ++i) {
-    if (clear[i] == rest[i]) continue;
+    if (clear[i] == rest[i] || input_fields[i].width == 0) continue;
     m.clearing.push_back({input_fields[i], Bits(clear[i]).code(input_fields[i].width)});
   }
   return m;

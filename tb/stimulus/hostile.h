@@ -27,7 +27,8 @@ struct HostileCase {
 /// Each pin leaves its resting level with a probability of its own, 1 to 2^-10, drawn anew every
 /// few hundred clocks: so that some stretches reset on every clock and in others a line or an arc
 /// runs long enough to be disturbed. In half of the stretches the design's reset is never asked
-/// for. Wide pins take corner values, and may hold them for a stretch.
+/// for. Wide pins take corner values, and may hold them for a stretch; so do arrays, each element
+/// and the whole.
 template <class Design>
 class HostileStimulus {
  public:
@@ -72,14 +73,7 @@ class HostileStimulus {
 
   void draw(Inputs& in) {
     in = rest_;
-    for_each_member<Inputs>([&](auto member, std::size_t i) {
-      if (fields_[i].width > 1) {
-        if (happens(i)) held_.*member = random_.corner(range(fields_[i]));
-        in.*member = held_.*member;
-      } else if (happens(i)) {
-        in.*member = 1 - rest_.*member;
-      }
-    });
+    for_each_member<Inputs>([&](auto member, std::size_t i) { draw_pin(in.*member, member, i); });
   }
 
   static void mend(const Params& p, const State& s, Inputs& in) {
@@ -100,6 +94,33 @@ class HostileStimulus {
     }
   }
 
+  void draw_pin(Word& pin, Word Inputs::*member, std::size_t i) {
+    if (fields_[i].width > 1) {
+      if (happens(i)) held_.*member = random_.corner(range(fields_[i]));
+      pin = held_.*member;
+    } else if (happens(i)) {
+      pin = 1 - rest_.*member;
+    }
+  }
+  /// An array takes corners as a whole, all 0 or all 1, or in each element; or one element changes.
+  template <int N>
+  void draw_pin(Array<Word, N>& pins, Array<Word, N> Inputs::*member, std::size_t first) {
+    if (happens(first)) {
+      const Field* fields = &fields_[first];
+      const std::uint64_t how = random_.below(8);
+      const auto one = static_cast<int>(random_.below(N));
+      for (int k = 0; k < N && fields[k].width != 0; ++k) {
+        Word& pin = (held_.*member)[k];
+        if (how < 2) {
+          pin = how == 0 ? 0 : ones(fields[k].width);
+        } else if (how > 3 || k == one) {
+          pin = random_.corner(range(fields[k]));
+        }
+      }
+    }
+    pins = held_.*member;
+  }
+
   /// The bits that a value is drawn from: half of a signed field's values are >= 0, for the ends of
   /// the numbers that it counts up and down through are not those of its codes.
   int range(const Field& field) {
@@ -108,12 +129,18 @@ class HostileStimulus {
 
   bool happens(std::size_t i) { return rarity_[i] != never && random_.one_in_power(rarity_[i]); }
 
+  static bool same(Word a, Word b) { return a == b; }
+  template <int N>
+  static bool same(const Array<Word, N>& a, const Array<Word, N>& b) {
+    return a.elements == b.elements;
+  }
+
   void redraw() {
     const bool quiet = random_.one_in_power(1);
     const Inputs clear = Design::clear();
     for_each_member<Inputs>([&](auto member, std::size_t i) {
       rarity_[i] = static_cast<int>(random_.below(11));
-      if (quiet && clear.*member != rest_.*member) rarity_[i] = never;
+      if (quiet && !same(clear.*member, rest_.*member)) rarity_[i] = never;
     });
   }
 

@@ -20,7 +20,7 @@ constexpr const char* first_line = "cosim stimulus 1";
 constexpr std::uint64_t most_clocks = 1'100'000;
 static_assert(most_clocks > most_kept + Mismatch::clocks_behind);
 // More than any machine has inputs.
-constexpr std::size_t most_words = 1000;
+constexpr std::size_t most_words = 10'000;
 
 // The words before a #, the first `most_words` of them and one more.
 std::vector<std::string_view> words_of(std::string_view line) {
@@ -147,7 +147,7 @@ class Parser {
       }
       const std::string_view name = words_[w].substr(0, equals);
       const auto field = std::find_if(fields.begin(), fields.end(),
-                                      [&](const Field& f) { return f.name == name; });
+                                      [&](const Field& f) { return label(f) == name; });
       if (field == fields.end()) {
         fail(fmt::format("{} has no state {}", replay_.stimulus.machine, in_quotes(name)));
       }
@@ -158,11 +158,10 @@ class Parser {
   }
 
   static std::optional<Word> parse_state(const Field& field, std::string_view text) {
-    const bool negative = text.starts_with('-');
-    const auto size = number(negative ? text.substr(1) : text);
-    if (!size) return {};
-    const Word value = negative ? -static_cast<Word>(*size) : static_cast<Word>(*size);
-    if (!is_state(field, value)) return {};
+    Word value = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc() || stop != end || !is_state(field, value)) return {};
     return value;
   }
 
@@ -173,7 +172,7 @@ class Parser {
         fail(fmt::format("{} is given twice", in_quotes(words_[w])));
       }
       const auto field = std::find_if(inputs_.begin(), inputs_.end(),
-                                      [&](const Field& f) { return f.name == words_[w]; });
+                                      [&](const Field& f) { return label(f) == words_[w]; });
       if (field == inputs_.end()) {
         fail(fmt::format("{} has no input {}", replay_.stimulus.machine, in_quotes(words_[w])));
       }
@@ -181,7 +180,7 @@ class Parser {
     }
     for (std::size_t i = 0; i < inputs_.size(); ++i) {
       if (std::find(columns_.begin(), columns_.end(), i) == columns_.end()) {
-        fail(fmt::format("input {} has no column", inputs_[i].name));
+        fail(fmt::format("input {} has no column", label(inputs_[i])));
       }
     }
   }
@@ -211,7 +210,7 @@ class Parser {
       const Field& field = inputs_[columns_[c]];
       const auto value = parse_short(field, words_[c + 1]);
       if (!value) {
-        fail(fmt::format("{}: {} is no value of {} bit{}", field.name, in_quotes(words_[c + 1]),
+        fail(fmt::format("{}: {} is no value of {} bit{}", label(field), in_quotes(words_[c + 1]),
                          field.width, field.width == 1 ? "" : "s"));
       }
       values[columns_[c]] = *value;
@@ -236,10 +235,11 @@ std::string to_text(const Stimulus& s, const AnyBench& bench) {
   if (!s.origin.empty()) text += fmt::format("origin {}\n", s.origin);
   text += fmt::format("power-up {}\n", s.power_up);
   if (s.state) {
-    text += "state";
+    constexpr std::size_t most_in_line = 100;  // a memory's may be many
     const std::vector<Field> fields = bench.state();
     for (std::size_t i = 0; i < fields.size(); ++i) {
-      text += fmt::format(" {}={}", fields[i].name, (*s.state)[i]);
+      if (i % most_in_line == 0) text += i == 0 ? "state" : "\nstate";
+      text += fmt::format(" {}={}", label(fields[i]), (*s.state)[i]);
     }
     text += '\n';
   }
@@ -248,8 +248,8 @@ std::string to_text(const Stimulus& s, const AnyBench& bench) {
   constexpr int clock_width = 11;
   text += fmt::format("{:<{}}", "clock", clock_width);
   for (const Field& f : inputs) {
-    widths.push_back(std::max(std::string(f.name).size(), show_width(f)));
-    text += fmt::format("  {:>{}}", f.name, widths.back());
+    widths.push_back(std::max(label(f).size(), show_width(f)));
+    text += fmt::format("  {:>{}}", label(f), widths.back());
   }
   text += '\n';
   for (std::size_t first = 0, end = 0; first < s.clocks.size(); first = end) {

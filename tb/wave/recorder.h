@@ -25,13 +25,14 @@ void record_wave(const DutMaker<Design>& maker, const std::string& path, const S
   const auto lockstep = started(maker, stimulus);
   Wave wave(path, shape, lockstep->dut().signals());
   ViewOf<Design> expected, actual;
-  Rows<Design> rows(stimulus);
+  Rows<Design> rows(maker.params, stimulus);
   typename Design::template Inputs<Word> in;
-  const auto words = [](const Compared<Design>& seen) {
-    const auto registers = to_words(seen.registers);
-    const auto outputs = to_words(seen.outputs);
-    std::vector<Word> all(registers.begin(), registers.end());
-    all.insert(all.end(), outputs.begin(), outputs.end());
+  const Cells<typename Design::template Registers<Word>> registers(maker.params);
+  const Cells<typename Design::template Outputs<Word>> outputs(maker.params);
+  const auto words = [&](const Compared<Design>& seen) {
+    std::vector<Word> all = registers.words(seen.registers);
+    const std::vector<Word> more = outputs.words(seen.outputs);
+    all.insert(all.end(), more.begin(), more.end());
     return all;
   };
   for (WaveClock now; now.clock <= range.last; ++now.clock) {
@@ -49,8 +50,8 @@ void record_wave(const DutMaker<Design>& maker, const std::string& path, const S
       now.actual_probes.assign(actual_probes.begin(), actual_probes.end());
       now.differs.clear();
       for (std::size_t i = 0; i < now.expected.size(); ++i) {
-        now.differs.push_back(lockstep->meant()[i] && now.expected[i] != now.actual[i]);
-        if (range.signal.empty() && now.differs.back()) range.signal = shape.compared[i].name;
+        now.differs.push_back(lockstep->meant().of_cell(i) && now.expected[i] != now.actual[i]);
+        if (range.signal.empty() && now.differs.back()) range.signal = label_of(shape.compared[i]);
       }
       wave.clock(now);
     });

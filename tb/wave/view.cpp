@@ -30,18 +30,18 @@ enum Flag : unsigned {
 
 enum Color { red = 1, orange = 2, yellow = 3, green = 4, blue = 5, indigo = 6, violet = 7 };
 
-unsigned format_of(const Field& f) {
+unsigned format_of(const Field& f, int width) {
   switch (f.format) {
     case Format::flag:
       return binary;
     case Format::bits:
-      return f.width <= 16 ? binary : hex;  // as the tables show it
+      return width <= 16 ? binary : hex;  // as the tables show it
     case Format::number:
       return decimal;
     case Format::twos_complement:
       return signed_decimal;
     case Format::ones_complement:
-      return f.width <= 8 ? binary : hex;  // its number stands beside it
+      return width <= 8 ? binary : hex;  // its number stands beside it
   }
   return hex;
 }
@@ -98,11 +98,13 @@ std::string source_of(const Field& f) {
   return *f.source == '\0' ? "" : fmt::format(" ({})", f.source);
 }
 
-void add_pair(View& view, const Field& f) {
-  const std::string name = f.name;
-  view.signal("cosim.expected." + name, f.width, format_of(f), name + " expected", green);
-  view.signal("cosim.actual." + name, f.width, format_of(f), name + " actual", orange);
-  if (has_number(f)) {
+unsigned format_of(const Bus& b) { return format_of(b.field, b.width); }
+
+void add_pair(View& view, const Bus& b) {
+  const std::string& name = b.name;
+  view.signal("cosim.expected." + name, b.width, format_of(b), name + " expected", green);
+  view.signal("cosim.actual." + name, b.width, format_of(b), name + " actual", orange);
+  if (has_number(b.field)) {
     view.signal("cosim.number.expected_" + name, 1, signed_decimal, name + " expected", green);
     view.signal("cosim.number." + name, 1, signed_decimal, name + " actual", orange);
   }
@@ -115,7 +117,7 @@ void add_probe(View& view, const Probe& probe, const std::string& words) {
     view.words(name, probe.width, words, probe.name);
     return;
   }
-  const unsigned format = format_of({probe.name, probe.width, probe.format, "", ""});
+  const unsigned format = format_of({probe.name, probe.width, probe.format, "", ""}, probe.width);
   const bool analog = probe.kind == Probe::Kind::analog;
   view.signal(name, probe.width, format | (analog ? analog_step | analog_full : 0U), probe.name,
               green);
@@ -140,17 +142,18 @@ void add_probes(View& view, const std::string& path, const std::vector<Probe>& p
 
 void add_registers(View& view, const WaveShape& shape) {
   view.group("Registers (block of the source)");
-  for (std::size_t i = 0; i < shape.registers; ++i) {
-    const Field& f = shape.compared[i];
-    const std::string shown = f.name + source_of(f);
+  for (const Bus& b : buses_of(shape.compared)) {
+    if (b.first >= shape.registers) break;
+    const Field& f = b.field;
+    const std::string shown = b.name + source_of(f);
     if (!has_number(f)) {
-      view.signal(std::string("cosim.actual.") + f.name, f.width, format_of(f), shown);
+      view.signal("cosim.actual." + b.name, b.width, format_of(b), shown);
     } else if (f.fraction > 0) {
-      view.signal(std::string("cosim.number.") + f.name, 1,
-                  signed_decimal | analog_step | analog_full, shown, orange);
+      view.signal("cosim.number." + b.name, 1, signed_decimal | analog_step | analog_full, shown,
+                  orange);
       view.higher(3);
     } else {
-      view.signal(std::string("cosim.number.") + f.name, 1, signed_decimal, shown);
+      view.signal("cosim.number." + b.name, 1, signed_decimal, shown);
     }
   }
   view.end_group("Registers (block of the source)");
@@ -224,27 +227,31 @@ void write_view(const std::string& path, const WaveShape& shape, const WaveRange
   view.signal("cosim.clk", 1, binary, "clk");
   view.signal("cosim.clock", clock_width, decimal, "clock");
   view.signal("cosim.mismatch.any", 1, binary, "mismatch", red);
-  for (const Field& f : shape.compared) {
-    if (f.name != range.signal) continue;
+  const std::vector<Bus> compared = buses_of(shape.compared);
+  for (const Bus& b : compared) {
+    const auto cell = shape.compared.begin() + static_cast<std::ptrdiff_t>(b.first);
+    if (std::none_of(cell, cell + static_cast<std::ptrdiff_t>(b.count),
+                     [&](const Field& f) { return label(f) == range.signal; })) {
+      continue;
+    }
     view.group("First difference: " + range.signal);
-    add_pair(view, f);
+    add_pair(view, b);
     view.end_group("First difference: " + range.signal);
   }
   add_probes(view, path, shape.probes);
   view.group("Pins (of the source)");
-  for (const Field& f : shape.inputs) {
-    view.signal(std::string("cosim.inputs.") + f.name, f.width, format_of(f),
-                f.name + source_of(f));
+  for (const Bus& b : buses_of(shape.inputs)) {
+    view.signal("cosim.inputs." + b.name, b.width, format_of(b), b.name + source_of(b.field));
   }
-  for (std::size_t i = shape.registers; i < shape.compared.size(); ++i) {
-    const Field& f = shape.compared[i];
-    view.signal(std::string("cosim.actual.") + f.name, f.width, format_of(f), f.name + source_of(f),
+  for (const Bus& b : compared) {
+    if (b.first < shape.registers) continue;
+    view.signal("cosim.actual." + b.name, b.width, format_of(b), b.name + source_of(b.field),
                 orange);
   }
   view.end_group("Pins (of the source)");
   add_registers(view, shape);
   view.group("Expected, actual, mismatch", false);
-  for (const Field& f : shape.compared) add_pair(view, f);
+  for (const Bus& b : compared) add_pair(view, b);
   view.end_group("Expected, actual, mismatch", false);
   file.close();
 }

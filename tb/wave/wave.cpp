@@ -1,6 +1,7 @@
 #include "tb/wave/wave.h"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "tb/wave/fst.h"
@@ -19,35 +20,49 @@ void change_scope(Fst& fst, const std::vector<std::string>& from,
   for (auto i = right; i != to.end(); ++i) fst.open_scope(*i);
 }
 
-std::vector<std::uint32_t> variables(Fst& fst, const char* scope, const std::vector<Field>& fields,
-                                     bool flags = false) {
+std::vector<std::uint32_t> variables(Fst& fst, const char* scope, const std::vector<Bus>& buses) {
   fst.open_scope(scope);
   std::vector<std::uint32_t> handles;
-  handles.reserve(fields.size());
-  for (const Field& f : fields) handles.push_back(fst.variable(f.name, flags ? 1 : f.width));
+  handles.reserve(buses.size());
+  for (const Bus& b : buses) handles.push_back(fst.variable(b.name, b.width));
   fst.close_scope();
   return handles;
+}
+
+// The words of a wide number lie one behind the other, the lowest byte first.
+static_assert(std::endian::native == std::endian::little);
+void draw(Fst& fst, std::uint32_t handle, const Bus& bus, const std::vector<Word>& words) {
+  const Word* first = &words[bus.first];
+  if (bus.count == 1) {
+    fst.value(handle, bus.width, *first);
+  } else {
+    fst.bytes(handle, bus.width, reinterpret_cast<const unsigned char*>(first));
+  }
 }
 
 }  // namespace
 
 Wave::Wave(const std::string& path, const WaveShape& shape, std::vector<Signal> rtl)
-    : fst_(std::make_unique<Fst>(path)), shape_(shape), rtl_(std::move(rtl)) {
+    : fst_(std::make_unique<Fst>(path)),
+      shape_(shape),
+      input_buses_(buses_of(shape.inputs)),
+      buses_(buses_of(shape.compared)),
+      rtl_(std::move(rtl)) {
   Fst& fst = *fst_;
   fst.open_scope("cosim");
   clk_ = fst.variable("clk", 1);
   clock_ = fst.variable("clock", clock_width);
-  inputs_ = variables(fst, "inputs", shape.inputs);
-  expected_ = variables(fst, "expected", shape.compared);
-  actual_ = variables(fst, "actual", shape.compared);
+  inputs_ = variables(fst, "inputs", input_buses_);
+  expected_ = variables(fst, "expected", buses_);
+  actual_ = variables(fst, "actual", buses_);
   fst.open_scope("mismatch");
   any_ = fst.variable("any", 1);
-  for (const Field& f : shape.compared) mismatch_.push_back(fst.variable(f.name, 1));
+  for (const Bus& b : buses_) mismatch_.push_back(fst.variable(b.name, 1));
   fst.close_scope();
   fst.open_scope("number");
-  for (const Field& f : shape.compared) {
-    numbers_.push_back(has_number(f) ? fst.real(f.name) : 0);
-    expected_numbers_.push_back(has_number(f) ? fst.real(std::string("expected_") + f.name) : 0);
+  for (const Bus& b : buses_) {
+    numbers_.push_back(has_number(b.field) ? fst.real(b.name) : 0);
+    expected_numbers_.push_back(has_number(b.field) ? fst.real("expected_" + b.name) : 0);
   }
   fst.close_scope();
   std::vector<std::string> scope;
@@ -78,16 +93,18 @@ void Wave::clock(const WaveClock& now) {
   fst.value(clk_, 1, 1);
   fst.value(clock_, clock_width, static_cast<Word>(now.clock));
   for (std::size_t i = 0; i < inputs_.size(); ++i) {
-    fst.value(inputs_[i], shape_.inputs[i].width, now.inputs[i]);
+    draw(fst, inputs_[i], input_buses_[i], now.inputs);
   }
   for (std::size_t i = 0; i < expected_.size(); ++i) {
-    const Field& field = shape_.compared[i];
-    fst.value(expected_[i], field.width, now.expected[i]);
-    fst.value(actual_[i], field.width, now.actual[i]);
-    fst.value(mismatch_[i], 1, now.differs[i] ? 1 : 0);
-    if (!has_number(field)) continue;
-    fst.number(numbers_[i], number_of(field, now.actual[i]));
-    fst.number(expected_numbers_[i], number_of(field, now.expected[i]));
+    const Bus& bus = buses_[i];
+    draw(fst, expected_[i], bus, now.expected);
+    draw(fst, actual_[i], bus, now.actual);
+    const auto differs = now.differs.begin() + static_cast<std::ptrdiff_t>(bus.first);
+    const auto end = differs + static_cast<std::ptrdiff_t>(bus.count);
+    fst.value(mismatch_[i], 1, std::find(differs, end, true) == end ? 0 : 1);
+    if (!has_number(bus.field)) continue;
+    fst.number(numbers_[i], number_of(bus.field, now.actual[bus.first]));
+    fst.number(expected_numbers_[i], number_of(bus.field, now.expected[bus.first]));
   }
   const auto& differs = now.differs;
   fst.value(any_, 1, std::find(differs.begin(), differs.end(), true) == differs.end() ? 0 : 1);

@@ -23,6 +23,7 @@
 #include "model/core/fields.h"
 #include "model/core/probe.h"
 #include "tb/dut/signal.h"
+#include "tb/wave/bus.h"
 
 namespace cosim {
 
@@ -70,6 +71,7 @@ class Wave {
  private:
   std::unique_ptr<Fst> fst_;
   const WaveShape& shape_;
+  std::vector<Bus> input_buses_, buses_;
   std::vector<Signal> rtl_;
   std::vector<std::uint32_t> rtl_handles_, inputs_, expected_, actual_, mismatch_, numbers_,
       expected_numbers_, probes_, expected_probes_;

@@ -38,9 +38,9 @@ class Folder {
 };
 
 template <class Design>
-Script<Design> script_of(const Stimulus& s) {
+Script<Design> script_of(const typename Design::Params& p, const Stimulus& s) {
   Script<Design> script;
-  Rows<Design> rows(s);
+  Rows<Design> rows(p, s);
   for (typename Design::template Inputs<Word> in; rows.next(in, {});) script.push_back(in);
   return script;
 }
@@ -107,7 +107,7 @@ void expect_failure_explained(const Variant<Design>& variant) {
     std::vector<std::unique_ptr<AnyBench>> one;
     one.push_back(variant.make_bench());
     const Stimulus s = parse_stimulus(name, text, one).stimulus;
-    const auto first = straight_run(variant, script_of<Design>(s), s.power_up);
+    const auto first = straight_run(variant, script_of<Design>(bench.params(), s), s.power_up);
     ASSERT_TRUE(first) << name << " does not fail";
     EXPECT_EQ(reported(bench.replay(s)), first) << name;
     if (can_read_waves()) expect_wave(failure.folder / wave, bench, *first);

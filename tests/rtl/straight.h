@@ -114,7 +114,10 @@ template <class Design>
 Stimulus stimulus_of(const Script<Design>& script) {
   Stimulus stimulus;
   stimulus.power_up = 1;
-  for (const auto& in : script) detail::add_inputs(stimulus, in);
+  for (const auto& in : script) {
+    const auto words = to_words(in);
+    stimulus.clocks.emplace_back(words.begin(), words.end());
+  }
   return stimulus;
 }
 

@@ -23,7 +23,7 @@ template <class Design>
 std::vector<typename Design::template State<Word>> states(const Bench<Design>& bench,
                                                           const Stimulus& s) {
   std::vector<typename Design::template State<Word>> all{Design::template cleared<Word>()};
-  Rows<Design> rows(s);
+  Rows<Design> rows(bench.params(), s);
   typename Design::template Inputs<Word> in;
   while (rows.next(in, {})) all.push_back(Design::next(bench.params(), all.back(), in).state);
   return all;

@@ -85,7 +85,7 @@ std::string refusal_of_register(const char* net, int width) {
   field.net = net;
   field.width = width;
   try {
-    find_register(instance.context(), "circular W=4", field);
+    find_registers(instance.context(), "circular W=4", {&field, 1});
   } catch (const InputError& error) {
     return error.what();
   }

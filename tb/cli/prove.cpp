@@ -53,7 +53,9 @@ proof::Source source_of(const ProveOptions& o, const Subject& s) {
   proof::Source source = s.source;
   if (o.rtl) source = proof::source_in(*o.rtl, s.formula.design, {});
   source.parameters = s.formula.parameters;
-  for (const proof::Wire& w : s.formula.registers) source.kept.emplace_back(w.field.net);
+  for (const proof::Wire& w : s.formula.registers) {
+    if (w.field.index <= 0) source.kept.push_back(net_path(w.field.net).path);
+  }
   return source;
 }
 

@@ -5,54 +5,93 @@
 #include <algorithm>
 
 #include "model/core/input_error.h"
+#include "tb/proof/located.h"
 
 namespace cosim::proof {
 namespace {
 
-std::string named(const char* side, const std::string& name) {
-  return fmt::format("{}.{}", side, name);
+std::string named(const char* side, const Field& field) {
+  return fmt::format("{}.{}", side, detail::term(field));
 }
 
-// What a free symbol of the RTL is: bits of a field from `low` up.
-struct Place {
-  const Wire* wire = nullptr;
-  int low = 0;
-};
-
-// An error where the RTL has a port that the table does not name.
-void require_ports(const MachineFormula& m, const char* what, const std::vector<std::string>& ports,
-                   const std::vector<Wire>& table) {
+// An error where the RTL has a port, or a bit of one, that the table does not name.
+void require_ports(const MachineFormula& m, const Rtl& rtl, const char* what,
+                   const std::vector<std::string>& ports, const std::vector<RtlCell>& cells) {
   for (const std::string& port : ports) {
-    if (std::any_of(table.begin(), table.end(),
-                    [&](const Wire& w) { return port == w.field.net; })) {
-      continue;
+    std::vector<bool> named(static_cast<std::size_t>(rtl.width(port)));
+    for (const RtlCell& c : cells) {
+      for (int i = 0; port == c.wire && i < c.width; ++i) {
+        named[static_cast<std::size_t>(c.low + i)] = true;
+      }
     }
-    throw InputError(
-        fmt::format("{}: the RTL has an {} {} that no table names", m.design, what, port));
+    const auto open = std::find(named.begin(), named.end(), false);
+    if (open == named.end()) continue;
+    if (std::find(named.begin(), named.end(), true) == named.end()) {
+      throw InputError(
+          fmt::format("{}: the RTL has an {} {} that no table names", m.design, what, port));
+    }
+    throw InputError(fmt::format("{}: {} {}: no field has its bit {}", m.design, what, port,
+                                 open - named.begin()));
   }
 }
 
-// The tables name every register and port of the RTL, and the RTL has all that they name.
-std::vector<Place> places(const MachineFormula& m, const Rtl& rtl) {
-  require_ports(m, "input", rtl.inputs(), m.inputs);
-  require_ports(m, "output", rtl.outputs(), m.outputs);
-  std::vector<Place> all(rtl.free().size());
-  const auto place = [&](const Wire& w, const std::string& name, bool is_register) {
-    int low = w.field.width;
-    for (const std::size_t i : rtl.pieces(name)) {
-      low -= rtl.free()[i].width;
-      if (rtl.free()[i].after.empty() == is_register || all[i].wire != nullptr) low = -1;
-      all[i] = {&w, low};
+struct Located {
+  std::vector<RtlCell> inputs, outputs, registers;  // in the order of the tables
+  /// By free symbol: the codes of its bits, highest first; none where no table names it.
+  std::vector<std::vector<Expression>> codes;
+};
+
+// Bits of a free symbol that a cell of a table is.
+struct Given {
+  Piece piece;
+  Expression code;
+};
+
+// The tables name every register and port of the RTL, and the RTL has all that they name. `registers`
+// are those of the machine, with what they hold.
+Located all_located(const MachineFormula& m, const Rtl& rtl, const std::vector<Wire>& registers) {
+  Located all{located(rtl, m.design, "input", m.inputs),
+              located(rtl, m.design, "output", m.outputs),
+              located(rtl, m.design, "register", m.registers),
+              {}};
+  require_ports(m, rtl, "input", rtl.inputs(), all.inputs);
+  require_ports(m, rtl, "output", rtl.outputs(), all.outputs);
+  std::vector<std::vector<Given>> given(rtl.free().size());
+  const auto place = [&](const Wire& w, const RtlCell& cell, bool is_register) {
+    int left = cell.width;
+    for (const Piece& p : pieces_of(rtl, cell)) {
+      if (rtl.free()[p.free].after.empty() == is_register) break;
+      left -= p.width;
+      given[p.free].push_back({p, cut(w.code, left, p.width)});
     }
-    if (low == 0) return;
+    if (left == 0) return;
     throw InputError(fmt::format("{}: the RTL has no {} {} of {} bits by itself", m.design,
-                                 is_register ? "register" : "input", name, w.field.width));
+                                 is_register ? "register" : "input", label(w.field),
+                                 w.field.width));
   };
-  for (const Wire& w : m.inputs) place(w, w.field.net, false);
-  for (const Wire& w : m.registers) place(w, w.field.net, true);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i].wire != nullptr || rtl.free()[i].after.empty()) continue;
-    throw InputError(m.design + ": the RTL has a register that no table names");
+  for (std::size_t i = 0; i < m.inputs.size(); ++i) place(m.inputs[i], all.inputs[i], false);
+  for (std::size_t i = 0; i < registers.size(); ++i) {
+    place(registers[i], all.registers[i], true);
+  }
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    std::sort(given[i].begin(), given[i].end(),
+              [](const Given& a, const Given& b) { return a.piece.low > b.piece.low; });
+    int next = rtl.free()[i].width;
+    std::vector<Expression> codes;
+    for (const Given& g : given[i]) {
+      next -= g.piece.width;
+      if (g.piece.low != next) break;
+      codes.push_back(g.code);
+    }
+    if (given[i].empty() && rtl.free()[i].after.empty()) {
+      codes
+          .clear();  // of an input of no table require_ports has said so; what is undefined is free
+    } else if (next != 0 || codes.size() != given[i].size()) {
+      throw InputError(m.design + (given[i].empty()
+                                       ? ": the RTL has a register that no table names"
+                                       : ": the RTL has bits that no field has, or two fields"));
+    }
+    all.codes.push_back(codes);
   }
   return all;
 }
@@ -60,7 +99,7 @@ std::vector<Place> places(const MachineFormula& m, const Rtl& rtl) {
 // What a register's symbols stand for: its value where it means something, else anything.
 Expression held(const Wire& w, Script& script) {
   if (!w.when) return w.code;
-  const Expression any = script.declare(named("any", w.field.name), w.code.sort());
+  const Expression any = script.declare(named("any", w.field), w.code.sort());
   return {"ite", w.code.sort(), {*w.when, w.code, any}};
 }
 
@@ -70,19 +109,18 @@ class Question {
  public:
   Question(const MachineFormula& m, const Rtl& rtl, bool registers_free)
       : m_(m), rtl_(rtl), script_("QF_BV") {
-    const std::vector<Place> all = places(m, rtl);
     for (const Wire& w : m.inputs) script_.declare(w.code.text(), w.code.sort());
     for (const Wire& w : m.state) script_.declare(w.code.text(), w.code.sort());
-    std::map<const Wire*, Expression> held_by;
-    for (const Wire& w : m.registers) held_by.emplace(&w, held(w, script_));
-    for (const Wire& w : m.inputs) held_by.emplace(&w, w.code);
-    for (std::size_t i = 0; i < all.size(); ++i) {
+    std::vector<Wire> registers = m.registers;
+    for (Wire& w : registers) w.code = held(w, script_);
+    at_ = all_located(m, rtl, registers);
+    for (std::size_t i = 0; i < at_.codes.size(); ++i) {
       const Rtl::Free& f = rtl.free()[i];
       const std::string sort = f.is_bool ? boolean : bit_vector(f.width);
-      if (all[i].wire == nullptr || (registers_free && !f.after.empty())) {
+      if (at_.codes[i].empty() || (registers_free && !f.after.empty())) {
         script_.declare(f.symbol, sort);
       } else {
-        script_.define(f.symbol, as_sort(cut(held_by.at(all[i].wire), all[i].low, f.width), sort));
+        script_.define(f.symbol, as_sort(joined(at_.codes[i]), sort));
       }
     }
     script_.add(rtl.definitions());
@@ -100,27 +138,18 @@ class Question {
   // Whether a field differs that is compared, with names for both sides that a reader of the script
   // finds.
   Expression differs(const char* what, const Wire& expected, const Expression& actual) {
-    const Expression e = script_.define(named("model", expected.field.name) + what, expected.code);
-    const Expression a = script_.define(named("rtl", expected.field.name) + what, actual);
+    const Expression e = script_.define(named("model", expected.field) + what, expected.code);
+    const Expression a = script_.define(named("rtl", expected.field) + what, actual);
     return where_compared(expected, negation(equal(e, a)));
   }
-  Expression output(const Wire& w) { return rtl_.wire(w.field.net); }
-  // Of register number i.
-  Expression after(std::size_t i) {
-    std::optional<Expression> code;
-    int width = 0;
-    for (const std::size_t piece : rtl_.pieces(m_.registers[i].field.net)) {
-      const Rtl::Free& f = rtl_.free()[piece];
-      const Expression bits = as_code({f.after, f.is_bool ? boolean : bit_vector(f.width)});
-      width += f.width;
-      code = code ? Expression("concat", bit_vector(width), {*code, bits}) : bits;
-    }
-    return *code;
-  }
+  // What the RTL gives for output and register number i.
+  Expression output(std::size_t i) { return during(rtl_, at_.outputs[i]); }
+  Expression after(std::size_t i) { return proof::after(rtl_, at_.registers[i]); }
 
  private:
   const MachineFormula& m_;
   const Rtl& rtl_;
+  Located at_;
   Script script_;
 };
 
@@ -147,7 +176,10 @@ Claim claim_clear(const MachineFormula& m, const Rtl& rtl) {
   for (std::size_t i = 0; i < m.cleared.size(); ++i) {
     const Wire& w = m.cleared[i];
     if (w.field.unreset) {
-      taken += std::string(taken.empty() ? ", but for " : ", ") + w.field.name;
+      // Of an array once, not each element.
+      if (w.field.index <= 0) {
+        taken += std::string(taken.empty() ? ", but for " : ", ") + w.field.name;
+      }
       continue;
     }
     wrong = disjunction(wrong, q.differs(kAfter, w, q.after(i)));
@@ -171,8 +203,8 @@ Claim claim_step(const MachineFormula& m, const Rtl& rtl) {
     claim.terms.push_back(q.script().define(broken_name(i), kept).text());
   }
   const auto differs = [&](const char* what, const Wire& w, const Expression& actual) {
-    claim.terms.push_back(named("model", w.field.name) + what);
-    claim.terms.push_back(named("rtl", w.field.name) + what);
+    claim.terms.push_back(named("model", w.field) + what);
+    claim.terms.push_back(named("rtl", w.field) + what);
     return q.differs(what, w, actual);
   };
   // Many wide words at once take a solver many times as long as one after the other.
@@ -182,7 +214,7 @@ Claim claim_step(const MachineFormula& m, const Rtl& rtl) {
     if (w.field.width == 1) {
       narrow = disjunction(narrow, wrong);
     } else {
-      wide.push_back({what + w.field.name, wrong});
+      wide.push_back({what + label(w.field), wrong});
     }
   };
   for (std::size_t i = 0; i < m.after.size(); ++i) {
@@ -190,7 +222,9 @@ Claim claim_step(const MachineFormula& m, const Rtl& rtl) {
     after = disjunction(after, wrong);
     if (m.parts.empty()) sort_in("register ", m.after[i], wrong);
   }
-  for (const Wire& w : m.outputs) sort_in("output ", w, differs(kOutput, w, q.output(w)));
+  for (std::size_t i = 0; i < m.outputs.size(); ++i) {
+    sort_in("output ", m.outputs[i], differs(kOutput, m.outputs[i], q.output(i)));
+  }
 
   const auto ask = [&](const std::string& what, const Expression& wrong) {
     Script script = q.script();
@@ -256,7 +290,7 @@ std::optional<Counterexample> counterexample(const MachineFormula& m,
     c.inputs.push_back({w.field, code, code});
   }
   const auto pair = [&](const Field& f, const char* what) {
-    return Value{f, word(named("model", f.name) + what), word(named("rtl", f.name) + what)};
+    return Value{f, word(named("model", f) + what), word(named("rtl", f) + what)};
   };
   for (const Wire& w : m.outputs) c.outputs.push_back(pair(w.field, kOutput));
   for (const Wire& w : m.after) c.after.push_back(pair(w.field, kAfter));

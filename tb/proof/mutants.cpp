@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include <map>
 #include <optional>
 #include <regex>
@@ -9,7 +11,9 @@
 #include <utility>
 
 #include "model/core/input_error.h"
+#include "tb/proof/located.h"
 #include "tb/support/parallel.h"
+#include "tb/support/place.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
 
@@ -47,31 +51,37 @@ class Side {
        Script& script)
       : rtl_(rtl), script_(script) {
     std::vector<std::optional<Expression>> known(rtl.free().size());
-    const auto know = [&](const Wire& w, const std::string& name, bool is_register) {
-      const auto pieces = rtl.pieces(name);
-      for (const std::size_t i : pieces) {
-        if (rtl.free()[i].after.empty() == is_register || known[i]) return false;
+    // A cell that is whole flip-flops gives them their values; of any other its wire is assumed.
+    const auto know = [&](const Wire& w, const RtlCell& cell, bool is_register) {
+      const auto pieces = pieces_of(rtl, cell);
+      int left = cell.width;
+      for (const Piece& p : pieces) {
+        const Rtl::Free& f = rtl.free()[p.free];
+        if (f.after.empty() == is_register || known[p.free] || p.width != f.width) return false;
+        left -= p.width;
       }
-      int low = w.field.width;
-      for (const std::size_t i : pieces) {
-        low -= rtl.free()[i].width;
-        known[i] = cut(w.code, low, rtl.free()[i].width);
-      }
-      return low == 0;
+      if (left != 0) return false;
+      left = cell.width;
+      for (const Piece& p : pieces) known[p.free] = cut(w.code, left -= p.width, p.width);
+      return true;
     };
-    std::vector<std::pair<std::string, Expression>> assumed;
-    const auto give = [&](const Wire& w, const std::string& name, bool is_register) {
-      if (!know(w, name, is_register)) assumed.emplace_back(name, w.code);
-    };
-    for (const Wire& w : m.inputs) give(w, w.field.net, false);
-    for (Wire w : given) {
-      if (w.when) {  // at other times it holds anything, and not the same on both sides
-        const Expression any =
-            script.declare(fmt::format("{}.{}", side, w.field.name), w.code.sort());
-        w.code = {"ite", w.code.sort(), {*w.when, w.code, any}};
+    std::vector<std::pair<Expression, Expression>> assumed;
+    const auto give = [&](const char* kind, const std::vector<Wire>& table, bool is_register) {
+      const auto cells = located(rtl, m.design, kind, table);
+      for (std::size_t i = 0; i < table.size(); ++i) {
+        if (know(table[i], cells[i], is_register)) continue;
+        assumed.emplace_back(during(rtl, cells[i]), table[i].code);
       }
-      give(w, w.field.net, true);
+    };
+    give("input", m.inputs, false);
+    std::vector<Wire> held = given;
+    for (Wire& w : held) {
+      if (!w.when) continue;  // at other times it holds anything, and not the same on both sides
+      const Expression any =
+          script.declare(fmt::format("{}.{}", side, detail::term(w.field)), w.code.sort());
+      w.code = {"ite", w.code.sort(), {*w.when, w.code, any}};
     }
+    give("register", held, true);
     for (std::size_t i = 0; i < known.size(); ++i) {
       const Rtl::Free& f = rtl.free()[i];
       if (known[i]) {
@@ -81,28 +91,33 @@ class Side {
       }
     }
     script.add(rtl.definitions());
-    for (const auto& [name, code] : assumed) script.assume(equal(rtl.wire(name), code));
+    for (const auto& [wire, code] : assumed) script.assume(equal(wire, code));
   }
 
-  Expression output(const Field& f) const { return rtl_.wire(f.name); }
-
-  // What a register's net holds after the clock.
-  Expression after(const Field& f) {
-    std::optional<Expression> code;
-    int width = 0;
-    for (const std::size_t i : rtl_.pieces(f.net)) {
-      const Rtl::Free& piece = rtl_.free()[i];
-      if (piece.after.empty()) return with_next_clock(f);
-      const Expression bits = as_code({piece.after, sort_of(piece)});
-      width += piece.width;
-      code = code ? Expression("concat", bit_vector(width), {*code, bits}) : bits;
+  std::vector<Expression> outputs(const MachineFormula& m) const {
+    std::vector<Expression> all;
+    for (const RtlCell& c : located(rtl_, m.design, "output", m.outputs)) {
+      all.push_back(during(rtl_, c));
     }
-    return code ? *code : with_next_clock(f);
+    return all;
+  }
+
+  // What the registers' nets hold after the clock.
+  std::vector<Expression> after(const MachineFormula& m) {
+    std::vector<Expression> all;
+    for (const RtlCell& c : located(rtl_, m.design, "register", m.registers)) {
+      const auto pieces = pieces_of(rtl_, c);
+      const bool held = !pieces.empty() && std::none_of(pieces.begin(), pieces.end(), [&](Piece p) {
+        return rtl_.free()[p.free].after.empty();
+      });
+      all.push_back(held ? proof::after(rtl_, c) : with_next_clock(c));
+    }
+    return all;
   }
 
  private:
   // More than the flip-flops makes the net: it takes the clock after to say.
-  Expression with_next_clock(const Field& f) {
+  Expression with_next_clock(const RtlCell& cell) {
     if (!next_clock_) {
       for (const Rtl::Free& free : rtl_.free()) {
         if (free.after.empty()) {
@@ -114,7 +129,7 @@ class Side {
       script_.add(on_next_clock(rtl_.definitions()));
       next_clock_ = true;
     }
-    return on_next_clock(rtl_.wire(f.net));
+    return on_next_clock(during(rtl_, cell));
   }
 
   const Rtl& rtl_;
@@ -177,9 +192,12 @@ Mutants::Mutants(const MachineFormula& machine, const fs::path& verilog,
   const Scratch scratch;
   const auto in_scratch = [&](const std::string& name) { return (scratch.path() / name).string(); };
   std::string kept = "w:*_q";
-  for (const Wire& w : machine.registers) kept += std::string(" w:") + w.field.net;
+  for (const Wire& w : machine.registers) {
+    if (w.field.index <= 0) kept += " w:" + net_path(w.field.net).path;
+  }
   std::string commands = fmt::format(
-      "read_verilog \"{}\"; prep -flatten -top {}; rename -top machine; setattr -set keep 1 {}; "
+      "read_verilog \"{}\"; prep -flatten -nomem -top {}; memory_collect; memory_map; rename -top "
+      "machine; setattr -set keep 1 {}; "
       "async2sync; setundef -anyseq; ",
       fs::absolute(verilog).string(), machine.design, kept);
   std::vector<unsigned> all{0};
@@ -218,8 +236,10 @@ Claim Mutants::clear(std::size_t i) const {
     script.assume(equal(detail::symbol("in", w.field), w.code));
   }
   Expression wrong = truth(false);
-  for (const Wire& w : machine_.cleared) {
-    wrong = disjunction(wrong, where_compared(w, differ(side.after(w.field), w.code)));
+  const std::vector<Expression> after = side.after(machine_);
+  for (std::size_t w = 0; w < after.size(); ++w) {
+    const Wire& cleared = machine_.cleared[w];
+    wrong = disjunction(wrong, where_compared(cleared, differ(after[w], cleared.code)));
   }
   return asked("a clear makes them the same", fmt::format("mutant {}", mutant.number), script,
                wrong);
@@ -234,14 +254,14 @@ Claim Mutants::step(std::size_t i) const {
   Side before("original", machine_, original_.front(), machine_.registers, script);
   Side with("mutant", machine_, mutant.rtl, machine_.registers, script);
   Expression wrong = truth(false);
-  for (const Wire& w : machine_.after) {
-    const Expression parts = differ(before.after(w.field), with.after(w.field));
-    wrong = disjunction(wrong, where_compared(w, parts));
-  }
-  for (const Wire& w : machine_.outputs) {
-    const Expression parts = differ(before.output(w.field), with.output(w.field));
-    wrong = disjunction(wrong, where_compared(w, parts));
-  }
+  const auto all_differ = [&](const std::vector<Wire>& wires, const std::vector<Expression>& a,
+                              const std::vector<Expression>& b) {
+    for (std::size_t w = 0; w < a.size(); ++w) {
+      wrong = disjunction(wrong, where_compared(wires[w], differ(a[w], b[w])));
+    }
+  };
+  all_differ(machine_.after, before.after(machine_), with.after(machine_));
+  all_differ(machine_.outputs, before.outputs(machine_), with.outputs(machine_));
   return asked("every clock keeps them the same", fmt::format("mutant {}", mutant.number), script,
                wrong);
 }

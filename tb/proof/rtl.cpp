@@ -37,9 +37,10 @@ std::string written_by_yosys(const Source& source) {
   // A register that nothing reads stays one, and what is undefined is free in the formula.
   std::string kept = "w:*_q";
   for (const std::string& net : source.kept) kept += " w:" + net.substr(net.rfind('.') + 1);
+  // A memory becomes a register a word, store[3].
   commands += fmt::format(
-      "; rename -top {}; setattr -set keep 1 {}; prep -flatten; async2sync; setundef -anyseq; "
-      "write_smt2 -wires {}",
+      "; rename -top {}; setattr -set keep 1 {}; prep -flatten -nomem; memory_collect; memory_map; "
+      "async2sync; setundef -anyseq; write_smt2 -wires {}",
       source.top, kept, file.string());
   run_yosys(commands, source.top);
   return read_file(file.string());
@@ -157,6 +158,11 @@ std::vector<std::size_t> Rtl::pieces(const std::string& wire) const {
   }
   if (read != body.size()) return {};  // there is something else in it
   return found;
+}
+
+int Rtl::width(const std::string& wire) const {
+  const auto of = wires_.find(fmt::format("|{}_n {}|", top_, wire));
+  return of == wires_.end() ? 0 : width_of(of->second.sort);
 }
 
 Expression Rtl::wire(const std::string& name) const {

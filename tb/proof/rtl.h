@@ -60,6 +60,9 @@ class Rtl {
   /// The free symbols that a wire of the top is made of, highest bits first; empty where it is made
   /// of anything else. Indices of free().
   std::vector<std::size_t> pieces(const std::string& wire) const;
+  /// How many bits a wire of the top has, the word "store[3]" of a memory too; 0 where there is
+  /// none.
+  int width(const std::string& wire) const;
   /// A wire of the top, as a code of its width. InputError where there is none.
   Expression wire(const std::string& name) const;
 

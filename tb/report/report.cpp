@@ -71,7 +71,7 @@ Json assumed(const AnyBench& bench) {
 void put_left_out(Json& object, const AnyBench& bench, const Result& r) {
   const std::vector<Field> fields = bench.compared();
   for (std::size_t i = 0; i < r.left_out.size(); ++i) {
-    if (r.left_out[i] == 0) continue;
+    if (r.left_out[i] == 0 || fields[i].index > 0) continue;  // an array once
     object["left_out"][fields[i].name] = r.left_out[i];
     if (r.left_out[i] == r.clocks) object["never_compared"].push_back(fields[i].name);
   }
@@ -142,7 +142,7 @@ std::string comparison_text(const std::vector<Outcome>& outcomes) {
     const std::vector<Field> fields = bench->compared();
     for (std::size_t i = 0; i < sum.left_out.size(); ++i) {
       const std::uint64_t left_out = sum.left_out[i];
-      if (left_out == 0) continue;
+      if (left_out == 0 || fields[i].index > 0) continue;
       text += left_out == clocks
                   ? fmt::format("never compared{}: {}, it means nothing on any clock\n", of,
                                 fields[i].name)

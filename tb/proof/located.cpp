@@ -1,0 +1,82 @@
+#include "tb/proof/located.h"
+
+#include <fmt/core.h>
+
+#include "model/core/input_error.h"
+#include "tb/support/place.h"
+
+namespace cosim::proof {
+namespace {
+
+std::string word_of(const std::string& memory, int word) {
+  return fmt::format("{}[{}]", memory, word);
+}
+
+int width_of(const Expression& code) {
+  return std::stoi(code.sort().substr(code.sort().find_last_of(' ')));
+}
+
+}  // namespace
+
+std::vector<RtlCell> located(const Rtl& rtl, const std::string& design, const char* kind,
+                             const std::vector<Wire>& table) {
+  std::vector<Field> fields;
+  for (const Wire& w : table) fields.push_back(w.field);
+  std::vector<RtlCell> all;
+  for (const auto& row : rows_of(fields)) {
+    const std::string path = net_path(row.front().net).path;
+    RtlNet net{rtl.width(path)};
+    if (net.width == 0) {
+      net.width = rtl.width(word_of(path, 0));
+      while (rtl.width(word_of(path, net.words)) != 0) ++net.words;
+    }
+    if (net.width == 0) {
+      throw InputError(fmt::format("{}: {} {}: the RTL has no such net", design, kind, path));
+    }
+    const auto places =
+        places_in(net, row, fmt::format("{}: {} {}", design, kind, row.front().net));
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const auto [word, low] = places[i];
+      all.push_back({word < 0 ? path : word_of(path, word), low, row[i].width});
+    }
+  }
+  return all;
+}
+
+std::vector<Piece> pieces_of(const Rtl& rtl, const RtlCell& cell) {
+  std::vector<Piece> all;
+  int high = rtl.width(cell.wire);
+  for (const std::size_t i : rtl.pieces(cell.wire)) {
+    // The symbol is bits low .. high-1 of the wire.
+    const int low = high - rtl.free()[i].width;
+    const int from = std::max(low, cell.low), to = std::min(high, cell.low + cell.width);
+    if (from < to) all.push_back({i, from - low, to - from});
+    high = low;
+  }
+  return all;
+}
+
+Expression during(const Rtl& rtl, const RtlCell& cell) {
+  return cut(rtl.wire(cell.wire), cell.low, cell.width);
+}
+
+Expression after(const Rtl& rtl, const RtlCell& cell) {
+  std::vector<Expression> codes;
+  for (const Piece& p : pieces_of(rtl, cell)) {
+    const Rtl::Free& f = rtl.free()[p.free];
+    const Expression whole = as_code({f.after, f.is_bool ? boolean : bit_vector(f.width)});
+    codes.push_back(cut(whole, p.low, p.width));
+  }
+  return joined(codes);
+}
+
+Expression joined(const std::vector<Expression>& codes) {
+  Expression all = codes.at(0);
+  for (std::size_t i = 1; i < codes.size(); ++i) {
+    const int width = width_of(all) + width_of(codes[i]);
+    all = {"concat", bit_vector(width), {all, codes[i]}};
+  }
+  return all;
+}
+
+}  // namespace cosim::proof

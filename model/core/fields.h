@@ -63,7 +63,7 @@ struct Field {
 
 /// The name for a person and in files: "count", of an element "store[3]", of a word of a wide
 /// number "line[127:64]".
-inline std::string label(const Field& field) {
+inline std::string label_of(const Field& field) {
   if (field.index < 0) return field.name;
   std::string name = field.name;
   name += '[';

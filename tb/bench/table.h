@@ -20,7 +20,7 @@ class Table final : public Observer<Design> {
  public:
   explicit Table(const typename Design::Params& p) : registers_(p), outputs_(p) {
     fmt::print("{:>6}", "clock");
-    const auto column = [](const Field& f) { fmt::print("  {:>{}}", label(f), width(f)); };
+    const auto column = [](const Field& f) { fmt::print("  {:>{}}", label_of(f), width(f)); };
     for (const Field& f : registers_.fields()) column(f);
     for (const Field& f : outputs_.fields()) column(f);
     fmt::print("\n");
@@ -41,7 +41,7 @@ class Table final : public Observer<Design> {
   }
 
  private:
-  static std::size_t width(const Field& f) { return std::max(show_width(f), label(f).size()); }
+  static std::size_t width(const Field& f) { return std::max(show_width(f), label_of(f).size()); }
   Cells<Registers> registers_;
   Cells<Outputs> outputs_;
   std::uint64_t clock_ = 0;

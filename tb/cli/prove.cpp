@@ -22,6 +22,7 @@
 #include "tb/support/interrupt.h"
 #include "tb/support/output_file.h"
 #include "tb/support/parallel.h"
+#include "tb/support/place.h"
 #include "tb/support/words.h"
 
 namespace cosim::cli {

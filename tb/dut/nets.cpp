@@ -80,22 +80,22 @@ std::string named(const char* what, const Field& field) {
 
 // At most nine bytes hold the bits of a cell.
 Word Net::get_bits() const {
-  const auto* bytes = static_cast<const unsigned char*>(data);
+  const auto* from = static_cast<const unsigned char*>(data);
   const int first = low / 8, last = (low + width - 1) / 8;
   std::uint64_t value = 0;
-  std::memcpy(&value, bytes + first, static_cast<std::size_t>(std::min(last - first + 1, 8)));
+  std::memcpy(&value, from + first, static_cast<std::size_t>(std::min(last - first + 1, 8)));
   value >>= low % 8;
-  if (last - first == 8) value |= static_cast<std::uint64_t>(bytes[last]) << (64 - low % 8);
+  if (last - first == 8) value |= static_cast<std::uint64_t>(from[last]) << (64 - low % 8);
   return low_bits(static_cast<Word>(value), width);
 }
 
 void Net::set_bits(Word value) const {
-  auto* bytes = static_cast<unsigned char*>(data);
+  auto* to = static_cast<unsigned char*>(data);
   for (int done = 0; done < width;) {
     const int at = low + done, bit = at % 8, count = std::min(8 - bit, width - done);
     const auto mask = static_cast<unsigned char>(ones(count) << bit);
     const auto part = static_cast<unsigned char>(shift_right(value, done) << bit);
-    bytes[at / 8] = static_cast<unsigned char>((bytes[at / 8] & ~mask) | (part & mask));
+    to[at / 8] = static_cast<unsigned char>((to[at / 8] & ~mask) | (part & mask));
     done += count;
   }
 }

@@ -57,9 +57,9 @@ std::string to_text(const Mismatch& m) {
       ++left_out;
       continue;
     }
-    Row expected{fmt::format("{} {}{}", letter(t.kind), label(t.field), same ? "" : " expected"),
+    Row expected{fmt::format("{} {}{}", letter(t.kind), label_of(t.field), same ? "" : " expected"),
                  {}};
-    Row actual{same ? "" : fmt::format("{} {} actual", letter(t.kind), label(t.field)), {}};
+    Row actual{same ? "" : fmt::format("{} {} actual", letter(t.kind), label_of(t.field)), {}};
     for (std::size_t c = 0; c < clocks; ++c) {
       expected.cells.push_back(t.compared(c) ? show_short(t.field, t.expected[c]) : "-");
       actual.cells.push_back(show_short(t.field, t.actual[c]) + (t.differs(c) ? "!" : ""));

@@ -66,7 +66,7 @@ Located all_located(const MachineFormula& m, const Rtl& rtl, const std::vector<W
     }
     if (left == 0) return;
     throw InputError(fmt::format("{}: the RTL has no {} {} of {} bits by itself", m.design,
-                                 is_register ? "register" : "input", label(w.field),
+                                 is_register ? "register" : "input", label_of(w.field),
                                  w.field.width));
   };
   for (std::size_t i = 0; i < m.inputs.size(); ++i) place(m.inputs[i], all.inputs[i], false);
@@ -214,7 +214,7 @@ Claim claim_step(const MachineFormula& m, const Rtl& rtl) {
     if (w.field.width == 1) {
       narrow = disjunction(narrow, wrong);
     } else {
-      wide.push_back({what + label(w.field), wrong});
+      wide.push_back({what + label_of(w.field), wrong});
     }
   };
   for (std::size_t i = 0; i < m.after.size(); ++i) {

@@ -10,7 +10,7 @@ namespace {
 std::string rows(const char* kind, const std::vector<Value>& values) {
   std::string text;
   for (const Value& v : values) {
-    text += fmt::format("  {:<6} {:<14} {}", kind, label(v.field), show(v.field, v.expected));
+    text += fmt::format("  {:<6} {:<14} {}", kind, label_of(v.field), show(v.field, v.expected));
     text += v.expected == v.actual ? "\n"
                                    : fmt::format("   expected\n  {:<6} {:<14} {}   actual\n", "",
                                                  "", show(v.field, v.actual));

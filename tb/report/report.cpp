@@ -17,7 +17,7 @@ using Json = nlohmann::ordered_json;
 
 Json signal_names(const AnyBench& bench) {
   Json names = Json::array();
-  for (const Field& f : bench.compared()) names.push_back(label(f));
+  for (const Field& f : bench.compared()) names.push_back(label_of(f));
   return names;
 }
 
@@ -44,7 +44,7 @@ Json mismatch(const Result& r) {
   Json traces = Json::array();
   for (const Trace& t : m.traces) {
     Json trace;
-    trace["signal"] = label(t.field);
+    trace["signal"] = label_of(t.field);
     trace["first_clock"] = m.first;
     for (std::size_t c = 0; c < t.expected.size(); ++c) {
       trace["expected"].push_back(t.compared(c) ? show_short(t.field, t.expected[c]) : "-");

@@ -147,7 +147,7 @@ class Parser {
       }
       const std::string_view name = words_[w].substr(0, equals);
       const auto field = std::find_if(fields.begin(), fields.end(),
-                                      [&](const Field& f) { return label(f) == name; });
+                                      [&](const Field& f) { return label_of(f) == name; });
       if (field == fields.end()) {
         fail(fmt::format("{} has no state {}", replay_.stimulus.machine, in_quotes(name)));
       }
@@ -172,7 +172,7 @@ class Parser {
         fail(fmt::format("{} is given twice", in_quotes(words_[w])));
       }
       const auto field = std::find_if(inputs_.begin(), inputs_.end(),
-                                      [&](const Field& f) { return label(f) == words_[w]; });
+                                      [&](const Field& f) { return label_of(f) == words_[w]; });
       if (field == inputs_.end()) {
         fail(fmt::format("{} has no input {}", replay_.stimulus.machine, in_quotes(words_[w])));
       }
@@ -180,7 +180,7 @@ class Parser {
     }
     for (std::size_t i = 0; i < inputs_.size(); ++i) {
       if (std::find(columns_.begin(), columns_.end(), i) == columns_.end()) {
-        fail(fmt::format("input {} has no column", label(inputs_[i])));
+        fail(fmt::format("input {} has no column", label_of(inputs_[i])));
       }
     }
   }
@@ -210,7 +210,7 @@ class Parser {
       const Field& field = inputs_[columns_[c]];
       const auto value = parse_short(field, words_[c + 1]);
       if (!value) {
-        fail(fmt::format("{}: {} is no value of {} bit{}", label(field), in_quotes(words_[c + 1]),
+        fail(fmt::format("{}: {} is no value of {} bit{}", label_of(field), in_quotes(words_[c + 1]),
                          field.width, field.width == 1 ? "" : "s"));
       }
       values[columns_[c]] = *value;
@@ -239,7 +239,7 @@ std::string to_text(const Stimulus& s, const AnyBench& bench) {
     const std::vector<Field> fields = bench.state();
     for (std::size_t i = 0; i < fields.size(); ++i) {
       if (i % most_in_line == 0) text += i == 0 ? "state" : "\nstate";
-      text += fmt::format(" {}={}", label(fields[i]), (*s.state)[i]);
+      text += fmt::format(" {}={}", label_of(fields[i]), (*s.state)[i]);
     }
     text += '\n';
   }
@@ -248,8 +248,8 @@ std::string to_text(const Stimulus& s, const AnyBench& bench) {
   constexpr int clock_width = 11;
   text += fmt::format("{:<{}}", "clock", clock_width);
   for (const Field& f : inputs) {
-    widths.push_back(std::max(label(f).size(), show_width(f)));
-    text += fmt::format("  {:>{}}", label(f), widths.back());
+    widths.push_back(std::max(label_of(f).size(), show_width(f)));
+    text += fmt::format("  {:>{}}", label_of(f), widths.back());
   }
   text += '\n';
   for (std::size_t first = 0, end = 0; first < s.clocks.size(); first = end) {

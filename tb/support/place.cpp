@@ -51,9 +51,9 @@ std::vector<Place> in_memory(const RtlNet& net, std::span<const Field> cells,
     throw InputError(fmt::format("{}: {} elements in the table, {} in the RTL", what, cells.size(),
                                  net.words * parts));
   }
-  std::vector<Place> all;
-  for (const Field& f : cells) all.push_back({f.index / parts, f.index % parts * f.width});
-  return all;
+  std::vector<Place> places;
+  for (const Field& f : cells) places.push_back({f.index / parts, f.index % parts * f.width});
+  return places;
 }
 
 }  // namespace
@@ -109,9 +109,9 @@ std::vector<Place> places_in(const RtlNet& net, std::span<const Field> cells,
     throw InputError(
         fmt::format("{}: {} bits in the table, {} in the RTL", what, bits_of(cells), width));
   }
-  std::vector<Place> all;
-  for (const Field& f : cells) all.push_back({base.word, base.low + f.low});
-  return all;
+  std::vector<Place> places;
+  for (const Field& f : cells) places.push_back({base.word, base.low + f.low});
+  return places;
 }
 
 std::vector<std::span<const Field>> rows_of(std::span<const Field> cells) {

@@ -26,7 +26,7 @@ inline std::vector<Bus> buses_of(const std::vector<Field>& cells) {
       ++all.back().count;
       all.back().width += f.width;
     } else {
-      all.push_back({f.is_word ? f.name : label(f), f, i, 1, f.width});
+      all.push_back({f.is_word ? f.name : label_of(f), f, i, 1, f.width});
     }
   }
   return all;

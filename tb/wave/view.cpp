@@ -231,7 +231,7 @@ void write_view(const std::string& path, const WaveShape& shape, const WaveRange
   for (const Bus& b : compared) {
     const auto cell = shape.compared.begin() + static_cast<std::ptrdiff_t>(b.first);
     if (std::none_of(cell, cell + static_cast<std::ptrdiff_t>(b.count),
-                     [&](const Field& f) { return label(f) == range.signal; })) {
+                     [&](const Field& f) { return label_of(f) == range.signal; })) {
       continue;
     }
     view.group("First difference: " + range.signal);

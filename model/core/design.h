@@ -199,12 +199,10 @@ constexpr auto idle_of(const typename Design::Params& p,
   } else if constexpr (std::same_as<V, Word>) {
     return rest_of<Design>();
   } else {
-    using Rest = typename Design::template Inputs<Word>;
     typename Design::template Inputs<V> in;
-    const Rest rest = rest_of<Design>();
-    const auto members = Rest::members();
-    for_each_member<typename Design::template Inputs<V>>(
-        [&](auto member, std::size_t i) { in.*member = V(rest.*members[i]); });
+    const auto words = to_words(rest_of<Design>());
+    for_each_cell<typename Design::template Inputs<V>>(
+        [&](auto cell, std::size_t i) { cell(in) = V(words[i]); });
     return in;
   }
 }

@@ -193,7 +193,7 @@ Mutants::Mutants(const MachineFormula& machine, const fs::path& verilog,
   const auto in_scratch = [&](const std::string& name) { return (scratch.path() / name).string(); };
   std::string kept = "w:*_q";
   for (const Wire& w : machine.registers) {
-    if (w.field.index <= 0) kept += " w:" + net_path(w.field.net).path;
+    if (w.field.index <= 0) kept += kept_net(net_path(w.field.net).path);
   }
   std::string commands = fmt::format(
       "read_verilog \"{}\"; prep -flatten -nomem -top {}; memory_collect; memory_map; rename -top "

@@ -36,7 +36,7 @@ std::string written_by_yosys(const Source& source) {
   }
   // A register that nothing reads stays one, and what is undefined is free in the formula.
   std::string kept = "w:*_q";
-  for (const std::string& net : source.kept) kept += " w:" + net.substr(net.rfind('.') + 1);
+  for (const std::string& net : source.kept) kept += kept_net(net);
   // A memory becomes a register a word, store[3].
   commands += fmt::format(
       "; rename -top {}; setattr -set keep 1 {}; prep -flatten -nomem; memory_collect; memory_map; "
@@ -47,6 +47,11 @@ std::string written_by_yosys(const Source& source) {
 }
 
 }  // namespace
+
+std::string kept_net(const std::string& path) {
+  const std::string name = path.substr(path.rfind('.') + 1);
+  return fmt::format(" w:{0} w:{0}\\[*", name);
+}
 
 std::string read_commands(const Source& source) {
   std::string options;

@@ -20,8 +20,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Bits = std::vector<int>;
 
-constexpr int widest = 64;
-
 [[noreturn]] void refuse(const std::string& why) { throw InputError("new: " + why); }
 
 // Bits of a net by their numbers; a constant bit is -1.
@@ -64,7 +62,7 @@ std::vector<FoundNet> ports(const Json& module, const std::string& direction) {
   for (const auto& [name, port] : module.at("ports").items()) {
     const std::string way = port.at("direction");
     if (way == "inout") refuse(fmt::format("{}: a port of both directions", name));
-    if (way == direction) all.push_back({name, static_cast<int>(port.at("bits").size()), "", 0});
+    if (way == direction) all.push_back({name, {static_cast<int>(port.at("bits").size())}});
   }
   return all;
 }
@@ -83,6 +81,11 @@ std::string without_backslash(const std::string& name) {
   return name.starts_with('\\') ? name.substr(1) : name;
 }
 
+// The memory that a cell writes or reads.
+std::string memory_of(const Json& cell) {
+  return without_backslash(cell.at("parameters").value("MEMID", ""));
+}
+
 // The bits that registers hold; and their clock's bit, which is one.
 std::set<int> held(const Json& module, int& clock) {
   std::set<int> bits;
@@ -92,11 +95,14 @@ std::set<int> held(const Json& module, int& clock) {
       const int bit = bits_of(cell.at("connections").at("Q")).front();
       refuse(fmt::format("{}: a latch", name_of(module, bit)));
     }
-    if (type.starts_with("$mem")) {
-      refuse(fmt::format("{}: a memory, which no field can hold yet",
-                         without_backslash(cell.at("parameters").value("MEMID", name))));
+    const bool writes_memory = type.starts_with("$memwr");
+    if (!type.starts_with("$") || !(writes_memory || type.find("dff") != std::string::npos)) {
+      continue;
     }
-    if (!type.starts_with("$") || type.find("dff") == std::string::npos) continue;
+    if (writes_memory &&
+        std::stoi(cell.at("parameters").value("CLK_ENABLE", "1"), nullptr, 2) == 0) {
+      refuse(fmt::format("{}: a memory that no clock writes", memory_of(cell)));
+    }
     if (type.starts_with("$a")) {
       const int bit = bits_of(cell.at("connections").at("Q")).front();
       refuse(fmt::format("{}: an asynchronous reset", name_of(module, bit)));
@@ -107,9 +113,50 @@ std::set<int> held(const Json& module, int& clock) {
       refuse(fmt::format("{} and {}: two clocks", std::min(one, other), std::max(one, other)));
     }
     clock = by;
+    if (writes_memory) continue;
     for (const int bit : bits_of(cell.at("connections").at("Q"))) bits.insert(bit);
   }
   return bits;
+}
+
+// What the RTL has as a memory; of one that is written at constant addresses a reset is the reason.
+std::vector<FoundNet> memories(const Json& module) {
+  std::vector<FoundNet> all;
+  if (!module.contains("memories")) return all;
+  for (const auto& [name, memory] : module.at("memories").items()) {
+    FoundNet net{name, {memory.at("width")}, {memory.at("size")}, false};
+    if (memory.value("start_offset", 0) != 0) {
+      refuse(fmt::format("{}: a memory whose first word is not 0", name));
+    }
+    for (const auto& [cell_name, cell] : module.at("cells").items()) {
+      const std::string type = cell.at("type");
+      if (!type.starts_with("$memwr") || memory_of(cell) != name) continue;
+      const Bits address = bits_of(cell.at("connections").at("ADDR"));
+      net.is_reset = net.is_reset ||
+                     std::all_of(address.begin(), address.end(), [](int bit) { return bit < 0; });
+    }
+    all.push_back(net);
+  }
+  return all;
+}
+
+// Adds a register. Where yosys has made registers of a memory's words, "store[0]" and so on, it is
+// one memory.
+void add_net(std::vector<FoundNet>& all, const std::string& name, int width) {
+  const std::size_t bracket = name.ends_with(']') ? name.rfind('[') : std::string::npos;
+  if (bracket == std::string::npos) {
+    all.push_back({name, {width}});
+    return;
+  }
+  const std::string memory = name.substr(0, bracket);
+  const auto same = std::find_if(all.begin(), all.end(), [&](const FoundNet& n) {
+    return n.name == memory && n.words.number > 0;
+  });
+  if (same == all.end()) {
+    all.push_back({memory, {width}, {1}});
+  } else {
+    ++same->words.number;
+  }
 }
 
 // The nets that are those bits: of several names of the same the one nearest to the top.
@@ -134,7 +181,7 @@ std::vector<FoundNet> registers(const Json& module, std::set<int> left) {
     const auto is_left = [&](int bit) { return left.contains(bit); };
     if (!std::all_of(n.bits.begin(), n.bits.end(), is_left)) continue;
     for (const int bit : n.bits) left.erase(bit);
-    all.push_back({n.name, static_cast<int>(n.bits.size()), "", 0});
+    add_net(all, n.name, static_cast<int>(n.bits.size()));
   }
   if (!left.empty()) refuse(fmt::format("{} bits of registers have no name", left.size()));
   return all;
@@ -151,15 +198,20 @@ std::vector<FoundParameter> parameters(const Json& module) {
   return all;
 }
 
-// A width that is one more where the parameter is one more follows it.
+// A width or depth that is one more where the parameter is one more follows it.
+void follow(FoundSize& size, const FoundSize& wider, const FoundParameter& p) {
+  if (wider.number != size.number + 1) return;
+  size.parameter = p.name;
+  size.more = size.number - p.value;
+}
 void follow(std::vector<FoundNet>& nets, const std::vector<FoundNet>& wider,
             const FoundParameter& p) {
   for (FoundNet& net : nets) {
     const auto same = std::find_if(wider.begin(), wider.end(),
                                    [&](const FoundNet& w) { return w.name == net.name; });
-    if (same == wider.end() || same->width != net.width + 1) continue;
-    net.parameter = p.name;
-    net.more = net.width - p.value;
+    if (same == wider.end()) continue;
+    follow(net.width, same->width, p);
+    follow(net.words, same->words, p);
   }
 }
 
@@ -168,8 +220,9 @@ Found read(const Netlist& n) {
   found.top = n.top;
   int clock = -1;
   const std::set<int> bits = held(n.module, clock);
-  if (bits.empty()) refuse(n.top + " has no register");
   found.registers = registers(n.module, bits);
+  for (const FoundNet& memory : memories(n.module)) found.registers.push_back(memory);
+  if (found.registers.empty()) refuse(n.top + " has no register");
   for (const FoundNet& port : ports(n.module, "input")) {
     if (bits_of(n.module.at("ports").at(port.name).at("bits")) == Bits{clock}) {
       found.clock = port.name;
@@ -179,13 +232,6 @@ Found read(const Netlist& n) {
   }
   if (found.clock.empty()) refuse(n.top + ": its clock is no input");
   found.outputs = ports(n.module, "output");
-  for (const auto* list : {&found.inputs, &found.outputs, &found.registers}) {
-    for (const FoundNet& net : *list) {
-      if (net.width > widest) {
-        refuse(fmt::format("{}: {} bits, and a field has at most {}", net.name, net.width, widest));
-      }
-    }
-  }
   return found;
 }
 
@@ -213,7 +259,7 @@ Found found_in(const std::vector<std::string>& files) {
     std::string name = in.name;
     std::transform(name.begin(), name.end(), name.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (in.width != 1 || !(high.contains(name) || low.contains(name))) continue;
+    if (in.width.number != 1 || !(high.contains(name) || low.contains(name))) continue;
     found.reset = in.name;
     found.active_low = low.contains(name);
   }

@@ -6,13 +6,20 @@
 
 namespace cosim::cli {
 
-/// A port or a register, and how wide it is: `width` bits with the parameters' defaults.
-struct FoundNet {
-  std::string name;  ///< of a register its path below the top
-  int width = 1;
-  /// The parameter that the width follows, and what is to be added to it; empty where none does.
-  std::string parameter;
+/// A number with the parameters' defaults.
+struct FoundSize {
+  int number = 1;
+  /// The parameter that it follows, and what is to be added to it; empty where it follows none.
+  std::string parameter = {};
   int more = 0;
+};
+
+/// A port, a register or a memory.
+struct FoundNet {
+  std::string name;              ///< of a register its path below the top
+  FoundSize width;               ///< bits, of a memory those of a word
+  FoundSize words = {0, {}, 0};  ///< of a memory; 0: none
+  bool is_reset = true;          ///< false of a memory that is only written at an address
 };
 
 struct FoundParameter {
@@ -30,8 +37,8 @@ struct Found {
 };
 
 /// Reads the files. InputError, one line, where yosys cannot, where there is no clock or a second
-/// one, and for what a design cannot have: a latch, a memory, a net of more than 64 bits, a
-/// bidirectional port, a register without a name.
+/// one, and for what a design cannot have: a latch, a bidirectional port, a register without a
+/// name.
 Found found_in(const std::vector<std::string>& files);
 
 }  // namespace cosim::cli

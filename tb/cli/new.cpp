@@ -47,20 +47,45 @@ std::string field_of(const std::string& path) {
   return name;
 }
 
-std::string width_of(const FoundNet& net) {
-  if (net.parameter.empty()) return std::to_string(net.width);
-  if (net.more == 0) return "p." + net.parameter;
-  return fmt::format("p.{} {} {}", net.parameter, net.more < 0 ? '-' : '+', std::abs(net.more));
+std::string text_of(const FoundSize& size) {
+  if (size.parameter.empty()) return std::to_string(size.number);
+  if (size.more == 0) return "p." + size.parameter;
+  return fmt::format("p.{} {} {}", size.parameter, size.more < 0 ? '-' : '+', std::abs(size.more));
+}
+
+// The widest elements of equal width, at most 64 bits, that make up a word of a memory.
+int part_of(const FoundNet& memory) {
+  constexpr int widest = 64;
+  int part = std::min(memory.width.number, widest);
+  while (memory.width.number % part != 0) --part;
+  return part;
+}
+
+std::string row(const FoundNet& net) {
+  const int width = net.width.number, words = net.words.number;
+  std::string format = width == 1 && net.width.parameter.empty() ? "flag" : "bits";
+  std::string shown = text_of(net.width);
+  if (words == 0 && width > 64) {
+    format += fmt::format(".words<{}>()", (width + 63) / 64);
+  } else if (words != 0) {
+    const int part = part_of(net);
+    if (part != width) {
+      shown = std::to_string(part);
+      format += fmt::format(".array<{}>()", words * (width / part));
+    } else {
+      const bool fixed = net.words.parameter.empty();
+      format += fmt::format(".array<{}>({})", words, fixed ? "" : text_of(net.words));
+    }
+  }
+  const std::string name = field_of(net.name);
+  if (name != net.name) format += fmt::format(".at(\"{}\")", net.name);
+  if (!net.is_reset) format += ".unreset()";
+  return fmt::format("FIELD({}, {}, {}, \"\", \"\")", name, shown, format);
 }
 
 std::string table(const std::string& name, const std::vector<FoundNet>& nets) {
   std::string text = fmt::format("#define {}(FIELD)", name);
-  for (const FoundNet& net : nets) {
-    std::string format = net.width == 1 && net.parameter.empty() ? "flag" : "bits";
-    if (field_of(net.name) != net.name) format += fmt::format(".at(\"{}\")", net.name);
-    text += fmt::format(" \\\n  FIELD({}, {}, {}, \"\", \"\")", field_of(net.name), width_of(net),
-                        format);
-  }
+  for (const FoundNet& net : nets) text += " \\\n  " + row(net);
   return text + '\n';
 }
 

@@ -65,6 +65,41 @@ diff - <(grep '^>' changed) << 'PLAIN'
 PLAIN
 grep -q '^cosim_add_design(.* UNPROVED)$' plain/CMakeLists.txt
 
+# A port wider than a word; memories, of words that follow a parameter, of words of 100 bits, and one
+# that yosys makes registers of.
+cat > store.v << 'RTL'
+module store #(parameter W = 8, parameter D = 6) (
+    input wire clk, rst, write, input wire [2:0] at, input wire [99:0] line, input wire [W-1:0] d,
+    output wire [W-1:0] q, output wire [99:0] wide, output wire [3:0] last);
+  reg [W-1:0] words [0:D-1];
+  reg [99:0] lines [0:3];
+  reg [3:0] few [0:2];
+  integer i;
+  assign q = words[at];
+  assign wide = lines[at[1:0]];
+  assign last = few[2];
+  always @(posedge clk) begin
+    if (write) words[at] <= d;
+    if (write) lines[at[1:0]] <= line;
+    for (i = 0; i < 3; i = i + 1) if (rst) few[i] <= 0; else if (at == i) few[i] <= line[3:0];
+  end
+endmodule
+RTL
+"$program" new store store.v > said
+diff - <(sed -n '/^  FIELD/p' store/store.h) << 'TABLES'
+  FIELD(rst, 1, flag, "", "") \
+  FIELD(write, 1, flag, "", "") \
+  FIELD(at, 3, bits, "", "") \
+  FIELD(line, 100, bits.words<2>(), "", "") \
+  FIELD(d, p.W, bits, "", "")
+  FIELD(q, p.W, bits, "", "") \
+  FIELD(wide, 100, bits.words<2>(), "", "") \
+  FIELD(last, 4, bits, "", "")
+  FIELD(few, 4, bits.array<3>(), "", "") \
+  FIELD(lines, 50, bits.array<8>().unreset(), "", "") \
+  FIELD(words, p.W, bits.array<6>(p.D).unreset(), "", "")
+TABLES
+
 # refused LINE WORDS...: that is all that it says, its status is 2, and there is no folder `made`.
 refused() {
   local line="cosim: $1" said status=0
@@ -76,7 +111,7 @@ refused() {
 }
 # rtl BODY: a module with a clock, some inputs and outputs.
 rtl() {
-  printf 'module made(input wire clk, other, d, input wire [79:0] w, output reg q, r);\n%s\nendmodule\n' \
+  printf 'module made(input wire clk, other, d, input wire [7:0] w, output reg q, r);\n%s\nendmodule\n' \
     "$1" > made.v
 }
 refused "NAME: is needed"
@@ -92,10 +127,10 @@ rtl 'always @(posedge clk or posedge other) if (other) q <= 0; else q <= d;'
 refused "new: q: an asynchronous reset" made made.v
 rtl 'always @(posedge clk) q <= d; always @(posedge other) r <= d;'
 refused "new: clk and other: two clocks" made made.v
-rtl 'always @(posedge clk) q <= d;'
-refused "new: w: 80 bits, and a field has at most 64" made made.v
-rtl 'reg [7:0] mem[0:15]; always @(posedge clk) begin mem[w[3:0]] <= w[7:0]; q <= mem[w[7:4]][0]; end'
-refused "new: mem: a memory, which no field can hold yet" made made.v
+rtl 'reg mem[1:4]; always @(posedge clk) begin mem[w[2:0]] <= d; q <= mem[w[6:4]]; end'
+refused "new: mem: a memory whose first word is not 0" made made.v
+rtl 'reg mem[0:3]; always @* if (other) mem[w[1:0]] = d; always @(posedge clk) q <= mem[w[5:4]];'
+refused "new: mem: a memory that no clock writes" made made.v
 rtl 'always @* q = d;'
 refused "new: made has no register" made made.v
 echo "read or refused"

@@ -92,9 +92,8 @@ Mismatch examine(AnyLockstep<Design>& lockstep, Source source, std::uint64_t clo
     detail::add_clock(m, at, inputs, in, in, [](std::size_t) { return true; });
     detail::add_clock(m, at, registers, expected.registers, actual.registers,
                       [&](std::size_t i) { return meant.of_cell(i); });
-    detail::add_clock(m, at, outputs, expected.outputs, actual.outputs, [&](std::size_t i) {
-      return meant.of_cell(registers.fields().size() + i);
-    });
+    detail::add_clock(m, at, outputs, expected.outputs, actual.outputs,
+                      [&](std::size_t i) { return meant.of_cell(registers.fields().size() + i); });
   }
   return m;
 }

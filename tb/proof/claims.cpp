@@ -47,8 +47,8 @@ struct Given {
   Expression code;
 };
 
-// The tables name every register and port of the RTL, and the RTL has all that they name. `registers`
-// are those of the machine, with what they hold.
+// The tables name every register and port of the RTL, and the RTL has all that they name.
+// `registers` are those of the machine, with what they hold.
 Located all_located(const MachineFormula& m, const Rtl& rtl, const std::vector<Wire>& registers) {
   Located all{located(rtl, m.design, "input", m.inputs),
               located(rtl, m.design, "output", m.outputs),

@@ -201,7 +201,8 @@ MachineFormula formula(const typename Design::Params& p) {
   // Nor that what is not compared always is compared ever.
   for (const auto* wires : {&m.registers, &m.outputs}) {
     for (const Wire& w : *wires) {
-      if (w.when && w.field.index <= 0) m.cases.push_back({std::string(w.field.name) + " is compared", *w.when});
+      if (w.when && w.field.index <= 0)
+        m.cases.push_back({std::string(w.field.name) + " is compared", *w.when});
     }
   }
 

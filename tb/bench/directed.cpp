@@ -49,7 +49,7 @@ void DirectedRecord::clock(const std::vector<Word>& inputs) {
     const Field& pin = fields_[i];
     if (pin.width < 1 || low_bits(inputs[i], pin.width) == inputs[i]) continue;
     throw InputError(fmt::format("{}: clock {}: {} is to be {}, and has {}", bench_.title(),
-                                 clocks(), pin.name, inputs[i],
+                                 clocks(), label_of(pin), inputs[i],
                                  count(static_cast<std::uint64_t>(pin.width), "bit")));
   }
   stimulus_.clocks.push_back(inputs);

@@ -11,7 +11,7 @@
 namespace cosim {
 namespace {
 
-std::optional<int> number(std::string_view text) {
+std::optional<int> index_in(std::string_view text) {
   int value = 0;
   const char* end = text.data() + text.size();
   if (text.empty() || text.front() == '-') return {};
@@ -63,8 +63,8 @@ NetPath net_path(const std::string& net) {
   const auto drop = [&] { found.path.resize(found.path.rfind('[')); };
   if (const auto inside = bracket(found.path)) {
     const std::size_t colon = std::min(inside->find(':'), inside->size());
-    const auto high = number(inside->substr(0, colon));
-    const auto low = number(inside->substr(std::min(colon + 1, inside->size())));
+    const auto high = index_in(inside->substr(0, colon));
+    const auto low = index_in(inside->substr(std::min(colon + 1, inside->size())));
     if (high && low) {
       found.high = *high;
       found.low = *low;
@@ -72,7 +72,7 @@ NetPath net_path(const std::string& net) {
     }
   }
   if (const auto inside = bracket(found.path)) {
-    if (const auto word = number(*inside)) {
+    if (const auto word = index_in(*inside)) {
       found.word = *word;
       drop();
     }

@@ -86,6 +86,12 @@ std::string memory_of(const Json& cell) {
   return without_backslash(cell.at("parameters").value("MEMID", ""));
 }
 
+// Whether it is a register that takes the same number on every clock, as that of a loop does.
+bool holds_nothing(const Json& cell) {
+  const Bits next = bits_of(cell.at("connections").at("D"));
+  return std::all_of(next.begin(), next.end(), [](int bit) { return bit < 0; });
+}
+
 // The bits that registers hold; and their clock's bit, which is one.
 std::set<int> held(const Json& module, int& clock) {
   std::set<int> bits;
@@ -113,8 +119,13 @@ std::set<int> held(const Json& module, int& clock) {
       refuse(fmt::format("{} and {}: two clocks", std::min(one, other), std::max(one, other)));
     }
     clock = by;
-    if (writes_memory) continue;
+    if (writes_memory || holds_nothing(cell)) continue;
     for (const int bit : bits_of(cell.at("connections").at("Q"))) bits.insert(bit);
+  }
+  // What yosys puts before a memory's port.
+  for (const auto& [name, net] : module.at("netnames").items()) {
+    if (!name.starts_with("$memwr$")) continue;
+    for (const int bit : bits_of(net.at("bits"))) bits.erase(bit);
   }
   return bits;
 }

@@ -8,11 +8,11 @@
 namespace cosim::proof {
 namespace {
 
-std::string word_of(const std::string& memory, int word) {
+std::string word_net(const std::string& memory, int word) {
   return fmt::format("{}[{}]", memory, word);
 }
 
-int width_of(const Expression& code) {
+int bits_in(const Expression& code) {
   return std::stoi(code.sort().substr(code.sort().find_last_of(' ')));
 }
 
@@ -27,8 +27,8 @@ std::vector<RtlCell> located(const Rtl& rtl, const std::string& design, const ch
     const std::string path = net_path(row.front().net).path;
     RtlNet net{rtl.width(path)};
     if (net.width == 0) {
-      net.width = rtl.width(word_of(path, 0));
-      while (rtl.width(word_of(path, net.words)) != 0) ++net.words;
+      net.width = rtl.width(word_net(path, 0));
+      while (rtl.width(word_net(path, net.words)) != 0) ++net.words;
     }
     if (net.width == 0) {
       throw InputError(fmt::format("{}: {} {}: the RTL has no such net", design, kind, path));
@@ -37,7 +37,7 @@ std::vector<RtlCell> located(const Rtl& rtl, const std::string& design, const ch
         places_in(net, row, fmt::format("{}: {} {}", design, kind, row.front().net));
     for (std::size_t i = 0; i < row.size(); ++i) {
       const auto [word, low] = places[i];
-      all.push_back({word < 0 ? path : word_of(path, word), low, row[i].width});
+      all.push_back({word < 0 ? path : word_net(path, word), low, row[i].width});
     }
   }
   return all;
@@ -73,7 +73,7 @@ Expression after(const Rtl& rtl, const RtlCell& cell) {
 Expression joined(const std::vector<Expression>& codes) {
   Expression all = codes.at(0);
   for (std::size_t i = 1; i < codes.size(); ++i) {
-    const int width = width_of(all) + width_of(codes[i]);
+    const int width = bits_in(all) + bits_in(codes[i]);
     all = {"concat", bit_vector(width), {all, codes[i]}};
   }
   return all;

@@ -129,7 +129,7 @@ rtl 'always @(posedge clk) q <= d; always @(posedge other) r <= d;'
 refused "new: clk and other: two clocks" made made.v
 rtl 'reg mem[1:4]; always @(posedge clk) begin mem[w[2:0]] <= d; q <= mem[w[6:4]]; end'
 refused "new: mem: a memory whose first word is not 0" made made.v
-rtl 'reg mem[0:3]; always @* if (other) mem[w[1:0]] = d; always @(posedge clk) q <= mem[w[5:4]];'
+rtl '(* nomem2reg *) reg mem[0:3]; always @* if (other) mem[w[1:0]] = d; always @(posedge clk) q <= mem[w[5:4]];'
 refused "new: mem: a memory that no clock writes" made made.v
 rtl 'always @* q = d;'
 refused "new: made has no register" made made.v

@@ -29,13 +29,14 @@ module nets #(parameter FAULT = 0, parameter W = 100, parameter D = 5) (
 
   integer i;
   always @(posedge clk) begin
-    held <= rst ? {W{1'b0}} : d ^ {{W-1{1'b0}}, FAULT != 0 && &d[W-1:W-2] && index == 3'd6};
+    held <= rst ? {W{1'b0}} : d;
     status[3:0] <= rst ? 4'd0 : status[3:0] + 4'd1;
     status[8:4] <= rst ? 5'd0 : status[8:4] + {4'd0, write};
     status[9] <= rst ? 1'b0 : lines[index[1:0]][127];
     if (write) lines[index[1:0]] <= {d[27:0], d};
     for (i = 0; i < D; i = i + 1)
       if (rst) order[i] <= i;
-      else if (write && index == i) order[i] <= d[4:0];
+      else if (write && index == i)
+        order[i] <= d[4:0] ^ {5{FAULT != 0 && i == 3 && &d[W-1:W-2] && status[4]}};
   end
 endmodule

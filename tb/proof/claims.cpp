@@ -211,10 +211,14 @@ Claim claim_step(const MachineFormula& m, const Rtl& rtl) {
   Expression narrow = any_fails(m.invariant_after), after = narrow;
   std::vector<Named> wide;
   const auto sort_in = [&](const std::string& what, const Wire& w, const Expression& wrong) {
+    constexpr int words_at_once = 16;  // those of a memory are alike, and each is little work
     if (w.field.width == 1) {
       narrow = disjunction(narrow, wrong);
+    } else if (w.field.index % words_at_once > 0) {
+      wide.back().condition = disjunction(wide.back().condition, wrong);
     } else {
-      wide.push_back({what + label_of(w.field), wrong});
+      const bool from_first = w.field.index < words_at_once;
+      wide.push_back({what + (from_first ? w.field.name : label_of(w.field) + " and on"), wrong});
     }
   };
   for (std::size_t i = 0; i < m.after.size(); ++i) {

@@ -93,6 +93,17 @@ constexpr auto parameters_of(const typename Design::Params& p) {
   }
 }
 
+/// Registers of the RTL that no table names and that are not compared: Design::unobserved, an array
+/// of paths and patterns such as "debug.*"; none by default.
+template <class Design>
+constexpr auto unobserved_of() {
+  if constexpr (requires { Design::unobserved; }) {
+    return Design::unobserved;
+  } else {
+    return std::array<const char*, 0>{};
+  }
+}
+
 /// The printed source of the design, or "".
 template <class Design>
 constexpr const char* source_of() {

@@ -222,11 +222,21 @@ constexpr void trim(Array<V, N>& array, const Notation<N>& n, int width) {
 
 }  // namespace row
 
-/// One parameter of a design's RTL.
+/// One parameter of a design's RTL: a number, or a text.
 struct Parameter {
   const char* name;
-  int value;
+  int value = 0;
+  const char* text = nullptr;  ///< null where it is a number
+
+  constexpr Parameter(const char* its_name, int number) : name(its_name), value(number) {}
+  constexpr Parameter(const char* its_name, const char* its_text)
+      : name(its_name), text(its_text) {}
 };
+
+/// "5", "FAST"
+inline std::string to_text(const Parameter& p) {
+  return p.text != nullptr ? p.text : std::to_string(p.value);
+}
 
 /// The cells of a record as an array of words, in the order of its table.
 template <class Record>

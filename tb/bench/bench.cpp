@@ -8,7 +8,7 @@ namespace cosim {
 
 std::string AnyBench::title() const {
   std::string text = design();
-  for (const Parameter& p : parameters()) text += fmt::format(" {}={}", p.name, p.value);
+  for (const Parameter& p : parameters()) text += fmt::format(" {}={}", p.name, to_text(p));
   return text;
 }
 

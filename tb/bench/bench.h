@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/core/probe.h"
@@ -33,6 +34,9 @@ class AnyBench {
   /// How many of them are registers.
   virtual std::size_t registers() const = 0;
   virtual std::vector<Field> inputs() const = 0;
+  /// Registers of the RTL that are not compared, by their paths.
+  const std::vector<std::string>& unobserved() const { return unobserved_; }
+  void set_unobserved(std::vector<std::string> registers) { unobserved_ = std::move(registers); }
   /// What is assumed of the inputs, sentences.
   virtual std::vector<std::string> assumed() const = 0;
   /// What a wave shows beside the fields.
@@ -58,6 +62,9 @@ class AnyBench {
 
   /// "NAME M=5 N=2": the design and its parameters
   std::string title() const;
+
+ private:
+  std::vector<std::string> unobserved_;
 };
 
 /// InputError if the bench's title is not `shape`, what the RTL was built as: its model has other

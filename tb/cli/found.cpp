@@ -92,8 +92,14 @@ bool holds_nothing(const Json& cell) {
   return std::all_of(next.begin(), next.end(), [](int bit) { return bit < 0; });
 }
 
-// The bits that registers hold; and their clock's bit, which is one.
-std::set<int> held(const Json& module, int& clock) {
+// The asynchronous reset, one or none: its bit.
+struct Reset {
+  int bit = -1;
+  bool active_low = false;
+};
+
+// The bits that registers hold; their clock's bit, which is one, and their asynchronous reset's.
+std::set<int> held(const Json& module, int& clock, Reset& reset) {
   std::set<int> bits;
   for (const auto& [name, cell] : module.at("cells").items()) {
     const std::string type = cell.at("type");
@@ -109,9 +115,19 @@ std::set<int> held(const Json& module, int& clock) {
         std::stoi(cell.at("parameters").value("CLK_ENABLE", "1"), nullptr, 2) == 0) {
       refuse(fmt::format("{}: a memory that no clock writes", memory_of(cell)));
     }
-    if (type.starts_with("$a")) {
+    if (type.starts_with("$al") || type.starts_with("$dffsr")) {
       const int bit = bits_of(cell.at("connections").at("Q")).front();
-      refuse(fmt::format("{}: an asynchronous reset", name_of(module, bit)));
+      refuse(fmt::format("{}: an asynchronous set or load", name_of(module, bit)));
+    }
+    if (type.starts_with("$adff")) {
+      const int by = bits_of(cell.at("connections").at("ARST")).front();
+      if (reset.bit >= 0 && by != reset.bit) {
+        const std::string one = name_of(module, reset.bit), other = name_of(module, by);
+        refuse(fmt::format("{} and {}: two asynchronous resets", std::min(one, other),
+                           std::max(one, other)));
+      }
+      const std::string polarity = cell.at("parameters").at("ARST_POLARITY");
+      reset = {by, polarity.back() == '0'};
     }
     const int by = bits_of(cell.at("connections").at("CLK")).front();
     if (clock >= 0 && by != clock) {
@@ -230,7 +246,8 @@ Found read(const Netlist& n) {
   Found found;
   found.top = n.top;
   int clock = -1;
-  const std::set<int> bits = held(n.module, clock);
+  Reset reset;
+  const std::set<int> bits = held(n.module, clock, reset);
   found.registers = registers(n.module, bits);
   for (const FoundNet& memory : memories(n.module)) found.registers.push_back(memory);
   if (found.registers.empty()) refuse(n.top + " has no register");
@@ -240,6 +257,16 @@ Found read(const Netlist& n) {
     } else {
       found.inputs.push_back(port);
     }
+    if (reset.bit < 0 ||
+        bits_of(n.module.at("ports").at(port.name).at("bits")) != Bits{reset.bit}) {
+      continue;
+    }
+    found.reset = port.name;
+    found.active_low = reset.active_low;
+    found.asynchronous = true;
+  }
+  if (reset.bit >= 0 && !found.asynchronous) {
+    refuse(fmt::format("{}: an asynchronous reset that is no input", name_of(n.module, reset.bit)));
   }
   if (found.clock.empty()) refuse(n.top + ": its clock is no input");
   found.outputs = ports(n.module, "output");
@@ -267,6 +294,7 @@ Found found_in(const std::vector<std::string>& files) {
   const std::set<std::string> high{"rst", "reset", "clear", "clr"};
   const std::set<std::string> low{"rst_n", "reset_n", "rstn", "resetn", "nrst", "aresetn"};
   for (const FoundNet& in : found.inputs) {
+    if (found.asynchronous) break;
     std::string name = in.name;
     std::transform(name.begin(), name.end(), name.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

@@ -32,6 +32,7 @@ struct Found {
   std::string clock;
   std::string reset;  ///< the input that is thought to be it, by its name; empty where none is
   bool active_low = false;
+  bool asynchronous = false;  ///< that input resets registers without waiting for the clock
   std::vector<FoundNet> inputs, outputs, registers;  ///< inputs without the clock
   std::vector<FoundParameter> parameters;            ///< those that are whole numbers
 };

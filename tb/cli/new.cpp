@@ -133,6 +133,7 @@ std::string model_of(const std::string& name, const Found& f, bool plain) {
         "  static constexpr Inputs<Word> clear() {{ return {{{}}}; }}\n",
         f.reset.empty() ? "/* the reset, such as .rst = 1 */" : "." + field_of(f.reset) + " = 1");
   }
+  if (f.asynchronous) clear += "  static constexpr bool asynchronous_reset = true;\n";
   std::string parameters;
   if (!pairs.empty()) {
     parameters = fmt::format(

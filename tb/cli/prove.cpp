@@ -53,6 +53,8 @@ struct Subject {
 proof::Source source_of(const ProveOptions& o, const Subject& s) {
   proof::Source source = s.source;
   if (o.rtl) source = proof::source_in(*o.rtl, s.formula.design, {});
+  source.constants = s.source.constants;
+  source.asynchronous_reset = !s.formula.seen.empty();
   source.parameters = s.formula.parameters;
   for (const proof::Wire& w : s.formula.registers) {
     if (w.field.index <= 0) source.kept.push_back(net_path(w.field.net).path);
@@ -62,23 +64,26 @@ proof::Source source_of(const ProveOptions& o, const Subject& s) {
 
 std::vector<Subject> chosen(const std::vector<std::string>& words) {
   std::vector<Subject> all;
-  std::set<std::string> plain;
+  std::set<std::string> refused;  // why, a line a design
   const std::string wanted = fmt::format("{}", fmt::join(words, " "));
   for (const auto& machine : proof::built_machines()) {
     if (!(machine.title + ' ').starts_with(wanted.empty() ? "" : wanted + ' ')) continue;
+    const std::string design = machine.title.substr(0, machine.title.find(' '));
+    constexpr const char* nothing = ": nothing can be proved of it";
     if (machine.formula == nullptr) {
-      plain.insert(machine.title.substr(0, machine.title.find(' ')));
+      refused.insert(design + ": a plain model, on machine integers alone" + nothing);
+      continue;
+    }
+    proof::MachineFormula formula = machine.formula();
+    if (formula.unobserved.empty()) {
+      all.push_back({machine.title, std::move(formula), machine.source, {}});
     } else {
-      all.push_back({machine.title, machine.formula(), machine.source, {}});
+      refused.insert(fmt::format("{}: registers are unobserved, {}{}", design,
+                                 fmt::join(formula.unobserved, ", "), nothing));
     }
   }
-  if (!plain.empty()) {
-    const std::string said =
-        fmt::format("{}: a plain model, on machine integers alone: nothing can be proved of it",
-                    fmt::join(plain, ", "));
-    if (all.empty()) throw InputError(said);
-    fmt::print("{}\n", said);
-  }
+  if (all.empty() && !refused.empty()) throw InputError(*refused.begin());
+  for (const std::string& line : refused) fmt::print("{}\n", line);
   if (all.empty()) throw InputError(wanted + ": is no machine that is built; see cosim list");
   return all;
 }

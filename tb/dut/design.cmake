@@ -6,7 +6,8 @@
 #     [CLOCK port]                 its clock; default clk
 #     [INCLUDE_DIRS folder...] [DEFINES name[=value]...]
 #     MODEL header...              what defines struct cosim::NAME::Design
-#     [SHAPES "W=8 D=4"...]        parameters of the top, one build each; none: as the RTL has them
+#     [SHAPES "W=8 M=8'h1F"...]    parameters of the top, one build each: numbers, constants, words
+#                                  (MODE=FAST is a text); none: as the RTL has them
 #     [UNPROVED])                  no proof: the model is plain, or yosys cannot read the RTL
 #
 #   cosim_add_program(TARGET)      a program with every command for all designs added so far
@@ -15,9 +16,12 @@
 #                                  shape (100000), and NAME.proof unless it is UNPROVED; labels
 #                                  hostile and proof
 #
-# The parameters of a shape are those of the model's Params, in its order. Paths are relative to the
-# folder that calls.
+# The parameters of a shape are those of the model's Params, in its order: int, or const char* for a
+# text. Paths are relative to the folder that calls. RTL with a second clock, a falling edge, a latch, a
+# combinational loop or a bidirectional port is refused, in a line that names the net.
 include_guard(GLOBAL)
+include(${CMAKE_CURRENT_LIST_DIR}/rtl.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/shape.cmake)
 set_property(GLOBAL PROPERTY COSIM_ROOT "${CMAKE_CURRENT_LIST_DIR}/../..")
 include(${CMAKE_CURRENT_LIST_DIR}/design_gtest.cmake)  # cosim_add_gtest(): tests by hand
 
@@ -32,16 +36,6 @@ function(cosim_files variable what)
     list(APPEND all ${file})
   endforeach()
   set(${variable} ${all} PARENT_SCOPE)
-endfunction()
-
-# cosim_shape(ID "M=5 N=2"): sets, of a shape, ID_words (M=5;N=2) and ID_values (5, 2).
-function(cosim_shape prefix shape)
-  separate_arguments(words UNIX_COMMAND "${shape}")
-  set(values ${words})
-  list(TRANSFORM values REPLACE "^.*=" "")
-  list(JOIN values ", " values)
-  set(${prefix}_words ${words} PARENT_SCOPE)
-  set(${prefix}_values "${values}" PARENT_SCOPE)
 endfunction()
 
 # Many small files, most of whose time to compile is Verilator's header: compiled some classes at a
@@ -95,6 +89,9 @@ function(cosim_add_design NAME)
   foreach(define IN LISTS D_DEFINES)
     list(APPEND options -D${define})
   endforeach()
+  list(JOIN rtl "\" \"" for_yosys)
+  list(JOIN options " " include_options)
+  set(for_yosys "${include_options} \"${for_yosys}\"")
   list(JOIN rtl "\", \"" FILES)
   list(JOIN folders "\", \"" FOLDERS)
   list(JOIN D_DEFINES "\", \"" DEFINES)
@@ -107,14 +104,20 @@ function(cosim_add_design NAME)
   get_property(root GLOBAL PROPERTY COSIM_ROOT)
   cosim_verilated_library(${NAME}_verilated)
   foreach(shape IN LISTS D_SHAPES)
-    cosim_shape(shape "${shape}")
+    cosim_shape(shape "${what}" "${shape}")
     string(REGEX REPLACE "[ =]" "" ID "${NAME}${shape}")
+    string(MAKE_C_IDENTIFIER "${ID}" ID)
     set(PREFIX V${ID})
-    string(STRIP "${NAME} ${shape}" TITLE)
+    string(STRIP "${NAME} ${shape_title}" TITLE)
     set(PARAMETERS "${shape_values}")
+    set(CONSTANTS "${shape_constants}")
     string(TOLOWER "${D_UNPROVED}" UNPROVED)  # true or false, for C++
-    set(generics ${shape_words})
-    list(TRANSFORM generics PREPEND "-G")
+    set(generics ${shape_generics})
+    cosim_read_rtl(rtl_of "cosim_add_design(${TITLE})" ${TOP} ${CLOCK}
+      ${CMAKE_CURRENT_BINARY_DIR}/rtl_${ID} FILES ${rtl} OPTIONS ${generics} ${options}
+      YOSYS "read_verilog -sv ${for_yosys}; hierarchy -check -top ${TOP}${shape_chparams}")
+    set(REGISTERS "${rtl_of_registers}")
+    set(RESETS "${rtl_of_resets}")
     # Its whole hierarchy is open, for registers anywhere in it, for replays and for waves.
     verilate(${NAME}_verilated PREFIX ${PREFIX} TOP_MODULE ${TOP} SOURCES ${rtl}
       VERILATOR_ARGS ${generics} ${options} -Wno-fatal --x-initial unique --x-assign unique

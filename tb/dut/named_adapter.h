@@ -106,8 +106,10 @@ class NamedAdapter : public VerilatedInstance<Top> {
     std::copy(registers.begin(), registers.end(), registers_.begin());
   }
 
-  /// Sets a register's net before the first eval.
+  /// Sets a register's net. Behind the first eval, which sets initial values; to be followed by
+  /// another one.
   void load(const Field& field, Word value) {
+    if (!settled_) eval(false);
     const auto held = Registers::fields(params);
     for (std::size_t i = 0; i < held.size(); ++i) {
       if (held[i].index == field.index && std::string_view(held[i].name) == field.name) {
@@ -116,6 +118,7 @@ class NamedAdapter : public VerilatedInstance<Top> {
     }
   }
   void eval(bool clk) {
+    settled_ = true;
     clock_.set(clk ? 1 : 0);
     this->top().eval();
   }
@@ -137,6 +140,7 @@ class NamedAdapter : public VerilatedInstance<Top> {
   Nets<Outputs> outputs_;
   Nets<Registers> registers_;
   Net clock_;
+  bool settled_ = false;
 };
 
 }  // namespace cosim

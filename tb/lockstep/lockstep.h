@@ -9,6 +9,7 @@
 
 #include "model/core/design.h"
 #include "model/core/fields.h"
+#include "model/core/reset.h"
 #include "tb/coverage/counts.h"
 #include "tb/lockstep/meant.h"
 
@@ -65,19 +66,25 @@ class Lockstep {
   using Inputs = typename Design::template Inputs<Word>;
   using State = typename Design::template State<Word>;
 
-  /// Makes the adapter, which powers up at random from `power_up`, and clears both sides. That
-  /// clock is not compared: before it the RTL's registers may hold any value.
+  /// Makes the adapter, which powers up at random from `power_up`, and clears both sides. The
+  /// clocks of that are not compared: before them the RTL's registers may hold any value. A design
+  /// without a clear begins at its initial values.
   template <class PowerUp>
   explicit Lockstep(const PowerUp& power_up)
       : dut_(power_up), state_(cleared_of<Design, Word>()), meant_(dut_.params) {
-    dut_.drive(Design::clear());
-    edge();
+    if constexpr (has_clear<Design>) {
+      dut_.drive(Design::clear());
+      for (int i = 0; i < clear_clocks_of<Design>(); ++i) edge();
+    } else {
+      dut_.drive(rest_of<Design>());
+    }
     take_over();
   }
   /// Starts both sides from `state` instead, for an adapter that can load registers.
   template <class PowerUp>
   Lockstep(const PowerUp& power_up, const State& state)
       : dut_(power_up), state_(state), meant_(dut_.params) {
+    dut_.drive(rest_of<Design>());
     const auto fields = Design::template Registers<Word>::fields(dut_.params);
     const auto words = to_words(Design::registers(dut_.params, state));
     for (std::size_t i = 0; i < fields.size(); ++i) {
@@ -93,14 +100,15 @@ class Lockstep {
   COSIM_FLATTEN bool clock(const Inputs& in, Sample&& sample) {
     dut_.drive(in);
     dut_.eval(false);
-    copy_fields(dut_.params, expected_.registers, Design::registers(dut_.params, state_));
+    const auto& seen = seen_state<Design, Word>(dut_.params, state_, in);
+    copy_fields(dut_.params, expected_.registers, Design::registers(dut_.params, seen));
     Word bits = 0;
     if constexpr (!Meant<Design>::any) bits = difference(expected_.registers, dut_.registers());
-    const auto step = Design::next(dut_.params, state_, in);
-    coverage::count<Adapter>(state_, in, step);
+    const auto step = clocked<Design, Word>(dut_.params, state_, in);
+    coverage::count<Adapter>(seen, in, step);
     copy_fields(dut_.params, expected_.outputs, step.outputs);
     if constexpr (Meant<Design>::any) {
-      meant_.clock(dut_.params, state_, in, step.outputs);
+      meant_.clock(dut_.params, seen, in, step.outputs);
       bits = difference(expected_.registers, dut_.registers(), meant_, 0) |
              difference(expected_.outputs, dut_.outputs(), meant_, expected_.registers.size);
     } else {

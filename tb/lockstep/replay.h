@@ -116,7 +116,7 @@ Stimulus recorded(const typename Design::Params& p, Source source, std::uint32_t
   typename Design::template Outputs<Word> out{};
   while (stimulus.clocks.size() < clocks && next_inputs<Design>(source, p, state, in, out)) {
     stimulus.clocks.push_back(inputs.words(in));
-    const auto step = Design::next(p, state, in);
+    const auto step = clocked<Design, Word>(p, state, in);
     out = step.outputs;
     copy_fields(p, state, step.state);
   }

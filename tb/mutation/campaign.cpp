@@ -133,7 +133,9 @@ Campaign run_campaign(const Subject& subject, const Prover& prover, unsigned thr
 std::string to_json(const Subject& subject, const Campaign& campaign) {
   nlohmann::ordered_json top;
   top["design"] = subject.bench().design();
-  for (const Parameter& p : subject.bench().parameters()) top["parameters"][p.name] = p.value;
+  for (const Parameter& p : subject.bench().parameters()) {
+    top["parameters"][p.name] = p.text != nullptr ? Json(p.text) : Json(p.value);
+  }
   top["verilog"] = subject.verilog();
   top["mutants"] = campaign.outcomes.size();
   top["killed"] = campaign.count(End::killed);

@@ -144,13 +144,43 @@ class Question {
   }
   // What the RTL gives for output and register number i.
   Expression output(std::size_t i) { return during(rtl_, at_.outputs[i]); }
-  Expression after(std::size_t i) { return proof::after(rtl_, at_.registers[i]); }
+  Expression after(std::size_t i) { return now(proof::after(rtl_, at_.registers[i])); }
+  // What register number i shows during the first clock.
+  Expression shown(std::size_t i) { return during(rtl_, at_.registers[i]); }
+
+  // One more clock of a clear: of its inputs those that clear are the same, the others free.
+  void clear_again() {
+    for (const Rtl::Free& f : rtl_.free()) {
+      const std::string next = on_next_clock(now(f.symbol));
+      if (f.after.empty()) {
+        script_.declare(next, f.sort());
+      } else {
+        script_.define(next, {now(f.after), f.sort()});
+      }
+    }
+    ++clock_;
+    script_.add(now(rtl_.definitions()));
+    for (const Wire& given : m_.clearing) {
+      for (std::size_t i = 0; i < m_.inputs.size(); ++i) {
+        if (detail::term(m_.inputs[i].field) != detail::term(given.field)) continue;
+        script_.assume(equal(now(during(rtl_, at_.inputs[i])), given.code));
+      }
+    }
+  }
 
  private:
+  // A term on the clock that the question has come to.
+  template <class Term>
+  Term now(Term term) const {
+    for (int i = 0; i < clock_; ++i) term = on_next_clock(term);
+    return term;
+  }
+
   const MachineFormula& m_;
   const Rtl& rtl_;
   Located at_;
   Script script_;
+  int clock_ = 0;
 };
 
 Expression any_fails(const std::vector<Named>& all) {
@@ -159,6 +189,18 @@ Expression any_fails(const std::vector<Named>& all) {
   return any;
 }
 
+// ", but for a, b": what the model takes over from the RTL, of an array once, not each element.
+std::string taken_over(const MachineFormula& m) {
+  std::string text;
+  for (const Wire& w : m.cleared) {
+    if (!w.field.unreset || w.field.index > 0) continue;
+    text += std::string(text.empty() ? ", but for " : ", ") + w.field.name;
+  }
+  return text;
+}
+
+constexpr const char* kInitial = ".initial";
+constexpr const char* kSeen = ".seen";
 constexpr const char* kOutput = ".output";
 constexpr const char* kAfter = ".after";
 
@@ -166,27 +208,47 @@ std::string broken_name(std::size_t i) { return fmt::format("model.kept.{}", i);
 
 }  // namespace
 
+namespace {
+
+// Of a machine that nothing clears.
+Claim claim_initial(const MachineFormula& m, const Rtl& rtl) {
+  Question q(m, rtl, true);
+  for (const std::string& term : rtl.initial()) q.script().assume({term, boolean});
+  Expression wrong = any_fails(m.invariant_cleared);
+  for (std::size_t i = 0; i < m.cleared.size(); ++i) {
+    if (m.cleared[i].field.unreset) continue;
+    wrong = disjunction(wrong, q.differs(kInitial, m.cleared[i], q.shown(i)));
+  }
+  q.script().ask(wrong);
+  return {"they begin the same" + taken_over(m),
+          Answer::unsat,
+          {{{"at first"}, q.script().text()}},
+          {}};
+}
+
+}  // namespace
+
 Claim claim_clear(const MachineFormula& m, const Rtl& rtl) {
+  if (m.clear_clocks == 0) return claim_initial(m, rtl);
   Question q(m, rtl, true);
   for (const Wire& given : m.clearing) {
     q.script().assume(equal(detail::symbol("in", given.field), given.code));
   }
+  for (int i = 1; i < m.clear_clocks; ++i) q.clear_again();
   Expression wrong = any_fails(m.invariant_cleared);
-  std::string taken;
   for (std::size_t i = 0; i < m.cleared.size(); ++i) {
     const Wire& w = m.cleared[i];
-    if (w.field.unreset) {
-      // Of an array once, not each element.
-      if (w.field.index <= 0) {
-        taken += std::string(taken.empty() ? ", but for " : ", ") + w.field.name;
-      }
-      continue;
-    }
+    if (w.field.unreset) continue;
     wrong = disjunction(wrong, q.differs(kAfter, w, q.after(i)));
+    // A longer clear may take the model through states of its own.
+    if (m.clear_clocks > 1) continue;
     wrong = disjunction(wrong, where_compared(w, negation(equal(m.after[i].code, w.code))));
   }
   q.script().ask(wrong);
-  return {"a clear makes them the same" + taken,
+  return {(m.clear_clocks == 1
+               ? "a clear makes them the same"
+               : fmt::format("{} clocks of a clear make them the same", m.clear_clocks)) +
+              taken_over(m),
           Answer::unsat,
           {{{"any clock"}, q.script().text()}},
           {}};
@@ -225,6 +287,9 @@ Claim claim_step(const MachineFormula& m, const Rtl& rtl) {
     const Expression wrong = differs(kAfter, m.after[i], q.after(i));
     after = disjunction(after, wrong);
     if (m.parts.empty()) sort_in("register ", m.after[i], wrong);
+  }
+  for (std::size_t i = 0; i < m.seen.size(); ++i) {
+    sort_in("register seen ", m.seen[i], q.differs(kSeen, m.seen[i], q.shown(i)));
   }
   for (std::size_t i = 0; i < m.outputs.size(); ++i) {
     sort_in("output ", m.outputs[i], differs(kOutput, m.outputs[i], q.output(i)));

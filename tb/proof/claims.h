@@ -1,8 +1,8 @@
 // What is claimed of one machine: RTL and golden model are the same for ever.
 //
-//   clear   after a clock that clears the machine, whatever registers and state held before, the
+//   clear   after the clocks that clear the machine, whatever registers and state held before, the
 //           registers hold the values of the model's state after a clear, and that state satisfies
-//           the invariant
+//           the invariant; of a machine that nothing clears: its initial values are that state's
 //   step    from every state that satisfies the invariant, with the registers holding its
 //           values, under every input: outputs and registers after the clock are those of
 //           the model, and the state after it satisfies the invariant
@@ -12,6 +12,9 @@
 //
 // A register or an output that the design compares on some clocks only may hold anything on the
 // others, in what is assumed and in what is claimed.
+//
+// Under an asynchronous reset what the registers show during a clock is claimed as well: yosys
+// makes of such a register one that is reset by the clock, and of its net a choice by the reset.
 //
 // The first two are an induction over the clocks: nothing else is assumed of the inputs, and no
 // bound is set. The others show that the hypotheses of the second can be met.

@@ -7,6 +7,7 @@
 
 #include "model/core/design.h"
 #include "model/core/fields.h"
+#include "model/core/reset.h"
 #include "tb/proof/bits.h"
 
 namespace cosim::proof {
@@ -42,15 +43,20 @@ struct MachineFormula {
   /// of the state before the clock, after it, and after a clear.
   std::vector<Named> reached, reached_after, reached_cleared;
   std::vector<Wire> registers;  ///< what the RTL's registers must hold before the clock
-  std::vector<Wire> outputs;    ///< during it
-  std::vector<Wire> after;      ///< what the registers must hold after it
-  std::vector<Named> parts;     ///< they cover all clocks and are easier one by one
-  std::vector<Named> cases;     ///< what may happen on a clock; each must be possible
-  std::vector<Named> legal;     ///< what is assumed of the inputs of a clock
-  std::vector<Named> idle;      ///< the same of the inputs that the model says are legal always
-  std::vector<Wire>
-      clearing;               ///< the inputs that clear the machine, with the values they have then
-  std::vector<Wire> cleared;  ///< the registers after that
+  /// Under an asynchronous reset, what they must show during it; else empty.
+  std::vector<Wire> seen;
+  std::vector<Wire> outputs;  ///< during it
+  std::vector<Wire> after;    ///< what the registers must hold after it
+  std::vector<Named> parts;   ///< they cover all clocks and are easier one by one
+  std::vector<Named> cases;   ///< what may happen on a clock; each must be possible
+  std::vector<Named> legal;   ///< what is assumed of the inputs of a clock
+  std::vector<Named> idle;    ///< the same of the inputs that the model says are legal always
+  /// The inputs that clear the machine, with the values they have then, and on how many clocks they
+  /// are given. None for a machine that begins at its initial values.
+  std::vector<Wire> clearing;
+  int clear_clocks = 1;
+  std::vector<Wire> cleared;            ///< the registers after that
+  std::vector<std::string> unobserved;  ///< registers that are not compared: nothing can be proved
   std::vector<Named> invariant_cleared;
 };
 
@@ -171,7 +177,8 @@ MachineFormula formula(const typename Design::Params& p) {
   const auto s = detail::symbols<State>("state", state_fields, false);
   const auto in = detail::symbols<Inputs>("in", input_fields, true);
 
-  auto step = Design::next(p, s, in);
+  const auto seen = seen_state<Design, Bits>(p, s, in);
+  auto step = clocked<Design, Bits>(p, s, in);
   State::trim(p, step.state);
   m.invariant = detail::whole_invariant<Design>(p, s);
   m.invariant_after = detail::whole_invariant<Design>(p, step.state);
@@ -179,7 +186,8 @@ MachineFormula formula(const typename Design::Params& p) {
   m.reached_after = detail::whole_reached<Design>(p, step.state);
   m.registers = detail::registers_in<Design>(p, s);
   m.outputs = detail::compared_when(wires(step.outputs, output_fields),
-                                    outputs_compared_of<Bits>(p, s, in, step.outputs));
+                                    outputs_compared_of<Bits>(p, seen, in, step.outputs));
+  if (is_reset_asynchronous<Design>()) m.seen = detail::registers_in<Design>(p, seen);
   m.after = detail::registers_in<Design>(p, step.state);
   for (const auto& [name, condition] : parts_of<Bits>(p, s)) {
     m.parts.push_back({name, condition.expression()});
@@ -213,11 +221,15 @@ MachineFormula formula(const typename Design::Params& p) {
   m.cleared = detail::registers_in<Design>(p, cleared);
   m.invariant_cleared = detail::whole_invariant<Design>(p, cleared);
   m.reached_cleared = detail::whole_reached<Design>(p, cleared);
-  const auto clear = to_words(Design::clear());
-  const auto rest = to_words(rest_of<Design>());
-  for (std::size_t i = 0; i < input_fields.size(); ++i) {
-    if (clear[i] == rest[i] || input_fields[i].width == 0) continue;
-    m.clearing.push_back({input_fields[i], Bits(clear[i]).code(input_fields[i].width)});
+  m.clear_clocks = clear_clocks_of<Design>();
+  for (const char* pattern : unobserved_of<Design>()) m.unobserved.emplace_back(pattern);
+  if constexpr (has_clear<Design>) {
+    const auto clear = to_words(Design::clear());
+    const auto rest = to_words(rest_of<Design>());
+    for (std::size_t i = 0; i < input_fields.size(); ++i) {
+      if (clear[i] == rest[i] || input_fields[i].width == 0) continue;
+      m.clearing.push_back({input_fields[i], Bits(clear[i]).code(input_fields[i].width)});
+    }
   }
   return m;
 }

@@ -3,10 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-
 #include <map>
 #include <optional>
-#include <regex>
 #include <sstream>
 #include <utility>
 
@@ -22,20 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string sort_of(const Rtl::Free& f) { return f.is_bool ? boolean : bit_vector(f.width); }
 Expression differ(const Expression& a, const Expression& b) { return negation(equal(a, b)); }
-// The same symbols on the clock after.
-std::string on_next_clock(const std::string& text) {
-  static const std::regex symbol(R"(\|([^|]*)\|)");
-  return std::regex_replace(text, symbol, "|$1'|");
-}
-Expression on_next_clock(const Expression& e) {
-  if (e.parts().empty()) return {on_next_clock(e.text()), e.sort()};
-  std::vector<Expression> parts;
-  for (const Expression& p : e.parts()) parts.push_back(on_next_clock(p));
-  return {e.text(), e.sort(), parts};
-}
-
 Script declared(const MachineFormula& m) {
   Script script("QF_BV");
   for (const Wire& w : m.inputs) script.declare(w.code.text(), w.code.sort());
@@ -85,9 +70,9 @@ class Side {
     for (std::size_t i = 0; i < known.size(); ++i) {
       const Rtl::Free& f = rtl.free()[i];
       if (known[i]) {
-        script.define(f.symbol, as_sort(*known[i], sort_of(f)));
+        script.define(f.symbol, as_sort(*known[i], f.sort()));
       } else {
-        script.declare(f.symbol, sort_of(f));
+        script.declare(f.symbol, f.sort());
       }
     }
     script.add(rtl.definitions());
@@ -121,9 +106,9 @@ class Side {
     if (!next_clock_) {
       for (const Rtl::Free& free : rtl_.free()) {
         if (free.after.empty()) {
-          script_.declare(on_next_clock(free.symbol), sort_of(free));
+          script_.declare(on_next_clock(free.symbol), free.sort());
         } else {
-          script_.define(on_next_clock(free.symbol), {free.after, sort_of(free)});
+          script_.define(on_next_clock(free.symbol), {free.after, free.sort()});
         }
       }
       script_.add(on_next_clock(rtl_.definitions()));
@@ -198,7 +183,7 @@ Mutants::Mutants(const MachineFormula& machine, const fs::path& verilog,
   std::string commands = fmt::format(
       "read_verilog \"{}\"; prep -flatten -nomem -top {}; memory_collect; memory_map; rename -top "
       "machine; setattr -set keep 1 {}; "
-      "async2sync; setundef -anyseq; ",
+      "async2sync; dffunmap; setundef -anyseq; ",
       fs::absolute(verilog).string(), machine.design, kept);
   std::vector<unsigned> all{0};
   all.insert(all.end(), numbers.begin(), numbers.end());
@@ -215,7 +200,7 @@ Mutants::Mutants(const MachineFormula& machine, const fs::path& verilog,
 
   const auto texts = modules_in(in_scratch("all.smt2"));
   const auto clocks = clocks_in(in_scratch("m0"));
-  original_.emplace_back("m0", texts.at("m0"));
+  original_.emplace_back("m0", texts.at("m0"), !machine.seen.empty());
   for (const unsigned k : numbers) {
     const std::string name = fmt::format("m{}", k);
     bool same_clocks = true;
@@ -224,7 +209,7 @@ Mutants::Mutants(const MachineFormula& machine, const fs::path& verilog,
       same_clocks = same_clocks && edge != Edge::other && in_original != clocks.end() &&
                     in_original->second == edge;
     }
-    mutants_.push_back({k, Rtl(name, texts.at(name)), same_clocks});
+    mutants_.push_back({k, Rtl(name, texts.at(name), !machine.seen.empty()), same_clocks});
   }
 }
 

@@ -26,13 +26,18 @@ std::string without_state(const std::string& text) {
   return std::regex_replace(text, applied, "$1");
 }
 
+std::string as_constant(const Source& source, const Parameter& p) {
+  const auto found = source.constants.find(p.name);
+  return found == source.constants.end() ? to_text(p) : found->second;
+}
+
 std::string written_by_yosys(const Source& source) {
   const Scratch scratch;
   const fs::path file = scratch.path() / "rtl.smt2";
   std::string commands = read_commands(source);
   commands += "hierarchy -check -top " + source.top;
   for (const Parameter& p : source.parameters) {
-    commands += fmt::format(" -chparam {} {}", p.name, p.value);
+    commands += fmt::format(" -chparam {} {}", p.name, as_constant(source, p));
   }
   // A register that nothing reads stays one, and what is undefined is free in the formula.
   std::string kept = "w:*_q";
@@ -40,7 +45,7 @@ std::string written_by_yosys(const Source& source) {
   // A memory becomes a register a word, store[3].
   commands += fmt::format(
       "; rename -top {}; setattr -set keep 1 {}; prep -flatten -nomem; memory_collect; memory_map; "
-      "async2sync; setundef -anyseq; write_smt2 -wires {}",
+      "async2sync; dffunmap; setundef -anyseq; write_smt2 -wires {}",
       source.top, kept, file.string());
   run_yosys(commands, source.top);
   return read_file(file.string());
@@ -98,9 +103,11 @@ Source source_in(const fs::path& folder, const std::string& design,
   return source;
 }
 
-Rtl::Rtl(const Source& source) : Rtl(source.top, written_by_yosys(source)) {}
+Rtl::Rtl(const Source& source)
+    : Rtl(source.top, written_by_yosys(source), source.asynchronous_reset) {}
 
-Rtl::Rtl(std::string top, const std::string& smt2) : top_(std::move(top)) {
+Rtl::Rtl(std::string top, const std::string& smt2, bool asynchronous_reset)
+    : top_(std::move(top)), asynchronous_reset_(asynchronous_reset) {
   std::istringstream lines(smt2);
   for (std::string line; std::getline(lines, line);) read_line(line);
   if (free_.empty()) throw InputError(top_ + ": yosys wrote no machine");
@@ -113,8 +120,18 @@ void Rtl::read_line(const std::string& line) {
       R"(\(define-fun (\|[^|]*\|) \(\(state \|[^|]*\|\)\) (Bool|\(_ BitVec \d+\)) (.*)\)( ;.*)?)");
   std::smatch part;
   if (line.starts_with(';')) return read_port(line);
+  if (in_initial_) {  // a line "  (= term value) ; name" for each register, perhaps in an (and
+    in_initial_ = !line.starts_with(')');
+    const std::size_t begin = line.find("(= "), end = line.find(" ;");
+    if (in_initial_ && begin != std::string::npos) {
+      initial_.push_back(without_state(line.substr(begin, end - begin)));
+    }
+    return;
+  }
   if (line.starts_with("(define-fun |" + top_ + "_t|")) {
     in_relation_ = true;
+  } else if (line.starts_with("(define-fun |" + top_ + "_i|") && !line.ends_with(')')) {
+    in_initial_ = true;
   } else if (in_relation_ && std::regex_match(line, part, relation)) {
     const auto found = std::find_if(free_.begin(), free_.end(),
                                     [&](const Free& f) { return f.symbol == part[2]; });
@@ -138,8 +155,8 @@ void Rtl::read_port(const std::string& line) {
 }
 
 void Rtl::define(const std::string& name, const std::string& sort, const std::string& body) {
-  if ((name == "|" + top_ + "_u|" || name == "|" + top_ + "_i|") && body != "true") {
-    throw InputError(top_ + ": its Verilog assumes or initialises something");
+  if (name == "|" + top_ + "_u|" && body != "true") {
+    throw InputError(top_ + ": its Verilog assumes something");
   }
   definitions_ += definition(name, sort, body);
   wires_[name] = {sort, body};
@@ -156,13 +173,40 @@ std::vector<std::size_t> Rtl::pieces(const std::string& wire) const {
   for (std::sregex_iterator i(body.begin(), body.end(), word), end; i != end; ++i) {
     read += static_cast<std::size_t>(i->length());
     if (!i->str().starts_with('|')) continue;
-    const auto symbol = std::find_if(free_.begin(), free_.end(),
-                                     [&](const Free& f) { return f.symbol == i->str(); });
+    const std::string seen = asynchronous_reset_ ? without_reset(i->str()) : i->str();
+    const auto symbol =
+        std::find_if(free_.begin(), free_.end(), [&](const Free& f) { return f.symbol == seen; });
     if (symbol == free_.end()) return {};
     found.push_back(static_cast<std::size_t>(symbol - free_.begin()));
   }
   if (read != body.size()) return {};  // there is something else in it
   return found;
+}
+
+// Yosys makes of a register with an asynchronous reset one without, and behind it a choice between
+// that and a constant, by the input.
+std::string Rtl::without_reset(const std::string& symbol) const {
+  static const std::regex choice(
+      R"(\(ite \(= \(\(_ extract 0 0\) \|[^|]*\|\) #b1\) (\S+) (\S+)\))");
+  const auto of = wires_.find(symbol);
+  std::smatch part;
+  if (of == wires_.end() || !std::regex_match(of->second.body, part, choice)) return symbol;
+  const std::string yes = part[1], no = part[2];
+  if (yes.starts_with("#b") && no.starts_with('|')) return no;
+  if (no.starts_with("#b") && yes.starts_with('|')) return yes;
+  return symbol;
+}
+
+std::string on_next_clock(const std::string& text) {
+  static const std::regex symbol(R"(\|([^|]*)\|)");
+  return std::regex_replace(text, symbol, "|$1'|");
+}
+
+Expression on_next_clock(const Expression& term) {
+  if (term.parts().empty()) return {on_next_clock(term.text()), term.sort()};
+  std::vector<Expression> parts;
+  for (const Expression& p : term.parts()) parts.push_back(on_next_clock(p));
+  return {term.text(), term.sort(), parts};
 }
 
 int Rtl::width(const std::string& wire) const {

@@ -20,6 +20,9 @@ struct Source {
   std::vector<std::string> kept = {};
   std::vector<std::filesystem::path> include_dirs = {};
   std::vector<std::string> defines = {};  ///< "NAME" or "NAME=VALUE"
+  /// Parameters that Verilog writes otherwise than as a plain number, as it does.
+  std::map<std::string, std::string> constants = {};
+  bool asynchronous_reset = false;  ///< as of Rtl's constructor
 };
 
 /// The RTL of `design`: the files of folder/design, or of the folder itself where there is no such
@@ -44,8 +47,10 @@ class Rtl {
  public:
   /// Runs yosys on `source`. InputError where it cannot be run or finds no such machine.
   explicit Rtl(const Source& source);
-  /// Reads what yosys wrote of the machine `top`.
-  Rtl(std::string top, const std::string& smt2);
+  /// Reads what yosys wrote of the machine `top`. Under an asynchronous reset a register's net is
+  /// made of the register and, where the reset is given, of a constant; pieces() then looks
+  /// through.
+  Rtl(std::string top, const std::string& smt2, bool asynchronous_reset = false);
 
   /// A symbol that the definitions need and do not give: an input or a register, or some bits of
   /// one.
@@ -53,6 +58,7 @@ class Rtl {
     std::string symbol;
     int width = 1;
     bool is_bool = false;
+    std::string sort() const { return is_bool ? boolean : bit_vector(width); }
     std::string after;  ///< what it is after the clock, a term; empty where it is no register
   };
   const std::vector<Free>& free() const { return free_; }
@@ -64,6 +70,8 @@ class Rtl {
   /// The free symbols that a wire of the top is made of, highest bits first; empty where it is made
   /// of anything else. Indices of free().
   std::vector<std::size_t> pieces(const std::string& wire) const;
+  /// What the registers hold at first, terms; empty where none has an initial value.
+  const std::vector<std::string>& initial() const { return initial_; }
   /// How many bits a wire of the top has, the word "store[3]" of a memory too; 0 where there is
   /// none.
   int width(const std::string& wire) const;
@@ -73,6 +81,7 @@ class Rtl {
  private:
   void read_line(const std::string& line);
   void read_port(const std::string& line);
+  std::string without_reset(const std::string& symbol) const;
   void define(const std::string& name, const std::string& sort, const std::string& body);
 
   std::string top_;
@@ -84,8 +93,15 @@ class Rtl {
     std::string body;
   };
   std::map<std::string, Wire> wires_;  // by symbol
+  std::vector<std::string> initial_;
+  bool asynchronous_reset_ = false;
   bool in_relation_ = false;
+  bool in_initial_ = false;
 };
+
+/// A term, or definitions, with the symbols of the clock after.
+std::string on_next_clock(const std::string& text);
+Expression on_next_clock(const Expression& term);
 
 /// A term of either sort as a code: of Bool, one bit.
 Expression as_code(const Expression& term);

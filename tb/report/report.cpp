@@ -1,6 +1,6 @@
 #include "tb/report/report.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -9,6 +9,7 @@
 #include "tb/support/finite.h"
 #include "tb/support/output_file.h"
 #include "tb/support/show.h"
+#include "tb/support/words.h"
 
 namespace cosim {
 namespace {
@@ -23,7 +24,9 @@ Json signal_names(const AnyBench& bench) {
 
 Json parameters(const AnyBench& bench) {
   Json object = Json::object();
-  for (const Parameter& p : bench.parameters()) object[p.name] = p.value;
+  for (const Parameter& p : bench.parameters()) {
+    object[p.name] = p.text != nullptr ? Json(p.text) : Json(p.value);
+  }
   return object;
 }
 
@@ -83,6 +86,7 @@ Json run_json(const Outcome& o) {
   object["design"] = o.bench->design();
   object["parameters"] = parameters(*o.bench);
   object["work"] = o.work;
+  if (!o.bench->unobserved().empty()) object["unobserved"] = o.bench->unobserved();
   if (Json rules = assumed(*o.bench); !rules.empty()) object["assumed"] = std::move(rules);
   object["clocks"] = o.result.clocks;
   put_left_out(object, *o.bench, o.result);
@@ -136,6 +140,10 @@ std::string comparison_text(const std::vector<Outcome>& outcomes) {
     text += fmt::format("compared: {}{} on {} clock{}\n", compared_signals(*bench), of,
                         clocks == 1 ? "the one" : fmt::format("each of {}", clocks),
                         clocks == 1 ? "" : "s");
+    if (const auto& left = bench->unobserved(); !left.empty()) {
+      text += fmt::format("unobserved{}: {}: {}\n", of, count(left.size(), "register"),
+                          fmt::join(left, ", "));
+    }
     for (const std::string& rule : bench->assumed()) {
       text += fmt::format("assumed of the inputs{}: {}\n", of, rule);
     }

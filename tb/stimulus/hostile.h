@@ -7,6 +7,7 @@
 
 #include "model/core/design.h"
 #include "model/core/fields.h"
+#include "model/core/reset.h"
 #include "tb/stimulus/legal.h"
 #include "tb/support/random.h"
 
@@ -137,7 +138,8 @@ class HostileStimulus {
 
   void redraw() {
     const bool quiet = random_.one_in_power(1);
-    const Inputs clear = Design::clear();
+    Inputs clear = rest_;
+    if constexpr (has_clear<Design>) clear = Design::clear();
     for_each_member<Inputs>([&](auto member, std::size_t i) {
       rarity_[i] = static_cast<int>(random_.below(11));
       if (quiet && !same(clear.*member, rest_.*member)) rarity_[i] = never;

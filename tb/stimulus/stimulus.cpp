@@ -210,8 +210,8 @@ class Parser {
       const Field& field = inputs_[columns_[c]];
       const auto value = parse_short(field, words_[c + 1]);
       if (!value) {
-        fail(fmt::format("{}: {} is no value of {} bit{}", label_of(field), in_quotes(words_[c + 1]),
-                         field.width, field.width == 1 ? "" : "s"));
+        fail(fmt::format("{}: {} is no value of {} bit{}", label_of(field),
+                         in_quotes(words_[c + 1]), field.width, field.width == 1 ? "" : "s"));
       }
       values[columns_[c]] = *value;
     }

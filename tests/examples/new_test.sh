@@ -124,7 +124,15 @@ refused "new: yosys cannot read it: $folder/made.v:3: ERROR: syntax error, unexp
 rtl 'always @* if (other) q = d; always @(posedge clk) r <= q;'
 refused "new: q: a latch" made made.v
 rtl 'always @(posedge clk or posedge other) if (other) q <= 0; else q <= d;'
-refused "new: q: an asynchronous reset" made made.v
+"$program" new made made.v > said
+grep -q 'clear() { return {.other = 1}; }' made/made.h
+grep -qx '  static constexpr bool asynchronous_reset = true;' made/made.h
+rm -r made
+rtl 'always @(posedge clk or negedge other) if (!other) q <= 0; else q <= d;
+     always @(posedge clk or posedge d) if (d) r <= 0; else r <= w[0];'
+refused "new: d and other: two asynchronous resets" made made.v
+rtl 'wire x = d & other; always @(posedge clk or posedge x) if (x) q <= 0; else q <= d;'
+refused "new: x: an asynchronous reset that is no input" made made.v
 rtl 'always @(posedge clk) q <= d; always @(posedge other) r <= d;'
 refused "new: clk and other: two clocks" made made.v
 rtl 'reg mem[1:4]; always @(posedge clk) begin mem[w[2:0]] <= d; q <= mem[w[6:4]]; end'

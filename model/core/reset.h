@@ -1,0 +1,84 @@
+// How a design is reset, as its struct Design says: clear(), the inputs that clear it, on
+// clear_clocks clocks, at the edge or, where asynchronous_reset says so, at once; or no clear() at
+// all, for a design that only begins at its initial values.
+#pragma once
+
+#include <cstddef>
+
+#include "model/core/design.h"
+
+namespace cosim {
+
+/// Whether inputs can clear the design. One that has no clear() begins in the state cleared().
+template <class Design>
+inline constexpr bool has_clear = requires {
+  Design::clear();
+};
+
+/// How many clocks clear() is to be given: Design::clear_clocks, or 1.
+template <class Design>
+constexpr int clear_clocks_of() {
+  if constexpr (requires { Design::clear_clocks; }) {
+    static_assert(Design::clear_clocks >= 1);
+    return Design::clear_clocks;
+  } else {
+    return has_clear<Design> ? 1 : 0;
+  }
+}
+
+/// Whether the reset does not wait for the clock: Design::asynchronous_reset, or false.
+template <class Design>
+constexpr bool is_reset_asynchronous() {
+  if constexpr (requires { Design::asynchronous_reset; }) {
+    static_assert(has_clear<Design>, "an asynchronous reset is what clear() gives");
+    return Design::asynchronous_reset;
+  } else {
+    return false;
+  }
+}
+
+/// Whether the inputs reset the design: all pins that clear() sets otherwise than rest() does.
+template <class Design, class V>
+constexpr Condition<V> resets(const typename Design::template Inputs<V>& in) {
+  const auto clear = to_words(Design::clear()), rest = to_words(rest_of<Design>());
+  Condition<V> all = V(0) == V(0);
+  for_each_cell<typename Design::template Inputs<V>>([&](auto cell, std::size_t i) {
+    if (clear[i] != rest[i]) all = all & (cell(in) == V(clear[i]));
+  });
+  return all;
+}
+
+/// The state s as a clock with these inputs sees it: under an asynchronous reset it is cleared
+/// already, but for what no reset reaches.
+template <class Design, class V>
+constexpr decltype(auto) seen_state(const typename Design::Params& p,
+                                    const typename Design::template State<V>& s,
+                                    const typename Design::template Inputs<V>& in) {
+  if constexpr (is_reset_asynchronous<Design>()) {
+    using State = typename Design::template State<V>;
+    const auto fields = Design::template State<Word>::fields(p);
+    auto cleared = cleared_of<Design, V>();
+    for_each_cell<State>([&](auto cell, std::size_t i) {
+      if (fields[i].unreset) cell(cleared) = cell(s);
+    });
+    return select_record(resets<Design, V>(in), cleared, s);
+  } else {
+    return (s);
+  }
+}
+
+/// One clock: next() of the state that it sees, and the same of what comes of it.
+template <class Design, class V>
+constexpr auto clocked(const typename Design::Params& p,
+                       const typename Design::template State<V>& s,
+                       const typename Design::template Inputs<V>& in) {
+  if constexpr (is_reset_asynchronous<Design>()) {
+    auto step = Design::next(p, seen_state<Design, V>(p, s, in), in);
+    step.state = seen_state<Design, V>(p, step.state, in);
+    return step;
+  } else {
+    return Design::next(p, s, in);
+  }
+}
+
+}  // namespace cosim

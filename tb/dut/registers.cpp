@@ -1,0 +1,101 @@
+#include "tb/dut/registers.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "model/core/input_error.h"
+
+namespace cosim {
+namespace {
+
+std::vector<std::vector<std::string>> lines_of(std::string_view text) {
+  std::vector<std::vector<std::string>> all;
+  std::istringstream lines{std::string(text)};
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    all.emplace_back();
+    for (std::string word; words >> word;) all.back().push_back(word);
+  }
+  return all;
+}
+
+bool matches(std::string_view pattern, std::string_view name) {
+  const std::size_t star = pattern.find('*');
+  if (star == std::string_view::npos) return pattern == name;
+  if (!name.starts_with(pattern.substr(0, star))) return false;
+  for (std::size_t skipped = star; skipped <= name.size(); ++skipped) {
+    if (matches(pattern.substr(star + 1), name.substr(skipped))) return true;
+  }
+  return false;
+}
+
+// Whether a field is the net or a part of it: an element of an array, some of its bits.
+bool names(const Field& field, std::string_view net) {
+  const std::string_view at = field.net;
+  return at == net || (at.starts_with(net) && at.substr(net.size()).starts_with('['));
+}
+
+}  // namespace
+
+std::vector<std::string> unobserved_registers(const RtlText& text, const std::vector<Field>& fields,
+                                              const std::vector<std::string>& patterns) {
+  std::vector<std::string> unobserved;
+  std::vector<bool> used(patterns.size());
+  for (const auto& nets : lines_of(text.registers)) {
+    const bool in_table = std::any_of(fields.begin(), fields.end(), [&](const Field& f) {
+      return std::any_of(nets.begin(), nets.end(),
+                         [&](const std::string& net) { return names(f, net); });
+    });
+    if (in_table) continue;
+    bool allowed = false;
+    for (std::size_t i = 0; i < patterns.size(); ++i) {
+      if (!matches(patterns[i], nets.front())) continue;
+      allowed = used[i] = true;
+    }
+    if (!allowed) {
+      throw InputError(fmt::format(
+          "{}: the RTL has a register {} that no table names and that is not in unobserved",
+          text.title, nets.front()));
+    }
+    unobserved.push_back(nets.front());
+  }
+  const auto unused = std::find(used.begin(), used.end(), false);
+  if (unused != used.end() && !text.registers.empty()) {
+    throw InputError(
+        fmt::format("{}: unobserved has {}, and the RTL has no such register beside the tables",
+                    text.title, patterns[static_cast<std::size_t>(unused - used.begin())]));
+  }
+  return unobserved;
+}
+
+void require_resets(const RtlText& text, bool is_asynchronous, const std::vector<ResetPin>& pins) {
+  const auto resets = lines_of(text.resets);
+  const auto refuse = [&](const std::string& why) {
+    throw InputError(fmt::format("{}: {}", text.title, why));
+  };
+  if (resets.empty()) {
+    if (is_asynchronous && !text.registers.empty()) {
+      refuse("asynchronous_reset, and no register of the RTL has an asynchronous reset");
+    }
+    return;
+  }
+  const std::string& name = resets.front().back();
+  if (!is_asynchronous) {
+    refuse(fmt::format(
+        "{} resets asynchronously: struct Design is to say asynchronous_reset = true", name));
+  }
+  if (resets.size() > 1) {
+    refuse(fmt::format("two asynchronous resets, {} and {}", name, resets[1].back()));
+  }
+  const bool level = resets.front().size() == 1;
+  if (pins.size() != 1 || pins.front().net != name || pins.front().in_clear != level) {
+    refuse(
+        fmt::format("{} resets asynchronously where it is {}, and clear() is to differ from "
+                    "rest() in that alone",
+                    name, level ? 1 : 0));
+  }
+}
+
+}  // namespace cosim

@@ -1,0 +1,54 @@
+// What the RTL's own text says of its registers and resets, by rtl.pl, against what a design says.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/core/design.h"
+#include "model/core/reset.h"
+
+namespace cosim {
+
+/// The registers and asynchronous resets as rtl.pl prints them, without the first word.
+struct RtlText {
+  std::string title;           ///< of the shape, for errors
+  std::string_view registers;  ///< lines "PATH ALIAS..."; empty where they are not known
+  std::string_view resets;     ///< lines "NAME" or "low NAME"
+};
+
+/// An input that clear() sets otherwise than rest(), and how.
+struct ResetPin {
+  std::string net;
+  bool in_clear = false;
+};
+
+/// The registers that no field names and that a pattern allows, by their paths. A * in a pattern
+/// stands for anything. InputError where there is a register that neither names, and where a
+/// pattern names none.
+std::vector<std::string> unobserved_registers(const RtlText& text, const std::vector<Field>& fields,
+                                              const std::vector<std::string>& patterns);
+
+/// InputError where the RTL has an asynchronous reset and the design has not, or the other way
+/// round, and where clear() does not give it.
+void require_resets(const RtlText& text, bool is_asynchronous, const std::vector<ResetPin>& pins);
+
+/// Both for a design; its unobserved registers.
+template <class Design>
+std::vector<std::string> require_registers(const RtlText& text, const typename Design::Params& p) {
+  const auto held = Design::template Registers<Word>::fields(p);
+  const auto patterns = unobserved_of<Design>();
+  std::vector<ResetPin> pins;
+  if constexpr (has_clear<Design>) {
+    const auto fields = Design::template Inputs<Word>::fields(p);
+    const auto clear = to_words(Design::clear()), rest = to_words(rest_of<Design>());
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      if (clear[i] == rest[i]) continue;
+      pins.push_back({fields[i].net, clear[i] != 0});
+    }
+  }
+  require_resets(text, is_reset_asynchronous<Design>(), pins);
+  return unobserved_registers(text, {held.begin(), held.end()}, {patterns.begin(), patterns.end()});
+}
+
+}  // namespace cosim

@@ -1,0 +1,90 @@
+# What a design's RTL is, before anything is built from it: cosim_read_rtl() asks Verilator and rtl.pl.
+include_guard(GLOBAL)
+set_property(GLOBAL PROPERTY COSIM_RTL_READER "${CMAKE_CURRENT_LIST_DIR}/rtl.pl")
+
+# cosim_read_rtl(PREFIX WHAT TOP CLOCK FOLDER FILES... OPTIONS word... YOSYS commands...)
+#
+# Sets PREFIX_registers, the text of rtl.pl on the registers, its lines joined by \n, and PREFIX_resets,
+# the asynchronous ones. An error, one line that begins with WHAT, where the RTL has what no design can
+# have. OPTIONS are Verilator's; YOSYS is what makes yosys read the same. A Verilator that does not write
+# its tree leaves both empty, with a warning: then nothing of this is checked.
+function(cosim_read_rtl prefix what top clock folder)
+  cmake_parse_arguments(PARSE_ARGV 5 R "" "YOSYS" "FILES;OPTIONS")
+  set(${prefix}_registers "" PARENT_SCOPE)
+  set(${prefix}_resets "" PARENT_SCOPE)
+  get_property(reader GLOBAL PROPERTY COSIM_RTL_READER)
+  find_program(COSIM_PERL perl REQUIRED)
+  file(MAKE_DIRECTORY ${folder})
+  set(verilator ${VERILATOR_BIN} --top-module ${top} -Mdir ${folder} -Wno-fatal -Wno-lint -Wno-style
+    ${R_OPTIONS})
+  execute_process(COMMAND ${verilator} --xml-only --xml-output ${folder}/tree.xml ${R_FILES}
+    RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
+  if(status)
+    string(REGEX MATCH "%Error[^\n]*" error "${said}")
+    if(error MATCHES "nvalid option|nknown option")
+      message(WARNING "${what}: this Verilator does not write --xml-only: "
+        "registers, clocks and resets are not checked")
+      return()
+    endif()
+    message(FATAL_ERROR "${what}: Verilator cannot read it: ${error}")
+  endif()
+  execute_process(
+    COMMAND ${verilator} --lint-only -Wwarn-LATCH -Wwarn-UNOPTFLAT --timing ${R_FILES}
+    OUTPUT_VARIABLE said ERROR_VARIABLE said)
+  file(WRITE ${folder}/warnings.txt "${said}")
+  execute_process(COMMAND ${COSIM_PERL} ${reader} ${folder}/tree.xml ${folder}/warnings.txt ${clock}
+    RESULT_VARIABLE status OUTPUT_VARIABLE found ERROR_VARIABLE error)
+  if(status)
+    string(STRIP "${error}" error)
+    message(FATAL_ERROR "${what}: ${error}")
+  endif()
+
+  string(REGEX MATCHALL "(^|\n)loop [^\n]*" loops "${found}")
+  if(loops)
+    list(TRANSFORM loops REPLACE "^\n?loop " "")
+    cosim_find_loop(loop "${loops}" ${folder}/loop.txt "${R_YOSYS}")
+    if(loop)
+      message(FATAL_ERROR "${what}: ${loop}: a combinational loop")
+    endif()
+  endif()
+  string(REGEX MATCHALL "(^|\n)register [^\n]*" registers "${found}")
+  list(TRANSFORM registers REPLACE "^\n?register " "")
+  list(JOIN registers "\\n" registers)
+  string(REGEX MATCHALL "(^|\n)reset [^\n]*" resets "${found}")
+  list(TRANSFORM resets REPLACE "^\n?reset " "")
+  list(JOIN resets "\\n" resets)
+  set(${prefix}_registers "${registers}" PARENT_SCOPE)
+  set(${prefix}_resets "${resets}" PARENT_SCOPE)
+endfunction()
+
+# Verilator takes nets for whole and sees a loop in any carry chain; yosys looks at each bit. Sets the
+# variable to a net of a loop, or to nothing.
+function(cosim_find_loop variable candidates file commands)
+  set(${variable} "" PARENT_SCOPE)
+  list(GET candidates 0 first)
+  find_program(COSIM_YOSYS yosys)
+  if(COSIM_YOSYS)
+    file(REMOVE ${file})
+    execute_process(
+      COMMAND ${COSIM_YOSYS} -q -p
+        "${commands}; proc; flatten; opt_clean; techmap; opt_clean; scc -select; select -write ${file} %"
+      RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
+    if(status EQUAL 0)
+      if(EXISTS ${file})
+        file(STRINGS ${file} nets REGEX "/[^$]*$")
+        foreach(net IN LISTS nets)
+          string(REGEX REPLACE "^[^/]*/" "" net "${net}")
+          set(${variable} ${net} PARENT_SCOPE)
+          return()
+        endforeach()
+        file(STRINGS ${file} cells)
+        if(cells)
+          set(${variable} ${first} PARENT_SCOPE)
+        endif()
+      endif()
+      return()
+    endif()
+  endif()
+  message(WARNING "${first} may be in a combinational loop; yosys, which could tell, is missing or "
+    "cannot read the RTL")
+endfunction()

@@ -1,0 +1,23 @@
+// A Gray counter with an asynchronous reset, active low, and a count of its clocks that no reset
+// reaches.
+module gray #(parameter FAULT = 0) (
+    input  wire       clock,
+    input  wire       rst_n,
+    input  wire       en,
+    output wire [3:0] code,
+    output reg        odd,
+    output wire [3:0] clocks
+);
+  reg [3:0] count, all;
+  assign code   = count ^ (count >> 1);
+  assign clocks = all;
+  always @(posedge clock or negedge rst_n)
+    if (!rst_n) begin
+      count <= 4'd3;
+      odd   <= 1'b0;
+    end else if (en) begin
+      count <= count + 4'd1;
+      odd   <= !odd ^ (FAULT != 0 && count == 4'd12);
+    end
+  always @(posedge clock) all <= all + {3'b000, en};
+endmodule

@@ -1,0 +1,35 @@
+// Golden model of probed.v.
+#pragma once
+
+#include "model/core/design.h"
+
+namespace cosim::probed {
+
+struct Params {
+  int fault;
+};
+
+#define PROBED_INPUTS(FIELD)                 \
+  FIELD(rst, 1, flag, "", "begin anew at 0") \
+  FIELD(en, 1, flag, "", "count this clock")
+#define PROBED_OUTPUTS(FIELD) FIELD(q, 4, number, "", "the count")
+// The register is counter.value; `count` of the top carries it.
+#define PROBED_STATE(FIELD) FIELD(count, 4, number, "", "the count")
+COSIM_RECORDS(PROBED, Params);
+
+template <class V>
+constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
+  return {{select(is_set(in.rst), V(0), wrap(s.count + in.en, 4))}, {s.count}};
+}
+
+struct Design {
+  COSIM_DESIGN(probed);
+  static constexpr const char* name = "probed";
+  static constexpr Inputs<Word> clear() { return {.rst = 1}; }
+  static constexpr std::array unobserved{"debug.*"};
+  static constexpr std::array<Parameter, 1> parameters(const Params& p) {
+    return {{{"FAULT", p.fault}}};
+  }
+};
+
+}  // namespace cosim::probed

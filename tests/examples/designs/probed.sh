@@ -1,0 +1,5 @@
+# shellcheck shell=bash
+# Registers that are not compared are said to be so, with every result.
+ends 1 sweep probed --hostile 20000 --report report.json --failures failures
+says "unobserved: 2 registers: debug.busy, debug.idle"
+grep -q '"debug.idle"' report.json || fails "the report names the unobserved registers"

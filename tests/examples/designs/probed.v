@@ -1,0 +1,31 @@
+// A counter with an instance that only watches it: its registers are nobody's business.
+module probed #(parameter FAULT = 0) (
+    input  wire       clk,
+    input  wire       rst,
+    input  wire       en,
+    output wire [3:0] q
+);
+  wire [3:0] count;
+  assign q = count;
+  probed_counter #(.FAULT(FAULT)) counter (.clk(clk), .rst(rst), .en(en), .value(count));
+  probed_debug debug (.clk(clk), .en(en));
+endmodule
+module probed_counter #(parameter FAULT = 0) (
+    input  wire       clk,
+    input  wire       rst,
+    input  wire       en,
+    output reg  [3:0] value
+);
+  always @(posedge clk)
+    if (rst) value <= 4'd0;
+    else if (en) value <= value + (FAULT != 0 && value == 4'd6 ? 4'd2 : 4'd1);
+endmodule
+module probed_debug (
+    input wire clk,
+    input wire en
+);
+  reg [3:0] busy, idle;
+  always @(posedge clk)
+    if (en) busy <= busy + 4'd1;
+    else idle <= idle + 4'd1;
+endmodule

@@ -1,0 +1,111 @@
+#!/usr/bin/env bash
+# rtl_test.sh SOURCES
+#
+# What cosim_add_design() reads out of RTL when CMake configures: registers, with the nets that carry
+# them, and asynchronous resets; and what it refuses, in one line that names the net. SOURCES is the
+# project's folder. Status: 0 so, 1 not.
+set -euo pipefail
+
+sources=$1
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+cat > read.cmake << END
+include($sources/tb/dut/rtl.cmake)
+include($sources/tb/dut/shape.cmake)
+find_program(VERILATOR_BIN verilator)
+if(SHAPE)
+  cosim_shape(s shape "\${SHAPE}")
+  message("\${s_title}|\${s_values}|\${s_generics}|\${s_chparams}|\${s_constants}")
+else()
+  cosim_read_rtl(r made made clk $folder/work FILES $folder/made.sv
+    YOSYS "read_verilog -sv $folder/made.sv; hierarchy -check -top made")
+  message("\${r_registers}|\${r_resets}")
+endif()
+END
+
+# rtl BODY: a module with a clock, some inputs and outputs.
+rtl() {
+  printf 'module made(input wire clk, other, d, input wire [7:0] w, output reg q, r);\n%s\nendmodule\n' \
+    "$1" > made.sv
+}
+fails() {
+  printf 'not so: %s; it said\n%s\n' "$1" "$said"
+  exit 1
+}
+# refused LINE: that is the error.
+refused() {
+  ! said=$(cmake -P read.cmake 2>&1) || fails "'$1' ends it"
+  [[ $(grep -c . <<< "$said") -ge 1 && $said == *"$1"* ]] || fails "it is refused: $1"
+}
+# found TEXT: that was read.
+found() {
+  said=$(cmake -P read.cmake 2>&1) || fails "it is read"
+  [[ $said == "$1" ]] || fails "it finds $1"
+}
+
+rtl 'always @(posedge clk) q <= d; always @(posedge other) r <= d;'
+refused "made: r: its clock is other, and that of the design is clk"
+rtl 'wire gated = clk & d; always @(posedge gated) q <= d;'
+refused "made: q: its clock is gated, and that of the design is clk"
+rtl 'always @(negedge clk) q <= d;'
+refused "made: q: a register on the falling edge of clk"
+rtl 'always @* if (other) q = d; always @(posedge clk) r <= q;'
+refused "made: q: a latch"
+rtl 'always_latch if (other) q = d; always @(posedge clk) r <= q;'
+refused "made: q: a latch"
+printf 'module made(input wire clk, inout wire both, output reg q);
+always @(posedge clk) q <= both; endmodule\n' > made.sv
+refused "made: both: a port of both directions"
+printf 'module made(input wire ck, output reg q); always @(posedge ck) q <= !q; endmodule\n' > made.sv
+refused "made: clk: the RTL has no such input, which is to be its clock"
+rtl 'always @(posedge clk or posedge d or negedge other) if (d) q <= 0; else if (!other) q <= 1; else q <= w[0];'
+refused "made: q: an asynchronous set and reset, d and other"
+rtl 'wire x = d & other; always @(posedge clk or posedge x) if (x) q <= 0; else q <= w[0];'
+refused "made: q: an asynchronous reset by x, which is no input"
+rtl 'always @(posedge clk) q <= d'
+refused "made: Verilator cannot read it: %Error: "
+if command -v yosys > /dev/null; then
+  rtl 'wire y, z; assign y = z ^ d; assign z = y & w[0]; always @(posedge clk) q <= y;'
+  refused "made: y: a combinational loop"
+else
+  echo "no yosys: no loop is looked for"
+fi
+
+# A carry chain is no loop. What a clock only works with is no register; a word of an array, a part of a
+# net, one written by a task is. Nets that carry it are known through instances.
+cat > made.sv << 'RTL'
+module part(input wire c, input wire in, output wire out);
+  reg held; assign out = held; always @(posedge c) held <= in;
+endmodule
+module made(input wire clk, rst_n, input wire [3:0] d, output wire [3:0] q, output reg last);
+  wire ck; assign ck = clk;
+  wire [3:0] carry; assign carry[0] = d[0];
+  assign carry[3:1] = carry[2:0] & d[3:1];
+  wire top; part one(.c(ck), .in(carry[3]), .out(top));
+  genvar g; generate for (g = 0; g < 2; g = g + 1) begin : both
+    reg bit_of; always @(posedge clk) bit_of <= d[g];
+  end endgenerate
+  reg [3:0] store[0:3], sum, kept; reg [3:0] next; integer i;
+  always @(posedge clk) begin
+    next = d; store[d[1:0]] <= next;
+    for (i = 0; i < 4; i = i + 1) sum[i] <= next[i] ^ both[0].bit_of;
+  end
+  task keep(input [3:0] v); kept <= v; endtask
+  always @(posedge ck or negedge rst_n) if (!rst_n) last <= 0; else begin last <= d[1]; keep(d); end
+  reg [1:0] count; always @(posedge clk) count = count + 1;
+  assign q = sum ^ store[0] ^ kept ^ {2'b0, count} ^ {3'b0, both[1].bit_of ^ top};
+endmodule
+RTL
+found 'both[0].bit_of\nboth[1].bit_of\ncount\nkept\nlast\none.held one.out top\nstore\nsum|low rst_n'
+
+# A shape, for Verilator, yosys and C++.
+said=$(cmake "-DSHAPE=W=8 MASK=8'h1F K=4'b1_01 MODE=FAST" -P read.cmake 2>&1)
+[[ $said == "W=8 MASK=31 K=5 MODE=FAST|8, 31, 5, \"FAST\"|-GW=8;-GMASK=8'h1F;-GK=4'b1_01;-GMODE=\"FAST\"|\
+ -chparam W 8 -chparam MASK 8'h1F -chparam K 4'b1_01 -chparam MODE 32'h46415354|\
+{\"MASK\", \"8'h1F\"}, {\"K\", \"4'b1_01\"}, {\"MODE\", \"32'h46415354\"}" ]] || fails "the shape is read"
+for wrong in "W" "W=4'b12" "W=40'hFFFFFFFFFF" 'W=a"b'; do
+  ! said=$(cmake "-DSHAPE=$wrong" -P read.cmake 2>&1) || fails "$wrong is refused"
+  [[ $said == *"shape: SHAPES: "* ]] || fails "$wrong is named"
+done
+echo "read or refused"

@@ -57,6 +57,12 @@ constexpr std::array<Stated<V>, 3> invariant(const Params& p, const State<V>& s)
             s.tail == select(end < V(p.depth), end, end - V(p.depth))}}};
 }
 
+/// What stands at the output of an empty queue means nothing.
+template <class V>
+constexpr auto compared(const Params&, const State<V>&, const Inputs<V>&, const Outputs<V>& out) {
+  return std::array{Stated<V>{"out_data", is_set(out.out_valid)}};
+}
+
 struct Design {
   COSIM_DESIGN(fifo);
   static constexpr const char* name = "fifo";

@@ -37,7 +37,7 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
   step.outputs = {s.saved, s.fresh, read(s.r, in.source_a), read(s.r, in.source_b)};
   step.state.r = select(fill, in.line, write_where(write, s.r, in.target, in.data));
   step.state.saved = select(reset, Array<V, 16>{}, select(save, s.r, s.saved));
-  step.state.fresh = flag<V>(!reset & (is_set(s.fresh) | save) & !fill & !write);
+  step.state.fresh = select(reset, V(0), flag<V>((is_set(s.fresh) | save) & !(fill | write)));
   return step;
 }
 

@@ -75,6 +75,13 @@ TEST(Ports, AreThoseOfTheTables) {
             "circular W=4: input f: 5 bits in the table, 6 in the RTL");
   EXPECT_EQ(refusal([](Ports& p) { p.inputs[0].net = "running"; }),
             "circular W=4: input running: in the RTL it is no input");
+  EXPECT_EQ(refusal([](Ports& p) {
+              p.inputs[2].net = "f[4:0]";
+              p.inputs[2].width = 5;
+            }),
+            "circular W=4: input f: no field has its bit 5");
+  EXPECT_EQ(refusal([](Ports& p) { p.inputs.push_back(p.inputs[2]); }),
+            "circular W=4: input f: two fields have bit 0");
   EXPECT_EQ(refusal([](Ports& p) { p.clock = "clock"; }),
             "circular W=4: clock clock: the RTL has no such port");
 }
@@ -97,6 +104,9 @@ TEST(Register, IsFoundByItsPath) {
   EXPECT_EQ(refusal_of_register("t5_q", 1), "circular W=4: register t5_q: the RTL has no such net");
   EXPECT_EQ(refusal_of_register("block1.f_q", 1),
             "circular W=4: register block1.f_q: the RTL has no instance block1");
+  EXPECT_EQ(refusal_of_register("t4_q[0]", 1), "none");
+  EXPECT_EQ(refusal_of_register("t4_q[1]", 1),
+            "circular W=4: register t4_q[1]: the RTL has bits 0 to 0");
   EXPECT_EQ(refusal_of_register("t4_q", 2),
             "circular W=4: register t4_q: 2 bits in the table, 1 in the RTL");
 }

@@ -134,7 +134,12 @@ std::string to_json(const Subject& subject, const Campaign& campaign) {
   nlohmann::ordered_json top;
   top["design"] = subject.bench().design();
   for (const Parameter& p : subject.bench().parameters()) {
-    top["parameters"][p.name] = p.text != nullptr ? Json(p.text) : Json(p.value);
+    auto& value = top["parameters"][p.name];
+    if (p.text != nullptr) {
+      value = p.text;
+    } else {
+      value = p.value;
+    }
   }
   top["verilog"] = subject.verilog();
   top["mutants"] = campaign.outcomes.size();

@@ -12,6 +12,10 @@ std::string AnyBench::title() const {
   return text;
 }
 
+std::string AnyBench::compared_text() const {
+  return fmt::format("{} registers and {} outputs", registers(), compared().size() - registers());
+}
+
 void require_shape(const AnyBench& bench, const std::string& shape) {
   if (bench.title() == shape) return;
   throw InputError(

@@ -33,7 +33,11 @@ class AnyBench {
   virtual std::vector<Field> compared() const = 0;
   /// How many of them are registers.
   virtual std::size_t registers() const = 0;
+  /// All that is compared, in words.
+  virtual std::string compared_text() const;
   virtual std::vector<Field> inputs() const = 0;
+  /// What a row of a stimulus is, a noun.
+  virtual const char* row() const { return "clock"; }
   /// Registers of the RTL that are not compared, by their paths.
   const std::vector<std::string>& unobserved() const { return unobserved_; }
   void set_unobserved(std::vector<std::string> registers) { unobserved_ = std::move(registers); }
@@ -46,6 +50,8 @@ class AnyBench {
   /// The fields of the model's state, and the state after a clear.
   virtual std::vector<Field> state() const = 0;
   virtual std::vector<Word> cleared() const = 0;
+  /// What hostile clocks are, in words.
+  virtual std::string hostile_text() const { return "any value on any pin on any clock"; }
   /// Runs hostile clocks.
   virtual Run run_hostile(const HostileCase& c) const = 0;
 

@@ -32,7 +32,7 @@ int run(const ReplayOptions& o) {
 
   const std::string work = stimulus.origin.empty() ? file : stimulus.origin;
   fmt::print("{}: {}, {}\n", bench->title(), one_line(file),
-             count(stimulus.clocks.size(), "clock"));
+             count(stimulus.clocks.size(), bench->row()));
   draw_wave(o.common, *bench, stimulus, work);
   Run run = bench->replay(stimulus);
   Outcome outcome{bench, file, {}};

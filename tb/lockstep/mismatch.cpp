@@ -33,10 +33,14 @@ bool is_element_at_rest(const Trace& t) {
 }  // namespace
 
 std::string to_text(const Mismatch& m) {
-  std::string text =
-      fmt::format("first difference: clock {}, {}{}{}\n  expected {}\n  actual   {}\n", m.clock,
-                  m.signal, *m.field.source != '\0' ? ", block " : "", m.field.source,
-                  show(m.field, m.expected), show(m.field, m.actual));
+  std::string text = m.finding.empty() ? "" : m.finding + '\n';
+  if (!m.finding.empty() && m.field.width == 0) {
+    text += fmt::format("  on clock {}\n", m.clock);
+  } else {
+    text += fmt::format("first difference: clock {}, {}{}{}\n  expected {}\n  actual   {}\n",
+                        m.clock, m.signal, *m.field.source != '\0' ? ", block " : "",
+                        m.field.source, show(m.field, m.expected), show(m.field, m.actual));
+  }
 
   // Every cell first: a column is as wide as its widest.
   struct Row {

@@ -55,6 +55,9 @@ struct Mismatch {
   Field field{};
   Word expected = 0;
   Word actual = 0;
+  /// What is wrong, one line, where it is more than a signal's value; else empty. Without a value
+  /// the width of `field` is 0.
+  std::string finding;
   std::uint64_t first = 0;    ///< the clock of the traces' first entry
   std::vector<Trace> traces;  ///< inputs, registers, outputs, in table order
   /// Leads to the same difference. The caller fills in machine and origin. It may start from a

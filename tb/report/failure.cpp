@@ -14,8 +14,8 @@
 namespace cosim {
 namespace {
 
-std::string clocks_text(std::size_t clocks) {
-  return fmt::format("{} clock{}", clocks, clocks == 1 ? "" : "s");
+std::string rows_text(const AnyBench& bench, std::size_t rows) {
+  return fmt::format("{} {}{}", rows, bench.row(), rows == 1 ? "" : "s");
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ Failure leave_failure(const AnyBench& bench, const std::string& what, const Mism
     failure.smallest = fmt::format("smallest case that still fails: {}\n", smallest.what);
   }
   failure.smallest += fmt::format("smallest stimulus that still fails: {}, smallest.stim\n",
-                                  clocks_text(smallest.stimulus.clocks.size()));
+                                  rows_text(bench, smallest.stimulus.clocks.size()));
 
   Outcome outcome{&bench, what, {}};
   outcome.result.cases = 1;
@@ -73,7 +73,7 @@ Failure leave_failure(const AnyBench& bench, const std::string& what, const Mism
   nlohmann::ordered_json more;
   more["replay"] = failure.replay;
   more["smallest_case"] = smallest.what;
-  more["smallest_clocks"] = smallest.stimulus.clocks.size();
+  more[fmt::format("smallest_{}s", bench.row())] = smallest.stimulus.clocks.size();
   write_report((draft.folder() / "report.json").string(),
                report_json({outcome}, stimulus.power_up, more.dump()));
   draft.finish();

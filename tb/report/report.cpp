@@ -39,11 +39,14 @@ Json mismatch(const Result& r) {
     return object;
   }
   const Mismatch& m = *r.mismatch;
-  object["kind"] = "lockstep";
+  object["kind"] = m.finding.empty() ? "lockstep" : "finding";
+  if (!m.finding.empty()) object["finding"] = m.finding;
   object["clock"] = m.clock;
   object["signal"] = m.signal;
-  object["expected"] = show(m.field, m.expected);
-  object["actual"] = show(m.field, m.actual);
+  if (m.field.width != 0) {
+    object["expected"] = show(m.field, m.expected);
+    object["actual"] = show(m.field, m.actual);
+  }
   Json traces = Json::array();
   for (const Trace& t : m.traces) {
     Json trace;
@@ -125,10 +128,7 @@ bool all_match(const std::vector<Outcome>& outcomes) {
                      [](const Outcome& o) { return o.result.match(); });
 }
 
-std::string compared_signals(const AnyBench& bench) {
-  const std::size_t registers = bench.registers();
-  return fmt::format("{} registers and {} outputs", registers, bench.compared().size() - registers);
-}
+std::string compared_signals(const AnyBench& bench) { return bench.compared_text(); }
 
 std::string comparison_text(const std::vector<Outcome>& outcomes) {
   std::string text;

@@ -61,12 +61,14 @@ class Parser {
   Replay parse(const std::vector<std::unique_ptr<AnyBench>>& benches) {
     if (!next() || line_ != first_line) fail(fmt::format("is not '{}'", first_line));
     machine(benches);
-    while (need_line("a row 'clock' of the inputs' names"), words_[0] != "clock") header();
+    const std::string row_word = replay_.bench->row();
+    const std::string wanted = "a row '" + row_word + "' of the inputs' names";
+    while (need_line(wanted.c_str()), words_[0] != row_word) header();
     names();
     while (need_line("'end'"), words_[0] != "end") row();
     if (words_.size() != 1) fail("text after 'end'");
     if (next_words()) fail("text after 'end'");
-    if (replay_.stimulus.clocks.empty()) fail("there is no clock in it");
+    if (replay_.stimulus.clocks.empty()) fail(fmt::format("there is no {} in it", row_word));
     return std::move(replay_);
   }
 
@@ -133,7 +135,8 @@ class Parser {
     } else if (words_[0] == "state") {
       state();
     } else {
-      fail(fmt::format("{} is none of origin, power-up, state, clock", in_quotes(words_[0])));
+      fail(fmt::format("{} is none of origin, power-up, state, {}", in_quotes(words_[0]),
+                       replay_.bench->row()));
     }
   }
 
@@ -188,16 +191,17 @@ class Parser {
   // How many clocks the row stands for: "7" one, "7-9" three.
   std::uint64_t repeats() const {
     const std::vector<std::vector<Word>>& clocks = replay_.stimulus.clocks;
+    const char* noun = replay_.bench->row();
     const std::size_t dash = words_[0].find('-');
     const auto first = number(words_[0].substr(0, dash));
     const auto last = dash == std::string_view::npos ? first : number(words_[0].substr(dash + 1));
     if (!first || !last || *last < *first) {
-      fail(fmt::format("{} is no clock and no range of clocks", in_quotes(words_[0])));
+      fail(fmt::format("{0} is no {1} and no range of {1}s", in_quotes(words_[0]), noun));
     }
     if (*first != clocks.size()) {
-      fail(fmt::format("clock {} where clock {} should be", *first, clocks.size()));
+      fail(fmt::format("{0} {1} where {0} {2} should be", noun, *first, clocks.size()));
     }
-    if (*last >= most_clocks) fail(fmt::format("more than {} clocks", most_clocks));
+    if (*last >= most_clocks) fail(fmt::format("more than {} {}s", most_clocks, noun));
     return *last - *first + 1;
   }
 
@@ -245,8 +249,8 @@ std::string to_text(const Stimulus& s, const AnyBench& bench) {
   }
   const std::vector<Field> inputs = bench.inputs();
   std::vector<std::size_t> widths;
-  constexpr int clock_width = 11;
-  text += fmt::format("{:<{}}", "clock", clock_width);
+  constexpr int first_width = 11;
+  text += fmt::format("{:<{}}", bench.row(), first_width);
   for (const Field& f : inputs) {
     widths.push_back(std::max(label_of(f).size(), show_width(f)));
     text += fmt::format("  {:>{}}", label_of(f), widths.back());
@@ -256,7 +260,7 @@ std::string to_text(const Stimulus& s, const AnyBench& bench) {
     while (end < s.clocks.size() && s.clocks[end] == s.clocks[first]) ++end;
     const std::string range =
         end == first + 1 ? fmt::format("{}", first) : fmt::format("{}-{}", first, end - 1);
-    text += fmt::format("{:<{}}", range, clock_width);
+    text += fmt::format("{:<{}}", range, first_width);
     for (std::size_t i = 0; i < inputs.size(); ++i) {
       text += fmt::format("  {:>{}}", show_short(inputs[i], s.clocks[first][i]), widths[i]);
     }

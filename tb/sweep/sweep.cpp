@@ -82,7 +82,7 @@ Sweep hostile_sweep(const AnyBench& bench, std::uint64_t seed, std::uint64_t clo
     result.failed = fmt::format("{} hostile clocks, seed {}", c.clocks, seed);
     return result;
   };
-  return {"any value on any pin on any clock", (clocks + length - 1) / length, run};
+  return {bench.hostile_text(), (clocks + length - 1) / length, run};
 }
 
 }  // namespace cosim

@@ -1,0 +1,59 @@
+// The bench of a design with a stream model. A case of it is a stimulus, so that sweeps, replays,
+// shrinking, waves and the folder of a failure are what they are for lockstep.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tb/bench/bench.h"
+#include "tb/stream/dut.h"
+#include "tb/stream/run.h"
+#include "tb/stream/shape.h"
+
+namespace cosim {
+
+/// All of it that needs no type of the design.
+class AnyStreamBench : public AnyBench {
+ public:
+  std::string design() const override { return shape_.design; }
+  std::string source() const override { return ""; }
+  std::vector<Parameter> parameters() const override { return shape_.parameters; }
+  std::vector<Field> compared() const override;
+  std::size_t registers() const override { return 0; }
+  std::string compared_text() const override;
+  std::vector<Field> inputs() const override { return shape_.columns(); }
+  const char* row() const override { return "transaction"; }
+  std::vector<std::string> assumed() const override { return assumed_; }
+  std::vector<Probe> probes() const override { return {}; }
+  std::vector<Word> rest() const override;
+  std::vector<Field> state() const override { return {}; }
+  std::vector<Word> cleared() const override { return {}; }
+  std::string hostile_text() const override { return "random transactions with random stalls"; }
+  Run run_hostile(const HostileCase& c) const override;
+  Run replay(const Stimulus& stimulus, Window window) const override;
+  std::optional<std::uint64_t> first_difference(const Stimulus& stimulus) const override;
+  void draw_wave(const std::string& path, const Stimulus& stimulus, Window around) const override;
+
+  const StreamShape& shape() const { return shape_; }
+  /// A new instance of the RTL.
+  virtual std::unique_ptr<StreamDut> dut(std::uint32_t power_up) const = 0;
+  /// What must come out of each stream. InputError where the model gives what no port can hold.
+  virtual std::vector<Sequence> expected(const std::vector<Sequence>& given) const = 0;
+  /// The first rule that a transaction of stream s breaks; null where it may go in.
+  virtual const char* broken_rule(std::size_t s, std::span<const Word> words) const = 0;
+
+ protected:
+  StreamShape shape_;
+  std::vector<std::string> assumed_;
+
+ private:
+  struct Ready;  // a case with all that its runs need
+
+  Stimulus drawn(const HostileCase& c, std::uint64_t number) const;
+};
+
+}  // namespace cosim

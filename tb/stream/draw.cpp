@@ -1,0 +1,106 @@
+#include "tb/stream/draw.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "model/core/input_error.h"
+#include "tb/support/random.h"
+
+namespace cosim {
+namespace {
+
+/// How often an interface stalls, and for how long.
+struct Density {
+  int rarity = never;      // one in 2^rarity
+  std::uint64_t most = 0;  // clocks
+  bool stretches = false;  // on and off for some transactions each
+
+  static constexpr int never = 64;
+
+  Word stall(Random& random, std::size_t row) const {
+    if (rarity == never || (stretches && (row / 8) % 2 == 0)) return 0;
+    return random.one_in_power(rarity) ? static_cast<Word>(1 + random.below(most)) : 0;
+  }
+};
+
+Density random_density(Random& random) {
+  Density d;
+  const std::uint64_t r = random.next();
+  if (r % 4 == 0) return d;
+  d.rarity = static_cast<int>((r >> 8) % 4);
+  d.most = std::uint64_t{1} << ((r >> 16) % 5);
+  d.stretches = (r >> 24) % 4 == 0;
+  return d;
+}
+
+std::vector<Density> densities(Random& random, std::size_t interfaces) {
+  std::vector<Density> all(interfaces);
+  const std::uint64_t kind = random.below(8);
+  if (kind < 2) return all;  // no stalls
+  if (kind < 4) {            // one starves the others
+    Density& one = all[random.below(interfaces)];
+    one.rarity = 0;
+    one.most = 8 + random.below(24);
+    return all;
+  }
+  if (kind == 4) {  // now and then one is shut for so long that whatever can fill up does
+    Density& one = all[random.below(interfaces)];
+    one.rarity = 3;
+    one.most = (1 << stall_width) - 1;
+    return all;
+  }
+  for (Density& d : all) d = random_density(random);
+  return all;
+}
+
+std::uint64_t transactions(Random& random, std::uint64_t most) {
+  static constexpr std::uint64_t sizes[] = {4, 16, 64, 256};
+  return 1 + random.below(std::clamp<std::uint64_t>(sizes[random.below(4)], 1, most));
+}
+
+}  // namespace
+
+Stimulus draw_stream_case(const StreamShape& shape, std::uint64_t seed, std::uint64_t index,
+                          std::uint64_t most, const MayGo& may_go) {
+  Random random = Random::for_case(seed, index);
+  Stimulus stimulus;
+  stimulus.machine = shape.title;
+  stimulus.power_up = static_cast<std::uint32_t>(random.next());
+  const std::uint64_t rows = transactions(random, std::max<std::uint64_t>(most, 1));
+  const auto density = densities(random, shape.in.size() + shape.out.size());
+  // Where two streams belong together, a transaction too few in one leaves the other waiting.
+  const bool all_give = shape.in.size() == 1 || random.one_in_power(1);
+  constexpr int tries = 1000;
+
+  std::vector<Word> words;
+  for (std::uint64_t n = 0; n < rows; ++n) {
+    std::vector<Word> row;
+    std::size_t at = 0;
+    for (std::size_t s = 0; s < shape.in.size(); ++s) {
+      const bool gives = all_give || !random.one_in_power(3);
+      row.push_back(gives ? 1 : 0);
+      const Word stall = density[at++].stall(random, n);
+      row.push_back(gives ? stall : 0);
+      for (int i = 0; i < tries; ++i) {
+        words.clear();
+        for (const Field& f : shape.in[s].cells) words.push_back(random.corner(f.width));
+        if (may_go(s, words)) break;
+        if (i + 1 == tries) {
+          throw InputError(fmt::format("{}: of {} random transactions of stream {} none is legal",
+                                       shape.title, tries, shape.in[s].name));
+        }
+      }
+      if (!gives) std::fill(words.begin(), words.end(), 0);
+      row.insert(row.end(), words.begin(), words.end());
+    }
+    for (const Interface& i : shape.out) {
+      const Word stall = density[at++].stall(random, n);
+      if (i.can_stall()) row.push_back(stall);
+    }
+    stimulus.clocks.push_back(std::move(row));
+  }
+  return stimulus;
+}
+
+}  // namespace cosim

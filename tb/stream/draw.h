@@ -1,0 +1,24 @@
+// Random cases of a design with a stream model.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "tb/stimulus/stimulus.h"
+#include "tb/stream/shape.h"
+
+namespace cosim {
+
+/// Whether a transaction may go into stream s.
+using MayGo = std::function<bool(std::size_t s, std::span<const Word> words)>;
+
+/// Case number `index` under the seed: a few transactions or up to `most`, of random values with
+/// their corners. A case has no stalls at all, or random ones of a density of its own for each
+/// interface, or one interface that starves all others, or long stretches with and without.
+/// InputError where no transaction that may go is found.
+Stimulus draw_stream_case(const StreamShape& shape, std::uint64_t seed, std::uint64_t index,
+                          std::uint64_t most, const MayGo& may_go);
+
+}  // namespace cosim

@@ -1,0 +1,85 @@
+#include "tb/stream/dut.h"
+
+#include <map>
+#include <set>
+#include <span>
+#include <string_view>
+
+namespace cosim {
+namespace {
+
+// Collects the ports, each once: the done of one stream may be the valid of another.
+class Collector {
+ public:
+  /// `name` lives as long as the shape.
+  void one(const char* name, bool drives, int width = 1) {
+    if (*name == '\0' || !seen_.insert(name).second) return;
+    add(drives, {name, width, Format::bits, "", "", 0, name}, name);
+  }
+  void cells(std::span<const Field> cells, bool drives) {
+    for (const Field& f : cells) add(drives, f, "");
+  }
+
+  // The nets in the order in which they were asked for.
+  Ports ports;
+  std::vector<Net> driven, read;
+  std::map<std::string, Net> named;
+
+  void take(const std::vector<Net>& nets) {
+    std::size_t at = 0;
+    for (const auto* side : {&driven_names_, &read_names_}) {
+      auto& found = side == &driven_names_ ? driven : read;
+      for (const std::string& name : *side) {
+        if (name.empty()) {
+          found.push_back(nets[at++]);
+        } else {
+          named[name] = nets[at++];
+        }
+      }
+    }
+  }
+
+ private:
+  void add(bool drives, const Field& field, const std::string& name) {
+    (drives ? ports.inputs : ports.outputs).push_back(field);
+    (drives ? driven_names_ : read_names_).push_back(name);
+  }
+  std::set<std::string> seen_;
+  std::vector<std::string> driven_names_, read_names_;
+};
+
+}  // namespace
+
+StreamNets::StreamNets(const StreamShape& shape, StreamDut& dut) {
+  Collector all;
+  all.ports.title = shape.title;
+  all.ports.clock = shape.clock;
+  const auto handshake = [&](const Interface& i) {
+    all.one(i.valid.c_str(), i.goes_in);
+    all.one(i.ready.c_str(), !i.goes_in);
+    all.one(i.credit.c_str(), !i.goes_in);
+    all.one(i.done.c_str(), false);
+    all.cells(i.cells, i.goes_in);
+  };
+  for (const Interface& i : shape.in) handshake(i);
+  for (const Interface& i : shape.out) handshake(i);
+  for (const Pin& p : shape.pins) all.one(p.port, p.kind != Pin::Kind::unread, p.width);
+
+  const std::vector<Net> nets = dut.nets(all.ports);
+  all.take(nets);
+  clock = nets.back();
+  std::size_t driven = 0, read = 0;
+  const auto found = [&](const Interface& i) {
+    InterfaceNets n{
+        all.named[i.valid], all.named[i.ready], all.named[i.credit], all.named[i.done], {}};
+    for (std::size_t c = 0; c < i.cells.size(); ++c) {
+      n.cells.push_back(i.goes_in ? all.driven[driven++] : all.read[read++]);
+    }
+    return n;
+  };
+  for (const Interface& i : shape.in) in.push_back(found(i));
+  for (const Interface& i : shape.out) out.push_back(found(i));
+  for (const Pin& p : shape.pins) pins.push_back(all.named[p.port]);
+}
+
+}  // namespace cosim

@@ -1,0 +1,51 @@
+// The RTL of a design with a stream model: an instance whose ports are found by name.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tb/dut/named_adapter.h"
+#include "tb/stream/shape.h"
+
+namespace cosim {
+
+/// An instance of a Verilated class, or what a test puts in its place.
+class StreamDut {
+ public:
+  virtual ~StreamDut() = default;
+  /// Where the cells of the ports lie: of `inputs`, of `outputs`, then the clock. InputError where
+  /// the RTL has others.
+  virtual std::vector<Net> nets(const Ports& ports) = 0;
+  /// Settles everything that depends on the inputs and the clock.
+  virtual void eval() = 0;
+  /// Empty if the instance does not show them.
+  virtual std::vector<Signal> signals() const { return {}; }
+};
+
+template <class Top>
+class VerilatedStreamDut final : public StreamDut, VerilatedInstance<Top> {
+ public:
+  explicit VerilatedStreamDut(std::uint32_t power_up) : VerilatedInstance<Top>(power_up) {}
+  std::vector<Net> nets(const Ports& ports) override { return find_ports(this->context(), ports); }
+  void eval() override { this->top().eval(); }
+  std::vector<Signal> signals() const override { return VerilatedInstance<Top>::signals(); }
+};
+
+/// The ports of an interface in one instance.
+struct InterfaceNets {
+  Net valid, ready, credit, done;
+  std::vector<Net> cells;
+};
+
+/// All ports of one instance.
+struct StreamNets {
+  StreamNets(const StreamShape& shape, StreamDut& dut);
+
+  std::vector<InterfaceNets> in, out;
+  std::vector<Net> pins;
+  Net clock;
+};
+
+}  // namespace cosim

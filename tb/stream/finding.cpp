@@ -1,0 +1,106 @@
+// A finding in words. A wrong value is looked at with what came after it: the same values in
+// another order, or shifted by one, say more than that they differ.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "tb/stream/run.h"
+#include "tb/support/words.h"
+
+namespace cosim {
+namespace {
+
+using Kind = StreamFinding::Kind;
+
+// How much of what came must fit for a name.
+constexpr std::size_t looked_at = 4;
+// How far one is looked for.
+constexpr std::size_t looked_for = 256;
+
+bool same(const Sequence& a, std::size_t i, const Sequence& b, std::size_t k) {
+  return std::equal(a[i].begin(), a[i].end(), b[k].begin());
+}
+
+// Whether `came` from i on is `expected` from k on, as far as both go.
+bool goes_on(const Sequence& came, std::size_t i, const Sequence& expected, std::size_t k) {
+  std::size_t n = 0;
+  while (n < looked_at && i + n < came.size() && k + n < expected.size()) {
+    if (!same(came, i + n, expected, k + n)) return false;
+    ++n;
+  }
+  // With nothing to look at, both must be at their end.
+  return n > 0 || (i >= came.size() && k >= expected.size());
+}
+
+std::string wrong_value(const std::string& stream, std::size_t n, const Sequence& came,
+                        const Sequence& expected) {
+  const std::string which = fmt::format("{} number {}", stream, n);
+  if (n > 0 && same(came, n, expected, n - 1) && goes_on(came, n + 1, expected, n)) {
+    return fmt::format("doubled: {} is number {} again", which, n - 1);
+  }
+  if (goes_on(came, n + 1, expected, n)) {
+    return fmt::format("extra: a value that is not expected comes before {}", which);
+  }
+  const auto later = [&](const Sequence& in, const Sequence& of, std::size_t i, std::size_t from) {
+    const std::size_t end = std::min(in.size(), from + looked_for);
+    while (from < end && !same(in, from, of, i)) ++from;
+    return from < end ? std::optional(from) : std::nullopt;
+  };
+  // One wrong among right ones is no more than that, whatever else it may be equal to.
+  const auto comes_for = later(expected, came, n, n + 1);
+  if (!comes_for || goes_on(came, n + 1, expected, n + 1)) {
+    return fmt::format("another value: {}", which);
+  }
+  if (later(came, expected, n, n + 1)) {
+    return fmt::format("reordered: {} comes after number {}", which, *comes_for);
+  }
+  // What follows must come from further on too.
+  if (n + 1 == came.size() || later(expected, came, n + 1, *comes_for + 1)) {
+    const std::string gone =
+        *comes_for == n + 1 ? which : fmt::format("{} to {}", which, *comes_for - 1);
+    return fmt::format("lost: {}; number {} comes instead", gone, *comes_for);
+  }
+  return fmt::format("another value: {}", which);
+}
+
+}  // namespace
+
+std::string to_text(const StreamShape& shape, const StreamOrder& order,
+                    const StreamResult& result) {
+  const StreamFinding& f = *result.finding;
+  const Interface& i = (f.goes_in ? shape.in : shape.out)[f.stream];
+  const std::string which = fmt::format("{} number {}", i.name, f.number);
+  const std::string stands = count(shape.watchdog, "clock");
+  switch (f.kind) {
+    case Kind::value:
+      return wrong_value(i.name, f.number, result.came, order.expected[f.stream]);
+    case Kind::extra: {
+      const Sequence& expected = order.expected[f.stream];
+      const std::string all = count(expected.size(), "transaction");
+      if (f.number > 0 && same(result.came, f.number, expected, f.number - 1)) {
+        return fmt::format("doubled: {} is number {} again; {} expected", which, f.number - 1, all);
+      }
+      return fmt::format("extra: {} comes; {} expected", which, all);
+    }
+    case Kind::missing:
+      return fmt::format(
+          "lost: {} never comes, of {}; all that goes in is taken, and nothing "
+          "moves for {}",
+          which, order.expected[f.stream].size(), stands);
+    case Kind::hung:
+      return fmt::format("hung: {} is not taken, and nothing moves for {}", which, stands);
+    case Kind::late:
+      return fmt::format("late: {} does not come within {} of what it needs", which,
+                         count(static_cast<std::uint64_t>(i.latency), "clock"));
+    case Kind::unsteady:
+      return fmt::format("taken back: {} was offered, and is changed before it is taken", which);
+    case Kind::credit:
+      return f.goes_in ? fmt::format("credit: {} gives back more than the {} there are", i.name,
+                                     i.credits)
+                       : fmt::format("credit: {} comes without any", which);
+  }
+  return "";
+}
+
+}  // namespace cosim

@@ -1,0 +1,142 @@
+#include "tb/stream/record.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "tb/wave/view.h"
+
+namespace cosim {
+namespace {
+
+constexpr int number_width = 32;
+
+const StreamFinding* at(const std::optional<StreamFinding>& finding, std::uint64_t clock) {
+  return finding && finding->clock == clock ? &*finding : nullptr;
+}
+
+}  // namespace
+
+TraceRecorder::TraceRecorder(const StreamShape& shape, const StreamFinding& finding, Window window)
+    : shape_(shape), finding_(finding), window_(window) {
+  Mismatch& m = mismatch_;
+  m.clock = finding.clock;
+  m.first = finding.clock > window.before ? finding.clock - window.before : 0;
+  for (const Interface& i : shape.in) add(i);
+  for (const Interface& i : shape.out) add(i);
+}
+
+void TraceRecorder::add(const Interface& i) {
+  const auto kind = i.goes_in ? Trace::Kind::input : Trace::Kind::output;
+  const auto back = i.goes_in ? Trace::Kind::output : Trace::Kind::input;
+  const auto flag = [](const std::string& name) {
+    return Field{name.c_str(), 1, Format::flag, "", ""};
+  };
+  mismatch_.traces.push_back({flag(i.valid), kind, {}, {}});
+  if (!i.ready.empty()) mismatch_.traces.push_back({flag(i.ready), back, {}, {}});
+  for (const Field& f : i.cells) mismatch_.traces.push_back({f, kind, {}, {}});
+}
+
+void TraceRecorder::keep(std::size_t& at, const Interface& i, const InterfaceSeen& seen) {
+  const auto one = [&](Word expected, Word actual, bool left_out = false) {
+    Trace& t = mismatch_.traces[at++];
+    t.expected.push_back(expected);
+    t.actual.push_back(actual);
+    t.left_out.push_back(left_out);
+  };
+  one(seen.valid ? 1 : 0, seen.valid ? 1 : 0);
+  if (!i.ready.empty()) one(seen.ready ? 1 : 0, seen.ready ? 1 : 0);
+  for (std::size_t c = 0; c < seen.actual.size(); ++c) {
+    one(seen.expected[c], seen.actual[c], !i.goes_in && !seen.valid);
+  }
+}
+
+bool TraceRecorder::clock(std::uint64_t clock, const std::vector<InterfaceSeen>& in,
+                          const std::vector<InterfaceSeen>& out) {
+  Mismatch& m = mismatch_;
+  if (clock < m.first) return true;
+  std::size_t at = 0;
+  for (std::size_t s = 0; s < in.size(); ++s) keep(at, shape_.in[s], in[s]);
+  for (std::size_t s = 0; s < out.size(); ++s) keep(at, shape_.out[s], out[s]);
+  if (clock == m.clock) {
+    const Interface& i = (finding_.goes_in ? shape_.in : shape_.out)[finding_.stream];
+    m.signal = i.name;
+    if (finding_.kind == StreamFinding::Kind::value) {
+      const InterfaceSeen& seen = out[finding_.stream];
+      m.field = i.cells[finding_.cell];
+      m.signal = label_of(m.field);
+      m.expected = seen.expected[finding_.cell];
+      m.actual = seen.actual[finding_.cell];
+    }
+  }
+  return clock < m.clock + window_.after;
+}
+
+WaveRecorder::WaveRecorder(const std::string& path, const StreamShape& shape,
+                           const std::string& title, const StreamDut& dut,
+                           const StreamResult& known, Window around)
+    : finding_(known.finding), path_(path) {
+  shape_.title = title;
+  const auto add = [&](const Interface& i) {
+    const auto seen = [&](const char* what, int width, Format format) {
+      const char* name = kept(i.name + what);
+      shape_.inputs.push_back({name, width, format, "", ""});
+    };
+    seen("_valid", 1, Format::flag);
+    seen("_ready", 1, Format::flag);
+    seen("_number", number_width, Format::number);
+    if (i.goes_in) {
+      shape_.inputs.insert(shape_.inputs.end(), i.cells.begin(), i.cells.end());
+    } else {
+      shape_.compared.insert(shape_.compared.end(), i.cells.begin(), i.cells.end());
+    }
+    shape_.compared.push_back({kept(i.name + "_fails"), 1, Format::flag, "", ""});
+  };
+  for (const Interface& i : shape.in) add(i);
+  for (const Interface& i : shape.out) add(i);
+
+  range_.last = known.clocks - 1;
+  if (finding_) {
+    range_.mismatch = finding_->clock;
+    range_.first = finding_->clock > around.before ? finding_->clock - around.before : 0;
+    range_.last = finding_->clock + around.after;
+    const Interface& i = (finding_->goes_in ? shape.in : shape.out)[finding_->stream];
+    range_.signal = finding_->kind == StreamFinding::Kind::value ? label_of(i.cells[finding_->cell])
+                                                                 : i.name + "_fails";
+  }
+  wave_.emplace(path, shape_, dut.signals());
+}
+
+bool WaveRecorder::clock(std::uint64_t clock, const std::vector<InterfaceSeen>& in,
+                         const std::vector<InterfaceSeen>& out) {
+  if (clock < range_.first) return true;
+  const StreamFinding* found = at(finding_, clock);
+  WaveClock now;
+  now.clock = clock;
+  const auto add = [&](bool goes_in, std::size_t s, const InterfaceSeen& seen) {
+    now.inputs.insert(now.inputs.end(),
+                      {seen.valid ? 1 : 0, seen.ready ? 1 : 0, static_cast<Word>(seen.number)});
+    if (goes_in) {
+      now.inputs.insert(now.inputs.end(), seen.actual.begin(), seen.actual.end());
+    } else {
+      now.expected.insert(now.expected.end(), seen.expected.begin(), seen.expected.end());
+      now.actual.insert(now.actual.end(), seen.actual.begin(), seen.actual.end());
+    }
+    now.expected.push_back(0);
+    now.actual.push_back(found != nullptr && found->goes_in == goes_in && found->stream == s ? 1
+                                                                                             : 0);
+  };
+  for (std::size_t s = 0; s < in.size(); ++s) add(true, s, in[s]);
+  for (std::size_t s = 0; s < out.size(); ++s) add(false, s, out[s]);
+  for (std::size_t i = 0; i < now.expected.size(); ++i) {
+    now.differs.push_back(now.expected[i] != now.actual[i]);
+  }
+  wave_->clock(now);
+  return clock < range_.last;
+}
+
+void WaveRecorder::close() {
+  wave_->close();
+  write_view(path_, shape_, range_);
+}
+
+}  // namespace cosim

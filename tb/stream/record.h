@@ -1,0 +1,56 @@
+// What is kept of a run for a person: the clocks around a finding, and the wave.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tb/lockstep/mismatch.h"
+#include "tb/stream/run.h"
+#include "tb/wave/wave.h"
+
+namespace cosim {
+
+/// The traces around a finding: of each interface valid, ready and its fields.
+class TraceRecorder final : public StreamObserver {
+ public:
+  TraceRecorder(const StreamShape& shape, const StreamFinding& finding, Window window);
+  bool clock(std::uint64_t clock, const std::vector<InterfaceSeen>& in,
+             const std::vector<InterfaceSeen>& out) override;
+  Mismatch take() { return std::move(mismatch_); }
+
+ private:
+  void add(const Interface& i);
+  void keep(std::size_t& at, const Interface& i, const InterfaceSeen& seen);
+
+  const StreamShape& shape_;
+  StreamFinding finding_;
+  Window window_;
+  std::vector<std::string> names_;  // of the handshakes, which have no table
+  Mismatch mismatch_;
+};
+
+/// The RTL's hierarchy, and of each interface valid, ready, the number of its transaction, its
+/// fields, those expected, and NAME_fails, which is 1 where the finding is.
+class WaveRecorder final : public StreamObserver {
+ public:
+  /// Of a run of `dut` that goes as `known`, all of it or what is around its finding. InputError
+  /// where the file cannot be written, here and in close().
+  WaveRecorder(const std::string& path, const StreamShape& shape, const std::string& title,
+               const StreamDut& dut, const StreamResult& known, Window around);
+  bool clock(std::uint64_t clock, const std::vector<InterfaceSeen>& in,
+             const std::vector<InterfaceSeen>& out) override;
+  void close();
+
+ private:
+  const char* kept(std::string name) { return names_.emplace_back(std::move(name)).c_str(); }
+
+  std::optional<StreamFinding> finding_;
+  std::string path_;
+  std::deque<std::string> names_;
+  WaveShape shape_;
+  WaveRange range_;
+  std::optional<Wave> wave_;
+};
+
+}  // namespace cosim

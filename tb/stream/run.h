@@ -1,0 +1,78 @@
+// Runs one case: drives what goes in, drains what comes out, and compares it with what must come.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tb/stream/dut.h"
+#include "tb/stream/sequence.h"
+#include "tb/stream/shape.h"
+
+namespace cosim {
+
+/// What is wrong, first.
+struct StreamFinding {
+  enum class Kind {
+    value,     ///< another value than expected
+    extra,     ///< one more than expected
+    missing,   ///< all that goes in is taken, what comes out is not all there, and nothing moves
+    hung,      ///< what goes in is not taken, and nothing moves
+    late,      ///< later than the stated latency
+    unsteady,  ///< what was offered was taken back or changed
+    credit,    ///< more given than there was credit for, or more credit than there can be
+  };
+  Kind kind = Kind::value;
+  bool goes_in = false;    ///< which stream
+  std::size_t stream = 0;  ///< its number among those
+  std::size_t number = 0;  ///< the transaction, from 0
+  std::size_t cell = 0;    ///< of a value: the first that differs
+  /// From the end of the reset on; where nothing moves, the first clock of that.
+  std::uint64_t clock = 0;
+};
+
+struct StreamResult {
+  std::uint64_t clocks = 0;
+  std::uint64_t transactions = 0;  ///< that came out
+  std::optional<StreamFinding> finding;
+  Sequence came{1};  ///< where it was asked for, all that came out at the finding's stream
+};
+
+/// An interface on one clock.
+struct InterfaceSeen {
+  bool valid = false, ready = false;
+  std::size_t number = 0;              ///< of the transaction that is next or under way
+  std::vector<Word> actual, expected;  ///< its cells; of one that goes in the same
+};
+
+class StreamObserver {
+ public:
+  virtual ~StreamObserver() = default;
+  /// False: seen enough.
+  virtual bool clock(std::uint64_t clock, const std::vector<InterfaceSeen>& in,
+                     const std::vector<InterfaceSeen>& out) = 0;
+};
+
+struct StreamOrder {
+  const StreamCase& given;
+  const std::vector<Sequence>& expected;  ///< of each stream that comes out
+  /// How many must have come out of each stream for the first so many of each that goes in. Asked
+  /// only where a latency is stated.
+  std::function<std::vector<std::size_t>(const std::vector<std::size_t>& taken)> due;
+  std::uint32_t noise = 1;  ///< seed of the values of fields while nothing is offered
+  std::uint64_t budget = ~std::uint64_t{0};  ///< clocks after which it ends once something moves
+  bool gather = false;  ///< goes on after a wrong value, for StreamResult::came
+  StreamObserver* observer = nullptr;
+};
+
+/// `dut` has just been made. After the last transaction some clocks are waited for one too many: 16
+/// more than the longest time for which nothing moved before.
+StreamResult run_stream(const StreamShape& shape, StreamDut& dut, const StreamOrder& order);
+
+/// The finding as one line, from what came out and what was expected: a wrong value may be one that
+/// is lost, doubled, reordered or one too many.
+std::string to_text(const StreamShape& shape, const StreamOrder& order, const StreamResult& result);
+
+}  // namespace cosim

@@ -1,0 +1,80 @@
+#include "tb/stream/shape.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "model/core/input_error.h"
+
+namespace cosim {
+
+void StreamShape::add(const StreamPorts& ports, bool goes_in, std::span<const Field> cells) {
+  const auto refuse = [&](const std::string& why) {
+    throw InputError(fmt::format("{}: stream {}: {}", title, ports.name, why));
+  };
+  Interface i;
+  i.name = ports.name;
+  i.goes_in = goes_in;
+  const std::string prefix = ports.prefix != nullptr ? ports.prefix : i.name + '_';
+  const auto port = [&](const char* given, const char* usual) {
+    return given != nullptr ? std::string(given) : prefix + usual;
+  };
+  i.valid = port(ports.valid, "valid");
+  if (ports.has_ready) i.ready = port(ports.ready, "ready");
+  if (ports.credits > 0) i.credit = port(ports.credit, "credit");
+  if (ports.done != nullptr) i.done = ports.done;
+  i.credits = ports.credits;
+  i.latency = ports.latency;
+  i.pulse = ports.pulse;
+  i.steady = ports.steady;
+  if (goes_in && (i.latency >= 0 || i.pulse || i.steady)) {
+    refuse("latency(), rising() and steady() are of streams that come out");
+  }
+  if (!goes_in && !i.done.empty()) refuse("until() is of streams that go in");
+
+  if (goes_in) column({kept(i.name + "_give"), 1, Format::flag, "", "there is a transaction"});
+  if (i.can_stall() || goes_in) {
+    column({kept(i.name + "_stall"), stall_width, Format::number, "", "clocks before it"});
+  }
+  for (Field cell : cells) {
+    if (cell.width == 0) continue;  // of an array: this shape does not have it
+    if (std::string_view(cell.net) == cell.name) cell.net = kept(prefix + cell.name);
+    cell.name = kept(i.name + '_' + cell.name);
+    i.cells.push_back(cell);
+    if (goes_in) column(cell);
+  }
+  (goes_in ? in : out).push_back(std::move(i));
+}
+
+void StreamShape::column(const Field& field) {
+  const std::string name = label_of(field);
+  if (std::any_of(columns_.begin(), columns_.end(),
+                  [&](const Field& f) { return label_of(f) == name; })) {
+    throw InputError(fmt::format("{}: its cases would have two columns {}", title, name));
+  }
+  columns_.push_back(field);
+}
+
+StreamCase stream_case(const StreamShape& shape, const Stimulus& stimulus) {
+  StreamCase all;
+  for (const Interface& i : shape.in) all.in.push_back({Sequence(i.cells.size()), {}});
+  for (std::size_t s = 0; s < shape.out.size(); ++s) all.out.emplace_back();
+  for (const std::vector<Word>& row : stimulus.clocks) {
+    std::size_t at = 0;
+    for (std::size_t s = 0; s < shape.in.size(); ++s) {
+      const std::size_t cells = shape.in[s].cells.size();
+      if (row[at] != 0) {
+        all.in[s].stalls.push_back(row[at + 1]);
+        all.in[s].given.push(std::span(row).subspan(at + 2, cells));
+      }
+      at += 2 + cells;
+    }
+    for (std::size_t s = 0; s < shape.out.size(); ++s) {
+      if (shape.out[s].can_stall()) all.out[s].stalls.push_back(row[at++]);
+    }
+  }
+  return all;
+}
+
+}  // namespace cosim

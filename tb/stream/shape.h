@@ -1,0 +1,75 @@
+// What is known of a design with a stream model, without its types: its interfaces and their ports.
+// And what a case of it is: a stimulus whose rows are transactions.
+//
+//   x_give   1 where the row has a transaction for the stream x, which goes in
+//   x_stall  the clocks for which it is held back, from the one before it on
+//   x_FIELD  its fields
+//   y_stall  the clocks for which the transaction of that number is not taken from the stream y,
+//            which comes out, from the one before it on
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "model/core/fields.h"
+#include "model/core/stream.h"
+#include "tb/stimulus/stimulus.h"
+#include "tb/stream/sequence.h"
+
+namespace cosim {
+
+/// Bits of a stall.
+inline constexpr int stall_width = 8;
+
+/// One interface. A port without a name is not there.
+struct Interface {
+  std::string name;
+  bool goes_in = true;
+  std::vector<Field> cells;  ///< of a transaction; named as in a case, x_FIELD, with their ports
+  std::string valid, ready, credit, done;
+  int credits = 0;
+  int latency = -1;
+  bool pulse = false, steady = false;
+
+  bool can_stall() const { return !ready.empty() || !credit.empty(); }
+};
+
+struct StreamShape {
+  StreamShape() = default;
+  StreamShape(const StreamShape&) = delete;
+  StreamShape& operator=(const StreamShape&) = delete;
+
+  std::string title, design;
+  const char* clock = "";
+  std::vector<Parameter> parameters;
+  std::vector<Interface> in, out;
+  std::vector<Pin> pins;
+  std::uint64_t watchdog = 1000;  ///< clocks for which nothing may move while something should
+
+  /// Adds an interface with the cells of its record. InputError where that cannot be.
+  void add(const StreamPorts& ports, bool goes_in, std::span<const Field> cells);
+  /// The columns of a case.
+  const std::vector<Field>& columns() const { return columns_; }
+
+ private:
+  const char* kept(std::string text) { return names_.emplace_back(std::move(text)).c_str(); }
+  void column(const Field& field);
+
+  std::deque<std::string> names_;
+  std::vector<Field> columns_;
+};
+
+/// A case, taken apart.
+struct StreamCase {
+  struct Side {
+    Sequence given{1};         ///< of a stream that goes in
+    std::vector<Word> stalls;  ///< before each; none behind the last
+  };
+  std::vector<Side> in, out;
+};
+StreamCase stream_case(const StreamShape& shape, const Stimulus& stimulus);
+
+}  // namespace cosim

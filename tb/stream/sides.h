@@ -1,0 +1,130 @@
+// One interface of a run, clock by clock: drive() before the design settles, sample() after it,
+// advance() after the rising edge.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "tb/stream/dut.h"
+#include "tb/stream/sequence.h"
+#include "tb/support/random.h"
+
+namespace cosim {
+
+/// A stream that goes in, at work.
+struct Giver {
+  const Interface& i;
+  const InterfaceNets& nets;
+  const Sequence& given;
+  const std::vector<Word>& stalls;
+  std::size_t taken = 0;
+  Word stalled = 0;  // clocks left
+  int credits = 0;
+  bool offers = false;  // valid is high
+  bool waits = false;   // for done
+  bool moved = false;   // on this clock
+
+  bool left() const { return taken < given.size(); }
+  /// The harness itself makes it wait.
+  bool held_back() const { return left() && !offers && stalled != 0; }
+  void begin() { stalled = left() ? stalls[taken] : 0; }
+
+  void drive(Random& noise) {
+    if (stalled != 0) {
+      --stalled;
+      offers = false;
+    } else if (!offers && left() && !waits && (i.credits == 0 || credits > 0)) {
+      offers = true;
+      const auto words = given[taken];
+      for (std::size_t c = 0; c < words.size(); ++c) nets.cells[c].set(words[c]);
+    }
+    nets.valid.set(offers ? 1 : 0);
+    if (offers || waits) return;
+    for (std::size_t c = 0; c < nets.cells.size(); ++c) {
+      nets.cells[c].set(low_bits(static_cast<Word>(noise.next()), i.cells[c].width));
+    }
+  }
+  void sample() {
+    if (waits && nets.done.get() != 0) waits = false;
+    moved = offers && (i.ready.empty() || nets.ready.get() != 0);
+    if (i.credits > 0 && nets.credit.get() != 0) ++credits;
+    if (!moved) return;
+    if (i.credits > 0) --credits;
+  }
+  /// After the clock.
+  void advance() {
+    if (!moved) return;
+    ++taken;
+    offers = false;
+    waits = !i.done.empty();
+    begin();
+  }
+};
+
+/// A stream that comes out.
+struct Taker {
+  const Interface& i;
+  const InterfaceNets& nets;
+  const Sequence& expected;
+  const std::vector<Word>& stalls;
+  std::size_t came = 0;
+  Word stalled = 0;
+  int credits = 0;             // that the design may still use
+  std::deque<Word> returns{};  // credits to give back: clocks each has still to wait
+  bool valid = false, ready = false, moved = false, before = false, offered = false;
+  std::vector<Word> words{}, last{};
+  std::uint64_t idle = 0;            // clocks on which it could have taken one
+  std::vector<std::uint64_t> due{};  // the same, when each became due
+
+  Word stall_of(std::size_t n) const { return n < stalls.size() ? stalls[n] : 0; }
+  bool held_back() const { return stalled != 0 || !returns.empty(); }
+  void begin() {
+    stalled = i.ready.empty() ? 0 : stall_of(came);
+    credits = i.credits;
+  }
+
+  void drive() {
+    if (!i.ready.empty()) {
+      ready = stalled == 0;
+      if (!ready) --stalled;
+      nets.ready.set(ready ? 1 : 0);
+    } else if (i.credits > 0) {
+      const bool back = !returns.empty() && returns.front() == 0;
+      if (back) {
+        returns.pop_front();
+        ++credits;
+      } else if (!returns.empty()) {
+        --returns.front();
+      }
+      nets.credit.set(back ? 1 : 0);
+      ready = credits > 0;
+    } else {
+      ready = true;
+    }
+  }
+  void sample() {
+    const bool high = nets.valid.get() != 0;
+    valid = high && (!i.pulse || !before);
+    before = high;
+    // Without ready the design gives when it likes.
+    moved = valid && (ready || i.ready.empty());
+    if (!valid) return;
+    words.resize(nets.cells.size());
+    for (std::size_t c = 0; c < words.size(); ++c) words[c] = nets.cells[c].get();
+  }
+  void advance() {
+    offered = valid && !moved;
+    if (offered && i.steady) last = words;
+    if (!moved) return;
+    if (i.credits > 0) {
+      --credits;
+      returns.push_back(stall_of(came));
+    }
+    ++came;
+    stalled = i.ready.empty() ? 0 : stall_of(came);
+  }
+};
+
+}  // namespace cosim

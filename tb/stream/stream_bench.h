@@ -1,0 +1,182 @@
+// The bench of one shape of a design with a stream model: what of it needs the design's types.
+#pragma once
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "model/core/design.h"
+#include "model/core/input_error.h"
+#include "model/core/stream.h"
+#include "tb/lockstep/cells.h"
+#include "tb/stream/bench.h"
+
+namespace cosim {
+namespace detail {
+
+template <class T>
+struct IsTuple : std::false_type {};
+template <class... T>
+struct IsTuple<std::tuple<T...>> : std::true_type {};
+
+/// One thing alone as a tuple of it.
+template <class T>
+constexpr auto as_tuple(T one) {
+  if constexpr (IsTuple<T>::value) {
+    return one;
+  } else {
+    return std::tuple<T>(std::move(one));
+  }
+}
+
+/// Transactions of one stream, between the records of the model and the codes at the ports.
+template <class Record>
+class Payload {
+ public:
+  template <class Params>
+  explicit Payload(const Params& p) : fields_(Record::fields(p)) {
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+      if (fields_[i].width != 0) places_.push_back(i);
+    }
+  }
+
+  Record record(std::span<const Word> words) const {
+    Words<Record> all{};
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      all[places_[i]] = units_of(fields_[places_[i]], words[i]);
+    }
+    return from_words<Record>(all);
+  }
+  std::vector<Record> records(const Sequence& sequence) const {
+    std::vector<Record> all;
+    all.reserve(sequence.size());
+    for (std::size_t n = 0; n < sequence.size(); ++n) all.push_back(record(sequence[n]));
+    return all;
+  }
+  /// InputError "TITLE: ..." where a value has no code.
+  Sequence sequence(const std::vector<Record>& records, const std::string& title,
+                    const std::string& stream) const {
+    Sequence all(places_.size());
+    std::vector<Word> words(places_.size());
+    for (const Record& r : records) {
+      const Words<Record> values = to_words(r);
+      for (std::size_t i = 0; i < places_.size(); ++i) {
+        const Field& f = fields_[places_[i]];
+        words[i] = values[places_[i]];
+        if (!is_state(f, words[i])) {
+          throw InputError(
+              fmt::format("{}: the model gives {} for {} of stream {}, which has {} "
+                          "bits",
+                          title, words[i], label_of(f), stream, f.width));
+        }
+        words[i] = f.format == Format::ones_complement ? to_ones_complement(words[i], f.width)
+                                                       : low_bits(words[i], f.width);
+      }
+      all.push(words);
+    }
+    return all;
+  }
+
+ private:
+  std::array<Field, Record::size> fields_;
+  std::vector<std::size_t> places_;  // of the cells that the shape has
+};
+
+}  // namespace detail
+
+/// Top: the Verilated class. Trait has Design, params, and the names of the shape and of the clock.
+template <class Top, class Trait>
+class StreamBench final : public AnyStreamBench {
+  using Design = typename Trait::Design;
+  using In = decltype(detail::as_tuple(Design::in(Trait::params)));
+  using Out = decltype(detail::as_tuple(Design::out(Trait::params)));
+  template <std::size_t S, class Side>
+  using RecordOf = typename std::tuple_element_t<S, Side>::template Payload<Word>;
+  template <class Side>
+  using Numbers = std::make_index_sequence<std::tuple_size_v<Side>>;
+
+ public:
+  StreamBench() {
+    shape_.title = Trait::title;
+    shape_.design = Design::name;
+    shape_.clock = Trait::clock;
+    const auto parameters = parameters_of<Design>(Trait::params);
+    shape_.parameters.assign(parameters.begin(), parameters.end());
+    if constexpr (requires { Design::watchdog; }) shape_.watchdog = Design::watchdog;
+    if constexpr (requires { Design::pins(Trait::params); }) {
+      const auto pins = Design::pins(Trait::params);
+      shape_.pins.assign(pins.begin(), pins.end());
+    }
+    const auto add = [&]<class Side, std::size_t... S>(const Side& side, bool goes_in,
+                                                       std::index_sequence<S...>) {
+      (shape_.add(std::get<S>(side).ports, goes_in, RecordOf<S, Side>::fields(Trait::params)), ...);
+    };
+    const In in = detail::as_tuple(Design::in(Trait::params));
+    const Out out = detail::as_tuple(Design::out(Trait::params));
+    add(in, true, Numbers<In>());
+    add(out, false, Numbers<Out>());
+    [&]<std::size_t... S>(std::index_sequence<S...>) { (add_rules<S>(), ...); }
+    (Numbers<In>());
+  }
+
+  std::unique_ptr<StreamDut> dut(std::uint32_t power_up) const override {
+    return std::make_unique<VerilatedStreamDut<Top>>(power_up);
+  }
+
+  std::vector<Sequence> expected(const std::vector<Sequence>& given) const override {
+    const auto results = [&]<std::size_t... S>(std::index_sequence<S...>) {
+      return detail::as_tuple(Design::run(
+          Trait::params, detail::Payload<RecordOf<S, In>>(Trait::params).records(given[S])...));
+    }
+    (Numbers<In>());
+    std::vector<Sequence> all;
+    [&]<std::size_t... S>(std::index_sequence<S...>) {
+      (all.push_back(detail::Payload<RecordOf<S, Out>>(Trait::params)
+                         .sequence(std::get<S>(results), shape_.title, shape_.out[S].name)),
+       ...);
+    }
+    (Numbers<Out>());
+    return all;
+  }
+
+  const char* broken_rule(std::size_t s, std::span<const Word> words) const override {
+    const char* broken = nullptr;
+    [&]<std::size_t... S>(std::index_sequence<S...>) {
+      ((S == s ? void(broken = broken_in<S>(words)) : void()), ...);
+    }
+    (Numbers<In>());
+    return broken;
+  }
+
+ private:
+  template <std::size_t S>
+  static constexpr bool has_rules = requires(const RecordOf<S, In>& r) {
+    Design::legal(Trait::params, r);
+  };
+  template <std::size_t S>
+  void add_rules() {
+    if constexpr (has_rules<S>) {
+      for (const auto& rule : Design::legal(Trait::params, RecordOf<S, In>{})) {
+        assumed_.push_back(shape_.in[S].name + ": " + rule.sentence);
+      }
+    }
+  }
+  template <std::size_t S>
+  const char* broken_in([[maybe_unused]] std::span<const Word> words) const {
+    if constexpr (has_rules<S>) {
+      const auto record = detail::Payload<RecordOf<S, In>>(Trait::params).record(words);
+      for (const auto& rule : Design::legal(Trait::params, record)) {
+        if (!rule.holds) return rule.sentence;
+      }
+    }
+    return nullptr;
+  }
+};
+
+}  // namespace cosim

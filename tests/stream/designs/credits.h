@@ -1,0 +1,27 @@
+// Credits on both sides.
+#pragma once
+
+#include "model/core/stream.h"
+
+namespace cosim::credits {
+
+struct Params {
+  int fault;
+};
+
+#define CREDITS_WORD(FIELD) FIELD(word, 16, bits, "", "what passes")
+COSIM_RECORD(Passed, CREDITS_WORD, Params);
+
+struct Design {
+  using Params = credits::Params;
+  static constexpr const char* name = "credits";
+  static constexpr auto parameters(const Params& p) {
+    return std::array<Parameter, 1>{{{"FAULT", p.fault}}};
+  }
+  static constexpr auto in(const Params&) { return stream<Passed>("in").credit(4); }
+  static constexpr auto out(const Params&) { return stream<Passed>("out").credit(2); }
+  static constexpr auto pins(const Params&) { return std::array{pin::reset("rst")}; }
+  static auto run(const Params&, const std::vector<Passed<Word>>& in) { return in; }
+};
+
+}  // namespace cosim::credits

@@ -1,0 +1,92 @@
+#!/usr/bin/env bash
+# Usage: streams_test.sh BUILD [PROGRAM]
+#
+# Builds designs/ against the harness as a package, installed from BUILD into a scratch prefix. What is
+# as it should be passes; each planted fault is found, said by its name, and shrunk to so few
+# transactions; its stimulus shows it again, and draws it. PROGRAM: one that was built already.
+# Status: 0 so, 1 not.
+set -euo pipefail
+
+here=$(cd "$(dirname "$0")" && pwd)
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+if (($# > 1)); then
+  program=$(realpath "$2")
+else
+  cmake --install "$1" --prefix "$scratch/prefix" > "$scratch/log"
+  if ! cmake -S "$here/designs" -B "$scratch/build" -G Ninja "-DCMAKE_PREFIX_PATH=$scratch/prefix" \
+    "-DEXAMPLES=$here/../../examples" -DCMAKE_UNITY_BUILD=ON > "$scratch/log" 2>&1 ||
+    ! cmake --build "$scratch/build" -j "$(nproc)" >> "$scratch/log" 2>&1; then
+    tail -50 "$scratch/log"
+    exit 1
+  fi
+  program=$scratch/build/streams
+fi
+cd "$scratch"
+
+# fails TEXT...: what was not so, and what was said last.
+fails() {
+  cat said
+  printf 'not so: %s\n' "$*"
+  exit 1
+}
+# ends STATUS WORDS...: the program ends with that status; what it says is in `said`.
+ends() {
+  local wanted=$1 status=0
+  shift
+  "$program" "$@" > said 2>&1 || status=$?
+  [[ $status == "$wanted" ]] || fails "'$*' ends with $wanted; it is $status"
+}
+says() { grep -qE -- "$1" said || fails "it says: $1"; }
+
+# found DESIGN KIND MOST: the fault is found, of that kind, and its smallest stimulus has at most MOST
+# transactions, and shows it again.
+found() {
+  local design=$1 kind=$2 most=$3 smallest rows
+  rm -rf kept
+  ends 1 sweep "$design" --hostile 1000000 --failures kept
+  says "^$kind"
+  smallest=(kept/*/smallest.stim)
+  ends 1 replay "${smallest[0]}" --wave again.fst
+  [[ -s again.fst && -s again.gtkw ]] || fails "the wave is drawn"
+  rows=$(sed -n 's/^smallest stimulus that still fails: \([0-9]*\) transactions\?, .*/\1/p' \
+    kept/*/report.txt)
+  cp "${smallest[0]}" "$design.stim"
+  if ((rows > most)); then
+    cat "$design.stim"
+    fails "$design: $rows transactions, at most $most"
+  fi
+  echo "$design: $kind, shrunk to $rows"
+}
+
+# The faults of the filter. A value is lost or doubled only where somebody waits.
+found loses lost 2
+grep -qE '^0 .* [1-9][0-9]*$' loses.stim || fails "what loses a value keeps the stall that shows it"
+found doubles doubled 2
+found hangs hung 2
+found slow late 3
+found wrong 'another value' 5
+
+# The interfaces: as they should be, then with a fault.
+for design in pairs divider credits packets; do
+  case $design in
+    pairs) kind='(another value|taken back): parts' most=1 ;;
+    divider) kind='another value: given' most=1 ;;
+    credits) kind='credit: out number . comes without any' most=6 ;;
+    packets) kind='another value: sum' most=3 ;;
+  esac
+  found "$design" "$kind" "$most"
+  ends 1 sweep $design --hostile 20000 --failures kept
+  says "^$design FAULT=0, random transactions with random stalls: [0-9]* clocks"
+done
+
+ends 2 prove divider
+says 'nothing can be proved of it'
+ends 1 sweep divider --hostile 20000
+says '^assumed of the inputs: asked: the divisor is not 0$'
+sed 's/^0 .*/0  1  0  7  0/' divider.stim > zero.stim
+ends 2 replay zero.stim
+says 'a transaction that is assumed never to come; the rule is: the divisor is not 0'
+sed 's/^transaction /clock /' divider.stim > clocks.stim
+ends 2 replay clocks.stim
+says 'is none of origin, power-up, state, transaction'

@@ -13,7 +13,7 @@ namespace {
 std::string text_of(const std::vector<Parameter>& parameters) {
   std::string text;
   for (const Parameter& p : parameters) {
-    text += fmt::format("{}{}={}", text.empty() ? "" : " ", p.name, p.value);
+    text += fmt::format("{}{}={}", text.empty() ? "" : " ", p.name, to_text(p));
   }
   return text;
 }

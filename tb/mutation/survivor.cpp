@@ -32,7 +32,14 @@ std::filesystem::path leave_survivor(const Subject& subject, unsigned mutant,
                                         (draft.target() / "mutants.v").string(), mutant);
 
   nlohmann::ordered_json json{{"verdict", "survived"}, {"design", subject.bench().design()}};
-  for (const Parameter& p : subject.bench().parameters()) json["parameters"][p.name] = p.value;
+  for (const Parameter& p : subject.bench().parameters()) {
+    auto& value = json["parameters"][p.name];
+    if (p.text != nullptr) {
+      value = p.text;
+    } else {
+      value = p.value;
+    }
+  }
   json["mutant"] = mutant;
   json["what"] = what;
   json["prove"] = prove;

@@ -41,7 +41,7 @@ std::string written_by_yosys(const Source& source) {
   }
   // A register that nothing reads stays one, and what is undefined is free in the formula.
   std::string kept = "w:*_q";
-  for (const std::string& net : source.kept) kept += kept_net(net);
+  for (const std::string& net : source.kept) kept += kept_net(net.substr(net.rfind('.') + 1));
   // A memory becomes a register a word, store[3].
   commands += fmt::format(
       "; rename -top {}; setattr -set keep 1 {}; prep -flatten -nomem; memory_collect; memory_map; "
@@ -53,9 +53,10 @@ std::string written_by_yosys(const Source& source) {
 
 }  // namespace
 
-std::string kept_net(const std::string& path) {
-  const std::string name = path.substr(path.rfind('.') + 1);
-  return fmt::format(" w:{0} w:{0}\\[*", name);
+std::string kept_net(const std::string& name) {
+  std::string pattern;  // in which a bracket stands for itself
+  for (const char c : name) pattern += c == '[' ? std::string("\\[") : std::string(1, c);
+  return fmt::format(" w:{0} w:{0}\\[*", pattern);
 }
 
 std::string read_commands(const Source& source) {

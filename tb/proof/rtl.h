@@ -34,9 +34,9 @@ Source source_in(const std::filesystem::path& folder, const std::string& design,
 /// SystemVerilog. They end in "; ".
 std::string read_commands(const Source& source);
 
-/// Selects, for yosys, the nets of that path's name, and the words of a memory of that name which
-/// yosys has made registers.
-std::string kept_net(const std::string& path);
+/// Selects, for yosys, the nets of that name, and the words of a memory of that name which yosys
+/// has made registers.
+std::string kept_net(const std::string& name);
 
 /// Runs yosys. InputError where there is none or it stops with an error; it names `what`.
 void run_yosys(const std::string& commands, const std::string& what);

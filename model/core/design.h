@@ -11,6 +11,7 @@
 
 #include "model/core/bit_strings.h"
 #include "model/core/fields.h"
+#include "model/core/job.h"
 #include "model/core/memory.h"
 #include "model/core/stated.h"
 #include "model/core/value.h"
@@ -244,9 +245,14 @@ constexpr auto host_of() {
   }
 }
 
+template <DeclaresJobs Design>
+struct HostType<Design> {
+  using Type = JobHost<Design>;
+};
+
 }  // namespace detail
 
-/// The design's Host, or one without jobs.
+/// The design's Host, or that of the jobs it declares (job.h), or one without jobs.
 template <class Design>
 using HostOf = typename decltype(detail::host_of<Design>())::type;
 

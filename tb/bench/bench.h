@@ -11,12 +11,23 @@
 #include <utility>
 #include <vector>
 
+#include "model/core/job.h"
 #include "model/core/probe.h"
 #include "tb/dut/dut.h"
 #include "tb/lockstep/run.h"
 #include "tb/stimulus/hostile.h"
 
 namespace cosim {
+
+/// Declared jobs, each the values of its fields.
+using JobList = std::vector<std::vector<Word>>;
+
+/// What came of them.
+struct JobsRun {
+  Run run;
+  std::uint64_t jobs = 0;  ///< driven to their end
+  std::string error;       ///< of the design's check, one line; empty where it found none
+};
 
 /// What every bench can say of itself.
 class AnyBench {
@@ -54,6 +65,18 @@ class AnyBench {
   virtual std::string hostile_text() const { return "any value on any pin on any clock"; }
   /// Runs hostile clocks.
   virtual Run run_hostile(const HostileCase& c) const = 0;
+  /// The inputs of these, as a stimulus.
+  virtual Stimulus hostile(const HostileCase& c) const = 0;
+
+  /// The fields of a job, of a design that declares its jobs by a table (job.h); else empty.
+  virtual std::vector<JobField> job_fields() const = 0;
+  /// "idle=3 byte=65; idle=0 byte=1"
+  virtual std::string describe(const JobList& jobs) const = 0;
+  /// Drives declared jobs one after the other on a machine powered up at random from `power_up`,
+  /// to their end or to the first difference.
+  virtual JobsRun run_jobs(const JobList& jobs, std::uint32_t power_up) const = 0;
+  /// The inputs of these, as a stimulus.
+  virtual Stimulus stimulus_of(const JobList& jobs, std::uint32_t power_up) const = 0;
 
   /// Runs a stimulus of this machine, to its end or to the first difference. InputError if it
   /// starts from a state and the machine cannot be set to one.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tb/bench/bench.h"
+#include "tb/bench/job_check.h"
 #include "tb/bench/wanted.h"
 #include "tb/lockstep/replay.h"
 #include "tb/wave/recorder.h"
@@ -117,8 +118,44 @@ class DesignBench : public Bench<Design> {
     }
     return result;
   }
+  Stimulus hostile(const HostileCase& c) const override {
+    return titled(
+        recorded<Design>(params(), HostileStimulus<Design>(params(), c), c.power_up(), c.clocks));
+  }
   std::unique_ptr<Session<Design>> open(std::uint32_t power_up) const override {
     return std::make_unique<HostSession>(*this, power_up);
+  }
+
+  std::vector<JobField> job_fields() const override {
+    if constexpr (DeclaresJobs<Design>) {
+      const auto list = Job::fields(dut_.params);
+      return {list.begin(), list.end()};
+    }
+    return {};
+  }
+  std::string describe(const JobList& jobs) const override {
+    std::string text;
+    for (const Job& job : typed(jobs)) {
+      text += (text.empty() ? "" : "; ") + Host::describe(params(), job);
+    }
+    return text;
+  }
+  JobsRun run_jobs(const JobList& jobs, std::uint32_t power_up) const override {
+    JobsRun result;
+    if constexpr (DeclaresJobs<Design>) {
+      const std::vector<Job> all = typed(jobs);
+      JobCheck<Design> check(params(), all);
+      result.run = open(power_up)->draw(all, check);
+      if (!result.run.mismatch) check.finish();
+      result.jobs = check.done();
+      result.error = check.error();
+    }
+    return result;
+  }
+  Stimulus stimulus_of(const JobList& jobs, std::uint32_t power_up) const override {
+    constexpr std::uint64_t most = ~std::uint64_t{0};
+    const std::vector<Job> all = typed(jobs);
+    return titled(recorded<Design>(params(), Host(params(), all), power_up, most));
   }
 
   Run replay(const Stimulus& s, Window window) const override {
@@ -192,6 +229,20 @@ class DesignBench : public Bench<Design> {
     mismatch.bench = this;
     mismatch.stimulus.power_up = power_up;
     return mismatch;
+  }
+  static std::vector<Job> typed(const JobList& jobs) {
+    std::vector<Job> all;
+    if constexpr (DeclaresJobs<Design>) {
+      for (const auto& values : jobs) {
+        Job& job = all.emplace_back();
+        for_each_member<Job>([&](auto member, std::size_t i) { job.*member = values[i]; });
+      }
+    }
+    return all;
+  }
+  Stimulus titled(Stimulus stimulus) const {
+    stimulus.machine = this->title();
+    return stimulus;
   }
   template <class Record>
   std::vector<Field> fields() const {

@@ -12,6 +12,9 @@ void add_examples(const Command& program, const Registry& registry);
 void add_sweep(const Command& program, const Registry& registry);
 void add_replay(const Command& program);
 void add_prove(const Command& program);
+void add_job(const Command& program);
+void add_lint(const Command& program);
+void add_wave_command(const Command& program);
 void add_new(const Command& program);
 
 }  // namespace cosim::cli

@@ -29,7 +29,7 @@ void keep_failure(const std::vector<Outcome>& outcomes, const Common& common) {
     if (!o.result.mismatch) continue;
     std::fflush(stdout);
     try {
-      const FailureOptions options{common.failures_folder(), common.window(), "cosim"};
+      const FailureOptions options{common.failures_folder(), common.window()};
       fmt::print("\n{}",
                  to_text(leave_failure(*o.bench, o.result.failed, *o.result.mismatch, options)));
     } catch (const InputError& error) {

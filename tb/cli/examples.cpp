@@ -3,6 +3,7 @@
 
 #include "tb/cli/commands.h"
 #include "tb/cli/registry.h"
+#include "tb/support/words.h"
 
 namespace cosim::cli {
 
@@ -11,7 +12,7 @@ void add_examples(const Command& program, const Registry& registry) {
   const Command command = program.sub("examples", "A command line for each thing to be seen first");
   command.action([&registry] {
     for (const Example& example : registry.examples()) {
-      fmt::print("{}\n  cosim {}\n", example.title, fmt::join(example.words, " "));
+      fmt::print("{}\n  {} {}\n", example.title, program_name(), fmt::join(example.words, " "));
     }
     return 0;
   });

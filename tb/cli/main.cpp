@@ -33,21 +33,24 @@ void hold_standard_streams() {
 }
 
 int run(int argc, char** argv) {
+  cosim::name_program(cosim::cli::registry().program());
   return cosim::cli::run_program(
-      argc, argv, "cosim",
+      argc, argv, cosim::program_name(),
       "Runs a design in Verilog beside its golden model, and compares every register and\n"
       "output on every clock.",
       [](const cosim::cli::Command& program) {
-        program.footer(
-            "Exit status: 0 match, 1 mismatch, 2 bad input.\n"
-            "cosim COMMAND --help tells of a command's options.");
+        program.footer("Exit status: 0 match, 1 mismatch, 2 bad input.\n" + cosim::program_name() +
+                       " COMMAND --help tells of a command's options.");
         const cosim::cli::Registry& registry = cosim::cli::registry();
         cosim::cli::add_list(program);
         for (const auto& add : registry.commands()) add(program);
         cosim::cli::add_examples(program, registry);
         cosim::cli::add_sweep(program, registry);
+        cosim::cli::add_job(program);
         cosim::cli::add_replay(program);
+        cosim::cli::add_wave_command(program);
         cosim::cli::add_prove(program);
+        cosim::cli::add_lint(program);
         cosim::cli::add_new(program);
       });
 }

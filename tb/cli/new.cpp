@@ -294,7 +294,7 @@ void add_new(const Command& program) {
                     "registers become the model's tables. Without a file: a counter that passes");
   command.flag("--plain", o->plain,
                "The model's step in any C++, on machine integers: nothing is proved of it");
-  command.footer("Example: cosim new adder adder.v");
+  command.footer(fmt::format("Example: {} new adder adder.v", program_name()));
   command.action([o] { return run(*o); });
 }
 

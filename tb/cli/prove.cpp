@@ -84,7 +84,10 @@ std::vector<Subject> chosen(const std::vector<std::string>& words) {
   }
   if (all.empty() && !refused.empty()) throw InputError(*refused.begin());
   for (const std::string& line : refused) fmt::print("{}\n", line);
-  if (all.empty()) throw InputError(wanted + ": is no machine that is built; see cosim list");
+  if (all.empty()) {
+    throw InputError(
+        fmt::format("{}: is no machine that is built; see {} list", wanted, program_name()));
+  }
   return all;
 }
 
@@ -134,7 +137,7 @@ void explain(const ProveOptions& o, const Subject& subject, const Claim& claim,
   if (run.mismatch) {
     fmt::print("\n{}", to_text(*run.mismatch));
     const Failure failure = leave_failure(*bench, "counterexample of the proof", *run.mismatch,
-                                          {o.common.failures_folder(), o.common.window(), "cosim"});
+                                          {o.common.failures_folder(), o.common.window()});
     fmt::print("\n{}", to_text(failure));
     return;
   }
@@ -286,7 +289,7 @@ void add_prove(const Command& program) {
   auto o = std::make_shared<ProveOptions>();
   const Command command =
       program.sub("prove", "Proves that RTL and model are the same, for every state and input");
-  command.arguments("MACHINE", o->machine, "A design, or a line of cosim list; default all");
+  command.arguments("MACHINE", o->machine, "A design, or a line of 'list'; default all");
   command.text("--rtl", o->rtl, "DIR", "Other RTL than that built here: a folder for each design");
   command.text("--limit", o->limit, "S", "Seconds of processor time for one answer; default 300");
   command.text("--jobs", o->jobs, "J", "Solvers at a time; default one a core");
@@ -300,8 +303,8 @@ void add_prove(const Command& program) {
   add_failures(command, o->common);
   command.footer(
       "Needs yosys, cvc5 and z3; only what both solvers prove is proved.\n"
-      "Example: cosim prove " +
-      proof::built_machines().front().title);
+      "Example: " +
+      program_name() + " prove " + proof::built_machines().front().title);
   command.action([o] { return run(*o); });
 }
 

@@ -18,11 +18,11 @@
 
 namespace cosim::cli {
 
-/// cosim sweep DESIGN.
+/// PROGRAM sweep DESIGN.
 struct DesignSweeps {
   std::string design;
   std::string help;     ///< what is swept: "Lines of any slope"
-  std::string example;  ///< the words behind "cosim sweep DESIGN"
+  std::string example;  ///< the words behind "PROGRAM sweep DESIGN"
   std::vector<ShapeOption> shape;
   /// Every case there is; empty if the bench is too wide for that.
   std::function<std::vector<Sweep>(const AnyBench&)> exhaustive;
@@ -34,11 +34,16 @@ struct DesignSweeps {
 /// A command line that shows what a design or a study is for.
 struct Example {
   std::string title;
-  std::vector<std::string> words;  ///< behind "cosim", run in the project's folder; none has spaces
+  std::vector<std::string>
+      words;  ///< behind the program, run in the project's folder; none has spaces
 };
 
 class Registry {
  public:
+  /// `program`: how the program is called in what it says.
+  explicit Registry(std::string program) : program_(std::move(program)) {}
+
+  const std::string& program() const { return program_; }
   /// `add` adds one command to the program.
   void command(std::function<void(const Command& program)> add) {
     commands_.push_back(std::move(add));
@@ -51,6 +56,7 @@ class Registry {
   const std::vector<Example>& examples() const { return examples_; }
 
  private:
+  std::string program_;
   std::vector<std::function<void(const Command&)>> commands_;
   std::vector<DesignSweeps> sweeps_;
   std::vector<Example> examples_;

@@ -54,7 +54,8 @@ void add_replay(const Command& program) {
   add_wave(command, o->common, "Draw it as a waveform, with FILE.gtkw, its view for GTKWave");
   add_failures(command, o->common, false);
   command.text("--report", o->common.report, "FILE", "Write the verdict and the figures as JSON");
-  command.footer("Example: cosim replay failures/NAME/smallest.stim --wave again.fst");
+  command.footer(fmt::format("Example: {} replay failures/NAME/smallest.stim --wave again.fst",
+                             program_name()));
   command.action([o] { return run(*o); });
 }
 

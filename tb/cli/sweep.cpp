@@ -36,6 +36,11 @@ struct SweepOptions {
 
 using Benches = std::vector<const AnyBench*>;
 
+// Of a design that has more than hostile clocks.
+std::string kinds_of(const DesignSweeps& design) {
+  return std::string(design.exhaustive ? "--exhaustive, " : "") + "--random and --hostile";
+}
+
 void check_kind(const SweepOptions& o) {
   if (!o.design.random) {
     if (!o.hostile) throw InputError("sweep: --hostile COUNT is needed");
@@ -43,7 +48,7 @@ void check_kind(const SweepOptions& o) {
   }
   const int kinds = (o.exhaustive ? 1 : 0) + (o.random ? 1 : 0) + (o.hostile ? 1 : 0);
   if (kinds != 1) {
-    throw InputError(fmt::format("sweep: one of --exhaustive, --random and --hostile is needed, {}",
+    throw InputError(fmt::format("sweep: one of {} is needed, {}", kinds_of(o.design),
                                  kinds == 0 ? "none is given" : "more are given"));
   }
 }
@@ -154,11 +159,11 @@ void add_options(const Command& design, SweepOptions& o) {
 void add_design(const Command& sweep, const DesignSweeps& swept) {
   auto o = std::make_shared<SweepOptions>(swept);
   const Command design =
-      sweep.sub(swept.design,
-                swept.help + (swept.random ? ": one of --exhaustive, --random and --hostile" : ""));
+      sweep.sub(swept.design, swept.help + (swept.random ? ": one of " + kinds_of(swept) : ""));
   add_options(design, *o);
   o->shape.add(design, "every one built");
-  design.footer(fmt::format("Example: cosim sweep {} {}", swept.design, swept.example));
+  design.footer(
+      fmt::format("Example: {} sweep {} {}", program_name(), swept.design, swept.example));
   design.action([o] { return run(*o); });
 }
 
@@ -168,13 +173,21 @@ void add_sweep(const Command& program, const Registry& registry) {
   const Command command = program.sub("sweep", "Many cases on every built width of a design");
   for (const DesignSweeps& design : registry.sweeps()) add_design(command, design);
 
-  // Hostile clocks need nothing but the design.
+  // Hostile clocks need nothing but the design, random jobs nothing but their table.
   static std::deque<DesignSweeps> others;
   std::set<std::string> known;
   for (const DesignSweeps& design : registry.sweeps()) known.insert(design.design);
   for (const auto& bench : benches()) {
     if (!known.insert(bench->design()).second) continue;
-    others.push_back({bench->design(), "Hostile clocks", "--hostile 100000", {}, {}, "", {}});
+    const bool jobs = !bench->job_fields().empty();
+    others.push_back({bench->design(),
+                      jobs ? "Hostile clocks or random jobs" : "Hostile clocks",
+                      "--hostile 100000",
+                      {},
+                      {},
+                      "",
+                      {}});
+    if (jobs) others.back().random = job_sweep;
     add_design(command, others.back());
   }
 }

@@ -10,6 +10,7 @@
 #include "tb/report/shrink.h"
 #include "tb/support/draft.h"
 #include "tb/support/output_file.h"
+#include "tb/support/words.h"
 
 namespace cosim {
 namespace {
@@ -39,7 +40,7 @@ Failure leave_failure(const AnyBench& bench, const std::string& what, const Mism
   Draft draft(options.root, failure_name(bench, what));
   Failure failure;
   failure.folder = draft.target();
-  failure.replay = fmt::format("{} replay {}", options.command, draft.target().string());
+  failure.replay = fmt::format("{} replay {}", program_name(), draft.target().string());
 
   Stimulus stimulus = mismatch.stimulus;
   stimulus.machine = bench.title();

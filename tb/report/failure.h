@@ -17,7 +17,6 @@ namespace cosim {
 struct FailureOptions {
   std::filesystem::path root = "failures";
   Window wave = wave_window;
-  std::string command = "cosim";  ///< how the program that replays is called
 };
 
 /// What is left of a failure.

@@ -118,7 +118,7 @@ class Parser {
       if (bench->title() == title) replay_.bench = bench.get();
     }
     if (replay_.bench == nullptr) {
-      fail(fmt::format("no machine {} is built; see cosim list", in_quotes(title)));
+      fail(fmt::format("no machine {} is built; see {} list", in_quotes(title), program_name()));
     }
     replay_.stimulus.machine = title;
     inputs_ = replay_.bench->inputs();

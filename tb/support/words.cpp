@@ -29,6 +29,11 @@ std::size_t character_at(const std::string& text, std::size_t at) {
   return length;
 }
 
+std::string& the_program() {
+  static std::string name = "cosim";
+  return name;
+}
+
 bool is_half_integer(double x) { return 2 * x == std::floor(2 * x); }
 
 }  // namespace
@@ -68,8 +73,12 @@ std::string in_quotes(std::string_view text) {
   return "'" + one_line(std::string(text.substr(0, end))) + "...'";
 }
 
+const std::string& program_name() { return the_program(); }
+
+void name_program(const std::string& name) { the_program() = name; }
+
 void complain(const std::string& text) {
-  std::fputs(("cosim: " + one_line(text) + '\n').c_str(), stderr);
+  std::fputs((program_name() + ": " + one_line(text) + '\n').c_str(), stderr);
 }
 
 }  // namespace cosim

@@ -20,8 +20,13 @@ std::string one_line(std::string text);
 /// What a person typed, in quotes and on one line; cut where it is long.
 std::string in_quotes(std::string_view text);
 
-/// "cosim: TEXT" as one line on standard error. Throws nothing, even if standard error is closed or
-/// full.
+/// How this program is called in what it says: "cosim", unless it was named otherwise.
+const std::string& program_name();
+/// Names it; before any other thread runs.
+void name_program(const std::string& name);
+
+/// "PROGRAM: TEXT" as one line on standard error. Throws nothing, even if standard error is closed
+/// or full.
 void complain(const std::string& text);
 
 }  // namespace cosim

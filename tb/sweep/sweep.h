@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include "tb/bench/bench.h"
 #include "tb/sweep/result.h"
 
 namespace cosim {
@@ -36,6 +37,11 @@ inline constexpr std::size_t most_waiting = 1 << 14;
 /// case with a larger number is begun after it.
 Result run_sweep(const Sweep& sweep, unsigned threads, const Progress& progress = {},
                  const Resume& resume = {});
+
+/// Jobs at random for a bench whose design declares them, 1 to 3 a case on one machine.
+Sweep job_sweep(const AnyBench& bench, std::uint64_t seed, std::uint64_t cases);
+/// The jobs of case i.
+JobList random_jobs(const AnyBench& bench, std::uint64_t seed, std::uint64_t i);
 
 /// Hostile clocks for any bench, in cases of 1000.
 Sweep hostile_sweep(const AnyBench& bench, std::uint64_t seed, std::uint64_t clocks);

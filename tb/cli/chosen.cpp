@@ -1,0 +1,49 @@
+#include "tb/cli/chosen.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/core/input_error.h"
+#include "tb/support/words.h"
+
+namespace cosim::cli {
+namespace {
+
+bool has(const AnyBench& bench, const std::string& word) {
+  const auto all = bench.parameters();
+  return std::any_of(all.begin(), all.end(), [&](const Parameter& p) {
+    return fmt::format("{}={}", p.name, p.value) == word;
+  });
+}
+
+}  // namespace
+
+std::vector<const AnyBench*> chosen_benches(const std::vector<std::string>& words) {
+  std::vector<const AnyBench*> found;
+  for (const auto& bench : benches()) {
+    const bool same =
+        words.empty() || (bench->design() == words.front() &&
+                          std::all_of(words.begin() + 1, words.end(),
+                                      [&](const std::string& word) { return has(*bench, word); }));
+    if (same) found.push_back(bench.get());
+  }
+  if (found.empty()) {
+    throw InputError(fmt::format("{} is not built; see {} list",
+                                 in_quotes(fmt::format("{}", fmt::join(words, " "))),
+                                 program_name()));
+  }
+  return found;
+}
+
+proof::Source source_of(const AnyBench& bench) {
+  for (const auto& machine : proof::built_machines()) {
+    if (machine.title != bench.title()) continue;
+    proof::Source source = machine.source;
+    source.parameters = bench.parameters();
+    return source;
+  }
+  throw InputError(bench.title() + ": its RTL is not known");
+}
+
+}  // namespace cosim::cli

@@ -1,0 +1,20 @@
+// The built machines that the words of a command line choose: none of them, a design, or a design
+// and values of its parameters, as `list` prints them: NAME M=5 N=2.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tb/bench/bench.h"
+#include "tb/proof/machines.h"
+
+namespace cosim::cli {
+
+/// All benches of the design that is the first word, with the parameters that the others give; all
+/// there are where there is no word. InputError where there is none.
+std::vector<const AnyBench*> chosen_benches(const std::vector<std::string>& words);
+
+/// The RTL that a bench was built from, with its parameters.
+proof::Source source_of(const AnyBench& bench);
+
+}  // namespace cosim::cli

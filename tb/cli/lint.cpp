@@ -1,0 +1,108 @@
+// PROGRAM lint: what Verilator, Icarus Verilog and yosys find in the RTL of the built machines.
+#include <fmt/core.h>
+
+#include <memory>
+#include <sstream>
+
+#include "model/core/input_error.h"
+#include "tb/cli/chosen.h"
+#include "tb/cli/commands.h"
+#include "tb/support/process.h"
+#include "tb/support/words.h"
+
+namespace cosim::cli {
+namespace {
+
+using Words = std::vector<std::string>;
+
+// What the sources, folders and definitions are called by Verilator and Icarus Verilog alike.
+void add_files(Words& words, const proof::Source& source) {
+  for (const auto& folder : source.include_dirs) words.push_back("-I" + folder.string());
+  for (const auto& define : source.defines) words.push_back("-D" + define);
+  for (const auto& file : source.files) words.push_back(file.string());
+}
+
+Words verilator(const proof::Source& source) {
+  Words words{"verilator", "--lint-only", "-Wall", "--top-module", source.top};
+  for (const Parameter& p : source.parameters) {
+    words.push_back(fmt::format("-G{}={}", p.name, p.value));
+  }
+  add_files(words, source);
+  return words;
+}
+
+Words iverilog(const proof::Source& source, const Scratch& scratch) {
+  Words words{"iverilog", "-Wall", "-g2012", "-s", source.top, "-o", scratch.path() / "vvp"};
+  for (const Parameter& p : source.parameters) {
+    words.push_back(fmt::format("-P{}.{}={}", source.top, p.name, p.value));
+  }
+  add_files(words, source);
+  return words;
+}
+
+Words yosys(const proof::Source& source, const Scratch& scratch) {
+  std::string commands = "read_verilog -sv";
+  for (const auto& folder : source.include_dirs) commands += " -I" + folder.string();
+  for (const auto& define : source.defines) commands += " -D" + define;
+  for (const auto& file : source.files) commands += fmt::format(" \"{}\"", file.string());
+  commands += "; hierarchy -check -top " + source.top;
+  for (const Parameter& p : source.parameters) {
+    commands += fmt::format(" -chparam {} {}", p.name, p.value);
+  }
+  commands +=
+      "; proc; check -assert; select -assert-none t:$dlatch* t:$adlatch* t:$sr; opt; check -assert";
+  // It keeps a history in the user's home.
+  return {"env", "HOME=" + scratch.path().string(), "yosys", "-q", "-p", commands};
+}
+
+// What the tool says, but for Verilator's report of what it has done.
+std::string findings(const Ended& ended) {
+  std::istringstream lines(ended.text);
+  std::string text;
+  for (std::string line; std::getline(lines, line);) {
+    const bool report =
+        line.starts_with("- V e r i l a t i o n") || line.starts_with("- Verilator:");
+    if (!report) text += line + '\n';
+  }
+  if (text.empty() && ended.status != 0) text = fmt::format("status {}\n", ended.status);
+  return text;
+}
+
+int run(const Words& words) {
+  const InterruptGuard interrupts;
+  bool clean = true;
+  for (const AnyBench* bench : chosen_benches(words)) {
+    const Scratch scratch;
+    const proof::Source source = source_of(*bench);
+    const std::pair<const char*, Words> tools[] = {{"verilator -Wall", verilator(source)},
+                                                   {"iverilog -Wall", iverilog(source, scratch)},
+                                                   {"yosys check", yosys(source, scratch)}};
+    for (const auto& [tool, command] : tools) {
+      const Ended ended = cosim::run_program(command);
+      std::string result = "clean";
+      if (ended.status == 127) {
+        result = "skipped: not installed";
+      } else if (const std::string text = findings(ended); !text.empty()) {
+        result = "findings:\n" + text;
+        result.pop_back();
+        clean = false;
+      }
+      fmt::print("{:<24} {:<16} {}\n", bench->title(), tool, result);
+    }
+  }
+  return clean ? 0 : 1;
+}
+
+}  // namespace
+
+void add_lint(const Command& program) {
+  auto words = std::make_shared<Words>();
+  const Command command = program.sub("lint", "What other tools find in the RTL");
+  command.arguments("MACHINE", *words, "A design, or a line of 'list'; default all");
+  command.footer(
+      "Verilator, and where they are installed Icarus Verilog and yosys: all warnings, latches.\n"
+      "Exit status: 0 no finding, 1 findings, 2 bad input.");
+  command.action([words] { return run(*words); });
+}
+
+}  // namespace cosim::cli

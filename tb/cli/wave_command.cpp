@@ -1,0 +1,110 @@
+// PROGRAM wave: a waveform, drawn and opened.
+#include <fmt/core.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "model/core/input_error.h"
+#include "tb/cli/chosen.h"
+#include "tb/cli/commands.h"
+#include "tb/cli/common.h"
+#include "tb/cli/extent.h"
+#include "tb/cli/number.h"
+#include "tb/cli/outputs.h"
+#include "tb/cli/wave.h"
+#include "tb/support/process.h"
+#include "tb/support/words.h"
+#include "tb/wave/view.h"
+
+namespace cosim::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct WaveOptions {
+  Common common;
+  std::vector<std::string> words;
+  Text hostile;
+};
+
+// The failure that was kept last. A folder that is not whole yet begins with a dot.
+fs::path newest_failure(const fs::path& root) {
+  std::optional<fs::directory_entry> newest;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(root, none)) {
+    if (!fs::exists(entry.path() / "stimulus.stim") || entry.path().filename().string()[0] == '.') {
+      continue;
+    }
+    if (!newest || entry.last_write_time() > newest->last_write_time()) newest = entry;
+  }
+  if (!newest) throw InputError(root.string() + ": there is no failure in it");
+  return newest->path();
+}
+
+// What is to be drawn: a file, the folder of a failure, or hostile clocks of a design.
+Replay read(const WaveOptions& o) {
+  const bool is_path = o.words.size() == 1 && fs::exists(o.words.front());
+  if (!o.words.empty() && !is_path) {
+    const bool is_file = o.words.front().find_first_of("./") != std::string::npos;
+    if (is_file) throw InputError(o.words.front() + ": no such file");
+    const AnyBench* bench = chosen_benches(o.words).front();
+    const std::uint64_t clocks = whole("--hostile", o.hostile.value_or("300"), 1, most_wave_clocks);
+    Replay drawn;
+    drawn.bench = bench;
+    drawn.stimulus = bench->hostile({o.common.seed(), 0, clocks});
+    drawn.stimulus.origin = fmt::format("hostile clocks, seed {}", o.common.seed());
+    return drawn;
+  }
+  if (o.hostile) throw InputError("--hostile: needs a design, not a file");
+  fs::path path = is_path ? fs::path(o.words.front()) : newest_failure(o.common.failures_folder());
+  if (fs::is_directory(path)) path /= "stimulus.stim";
+  return read_stimulus(path.string(), benches());
+}
+
+void open_wave(const std::string& file) {
+  const Ended ended = cosim::run_program({"gtkwave", file, view_file(file)});
+  if (ended.status == 127) throw InputError("needs gtkwave; --out FILE.fst draws without it");
+}
+
+int run(WaveOptions o) {
+  const auto given = [](const char* name) {
+    const char* value = std::getenv(name);
+    return value != nullptr && *value != '\0';
+  };
+  const Replay drawn = read(o);
+  const bool opens = !o.common.wave;
+  if (opens && !given("DISPLAY") && !given("WAYLAND_DISPLAY")) {
+    throw InputError("there is no display; --out FILE.fst draws without one");
+  }
+  const Scratch scratch;
+  if (opens) o.common.wave = (scratch.path() / "wave.fst").string();
+  check_extent(o.common, {drawn.stimulus.clocks.size(), 0, 0, 0});
+  check_outputs(o.common, "", {drawn.bench});
+  fmt::print("{}: {}\n", drawn.bench->title(), drawn.stimulus.origin);
+  draw_wave(o.common, *drawn.bench, drawn.stimulus, drawn.stimulus.origin);
+  if (opens) open_wave(*o.common.wave);
+  return 0;
+}
+
+}  // namespace
+
+void add_wave_command(const Command& program) {
+  auto o = std::make_shared<WaveOptions>();
+  const Command command = program.sub("wave", "A waveform of RTL and model, opened in GTKWave");
+  command.arguments("WHAT", o->words,
+                    "A stimulus, the folder of a failure, or a line of 'list', whose hostile\n"
+                    "clocks are drawn; default the newest failure");
+  command.text("--hostile", o->hostile, "CLOCKS", "How many of these; default 300");
+  command.text("--out", o->common.wave, "FILE.fst", "Only draw it there, with FILE.gtkw, its view");
+  command.text("--seed", o->common.seed_text, "S", "Seed of hostile clocks; default 1");
+  command.text("--failures", o->common.failures, "DIR",
+               "Where failures are; default $COSIM_FAILURES or failures");
+  add_window(command, o->common);
+  command.footer(
+      fmt::format("Example: {} wave {} --out it.fst", program_name(), benches().front()->design()));
+  command.action([o] { return run(*o); });
+}
+
+}  // namespace cosim::cli

@@ -43,8 +43,51 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
   return step;
 }
 
+#define UART_JOB(FIELD)                        \
+  FIELD(idle, 0, 40, "clocks before the byte") \
+  FIELD(byte, 0, 255, "what is sent after them")
+COSIM_JOB(Job, UART_JOB, Params);
+
+/// Waits, offers the byte until it is taken, and waits until it is out.
+struct Driver {
+  Params p;
+  Job job;
+  Word idled = 0;
+  bool offered = false, taken = false;
+
+  bool next(Inputs<Word>& in, const Outputs<Word>& seen) {
+    if (idled++ < job.idle) return true;
+    if (taken && seen.ready == 1) return false;
+    taken = taken || (offered && seen.ready == 1);
+    offered = true;
+    in.valid = taken ? 0 : 1;
+    in.data = job.byte;
+    return true;
+  }
+};
+
+/// The byte stands on the line, behind its start bit: looked at in the middle of each bit.
+struct Check {
+  Params p;
+  Job job;
+  Word since = 0, byte = 0;  // clocks since the start bit began; the bits so far
+
+  void clock(const Outputs<Word>& out) {
+    if (since == 0 && out.tx == 1) return;
+    const Word bit = since / p.divider - 1;
+    if (since % p.divider == p.divider / 2 && bit >= 0 && bit < 8) byte += out.tx << bit;
+    ++since;
+  }
+  std::string wrong() const {
+    return byte == job.byte ? "" : "the line had " + std::to_string(byte);
+  }
+};
+
 struct Design {
   COSIM_DESIGN(uart);
+  using Job = uart::Job;
+  using Driver = uart::Driver;
+  using Check = uart::Check;
   static constexpr const char* name = "uart";
   static constexpr Inputs<Word> rest() { return {.rst_n = 1}; }
   static constexpr Inputs<Word> clear() { return {.rst_n = 0}; }

@@ -5,6 +5,7 @@ module uart_divider #(parameter D = 4) (
     output wire tick
 );
   reg [7:0] count;
-  assign tick = count == D - 1;
+  localparam [31:0] LAST = D - 1;
+  assign tick = count == LAST[7:0];
   always @(posedge clock) count <= restart | tick ? 8'd0 : count + 8'd1;
 endmodule

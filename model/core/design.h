@@ -240,15 +240,12 @@ template <class Design>
 constexpr auto host_of() {
   if constexpr (requires { typename Design::Host; }) {
     return std::type_identity<typename Design::Host>{};
+  } else if constexpr (DeclaresJobs<Design>) {
+    return std::type_identity<JobHost<Design>>{};
   } else {
     return std::type_identity<NoHost<Design>>{};
   }
 }
-
-template <DeclaresJobs Design>
-struct HostType<Design> {
-  using Type = JobHost<Design>;
-};
 
 }  // namespace detail
 

@@ -11,10 +11,12 @@
 #     [UNPROVED])                  no proof: the model is plain, or yosys cannot read the RTL
 #
 #   cosim_add_program(TARGET)      a program with every command for all designs added so far
-#   cosim_add_tests(TARGET [HOSTILE clocks])
-#                                  CTest tests of its designs: NAME.hostile, so many hostile clocks a
-#                                  shape (100000), and NAME.proof unless it is UNPROVED; labels
-#                                  hostile and proof
+#   cosim_add_tests(TARGET         CTest tests of its designs, each with its kind as its label:
+#     [HOSTILE clocks]             NAME.hostile, so many hostile clocks a shape (100000); NAME.proof,
+#                                  unless it is UNPROVED
+#     [RANDOM jobs]                NAME.random, so many random jobs a shape, of designs that have jobs
+#     [REGRESSIONS folder])        NAME.regression.FILE, for each FILE.stim in the folder: RTL and
+#                                  model must not differ on it
 #
 # The parameters of a shape are those of the model's Params, in its order: int, or const char* for a
 # text. Paths are relative to the folder that calls. RTL with a second clock, a falling edge, a latch, a
@@ -80,6 +82,10 @@ function(cosim_add_design NAME)
 
   set(MODEL_INCLUDES "")
   foreach(header IN LISTS model)
+    file(STRINGS ${header} jobs REGEX "^COSIM_JOB[(]")
+    if(jobs)
+      set_property(GLOBAL APPEND PROPERTY COSIM_WITH_JOBS ${NAME})
+    endif()
     string(APPEND MODEL_INCLUDES "#include \"${header}\"\n")
   endforeach()
   set(options)
@@ -192,24 +198,50 @@ function(cosim_add_program TARGET)
     cosim::program cosim::prover cosim::dut cosim::harness ${verilated} ${TARGET}_runtime)
 endfunction()
 
+# The CTest test NAME.KIND, with KIND as its label.
+function(cosim_test name kind)
+  add_test(NAME ${name} COMMAND ${ARGN})
+  set_tests_properties(${name} PROPERTIES LABELS ${kind})
+endfunction()
+
 function(cosim_add_tests TARGET)
-  cmake_parse_arguments(PARSE_ARGV 1 T "" "HOSTILE" "")
+  cmake_parse_arguments(PARSE_ARGV 1 T "" "HOSTILE;RANDOM;REGRESSIONS" "")
+  set(what "cosim_add_tests(${TARGET})")
   if(T_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "cosim_add_tests(${TARGET}): what is ${T_UNPARSED_ARGUMENTS}?")
+    message(FATAL_ERROR "${what}: what is ${T_UNPARSED_ARGUMENTS}?")
   endif()
   if(NOT T_HOSTILE)
     set(T_HOSTILE 100000)
   endif()
+  foreach(number HOSTILE RANDOM)
+    if(T_${number} AND NOT T_${number} MATCHES "^[1-9][0-9]*$")
+      message(FATAL_ERROR "${what}: ${number} is ${T_${number}}, not a number from 1 on")
+    endif()
+  endforeach()
   get_property(designs GLOBAL PROPERTY COSIM_DESIGNS)
   get_property(unproved GLOBAL PROPERTY COSIM_UNPROVED)
+  get_property(with_jobs GLOBAL PROPERTY COSIM_WITH_JOBS)
   foreach(name IN LISTS designs)
-    add_test(NAME ${name}.hostile COMMAND ${TARGET} sweep ${name} --hostile ${T_HOSTILE})
-    set_tests_properties(${name}.hostile PROPERTIES LABELS hostile)
-    if(name IN_LIST unproved)
-      continue()
+    cosim_test(${name}.hostile hostile ${TARGET} sweep ${name} --hostile ${T_HOSTILE})
+    if(T_RANDOM AND name IN_LIST with_jobs)
+      cosim_test(${name}.random random ${TARGET} sweep ${name} --random ${T_RANDOM})
     endif()
-    add_test(NAME ${name}.proof COMMAND ${TARGET} prove ${name})
-    set_tests_properties(${name}.proof PROPERTIES
-      LABELS proof SKIP_REGULAR_EXPRESSION "needs (yosys|cvc5|z3)")
+    if(NOT name IN_LIST unproved)
+      cosim_test(${name}.proof proof ${TARGET} prove ${name})
+      set_tests_properties(${name}.proof PROPERTIES SKIP_REGULAR_EXPRESSION "needs (yosys|cvc5|z3)")
+    endif()
   endforeach()
+  if(T_REGRESSIONS)
+    cosim_files(folder "${what}: REGRESSIONS" ${T_REGRESSIONS})
+    file(GLOB stimuli CONFIGURE_DEPENDS ${folder}/*.stim)
+    foreach(file IN LISTS stimuli)
+      file(STRINGS ${file} machine REGEX "^machine [^ ]+" LIMIT_COUNT 1)
+      string(REGEX REPLACE "^machine ([^ ]+).*$" "\\1" name "${machine}")
+      if(NOT name IN_LIST designs)
+        message(FATAL_ERROR "${what}: ${file} is no stimulus of a design: it has no line machine NAME")
+      endif()
+      cmake_path(GET file STEM stem)
+      cosim_test(${name}.regression.${stem} regression ${TARGET} replay ${file})
+    endforeach()
+  endif()
 endfunction()

@@ -41,15 +41,8 @@ Words iverilog(const proof::Source& source, const Scratch& scratch) {
 }
 
 Words yosys(const proof::Source& source, const Scratch& scratch) {
-  std::string commands = "read_verilog -sv";
-  for (const auto& folder : source.include_dirs) commands += " -I" + folder.string();
-  for (const auto& define : source.defines) commands += " -D" + define;
-  for (const auto& file : source.files) commands += fmt::format(" \"{}\"", file.string());
-  commands += "; hierarchy -check -top " + source.top;
-  for (const Parameter& p : source.parameters) {
-    commands += fmt::format(" -chparam {} {}", p.name, p.value);
-  }
-  commands +=
+  const std::string commands =
+      commands_to_elaborate(source) +
       "; proc; check -assert; select -assert-none t:$dlatch* t:$adlatch* t:$sr; opt; check -assert";
   // It keeps a history in the user's home.
   return {"env", "HOME=" + scratch.path().string(), "yosys", "-q", "-p", commands};

@@ -38,6 +38,13 @@ struct Example {
       words;  ///< behind the program, run in the project's folder; none has spaces
 };
 
+/// A program for one design or shape that is built when a command needs it.
+struct OnDemand {
+  std::string title;   ///< of what it is: "NAME M=5 N=2"
+  std::string target;  ///< of the build folder
+  std::string folder;  ///< where it leaves its program of the same name, and what it was made of
+};
+
 class Registry {
  public:
   /// `program`: how the program is called in what it says.
@@ -51,6 +58,18 @@ class Registry {
   void sweeps(DesignSweeps sweeps) { sweeps_.push_back(std::move(sweeps)); }
   void example(Example example) { examples_.push_back(std::move(example)); }
 
+  /// Where OnDemand is built: CMake's program, and a folder that it made.
+  void builds(std::string cmake, std::string folder) {
+    cmake_ = std::move(cmake);
+    build_ = std::move(folder);
+  }
+  void mutants(OnDemand program) { mutants_.push_back(std::move(program)); }
+  void cover(OnDemand program) { cover_.push_back(std::move(program)); }
+
+  const std::string& cmake() const { return cmake_; }
+  const std::string& build_folder() const { return build_; }
+  const std::vector<OnDemand>& mutants() const { return mutants_; }
+  const std::vector<OnDemand>& cover() const { return cover_; }
   const std::vector<std::function<void(const Command&)>>& commands() const { return commands_; }
   const std::vector<DesignSweeps>& sweeps() const { return sweeps_; }
   const std::vector<Example>& examples() const { return examples_; }
@@ -60,6 +79,8 @@ class Registry {
   std::vector<std::function<void(const Command&)>> commands_;
   std::vector<DesignSweeps> sweeps_;
   std::vector<Example> examples_;
+  std::string cmake_, build_;
+  std::vector<OnDemand> mutants_, cover_;
 };
 
 /// Makes a function of the design's own benches one of any bench.

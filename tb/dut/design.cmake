@@ -26,6 +26,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/rtl.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/shape.cmake)
 set_property(GLOBAL PROPERTY COSIM_ROOT "${CMAKE_CURRENT_LIST_DIR}/../..")
 include(${CMAKE_CURRENT_LIST_DIR}/design_gtest.cmake)  # cosim_add_gtest(): tests by hand
+include(${CMAKE_CURRENT_LIST_DIR}/../mutation/design_mutants.cmake)
 
 # Files that are there, as absolute paths.
 function(cosim_files variable what)
@@ -109,6 +110,12 @@ function(cosim_add_design NAME)
 
   get_property(root GLOBAL PROPERTY COSIM_ROOT)
   cosim_verilated_library(${NAME}_verilated)
+  # What is the same for all its shapes.
+  configure_file(${root}/tb/bench/named_design.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/${NAME}_bench.cpp
+    @ONLY)
+  add_library(${NAME}_bench STATIC ${CMAKE_CURRENT_BINARY_DIR}/${NAME}_bench.cpp)
+  target_compile_features(${NAME}_bench PRIVATE cxx_std_20)
+  target_link_libraries(${NAME}_bench PUBLIC cosim::dut cosim::prover)
   foreach(shape IN LISTS D_SHAPES)
     cosim_shape(shape "${what}" "${shape}")
     string(REGEX REPLACE "[ =]" "" ID "${NAME}${shape}")
@@ -133,7 +140,9 @@ function(cosim_add_design NAME)
     set_property(GLOBAL APPEND PROPERTY COSIM_BENCH_SOURCES
       ${CMAKE_CURRENT_BINARY_DIR}/bench_${ID}.cpp)
     set_property(GLOBAL APPEND PROPERTY COSIM_BENCHES ${ID})
+    cosim_shape_mutants()
   endforeach()
+  cosim_without_runtime(${NAME}_verilated)
   set_property(GLOBAL APPEND PROPERTY COSIM_VERILATED ${NAME}_verilated)
   set_property(GLOBAL APPEND PROPERTY COSIM_DESIGNS ${NAME})
   if(D_UNPROVED)
@@ -141,31 +150,14 @@ function(cosim_add_design NAME)
   endif()
 endfunction()
 
-# cosim_share_runtime(LIBRARY TARGET...): Verilator's own library, which verilate() puts into every
-# target, in one of its own.
-function(cosim_share_runtime library)
-  if(NOT VERILATOR_ROOT)
-    find_package(verilator REQUIRED HINTS $ENV{VERILATOR_ROOT} /usr/share/verilator)
-  endif()
-  set(runtime)
+# cosim_without_runtime(TARGET...): takes Verilator's own library, which verilate() puts into every
+# target, out of it: cosim::runtime has it.
+function(cosim_without_runtime)
   foreach(target IN LISTS ARGN)
     get_target_property(sources ${target} SOURCES)
-    set(own ${sources})
-    list(FILTER own INCLUDE REGEX "^${VERILATOR_ROOT}/include/")
     list(FILTER sources EXCLUDE REGEX "^${VERILATOR_ROOT}/include/")
     set_property(TARGET ${target} PROPERTY SOURCES ${sources})
-    list(APPEND runtime ${own})
   endforeach()
-  list(REMOVE_DUPLICATES runtime)
-  add_library(${library} STATIC ${runtime})
-  list(GET ARGN 0 first)
-  get_target_property(definitions ${first} COMPILE_DEFINITIONS)
-  set_target_properties(${library} PROPERTIES UNITY_BUILD OFF)
-  target_compile_definitions(${library} PRIVATE ${definitions})
-  target_compile_options(${library} PRIVATE -w)
-  target_include_directories(${library} SYSTEM PRIVATE
-    ${VERILATOR_ROOT}/include ${VERILATOR_ROOT}/include/vltstd)
-  target_link_libraries(${library} PUBLIC Threads::Threads)
 endfunction()
 
 function(cosim_add_program TARGET)
@@ -185,8 +177,11 @@ function(cosim_add_program TARGET)
     string(APPEND BENCHES "    all.push_back(make_${id}());\n")
     string(APPEND MACHINES "machine_${id}(), ")
   endforeach()
+  get_property(on_demand GLOBAL PROPERTY COSIM_ON_DEMAND)
+  list(JOIN on_demand "" ON_DEMAND)
+  get_property(designs GLOBAL PROPERTY COSIM_DESIGNS)
+  list(TRANSFORM designs APPEND _bench)
   configure_file(${root}/tb/cli/program.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/${TARGET}.cpp @ONLY)
-  cosim_share_runtime(${TARGET}_runtime ${verilated})
   add_executable(${TARGET} ${CMAKE_CURRENT_BINARY_DIR}/${TARGET}.cpp ${sources})
   set_target_properties(${TARGET} PROPERTIES UNITY_BUILD_CODE_AFTER_INCLUDE "#undef VL_PCH_INCLUDED")
   foreach(library IN LISTS verilated)
@@ -195,7 +190,7 @@ function(cosim_add_program TARGET)
   endforeach()
   target_compile_features(${TARGET} PRIVATE cxx_std_20)
   target_link_libraries(${TARGET} PRIVATE
-    cosim::program cosim::prover cosim::dut cosim::harness ${verilated} ${TARGET}_runtime)
+    ${designs} cosim::program cosim::prover cosim::dut cosim::harness ${verilated} cosim::runtime)
 endfunction()
 
 # The CTest test NAME.KIND, with KIND as its label.

@@ -68,6 +68,7 @@ struct Ports {
   std::string title;  ///< of the shape, for errors
   const char* clock;  ///< the pin's name
   std::vector<Field> inputs, outputs;
+  const char* extra = "";  ///< an input that no table names, or ""
 };
 
 /// The cells of the pins of the top module in the order of `ports`: inputs, then outputs, then the
@@ -95,9 +96,9 @@ class NamedAdapter : public VerilatedInstance<Top> {
   explicit NamedAdapter(std::uint32_t power_up) : VerilatedInstance<Top>(power_up) {
     const auto in = Inputs::fields(params);
     const auto out = Outputs::fields(params);
-    const auto nets =
-        find_ports(this->context(),
-                   {Trait::title, Trait::clock, {in.begin(), in.end()}, {out.begin(), out.end()}});
+    Ports ports{Trait::title, Trait::clock, {in.begin(), in.end()}, {out.begin(), out.end()}};
+    if constexpr (requires { Trait::extra_input; }) ports.extra = Trait::extra_input;
+    const auto nets = find_ports(this->context(), ports);
     for (std::size_t i = 0; i < in.size(); ++i) inputs_[i] = nets[i];
     for (std::size_t i = 0; i < out.size(); ++i) outputs_[i] = nets[in.size() + i];
     clock_ = nets.back();

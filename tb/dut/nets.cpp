@@ -63,6 +63,13 @@ std::string encoded(const std::string& path) {
   return text;
 }
 
+// Whether the top module has a net of that name, dots and all: RTL that was flattened.
+bool is_flat(VerilatedContext& context, const std::string& net) {
+  const VerilatedScope* top = scope_of(context, top_of(context));
+  return top != nullptr && top->varsp() != nullptr &&
+         top->varsp()->find(net.c_str()) != top->varsp()->end();
+}
+
 // How many cells behind `row` the shape does not have.
 std::size_t absent_after(std::span<const Field> cells, std::span<const Field> row) {
   const auto rest = cells.subspan(static_cast<std::size_t>(row.data() - cells.data()) + row.size());
@@ -115,6 +122,7 @@ std::vector<Net> find_ports(VerilatedContext& context, const Ports& ports) {
     const int bits = net.width * std::max(net.words, 1);
     all[name] = {&var, std::vector<bool>(static_cast<std::size_t>(bits))};
   }
+  all.erase(ports.extra);
 
   std::vector<Net> nets;
   const auto take = [&](const char* what, std::span<const Field> cells, int direction) {
@@ -169,7 +177,7 @@ std::vector<Net> find_registers(VerilatedContext& context, const std::string& ti
   std::vector<Net> nets;
   for (const auto& row : rows_of(cells)) {
     const std::string net = net_path(row.front().net).path;
-    const std::size_t dot = net.rfind('.');
+    const std::size_t dot = is_flat(context, net) ? std::string::npos : net.rfind('.');
     std::string path = top_of(context);
     if (dot != std::string::npos) path += '.' + encoded(net.substr(0, dot));
     const VerilatedScope* scope = scope_of(context, path);

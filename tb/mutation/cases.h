@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tb/mutation/mutants.h"
+#include "tb/sweep/sweep.h"
 
 namespace cosim::mutation {
 
@@ -57,6 +58,12 @@ void add_cases(std::vector<Case>& all, const Bench<Design>& bench, std::uint64_t
     auto jobs = Jobs<Design>::random(bench.params(), seed, i);
     if (!jobs.empty()) {
       all.push_back(drawing(bench, fmt::format("random job {}", i), std::move(jobs), i));
+    }
+    if constexpr (DeclaresJobs<Design>) {
+      all.push_back(
+          {fmt::format("random jobs {}", i), [&bench, i] {
+             return bench.run_jobs(random_jobs(bench, seed, i), static_cast<std::uint32_t>(i)).run;
+           }});
     }
   }
 }

@@ -41,8 +41,8 @@ Prover nobody() {
       [](const std::vector<unsigned>& mutants) { return std::vector<bool>(mutants.size(), false); };
 }
 
-int run(const Subject& subject, const std::string& results, bool prove, unsigned threads,
-        const std::string& failures) {
+int run(const Subject& subject, const std::string& prover, const std::string& results, bool prove,
+        unsigned threads, const std::string& failures) {
   Checkpoint checkpoint(results + ".part", "mutants of " + subject.bench().title());
   const Campaign campaign =
       run_campaign(subject, prove ? solvers(subject) : nobody(), threads, checkpoint);
@@ -50,7 +50,7 @@ int run(const Subject& subject, const std::string& results, bool prove, unsigned
   checkpoint.done();
   for (std::size_t i = 0; i < campaign.outcomes.size(); ++i) {
     if (campaign.outcomes[i].end != Outcome::End::survived) continue;
-    const auto kept = leave_survivor(subject, static_cast<unsigned>(i + 1), failures);
+    const auto kept = leave_survivor(subject, static_cast<unsigned>(i + 1), prover, failures);
     fmt::print("survived: {}, kept in: {}\n", subject.mutants()[i], kept.string());
   }
   return campaign.count(Outcome::End::survived) == 0 ? 0 : 1;
@@ -58,7 +58,7 @@ int run(const Subject& subject, const std::string& results, bool prove, unsigned
 
 }  // namespace
 
-int main_of(const Subject& subject, int argc, char** argv) {
+int main_of(const Subject& subject, const std::string& prove, int argc, char** argv) {
   CLI::App app{"Attacks the mutants of " + subject.bench().title() +
                ".\nStatus: 0 none survived, 1 some did, 2 could not be run."};
   std::string results, failures = "failures";
@@ -71,7 +71,7 @@ int main_of(const Subject& subject, int argc, char** argv) {
   app.add_option("--jobs", threads, "Threads")->check(CLI::Range(1, 1024));
   try {
     app.parse(argc, argv);
-    return run(subject, results, !unproved, threads, failures);
+    return run(subject, prove, results, !unproved, threads, failures);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const std::exception& error) {

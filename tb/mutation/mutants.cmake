@@ -4,10 +4,6 @@
 #   slice  for the tests: built with everything else; its programs in slice_programs
 #   full   for scripts/mutate: the target mutants_full
 set(here ${CMAKE_CURRENT_LIST_DIR})
-file(GLOB sources CONFIGURE_DEPENDS ${here}/*.cpp)
-list(FILTER sources EXCLUDE REGEX "table\\.cpp$")
-add_library(mutation STATIC ${sources})
-target_link_libraries(mutation PUBLIC engine PRIVATE proof CLI11::CLI11 cold warnings)
 add_executable(mutants_table ${here}/table.cpp)
 target_link_libraries(mutants_table PRIVATE engine cold warnings)
 add_custom_target(mutants_slice ALL DEPENDS mutants_table)
@@ -24,11 +20,18 @@ function(add_mutants set count part parts DESIGN)
   set(FOLDER ${CMAKE_CURRENT_BINARY_DIR}/${name})
   string(REGEX REPLACE "[A-Z]+=" "" PARAMETERS "${ARGN}")
   string(REPLACE ";" ", " PARAMETERS "${PARAMETERS}")
+  set(chosen ${ARGN})
+  list(TRANSFORM chosen REPLACE "(.*)=(.*)" " -chparam \\1 \\2")
+  list(JOIN chosen "" chosen)
+  file(CONFIGURE OUTPUT ${FOLDER}/read.ys CONTENT
+    "read_verilog ${DESIGN}/*.v\nhierarchy -check -top ${DESIGN}${chosen}\n")
+  configure_file(${PROJECT_SOURCE_DIR}/tb/dut/registers.vlt.in ${FOLDER}/registers.vlt @ONLY)
   file(GLOB rtl CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/${DESIGN}/*.v)
   add_custom_command(OUTPUT ${FOLDER}/mutants.cpp
     COMMAND ${here}/plant.sh
-      ${FOLDER} ${PREFIX} ${count} ${part} ${parts} ${DESIGN} ${ARGN}
-    DEPENDS ${here}/plant.sh ${PROJECT_SOURCE_DIR}/tb/dut/registers.vlt.in ${rtl} VERBATIM
+      ${FOLDER} ${PREFIX} ${DESIGN} ${count} ${part} ${parts} -O3 registers.vlt
+    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}/rtl
+    DEPENDS ${here}/plant.sh ${FOLDER}/read.ys ${FOLDER}/registers.vlt ${rtl} VERBATIM
     COMMENT "Planting mutants in ${DESIGN} ${ARGN}, part ${part}")
   configure_file(${here}/mutants_of.cpp.in ${FOLDER}/mutants_of.cpp @ONLY)
   set_source_files_properties(${FOLDER}/mutants_of.cpp PROPERTIES
@@ -38,7 +41,7 @@ function(add_mutants set count part parts DESIGN)
   # Run for a few thousand clocks a mutant: not compiled for speed.
   target_compile_options(mutants_${name} PRIVATE -O1)
   target_include_directories(mutants_${name} SYSTEM PRIVATE ${FOLDER} ${FOLDER}/verilated)
-  target_link_libraries(mutants_${name} PRIVATE mutation tb)
+  target_link_libraries(mutants_${name} PRIVATE mutation proof tb)
   add_dependencies(mutants_${set} mutants_${name})
   set(${set}_programs ${${set}_programs} $<TARGET_FILE:mutants_${name}> PARENT_SCOPE)
 endfunction()

@@ -1,32 +1,36 @@
 #!/usr/bin/env bash
-# plant.sh FOLDER PREFIX COUNT PART PARTS DESIGN [NAME=VALUE...]
+# plant.sh FOLDER PREFIX TOP COUNT PART PARTS [WORD...]
 #
-# COUNT mutants of a design's RTL (all there are, where these are fewer), made by yosys in all its
+# COUNT, a number or a file that holds it, of mutants of a design's RTL (all there are, where these are fewer), made by yosys in all its
 # modes, and every PARTS-th of them from number PART on, 1 to PARTS, planted in one Verilog module
-# that has a further input: mutsel = k turns mutant k on, 0 none. Writes to FOLDER
+# that has a further input: mutsel = k turns mutant k on, 0 none. In FOLDER are
+#   read.ys      commands of yosys that read the RTL, to its hierarchy; file names as seen from the
+#                folder this is run in, so that a mutant is known by the place in its file
+#   kept.txt     where it is there: the nets of the registers, which keep their names
+# and it writes
 #   mutants.txt  a line a mutant, that of mutsel = 1 first
-#   mutants.v    the module, flat, its registers by their own names
-#   mutants.cpp  what Verilator makes of it, the class PREFIX
+#   mutants.v    the module, flat
+#   mutants.cpp  what Verilator makes of it, the class PREFIX, given the WORDs too
 set -euo pipefail
 
-rtl=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../rtl" && pwd)
-mkdir -p "$1"
-folder=$(cd "$1" && pwd) prefix=$2 count=$3 part=$4 parts=$5 design=$6
-parameters=("${@:7}")
-parameters=("${parameters[@]/#/-chparam }")
-prepare="read_verilog $design/*.v
-  hierarchy -check -top $design ${parameters[*]/=/ }
-  prep -flatten -top $design"
+folder=$(cd "$1" && pwd) prefix=$2 top=$3 count=$4 part=$5 parts=$6
+[[ ! -f $count ]] || count=$(< "$count")
+words=("${@:7}")
+kept=''
+while IFS= read -r net; do
+  kept+=" w:${net##*.}"
+done < <([[ ! -f $folder/kept.txt ]] || cat "$folder/kept.txt")
+prepare="$(cat "$folder/read.ys")
+  ${kept:+setattr -set keep 1 $kept}
+  prep -flatten -top $top"
 
-# In the folder of the RTL, so that a mutant is known by the place in its file. yosys warns where
-# there are fewer mutants than asked.
-cd "$rtl"
+# yosys warns where there are fewer mutants than asked.
 export HOME=$folder # where yosys keeps a history
 yosys -q -p "$prepare; mutate -list $count -seed 1 -o $folder/all.txt" > "$folder/yosys.log" 2>&1 ||
   { cat "$folder/yosys.log" >&2 && exit 1; }
 awk -v part="$part" -v parts="$parts" 'NR % parts == part % parts' "$folder/all.txt" \
   > "$folder/part.txt"
-sed -E 's/^mutate //; s/-module [^ ]+ //' "$folder/part.txt" > "$folder/mutants.txt"
+sed -E "s/^mutate //; s/-module [^ ]+ //; s,$PWD/,,g" "$folder/part.txt" > "$folder/mutants.txt"
 {
   echo "$prepare"
   awk '{ print $0, "-ctrl mutsel 16", NR }' "$folder/part.txt"
@@ -35,8 +39,7 @@ sed -E 's/^mutate //; s/-module [^ ]+ //' "$folder/part.txt" > "$folder/mutants.
 yosys -q "$folder/mutants.ys"
 
 cd "$folder"
-sed "s/@DESIGN@/$design/" "$rtl/../tb/dut/registers.vlt.in" > registers.vlt
 rm -rf verilated
-verilator --cc --top-module "$design" --prefix "$prefix" --Mdir verilated -Wno-WIDTH -Wno-UNOPTFLAT \
-  --x-initial unique --x-assign unique --noassert -O3 registers.vlt mutants.v
+verilator --cc --top-module "$top" --prefix "$prefix" --Mdir verilated -Wno-WIDTH -Wno-UNOPTFLAT \
+  --x-initial unique --x-assign unique --noassert "${words[@]}" mutants.v
 (cd verilated && printf '#include "verilated/%s"\n' *.cpp) > mutants.cpp

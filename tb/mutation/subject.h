@@ -21,7 +21,8 @@ class MutantAdapter : public Base {
   static inline thread_local unsigned chosen = 0;
 };
 
-template <class Base>
+/// `BenchOf`: the bench of an adapter.
+template <class Base, template <class...> class BenchOf = FastBench>
 class AdapterSubject final : public Subject {
   using Adapter = MutantAdapter<Base>;
 
@@ -35,7 +36,7 @@ class AdapterSubject final : public Subject {
   std::size_t quick() const override { return quick_; }
 
  private:
-  FastBench<Adapter> bench_;
+  BenchOf<Adapter> bench_;
   std::vector<Case> cases_ = quick_cases_of<typename Base::Design>(bench_);
   std::size_t quick_ = add_thorough_cases<typename Base::Design>(cases_, bench_);
 };

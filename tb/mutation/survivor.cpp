@@ -24,11 +24,11 @@ std::map<std::string, std::size_t> kinds_of(const std::vector<Case>& cases) {
 }  // namespace
 
 std::filesystem::path leave_survivor(const Subject& subject, unsigned mutant,
-                                     const std::filesystem::path& root) {
+                                     const std::string& prover, const std::filesystem::path& root) {
   const std::string title = subject.bench().title();
   const std::string& what = subject.mutants()[mutant - 1];
   Draft draft(root, failure_name(subject.bench(), fmt::format("mutant {}", mutant)));
-  const std::string prove = fmt::format("scripts/prove {} --mutants {} --mutant {}", title,
+  const std::string prove = fmt::format("{} {} --mutants {} --mutant {}", prover, title,
                                         (draft.target() / "mutants.v").string(), mutant);
 
   nlohmann::ordered_json json{{"verdict", "survived"}, {"design", subject.bench().design()}};

@@ -11,9 +11,9 @@
 
 namespace cosim::mutation {
 
-/// Writes root/<design>-<parameters>-mutant-<number> and returns it. InputError where it cannot be
-/// written.
+/// Writes root/<design>-<parameters>-mutant-<number> and returns it. `prover`: how a person calls
+/// what proves. InputError where it cannot be written.
 std::filesystem::path leave_survivor(const Subject& subject, unsigned mutant,
-                                     const std::filesystem::path& root);
+                                     const std::string& prover, const std::filesystem::path& root);
 
 }  // namespace cosim::mutation

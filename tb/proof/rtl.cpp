@@ -34,20 +34,16 @@ std::string as_constant(const Source& source, const Parameter& p) {
 std::string written_by_yosys(const Source& source) {
   const Scratch scratch;
   const fs::path file = scratch.path() / "rtl.smt2";
-  std::string commands = read_commands(source);
-  commands += "hierarchy -check -top " + source.top;
-  for (const Parameter& p : source.parameters) {
-    commands += fmt::format(" -chparam {} {}", p.name, as_constant(source, p));
-  }
   // A register that nothing reads stays one, and what is undefined is free in the formula.
   std::string kept = "w:*_q";
   for (const std::string& net : source.kept) kept += kept_net(net.substr(net.rfind('.') + 1));
   // A memory becomes a register a word, store[3].
-  commands += fmt::format(
-      "; rename -top {}; setattr -set keep 1 {}; prep -flatten -nomem; memory_collect; memory_map; "
-      "async2sync; dffunmap; setundef -anyseq; write_smt2 -wires {}",
-      source.top, kept, file.string());
-  run_yosys(commands, source.top);
+  run_yosys(commands_to_elaborate(source) +
+                fmt::format("; rename -top {}; setattr -set keep 1 {}; prep -flatten -nomem; "
+                            "memory_collect; memory_map; async2sync; dffunmap; setundef -anyseq; "
+                            "write_smt2 -wires {}",
+                            source.top, kept, file.string()),
+            source.top);
   return read_file(file.string());
 }
 
@@ -69,6 +65,14 @@ std::string read_commands(const Source& source) {
     const bool is_system_verilog = file.extension() == ".sv" || file.extension() == ".svh";
     commands += fmt::format("read_verilog{}{} \"{}\"; ", is_system_verilog ? " -sv" : "", options,
                             file.string());
+  }
+  return commands;
+}
+
+std::string commands_to_elaborate(const Source& source) {
+  std::string commands = read_commands(source) + "hierarchy -check -top " + source.top;
+  for (const Parameter& p : source.parameters) {
+    commands += fmt::format(" -chparam {} {}", p.name, as_constant(source, p));
   }
   return commands;
 }

@@ -33,6 +33,8 @@ Source source_in(const std::filesystem::path& folder, const std::string& design,
 /// The commands of yosys that read the files of `source`, each by its kind: a file .sv is
 /// SystemVerilog. They end in "; ".
 std::string read_commands(const Source& source);
+/// The same, and the one that makes its hierarchy with its parameters; they end in nothing.
+std::string commands_to_elaborate(const Source& source);
 
 /// Selects, for yosys, the nets of that name, and the words of a memory of that name which yosys
 /// has made registers.

@@ -1,0 +1,130 @@
+// PROGRAM mutate: small faults planted in the RTL, each of which is to be found, or to be proved to
+// be none.
+#include <fmt/format.h>
+
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "model/core/input_error.h"
+#include "tb/cli/chosen.h"
+#include "tb/cli/commands.h"
+#include "tb/cli/common.h"
+#include "tb/cli/number.h"
+#include "tb/cli/on_demand.h"
+#include "tb/cli/outputs.h"
+#include "tb/report/report.h"
+#include "tb/support/process.h"
+#include "tb/support/read_file.h"
+#include "tb/support/words.h"
+
+namespace cosim::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct MutateOptions {
+  Common common;
+  std::vector<std::string> words;
+  Text mutants;
+  bool unproved = false, list = false;
+};
+
+// What plant.sh is given of a machine.
+void give_rtl(const OnDemand& program, const AnyBench& bench, std::uint64_t mutants) {
+  give(program, "read.ys", proof::commands_to_elaborate(source_of(bench)) + '\n');
+  give(program, "count.txt", fmt::format("{}\n", mutants));
+  std::string kept;
+  const auto fields = bench.compared();
+  for (std::size_t i = 0; i < bench.registers(); ++i) kept += std::string(fields[i].net) + '\n';
+  give(program, "kept.txt", kept);
+}
+
+void need_tools(bool unproved) {
+  std::vector<const char*> tools{"yosys"};
+  if (!unproved) tools.insert(tools.end(), {"cvc5", "z3"});
+  for (const char* tool : tools) {
+    if (cosim::run_program({tool, tool == tools.front() ? "-V" : "--version"}).status == 127) {
+      throw InputError(fmt::format("needs {}", tool));
+    }
+  }
+}
+
+// "killed, hostile clocks, case 3, clock 17, signal count"
+std::string end_of(const Json& mutant) {
+  const std::string end = mutant.at("end");
+  if (end == "equivalent") return "proved equal";
+  if (end != "killed") return end;
+  return fmt::format("killed by {}, clock {}, {}", mutant.at("stimulus").get<std::string>(),
+                     mutant.at("clock").get<std::uint64_t>(),
+                     mutant.at("signal").get<std::string>());
+}
+
+// Plants, attacks and prints; the results.
+Json attacked(const MutateOptions& o, const Registry& registry, const AnyBench& bench,
+              std::uint64_t mutants) {
+  const OnDemand& program = on_demand(registry.mutants(), bench.title());
+  give_rtl(program, bench, mutants);
+  build(registry, program);
+  const std::string results = program.folder + "/results.json";
+  std::vector<std::string> words{path_of(program), program_name() + " prove", results, "--failures",
+                                 o.common.failures_folder()};
+  if (o.unproved) words.emplace_back("--unproved");
+  const Ended ended = cosim::run_program(words);
+  if (ended.status != 0 && ended.status != 1) {
+    throw InputError(ended.text.substr(0, ended.text.find('\n')));
+  }
+  Json outcome = Json::parse(read_file(results));
+  fmt::print("{}: {}: {} killed, {} proved equal, {} survived\n", bench.title(),
+             count(outcome.at("mutants").get<std::uint64_t>(), "mutant"),
+             outcome.at("killed").get<std::uint64_t>(),
+             outcome.at("equivalent").get<std::uint64_t>(),
+             outcome.at("survived").get<std::uint64_t>());
+  if (o.list) {
+    for (const Json& mutant : outcome.at("outcomes")) {
+      fmt::print("  {}: {}: {}\n", mutant.at("mutant").get<std::uint64_t>(),
+                 mutant.at("what").get<std::string>(), end_of(mutant));
+    }
+  }
+  fmt::print("{}", ended.text);
+  return outcome;
+}
+
+int run(const MutateOptions& o, const Registry& registry) {
+  const InterruptGuard interrupts;
+  constexpr std::uint64_t most = 65535;  // what chooses one has 16 bits
+  const std::uint64_t mutants = whole("--mutants", o.mutants.value_or("100"), 1, most);
+  const auto benches = chosen_benches(o.words);
+  check_outputs(o.common);
+  need_tools(o.unproved);
+  Json all = Json::array();
+  bool survived = false;
+  for (const AnyBench* bench : benches) {
+    all.push_back(attacked(o, registry, *bench, mutants));
+    survived = survived || all.back().at("survived") != 0;
+  }
+  write_report(o.common.report.value_or(""), all.dump(1) + '\n');
+  return survived ? 1 : 0;
+}
+
+}  // namespace
+
+void add_mutate(const Command& program, const Registry& registry) {
+  if (registry.mutants().empty()) return;
+  auto o = std::make_shared<MutateOptions>();
+  const Command command =
+      program.sub("mutate", "Small faults in the RTL: each is to be found, or proved to be none");
+  command.arguments("MACHINE", o->words, "A design, or a line of 'list'; default all");
+  command.text("--mutants", o->mutants, "N", "At most so many of each, 1 to 65535; default 100");
+  command.flag("--unproved", o->unproved, "Prove none to be equal: what is not killed survives");
+  command.flag("--list", o->list, "Print each mutant and what became of it");
+  command.text("--failures", o->common.failures, "DIR",
+               "Where a survivor leaves its folder; default $COSIM_FAILURES or failures");
+  command.text("--report", o->common.report, "FILE", "Write what became of each as JSON");
+  command.footer(
+      "Needs yosys, which plants them, a compiler, and cvc5 and z3, which prove.\n"
+      "Exit status: 0 none survived, 1 some did, 2 bad input.");
+  command.action([o, &registry] { return run(*o, registry); });
+}
+
+}  // namespace cosim::cli

@@ -43,6 +43,20 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
   return step;
 }
 
+/// What is true of every state that a reset leads to.
+template <class V>
+constexpr std::array<Stated<V>, 2> invariant(const Params& p, const State<V>& s) {
+  return {
+      {{"a frame has ten bits", s.left < V(11)}, {"a bit has D clocks", s.count < V(p.divider)}}};
+}
+/// What must be possible on a clock.
+template <class V>
+constexpr std::array<Stated<V>, 3> cases(const Params& p, const State<V>& s, const Inputs<V>& in) {
+  return {{{"a byte is taken", (s.left == V(0)) & is_set(in.valid)},
+           {"a stop bit ends", (s.left == V(1)) & (s.count == V(p.divider - 1))},
+           {"a byte is stopped by a reset", !(s.left == V(0)) & !is_set(in.rst_n)}}};
+}
+
 #define UART_JOB(FIELD)                        \
   FIELD(idle, 0, 40, "clocks before the byte") \
   FIELD(byte, 0, 255, "what is sent after them")

@@ -36,14 +36,17 @@ std::vector<const AnyBench*> chosen_benches(const std::vector<std::string>& word
   return found;
 }
 
-proof::Source source_of(const AnyBench& bench) {
+const proof::BuiltMachine& machine_of(const AnyBench& bench) {
   for (const auto& machine : proof::built_machines()) {
-    if (machine.title != bench.title()) continue;
-    proof::Source source = machine.source;
-    source.parameters = bench.parameters();
-    return source;
+    if (machine.title == bench.title()) return machine;
   }
   throw InputError(bench.title() + ": its RTL is not known");
+}
+
+proof::Source source_of(const AnyBench& bench) {
+  proof::Source source = machine_of(bench).source;
+  source.parameters = bench.parameters();
+  return source;
 }
 
 }  // namespace cosim::cli

@@ -66,10 +66,13 @@ Json attacked(const MutateOptions& o, const Registry& registry, const AnyBench& 
   const OnDemand& program = on_demand(registry.mutants(), bench.title());
   give_rtl(program, bench, mutants);
   build(registry, program);
-  const std::string results = program.folder + "/results.json";
+  const Scratch scratch;
+  const std::string results = (scratch.path() / "results.json").string();
+  const bool plain = machine_of(bench).formula == nullptr;
+  if (plain) fmt::print("{}: a plain model: no mutant can be proved equal\n", bench.title());
   std::vector<std::string> words{path_of(program), program_name() + " prove", results, "--failures",
                                  o.common.failures_folder()};
-  if (o.unproved) words.emplace_back("--unproved");
+  if (o.unproved || plain) words.emplace_back("--unproved");
   const Ended ended = cosim::run_program(words);
   if (ended.status != 0 && ended.status != 1) {
     throw InputError(ended.text.substr(0, ended.text.find('\n')));

@@ -92,9 +92,11 @@ void add_lint(const Command& program) {
   auto words = std::make_shared<Words>();
   const Command command = program.sub("lint", "What other tools find in the RTL");
   command.arguments("MACHINE", *words, "A design, or a line of 'list'; default all");
-  command.footer(
+  command.footer(fmt::format(
       "Verilator, and where they are installed Icarus Verilog and yosys: all warnings, latches.\n"
-      "Exit status: 0 no finding, 1 findings, 2 bad input.");
+      "Exit status: 0 no finding, 1 findings, 2 bad input.\n"
+      "Example: {} lint {}",
+      program_name(), benches().front()->design()));
   command.action([words] { return run(*words); });
 }
 

@@ -224,6 +224,7 @@ Claim Mutants::clear(std::size_t i) const {
   const std::vector<Expression> after = side.after(machine_);
   for (std::size_t w = 0; w < after.size(); ++w) {
     const Wire& cleared = machine_.cleared[w];
+    if (cleared.field.unreset) continue;  // whatever it holds, the model takes it over
     wrong = disjunction(wrong, where_compared(cleared, differ(after[w], cleared.code)));
   }
   return asked("a clear makes them the same", fmt::format("mutant {}", mutant.number), script,

@@ -78,7 +78,8 @@ Arguments example_of(const Arguments& command, const Folder& folder) {
     if (word.ends_with(".stim")) {
       word = (tests / "regressions/carry_round_the_accumulator.stim").string();
     }
-    const bool written = !words.empty() && (words.back() == "--csv" || words.back() == "--wave");
+    const bool written = !words.empty() && (words.back() == "--csv" || words.back() == "--wave" ||
+                                            words.back() == "--out");
     words.push_back(written ? folder.path(word) : word);
   }
   return words;

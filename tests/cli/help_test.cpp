@@ -29,6 +29,10 @@ TEST(Help, NamesEveryOption) {
   const std::map<std::string, std::vector<std::string>> options = {
       {"list", {"--help"}},
       {"new", {"NAME FILE...", "--plain"}},
+      {"lint", {"MACHINE"}},
+      {"wave",
+       {"WHAT", "--hostile CLOCKS", "--out FILE.fst", "--seed S", "--failures DIR",
+        "--wave-before N", "--wave-after N"}},
       {"examples", {"--help"}},
       {"replay",
        {"FILE", "--wave FILE.fst", "--failures DIR", "--wave-before N", "--wave-after N",

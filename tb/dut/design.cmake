@@ -15,6 +15,8 @@
 #     [HOSTILE clocks]             NAME.hostile, so many hostile clocks a shape (100000); NAME.proof,
 #                                  unless it is UNPROVED
 #     [RANDOM jobs]                NAME.random, so many random jobs a shape, of designs that have jobs
+#     [MUTANTS n]                  NAME.mutants, so many small faults a shape, each found or proved to
+#                                  be none; not of a design that is UNPROVED
 #     [REGRESSIONS folder])        NAME.regression.FILE, for each FILE.stim in the folder: RTL and
 #                                  model must not differ on it
 #
@@ -200,7 +202,7 @@ function(cosim_test name kind)
 endfunction()
 
 function(cosim_add_tests TARGET)
-  cmake_parse_arguments(PARSE_ARGV 1 T "" "HOSTILE;RANDOM;REGRESSIONS" "")
+  cmake_parse_arguments(PARSE_ARGV 1 T "" "HOSTILE;RANDOM;MUTANTS;REGRESSIONS" "")
   set(what "cosim_add_tests(${TARGET})")
   if(T_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "${what}: what is ${T_UNPARSED_ARGUMENTS}?")
@@ -208,7 +210,7 @@ function(cosim_add_tests TARGET)
   if(NOT T_HOSTILE)
     set(T_HOSTILE 100000)
   endif()
-  foreach(number HOSTILE RANDOM)
+  foreach(number HOSTILE RANDOM MUTANTS)
     if(T_${number} AND NOT T_${number} MATCHES "^[1-9][0-9]*$")
       message(FATAL_ERROR "${what}: ${number} is ${T_${number}}, not a number from 1 on")
     endif()
@@ -224,6 +226,12 @@ function(cosim_add_tests TARGET)
     if(NOT name IN_LIST unproved)
       cosim_test(${name}.proof proof ${TARGET} prove ${name})
       set_tests_properties(${name}.proof PROPERTIES SKIP_REGULAR_EXPRESSION "needs (yosys|cvc5|z3)")
+      if(T_MUTANTS)
+        cosim_test(${name}.mutants mutants ${TARGET} mutate ${name} --mutants ${T_MUTANTS})
+        # It builds, and has what the machine gives.
+        set_tests_properties(${name}.mutants PROPERTIES RUN_SERIAL ON
+          SKIP_REGULAR_EXPRESSION "needs (yosys|cvc5|z3)")
+      endif()
     endif()
   endforeach()
   if(T_REGRESSIONS)

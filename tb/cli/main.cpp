@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "model/core/input_error.h"
+#include "tb/bench/bench.h"
 #include "tb/cli/commands.h"
 #include "tb/cli/registry.h"
 #include "tb/support/interrupt.h"
@@ -42,6 +43,7 @@ int run(int argc, char** argv) {
         program.footer("Exit status: 0 match, 1 mismatch, 2 bad input.\n" + cosim::program_name() +
                        " COMMAND --help tells of a command's options.");
         const cosim::cli::Registry& registry = cosim::cli::registry();
+        if (cosim::benches().empty()) return cosim::cli::add_new(program);  // that of the package
         cosim::cli::add_list(program);
         for (const auto& add : registry.commands()) add(program);
         cosim::cli::add_examples(program, registry);

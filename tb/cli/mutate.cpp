@@ -15,6 +15,7 @@
 #include "tb/cli/outputs.h"
 #include "tb/report/report.h"
 #include "tb/support/process.h"
+#include "tb/support/place.h"
 #include "tb/support/read_file.h"
 #include "tb/support/words.h"
 
@@ -36,7 +37,7 @@ void give_rtl(const OnDemand& program, const AnyBench& bench, std::uint64_t muta
   give(program, "count.txt", fmt::format("{}\n", mutants));
   std::string kept;
   const auto fields = bench.compared();
-  for (std::size_t i = 0; i < bench.registers(); ++i) kept += std::string(fields[i].net) + '\n';
+  for (std::size_t i = 0; i < bench.registers(); ++i) kept += net_path(fields[i].net).path + '\n';
   give(program, "kept.txt", kept);
 }
 

@@ -53,6 +53,13 @@ concept DeclaresJobs = requires {
   Design::Job::size;
 };
 
+/// Calls visit(member, i) for each field's pointer to member, in the order of the table.
+template <class Job, class Visit>
+constexpr void for_each_job_field(Visit visit) {
+  const auto members = Job::members();
+  for (std::size_t i = 0; i < members.size(); ++i) visit(members[i], i);
+}
+
 /// The number nearest to 0 in a field's range: the simplest.
 constexpr Word simplest(const JobField& field) {
   return std::clamp<Word>(0, field.low, field.high);
@@ -92,7 +99,7 @@ class JobHost {
   static std::vector<Job> smaller(const Params& p, const Job& job) {
     std::vector<Job> all;
     const auto fields = Job::fields(p);
-    for_each_member<Job>([&](auto member, std::size_t i) {
+    for_each_job_field<Job>([&](auto member, std::size_t i) {
       const Word least = simplest(fields[i]);
       const Word now = job.*member;
       for (const Word less : {least, least + (now - least) / 2, now < least ? now + 1 : now - 1}) {
@@ -108,7 +115,7 @@ class JobHost {
   static std::string describe(const Params& p, const Job& job) {
     std::string text;
     const auto fields = Job::fields(p);
-    for_each_member<Job>([&](auto member, std::size_t i) {
+    for_each_job_field<Job>([&](auto member, std::size_t i) {
       text += (text.empty() ? "" : " ") + (fields[i].name + ('=' + std::to_string(job.*member)));
     });
     return text;

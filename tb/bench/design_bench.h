@@ -235,7 +235,7 @@ class DesignBench : public Bench<Design> {
     if constexpr (DeclaresJobs<Design>) {
       for (const auto& values : jobs) {
         Job& job = all.emplace_back();
-        for_each_member<Job>([&](auto member, std::size_t i) { job.*member = values[i]; });
+        for_each_job_field<Job>([&](auto member, std::size_t i) { job.*member = values[i]; });
       }
     }
     return all;

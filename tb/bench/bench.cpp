@@ -12,6 +12,10 @@ std::string AnyBench::title() const {
   return text;
 }
 
+Stimulus AnyBench::hostile(const HostileCase& /*c*/) const {
+  throw InputError(design() + ": only a stimulus of it can be drawn");
+}
+
 std::string AnyBench::compared_text() const {
   return fmt::format("{} registers and {} outputs", registers(), compared().size() - registers());
 }

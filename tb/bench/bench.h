@@ -65,18 +65,20 @@ class AnyBench {
   virtual std::string hostile_text() const { return "any value on any pin on any clock"; }
   /// Runs hostile clocks.
   virtual Run run_hostile(const HostileCase& c) const = 0;
-  /// The inputs of these, as a stimulus.
-  virtual Stimulus hostile(const HostileCase& c) const = 0;
+  /// The inputs of these, as a stimulus. InputError of a bench that cannot tell them before.
+  virtual Stimulus hostile(const HostileCase& c) const;
 
   /// The fields of a job, of a design that declares its jobs by a table (job.h); else empty.
-  virtual std::vector<JobField> job_fields() const = 0;
+  virtual std::vector<JobField> job_fields() const { return {}; }
   /// "idle=3 byte=65; idle=0 byte=1"
-  virtual std::string describe(const JobList& jobs) const = 0;
+  virtual std::string describe(const JobList& /*jobs*/) const { return {}; }
   /// Drives declared jobs one after the other on a machine powered up at random from `power_up`,
   /// to their end or to the first difference.
-  virtual JobsRun run_jobs(const JobList& jobs, std::uint32_t power_up) const = 0;
+  virtual JobsRun run_jobs(const JobList& /*jobs*/, std::uint32_t /*power_up*/) const { return {}; }
   /// The inputs of these, as a stimulus.
-  virtual Stimulus stimulus_of(const JobList& jobs, std::uint32_t power_up) const = 0;
+  virtual Stimulus stimulus_of(const JobList& /*jobs*/, std::uint32_t /*power_up*/) const {
+    return {};
+  }
 
   /// Runs a stimulus of this machine, to its end or to the first difference. InputError if it
   /// starts from a state and the machine cannot be set to one.

@@ -112,12 +112,6 @@ function(cosim_add_design NAME)
 
   get_property(root GLOBAL PROPERTY COSIM_ROOT)
   cosim_verilated_library(${NAME}_verilated)
-  # What is the same for all its shapes.
-  configure_file(${root}/tb/bench/named_design.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/${NAME}_bench.cpp
-    @ONLY)
-  add_library(${NAME}_bench STATIC ${CMAKE_CURRENT_BINARY_DIR}/${NAME}_bench.cpp)
-  target_compile_features(${NAME}_bench PRIVATE cxx_std_20)
-  target_link_libraries(${NAME}_bench PUBLIC cosim::dut cosim::harness)
   foreach(shape IN LISTS D_SHAPES)
     cosim_shape(shape "${what}" "${shape}")
     string(REGEX REPLACE "[ =]" "" ID "${NAME}${shape}")
@@ -181,8 +175,6 @@ function(cosim_add_program TARGET)
   endforeach()
   get_property(on_demand GLOBAL PROPERTY COSIM_ON_DEMAND)
   list(JOIN on_demand "" ON_DEMAND)
-  get_property(designs GLOBAL PROPERTY COSIM_DESIGNS)
-  list(TRANSFORM designs APPEND _bench)
   configure_file(${root}/tb/cli/program.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/${TARGET}.cpp @ONLY)
   add_executable(${TARGET} ${CMAKE_CURRENT_BINARY_DIR}/${TARGET}.cpp ${sources})
   set_target_properties(${TARGET} PROPERTIES UNITY_BUILD_CODE_AFTER_INCLUDE "#undef VL_PCH_INCLUDED")
@@ -192,7 +184,7 @@ function(cosim_add_program TARGET)
   endforeach()
   target_compile_features(${TARGET} PRIVATE cxx_std_20)
   target_link_libraries(${TARGET} PRIVATE
-    ${designs} cosim::program cosim::prover cosim::dut cosim::harness ${verilated} cosim::runtime)
+    cosim::program cosim::prover cosim::dut cosim::harness ${verilated} cosim::runtime)
 endfunction()
 
 # The CTest test NAME.KIND, with KIND as its label.

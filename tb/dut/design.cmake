@@ -130,7 +130,7 @@ function(cosim_add_design NAME)
     # Its whole hierarchy is open, for registers anywhere in it, for replays and for waves.
     verilate(${NAME}_verilated PREFIX ${PREFIX} TOP_MODULE ${TOP} SOURCES ${rtl}
       VERILATOR_ARGS ${generics} ${options} -Wno-fatal --x-initial unique --x-assign unique
-                     --noassert --vpi --public-flat-rw)
+                     --assert --vpi --public-flat-rw)
     configure_file(${root}/tb/bench/named_bench_of.cpp.in
       ${CMAKE_CURRENT_BINARY_DIR}/bench_${ID}.cpp @ONLY)
     set_property(GLOBAL APPEND PROPERTY COSIM_BENCH_SOURCES

@@ -12,6 +12,7 @@
 //   outputs(), registers()       what they hold now
 //   load(field, word)            may be absent: sets a register before the first eval
 //   signals()                    may be absent: every signal of the hierarchy
+//   said(), forget_said()        may be absent: what the RTL says of itself
 #pragma once
 
 #include <cstdint>
@@ -20,6 +21,7 @@
 #include <vector>
 
 #include "model/core/fields.h"
+#include "tb/dut/said.h"
 #include "tb/dut/signal.h"
 
 namespace cosim {
@@ -40,6 +42,9 @@ class Dut {
   virtual void load(const Field& field, Word value) = 0;
   /// Empty if the instance does not show them.
   virtual std::vector<Signal> signals() const { return {}; }
+  /// What the RTL said of itself since it was made or told to forget it; null: nothing.
+  virtual const RtlSaid* said() const { return nullptr; }
+  virtual void forget_said() {}
 };
 
 /// An adapter as a Dut.
@@ -65,6 +70,13 @@ class AdapterDut final : public Dut<typename Adapter::Design> {
   std::vector<Signal> signals() const override {
     if constexpr (requires { adapter_.signals(); }) return adapter_.signals();
     return {};
+  }
+  const RtlSaid* said() const override {
+    if constexpr (requires { adapter_.said(); }) return adapter_.said();
+    return nullptr;
+  }
+  void forget_said() override {
+    if constexpr (requires { adapter_.forget_said(); }) adapter_.forget_said();
   }
 
  private:
@@ -107,6 +119,8 @@ class AnyAdapter {
   typename D::template Registers<Word> registers() const { return dut_->registers(); }
   void load(const Field& field, Word value) { dut_->load(field, value); }
   std::vector<Signal> signals() const { return dut_->signals(); }
+  const RtlSaid* said() const { return dut_->said(); }
+  void forget_said() { dut_->forget_said(); }
 
  private:
   std::unique_ptr<Dut<D>> dut_;

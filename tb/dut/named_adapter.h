@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,6 +16,7 @@
 
 #include "model/core/design.h"
 #include "tb/dut/adapter.h"
+#include "tb/dut/said.h"
 
 namespace cosim {
 
@@ -122,7 +124,11 @@ class NamedAdapter : public VerilatedInstance<Top> {
     settled_ = true;
     clock_.set(clk ? 1 : 0);
     this->top().eval();
+    if (rtl_said) [[unlikely]]
+      hear();
   }
+  const RtlSaid* said() const { return said_ ? &*said_ : nullptr; }
+  void forget_said() { said_.reset(); }
   void drive(const Inputs& in) {
     for_each_cell<Inputs>([&](auto cell, std::size_t i) { inputs_[i].set(cell(in)); });
   }
@@ -130,6 +136,10 @@ class NamedAdapter : public VerilatedInstance<Top> {
   Registers registers() const { return read<Registers>(registers_); }
 
  private:
+  [[gnu::noinline, gnu::cold]] void hear() {
+    RtlSaid now = take_said();
+    if (!said_) said_ = std::move(now);
+  }
   template <class Record>
   static Record read(const Nets<Record>& nets) {
     Record r;
@@ -142,6 +152,7 @@ class NamedAdapter : public VerilatedInstance<Top> {
   Nets<Registers> registers_;
   Net clock_;
   bool settled_ = false;
+  std::optional<RtlSaid> said_;
 };
 
 }  // namespace cosim

@@ -58,6 +58,12 @@ constexpr void copy_fields(const Params& p, Record& to, const Record& from) {
   if constexpr (Record::has_arrays) Record::trim(p, to);
 }
 
+/// Whether the RTL can say of itself that something is wrong.
+template <class Adapter>
+inline constexpr bool says = requires(Adapter& dut) {
+  dut.said();
+};
+
 /// `Adapter`: dut.h.
 template <class Adapter>
 class Lockstep {
@@ -79,6 +85,8 @@ class Lockstep {
       dut_.drive(rest_of<Design>());
     }
     take_over();
+    // Before that its registers held anything.
+    if constexpr (says<Adapter>) dut_.forget_said();
   }
   /// Starts both sides from `state` instead, for an adapter that can load registers.
   template <class PowerUp>
@@ -92,9 +100,9 @@ class Lockstep {
     }
   }
 
-  /// One clock: drives, settles, compares, then the rising edge. False where anything differs; the
-  /// clock is completed all the same, so that the clocks after a difference can be shown.
-  /// `sample(expected, actual)` is called before the edge.
+  /// One clock: drives, settles, compares, then the rising edge. False where anything differs, or
+  /// where the RTL says that something is wrong; the clock is completed all the same, so that the
+  /// clocks after a difference can be shown. `sample(expected, actual)` is called before the edge.
   /// Flattened, so that the model sees its parameters as constants.
   template <class Sample>
   COSIM_FLATTEN bool clock(const Inputs& in, Sample&& sample) {
@@ -117,6 +125,7 @@ class Lockstep {
     sample(std::as_const(expected_), read());
     copy_fields(dut_.params, state_, step.state);
     dut_.eval(true);
+    if constexpr (says<Adapter>) bits |= dut_.said() != nullptr ? 1 : 0;
     return bits == 0;
   }
   bool clock(const Inputs& in) {

@@ -84,6 +84,9 @@ Mismatch examine(AnyLockstep<Design>& lockstep, Source source, std::uint64_t clo
     if (!next_inputs<Design>(source, p, lockstep.state(), in, lockstep.expected().outputs)) break;
     Compared<Design> actual;
     lockstep.clock(in, [&](const auto&, const auto& rtl) { actual = rtl; });
+    if (c == clock && lockstep.dut().said() != nullptr) {
+      m.finding = lockstep.dut().said()->line_of_report();
+    }
     if (c >= kept) m.stimulus.clocks.push_back(inputs.words(in));
     if (c < m.first || c > clock + window.after) continue;
     const Compared<Design>& expected = lockstep.expected();

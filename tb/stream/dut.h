@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ class StreamDut {
   virtual std::vector<Net> nets(const Ports& ports) = 0;
   /// Settles everything that depends on the inputs and the clock.
   virtual void eval() = 0;
+  /// What the RTL said of itself in the last eval(); null: nothing.
+  virtual const RtlSaid* said() const { return nullptr; }
   /// Empty if the instance does not show them.
   virtual std::vector<Signal> signals() const { return {}; }
 };
@@ -29,8 +32,16 @@ class VerilatedStreamDut final : public StreamDut, VerilatedInstance<Top> {
  public:
   explicit VerilatedStreamDut(std::uint32_t power_up) : VerilatedInstance<Top>(power_up) {}
   std::vector<Net> nets(const Ports& ports) override { return find_ports(this->context(), ports); }
-  void eval() override { this->top().eval(); }
+  void eval() override {
+    said_.reset();
+    this->top().eval();
+    if (rtl_said) said_ = take_said();
+  }
+  const RtlSaid* said() const override { return said_ ? &*said_ : nullptr; }
   std::vector<Signal> signals() const override { return VerilatedInstance<Top>::signals(); }
+
+ private:
+  std::optional<RtlSaid> said_;
 };
 
 /// The ports of an interface in one instance.

@@ -95,6 +95,8 @@ std::string to_text(const StreamShape& shape, const StreamOrder& order,
                          count(static_cast<std::uint64_t>(i.latency), "clock"));
     case Kind::unsteady:
       return fmt::format("taken back: {} was offered, and is changed before it is taken", which);
+    case Kind::said:
+      return result.said;
     case Kind::credit:
       return f.goes_in ? fmt::format("credit: {} gives back more than the {} there are", i.name,
                                      i.credits)

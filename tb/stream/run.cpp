@@ -70,6 +70,7 @@ class Runner {
     for (Taker& t : takers_) t.drive();
     nets_.clock.set(0);
     dut_.eval();
+    hear();
     bool moved = false, took = false;
     for (Giver& g : givers_) {
       g.sample();
@@ -83,9 +84,10 @@ class Runner {
     if (has_latency_ && took) note_due();
     judge(moved);
     const bool more = order_.observer == nullptr || show();
-    ++result_.clocks;
     nets_.clock.set(1);
     dut_.eval();
+    hear();
+    ++result_.clocks;
     for (Giver& g : givers_) g.advance();
     for (Taker& t : takers_) t.advance();
     return more && !ends(moved);
@@ -107,6 +109,12 @@ class Runner {
     const bool stands = kind == Kind::hung || kind == Kind::missing;
     const std::uint64_t clock = stands ? moved_at_ : result_.clocks;
     result_.finding = {kind, goes_in, stream, number, cell, clock};
+  }
+
+  void hear() {
+    if (dut_.said() == nullptr || result_.finding) return;
+    found(Kind::said, true, 0, givers_.empty() ? 0 : givers_.front().taken);
+    result_.said = dut_.said()->line_of_report();
   }
 
   void judge(bool moved) {

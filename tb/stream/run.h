@@ -22,6 +22,7 @@ struct StreamFinding {
     hung,      ///< what goes in is not taken, and nothing moves
     late,      ///< later than the stated latency
     unsteady,  ///< what was offered was taken back or changed
+    said,      ///< the RTL itself says that something is wrong
     credit,    ///< more given than there was credit for, or more credit than there can be
   };
   Kind kind = Kind::value;
@@ -37,6 +38,7 @@ struct StreamResult {
   std::uint64_t clocks = 0;
   std::uint64_t transactions = 0;  ///< that came out
   std::optional<StreamFinding> finding;
+  std::string said;  ///< by the RTL, where that is the finding
   Sequence came{1};  ///< where it was asked for, all that came out at the finding's stream
 };
 

@@ -80,6 +80,20 @@ for design in pairs divider credits packets; do
   says "^$design FAULT=0, random transactions with random stalls: [0-9]* clocks"
 done
 
+# What the RTL says of itself, of streams and in lockstep, with its file and line.
+found asserts 'the RTL says: .*asserts.v:[0-9]*: .*1[0-9]* is more than 100$' 1
+ends 1 sweep asserts --hostile 20000 --failures kept
+says '^asserts FAULT=0, .*: [0-9]* clocks'
+rm -rf kept
+ends 1 sweep asserted --hostile 20000 --failures kept
+says '^asserted FAULT=0, .*: 20000 clocks'
+says '^the RTL says: .*asserted.sv:12: .*count is 10$'
+# Ten clocks up to ten, one to say so.
+grep -q '^smallest stimulus that still fails: 11 clocks' kept/*/report.txt || fails "it is shrunk"
+grep -q '"finding": "the RTL says' kept/*/report.json || fails "the report has it"
+ends 1 replay kept/*/smallest.stim
+says '^the RTL says: .*asserted.sv:12: '
+
 ends 2 prove divider
 says 'nothing can be proved of it'
 ends 1 sweep divider --hostile 20000

@@ -28,7 +28,7 @@ class StreamDut {
 };
 
 template <class Top>
-class VerilatedStreamDut final : public StreamDut, VerilatedInstance<Top> {
+class VerilatedStreamDut : public StreamDut, protected VerilatedInstance<Top> {
  public:
   explicit VerilatedStreamDut(std::uint32_t power_up) : VerilatedInstance<Top>(power_up) {}
   std::vector<Net> nets(const Ports& ports) override { return find_ports(this->context(), ports); }

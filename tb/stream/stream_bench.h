@@ -91,7 +91,8 @@ class Payload {
 }  // namespace detail
 
 /// Top: the Verilated class. Trait has Design, params, and the names of the shape and of the clock.
-template <class Top, class Trait>
+/// Instance: what is made of it.
+template <class Top, class Trait, class Instance = VerilatedStreamDut<Top>>
 class StreamBench final : public AnyStreamBench {
   using Design = typename Trait::Design;
   using In = decltype(detail::as_tuple(Design::in(Trait::params)));
@@ -126,7 +127,7 @@ class StreamBench final : public AnyStreamBench {
   }
 
   std::unique_ptr<StreamDut> dut(std::uint32_t power_up) const override {
-    return std::make_unique<VerilatedStreamDut<Top>>(power_up);
+    return std::make_unique<Instance>(power_up);
   }
 
   std::vector<Sequence> expected(const std::vector<Sequence>& given) const override {

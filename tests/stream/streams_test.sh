@@ -67,6 +67,10 @@ found hangs hung 2
 found slow late 3
 found wrong 'another value' 5
 
+# Blocks of 512 bits, 66 clocks each.
+ends 0 sweep sha256 --hostile 100000
+found word 'another value: digest' 1
+
 # The interfaces: as they should be, then with a fault.
 for design in pairs divider credits packets; do
   case $design in
@@ -93,6 +97,14 @@ grep -q '^smallest stimulus that still fails: 11 clocks' kept/*/report.txt || fa
 grep -q '"finding": "the RTL says' kept/*/report.json || fails "the report has it"
 ends 1 replay kept/*/smallest.stim
 says '^the RTL says: .*asserted.sv:12: '
+
+# A mutant is killed or not, and never equal.
+if command -v yosys > /dev/null; then
+  ends 1 mutate divider FAULT=0 --mutants 20
+  says '^divider FAULT=0: 20 mutants: 1[0-9] killed, 0 proved equal, [0-9]* survived$'
+else
+  echo 'no yosys: no mutants'
+fi
 
 ends 2 prove divider
 says 'nothing can be proved of it'

@@ -10,7 +10,7 @@
 namespace cosim::test {
 namespace {
 
-struct Sizes {
+struct ArraySizes {
   int depth = 3;
   int width = 70;
 };
@@ -20,7 +20,7 @@ struct Sizes {
   FIELD(line, p.width, bits.words<3>().at("unit.line"), "", "")         \
   FIELD(only, 1, flag.array<1>(), "", "")                               \
   FIELD(last, 2, bits, "", "")
-COSIM_RECORD(Mixed, MIXED_FIELDS, Sizes);
+COSIM_RECORD(Mixed, MIXED_FIELDS, ArraySizes);
 using Record = Mixed<Word>;
 
 TEST(ArrayFields, AreMembersOfTheirCapacity) {
@@ -68,7 +68,7 @@ TEST(ArrayFields, DescribeEachCell) {
 }
 
 TEST(ArrayFields, ThatDoNotFitAreRefused) {
-  const auto refusal = [](const Sizes& p) -> std::string {
+  const auto refusal = [](const ArraySizes& p) -> std::string {
     try {
       Record::fields(p);
     } catch (const InputError& error) {
@@ -86,7 +86,7 @@ TEST(ArrayFields, LoseWhatAShapeDoesNotHave) {
   Record r = from_words<Record>({1, 2, 3, 4, 5, 6, 7, 8, 9, 10});
   Record::trim({}, r);
   EXPECT_EQ(to_words(r), (Words<Record>{1, 2, 3, 4, 0, 6, 7, 0, 9, 10}));
-  const Cells<Record> cells(Sizes{});
+  const Cells<Record> cells(ArraySizes{});
   EXPECT_EQ(cells.fields().size(), 8U);
   EXPECT_EQ(cells.words(r), (std::vector<Word>{1, 2, 3, 4, 6, 7, 9, 10}));
   EXPECT_EQ(to_words(cells.record({1, 2, 3, 4, 6, 7, 9, 10})), to_words(r));
@@ -96,11 +96,11 @@ TEST(ArrayFields, LoseWhatAShapeDoesNotHave) {
 TEST(ArrayFields, AreCodesInRegisters) {
   Record r;
   r.store[1] = -1;
-  EXPECT_EQ(detail::registers_of(Sizes{}, r).store[1], 31);
+  EXPECT_EQ(detail::registers_of(ArraySizes{}, r).store[1], 31);
 }
 
 struct Wide {
-  using Params = Sizes;
+  using Params = ArraySizes;
   template <class V>
   using Inputs = Mixed<V>;
   template <class V>

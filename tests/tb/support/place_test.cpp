@@ -8,7 +8,7 @@
 namespace cosim::test {
 namespace {
 
-struct Sizes {
+struct PlaceSizes {
   int depth = 6;
 };
 #define PLACED_FIELDS(FIELD)                           \
@@ -18,7 +18,7 @@ struct Sizes {
   FIELD(wide, 100, bits.words<3>(), "", "")            \
   FIELD(word, 4, bits.at("memory[2][7:4]"), "", "")    \
   FIELD(one, 1, flag.at("status[7]"), "", "")
-COSIM_RECORD(Placed, PLACED_FIELDS, Sizes);
+COSIM_RECORD(Placed, PLACED_FIELDS, PlaceSizes);
 using P = Placed<Word>;
 
 const auto fields = P::fields({});

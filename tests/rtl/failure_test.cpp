@@ -91,7 +91,7 @@ void expect_failure_explained(const Variant<Design>& variant) {
 
   const Folder temporary;
   const std::clock_t began = std::clock();
-  const Failure failure = leave_failure(bench, "hostile", *found, {temporary.path(), {}, "cosim"});
+  const Failure failure = leave_failure(bench, "hostile", *found, {temporary.path(), {}});
   const auto took = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
   testing::Test::RecordProperty("seconds", std::to_string(took));
   EXPECT_LT(took, kSeconds) << "of the processor";
@@ -190,7 +190,7 @@ TEST(FailureFolder, MayBeLeftBySeveralAtOnce) {
   const Folder temporary;
   const auto leave = [&] {
     for (int i = 0; i < 10; ++i)
-      leave_failure(*m.bench, "case", m, {temporary.path(), {}, "cosim"});
+      leave_failure(*m.bench, "case", m, {temporary.path(), {}});
   };
   { const std::jthread one(leave), two(leave); }
   const std::string name = failure_name(*m.bench, "case");

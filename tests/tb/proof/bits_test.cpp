@@ -50,11 +50,11 @@ struct Operation {
   BitsOperation on_bits;
 };
 
-// Of one text for any value type.
+// Of one body for any value type.
 template <class Text>
-Operation of(const char* name, Text text) {
-  return {name, [text](Word a, Word b) { return text(a, b); },
-          [text](const Bits& a, const Bits& b) { return text(a, b); }};
+Operation of(const char* name, Text body) {
+  return {name, [body](Word a, Word b) { return body(a, b); },
+          [body](const Bits& a, const Bits& b) { return body(a, b); }};
 }
 // Every operation that a model may use, with widths and shifts of several kinds.
 std::vector<Operation> operations() {

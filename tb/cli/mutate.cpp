@@ -14,8 +14,8 @@
 #include "tb/cli/on_demand.h"
 #include "tb/cli/outputs.h"
 #include "tb/report/report.h"
-#include "tb/support/process.h"
 #include "tb/support/place.h"
+#include "tb/support/process.h"
 #include "tb/support/read_file.h"
 #include "tb/support/words.h"
 

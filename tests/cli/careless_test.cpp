@@ -189,11 +189,11 @@ TEST_F(Careless, StimuliOfHugeLinesAreReadInBoundedMemory) {
   expect_match(huge("clock", "", " "));
   expect_match(huge("clock", "", "\n"));
   expect_unread(huge("cosim", "", "x"), place + "1: is not 'cosim stimulus 1'");
-  expect_unread(huge("machine", "", "a "), place + "2: more than 1000 words in a line");
+  expect_unread(huge("machine", "", "a "), place + "2: more than 10000 words in a line");
   expect_unread(huge("machine", "machine ", "a"), place + "2: no machine 'aaaa");
-  expect_unread(huge("clock", "", "a "), place + "4: more than 1000 words in a line");
+  expect_unread(huge("clock", "", "a "), place + "4: more than 10000 words in a line");
   expect_unread(huge("clock", "state ", "a"), place + "4: 'aaaa");
-  expect_unread(huge("3-9", "", "a "), place + "8: more than 1000 words in a line");
+  expect_unread(huge("3-9", "", "a "), place + "8: more than 10000 words in a line");
   expect_unread(huge("3-9", "3 1 0 0 0 0 ", "1"), place + "8: data: '1111");
 }
 

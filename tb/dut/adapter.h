@@ -17,8 +17,8 @@
 
 namespace cosim {
 
-/// The signals of the instance in `context`.
-std::vector<Signal> signals_of(VerilatedContext& context);
+/// The signals of the instance in `context`; those named `clock` carry the clock.
+std::vector<Signal> signals_of(VerilatedContext& context, const std::string& clock);
 /// Sets the register `net`: where that is a path, the one there; where it is a name, every net of
 /// that name in the hierarchy, the register and the wires that carry it. std::logic_error if there
 /// is none.
@@ -35,7 +35,9 @@ class VerilatedInstance {
   VerilatedInstance& operator=(const VerilatedInstance&) = delete;
 
   /// Every signal of the hierarchy; empty unless Verilated with --vpi --public-flat-rw.
-  std::vector<Signal> signals() const { return signals_of(machine_->context()); }
+  std::vector<Signal> signals(const std::string& clock = "clk") const {
+    return signals_of(machine_->context(), clock);
+  }
 #ifndef COSIM_NETLIST  // there a register is a wire from flip-flops that are cells
   /// Sets the register of the field `name` before the first eval; only in such a class.
   void load(const Field& field, Word value) {

@@ -132,6 +132,7 @@ class NamedAdapter : public VerilatedInstance<Top> {
   void drive(const Inputs& in) {
     for_each_cell<Inputs>([&](auto cell, std::size_t i) { inputs_[i].set(cell(in)); });
   }
+  std::vector<Signal> signals() const { return VerilatedInstance<Top>::signals(Trait::clock); }
   Outputs outputs() const { return read<Outputs>(outputs_); }
   Registers registers() const { return read<Registers>(registers_); }
 

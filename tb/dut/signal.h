@@ -13,7 +13,8 @@ struct Signal {
   int width = 1;  ///< bits
   /// Its bits, the lowest byte first; valid as long as the simulation lives.
   const unsigned char* bytes = nullptr;
-  int word = -1;  ///< of a word of a memory its number; its name has it too
+  int word = -1;          ///< of a word of a memory its number; its name has it too
+  bool is_clock = false;  ///< it is high from the beginning of a clock to its middle
 };
 
 }  // namespace cosim

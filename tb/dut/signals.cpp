@@ -39,7 +39,7 @@ std::vector<std::string> scope_of(std::string path) {
 
 }  // namespace
 
-std::vector<Signal> signals_of(VerilatedContext& context) {
+std::vector<Signal> signals_of(VerilatedContext& context, const std::string& clock) {
   std::vector<Signal> signals;
   for (const auto& [path, scope] : *context.scopeNameMap()) {
     const std::vector<std::string> names = scope_of(path);
@@ -50,7 +50,7 @@ std::vector<Signal> signals_of(VerilatedContext& context) {
       const int width = var.dims() == var.udims() ? 1 : var.packed().elements();
       const auto* bytes = static_cast<const unsigned char*>(var.datap());
       if (var.udims() == 0) {
-        signals.push_back({names, name, width, bytes});
+        signals.push_back({names, name, width, bytes, -1, name == clock});
         continue;
       }
       const int words = std::min(var.unpacked().elements(), most_words);

@@ -31,16 +31,20 @@ template <class Top>
 class VerilatedStreamDut : public StreamDut, protected VerilatedInstance<Top> {
  public:
   explicit VerilatedStreamDut(std::uint32_t power_up) : VerilatedInstance<Top>(power_up) {}
-  std::vector<Net> nets(const Ports& ports) override { return find_ports(this->context(), ports); }
+  std::vector<Net> nets(const Ports& ports) override {
+    clock_ = ports.clock;
+    return find_ports(this->context(), ports);
+  }
   void eval() override {
     said_.reset();
     this->top().eval();
     if (rtl_said) said_ = take_said();
   }
   const RtlSaid* said() const override { return said_ ? &*said_ : nullptr; }
-  std::vector<Signal> signals() const override { return VerilatedInstance<Top>::signals(); }
+  std::vector<Signal> signals() const override { return VerilatedInstance<Top>::signals(clock_); }
 
  private:
+  std::string clock_;
   std::optional<RtlSaid> said_;
 };
 

@@ -336,6 +336,8 @@ constexpr Record from_words(const Words<Record>& words) {
 
 }  // namespace cosim
 
+// Names and sums of names, which parentheses would spoil.
+// NOLINTBEGIN(bugprone-macro-parentheses)
 #define COSIM_CAPACITY(name, width, format, source, meaning) \
   capacity_##name = decltype(::cosim::row::format)::capacity,
 #define COSIM_PLUS(name, width, format, source, meaning) +capacity_##name
@@ -400,3 +402,4 @@ constexpr Record from_words(const Words<Record>& words) {
       return select_record(when, then, other);                                                 \
     }                                                                                          \
   }
+// NOLINTEND(bugprone-macro-parentheses)

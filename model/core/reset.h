@@ -21,8 +21,10 @@ constexpr int clear_clocks_of() {
   if constexpr (requires { Design::clear_clocks; }) {
     static_assert(Design::clear_clocks >= 1);
     return Design::clear_clocks;
+  } else if constexpr (has_clear<Design>) {
+    return 1;
   } else {
-    return has_clear<Design> ? 1 : 0;
+    return 0;
   }
 }
 

@@ -16,7 +16,8 @@
 // before the rows starts the run from that state of the model; fields without a NAME are as after a
 // clear. A # begins a comment.
 //
-// Of a design with a stream model a row is a transaction, and begins with that word (stream/shape.h).
+// Of a design with a stream model a row is a transaction, and begins with that word
+// (stream/shape.h).
 #pragma once
 
 #include <cstdint>

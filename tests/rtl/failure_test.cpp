@@ -189,8 +189,7 @@ TEST(FailureFolder, MayBeLeftBySeveralAtOnce) {
   const Mismatch m = a_mismatch();
   const Folder temporary;
   const auto leave = [&] {
-    for (int i = 0; i < 10; ++i)
-      leave_failure(*m.bench, "case", m, {temporary.path(), {}});
+    for (int i = 0; i < 10; ++i) leave_failure(*m.bench, "case", m, {temporary.path(), {}});
   };
   { const std::jthread one(leave), two(leave); }
   const std::string name = failure_name(*m.bench, "case");

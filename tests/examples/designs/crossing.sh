@@ -1,4 +1,4 @@
-# shellcheck shell=bash
+# shellcheck shell=bash disable=SC2154
 # What yosys cannot read is drawn all the same.
 ends 1 replay "${smallest[0]}" --wave crossing.fst
 [[ -s crossing.fst ]] || fails "crossing is drawn"

@@ -20,10 +20,10 @@ never="inputs that are assumed never to come; the rule is"
 # Another number before the first was taken; the second rule, on a later clock.
 stimulus '0 1 9 1' '0 1 8 2'
 ends 2 replay a.stim
-says "cosim: handshake FAULT=0: clock 1: $never: ${rules[0]}"
+says "designs: handshake FAULT=0: clock 1: $never: ${rules[0]}"
 stimulus '0 1 9 1' '0 1 9 2' '0 0 0 0'
 ends 2 replay a.stim --wave a.fst
-says "cosim: handshake FAULT=0: clock 2: $never: ${rules[1]}"
+says "designs: handshake FAULT=0: clock 2: $never: ${rules[1]}"
 if [[ $solvers ]]; then
   ends 0 prove handshake FAULT=0
   says "legal inputs in every state"

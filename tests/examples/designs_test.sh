@@ -4,45 +4,20 @@
 # Installs the harness that was built in FOLDER, builds designs/ against it, and tries each design:
 # hostile clocks find no difference where it is as it is meant (FAULT=0), and find and shrink the
 # planted fault (FAULT=1), which the smallest stimulus shows again; the proof proves the one and
-# refutes the other, or refuses both. Then designs/NAME.sh, what is particular to a design. PROGRAM: one that was built
-# already. Status: 0 so, 1 not.
+# refutes the other, or refuses both. Then designs/NAME.sh, what is particular to a design. PROGRAM:
+# one that was built already. Status: 0 so, 1 not.
 set -euo pipefail
 
-designs=$(cd "$(dirname "$0")/designs" && pwd)
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-if (($# > 1)); then
-  program=$(realpath "$2")
+built=$(realpath "$1") given=${2:+$(realpath "$2")}
+here=$(cd "$(dirname "$0")" && pwd)
+designs=$here/designs
+# shellcheck source=tests/support/program.sh
+source "$here/../support/program.sh"
+if [[ $given ]]; then
+  program=$given
 else
-  cmake --install "$1" --prefix "$scratch/prefix" > "$scratch/log"
-  # The headers cost more than the designs.
-  if ! cmake -S "$designs" -B "$scratch/build" -G Ninja "-DCMAKE_PREFIX_PATH=$scratch/prefix" \
-    -DCMAKE_UNITY_BUILD=ON > "$scratch/log" 2>&1 ||
-    ! cmake --build "$scratch/build" -j "$(nproc)" >> "$scratch/log" 2>&1; then
-    tail -50 "$scratch/log"
-    exit 1
-  fi
-  program=$scratch/build/designs
+  build_program designs "$built" "$designs"
 fi
-cd "$scratch"
-
-# fails TEXT...: what was not so, and what was said last.
-fails() {
-  cat said
-  printf 'not so: %s\n' "$*"
-  exit 1
-}
-# ends STATUS WORDS...: the program ends with that status; what it says is in `said`.
-ends() {
-  local wanted=$1 status=0
-  shift
-  "$program" "$@" > said 2>&1 || status=$?
-  [[ $status == "$wanted" ]] || fails "'$*' ends with $wanted; it is $status"
-}
-# says TEXT: a line with that text was said.
-says() { grep -qF -- "$1" said || fails "it says: $1"; }
-# says_not TEXT: none was.
-says_not() { ! grep -qF -- "$1" said || fails "it says nothing of: $1"; }
 
 solvers=yes
 for tool in yosys cvc5 z3; do

@@ -6,25 +6,11 @@
 # Status: 0 so, 1 not.
 set -euo pipefail
 
-program=$(realpath "$1")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-cd "$folder"
-
-fails() {
-  cat said
-  printf 'not so: %s\n' "$*"
-  exit 1
-}
-# ends STATUS WORDS...: the program ends with that status; what it says is in `said`.
-ends() {
-  local wanted=$1 status=0
-  shift
-  DISPLAY='' WAYLAND_DISPLAY='' "$program" "$@" > said 2>&1 || status=$?
-  [[ $status == "$wanted" ]] || fails "'$*' ends with $wanted; it is $status"
-}
-# says TEXT: a line with that text was said.
-says() { grep -qF -- "$1" said || fails "it says: $1"; }
+given=$(realpath "$1")
+here=$(cd "$(dirname "$0")" && pwd)
+# shellcheck source=tests/support/program.sh
+source "$here/../support/program.sh"
+program=$given
 # refuses LINE WORDS...: it ends with 2, and that is all that it says.
 refuses() {
   local line="uart_cosim: $1"

@@ -1,43 +1,21 @@
 #!/usr/bin/env bash
 # Usage: streams_test.sh BUILD [PROGRAM]
 #
-# Builds designs/ against the harness as a package, installed from BUILD into a scratch prefix. What is
-# as it should be passes; each planted fault is found, said by its name, and shrunk to so few
+# Builds designs/ against the harness as a package, installed from BUILD into a scratch prefix. What
+# is as it should be passes; each planted fault is found, said by its name, and shrunk to so few
 # transactions; its stimulus shows it again, and draws it. PROGRAM: one that was built already.
 # Status: 0 so, 1 not.
 set -euo pipefail
 
+built=$(realpath "$1") given=${2:+$(realpath "$2")}
 here=$(cd "$(dirname "$0")" && pwd)
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-if (($# > 1)); then
-  program=$(realpath "$2")
+# shellcheck source=tests/support/program.sh
+source "$here/../support/program.sh"
+if [[ $given ]]; then
+  program=$given
 else
-  cmake --install "$1" --prefix "$scratch/prefix" > "$scratch/log"
-  if ! cmake -S "$here/designs" -B "$scratch/build" -G Ninja "-DCMAKE_PREFIX_PATH=$scratch/prefix" \
-    "-DEXAMPLES=$here/../../examples" -DCMAKE_UNITY_BUILD=ON > "$scratch/log" 2>&1 ||
-    ! cmake --build "$scratch/build" -j "$(nproc)" >> "$scratch/log" 2>&1; then
-    tail -50 "$scratch/log"
-    exit 1
-  fi
-  program=$scratch/build/streams
+  build_program streams "$built" "$here/designs" "-DEXAMPLES=$here/../../examples"
 fi
-cd "$scratch"
-
-# fails TEXT...: what was not so, and what was said last.
-fails() {
-  cat said
-  printf 'not so: %s\n' "$*"
-  exit 1
-}
-# ends STATUS WORDS...: the program ends with that status; what it says is in `said`.
-ends() {
-  local wanted=$1 status=0
-  shift
-  "$program" "$@" > said 2>&1 || status=$?
-  [[ $status == "$wanted" ]] || fails "'$*' ends with $wanted; it is $status"
-}
-says() { grep -qE -- "$1" said || fails "it says: $1"; }
 
 # found DESIGN KIND MOST: the fault is found, of that kind, and its smallest stimulus has at most MOST
 # transactions, and shows it again.
@@ -45,7 +23,7 @@ found() {
   local design=$1 kind=$2 most=$3 smallest rows
   rm -rf kept
   ends 1 sweep "$design" --hostile 1000000 --failures kept
-  says "^$kind"
+  says_like "^$kind"
   smallest=(kept/*/smallest.stim)
   ends 1 replay "${smallest[0]}" --wave again.fst
   [[ -s again.fst && -s again.gtkw ]] || fails "the wave is drawn"
@@ -81,38 +59,38 @@ for design in pairs divider credits packets; do
   esac
   found "$design" "$kind" "$most"
   ends 1 sweep $design --hostile 20000 --failures kept
-  says "^$design FAULT=0, random transactions with random stalls: [0-9]* clocks"
+  says_like "^$design FAULT=0, random transactions with random stalls: [0-9]* clocks"
 done
 
 # What the RTL says of itself, of streams and in lockstep, with its file and line.
 found asserts 'the RTL says: .*asserts.v:[0-9]*: .*1[0-9]* is more than 100$' 1
 ends 1 sweep asserts --hostile 20000 --failures kept
-says '^asserts FAULT=0, .*: [0-9]* clocks'
+says_like '^asserts FAULT=0, .*: [0-9]* clocks'
 rm -rf kept
 ends 1 sweep asserted --hostile 20000 --failures kept
-says '^asserted FAULT=0, .*: 20000 clocks'
-says '^the RTL says: .*asserted.sv:12: .*count is 10$'
+says_like '^asserted FAULT=0, .*: 20000 clocks'
+says_like '^the RTL says: .*asserted.sv:12: .*count is 10$'
 # Ten clocks up to ten, one to say so.
 grep -q '^smallest stimulus that still fails: 11 clocks' kept/*/report.txt || fails "it is shrunk"
 grep -q '"finding": "the RTL says' kept/*/report.json || fails "the report has it"
 ends 1 replay kept/*/smallest.stim
-says '^the RTL says: .*asserted.sv:12: '
+says_like '^the RTL says: .*asserted.sv:12: '
 
 # A mutant is killed or not, and never equal.
 if command -v yosys > /dev/null; then
   ends 1 mutate divider FAULT=0 --mutants 20
-  says '^divider FAULT=0: 20 mutants: 1[0-9] killed, 0 proved equal, [0-9]* survived$'
+  says_like '^divider FAULT=0: 20 mutants: 1[0-9] killed, 0 proved equal, [0-9]* survived$'
 else
   echo 'no yosys: no mutants'
 fi
 
 ends 2 prove divider
-says 'nothing can be proved of it'
+says_like 'nothing can be proved of it'
 ends 1 sweep divider --hostile 20000
-says '^assumed of the inputs: asked: the divisor is not 0$'
+says_like '^assumed of the inputs: asked: the divisor is not 0$'
 sed 's/^0 .*/0  1  0  7  0/' divider.stim > zero.stim
 ends 2 replay zero.stim
-says 'a transaction that is assumed never to come; the rule is: the divisor is not 0'
+says_like 'a transaction that is assumed never to come; the rule is: the divisor is not 0'
 sed 's/^transaction /clock /' divider.stim > clocks.stim
 ends 2 replay clocks.stim
-says 'is none of origin, power-up, state, transaction'
+says_like 'is none of origin, power-up, state, transaction'

@@ -7,6 +7,7 @@
 
 #include "model/core/bit_strings.h"
 #include "model/core/memory.h"
+#include "tb/nets/number.h"
 #include "tb/support/random.h"
 #include "tests/support/lanes.h"
 #include "tests/support/strict.h"
@@ -172,6 +173,40 @@ TEST(Operations, OfLanesAreThoseOfWords) {
       const auto expected = results<Word>(a.lane[lane], b.lane[lane]);
       for (std::size_t i = 0; i < expected.size(); ++i) {
         ASSERT_EQ(lanes[i].lane[lane], expected[i]) << "operation " << i;
+      }
+    }
+  }
+}
+
+// As gates of two free numbers of 64 bits, run on 64 pairs at a time.
+TEST(Operations, OfGatesAreThoseOfWords) {
+  using nets::Bit, nets::Number;
+  nets::Graph graph;
+  const auto free_number = [&] {
+    std::vector<Bit> code;
+    for (int i = 0; i < 64; ++i) code.push_back(graph.input());
+    return Number::signed_code(graph, code);
+  };
+  const Number x = free_number(), y = free_number();
+  const auto numbers = results<Number>(x, y);
+  const auto all = pairs();
+  constexpr std::size_t runs = 64;
+  for (std::size_t first = 0; first + runs <= all.size(); first += runs) {
+    std::vector<std::uint64_t> inputs(128);
+    for (std::size_t r = 0; r < runs; ++r) {
+      for (std::size_t i = 0; i < 64; ++i) {
+        inputs[i] |= std::uint64_t{at(all[first + r].a, static_cast<int>(i))} << r;
+        inputs[64 + i] |= std::uint64_t{at(all[first + r].b, static_cast<int>(i))} << r;
+      }
+    }
+    const auto gates = nets::run(graph, inputs);
+    for (std::size_t r = 0; r < runs; ++r) {
+      const auto expected = results<Word>(all[first + r].a, all[first + r].b);
+      for (std::size_t o = 0; o < expected.size(); ++o) {
+        ASSERT_EQ(
+            built([&](int i) { return (nets::in_runs(gates, numbers[o].at(i)) >> r & 1) != 0; }),
+            expected[o])
+            << "operation " << o << " of " << all[first + r].a << " and " << all[first + r].b;
       }
     }
   }

@@ -4,114 +4,16 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-
-#include "model/core/bit_strings.h"
-#include "model/core/memory.h"
 #include "tb/proof/solver.h"
 #include "tb/support/process.h"
 #include "tb/support/random.h"
+#include "tests/support/operations.h"
 
-namespace cosim {
+namespace cosim::proof {
 namespace {
 
-// Several operations at once.
-template <class V>
-V wrapped(const V& v) {
-  return select(v > V(255), v - V(511), select(v < V(-255), v + V(511), v));
-}
-template <class V>
-V exchanged(const V& v) {
-  return shift_left(v & V(0xf), 4) + (shift_right(v, 4) & V(0xf));
-}
-// An array of five at an index of three bits and more: three of its elements are not there.
-template <class V>
-Array<V, 5> five(const V& a, const V& b) {
-  return {{a, b, a + b, V(7), a - b}};
-}
-template <class V>
-V read_five(const V& a, const V& b) {
-  return read(five(a, b), b);
-}
-template <class V>
-V write_five(const V& a, const V& b) {
-  const auto written = write_where(a < V(3), write(five(a, b), b, V(11)), a, b);
-  V sum(0);
-  for (const V& e : written) sum = shift_left(sum, 2) + e;
-  return sum;
-}
-
-using WordOperation = std::function<Word(Word, Word)>;
-using proof::Bits;
-using BitsOperation = std::function<Bits(const Bits&, const Bits&)>;
-struct Operation {
-  const char* name;
-  WordOperation on_words;
-  BitsOperation on_bits;
-};
-
-// Of one body for any value type.
-template <class Text>
-Operation of(const char* name, Text body) {
-  return {name, [body](Word a, Word b) { return body(a, b); },
-          [body](const Bits& a, const Bits& b) { return body(a, b); }};
-}
-// Every operation that a model may use, with widths and shifts of several kinds.
-std::vector<Operation> operations() {
-#define OF(name, text) \
-  of(name, []<class V>(const V& a, [[maybe_unused]] const V& b) -> V { return text; })
-#define HOLDS(name, text) OF(name, flag<V>(static_cast<Condition<V>>(text)))
-  return {
-      OF("+", a + b),
-      OF("-", a - b),
-      OF("a + a", a + a),
-      OF("8 a + low bits of b", shift_left(a, 3) + low_bits(b, 3)),
-      OF("*", a * b),
-      OF("* of a negative constant", a * V(-3)),
-      OF("* beyond a word", multiply(multiply(a, V(Word{1} << 60)), b)),
-      OF("+ beyond a word", add(shift_left(a, 60), shift_left(b, 60))),
-      OF("- beyond a word", subtract(shift_left(a, 60), shift_left(b, 60))),
-      OF("&", a & b),
-      OF("|", a | b),
-      OF("^", a ^ b),
-      OF("& | ^ with constants", ((a & V(5)) | V(2)) ^ V(-4)),
-      HOLDS("<", a < b),
-      HOLDS(">", a > b),
-      HOLDS("==", a == b),
-      HOLDS("below", below(a, b)),
-      OF("low_bits", low_bits(a, 5)),
-      OF("low_bits of few", low_bits(a, 40)),
-      HOLDS("bit", bit(a, 3)),
-      HOLDS("bit beyond", bit(a, 50)),
-      OF("shift_left", shift_left(a, 7)),
-      OF("shift_right", shift_right(a, 4)),
-      OF("shift_right of all", shift_right(a, 30)),
-      OF("shift_left by a value", shift_left(a, b)),
-      OF("shift_left by few", shift_left(a, b & V(7))),
-      OF("shift_left by many", shift_left(a, shift_left(b, 3))),
-      OF("shift_right by a value", shift_right(a, b)),
-      OF("shift_right by many", shift_right(a, shift_left(b, 3))),
-      OF("slice", slice(a, 6, 2)),
-      OF("join", join(a, b, 3)),
-      OF("invert", invert(a, 6)),
-      OF("rotate_left", rotate_left(a, 2, 5)),
-      HOLDS("all_set", all_set(a, 3)),
-      HOLDS("parity", parity(a, 7)),
-      OF("read", read_five(a, b)),
-      OF("write", write_five(a, b)),
-      OF("a sum that wraps", wrapped(a + b)),
-      OF("halves exchanged", exchanged(a)),
-      HOLDS("not, and, or", (a == b) | !((a < V(0)) & (b > V(3)))),
-      HOLDS("not of one, exclusive or", !(a == b) & ((a < V(0)) ^ (b > V(3)))),
-  };
-#undef HOLDS
-#undef OF
-}
-
-}  // namespace
-
-namespace proof {
-namespace {
+using Operation = test::Operation<Bits>;
+const auto operations = test::operations<Bits>;
 
 TEST(Bits, OfKnownValuesAreKnown) {
   Random random(7);
@@ -119,7 +21,7 @@ TEST(Bits, OfKnownValuesAreKnown) {
     for (int i = 0; i < 1000; ++i) {
       const Word a = from_twos_complement(random.corner(9), 9),
                  b = from_twos_complement(random.corner(9), 9);
-      const Bits result = o.on_bits(Bits(a), Bits(b));
+      const Bits result = o.on_values(Bits(a), Bits(b));
       const Expression code = result.code(64);
       const Word expected = o.on_words(a, b);
       EXPECT_EQ(code.text(), Bits(expected).code(64).text()) << o.name << ' ' << a << ' ' << b;
@@ -139,7 +41,7 @@ TEST(Bits, OfSymbolsAreWhatWordsAre) {
   for (const Operation& o : operations()) {
     bool x_signed = true;
     for (const auto& [a, b] : both_ways) {
-      const Bits result = o.on_bits(a, b);
+      const Bits result = o.on_values(a, b);
       for (int i = 0; i < 20; ++i) {
         const Word code_x = random.corner(9), code_y = random.corner(9);
         const Word u = x_signed ? from_twos_complement(code_x, 9) : code_x;
@@ -182,7 +84,7 @@ TEST(Bits, OfThreeBitsAreWhatWordsAreForAllValues) {
   for (const Operation& o : all) {
     for (const bool x_signed : {false, true}) {
       for (const bool y_signed : {false, true}) {
-        const Expression result = o.on_bits(bits(x, x_signed), bits(y, y_signed)).code(64);
+        const Expression result = o.on_values(bits(x, x_signed), bits(y, y_signed)).code(64);
         std::vector<Expression> wrong;
         for (Word a = 0; a <= ones(width); ++a) {
           for (Word b = 0; b <= ones(width); ++b) {
@@ -206,5 +108,4 @@ TEST(Bits, OfThreeBitsAreWhatWordsAreForAllValues) {
 }
 
 }  // namespace
-}  // namespace proof
-}  // namespace cosim
+}  // namespace cosim::proof

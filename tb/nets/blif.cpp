@@ -1,0 +1,83 @@
+// What is written.
+#include "tb/nets/blif.h"
+
+#include <fmt/core.h>
+
+#include <array>
+
+#include "model/core/input_error.h"
+
+namespace cosim::nets {
+namespace {
+
+// The rows of its cover that a gate has, of bits that are no opposites: each row is what a, b and c
+// are to be, '-' for either.
+std::vector<std::string> rows_of(const Graph::Made& g) {
+  const auto is = [](Bit bit) { return bit.is_opposite() ? '0' : '1'; };
+  const auto is_not = [](Bit bit) { return bit.is_opposite() ? '1' : '0'; };
+  switch (g.kind) {
+    case Gate::both:
+      return {{is(g.a), is(g.b)}};
+    case Gate::differ:
+      return {{is(g.a), is_not(g.b)}, {is_not(g.a), is(g.b)}};
+    case Gate::choice:
+      return {{is(g.a), is(g.b), '-'}, {is_not(g.a), '-', is(g.c)}};
+    case Gate::constant:
+    case Gate::input:
+      break;
+  }
+  return {};
+}
+
+// Which gates the outputs come to.
+std::vector<bool> needed(const Graph& graph, const std::vector<Port>& outputs) {
+  std::vector<bool> all(graph.gates().size());
+  for (const Port& p : outputs) all[p.bit.gate()] = true;
+  for (std::size_t i = all.size(); i-- > 0;) {
+    if (!all[i]) continue;
+    const Graph::Made& g = graph.gates()[i];
+    for (const Bit bit : {g.a, g.b, g.c}) all[bit.gate()] = true;
+  }
+  return all;
+}
+
+}  // namespace
+
+std::string to_blif(const std::string& name, const Graph& graph, const std::vector<Port>& inputs,
+                    const std::vector<Port>& outputs) {
+  std::vector<std::string> names(graph.gates().size());
+  std::string text = fmt::format(".model {}\n.inputs", name);
+  for (const Port& p : inputs) {
+    names[p.bit.gate()] = p.name;
+    text += ' ' + p.name;
+  }
+  text += "\n.outputs";
+  for (const Port& p : outputs) text += ' ' + p.name;
+  text += '\n';
+
+  const std::vector<bool> is_needed = needed(graph, outputs);
+  for (std::size_t i = 1; i < names.size(); ++i) {
+    const Graph::Made& g = graph.gates()[i];
+    if (!is_needed[i]) continue;
+    if (g.kind == Gate::input) {
+      if (names[i].empty()) throw InputError(name + ": an output rests on a bit without a name");
+      continue;
+    }
+    names[i] = fmt::format("${}", i);
+    text += fmt::format(".names {} {}", names[g.a.gate()], names[g.b.gate()]);
+    if (g.kind == Gate::choice) text += ' ' + names[g.c.gate()];
+    text += ' ' + names[i] + '\n';
+    for (const std::string& row : rows_of(g)) text += row + " 1\n";
+  }
+  for (const Port& p : outputs) {
+    if (p.bit.is_constant()) {
+      text += fmt::format(".names {}\n{}", p.name, p.bit == yes ? "1\n" : "");
+    } else {
+      text += fmt::format(".names {} {}\n{} 1\n", names[p.bit.gate()], p.name,
+                          p.bit.is_opposite() ? '0' : '1');
+    }
+  }
+  return text + ".end\n";
+}
+
+}  // namespace cosim::nets

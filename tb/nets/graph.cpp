@@ -1,0 +1,95 @@
+#include "tb/nets/graph.h"
+
+#include <utility>
+
+namespace cosim::nets {
+
+std::size_t Graph::Hash::operator()(const Made& m) const {
+  std::uint64_t h = static_cast<std::uint64_t>(m.kind);
+  for (const Bit bit : {m.a, m.b, m.c}) h = (h ^ bit.code) * 0x9E3779B97F4A7C15U + (h >> 29);
+  return static_cast<std::size_t>(h ^ (h >> 32));
+}
+
+Graph::Graph() : gates_(1) {}
+
+Bit Graph::input() {
+  inputs_.push_back({static_cast<std::uint32_t>(2 * gates_.size())});
+  gates_.push_back({Gate::input});
+  return inputs_.back();
+}
+
+Bit Graph::made(Gate kind, Bit a, Bit b, Bit c) {
+  const Made gate{kind, a, b, c};
+  const auto [at, is_new] = known_.try_emplace(gate, static_cast<std::uint32_t>(gates_.size()));
+  if (is_new) gates_.push_back(gate);
+  return {2 * at->second};
+}
+
+Bit Graph::both(Bit a, Bit b) {
+  if (a.code > b.code) std::swap(a, b);
+  if (a == no || a == !b) return no;
+  if (a == yes || a == b) return b;
+  return made(Gate::both, a, b);
+}
+
+// Opposites are drawn out of it, so that one gate serves a and b, and their opposites.
+Bit Graph::differ(Bit a, Bit b) {
+  if (a.code > b.code) std::swap(a, b);
+  if (a == no) return b;
+  if (a == yes) return !b;
+  if (a == b) return no;
+  if (a == !b) return yes;
+  const bool turned = a.is_opposite() != b.is_opposite();
+  const Bit gate = made(Gate::differ, a.is_opposite() ? !a : a, b.is_opposite() ? !b : b);
+  return turned ? !gate : gate;
+}
+
+Bit Graph::choice(Bit a, Bit b, Bit c) {
+  if (a == yes || b == c) return b;
+  if (a == no) return c;
+  if (b == !c) return differ(a, c);
+  if (b == yes || b == a) return either(a, c);
+  if (b == no || b == !a) return both(!a, c);
+  if (c == no || c == a) return both(a, b);
+  if (c == yes || c == !a) return either(!a, b);
+  if (a.is_opposite()) return choice(!a, c, b);
+  if (b.is_opposite()) return !made(Gate::choice, a, !b, !c);
+  return made(Gate::choice, a, b, c);
+}
+
+Bit Graph::looked_up(std::span<const Bit> of, std::uint64_t table) {
+  if (of.empty()) return (table & 1) != 0 ? yes : no;
+  // The last bit chooses between the halves of the table.
+  const std::size_t half = std::size_t{1} << (of.size() - 1);
+  const auto rest = of.first(of.size() - 1);
+  return choice(of.back(), looked_up(rest, table >> half), looked_up(rest, table));
+}
+
+std::vector<std::uint64_t> run(const Graph& graph, std::span<const std::uint64_t> inputs) {
+  std::vector<std::uint64_t> all;
+  all.reserve(graph.gates().size());
+  std::size_t next_input = 0;
+  for (const Graph::Made& gate : graph.gates()) {
+    const auto of = [&](Bit bit) { return in_runs(all, bit); };
+    switch (gate.kind) {
+      case Gate::constant:
+        all.push_back(0);
+        break;
+      case Gate::input:
+        all.push_back(inputs[next_input++]);
+        break;
+      case Gate::both:
+        all.push_back(of(gate.a) & of(gate.b));
+        break;
+      case Gate::differ:
+        all.push_back(of(gate.a) ^ of(gate.b));
+        break;
+      case Gate::choice:
+        all.push_back((of(gate.a) & of(gate.b)) | (~of(gate.a) & of(gate.c)));
+        break;
+    }
+  }
+  return all;
+}
+
+}  // namespace cosim::nets

@@ -1,0 +1,104 @@
+// The operations that a model may use, each as one text on machine integers and on another value
+// type, whose results can then be compared.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "model/core/bit_strings.h"
+#include "model/core/memory.h"
+
+namespace cosim::test {
+
+// Several operations at once.
+template <class V>
+V wrapped(const V& v) {
+  return select(v > V(255), v - V(511), select(v < V(-255), v + V(511), v));
+}
+template <class V>
+V exchanged(const V& v) {
+  return shift_left(v & V(0xf), 4) + (shift_right(v, 4) & V(0xf));
+}
+// An array of five at an index of three bits and more: three of its elements are not there.
+template <class V>
+Array<V, 5> five(const V& a, const V& b) {
+  return {{a, b, a + b, V(7), a - b}};
+}
+template <class V>
+V read_five(const V& a, const V& b) {
+  return read(five(a, b), b);
+}
+template <class V>
+V write_five(const V& a, const V& b) {
+  const auto written = write_where(a < V(3), write(five(a, b), b, V(11)), a, b);
+  V sum(0);
+  for (const V& e : written) sum = shift_left(sum, 2) + e;
+  return sum;
+}
+
+template <class V>
+struct Operation {
+  const char* name;
+  std::function<Word(Word, Word)> on_words;
+  std::function<V(const V&, const V&)> on_values;
+};
+
+// Every operation that a model may use, with widths and shifts of several kinds.
+template <class Value>
+std::vector<Operation<Value>> operations() {
+  // Of one body for any value type.
+  const auto of = [](const char* name, auto body) {
+    return Operation<Value>{name, [body](Word a, Word b) { return body(a, b); },
+                            [body](const Value& a, const Value& b) { return body(a, b); }};
+  };
+#define OF(name, text) \
+  of(name, []<class V>(const V& a, [[maybe_unused]] const V& b) -> V { return text; })
+#define HOLDS(name, text) OF(name, flag<V>(static_cast<Condition<V>>(text)))
+  return {
+      OF("+", a + b),
+      OF("-", a - b),
+      OF("a + a", a + a),
+      OF("8 a + low bits of b", shift_left(a, 3) + low_bits(b, 3)),
+      OF("*", a * b),
+      OF("* of a negative constant", a * V(-3)),
+      OF("* beyond a word", multiply(multiply(a, V(Word{1} << 60)), b)),
+      OF("+ beyond a word", add(shift_left(a, 60), shift_left(b, 60))),
+      OF("- beyond a word", subtract(shift_left(a, 60), shift_left(b, 60))),
+      OF("&", a & b),
+      OF("|", a | b),
+      OF("^", a ^ b),
+      OF("& | ^ with constants", ((a & V(5)) | V(2)) ^ V(-4)),
+      HOLDS("<", a < b),
+      HOLDS(">", a > b),
+      HOLDS("==", a == b),
+      HOLDS("below", below(a, b)),
+      OF("low_bits", low_bits(a, 5)),
+      OF("low_bits of few", low_bits(a, 40)),
+      HOLDS("bit", bit(a, 3)),
+      HOLDS("bit beyond", bit(a, 50)),
+      OF("shift_left", shift_left(a, 7)),
+      OF("shift_right", shift_right(a, 4)),
+      OF("shift_right of all", shift_right(a, 30)),
+      OF("shift_left by a value", shift_left(a, b)),
+      OF("shift_left by few", shift_left(a, b & V(7))),
+      OF("shift_left by many", shift_left(a, shift_left(b, 3))),
+      OF("shift_right by a value", shift_right(a, b)),
+      OF("shift_right by many", shift_right(a, shift_left(b, 3))),
+      OF("slice", slice(a, 6, 2)),
+      OF("join", join(a, b, 3)),
+      OF("invert", invert(a, 6)),
+      OF("rotate_left", rotate_left(a, 2, 5)),
+      HOLDS("all_set", all_set(a, 3)),
+      HOLDS("parity", parity(a, 7)),
+      OF("read", read_five(a, b)),
+      OF("write", write_five(a, b)),
+      OF("a sum that wraps", wrapped(a + b)),
+      OF("halves exchanged", exchanged(a)),
+      HOLDS("not, and, or", (a == b) | !((a < V(0)) & (b > V(3)))),
+      HOLDS("not of one, exclusive or", !(a == b) & ((a < V(0)) ^ (b > V(3)))),
+  };
+#undef HOLDS
+#undef OF
+}
+
+}  // namespace cosim::test

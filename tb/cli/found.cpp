@@ -242,15 +242,19 @@ void follow(std::vector<FoundNet>& nets, const std::vector<FoundNet>& wider,
   }
 }
 
-Found read(const Netlist& n) {
+Found read(const Netlist& n, bool with_registers) {
   Found found;
   found.top = n.top;
   int clock = -1;
   Reset reset;
   const std::set<int> bits = held(n.module, clock, reset);
-  found.registers = registers(n.module, bits);
-  for (const FoundNet& memory : memories(n.module)) found.registers.push_back(memory);
-  if (found.registers.empty()) refuse(n.top + " has no register");
+  if (with_registers) {
+    found.registers = registers(n.module, bits);
+    for (const FoundNet& memory : memories(n.module)) found.registers.push_back(memory);
+  }
+  if (clock < 0 || (with_registers && found.registers.empty())) {
+    refuse(n.top + " has no register");
+  }
   for (const FoundNet& port : ports(n.module, "input")) {
     if (bits_of(n.module.at("ports").at(port.name).at("bits")) == Bits{clock}) {
       found.clock = port.name;
@@ -275,15 +279,16 @@ Found read(const Netlist& n) {
 
 }  // namespace
 
-Found found_in(const std::vector<std::string>& files) {
+Found found_in(const std::vector<std::string>& files, bool registers) {
   const Netlist netlist = netlist_of(files, "", "");
-  Found found = read(netlist);
+  Found found = read(netlist, registers);
   found.parameters = parameters(netlist.module);
   for (const FoundParameter& p : found.parameters) {
     Found wider;
     try {
       wider =
-          read(netlist_of(files, found.top, fmt::format(" -chparam {} {}", p.name, p.value + 1)));
+          read(netlist_of(files, found.top, fmt::format(" -chparam {} {}", p.name, p.value + 1)),
+               registers);
     } catch (const InputError&) {
       continue;  // the RTL does not take that one: its widths stand as numbers
     }

@@ -39,7 +39,7 @@ struct Found {
 
 /// Reads the files. InputError, one line, where yosys cannot, where there is no clock or a second
 /// one, and for what a design cannot have: a latch, a bidirectional port, a register without a
-/// name.
-Found found_in(const std::vector<std::string>& files);
+/// name. Without `registers` none are looked for.
+Found found_in(const std::vector<std::string>& files, bool registers = true);
 
 }  // namespace cosim::cli

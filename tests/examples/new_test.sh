@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# new_test.sh PROGRAM
+# new_test.sh PROGRAM SOURCES
 #
-# `cosim new` reads ports, parameters and registers out of RTL, and refuses in one line what a design
-# cannot have. Status: 0 so, 1 not, 77 where yosys is not installed.
+# `cosim new` reads ports, parameters and registers out of RTL, with --stream the streams among its
+# ports, and refuses in one line what a design cannot have. SOURCES: the project's folder.
+# Status: 0 so, 1 not, 77 where yosys is not installed.
 set -euo pipefail
 
 command -v yosys > /dev/null || { echo "skipped: no yosys" && exit 77; }
-program=$1
+program=$1 sources=$2
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"
@@ -100,6 +101,67 @@ diff - <(sed -n '/^  FIELD/p' store/store.h) << 'TABLES'
   FIELD(words, p.W, bits.array<6>(p.D).unreset(), "", "")
 TABLES
 
+# Streams. Without a file it is the filter of examples/, by another name.
+"$program" new flow --stream > said
+diff - said <<< 'flow/: a filter; README.md has its two commands'
+for kind in v h; do
+  diff <(sed 's/\<fir\>/flow/g; s/\<FIR_/FLOW_/g' "$sources/examples/fir/fir.$kind") "flow/flow.$kind"
+done
+shapes=$(sed -n 's/^cosim_add_design(fir .*\(SHAPES.*\)$/\1/p' "$sources/examples/fir/CMakeLists.txt")
+grep -qxF "cosim_add_design(flow SOURCES flow.v MODEL flow.h $shapes" flow/CMakeLists.txt
+
+# Of RTL: two streams in and two out, by ready and valid, by names of another kind, with directions in
+# their names, with credits; widths that follow a parameter; what belongs to none of them.
+cat > mixed.v << 'RTL'
+module mixed #(parameter W = 5) (
+    input wire clk, input wire reset_n, input wire mode,
+    input wire a_valid, output wire a_ready, input wire [W-1:0] a_data, input wire a_last,
+    input wire s_axis_tvalid, output wire s_axis_tready, input wire [99:0] s_axis_tdata,
+    output wire sum_vld_o, input wire sum_rdy_i, output wire [W:0] sum_total_o,
+    output wire done_valid, input wire done_credit, output reg [3:0] done_tag,
+    output wire [1:0] level);
+  always @(posedge clk) done_tag <= reset_n ? a_data[3:0] : 4'd0;
+endmodule
+RTL
+"$program" new mixed mixed.v --stream > said
+diff - said << 'SAID'
+mixed/: 9 inputs, 7 outputs, as streams; README.md has its two commands
+mixed/mixed.h: run() is to be written
+mixed/mixed.h: mode is tied to 0; what belongs to a transaction is a field of it
+mixed/mixed.h: how many credits done has is to be said
+SAID
+diff - <(sed -n '/^#define\|^  FIELD\|^COSIM\|stream<\|pin::/p' mixed/mixed.h) << 'TABLES'
+#define MIXED_A(FIELD) \
+  FIELD(data, p.W, bits, "", "") \
+  FIELD(last, 1, flag, "", "")
+#define MIXED_S_AXIS(FIELD) \
+  FIELD(data, 100, bits.words<2>(), "", "")
+#define MIXED_SUM(FIELD) \
+  FIELD(total, p.W + 1, bits.at("sum_total_o"), "", "")
+#define MIXED_DONE(FIELD) \
+  FIELD(tag, 4, bits, "", "")
+COSIM_RECORD(AData, MIXED_A, Params);
+COSIM_RECORD(SAxisData, MIXED_S_AXIS, Params);
+COSIM_RECORD(SumData, MIXED_SUM, Params);
+COSIM_RECORD(DoneData, MIXED_DONE, Params);
+    return std::tuple{stream<AData>("a"), stream<SAxisData>("s_axis").prefix("s_axis_t")};
+    return std::tuple{stream<SumData>("sum").valid("sum_vld_o").ready("sum_rdy_i"), stream<DoneData>("done").credit(/* how many at the start */)};
+    return std::array{pin::reset_low("reset_n"),
+                      pin::tied("mode", 0),
+                      pin::unread("level", 2)};
+TABLES
+grep -qx 'cosim_add_design(mixed SOURCES mixed.v MODEL mixed.h SHAPES "W=5" UNPROVED)' mixed/CMakeLists.txt
+
+# A plain start and done; and what is written is a model that compiles.
+"$program" new divider "$sources/tests/stream/designs/divider.v" --stream > said
+diff - <(sed -n '/stream</p' divider/divider.h) << 'STREAMS'
+    return stream<InData>("in").prefix("").valid("start").until("done");
+    return stream<OutData>("out").prefix("").valid("done").rising();
+STREAMS
+sed -i 's,/[*] how many at the start [*]/,2,' mixed/mixed.h
+printf '#include "%s"\n' {mixed/mixed,divider/divider,flow/flow}.h |
+  "${CXX:-c++}" -std=c++20 -Wall -Wextra -Werror -fsyntax-only -I . -I "$sources" -x c++ -
+
 # refused LINE WORDS...: that is all that it says, its status is 2, and there is no folder `made`.
 refused() {
   local line="cosim: $1" said status=0
@@ -141,4 +203,14 @@ rtl '(* nomem2reg *) reg mem[0:3]; always @* if (other) mem[w[1:0]] = d; always 
 refused "new: mem: a memory that no clock writes" made made.v
 rtl 'always @* q = d;'
 refused "new: made has no register" made made.v
+refused "new: made has no register" made made.v --stream
+refused "--plain: does not go with --stream" made --plain --stream
+rtl 'always @(posedge clk) q <= d;'
+refused "new: made: no stream goes in: it has no input whose name ends in valid or vld, and not both start and done" \
+  made made.v --stream
+sed -i 's/ d,/ x_valid,/; s/<= d/<= x_valid/' made.v
+refused "new: made: no stream comes out: it has no output whose name ends in valid or vld, and not both start and done" \
+  made made.v --stream
+sed -i 's/ q,/ y_valid,/; s/q <=/y_valid <=/' made.v
+refused "new: made: the stream x has no port for what passes" made made.v --stream
 echo "read or refused"

@@ -1,0 +1,91 @@
+// The tables of a model, from the nets of RTL that was read.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "tb/cli/new.h"
+
+namespace cosim::cli {
+namespace {
+
+// The widest elements of equal width, at most 64 bits, that make up a word of a memory.
+int part_of(const FoundNet& memory) {
+  constexpr int widest = 64;
+  int part = std::min(memory.width.number, widest);
+  while (memory.width.number % part != 0) --part;
+  return part;
+}
+
+std::string text_of(const NewRow& row) {
+  const FoundNet& net = row.net;
+  const int width = net.width.number, words = net.words.number;
+  std::string format = width == 1 && net.width.parameter.empty() ? "flag" : "bits";
+  std::string shown = text_of(net.width);
+  if (words == 0 && width > 64) {
+    format += fmt::format(".words<{}>()", (width + 63) / 64);
+  } else if (words != 0) {
+    const int part = part_of(net);
+    if (part != width) {
+      shown = std::to_string(part);
+      format += fmt::format(".array<{}>()", words * (width / part));
+    } else {
+      const bool fixed = net.words.parameter.empty();
+      format += fmt::format(".array<{}>({})", words, fixed ? "" : text_of(net.words));
+    }
+  }
+  if (row.elsewhere) format += fmt::format(".at(\"{}\")", net.name);
+  if (!net.is_reset) format += ".unreset()";
+  return fmt::format("FIELD({}, {}, {}, \"\", \"\")", row.field, shown, format);
+}
+
+}  // namespace
+
+std::string upper(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return text;
+}
+
+std::string field_of(const std::string& path) {
+  std::string name = path;
+  for (char& c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  }
+  return name;
+}
+
+std::string text_of(const FoundSize& size) {
+  if (size.parameter.empty()) return std::to_string(size.number);
+  if (size.more == 0) return "p." + size.parameter;
+  return fmt::format("p.{} {} {}", size.parameter, size.more < 0 ? '-' : '+', std::abs(size.more));
+}
+
+std::string table_of(const std::string& name, const std::vector<NewRow>& rows) {
+  std::string text = fmt::format("#define {}(FIELD)", name);
+  for (const NewRow& row : rows) text += " \\\n  " + text_of(row);
+  return text + '\n';
+}
+
+std::string params_of(const Found& found) {
+  std::string members;
+  for (const FoundParameter& p : found.parameters) {
+    members += fmt::format("  int {} = {};\n", p.name, p.value);
+  }
+  return "struct Params {\n" + members + "};\n";
+}
+
+std::string parameters_of(const Found& found) {
+  std::string pairs;
+  for (const FoundParameter& p : found.parameters) {
+    pairs += fmt::format("{}{{\"{}\", p.{}}}", pairs.empty() ? "" : ", ", p.name, p.name);
+  }
+  if (pairs.empty()) return "";
+  return fmt::format(
+      "  static constexpr std::array<Parameter, {}> parameters(const Params& p) {{\n"
+      "    return {{{{{}}}}};\n"
+      "  }}\n",
+      found.parameters.size(), pairs);
+}
+
+}  // namespace cosim::cli

@@ -104,6 +104,10 @@ class DesignBench : public Bench<Design> {
     return dut_.make(power_up);
   }
 
+  std::string hostile_text() const override {
+    return assumed().empty() ? AnyBench::hostile_text()
+                             : "any value that its rules allow on any pin on any clock";
+  }
   Run run_hostile(const HostileCase& c) const override {
     const HostileStimulus<Design> hostile(params(), c);
     draw_if_wanted(*this,

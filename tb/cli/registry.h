@@ -64,10 +64,12 @@ class Registry {
     build_ = std::move(folder);
   }
   void mutants(OnDemand program) { mutants_.push_back(std::move(program)); }
+  void cover(OnDemand program) { covers_.push_back(std::move(program)); }
 
   const std::string& cmake() const { return cmake_; }
   const std::string& build_folder() const { return build_; }
   const std::vector<OnDemand>& mutants() const { return mutants_; }
+  const std::vector<OnDemand>& covers() const { return covers_; }
   const std::vector<std::function<void(const Command&)>>& commands() const { return commands_; }
   const std::vector<DesignSweeps>& sweeps() const { return sweeps_; }
   const std::vector<Example>& examples() const { return examples_; }
@@ -78,7 +80,7 @@ class Registry {
   std::vector<DesignSweeps> sweeps_;
   std::vector<Example> examples_;
   std::string cmake_, build_;
-  std::vector<OnDemand> mutants_;
+  std::vector<OnDemand> mutants_, covers_;
 };
 
 /// Makes a function of the design's own benches one of any bench.

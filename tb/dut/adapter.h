@@ -25,15 +25,19 @@ std::vector<Signal> signals_of(VerilatedContext& context, const std::string& clo
 void load_register(VerilatedContext& context, const std::string& net, Word value);
 
 /// Owns one instance of a Verilated class. Its registers power up at random from `power_up`, so
-/// that a register that no reset reaches shows.
-template <class Top>
+/// that a register that no reset reaches shows. `is_reset`: its inputs can reset it for sure.
+template <class Top, bool is_reset = true>
 class VerilatedInstance {
  public:
   explicit VerilatedInstance(std::uint32_t power_up) : machine_(acquire<Top>(power_up)) {}
-  ~VerilatedInstance() { release(std::move(machine_)); }
+  ~VerilatedInstance() { release(std::move(machine_), is_reset); }
   VerilatedInstance(const VerilatedInstance&) = delete;
   VerilatedInstance& operator=(const VerilatedInstance&) = delete;
 
+  /// The reset has ended: in a new instance coverage counts anew from here.
+  void begin() {
+    if constexpr (coverage::measured) machine_->count_from_here();
+  }
   /// Every signal of the hierarchy; empty unless Verilated with --vpi --public-flat-rw.
   std::vector<Signal> signals(const std::string& clock = "clk") const {
     return signals_of(machine_->context(), clock);

@@ -12,7 +12,9 @@
 //   outputs(), registers()       what they hold now
 //   load(field, word)            may be absent: sets a register before the first eval
 //   signals()                    may be absent: every signal of the hierarchy
-//   said(), forget_said()        may be absent: what the RTL says of itself
+//   said()                       may be absent: what the RTL says of itself
+//   begin()                      may be absent: the reset has ended, and what was before it does
+//                                not count
 #pragma once
 
 #include <cstdint>
@@ -42,9 +44,10 @@ class Dut {
   virtual void load(const Field& field, Word value) = 0;
   /// Empty if the instance does not show them.
   virtual std::vector<Signal> signals() const { return {}; }
-  /// What the RTL said of itself since it was made or told to forget it; null: nothing.
+  /// What the RTL said of itself since it was made or began; null: nothing.
   virtual const RtlSaid* said() const { return nullptr; }
-  virtual void forget_said() {}
+  /// The reset has ended: what the RTL said before does not count.
+  virtual void begin() {}
 };
 
 /// An adapter as a Dut.
@@ -75,8 +78,8 @@ class AdapterDut final : public Dut<typename Adapter::Design> {
     if constexpr (requires { adapter_.said(); }) return adapter_.said();
     return nullptr;
   }
-  void forget_said() override {
-    if constexpr (requires { adapter_.forget_said(); }) adapter_.forget_said();
+  void begin() override {
+    if constexpr (requires { adapter_.begin(); }) adapter_.begin();
   }
 
  private:
@@ -120,7 +123,7 @@ class AnyAdapter {
   void load(const Field& field, Word value) { dut_->load(field, value); }
   std::vector<Signal> signals() const { return dut_->signals(); }
   const RtlSaid* said() const { return dut_->said(); }
-  void forget_said() { dut_->forget_said(); }
+  void begin() { dut_->begin(); }
 
  private:
   std::unique_ptr<Dut<D>> dut_;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -38,15 +39,28 @@ class Instance {
   VerilatedContext& context() { return *context_; }
   Top& top() { return *top_; }
 
-  bool first_use = true;  ///< for SpareInstances
+  /// The first call of it writes the counts of coverage that there are, and takes them back to 0.
+  void count_from_here() {
+    if (!std::exchange(is_new_, false)) return;
+    leave_counts("before.");
+    context_->coveragep()->zero();
+  }
+  /// Writes the counts of coverage to a file of their own, whose name begins so.
+  void leave_counts(const std::string& begins) {
+    static std::atomic<int> number{0};
+    const std::string path = coverage::file_for(begins + top_->modelName(), number++);
+    if (!path.empty()) context_->coveragep()->write(path.c_str());
+  }
 
  private:
+  bool is_new_ = true;
   std::unique_ptr<VerilatedContext> context_ = std::make_unique<VerilatedContext>();
   std::unique_ptr<Top> top_;
 };
 
 /// Verilator counts coverage in each instance of a class. When coverage is measured, instances are
-/// kept and used again, and write their counts when the process ends.
+/// kept and used again, and write their counts when the process ends; one of a design that no input
+/// resets cannot be used again, and writes them at once.
 template <class Top>
 class SpareInstances {
  public:
@@ -62,17 +76,12 @@ class SpareInstances {
     return machine;
   }
   void give(std::unique_ptr<Instance<Top>> machine) {
-    // A random power-up state toggles bits, but not by the stimuli: the first use does not count.
-    if (std::exchange(machine->first_use, false)) machine->context().coveragep()->zero();
+    machine->count_from_here();
     const std::lock_guard lock(guard_);
     spare_.push_back(std::move(machine));
   }
   ~SpareInstances() {
-    static std::atomic<int> number{0};
-    for (const auto& machine : spare_) {
-      const std::string path = coverage::file_for(machine->top().modelName(), number++);
-      if (!path.empty()) machine->context().coveragep()->write(path.c_str());
-    }
+    for (const auto& machine : spare_) machine->leave_counts("");
   }
 
  private:
@@ -90,10 +99,11 @@ std::unique_ptr<Instance<Top>> acquire(std::uint32_t power_up) {
   return std::make_unique<Instance<Top>>(power_up);
 }
 
-/// To be called when a machine is no longer used.
+/// To be called when a machine is no longer used; `again`: it may be used again.
 template <class Top>
-void release(std::unique_ptr<Instance<Top>> machine) {
+void release([[maybe_unused]] std::unique_ptr<Instance<Top>> machine, [[maybe_unused]] bool again) {
   if constexpr (coverage::measured) {
+    if (!again) return machine->leave_counts("");
     SpareInstances<Top>::instance().give(std::move(machine));
   }
 }

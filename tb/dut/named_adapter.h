@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "model/core/design.h"
+#include "model/core/reset.h"
 #include "tb/dut/adapter.h"
 #include "tb/dut/said.h"
 
@@ -84,7 +85,8 @@ std::vector<Net> find_registers(VerilatedContext& context, const std::string& ti
 
 /// `Trait` has Design, params, and the names of the shape and of the clock: title, clock.
 template <class Top, class Trait>
-class NamedAdapter : public VerilatedInstance<Top> {
+class NamedAdapter : public VerilatedInstance<Top, has_clear<typename Trait::Design>> {
+  using Base = VerilatedInstance<Top, has_clear<typename Trait::Design>>;
   template <class Record>
   using Nets = std::array<Net, Record::size>;
 
@@ -95,7 +97,7 @@ class NamedAdapter : public VerilatedInstance<Top> {
   using Registers = typename Design::template Registers<Word>;
   static constexpr typename Design::Params params = Trait::params;
 
-  explicit NamedAdapter(std::uint32_t power_up) : VerilatedInstance<Top>(power_up) {
+  explicit NamedAdapter(std::uint32_t power_up) : Base(power_up) {
     const auto in = Inputs::fields(params);
     const auto out = Outputs::fields(params);
     Ports ports{Trait::title, Trait::clock, {in.begin(), in.end()}, {out.begin(), out.end()}};
@@ -128,11 +130,14 @@ class NamedAdapter : public VerilatedInstance<Top> {
       hear();
   }
   const RtlSaid* said() const { return said_ ? &*said_ : nullptr; }
-  void forget_said() { said_.reset(); }
+  void begin() {
+    said_.reset();
+    Base::begin();
+  }
   void drive(const Inputs& in) {
     for_each_cell<Inputs>([&](auto cell, std::size_t i) { inputs_[i].set(cell(in)); });
   }
-  std::vector<Signal> signals() const { return VerilatedInstance<Top>::signals(Trait::clock); }
+  std::vector<Signal> signals() const { return Base::signals(Trait::clock); }
   Outputs outputs() const { return read<Outputs>(outputs_); }
   Registers registers() const { return read<Registers>(registers_); }
 

@@ -86,7 +86,7 @@ class Lockstep {
     }
     take_over();
     // Before that its registers held anything.
-    if constexpr (says<Adapter>) dut_.forget_said();
+    if constexpr (requires { dut_.begin(); }) dut_.begin();
   }
   /// Starts both sides from `state` instead, for an adapter that can load registers.
   template <class PowerUp>
@@ -113,7 +113,7 @@ class Lockstep {
     Word bits = 0;
     if constexpr (!Meant<Design>::any) bits = difference(expected_.registers, dut_.registers());
     const auto step = clocked<Design, Word>(dut_.params, state_, in);
-    coverage::count<Adapter>(seen, in, step);
+    coverage::count<Adapter>(dut_.params, seen, in, step);
     copy_fields(dut_.params, expected_.outputs, step.outputs);
     if constexpr (Meant<Design>::any) {
       meant_.clock(dut_.params, seen, in, step.outputs);

@@ -7,11 +7,6 @@ function(cosim_shape_mutants)
   set(FOLDER ${CMAKE_CURRENT_BINARY_DIR}/mutants/${ID})
   set(MUTANTS Vmutants_${ID})
   set(given ${FOLDER}/read.ys ${FOLDER}/kept.txt ${FOLDER}/count.txt)
-  set(included)
-  foreach(folder IN LISTS folders)
-    file(GLOB more CONFIGURE_DEPENDS ${folder}/*)
-    list(APPEND included ${more})
-  endforeach()
   add_custom_command(OUTPUT ${FOLDER}/mutants.cpp
     COMMAND bash ${root}/tb/mutation/plant.sh
       ${FOLDER} ${MUTANTS} ${TOP} ${FOLDER}/count.txt 1 1 --vpi --public-flat-rw

@@ -40,6 +40,6 @@ yosys -q "$folder/mutants.ys"
 
 cd "$folder"
 rm -rf verilated
-verilator --cc --top-module "$top" --prefix "$prefix" --Mdir verilated -Wno-WIDTH -Wno-UNOPTFLAT \
+verilator --cc --top-module "$top" --prefix "$prefix" --Mdir verilated -Wno-fatal -Wno-lint -Wno-style \
   --x-initial unique --x-assign unique --noassert "${words[@]}" mutants.v
 (cd verilated && printf '#include "verilated/%s"\n' *.cpp) > mutants.cpp

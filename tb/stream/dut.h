@@ -21,6 +21,8 @@ class StreamDut {
   virtual std::vector<Net> nets(const Ports& ports) = 0;
   /// Settles everything that depends on the inputs and the clock.
   virtual void eval() = 0;
+  /// The reset has ended.
+  virtual void begin() {}
   /// What the RTL said of itself in the last eval(); null: nothing.
   virtual const RtlSaid* said() const { return nullptr; }
   /// Empty if the instance does not show them.
@@ -28,9 +30,11 @@ class StreamDut {
 };
 
 template <class Top>
-class VerilatedStreamDut : public StreamDut, protected VerilatedInstance<Top> {
+class VerilatedStreamDut : public StreamDut, protected VerilatedInstance<Top, false> {
+  using Base = VerilatedInstance<Top, false>;
+
  public:
-  explicit VerilatedStreamDut(std::uint32_t power_up) : VerilatedInstance<Top>(power_up) {}
+  explicit VerilatedStreamDut(std::uint32_t power_up) : Base(power_up) {}
   std::vector<Net> nets(const Ports& ports) override {
     clock_ = ports.clock;
     return find_ports(this->context(), ports);
@@ -40,8 +44,9 @@ class VerilatedStreamDut : public StreamDut, protected VerilatedInstance<Top> {
     this->top().eval();
     if (rtl_said) said_ = take_said();
   }
+  void begin() override { Base::begin(); }
   const RtlSaid* said() const override { return said_ ? &*said_ : nullptr; }
-  std::vector<Signal> signals() const override { return VerilatedInstance<Top>::signals(clock_); }
+  std::vector<Signal> signals() const override { return Base::signals(clock_); }
 
  private:
   std::string clock_;

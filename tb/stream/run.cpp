@@ -24,6 +24,7 @@ class Runner {
       if (shape.out[s].latency >= 0) has_latency_ = true;
     }
     reset();
+    dut_.begin();
     for (Giver& g : givers_) g.begin();
     for (Taker& t : takers_) t.begin();
     if (has_latency_) note_due();

@@ -1,0 +1,13 @@
+// A program that counts what the sweeps of one shape reach: its RTL was Verilated with counters.
+#pragma once
+
+#include "tb/bench/bench.h"
+
+namespace cosim::coverage {
+
+/// main() of PROGRAM FOLDER SEED CLOCKS JOBS: runs so many hostile clocks and, of a design that
+/// declares jobs, so many random ones; the counts go to files in FOLDER (counts.h).
+/// Status: 0 nothing differed; 1 something did, with a line that says what; 2 could not be run.
+int main_of(const AnyBench& bench, int argc, char** argv);
+
+}  // namespace cosim::coverage

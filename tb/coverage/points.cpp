@@ -1,0 +1,95 @@
+#include "tb/coverage/points.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <sstream>
+#include <tuple>
+
+#include "model/core/input_error.h"
+#include "tb/support/read_file.h"
+
+namespace cosim::coverage {
+namespace {
+
+namespace fs = std::filesystem;
+
+template <class Number>
+Number number_in(const std::string& text, const std::string& line) {
+  Number number = 0;
+  const auto end = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (text.empty() || end.ec != std::errc() || end.ptr != text.data() + text.size()) {
+    throw InputError(fmt::format("no count of coverage: {}", line));
+  }
+  return number;
+}
+
+// C '\1KEY\2VALUE\1KEY\2VALUE...' HITS
+Point point_in(const std::string& line) {
+  const std::size_t end = line.rfind("' ");
+  if (!line.starts_with("C '\1") || end == std::string::npos) {
+    throw InputError(fmt::format("no count of coverage: {}", line));
+  }
+  std::map<char, std::string> has;
+  std::istringstream words(line.substr(4, end - 4));
+  for (std::string word; std::getline(words, word, '\1');) {
+    const std::size_t middle = word.find('\2');
+    if (middle == std::string::npos) continue;
+    const std::string key = word.substr(0, middle);
+    has[key == "page" ? 'p' : key.front()] = word.substr(middle + 1);
+  }
+  // The page is "v_KIND/MODULE".
+  const std::string page = has['p'].substr(0, has['p'].find('/'));
+  return {page.starts_with("v_") ? page.substr(2) : page,
+          has['f'],
+          number_in<int>(has['l'], line),
+          number_in<int>(has['n'], line),
+          has['o'],
+          number_in<std::uint64_t>(line.substr(end + 2), line)};
+}
+
+}  // namespace
+
+Points read_points(const std::string& folder) {
+  using Place = std::tuple<std::string, int, int, std::string, std::string>;
+  std::map<Place, std::uint64_t> rtl;
+  Points all;
+  std::set<fs::path> paths;
+  for (const auto& file : fs::directory_iterator(folder)) paths.insert(file.path());
+  for (const fs::path& path : paths) {
+    const std::string name_of_file = path.filename().string();
+    const bool bins = name_of_file.starts_with("bins.");
+    const bool before = name_of_file.starts_with("before.");
+    std::istringstream lines(read_file(path.string()));
+    for (std::string line; std::getline(lines, line);) {
+      if (bins) {
+        // DESIGN, name and hits, a tabulator between two.
+        const std::size_t name = line.find('\t') + 1, hits = line.rfind('\t') + 1;
+        const Count count{line.substr(name, hits - 1 - name),
+                          number_in<std::uint64_t>(line.substr(hits), line)};
+        const auto same = std::find_if(all.bins.begin(), all.bins.end(),
+                                       [&](const Count& c) { return c.name == count.name; });
+        if (same == all.bins.end()) {
+          all.bins.push_back(count);
+        } else {
+          same->hits += count.hits;
+        }
+      } else if (!line.starts_with('#')) {
+        const Point p = point_in(line);
+        rtl[{p.file, p.line, p.column, p.kind, p.what}] +=
+            before && p.kind == "toggle" ? 0 : p.hits;
+      }
+    }
+  }
+  for (const auto& [place, hits] : rtl) {
+    const auto& [file, line, column, kind, what] = place;
+    all.rtl.push_back({kind, file, line, column, what, hits});
+  }
+  return all;
+}
+
+}  // namespace cosim::coverage

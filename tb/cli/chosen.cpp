@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/core/input_error.h"
+#include "tb/support/place.h"
 #include "tb/support/words.h"
 
 namespace cosim::cli {
@@ -47,6 +48,19 @@ proof::Source source_of(const AnyBench& bench) {
   proof::Source source = machine_of(bench).source;
   source.parameters = bench.parameters();
   return source;
+}
+
+std::vector<proof::Claim> claims_on(const proof::MachineFormula& machine, proof::Source source) {
+  source.asynchronous_reset = !machine.seen.empty();
+  source.parameters = machine.parameters;
+  for (const proof::Wire& w : machine.registers) {
+    if (w.field.index <= 0) source.kept.push_back(net_path(w.field.net).path);
+  }
+  const proof::Rtl rtl(source);
+  std::vector<proof::Claim> claims{claim_clear(machine, rtl), claim_step(machine, rtl),
+                                   claim_cases(machine, rtl)};
+  if (!machine.legal.empty()) claims.push_back(claim_legal(machine));
+  return claims;
 }
 
 }  // namespace cosim::cli

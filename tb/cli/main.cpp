@@ -54,6 +54,7 @@ int run(int argc, char** argv) {
         cosim::cli::add_prove(program);
         cosim::cli::add_mutate(program, registry);
         cosim::cli::add_cover(program, registry);
+        cosim::cli::add_regress(program, registry);
         cosim::cli::add_lint(program);
         cosim::cli::add_new(program);
       });

@@ -2,7 +2,6 @@
 // be none.
 #include <fmt/format.h>
 
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -10,11 +9,10 @@
 #include "tb/cli/chosen.h"
 #include "tb/cli/commands.h"
 #include "tb/cli/common.h"
+#include "tb/cli/mutants_built.h"
 #include "tb/cli/number.h"
-#include "tb/cli/on_demand.h"
 #include "tb/cli/outputs.h"
 #include "tb/report/report.h"
-#include "tb/support/place.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
 #include "tb/support/words.h"
@@ -30,16 +28,6 @@ struct MutateOptions {
   Text mutants;
   bool unproved = false, list = false;
 };
-
-// What plant.sh is given of a machine.
-void give_rtl(const OnDemand& program, const AnyBench& bench, std::uint64_t mutants) {
-  give(program, "read.ys", proof::commands_to_elaborate(source_of(bench)) + '\n');
-  give(program, "count.txt", fmt::format("{}\n", mutants));
-  std::string kept;
-  const auto fields = bench.compared();
-  for (std::size_t i = 0; i < bench.registers(); ++i) kept += net_path(fields[i].net).path + '\n';
-  give(program, "kept.txt", kept);
-}
 
 void need_tools(bool unproved) {
   std::vector<const char*> tools{"yosys"};
@@ -64,15 +52,14 @@ std::string end_of(const Json& mutant) {
 // Plants, attacks and prints; the results.
 Json attacked(const MutateOptions& o, const Registry& registry, const AnyBench& bench,
               std::uint64_t mutants) {
-  const OnDemand& program = on_demand(registry.mutants(), bench.title());
-  give_rtl(program, bench, mutants);
-  build(registry, program);
+  const std::string program = built_mutants(registry, bench, mutants);
   const Scratch scratch;
   const std::string results = (scratch.path() / "results.json").string();
   const bool plain = machine_of(bench).formula == nullptr;
   if (plain) fmt::print("{}: a plain model: no mutant can be proved equal\n", bench.title());
-  std::vector<std::string> words{path_of(program), program_name() + " prove", results, "--failures",
-                                 o.common.failures_folder()};
+  std::vector<std::string> words{program,      results,
+                                 "--prover",   program_name() + " prove",
+                                 "--failures", o.common.failures_folder()};
   if (o.unproved || plain) words.emplace_back("--unproved");
   const Ended ended = cosim::run_program(words);
   if (ended.status != 0 && ended.status != 1) {

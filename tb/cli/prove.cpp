@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "model/core/input_error.h"
+#include "tb/cli/chosen.h"
 #include "tb/cli/commands.h"
 #include "tb/cli/common.h"
 #include "tb/cli/number.h"
@@ -22,7 +23,6 @@
 #include "tb/support/interrupt.h"
 #include "tb/support/output_file.h"
 #include "tb/support/parallel.h"
-#include "tb/support/place.h"
 #include "tb/support/words.h"
 
 namespace cosim::cli {
@@ -54,11 +54,6 @@ proof::Source source_of(const ProveOptions& o, const Subject& s) {
   proof::Source source = s.source;
   if (o.rtl) source = proof::source_in(*o.rtl, s.formula.design, {});
   source.constants = s.source.constants;
-  source.asynchronous_reset = !s.formula.seen.empty();
-  source.parameters = s.formula.parameters;
-  for (const proof::Wire& w : s.formula.registers) {
-    if (w.field.index <= 0) source.kept.push_back(net_path(w.field.net).path);
-  }
   return source;
 }
 
@@ -239,10 +234,7 @@ int run(const ProveOptions& o) {
 
   in_parallel(subjects.size(), jobs, [&](std::uint64_t i) {
     Subject& s = subjects[i];
-    const proof::Rtl rtl(source_of(o, s));
-    s.claims = {claim_clear(s.formula, rtl), claim_step(s.formula, rtl),
-                claim_cases(s.formula, rtl)};
-    if (!s.formula.legal.empty()) s.claims.push_back(claim_legal(s.formula));
+    s.claims = claims_on(s.formula, source_of(o, s));
     return true;
   });
   std::vector<const Claim*> claims;

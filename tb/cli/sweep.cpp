@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
-#include <deque>
 #include <memory>
 #include <optional>
-#include <set>
 
 #include "model/core/input_error.h"
 #include "tb/cli/commands.h"
@@ -16,6 +14,7 @@
 #include "tb/cli/progress.h"
 #include "tb/cli/registry.h"
 #include "tb/cli/sweep_checkpoint.h"
+#include "tb/cli/sweeps.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/parallel.h"
 #include "tb/support/words.h"
@@ -171,25 +170,7 @@ void add_design(const Command& sweep, const DesignSweeps& swept) {
 
 void add_sweep(const Command& program, const Registry& registry) {
   const Command command = program.sub("sweep", "Many cases on every built width of a design");
-  for (const DesignSweeps& design : registry.sweeps()) add_design(command, design);
-
-  // Hostile clocks need nothing but the design, random jobs nothing but their table.
-  static std::deque<DesignSweeps> others;
-  std::set<std::string> known;
-  for (const DesignSweeps& design : registry.sweeps()) known.insert(design.design);
-  for (const auto& bench : benches()) {
-    if (!known.insert(bench->design()).second) continue;
-    const bool jobs = !bench->job_fields().empty();
-    others.push_back({bench->design(),
-                      jobs ? "Hostile clocks or random jobs" : "Hostile clocks",
-                      "--hostile 100000",
-                      {},
-                      {},
-                      "",
-                      {}});
-    if (jobs) others.back().random = job_sweep;
-    add_design(command, others.back());
-  }
+  for (const DesignSweeps* design : all_sweeps(registry)) add_design(command, *design);
 }
 
 }  // namespace cosim::cli

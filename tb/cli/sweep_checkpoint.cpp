@@ -3,75 +3,15 @@
 #include <exception>
 
 #include "model/core/input_error.h"
+#include "tb/cli/result_json.h"
 
 namespace cosim::cli {
-namespace {
-
-using Json = Checkpoint::Json;
-
-constexpr const char* total = "total";
-constexpr const char* largest = "largest";
-
-// In full: a finished sweep is not run again to learn what it measures.
-Json to_json(const Measure& m) {
-  Json j{{"name", m.name},
-         {"sum", m.sum == Measure::Sum::total ? total : largest},
-         {"title", m.title},
-         {"unit", m.unit}};
-  std::visit([&](auto value) { j["value"] = value; }, m.value);
-  return j;
-}
-
-Json to_json(const Result& r) {
-  Json measures = Json::array();
-  for (const Measure& m : r.checked.measures) measures.push_back(to_json(m));
-  return {{"cases", r.cases},
-          {"clocks", r.clocks},
-          {"jobs", r.checked.jobs},
-          {"measures", measures},
-          {"left_out", r.left_out}};
-}
-
-void get_count(const Json& j, const char* name, std::uint64_t& count) {
-  if (!j.at(name).is_number_unsigned()) throw InputError(std::string(name) + ": no count");
-  j.at(name).get_to(count);
-}
-
-Measure measure_from_json(const Json& j) {
-  Measure m;
-  j.at("name").get_to(m.name);
-  if (j.at("sum") != total && j.at("sum") != largest) throw InputError("sum: no rule");
-  m.sum = j.at("sum") == total ? Measure::Sum::total : Measure::Sum::largest;
-  j.at("title").get_to(m.title);
-  j.at("unit").get_to(m.unit);
-  if (const Json& value = j.at("value"); value.is_number_float()) {
-    m.value = value.get<double>();
-  } else {
-    get_count(j, "value", m.value.emplace<std::uint64_t>());
-  }
-  return m;
-}
-
-Result from_json(const Json& j) {
-  Result r;
-  get_count(j, "cases", r.cases);
-  get_count(j, "clocks", r.clocks);
-  get_count(j, "jobs", r.checked.jobs);
-  for (const Json& one : j.at("left_out")) {
-    if (!one.is_number_unsigned()) throw InputError("left_out: no count");
-    r.left_out.push_back(one.get<std::uint64_t>());
-  }
-  for (const Json& one : j.at("measures")) r.checked.measures.push_back(measure_from_json(one));
-  return r;
-}
-
-}  // namespace
 
 SweepCheckpoint::SweepCheckpoint(const std::string& path, const std::string& work)
     : path_(path), checkpoint_(path, work) {
-  const Json state = checkpoint_.state();
+  const Checkpoint::Json state = checkpoint_.state();
   try {
-    for (const Json& one : state) done_.push_back(from_json(one));
+    for (const Checkpoint::Json& one : state) done_.push_back(result_from(one));
   } catch (const std::exception&) {
     fail();
   }
@@ -85,7 +25,7 @@ Resume SweepCheckpoint::resume(std::size_t i, std::uint64_t cases) {
   const auto keep = [this, i](const Result& done) {
     done_[i] = done;
     if (!checkpoint_.due()) return;
-    Json state = Json::array();
+    Checkpoint::Json state = Checkpoint::Json::array();
     for (const Result& one : done_) state.push_back(to_json(one));
     checkpoint_.save(state);
   };

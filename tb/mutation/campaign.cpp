@@ -25,9 +25,12 @@ using Clock = std::chrono::steady_clock;
 /// The campaign as it goes on, in step with its checkpoint.
 class Course {
  public:
-  Course(const Subject& subject, unsigned threads, Checkpoint& checkpoint)
+  Course(const Subject& subject, unsigned threads, Checkpoint& checkpoint, const Part& part)
       : subject_(subject), threads_(threads), checkpoint_(checkpoint) {
-    campaign_.outcomes.resize(subject.mutants().size());
+    const std::size_t all = subject.mutants().size();
+    if (part.first > all) throw InputError("there is no such mutant");
+    campaign_.first = part.first;
+    campaign_.outcomes.resize(std::min<std::size_t>(part.count, all - part.first + 1));
     const auto state = checkpoint.state();
     if (state.is_null()) return;
     try {
@@ -44,14 +47,16 @@ class Course {
   std::vector<unsigned> open() const {
     std::vector<unsigned> found;
     for (std::size_t i = 0; i < campaign_.outcomes.size(); ++i) {
-      if (campaign_.outcomes[i].end == End::open) found.push_back(static_cast<unsigned>(i + 1));
+      if (campaign_.outcomes[i].end == End::open) {
+        found.push_back(static_cast<unsigned>(campaign_.first + i));
+      }
     }
     return found;
   }
 
   void decide(unsigned mutant, Outcome outcome) {
     const std::lock_guard lock(guard_);
-    campaign_.outcomes[mutant - 1] = std::move(outcome);
+    campaign_.outcomes[mutant - campaign_.first] = std::move(outcome);
     if (checkpoint_.due()) save();
   }
 
@@ -98,7 +103,7 @@ std::size_t Campaign::count(End end) const {
 }
 
 Campaign run_campaign(const Subject& subject, const Prover& prover, unsigned threads,
-                      Checkpoint& checkpoint) {
+                      Checkpoint& checkpoint, const Part& part) {
   const std::size_t quick = subject.quick();
   const std::size_t all = subject.cases().size();
   const Outcome control = attack(subject, 0, 0, quick);
@@ -106,7 +111,7 @@ Campaign run_campaign(const Subject& subject, const Prover& prover, unsigned thr
     throw InputError(subject.bench().title() + ": RTL and model differ without a mutant: " +
                      control.stimulus + ", " + control.signal);
   }
-  Course course(subject, threads, checkpoint);
+  Course course(subject, threads, checkpoint, part);
   course.attack_with(0, quick, End::open);
 
   // The prover is a program of its own: a few mutants a call, so that little is lost.
@@ -150,7 +155,9 @@ std::string to_json(const Subject& subject, const Campaign& campaign) {
   top["outcomes"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < campaign.outcomes.size(); ++i) {
     const Outcome& o = campaign.outcomes[i];
-    nlohmann::ordered_json one{{"mutant", i + 1}, {"what", subject.mutants()[i]}, {"end", o.end}};
+    const std::size_t mutant = campaign.first + i;
+    nlohmann::ordered_json one{
+        {"mutant", mutant}, {"what", subject.mutants()[mutant - 1]}, {"end", o.end}};
     if (o.end == End::killed) {
       one["stimulus"] = o.stimulus;
       one["clock"] = o.clock;

@@ -13,19 +13,26 @@ namespace cosim::mutation {
 /// For each of these mutants, whether it was proved equivalent.
 using Prover = std::function<std::vector<bool>(const std::vector<unsigned>& mutants)>;
 
+/// Mutants first, first + 1, ... of a subject.
+struct Part {
+  unsigned first = 1;
+  unsigned count = ~0U;  ///< at most
+};
+
 struct Campaign {
-  std::vector<Outcome> outcomes;  ///< that of mutsel = 1 first, none open
+  unsigned first = 1;             ///< mutsel of the first outcome
+  std::vector<Outcome> outcomes;  ///< none open
   double seconds = 0;             ///< taken, those of a run that was killed included
 
   std::size_t count(Outcome::End end) const;
 };
 
-/// Attacks every mutant with the quick stimuli, gives the survivors to the prover, and attacks
-/// those that are not proved with all other stimuli, on `threads` threads, >= 1. Continues from the
-/// checkpoint and leaves it in place. InputError if the RTL without a mutant differs from the
-/// model.
+/// Attacks every mutant of the part with the quick stimuli, gives the survivors to the prover, and
+/// attacks those that are not proved with all other stimuli, on `threads` threads, >= 1. Continues
+/// from the checkpoint and leaves it in place. InputError if the RTL without a mutant differs from
+/// the model.
 Campaign run_campaign(const Subject& subject, const Prover& prover, unsigned threads,
-                      Checkpoint& checkpoint);
+                      Checkpoint& checkpoint, const Part& part = {});
 
 /// The campaign as JSON text: an object with `design`, `parameters`, `verilog`, `mutants`,
 /// `killed`, `equivalent`, `survived`, `seconds`, and `outcomes`, an object for each mutant with

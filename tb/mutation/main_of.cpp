@@ -41,37 +41,55 @@ Prover nobody() {
       [](const std::vector<unsigned>& mutants) { return std::vector<bool>(mutants.size(), false); };
 }
 
-int run(const Subject& subject, const std::string& prover, const std::string& results, bool prove,
-        unsigned threads, const std::string& failures) {
-  Checkpoint checkpoint(results + ".part", "mutants of " + subject.bench().title());
-  const Campaign campaign =
-      run_campaign(subject, prove ? solvers(subject) : nobody(), threads, checkpoint);
-  replace_file(results, to_json(subject, campaign));
+struct Options {
+  std::string results, failures = "failures", prover = "scripts/prove";
+  bool unproved = false, about = false;
+  unsigned threads = cosim::cores();
+  Part part;
+};
+
+int run(const Subject& subject, const Options& o) {
+  if (o.about) {
+    fmt::print("{}\n{}\n", subject.bench().title(), subject.mutants().size());
+    return 0;
+  }
+  if (o.results.empty()) throw InputError("RESULTS is required");
+  Checkpoint checkpoint(o.results + ".part",
+                        fmt::format("mutants of {}, {} from {}", subject.bench().title(),
+                                    o.part.count, o.part.first));
+  const Campaign campaign = run_campaign(subject, o.unproved ? nobody() : solvers(subject),
+                                         o.threads, checkpoint, o.part);
+  replace_file(o.results, to_json(subject, campaign));
   checkpoint.done();
   for (std::size_t i = 0; i < campaign.outcomes.size(); ++i) {
     if (campaign.outcomes[i].end != Outcome::End::survived) continue;
-    const auto kept = leave_survivor(subject, static_cast<unsigned>(i + 1), prover, failures);
-    fmt::print("survived: {}, kept in: {}\n", subject.mutants()[i], kept.string());
+    const auto mutant = static_cast<unsigned>(campaign.first + i);
+    const auto kept = leave_survivor(subject, mutant, o.prover, o.failures);
+    fmt::print("survived: {}, kept in: {}\n", subject.mutants()[mutant - 1], kept.string());
   }
   return campaign.count(Outcome::End::survived) == 0 ? 0 : 1;
 }
 
 }  // namespace
 
-int main_of(const Subject& subject, const std::string& prove, int argc, char** argv) {
+int main_of(const Subject& subject, int argc, char** argv) {
   CLI::App app{"Attacks the mutants of " + subject.bench().title() +
                ".\nStatus: 0 none survived, 1 some did, 2 could not be run."};
-  std::string results, failures = "failures";
-  bool unproved = false;
-  unsigned threads = cosim::cores();
-  app.add_option("RESULTS", results, "Write the outcomes to this file, as JSON")->required();
-  app.add_flag("--unproved", unproved,
+  Options o;
+  app.add_option("RESULTS", o.results, "Write the outcomes to this file, as JSON");
+  app.add_flag("--about", o.about, "Only print two lines: of what, and how many");
+  app.add_option("--first", o.part.first, "The first mutant; default 1")
+      ->check(CLI::Range(1, 65535));
+  app.add_option("--count", o.part.count, "How many from there; default all")
+      ->check(CLI::Range(1, 65535));
+  app.add_flag("--unproved", o.unproved,
                "Prove no mutant to be the same: what is not killed survives");
-  app.add_option("--failures", failures, "Where a survivor leaves its folder");
-  app.add_option("--jobs", threads, "Threads")->check(CLI::Range(1, 1024));
+  app.add_option("--prover", o.prover, "How a survivor's folder calls what proves");
+  app.add_option("--failures", o.failures, "Where a survivor leaves its folder");
+  app.add_option("--jobs", o.threads, "Threads")->check(CLI::Range(1, 1024));
   try {
     app.parse(argc, argv);
-    return run(subject, prove, results, !unproved, threads, failures);
+    return run(subject, o);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   } catch (const std::exception& error) {

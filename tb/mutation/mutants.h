@@ -57,8 +57,7 @@ class Subject {
 /// Otherwise the outcome is open.
 Outcome attack(const Subject& subject, unsigned mutant, std::size_t first, std::size_t last);
 
-/// The program around a subject: `NAME RESULTS [--unproved] [--failures DIR] [--jobs J]`. `prove`:
-/// how a person calls what proves. The exit status.
-int main_of(const Subject& subject, const std::string& prove, int argc, char** argv);
+/// The program around a subject, whose --help says what it takes. The exit status.
+int main_of(const Subject& subject, int argc, char** argv);
 
 }  // namespace cosim::mutation

@@ -83,7 +83,7 @@ void put_left_out(Json& object, const AnyBench& bench, const Result& r) {
   }
 }
 
-Json run_json(const Outcome& o) {
+Json run_object(const Outcome& o) {
   Json object;
   object["verdict"] = o.result.match() ? "match" : "mismatch";
   object["design"] = o.bench->design();
@@ -178,7 +178,7 @@ std::string verdict_text(const std::vector<Outcome>& outcomes) {
 std::string report_json(const std::vector<Outcome>& outcomes, std::uint64_t seed,
                         const std::string& extra) {
   Json runs = Json::array();
-  for (const Outcome& o : outcomes) runs.push_back(run_json(o));
+  for (const Outcome& o : outcomes) runs.push_back(run_object(o));
 
   Json top;
   if (outcomes.size() == 1) {
@@ -218,6 +218,12 @@ std::string report_json(const std::vector<Outcome>& outcomes, std::uint64_t seed
   top["runs"] = std::move(runs);
   check_finite(top);
   return top.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string run_json(const Outcome& outcome) {
+  const Json run = run_object(outcome);
+  check_finite(run);
+  return run.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 void write_report(const std::string& path, const std::string& text) {

@@ -46,6 +46,9 @@ std::string verdict_text(const std::vector<Outcome>& outcomes);
 std::string report_json(const std::vector<Outcome>& outcomes, std::uint64_t seed,
                         const std::string& extra = "{}");
 
+/// What of that report is in `runs` for one outcome: a JSON object.
+std::string run_json(const Outcome& outcome);
+
 /// Writes the text to a file, as OutputFile does. An empty path writes nothing.
 void write_report(const std::string& path, const std::string& text);
 

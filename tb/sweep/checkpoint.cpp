@@ -19,9 +19,20 @@
 namespace cosim {
 namespace {
 
-// A hash of the program's file: another build may have other cases, or other RTL. By words and in
-// pieces, because with debug information the file has hundreds of MB.
-std::uint64_t program() {
+// No checkpoint is larger; another file may be of any size.
+constexpr std::uintmax_t most_bytes = std::uintmax_t{4} << 20;
+
+// The work of a checkpoint, short enough for an error.
+std::string shown(const Checkpoint::Json& work) {
+  constexpr std::size_t longest = 400;
+  const std::string text = work.dump(-1, ' ', true);  // ASCII: can be cut anywhere
+  return text.size() <= longest ? text : text.substr(0, longest) + "...";
+}
+
+}  // namespace
+
+// By words and in pieces, because with debug information the file has hundreds of MB.
+std::uint64_t program_hash() {
   std::ifstream file("/proc/self/exe", std::ios::binary);
   std::uint64_t hash = 0xcbf29ce484222325ULL;
   std::array<char, 1 << 16> piece;
@@ -39,21 +50,9 @@ std::uint64_t program() {
   return hash;
 }
 
-// No checkpoint is larger; another file may be of any size.
-constexpr std::uintmax_t most_bytes = std::uintmax_t{4} << 20;
-
-// The work of a checkpoint, short enough for an error.
-std::string shown(const Checkpoint::Json& work) {
-  constexpr std::size_t longest = 400;
-  const std::string text = work.dump(-1, ' ', true);  // ASCII: can be cut anywhere
-  return text.size() <= longest ? text : text.substr(0, longest) + "...";
-}
-
-}  // namespace
-
 Checkpoint::Checkpoint(std::string path, std::string work) : path_(std::move(path)) {
   if (path_.empty()) return;
-  work_ = fmt::format("{}, program {:016x}", work, program());
+  work_ = fmt::format("{}, program {:016x}", work, program_hash());
   std::error_code none;
   if (std::filesystem::exists(path_, none) && !std::filesystem::is_regular_file(path_, none)) {
     throw InputError(path_ + ": no checkpoint: not a regular file");

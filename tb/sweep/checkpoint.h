@@ -3,10 +3,14 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace cosim {
+
+/// A hash of this program's file: another build may have other cases, or other RTL.
+std::uint64_t program_hash();
 
 class Checkpoint {
  public:

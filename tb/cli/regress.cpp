@@ -1,0 +1,176 @@
+// PROGRAM regress: a regression, written once, on this host's cores or on a cluster's.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "model/core/input_error.h"
+#include "tb/cli/commands.h"
+#include "tb/cli/number.h"
+#include "tb/cli/regress_kinds.h"
+#include "tb/cli/regress_show.h"
+#include "tb/regress/lock.h"
+#include "tb/regress/worker.h"
+#include "tb/support/interrupt.h"
+#include "tb/support/parallel.h"
+#include "tb/support/read_file.h"
+#include "tb/support/words.h"
+
+namespace cosim::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using regress::RunFolder;
+
+struct RegressOptions {
+  Text file, folder, resume, shards, jobs, seed, work, only;
+  bool dry_run = false, fail_fast = false, schema = false;
+};
+
+unsigned jobs_of(const RegressOptions& o) {
+  return o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores();
+}
+
+// Another one for every run, and short enough to be typed again.
+std::uint64_t new_seed() {
+  const auto now = std::chrono::system_clock::now().time_since_epoch();
+  return static_cast<std::uint64_t>(std::chrono::duration_cast<std::chrono::seconds>(now).count());
+}
+
+// The plan and its works; none where something is wrong with it, which is then said.
+std::optional<std::pair<regress::Plan, std::vector<regress::Known>>> planned(
+    const RegressOptions& o, const regress::Kinds& kinds) {
+  const std::uint64_t seed = o.seed ? whole("--seed", *o.seed, 0, ~std::uint64_t{0}) : new_seed();
+  std::vector<std::string> errors;
+  auto plan = regress::read_plan(read_file(*o.file), *o.file, keys_of(kinds), seed, errors);
+  if (o.seed && plan.seed != seed) {
+    throw InputError(fmt::format("--seed: {} has a seed of its own, {}", *o.file, plan.seed));
+  }
+  std::vector<regress::Known> works;
+  if (errors.empty()) {
+    works = known_works(plan, kinds, fs::path(*o.file).parent_path(), *o.file, errors);
+  }
+  for (const std::string& line : errors) complain(line);
+  if (!errors.empty()) return std::nullopt;
+  return std::pair{std::move(plan), std::move(works)};
+}
+
+// NAME-1, NAME-2, ... in the folder `regressions`.
+fs::path free_folder(const std::string& name) {
+  std::string plain;
+  for (const char c : name) plain += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '-';
+  for (int i = 1;; ++i) {
+    fs::path folder = fs::path("regressions") / fmt::format("{}-{}", plain, i);
+    if (!fs::exists(folder)) return folder;
+  }
+}
+
+std::string resume_line(const RunFolder& run) {
+  return fmt::format("go on with: {} regress --resume {}\n", run.program().string(),
+                     run.path().string());
+}
+
+// Ends a run whose shards are over, for now.
+int conclude_run(const RunFolder& run, const regress::Kinds& kinds, const regress::Errors& errors) {
+  const auto results = regress::read_results(run.path() / "results", run.shards().size());
+  const regress::Report report = regress::report(run, kinds, results);
+  write_report(run, results, report);
+  for (const std::string& line : lines_of(errors)) complain(line);
+  fmt::print("{}report: {}\n", report.text, (run.path() / "report.json").string());
+  if (report.holds) return 0;
+  if (report.json["verdict"] == "unfinished") fmt::print("{}", resume_line(run));
+  return report.json["failures"].empty() ? 2 : 1;
+}
+
+int carry_out(const RunFolder& run, const RegressOptions& o, const regress::Kinds& kinds) {
+  const regress::Lock lock(run.path() / "lock");
+  RegressProgress progress;
+  const regress::LocalOptions options{jobs_of(o), o.fail_fast,
+                                      [&](const regress::Tally& tally) { progress.show(tally); }};
+  try {
+    const regress::Errors errors = run_local(run, kinds, options);
+    progress.clear();
+    return conclude_run(run, kinds, errors);
+  } catch (const Interrupted& interrupted) {
+    progress.clear();
+    const auto results = regress::read_results(run.path() / "results", run.shards().size());
+    fmt::print("interrupted: {} of {} done\n{}", results.finished(),
+               count(run.shards().size(), "shard"), resume_line(run));
+    return 128 + interrupted.signal;
+  }
+}
+
+int new_run(const RegressOptions& o, const regress::Kinds& kinds) {
+  auto known = planned(o, kinds);
+  if (!known) return 2;
+  auto& [plan, works] = *known;
+  const std::uint64_t shards =
+      o.shards ? whole("--shards", *o.shards, 1, regress::most_shards) : usual_shards(sizes(works));
+  const unsigned jobs = jobs_of(o);
+  if (o.dry_run) {
+    fmt::print("{}", dry_run_text(plan, works, shards, jobs));
+    return 0;
+  }
+  const fs::path folder = o.folder ? fs::path(*o.folder) : free_folder(plan.name);
+  const fs::path plan_folder = fs::path(*o.file).parent_path();
+  const RunFolder run = RunFolder::make(folder, std::move(plan), kinds, plan_folder, shards);
+  fmt::print("{}: seed {}, {} in {}\n", run.plan().name, run.plan().seed,
+             count(run.shards().size(), "shard"), run.path().string());
+  std::fflush(stdout);
+  return carry_out(run, o, kinds);
+}
+
+int run(const RegressOptions& o, const Registry& registry) {
+  const InterruptGuard interrupts;
+  const regress::Kinds kinds = regress_kinds(registry);
+  if (o.schema) {
+    fmt::print("{}\n", schema(keys_of(kinds)).dump(1));
+    return 0;
+  }
+  if (o.work) {
+    const RunFolder run(*o.work, kinds);
+    const auto shards = regress::shards_in(needed("--only", o.only), run.shards().size(), "--only");
+    return run_shards(run, kinds, shards, regress::host());
+  }
+  if (o.file.has_value() == o.resume.has_value()) {
+    throw InputError("regress: needs a FILE, or --resume FOLDER");
+  }
+  if (o.file) return new_run(o, kinds);
+  if (o.folder || o.shards || o.seed || o.dry_run) {
+    throw InputError("--resume: goes on as the run began: no other option but --jobs, --fail-fast");
+  }
+  jobs_of(o);
+  return carry_out(RunFolder(*o.resume, kinds), o, kinds);
+}
+
+}  // namespace
+
+void add_regress(const Command& program, const Registry& registry) {
+  auto o = std::make_shared<RegressOptions>();
+  const Command command =
+      program.sub("regress", "Many sweeps, proofs, mutants and more, as a file lists them");
+  command.argument("FILE", o->file, "The plan, a JSON file; --schema says what may be in it");
+  command.text("--folder", o->folder, "DIR",
+               "Where the run is kept, a new folder; default regressions/NAME-NUMBER");
+  command.text("--resume", o->resume, "DIR", "Go on with the run in DIR");
+  command.text("--shards", o->shards, "N",
+               "Cut into about N parts; default a minute each. The report is the same");
+  command.text("--jobs", o->jobs, "J", "Parts at a time, 1 to 1024; default one a core");
+  command.text("--seed", o->seed, "S", "Of the run; default another one each time, printed");
+  command.flag("--fail-fast", o->fail_fast, "Begin no part after one that fails");
+  command.flag("--dry-run", o->dry_run, "Only print what would run, and how it is cut");
+  command.flag("--schema", o->schema, "Only print the plan's JSON Schema, for editors");
+  command.text("--work", o->work, "DIR", "Only run parts of the run in DIR: as its processes do");
+  command.text("--only", o->only, "LIST", "Which parts those are: 0-3,7");
+  command.footer(
+      "Killed anywhere, a run goes on with --resume and ends with the same report.json.\n"
+      "Exit status: 0 all holds, 1 something does not, 2 bad input, or not all could be run.\n"
+      "Example: " +
+      program_name() + " regress --schema");
+  command.action([o, &registry] { return run(*o, registry); });
+}
+
+}  // namespace cosim::cli

@@ -1,0 +1,140 @@
+// Proofs as tasks of a regression: a claim on a machine is a unit. yosys makes the scripts once,
+// and where a claim is decided only the solvers are needed.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "model/core/input_error.h"
+#include "tb/cli/chosen.h"
+#include "tb/cli/regress_kinds.h"
+#include "tb/proof/decide.h"
+#include "tb/support/interrupt.h"
+#include "tb/support/read_file.h"
+#include "tb/support/replace_file.h"
+
+namespace cosim::cli {
+namespace {
+
+constexpr std::uint64_t usual_limit = 300, longest_limit = 86400;
+
+regress::Json as_json(const proof::Claim& claim) {
+  regress::Json queries = regress::Json::array();
+  for (const proof::Query& q : claim.queries) {
+    queries.push_back({{"asks", q.asks}, {"script", q.script}, {"eager", q.eager}});
+  }
+  return {{"what", claim.what}, {"sat", claim.wanted == proof::Answer::sat}, {"queries", queries}};
+}
+
+proof::Claim claim_from(const regress::Json& json) {
+  proof::Claim claim;
+  claim.what = json.at("what").get<std::string>();
+  claim.wanted = json.at("sat").get<bool>() ? proof::Answer::sat : proof::Answer::unsat;
+  for (const regress::Json& q : json.at("queries")) {
+    claim.queries.push_back({q.at("asks").get<std::vector<std::string>>(),
+                             q.at("script").get<std::string>(), q.at("eager").get<bool>()});
+  }
+  return claim;
+}
+
+// A solver that is not there is no finding of the proof.
+void need_solvers(const proof::Decision& decision) {
+  for (std::size_t v = 0; v < decision.solved.size(); ++v) {
+    for (const proof::Solved& one : decision.solved[v]) {
+      if (one.answer == proof::Answer::missing) {
+        throw InputError("needs " + proof::solvers()[v].name);
+      }
+    }
+  }
+}
+
+class ProveWork final : public regress::Work {
+ public:
+  ProveWork(const proof::BuiltMachine& machine, std::uint64_t claims, int limit)
+      : Work(machine.title, claims), machine_(machine), limit_(limit) {}
+
+  void prepare(const std::filesystem::path& prepared) const override {
+    regress::Json claims = regress::Json::array();
+    for (const proof::Claim& claim : claims_on(machine_.formula(), machine_.source)) {
+      claims.push_back(as_json(claim));
+    }
+    if (claims.size() != units()) throw std::logic_error("other claims than were counted");
+    replace_file(prepared.string(), claims.dump());
+  }
+
+  regress::Json run(std::uint64_t first, std::uint64_t last,
+                    const regress::Place& place) const override {
+    const auto claims = regress::Json::parse(read_file(place.prepared.string()));
+    regress::Json decided(place.checkpoint.state());
+    if (decided.is_null()) decided = regress::Json::array();
+    regress::Json failed = regress::Json::array();
+    for (std::uint64_t i = first + decided.size(); i < last; ++i) {
+      decided.push_back(decide_one(claim_from(claims.at(i))));
+      place.checkpoint.save(nlohmann::json(decided));
+    }
+    for (const regress::Json& one : decided) {
+      if (one.at("verdict") == "proved") continue;
+      failed.push_back({{"what", fmt::format("{}: {}", one["what"].get<std::string>(),
+                                             one["verdict"].get<std::string>())},
+                        {"command", "prove " + title()}});
+    }
+    regress::Json json{{"claims", std::move(decided)}};
+    if (!failed.empty()) json["failed"] = std::move(failed);
+    return json;
+  }
+
+  regress::Json merged(const std::vector<regress::Json>& results) const override {
+    regress::Json claims = regress::Json::array();
+    for (const regress::Json& one : results) {
+      for (const regress::Json& claim : one.at("claims")) claims.push_back(claim);
+    }
+    return {{"claims", claims}};
+  }
+
+ private:
+  regress::Json decide_one(const proof::Claim& claim) const {
+    InterruptGuard::check();
+    const proof::Decision decision = proof::decide({&claim}, limit_, 1).front();
+    need_solvers(decision);
+    return {{"what", claim.what}, {"verdict", decision.verdict}};
+  }
+
+  const proof::BuiltMachine& machine_;
+  int limit_;
+};
+
+class ProveKind final : public regress::Kind {
+ public:
+  regress::Keys keys() const override {
+    using Type = regress::Key::Type;
+    return {"prove",
+            {{"prove", Type::text, "A design, or a line of 'list'; RTL and model are the same"},
+             {"limit", Type::number, "Seconds of processor time for one answer; default 300", 1,
+              longest_limit}}};
+  }
+
+  regress::Works works(const regress::Task& task, const std::filesystem::path&) const override {
+    const int limit = static_cast<int>(task.number("limit", usual_limit));
+    regress::Works works;
+    for (const AnyBench* bench : chosen_benches(words_of(task.text("prove")))) {
+      const proof::BuiltMachine& machine = machine_of(*bench);
+      if (machine.formula == nullptr) {
+        throw InputError(machine.title + ": a plain model: nothing can be proved of it");
+      }
+      const proof::MachineFormula formula = machine.formula();
+      if (!formula.unobserved.empty()) {
+        throw InputError(
+            fmt::format("{}: registers are unobserved, {}: nothing can be proved of it",
+                        machine.title, fmt::join(formula.unobserved, ", ")));
+      }
+      const std::uint64_t claims = formula.legal.empty() ? 3 : 4;
+      works.push_back(std::make_unique<ProveWork>(machine, claims, limit));
+    }
+    return works;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<regress::Kind> prove_kind() { return std::make_unique<ProveKind>(); }
+
+}  // namespace cosim::cli

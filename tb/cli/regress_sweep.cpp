@@ -1,0 +1,163 @@
+// Sweeps as tasks of a regression.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "model/core/input_error.h"
+#include "tb/cli/chosen.h"
+#include "tb/cli/regress_kinds.h"
+#include "tb/cli/result_json.h"
+#include "tb/cli/sweeps.h"
+#include "tb/report/failure.h"
+#include "tb/report/report.h"
+#include "tb/support/interrupt.h"
+
+namespace cosim::cli {
+namespace {
+
+constexpr std::uint64_t most_cases = std::uint64_t{1} << 48;
+
+class SweepWork final : public regress::Work {
+ public:
+  SweepWork(const AnyBench& bench, Sweep sweep)
+      : Work(fmt::format("{}, {}", bench.title(), sweep.name), sweep.cases),
+        bench_(bench),
+        sweep_(std::move(sweep)) {}
+
+  bool ends_at_failure() const override { return true; }
+  regress::Json run(std::uint64_t first, std::uint64_t last,
+                    const regress::Place& place) const override;
+  regress::Json merged(const std::vector<regress::Json>& results) const override;
+
+ private:
+  regress::Json kept(const Result& result, const regress::Place& place) const;
+
+  const AnyBench& bench_;
+  Sweep sweep_;
+};
+
+// A sweep that ends before case `last` and, as one that goes on, begins with case `first`: cases
+// keep their numbers.
+regress::Json SweepWork::run(std::uint64_t first, std::uint64_t last,
+                             const regress::Place& place) const {
+  Sweep part = sweep_;
+  part.cases = last;
+  part.run = [this](std::uint64_t i) {
+    InterruptGuard::check();
+    return sweep_.run(i);
+  };
+  Resume resume;
+  resume.done.cases = first;
+  if (const auto state = place.checkpoint.state(); !state.is_null()) {
+    resume.done = result_from(state);
+  }
+  Result done = resume.done;
+  resume.keep = [&](const Result& now) {
+    done = now;
+    if (place.checkpoint.due()) place.checkpoint.save(to_json(now));
+  };
+  Result result;
+  try {
+    result = run_sweep(part, 1, {}, resume);
+  } catch (const Interrupted&) {
+    place.checkpoint.save(to_json(done));
+    throw;
+  }
+  result.cases -= first;
+  regress::Json json = to_json(result);
+  if (!result.match()) {
+    json["mismatch"] =
+        regress::Json::parse(run_json({&bench_, sweep_.name, result})).at("mismatch");
+    json["failed"].push_back(kept(result, place));
+  }
+  return json;
+}
+
+// The failure for the report, and its folder.
+regress::Json SweepWork::kept(const Result& result, const regress::Place& place) const {
+  if (!result.mismatch) {
+    return {{"what", fmt::format("{}: RTL and model agree, and both are wrong: {}", result.failed,
+                                 result.checked.error)}};
+  }
+  const Mismatch& m = *result.mismatch;
+  const Failure failure = leave_failure(bench_, result.failed, m, {place.failures()});
+  const std::string folder = failure.folder.lexically_relative(place.run).string();
+  return {{"what", fmt::format("{}: clock {}, {}", result.failed, m.clock,
+                               m.finding.empty() ? m.signal : m.finding)},
+          {"folder", folder},
+          {"command", "replay " + folder}};
+}
+
+regress::Json SweepWork::merged(const std::vector<regress::Json>& results) const {
+  Result sum;
+  std::optional<regress::Json> mismatch;
+  for (const regress::Json& one : results) {
+    add(sum, result_from(nlohmann::json(one)));
+    if (one.contains("mismatch")) mismatch = one["mismatch"];
+  }
+  auto json = regress::Json::parse(run_json({&bench_, sweep_.name, sum}));
+  json["cases"] = sum.cases;
+  if (mismatch) {
+    json["verdict"] = "mismatch";
+    json["mismatch"] = *mismatch;
+  }
+  return json;
+}
+
+class SweepKind final : public regress::Kind {
+ public:
+  explicit SweepKind(const Registry& registry) : registry_(registry) {}
+
+  regress::Keys keys() const override {
+    using Type = regress::Key::Type;
+    return {
+        "sweep",
+        {{"sweep", Type::text, "A design, or a line of 'list': NAME M=5 N=2; every built shape"},
+         {"exhaustive", Type::yes, "Everything, at the widths small enough for it"},
+         {"random", Type::number, "So many random cases at each width", 1, most_cases},
+         {"hostile", Type::number, "So many clocks of any value on any pin at each width", 1,
+          most_cases}}};
+  }
+  regress::Works works(const regress::Task& task, const std::filesystem::path&) const override;
+
+ private:
+  const Registry& registry_;
+};
+
+regress::Works SweepKind::works(const regress::Task& task, const std::filesystem::path&) const {
+  const auto benches = chosen_benches(words_of(task.text("sweep")));
+  const auto& all = all_sweeps(registry_);
+  const auto& design = **std::find_if(all.begin(), all.end(), [&](const DesignSweeps* one) {
+    return one->design == benches.front()->design();
+  });
+  if (task.values.size() != 2) {
+    throw InputError("needs one of \"exhaustive\", \"random\" and \"hostile\"");
+  }
+  if ((task.has("exhaustive") && !design.exhaustive) || (task.has("random") && !design.random)) {
+    throw InputError(fmt::format("{} has no {} sweep", design.design,
+                                 task.has("random") ? "random" : "exhaustive"));
+  }
+  regress::Works works;
+  for (const AnyBench* bench : benches) {
+    std::vector<Sweep> sweeps;
+    if (task.has("exhaustive")) sweeps = design.exhaustive(*bench);
+    if (task.has("random")) sweeps = {design.random(*bench, task.seed, task.number("random"))};
+    if (task.has("hostile")) sweeps = {hostile_sweep(*bench, task.seed, task.number("hostile"))};
+    for (Sweep& sweep : sweeps)
+      works.push_back(std::make_unique<SweepWork>(*bench, std::move(sweep)));
+  }
+  if (works.empty()) {
+    throw InputError("exhaustive: too wide to try everything; take " + design.exhaustible);
+  }
+  return works;
+}
+
+}  // namespace
+
+std::unique_ptr<regress::Kind> sweep_kind(const Registry& registry) {
+  return std::make_unique<SweepKind>(registry);
+}
+
+}  // namespace cosim::cli

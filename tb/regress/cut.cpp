@@ -1,0 +1,39 @@
+#include "tb/regress/cut.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace cosim::regress {
+namespace {
+
+double minutes_of(const std::vector<Size>& works) {
+  return std::accumulate(works.begin(), works.end(), 0.0,
+                         [](double sum, const Size& one) { return sum + one.minutes; });
+}
+
+}  // namespace
+
+std::uint64_t usual_shards(const std::vector<Size>& works) {
+  return static_cast<std::uint64_t>(
+      std::clamp(std::ceil(minutes_of(works)), 1.0, static_cast<double>(most_shards)));
+}
+
+std::vector<Shard> cut(const std::vector<Size>& works, std::uint64_t shards) {
+  __extension__ using Wide = unsigned __int128;
+  const double all = minutes_of(works);
+  std::vector<Shard> cuts;
+  for (std::size_t w = 0; w < works.size(); ++w) {
+    const std::uint64_t units = works[w].units;
+    const auto share = static_cast<std::uint64_t>(
+        std::llround(static_cast<double>(shards) * works[w].minutes / all));
+    const std::uint64_t parts = std::clamp(share, std::uint64_t{1}, units);
+    const auto begin = [&](std::uint64_t part) {
+      return static_cast<std::uint64_t>(static_cast<Wide>(units) * part / parts);
+    };
+    for (std::uint64_t i = 0; i < parts; ++i) cuts.push_back({w, begin(i), begin(i + 1)});
+  }
+  return cuts;
+}
+
+}  // namespace cosim::regress

@@ -1,0 +1,166 @@
+#include "tb/regress/report.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+
+#include "model/core/input_error.h"
+#include "tb/support/replace_file.h"
+#include "tb/support/words.h"
+
+namespace cosim::regress {
+namespace {
+
+// Shards of each work, by number: first and behind the last.
+std::vector<std::pair<std::uint64_t, std::uint64_t>> ranges(const RunFolder& run) {
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> all(run.works().size());
+  const auto& shards = run.shards();
+  for (std::uint64_t s = 0; s < shards.size(); ++s) {
+    auto& [first, last] = all[shards[s].work];
+    if (last == 0) first = s;
+    last = s + 1;
+  }
+  return all;
+}
+
+// A line of a failure, and how to see it again.
+std::string text_of(const Json& failure) {
+  std::string text = fmt::format("FAILED: {}: {}\n", failure.at("work").get<std::string>(),
+                                 failure.at("what").get<std::string>());
+  if (failure.contains("folder")) {
+    text += fmt::format("  kept in: {}\n", failure["folder"].get<std::string>());
+  }
+  if (failure.contains("command")) {
+    text += fmt::format("  again: {} {}\n", program_name(), failure["command"].get<std::string>());
+  }
+  return text;
+}
+
+class Putting {
+ public:
+  Putting(const RunFolder& run, const Kinds& kinds, const Results& results)
+      : run_(run), results_(results), kinds_(kinds), ranges_(ranges(run)) {}
+
+  Report all() {
+    Json tasks = Json::array();
+    std::size_t w = 0;
+    for (std::size_t t = 0; t < run_.plan().tasks.size(); ++t) tasks.push_back(task(t, w));
+    Report report;
+    report.holds = holds_;
+    Json& json = report.json;
+    json["format"] = format;
+    json["name"] = run_.plan().name;
+    json["verdict"] = unfinished_ != 0 ? "unfinished" : holds_ ? "pass" : "fail";
+    json["seed"] = run_.plan().seed;
+    json["failures"] = failures_;
+    json["tasks"] = std::move(tasks);
+    for (const Json& failure : failures_) report.text += text_of(failure);
+    if (!failures_.empty()) report.text += '\n';
+    report.text += lines_;
+    report.text +=
+        fmt::format("{}: seed {}: {}, {}, {}\nverdict: {}\n", run_.plan().name, run_.plan().seed,
+                    count(run_.plan().tasks.size(), "task"), count(failures_.size(), "failure"),
+                    unfinished_ == 0 ? "all run" : count(unfinished_, "work") + " unfinished",
+                    unfinished_ != 0 ? "UNFINISHED"
+                    : holds_         ? "pass"
+                                     : "FAIL");
+    return report;
+  }
+
+ private:
+  Json task(std::size_t t, std::size_t& w) {
+    const Task& task = run_.plan().tasks[t];
+    Json json{{"name", task.name}, {"kind", task.kind}, {"seed", task.seed}};
+    json["works"] = Json::array();
+    const Works works = run_.works_of(t, kinds_);
+    for (const auto& work : works) json["works"].push_back(one(task, *work, w++));
+    return json;
+  }
+
+  Json one(const Task& task, const Work& work, std::size_t w) {
+    std::vector<Json> parts;
+    std::size_t failures = 0;
+    bool whole = true;
+    const std::string title = fmt::format("{}: {}", task.name, work.title());
+    for (auto [s, last] = ranges_[w]; s < last && whole; ++s) {
+      if (!results_.done[s]) whole = false;
+      if (!whole) break;
+      Json part = results_.done[s]->result;
+      if (part.contains("failed")) {
+        for (const Json& failed : part["failed"]) {
+          Json failure{{"work", title}};
+          failure.update(failed);
+          failures_.push_back(std::move(failure));
+          ++failures;
+        }
+        part.erase("failed");
+      }
+      parts.push_back(std::move(part));
+      if (failures != 0 && work.ends_at_failure()) break;
+    }
+    holds_ = holds_ && whole && failures == 0;
+    unfinished_ += whole ? 0 : 1;
+    const char* verdict = !whole ? "unfinished" : failures == 0 ? "pass" : "fail";
+    lines_ += fmt::format("{:<10} {}, {}\n", verdict, title, count(work.units(), "unit"));
+    Json json{{"title", work.title()}, {"verdict", verdict}};
+    if (whole) json["result"] = work.merged(parts);
+    return json;
+  }
+
+  const RunFolder& run_;
+  const Results& results_;
+  const Kinds& kinds_;
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> ranges_;
+  Json failures_ = Json::array();
+  std::string lines_;
+  std::size_t unfinished_ = 0;
+  bool holds_ = true;
+};
+
+}  // namespace
+
+std::vector<bool> ends_at_failure(const RunFolder& run, const Kinds& kinds) {
+  std::vector<bool> all;
+  for (std::size_t t = 0; t < run.plan().tasks.size(); ++t) {
+    for (const auto& work : run.works_of(t, kinds)) all.push_back(work->ends_at_failure());
+  }
+  return all;
+}
+
+std::vector<std::uint64_t> missing(const RunFolder& run, const Results& results,
+                                   const std::vector<bool>& ends_at_failure) {
+  std::vector<std::uint64_t> all;
+  std::vector<bool> over(run.works().size());
+  for (std::uint64_t s = 0; s < run.shards().size(); ++s) {
+    const std::size_t work = run.shards()[s].work;
+    if (!over[work] && !results.done[s]) all.push_back(s);
+    over[work] = over[work] || (ends_at_failure[work] && results.failed(s));
+  }
+  return all;
+}
+
+Report report(const RunFolder& run, const Kinds& kinds, const Results& results) {
+  return Putting(run, kinds, results).all();
+}
+
+void write_report(const RunFolder& run, const Results& results, const Report& report) {
+  Json hosts = Json::object();
+  double seconds = 0;
+  for (const auto& line : results.done) {
+    if (!line) continue;
+    seconds += line->seconds;
+    hosts[line->host] = hosts.value(line->host, 0) + 1;
+  }
+  const Json times{{"shards", run.shards().size()},
+                   {"seconds", seconds},
+                   {"hosts", hosts},
+                   {"twice", results.twice},
+                   {"torn", results.torn}};
+  replace_file((run.path() / "times.json").string(), times.dump(1) + '\n');
+  replace_file((run.path() / "report.txt").string(), report.text);
+  replace_file((run.path() / "report.json").string(),
+               report.json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n');
+}
+
+}  // namespace cosim::regress

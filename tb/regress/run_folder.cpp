@@ -1,0 +1,199 @@
+#include "tb/regress/run_folder.h"
+
+#include <fmt/core.h>
+
+#include <exception>
+#include <system_error>
+#include <utility>
+
+#include "model/core/input_error.h"
+#include "tb/support/parallel.h"
+#include "tb/support/read_file.h"
+#include "tb/support/replace_file.h"
+#include "tb/support/words.h"
+
+namespace cosim::regress {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Of a short text.
+std::string hash_of(const std::string& text) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+  return fmt::format("{:016x}", hash);
+}
+
+std::string program_text() { return fmt::format("{:016x}", program_hash()); }
+
+[[noreturn]] void cannot_write(const fs::path& path, const std::error_code& error) {
+  throw InputError(fmt::format("{}: cannot write: {}", path.string(), error.message()));
+}
+
+void make_folder(const fs::path& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) cannot_write(path, error);
+}
+
+// Removed unless it is kept. The folder itself was made by nobody else.
+class New {
+ public:
+  explicit New(const fs::path& path) : path_(path) {
+    std::error_code error;
+    if (fs::exists(path, error)) throw InputError(path.string() + ": is there already");
+    make_folder(path);
+  }
+  ~New() {
+    std::error_code ignored;
+    if (!kept_) fs::remove_all(path_, ignored);
+  }
+  New(const New&) = delete;
+  New& operator=(const New&) = delete;
+  void keep() { kept_ = true; }
+
+ private:
+  fs::path path_;
+  bool kept_ = false;
+};
+
+Json to_json(const std::vector<Known>& works) {
+  Json all = Json::array();
+  for (const Known& w : works) {
+    all.push_back({{"task", w.task},
+                   {"in_task", w.in_task},
+                   {"title", w.title},
+                   {"units", w.size.units},
+                   {"minutes", w.size.minutes}});
+  }
+  return all;
+}
+
+std::vector<Known> works_from(const Json& json) {
+  std::vector<Known> works;
+  for (const Json& w : json) {
+    works.push_back({w.at("task").get<std::size_t>(),
+                     w.at("in_task").get<std::size_t>(),
+                     w.at("title").get<std::string>(),
+                     {w.at("units").get<std::uint64_t>(), w.at("minutes").get<double>()}});
+  }
+  return works;
+}
+
+void copy_program(const fs::path& to) {
+  std::error_code error;
+  fs::copy_file("/proc/self/exe", to, error);
+  if (error) cannot_write(to, error);
+}
+
+}  // namespace
+
+std::vector<Known> known_works(const Plan& plan, const Kinds& kinds, const fs::path& folder,
+                               const std::string& path, std::vector<std::string>& errors) {
+  std::vector<Known> all;
+  for (std::size_t t = 0; t < plan.tasks.size(); ++t) {
+    const Task& task = plan.tasks[t];
+    try {
+      const Works works = kind_of(kinds, task).works(task, folder);
+      double units = 0;
+      for (const auto& work : works) units += static_cast<double>(work->units());
+      for (std::size_t i = 0; i < works.size(); ++i) {
+        const std::uint64_t own = works[i]->units();
+        all.push_back(
+            {t, i, works[i]->title(), {own, task.minutes * static_cast<double>(own) / units}});
+      }
+    } catch (const InputError& error) {
+      errors.push_back(one_line(fmt::format("{}: {}: {}", path, task.place, error.what())));
+    }
+  }
+  return all;
+}
+
+std::vector<Size> sizes(const std::vector<Known>& works) {
+  std::vector<Size> all;
+  for (const Known& w : works) all.push_back(w.size);
+  return all;
+}
+
+RunFolder RunFolder::make(const fs::path& folder, Plan plan, const Kinds& kinds,
+                          const fs::path& plan_folder, std::uint64_t shards) {
+  RunFolder run;
+  run.path_ = fs::absolute(folder).lexically_normal();
+  if (!run.path_.has_filename()) run.path_ = run.path_.parent_path();
+  New made(run.path_);
+  for (const char* part : {"results", "checkpoints", "failures", "logs", "files", "prepared"}) {
+    make_folder(run.path_ / part);
+  }
+  for (Task& task : plan.tasks) kind_of(kinds, task).keep(task, plan_folder, run.path_);
+  run.plan_ = std::move(plan);
+  std::vector<std::string> errors;
+  run.works_ = known_works(run.plan_, kinds, run.path_, run.path_.string(), errors);
+  if (!errors.empty()) throw InputError(errors.front());
+  run.shards_ = cut(sizes(run.works_), shards);
+
+  std::vector<Works> works;
+  for (std::size_t t = 0; t < run.plan_.tasks.size(); ++t) works.push_back(run.works_of(t, kinds));
+  in_parallel(run.works_.size(), cores(), [&](std::uint64_t i) {
+    works[run.works_[i].task][run.works_[i].in_task]->prepare(run.prepared(i));
+    return true;
+  });
+
+  copy_program(run.program());
+  const std::string text = regress::to_json(run.plan_).dump(1) + '\n';
+  replace_file((run.path_ / "plan.json").string(), text);
+  const Json json{{"format", format},
+                  {"program", program_text()},
+                  {"plan", hash_of(text)},
+                  {"shards", shards},
+                  {"works", to_json(run.works_)}};
+  replace_file((run.path_ / "run.json").string(), json.dump(1) + '\n');
+  made.keep();
+  return {run.path_, kinds};
+}
+
+RunFolder::RunFolder(const fs::path& folder, const Kinds& kinds)
+    : path_(fs::absolute(folder).lexically_normal()) {
+  if (!path_.has_filename()) path_ = path_.parent_path();
+  const std::string name = (path_ / "run.json").string();
+  if (!fs::exists(name)) throw InputError(path_.string() + ": is no folder of a regression");
+  const Json json = Json::parse(read_file(name), nullptr, false);
+  const auto none = [&] { return InputError(name + ": is not that of a regression"); };
+  if (!json.is_object()) throw none();
+  if (json.value("format", 0) != format) throw InputError(name + ": is of another format");
+  try {
+    const std::string text = read_file((path_ / "plan.json").string());
+    if (json.at("program") != program_text()) {
+      throw InputError(fmt::format("{}: a run of another program or build: its own is {}",
+                                   path_.string(), program().string()));
+    }
+    if (json.at("plan") != hash_of(text)) {
+      throw InputError(path_.string() + ": its plan.json was changed");
+    }
+    std::vector<std::string> errors;
+    plan_ = read_plan(text, (path_ / "plan.json").string(), keys_of(kinds), 0, errors);
+    if (!errors.empty()) throw InputError(errors.front());
+    works_ = works_from(json.at("works"));
+    shards_ = cut(sizes(works_), json.at("shards").get<std::uint64_t>());
+    identity_ = program_text() + hash_of(text + json.at("shards").dump());
+  } catch (const Json::exception&) {
+    throw none();
+  }
+}
+
+fs::path RunFolder::program() const { return path_ / program_name(); }
+
+fs::path RunFolder::prepared(std::size_t work) const {
+  return path_ / "prepared" / std::to_string(work);
+}
+
+double RunFolder::minutes(std::uint64_t shard) const {
+  const Shard& s = shards_[shard];
+  const Size& size = works_[s.work].size;
+  return size.minutes * static_cast<double>(s.last - s.first) / static_cast<double>(size.units);
+}
+
+Works RunFolder::works_of(std::size_t task, const Kinds& kinds) const {
+  return kind_of(kinds, plan_.tasks[task]).works(plan_.tasks[task], path_);
+}
+
+}  // namespace cosim::regress

@@ -1,0 +1,134 @@
+// Regressions in which something does not hold, or cannot be run.
+#include "tests/regress/run.h"
+
+namespace cosim::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+// Of the faulty program: right at M=5 N=2 and wrong at M=32 N=26.
+constexpr const char* one_wrong = R"(
+  {"name": "good", "sweep": "linear M=5 N=2", "random": 50},
+  {"name": "both", "sweep": "linear", "random": 300},
+  {"name": "after", "sweep": "linear M=5 N=2", "hostile": 5000})";
+
+TEST_F(Regression, WithAFaultIsTheSameHoweverItIsCut) {
+  plan(one_wrong);
+  for (const char* shards : {"1", "2", "7", "100"}) {
+    const Ended e = faulty(fresh(shards, {"--shards", shards}));
+    EXPECT_EQ(e.status, 1) << e.err;
+    EXPECT_TRUE(e.out.find("FAILED: both: linear M=32 N=26, ") < e.out.find("pass ")) << e.out;
+    EXPECT_EQ(report(shards), report("1")) << shards;
+  }
+  const Json json = Json::parse(report("1"));
+  EXPECT_EQ(json["verdict"], "fail");
+  ASSERT_EQ(json["failures"].size(), 1U);
+  EXPECT_EQ(json["tasks"][1]["works"][1]["result"]["mismatch"]["signal"], "counter4");
+
+  // What stands there replays.
+  const std::string folder = json["failures"][0]["folder"];
+  const Ended again = faulty({"replay", folder_.path("7/" + folder)});
+  EXPECT_EQ(again.status, 1) << again.err;
+  EXPECT_EQ(json["failures"][0]["command"], "replay " + folder);
+}
+
+TEST_F(Regression, StopsAtAFailureWhereThatIsWanted) {
+  plan(one_wrong);
+  const Ended e = faulty(fresh("run", {"--shards", "20", "--jobs", "1", "--fail-fast"}));
+  EXPECT_EQ(e.status, 1) << e.err;
+  const Json json = Json::parse(report("run"));
+  EXPECT_EQ(json["verdict"], "unfinished");
+  EXPECT_EQ(json["failures"].size(), 1U);
+  EXPECT_EQ(json["tasks"][2]["works"][0]["verdict"], "unfinished");
+  // Gone on with, it is the whole.
+  EXPECT_EQ(faulty(resumed("run")).status, 1);
+  EXPECT_EQ(faulty(fresh("whole", {"--shards", "1"})).status, 1);
+  EXPECT_EQ(report("run"), report("whole"));
+}
+
+TEST_F(Regression, WhoseProgramFailsOrIsNotThereSaysSo) {
+  plan(R"({"name": "fails", "run": ["sh", "-c", "echo one; echo why; exit 3"]},
+          {"name": "good", "run": ["true"]},
+          {"name": "none", "run": ["./no-such-program"]})");
+  const Ended e = cosim(fresh("run"));
+  EXPECT_EQ(e.status, 1);
+  EXPECT_EQ(lines(e.err), std::vector<std::string>{"cosim: shard 2: needs ./no-such-program"});
+  const Json json = Json::parse(report("run"));
+  EXPECT_EQ(json["failures"][0]["what"], "status 3: why");
+  EXPECT_EQ(json["tasks"][1]["works"][0]["verdict"], "pass");
+  EXPECT_EQ(json["tasks"][2]["works"][0]["verdict"], "unfinished");
+}
+
+// One line for each thing that is wrong, with the file and the place; nothing is made.
+void expect_refused(const Folder& folder, const std::string& text,
+                    const std::vector<std::string>& wrong) {
+  const std::string path = folder.write("plan.json", text);
+  const Ended e = cosim({"regress", path, "--folder", folder.path("run")});
+  EXPECT_EQ(e.status, 2) << text;
+  std::vector<std::string> expected;
+  for (const std::string& one : wrong) expected.push_back("cosim: " + path + ": " + one);
+  EXPECT_EQ(lines(e.err), expected) << text;
+  EXPECT_EQ(e.out, "");
+  EXPECT_FALSE(folder.holds("run"));
+}
+
+TEST_F(Regression, OfABadPlanIsRefusedWhole) {
+  const std::string head = R"({"format": 1, "name": "n", "tasks": [)";
+  expect_refused(folder_, "",
+                 {"no JSON: at line 1, column 1: syntax error while parsing value - "
+                  "unexpected end of input; expected '[', '{', or a literal"});
+  expect_refused(folder_, "[]", {"no plan: needs an object with \"format\": 1"});
+  expect_refused(folder_, R"({"format": 2})", {"no plan: needs an object with \"format\": 1"});
+  expect_refused(folder_, R"({"format": 1, "more": 1})",
+                 {"more: no such key", "name: is needed", "tasks: needs a list of tasks"});
+  expect_refused(folder_, head + "]}", {"tasks: needs a list of tasks"});
+  expect_refused(folder_, head + R"({"name": "a", "sweep": "linear", "hostile": 0},
+                {"name": "a", "sweep": "linear", "prove": "linear"},
+                {"sweep": "linear", "random": "x", "minutes": -1, "foo": 1}, 7, {"name": "b"},
+                {"name": "c", "run": []}, {"name": "", "sweep": "linear", "exhaustive": 1}]})",
+                 {"tasks[0].hostile: needs a whole number from 1 to 281474976710656",
+                  "tasks[1]: both \"sweep\" and \"prove\"",
+                  "tasks[2].random: needs a whole number from 1 to 281474976710656",
+                  "tasks[2].minutes: needs a whole number from 1 to 10000000",
+                  "tasks[2].foo: no such key of \"sweep\"", "tasks[2]: name: is needed",
+                  "tasks[3]: is no object",
+                  "tasks[4]: has none of \"sweep\", \"prove\", \"mutate\", \"fuzz\", \"run\"",
+                  "tasks[5].run: needs a list of texts", "tasks[6].name: needs a text",
+                  "tasks[6].exhaustive: can only be true"});
+  expect_refused(
+      folder_,
+      head + R"({"name": "a", "sweep": "linear"}, {"name": "b", "sweep": "lin", "random": 3},
+                {"name": "c", "sweep": "linear M=32", "exhaustive": true},
+                {"name": "d", "mutate": "linear"}, {"name": "e", "fuzz": "none"},
+                {"name": "f", "prove": "linear M=99"},
+                {"name": "g", "mutate": "linear", "programs": ["plan.json"]}]})",
+      {"tasks[0]: needs one of \"exhaustive\", \"random\" and \"hostile\"",
+       "tasks[1]: 'lin' is not built; see cosim list",
+       "tasks[2]: exhaustive: too wide to try everything; take M <= 8",
+       "tasks[3]: needs \"programs\"", "tasks[4]: fuzz: no such file: none",
+       "tasks[5]: 'linear M=99' is not built; see cosim list",
+       "tasks[6]: plan.json: cannot be run"});
+}
+
+TEST_F(Regression, OfABadCommandLineIsRefused) {
+  plan(R"({"name": "a", "run": ["true"]})");
+  const auto refusal = [&](const Arguments& arguments) {
+    const Ended e = cosim(arguments);
+    EXPECT_EQ(e.status, 2);
+    EXPECT_EQ(lines(e.err).size(), 1U) << e.err;
+    return e.err;
+  };
+  const std::string file = folder_.path("plan.json");
+  EXPECT_EQ(refusal({"regress"}), "cosim: regress: needs a FILE, or --resume FOLDER\n");
+  EXPECT_NE(refusal({"regress", file, "--shards", "0"}).find("--shards"), std::string::npos);
+  EXPECT_NE(refusal({"regress", file, "--seed", "1"}).find("has a seed of its own, 7"),
+            std::string::npos);
+  EXPECT_NE(refusal({"regress", "--resume", folder_.path("x")}).find("no folder of a regression"),
+            std::string::npos);
+  EXPECT_NE(refusal({"regress", file, "--folder", folder_.path("")}).find("is there already"),
+            std::string::npos);
+  EXPECT_EQ(folder_.names(), std::vector<std::string>{"plan.json"});
+}
+
+}  // namespace
+}  // namespace cosim::cli

@@ -1,0 +1,76 @@
+// Lines that were cut off are seen wherever the cut is, and cost no other line.
+#include "tb/regress/results.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/cli/folder.h"
+
+namespace cosim::regress {
+namespace {
+
+Line line(std::uint64_t shard) {
+  return {shard, "here", 0.5, Json{{"clocks", 100 + shard}, {"text", "\"}\n{ \xc3\xa4"}}, ""};
+}
+
+TEST(Results, OfEveryCutAreWhatWasWhole) {
+  const cli::Folder whole;
+  for (std::uint64_t s = 0; s < 3; ++s) append(whole.path("a.jsonl"), line(s));
+  const std::string text = whole.text("a.jsonl");
+  for (std::size_t size = 0; size <= text.size(); ++size) {
+    const cli::Folder folder;
+    folder.write("a.jsonl", text.substr(0, size));
+    const std::string left = text.substr(0, size);
+    const auto lines = static_cast<std::uint64_t>(std::count(left.begin(), left.end(), '\n'));
+    const bool torn = !left.empty() && left.back() != '\n';
+
+    const Results before = read_results(folder.path(""), 3);
+    EXPECT_EQ(before.finished(), lines) << size;
+    EXPECT_EQ(before.torn, torn ? 1U : 0U) << size;
+
+    // What is appended then stands on a line of its own.
+    append(folder.path("a.jsonl"), line(2));
+    const Results after = read_results(folder.path(""), 3);
+    ASSERT_TRUE(after.done[2]) << size;
+    EXPECT_EQ(after.done[2]->result, line(2).result);
+    // A line whose '\n' alone was lost is whole again.
+    const bool healed = size + 1 == text.size() || (torn && text[size] == '\n');
+    EXPECT_EQ(after.finished() + after.torn + after.twice, lines + (torn ? 1 : 0) + 1);
+    if (!healed) EXPECT_EQ(after.torn, torn ? 1U : 0U) << size;
+  }
+}
+
+TEST(Results, OfAShardCountOnce) {
+  const cli::Folder folder;
+  append(folder.path("b.jsonl"), line(1));
+  Line other = line(1);
+  other.host = "there";
+  append(folder.path("a.jsonl"), other);
+  const Results results = read_results(folder.path(""), 2);
+  EXPECT_EQ(results.finished(), 1U);
+  EXPECT_EQ(results.twice, 1U);
+  EXPECT_EQ(results.done[1]->host, "there") << "files in the order of their names";
+}
+
+TEST(Results, ThatCouldNotBeHadAreErrorsUntilTheyAre) {
+  const cli::Folder folder;
+  Line failed{1, "here", 0, {}, "needs a solver"};
+  append(folder.path("a.jsonl"), failed);
+  EXPECT_EQ(read_results(folder.path(""), 2).errors.at(1), "needs a solver");
+  append(folder.path("a.jsonl"), line(1));
+  const Results results = read_results(folder.path(""), 2);
+  EXPECT_TRUE(results.errors.empty());
+  EXPECT_TRUE(results.done[1]);
+}
+
+TEST(Results, OfNoShardOfTheRunAreNone) {
+  const cli::Folder folder;
+  folder.write("a.jsonl",
+               "null\n[]\n{}\n{\"shard\":0}\n{\"shard\":9,\"host\":\"\",\"seconds\":0,"
+               "\"result\":{}}\n{\"shard\":0,\"host\":\"\",\"seconds\":0,\"result\":7}\n\n");
+  const Results results = read_results(folder.path(""), 2);
+  EXPECT_EQ(results.finished(), 0U);
+  EXPECT_EQ(results.torn, 7U);
+}
+
+}  // namespace
+}  // namespace cosim::regress

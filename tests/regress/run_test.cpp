@@ -1,0 +1,172 @@
+// A regression ends in the same report however it is cut, killed and gone on with.
+#include <csignal>
+#include <fstream>
+#include <random>
+#include <set>
+
+#include "tests/regress/run.h"
+#include "tests/support/solvers.h"
+
+namespace cosim::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+// Some seconds of work, of every kind that needs no program of its own.
+constexpr const char* tasks = R"(
+  {"name": "any pins", "sweep": "linear M=5 N=2", "hostile": 400000},
+  {"name": "jobs", "sweep": "linear", "random": 3000, "seed": 11},
+  {"name": "all", "sweep": "linear M=5 N=2", "exhaustive": true},
+  {"name": "program", "run": ["true"]})";
+
+class WholeRegression : public Regression {
+ protected:
+  void SetUp() override {
+    plan(tasks);
+    const Ended e = cosim(fresh("one", {"--shards", "1"}));
+    ASSERT_EQ(e.status, 0) << e.out << e.err;
+    expected_ = report("one");
+  }
+  std::string expected_;
+};
+
+TEST_F(WholeRegression, IsTheSameInEveryByteHoweverItIsCut) {
+  std::set<std::uint64_t> shards{times("one")["shards"].get<std::uint64_t>()};
+  for (const char* number : {"2", "7", "100"}) {
+    const Ended e = cosim(fresh(number, {"--shards", number}));
+    EXPECT_EQ(e.status, 0) << e.err;
+    EXPECT_EQ(report(number), expected_) << number;
+    EXPECT_EQ(folder_.text(number + std::string("/report.txt")), folder_.text("one/report.txt"));
+    shards.insert(times(number)["shards"].get<std::uint64_t>());
+    EXPECT_TRUE(std::filesystem::is_empty(folder_.path(number + std::string("/checkpoints"))));
+  }
+  EXPECT_GE(shards.size(), 2U) << "it was always cut alike";
+  EXPECT_GE(*shards.rbegin(), 70U);
+}
+
+TEST_F(WholeRegression, SaysWhatTheSweepItselfSays) {
+  ASSERT_EQ(cosim({"sweep", "linear", "--m", "5", "--n", "2", "--hostile", "400000", "--seed", "7",
+                   "--report", folder_.path("sweep")})
+                .status,
+            0);
+  const Json sweep = Json::parse(folder_.text("sweep"))["runs"][0];
+  Json result = Json::parse(expected_)["tasks"][0]["works"][0]["result"];
+  EXPECT_EQ(result["cases"], 400);
+  result.erase("cases");
+  EXPECT_EQ(result, sweep);
+}
+
+// Killed in every phase: while it is made, in shards, while the report is written.
+TEST_F(WholeRegression, GoesOnAfterKills) {
+  std::minstd_rand random(std::random_device{}());
+  std::uniform_int_distribution moment(0, 600);
+  for (const char* shards : {"1", "40"}) {
+    int killed = 0;
+    bool made = false;
+    for (int i = 0; i < 8; ++i) {
+      const Arguments arguments = made ? resumed("run") : fresh("run", {"--shards", shards});
+      killed += cosim_killed(arguments, moment(random)) ? 1 : 0;
+      made = folder_.holds("run/run.json");
+      if (!made) std::filesystem::remove_all(folder_.path("run"));
+    }
+    EXPECT_GE(killed, 2);
+    const Ended e = cosim(made ? resumed("run") : fresh("run", {"--shards", shards}));
+    EXPECT_EQ(e.status, 0) << e.err;
+    EXPECT_EQ(report("run"), expected_) << shards;
+    std::filesystem::remove_all(folder_.path("run"));
+  }
+}
+
+TEST_F(WholeRegression, RunsAgainWhatHasOnlyHalfALine) {
+  ASSERT_EQ(cosim(fresh("run", {"--shards", "40"})).status, 0);
+  const std::string name = "run/" + results_of("run");
+  const std::string text = folder_.text(name);
+  folder_.write(name, text.substr(0, text.size() - 20));
+  std::filesystem::remove(folder_.path("run/report.json"));
+  EXPECT_EQ(cosim(resumed("run")).status, 0);
+  EXPECT_EQ(report("run"), expected_);
+  EXPECT_EQ(times("run")["torn"], 1);
+  EXPECT_EQ(times("run")["twice"], 0);
+
+  folder_.write("run/results/zz.jsonl", text);
+  EXPECT_EQ(cosim(resumed("run")).status, 0);
+  EXPECT_EQ(report("run"), expected_);
+  EXPECT_EQ(times("run")["twice"], times("run")["shards"]);
+}
+
+TEST_F(WholeRegression, IsThatOfOneProgramAndOnePlan) {
+  const Ended e = another_build(resumed("one"));
+  EXPECT_EQ(e.status, 2);
+  EXPECT_EQ(lines(e.err).size(), 1U) << e.err;
+  EXPECT_NE(e.err.find("a run of another program or build"), std::string::npos) << e.err;
+  std::string plan = folder_.text("one/plan.json");
+  plan.replace(plan.find("400000"), 6, "400001");
+  folder_.write("one/plan.json", plan);
+  const Ended changed = cosim(resumed("one"));
+  EXPECT_EQ(changed.status, 2);
+  EXPECT_NE(changed.err.find("its plan.json was changed"), std::string::npos) << changed.err;
+}
+
+// What needs other programs: the solvers, and one that attacks mutants.
+TEST_F(Regression, OfProofsAndMutantsIsTheSameHoweverItIsCut) {
+  if (!test::can_prove()) GTEST_SKIP() << "needs yosys, cvc5 and z3";
+  std::ifstream list(COSIM_MUTANTS);
+  std::string program;
+  std::getline(list, program);
+  plan(R"({"name": "claims", "prove": "linear M=5 N=2"},
+          {"name": "mutants", "mutate": "linear", "programs": [")" +
+       program + "\"]}");
+  for (const char* shards : {"1", "9"}) {
+    const Ended e = cosim(fresh(shards, {"--shards", shards}));
+    EXPECT_EQ(e.status, 0) << e.out << e.err;
+    EXPECT_EQ(report(shards), report("1"));
+  }
+  const Json report = Json::parse(this->report("9"));
+  EXPECT_EQ(report["tasks"][0]["works"][0]["result"]["claims"].size(), 3U);
+  const Json result = report["tasks"][1]["works"][0]["result"];
+  EXPECT_EQ(result["mutants"], 100);
+  EXPECT_EQ(result["outcomes"][99]["mutant"], 100);
+  EXPECT_EQ(result["survived"], 0);
+}
+
+TEST_F(Regression, SaysWhenItIsInterruptedHowToGoOn) {
+  plan(R"({"name": "a", "sweep": "linear M=5 N=2", "hostile": 4000000})");
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const std::string name = "run" + std::to_string(signal);
+    const Ended e = cosim_signalled(fresh(name, {"--shards", "1"}), signal,
+                                    [&] { return folder_.holds(name + "/checkpoints/0"); });
+    EXPECT_EQ(e.status, 128 + signal);
+    EXPECT_NE(e.out.find("interrupted: 0 of 1 shard done"), std::string::npos) << e.out;
+    EXPECT_NE(e.out.find("regress --resume " + folder_.path(name)), std::string::npos) << e.out;
+    EXPECT_TRUE(folder_.holds(name + "/checkpoints/0"));
+    EXPECT_EQ(cosim(resumed(name)).status, 0);
+  }
+  EXPECT_EQ(report("run2"), report("run15"));
+}
+
+TEST_F(Regression, HasASeedOfItsOwnWhereThePlanHasNone) {
+  folder_.write("plan.json", R"({"format": 1, "name": "n", "tasks": [
+    {"name": "a", "sweep": "linear M=5 N=2", "hostile": 1000}]})");
+  const Ended e = cosim(fresh("one"));
+  EXPECT_EQ(e.status, 0) << e.err;
+  const auto seed = Json::parse(report("one"))["seed"].get<std::uint64_t>();
+  EXPECT_NE(e.out.find("seed " + std::to_string(seed)), std::string::npos) << e.out;
+  EXPECT_EQ(cosim(fresh("two", {"--seed", std::to_string(seed)})).status, 0);
+  EXPECT_EQ(report("two"), report("one"));
+  EXPECT_EQ(cosim(fresh("three", {"--seed", "5"})).status, 0);
+  EXPECT_NE(report("three"), report("one"));
+}
+
+TEST_F(Regression, MadeForADryRunLeavesNothing) {
+  plan(tasks);
+  const Ended e = cosim(fresh("run", {"--dry-run", "--shards", "100", "--jobs", "2"}));
+  EXPECT_EQ(e.status, 0) << e.err;
+  EXPECT_EQ(folder_.names(), std::vector<std::string>{"plan.json"});
+  EXPECT_NE(e.out.find("any pins: linear M=5 N=2"), std::string::npos) << e.out;
+  EXPECT_NE(e.out.find("thought to take 4 min of processor time, 2 min on 2 cores"),
+            std::string::npos)
+      << e.out;
+}
+
+}  // namespace
+}  // namespace cosim::cli

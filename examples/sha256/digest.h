@@ -7,7 +7,7 @@
 
 namespace cosim::sha256 {
 
-using Block = std::array<std::uint32_t, 16>;
+using Words = std::array<std::uint32_t, 16>;
 using Digest = std::array<std::uint32_t, 8>;
 
 inline constexpr std::uint32_t constants[64] = {
@@ -26,7 +26,7 @@ inline constexpr Digest start = {0x6a09e667, 0xbb67ae85, 0x3c6ef372, 0xa54ff53a,
                                  0x510e527f, 0x9b05688c, 0x1f83d9ab, 0x5be0cd19};
 
 /// H(i) from H(i - 1) and M(i).
-constexpr Digest hashed(const Digest& before, const Block& m) {
+constexpr Digest hashed(const Digest& before, const Words& m) {
   std::array<std::uint32_t, 64> w{};
   for (std::size_t t = 0; t < 64; ++t) {
     if (t < 16) {

@@ -1,41 +1,48 @@
-// What comes out of sha256.v for what goes in.
+// The models of sha256.v: what comes out for what goes in, and what it does on every clock.
 #pragma once
 
 #include <cstdint>
 
+#include "clocks.h"
 #include "digest.h"
 #include "model/core/stream.h"
 
 namespace cosim::sha256 {
 
-struct Params {};
-
 #define SHA256_BLOCK(FIELD)                                       \
   FIELD(data, 512, bits.words<8>(), "", "a block of the message") \
   FIELD(last, 1, flag, "", "the message ends")
 #define SHA256_DIGEST(FIELD) FIELD(data, 256, bits.words<4>(), "", "of the whole message")
-COSIM_RECORD(Input, SHA256_BLOCK, Params);
-COSIM_RECORD(Output, SHA256_DIGEST, Params);
+COSIM_RECORD(Block, SHA256_BLOCK, Params);
+COSIM_RECORD(Hash, SHA256_DIGEST, Params);
 
 struct Design {
-  using Params = sha256::Params;
+  COSIM_DESIGN(sha256);
   static constexpr const char* name = "sha256";
-  static constexpr auto in(const Params&) { return stream<Input>("block"); }
-  static constexpr auto out(const Params&) { return stream<Output>("digest").latency(66).steady(); }
+  static constexpr Inputs<Word> clear() { return {.rst = 1}; }
+  template <class V>
+  static constexpr State<V> cleared() {
+    State<V> s;
+    s.fresh = V(1);
+    return s;
+  }
+
+  static constexpr auto in(const Params&) { return stream<Block>("block"); }
+  static constexpr auto out(const Params&) { return stream<Hash>("digest").latency(66).steady(); }
   static constexpr auto pins(const Params&) { return std::array{pin::reset("rst")}; }
 
-  static std::vector<Output<Word>> run(const Params&, const std::vector<Input<Word>>& blocks) {
-    std::vector<Output<Word>> digests;
+  static std::vector<Hash<Word>> run(const Params&, const std::vector<Block<Word>>& blocks) {
+    std::vector<Hash<Word>> digests;
     Digest hash = start;
-    for (const Input<Word>& in : blocks) {
-      Block m{};
+    for (const Block<Word>& in : blocks) {
+      Words m{};
       for (int i = 0; i < 16; ++i) {  // the words of 64 bits begin with the lowest
         m[static_cast<std::size_t>(i)] =
             static_cast<std::uint32_t>(shift_right(in.data[7 - i / 2], i % 2 == 0 ? 32 : 0));
       }
       hash = hashed(hash, m);
       if (in.last == 0) continue;
-      Output<Word> out;
+      Hash<Word> out;
       for (int i = 0; i < 8; ++i) {
         out.data[3 - i / 2] |= shift_left(hash[static_cast<std::size_t>(i)], i % 2 == 0 ? 32 : 0);
       }

@@ -27,6 +27,13 @@
 
 namespace cosim {
 
+/// A design that has a stream model. It may have a step beside it, design.h: then all is compared.
+template <class Design>
+concept HasStreams = requires(const typename Design::Params& p) {
+  Design::in(p);
+  Design::out(p);
+};
+
 /// What an interface has beside its fields. A null name is that of the default.
 struct StreamPorts {
   const char* name;
@@ -71,7 +78,7 @@ struct Stream {
   /// Of a stream that comes out: valid may stay high; a transaction is its rising edge.
   constexpr Stream rising() const { return always_ready().with(&StreamPorts::pulse, true); }
   /// Of a stream that comes out: what is offered and not taken must be offered unchanged on the
-  /// next clock.
+  /// next clock; of one that is rising(), what came must stay as long as valid does.
   constexpr Stream steady() const { return with(&StreamPorts::steady, true); }
   /// Of a stream that comes out: a transaction comes at most `clocks` after the last one that goes
   /// in and that it needs; a clock on which this stream moves or is made to wait does not count.

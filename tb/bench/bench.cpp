@@ -6,10 +6,18 @@
 
 namespace cosim {
 
-std::string AnyBench::title() const {
+std::string AnyBench::built_as() const {
   std::string text = design();
   for (const Parameter& p : parameters()) text += fmt::format(" {}={}", p.name, to_text(p));
   return text;
+}
+
+std::string AnyBench::title() const {
+  return view().empty() ? built_as() : built_as() + ' ' + view();
+}
+
+std::string AnyBench::text_of(const HostileCase& c) const {
+  return fmt::format("{} hostile clocks, seed {}", c.clocks, c.seed);
 }
 
 Stimulus AnyBench::hostile(const HostileCase& /*c*/) const {
@@ -21,11 +29,11 @@ std::string AnyBench::compared_text() const {
 }
 
 void require_shape(const AnyBench& bench, const std::string& shape) {
-  if (bench.title() == shape) return;
+  if (bench.built_as() == shape) return;
   throw InputError(
       fmt::format("{}: its model says it is {}: Design::name and parameters() are to be "
                   "those of cosim_add_design()",
-                  shape, bench.title()));
+                  shape, bench.built_as()));
 }
 
 }  // namespace cosim

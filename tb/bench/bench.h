@@ -40,6 +40,9 @@ class AnyBench {
   virtual std::string design() const = 0;
   virtual std::string source() const = 0;
   virtual std::vector<Parameter> parameters() const = 0;
+  /// What of the design it looks at, where another bench of the same RTL looks at the rest; else
+  /// "".
+  virtual std::string view() const { return ""; }
   /// The registers and outputs compared on every clock, registers first.
   virtual std::vector<Field> compared() const = 0;
   /// How many of them are registers.
@@ -63,6 +66,8 @@ class AnyBench {
   virtual std::vector<Word> cleared() const = 0;
   /// What hostile clocks are, in words.
   virtual std::string hostile_text() const { return "any value on any pin on any clock"; }
+  /// One case of them, in words.
+  virtual std::string text_of(const HostileCase& c) const;
   /// Runs hostile clocks.
   virtual Run run_hostile(const HostileCase& c) const = 0;
   /// The inputs of these, as a stimulus. InputError of a bench that cannot tell them before.
@@ -91,14 +96,16 @@ class AnyBench {
   virtual void draw_wave(const std::string& path, const Stimulus& stimulus,
                          Window around) const = 0;
 
-  /// "NAME M=5 N=2": the design and its parameters
+  /// "NAME M=5 N=2": the design and its parameters, as its RTL was built.
+  std::string built_as() const;
+  /// The same, and the view.
   std::string title() const;
 
  private:
   std::vector<std::string> unobserved_;
 };
 
-/// InputError if the bench's title is not `shape`, what the RTL was built as: its model has other
+/// InputError if it was not built as `shape`, what the RTL was built as: its model has other
 /// parameters, or the same in another order.
 void require_shape(const AnyBench& bench, const std::string& shape);
 

@@ -12,6 +12,7 @@ namespace cosim::cli {
 namespace {
 
 bool has(const AnyBench& bench, const std::string& word) {
+  if (bench.view() == word) return true;
   const auto all = bench.parameters();
   return std::any_of(all.begin(), all.end(), [&](const Parameter& p) {
     return fmt::format("{}={}", p.name, p.value) == word;
@@ -37,9 +38,18 @@ std::vector<const AnyBench*> chosen_benches(const std::vector<std::string>& word
   return found;
 }
 
+std::vector<const AnyBench*> chosen_shapes(const std::vector<std::string>& words) {
+  std::vector<const AnyBench*> all = chosen_benches(words);
+  const auto same = [](const AnyBench* a, const AnyBench* b) {
+    return a->built_as() == b->built_as();
+  };
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
+  return all;
+}
+
 const proof::BuiltMachine& machine_of(const AnyBench& bench) {
   for (const auto& machine : proof::built_machines()) {
-    if (machine.title == bench.title()) return machine;
+    if (machine.title == bench.built_as()) return machine;
   }
   throw InputError(bench.title() + ": its RTL is not known");
 }
@@ -60,6 +70,7 @@ std::vector<proof::Claim> claims_on(const proof::MachineFormula& machine, proof:
   std::vector<proof::Claim> claims{claim_clear(machine, rtl), claim_step(machine, rtl),
                                    claim_cases(machine, rtl)};
   if (!machine.legal.empty()) claims.push_back(claim_legal(machine));
+  if (!rtl.asserted().empty()) claims.push_back(claim_asserts(machine, rtl));
   return claims;
 }
 

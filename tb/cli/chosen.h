@@ -15,6 +15,9 @@ namespace cosim::cli {
 /// there are where there is no word. InputError where there is none.
 std::vector<const AnyBench*> chosen_benches(const std::vector<std::string>& words);
 
+/// The same, one bench of each shape, for what asks of the RTL alone.
+std::vector<const AnyBench*> chosen_shapes(const std::vector<std::string>& words);
+
 /// What is known of a bench's RTL and of its formulas. InputError where nothing is.
 const proof::BuiltMachine& machine_of(const AnyBench& bench);
 

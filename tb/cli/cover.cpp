@@ -75,7 +75,7 @@ Json covered(const CoverOptions& o, const Registry& registry, const Benches& ben
   const Scratch counts;
   bool differed = false;
   for (const AnyBench* bench : benches) {
-    const OnDemand& program = on_demand(registry.covers(), bench->title());
+    const OnDemand& program = on_demand(registry.covers(), bench->built_as());
     build(registry, program);
     const Ended ended = cosim::run_program({path_of(program), counts.path().string(),
                                             fmt::format("{}", o.common.seed()),
@@ -110,7 +110,7 @@ int run(const CoverOptions& o, const Registry& registry) {
   constexpr std::uint64_t most = std::uint64_t{1} << 32;
   const std::uint64_t clocks = whole("--hostile", o.hostile.value_or("100000"), 1, most);
   const std::uint64_t jobs = whole("--random", o.random.value_or("1000"), 1, most);
-  const Benches chosen = chosen_benches(o.words);
+  const Benches chosen = chosen_shapes(o.words);
   check_outputs(o.common);
   Json all = Json::array();
   bool reached = true;

@@ -64,7 +64,7 @@ std::string findings(const Ended& ended) {
 int run(const Words& words) {
   const InterruptGuard interrupts;
   bool clean = true;
-  for (const AnyBench* bench : chosen_benches(words)) {
+  for (const AnyBench* bench : chosen_shapes(words)) {
     const Scratch scratch;
     const proof::Source source = source_of(*bench);
     const std::pair<const char*, Words> tools[] = {{"verilator -Wall", verilator(source)},
@@ -80,7 +80,7 @@ int run(const Words& words) {
         result.pop_back();
         clean = false;
       }
-      fmt::print("{:<24} {:<16} {}\n", bench->title(), tool, result);
+      fmt::print("{:<24} {:<16} {}\n", bench->built_as(), tool, result);
     }
   }
   return clean ? 0 : 1;

@@ -22,7 +22,7 @@ void give_rtl(const OnDemand& program, const AnyBench& bench, std::uint64_t muta
 }  // namespace
 
 std::string built_mutants(const Registry& registry, const AnyBench& bench, std::uint64_t mutants) {
-  const OnDemand& program = on_demand(registry.mutants(), bench.title());
+  const OnDemand& program = on_demand(registry.mutants(), bench.built_as());
   give_rtl(program, bench, mutants);
   build(registry, program);
   return path_of(program);

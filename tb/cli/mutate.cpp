@@ -55,18 +55,22 @@ Json attacked(const MutateOptions& o, const Registry& registry, const AnyBench& 
   const std::string program = built_mutants(registry, bench, mutants);
   const Scratch scratch;
   const std::string results = (scratch.path() / "results.json").string();
-  const bool plain = machine_of(bench).formula == nullptr;
-  if (plain) fmt::print("{}: a plain model: no mutant can be proved equal\n", bench.title());
+  const proof::BuiltMachine& machine = machine_of(bench);
+  const bool unproved = machine.formula == nullptr;
+  if (unproved) {
+    fmt::print("{}: {}: no mutant can be proved equal\n", bench.built_as(),
+               model_without_formula(machine));
+  }
   std::vector<std::string> words{program,      results,
                                  "--prover",   program_name() + " prove",
                                  "--failures", o.common.failures_folder()};
-  if (o.unproved || plain) words.emplace_back("--unproved");
+  if (o.unproved || unproved) words.emplace_back("--unproved");
   const Ended ended = cosim::run_program(words);
   if (ended.status != 0 && ended.status != 1) {
     throw InputError(ended.text.substr(0, ended.text.find('\n')));
   }
   Json outcome = Json::parse(read_file(results));
-  fmt::print("{}: {}: {} killed, {} proved equal, {} survived\n", bench.title(),
+  fmt::print("{}: {}: {} killed, {} proved equal, {} survived\n", bench.built_as(),
              count(outcome.at("mutants").get<std::uint64_t>(), "mutant"),
              outcome.at("killed").get<std::uint64_t>(),
              outcome.at("equivalent").get<std::uint64_t>(),
@@ -85,7 +89,7 @@ int run(const MutateOptions& o, const Registry& registry) {
   const InterruptGuard interrupts;
   constexpr std::uint64_t most = 65535;  // what chooses one has 16 bits
   const std::uint64_t mutants = whole("--mutants", o.mutants.value_or("100"), 1, most);
-  const auto benches = chosen_benches(o.words);
+  const auto benches = chosen_shapes(o.words);
   check_outputs(o.common);
   need_tools(o.unproved);
   Json all = Json::array();

@@ -66,7 +66,7 @@ std::vector<Subject> chosen(const std::vector<std::string>& words) {
     const std::string design = machine.title.substr(0, machine.title.find(' '));
     constexpr const char* nothing = ": nothing can be proved of it";
     if (machine.formula == nullptr) {
-      refused.insert(design + ": a plain model, on machine integers alone" + nothing);
+      refused.insert(fmt::format("{}: {}{}", design, model_without_formula(machine), nothing));
       continue;
     }
     proof::MachineFormula formula = machine.formula();

@@ -150,7 +150,7 @@ class MutateKind final : public regress::Kind {
     }
     if (registry_.mutants().empty()) throw InputError("needs \"programs\"");
     std::vector<std::string> programs;
-    for (const AnyBench* bench : chosen_benches(words_of(task.text("mutate")))) {
+    for (const AnyBench* bench : chosen_shapes(words_of(task.text("mutate")))) {
       programs.push_back(built_mutants(registry_, *bench, task.number("mutants", 100)));
     }
     return programs;

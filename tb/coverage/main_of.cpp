@@ -30,11 +30,16 @@ int run(const AnyBench& bench, std::uint64_t seed, std::uint64_t clocks, std::ui
 
 }  // namespace
 
-int main_of(const AnyBench& bench, int argc, char** argv) {
+int main_of(const std::vector<std::unique_ptr<AnyBench>>& benches, int argc, char** argv) {
   const std::vector<std::string> words(argv, argv + argc);
   try {
     setenv("COSIM_COVERAGE", words.at(1).c_str(), 1);
-    return run(bench, std::stoull(words.at(2)), std::stoull(words.at(3)), std::stoull(words.at(4)));
+    for (const auto& bench : benches) {
+      const int status =
+          run(*bench, std::stoull(words.at(2)), std::stoull(words.at(3)), std::stoull(words.at(4)));
+      if (status != 0) return status;
+    }
+    return 0;
   } catch (const std::exception& error) {
     fmt::print("{}\n", error.what());
     return 2;

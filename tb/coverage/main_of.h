@@ -1,6 +1,9 @@
 // A program that counts what the sweeps of one shape reach: its RTL was Verilated with counters.
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "tb/bench/bench.h"
 
 namespace cosim::coverage {
@@ -8,6 +11,6 @@ namespace cosim::coverage {
 /// main() of PROGRAM FOLDER SEED CLOCKS JOBS: runs so many hostile clocks and, of a design that
 /// declares jobs, so many random ones; the counts go to files in FOLDER (counts.h).
 /// Status: 0 nothing differed; 1 something did, with a line that says what; 2 could not be run.
-int main_of(const AnyBench& bench, int argc, char** argv);
+int main_of(const std::vector<std::unique_ptr<AnyBench>>& benches, int argc, char** argv);
 
 }  // namespace cosim::coverage

@@ -22,8 +22,8 @@ Prover nobody();
 /// The solvers, on the formulas of the subject's model.
 Prover solvers(const Subject& subject) {
   for (const auto& machine : proof::built_machines()) {
-    if (machine.title != subject.bench().title()) continue;
-    if (machine.formula == nullptr) return nobody();  // a plain model
+    if (machine.title != subject.bench().built_as()) continue;
+    if (machine.formula == nullptr) return nobody();
     return [&subject, formula = machine.formula()](const std::vector<unsigned>& mutants) {
       std::vector<bool> proved;
       for (const auto& judged :

@@ -1,5 +1,5 @@
-// The mutants of a shape whose nets are found by name: of streams where its model is a function of
-// streams, else in lockstep.
+// The mutants of a shape whose nets are found by name: in lockstep where its model is a step, with
+// random transactions where it is a function of streams.
 #pragma once
 
 #include <memory>
@@ -49,10 +49,47 @@ class StreamSubject final : public Subject {
   std::vector<Case> cases_;
 };
 
+/// Attacked with both.
+template <class Top, class Trait>
+class BothSubject final : public Subject {
+ public:
+  BothSubject(const std::string& verilog, const std::string& list)
+      : Subject(verilog, list), clocks_(verilog, list), streams_(verilog, list) {
+    const std::size_t first = clocks_.quick(), second = streams_.quick();
+    add(clocks_, 0, first);
+    add(streams_, 0, second);
+    quick_ = cases_.size();
+    add(clocks_, first, clocks_.cases().size());
+    add(streams_, second, streams_.cases().size());
+  }
+
+  const AnyBench& bench() const override { return clocks_.bench(); }
+  void choose(unsigned mutant) const override {
+    clocks_.choose(mutant);
+    streams_.choose(mutant);
+  }
+  const std::vector<Case>& cases() const override { return cases_; }
+  std::size_t quick() const override { return quick_; }
+
+ private:
+  void add(const Subject& of, std::size_t begin, std::size_t end) {
+    const auto all = of.cases().begin();
+    cases_.insert(cases_.end(), all + static_cast<std::ptrdiff_t>(begin),
+                  all + static_cast<std::ptrdiff_t>(end));
+  }
+
+  AdapterSubject<NamedAdapter<Top, Trait>, AdapterBench> clocks_;
+  StreamSubject<Top, Trait> streams_;
+  std::vector<Case> cases_;
+  std::size_t quick_ = 0;
+};
+
 /// Top: the Verilated class. `verilog`, `list`: the mutants, as Subject has them.
 template <class Top, class Trait>
 std::unique_ptr<Subject> named_subject(std::string verilog, const std::string& list) {
-  if constexpr (HasStreams<typename Trait::Design>) {
+  if constexpr (HasStreams<typename Trait::Design> && StepsOn<typename Trait::Design, Word>) {
+    return std::make_unique<BothSubject<Top, Trait>>(verilog, list);
+  } else if constexpr (HasStreams<typename Trait::Design>) {
     return std::make_unique<StreamSubject<Top, Trait>>(std::move(verilog), list);
   } else {
     return std::make_unique<AdapterSubject<NamedAdapter<Top, Trait>, AdapterBench>>(

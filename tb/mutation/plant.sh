@@ -22,7 +22,7 @@ while IFS= read -r net; do
 done < <([[ ! -f $folder/kept.txt ]] || cat "$folder/kept.txt")
 prepare="$(cat "$folder/read.ys")
   ${kept:+setattr -set keep 1 $kept}
-  prep -flatten -top $top"
+  prep -flatten -top $top; chformal -remove; opt_clean"
 
 # yosys warns where there are fewer mutants than asked.
 export HOME=$folder # where yosys keeps a history

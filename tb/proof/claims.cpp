@@ -254,20 +254,55 @@ Claim claim_clear(const MachineFormula& m, const Rtl& rtl) {
           {}};
 }
 
-Claim claim_step(const MachineFormula& m, const Rtl& rtl) {
-  Question q(m, rtl, false);
-  q.assume_hypotheses();
-  Claim claim{"every clock keeps them the same", Answer::unsat, {}, {}};
-  for (const Wire& w : m.inputs) claim.terms.push_back(w.code.text());
-  for (const Wire& w : m.state) claim.terms.push_back(w.code.text());
-  for (std::size_t i = 0; i < m.invariant_after.size(); ++i) {
-    const Expression& kept = m.invariant_after[i].condition;
-    claim.terms.push_back(q.script().define(broken_name(i), kept).text());
+namespace {
+
+// A claim of one clock, whose counterexamples have all that happens on it.
+class OneClock {
+ public:
+  OneClock(const std::string& what, const MachineFormula& m, const Rtl& rtl)
+      : question(m, rtl, false), claim{what, Answer::unsat, {}, {}} {
+    question.assume_hypotheses();
+    for (const Wire& w : m.inputs) claim.terms.push_back(w.code.text());
+    for (const Wire& w : m.state) claim.terms.push_back(w.code.text());
+    for (std::size_t i = 0; i < m.invariant_after.size(); ++i) {
+      const Expression& kept = m.invariant_after[i].condition;
+      claim.terms.push_back(question.script().define(broken_name(i), kept).text());
+    }
   }
-  const auto differs = [&](const char* what, const Wire& w, const Expression& actual) {
+  Expression differs(const char* what, const Wire& w, const Expression& actual) {
     claim.terms.push_back(named("model", w.field) + what);
     claim.terms.push_back(named("rtl", w.field) + what);
-    return q.differs(what, w, actual);
+    return question.differs(what, w, actual);
+  }
+
+  Question question;
+  Claim claim;
+};
+
+}  // namespace
+
+Claim claim_asserts(const MachineFormula& m, const Rtl& rtl) {
+  OneClock clock("what the RTL asserts is so", m, rtl);
+  Question& q = clock.question;
+  for (std::size_t i = 0; i < m.after.size(); ++i) clock.differs(kAfter, m.after[i], q.after(i));
+  for (std::size_t i = 0; i < m.outputs.size(); ++i) {
+    clock.differs(kOutput, m.outputs[i], q.output(i));
+  }
+  Expression wrong = truth(false);
+  for (const Expression& asserted : rtl.asserted()) {
+    wrong = disjunction(wrong, negation(asserted));
+  }
+  q.script().ask(wrong);
+  clock.claim.queries.push_back({{"any assertion"}, q.script().text()});
+  return clock.claim;
+}
+
+Claim claim_step(const MachineFormula& m, const Rtl& rtl) {
+  OneClock clock("every clock keeps them the same", m, rtl);
+  Question& q = clock.question;
+  Claim& claim = clock.claim;
+  const auto differs = [&](const char* what, const Wire& w, const Expression& actual) {
+    return clock.differs(what, w, actual);
   };
   // Many wide words at once take a solver many times as long as one after the other.
   Expression narrow = any_fails(m.invariant_after), after = narrow;

@@ -10,6 +10,8 @@
 //   legal   where the design says which inputs are legal in a state, and the others assume no other
 //           ones: in every state that satisfies the invariant some are
 //
+//   asserts under the same hypotheses what the RTL asserts itself is true on every clock
+//
 // A register or an output that the design compares on some clocks only may hold anything on the
 // others, in what is assumed and in what is claimed.
 //
@@ -49,17 +51,19 @@ struct Claim {
 /// one for one.
 Claim claim_clear(const MachineFormula& machine, const Rtl& rtl);
 Claim claim_step(const MachineFormula& machine, const Rtl& rtl);
+/// For RTL that asserts something.
+Claim claim_asserts(const MachineFormula& machine, const Rtl& rtl);
 Claim claim_cases(const MachineFormula& machine, const Rtl& rtl);
 /// For a machine whose inputs are not all legal.
 Claim claim_legal(const MachineFormula& machine);
 
-/// One value of a signal in a counterexample to claim_step.
+/// One value of a signal in a counterexample.
 struct Value {
   Field field;
   Word expected = 0;
   Word actual = 0;
 };
-/// A state and inputs under which RTL and model differ.
+/// A state and inputs under which RTL and model differ, or the RTL asserts what is not so.
 struct Counterexample {
   std::vector<Value> state;         ///< of the model
   std::vector<Value> inputs;        ///< of the clock
@@ -67,7 +71,8 @@ struct Counterexample {
   std::vector<Value> after;         ///< registers, after it
   std::vector<std::string> broken;  ///< what of the invariant the model's next state breaks
 };
-/// A solver's counterexample to claim_step, from the values of its terms; none if some are missing.
+/// A solver's counterexample to claim_step or claim_asserts, from the values of its terms; none if
+/// some are missing.
 std::optional<Counterexample> counterexample(const MachineFormula& machine,
                                              const std::map<std::string, std::string>& values);
 

@@ -9,8 +9,15 @@ namespace cosim::proof {
 /// A machine as a line of rtl/shipped.txt names it.
 struct BuiltMachine {
   std::string title;
-  MachineFormula (*formula)();  ///< null where the model is plain: no formula can be made of it
+  MachineFormula (*formula)();  ///< null where no formula can be made of the model
   Source source;                ///< the RTL it was built from
+  bool streams = false;         ///< it has a stream model
+};
+
+/// Why there is no formula of a machine, for a person: what its model is.
+inline const char* model_without_formula(const BuiltMachine& machine) {
+  return machine.streams ? "a stream model, which knows no clock"
+                         : "a plain model, on machine integers alone";
 };
 
 /// How the formula of a design at its parameters is made, for BuiltMachine.

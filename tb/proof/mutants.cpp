@@ -180,9 +180,10 @@ Mutants::Mutants(const MachineFormula& machine, const fs::path& verilog,
   for (const Wire& w : machine.registers) {
     if (w.field.index <= 0) kept += kept_net(net_path(w.field.net).path);
   }
+  // Before prep for registers that nothing reads, after it for those it makes of memories.
   std::string commands = fmt::format(
-      "read_verilog \"{}\"; prep -flatten -nomem -top {}; memory_collect; memory_map; rename -top "
-      "machine; setattr -set keep 1 {}; "
+      "read_verilog \"{0}\"; setattr -set keep 1 {2}; prep -flatten -nomem -top {1}; "
+      "memory_collect; memory_map; rename -top machine; setattr -set keep 1 {2}; "
       "async2sync; dffunmap; setundef -anyseq; ",
       fs::absolute(verilog).string(), machine.design, kept);
   std::vector<unsigned> all{0};

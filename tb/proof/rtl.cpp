@@ -31,6 +31,20 @@ std::string as_constant(const Source& source, const Parameter& p) {
   return found == source.constants.end() ? to_text(p) : found->second;
 }
 
+// What makes of assertions formulas of their own clock. A yosys from 0.38 on has cells of another
+// kind for them at first.
+std::string commands_for_assertions() {
+  static const bool has_checks = [] {
+    std::istringstream words(run_program({"yosys", "-V"}).text);
+    std::string name;
+    int major = 0, minor = 0;
+    char point = 0;
+    words >> name >> major >> point >> minor;
+    return major > 0 || minor >= 38;
+  }();
+  return has_checks ? "chformal -lower; chformal -early; opt_clean" : "chformal -early; opt_clean";
+}
+
 std::string written_by_yosys(const Source& source) {
   const Scratch scratch;
   const fs::path file = scratch.path() / "rtl.smt2";
@@ -40,9 +54,9 @@ std::string written_by_yosys(const Source& source) {
   // A memory becomes a register a word, store[3].
   run_yosys(commands_to_elaborate(source) +
                 fmt::format("; rename -top {}; setattr -set keep 1 {}; prep -flatten -nomem; "
-                            "memory_collect; memory_map; async2sync; dffunmap; setundef -anyseq; "
-                            "write_smt2 -wires {}",
-                            source.top, kept, file.string()),
+                            "memory_collect; memory_map; async2sync; {}; dffunmap; "
+                            "setundef -anyseq; write_smt2 -wires {}",
+                            source.top, kept, commands_for_assertions(), file.string()),
             source.top);
   return read_file(file.string());
 }
@@ -163,6 +177,7 @@ void Rtl::define(const std::string& name, const std::string& sort, const std::st
   if (name == "|" + top_ + "_u|" && body != "true") {
     throw InputError(top_ + ": its Verilog assumes something");
   }
+  if (name.starts_with("|" + top_ + "_a ")) asserted_.emplace_back(name, sort);
   definitions_ += definition(name, sort, body);
   wires_[name] = {sort, body};
 }

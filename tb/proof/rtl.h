@@ -74,6 +74,8 @@ class Rtl {
   std::vector<std::size_t> pieces(const std::string& wire) const;
   /// What the registers hold at first, terms; empty where none has an initial value.
   const std::vector<std::string>& initial() const { return initial_; }
+  /// What the RTL asserts itself of a clock, terms; empty where it asserts nothing.
+  const std::vector<Expression>& asserted() const { return asserted_; }
   /// How many bits a wire of the top has, the word "store[3]" of a memory too; 0 where there is
   /// none.
   int width(const std::string& wire) const;
@@ -96,6 +98,7 @@ class Rtl {
   };
   std::map<std::string, Wire> wires_;  // by symbol
   std::vector<std::string> initial_;
+  std::vector<Expression> asserted_;
   bool asynchronous_reset_ = false;
   bool in_relation_ = false;
   bool in_initial_ = false;

@@ -98,21 +98,28 @@ Json run_object(const Outcome& o) {
   return object;
 }
 
-// The designs of the outcomes, each by its first bench, in order of appearance.
+// A design, or the part of it that a bench looks at.
+std::string looked_at(const AnyBench& bench) {
+  return bench.view().empty() ? bench.design() : bench.design() + ' ' + bench.view();
+}
+
+// All that is looked at, each by its first bench, in order of appearance.
 std::vector<const AnyBench*> designs(const std::vector<Outcome>& outcomes) {
   std::vector<const AnyBench*> found;
   for (const Outcome& o : outcomes) {
-    const auto same = [&](const AnyBench* bench) { return bench->design() == o.bench->design(); };
+    const auto same = [&](const AnyBench* bench) {
+      return looked_at(*bench) == looked_at(*o.bench);
+    };
     if (std::none_of(found.begin(), found.end(), same)) found.push_back(o.bench);
   }
   return found;
 }
 
-// All runs of a design, their clocks and what was left out.
-Result sum_of(const std::vector<Outcome>& outcomes, const std::string& design) {
+// All runs of that, their clocks and what was left out.
+Result sum_of(const std::vector<Outcome>& outcomes, const std::string& looked) {
   Result sum;
   for (const Outcome& o : outcomes) {
-    if (o.bench->design() != design) continue;
+    if (looked_at(*o.bench) != looked) continue;
     Result one;
     one.clocks = o.result.clocks;
     one.left_out = o.result.left_out;
@@ -134,9 +141,9 @@ std::string comparison_text(const std::vector<Outcome>& outcomes) {
   std::string text;
   const auto benches = designs(outcomes);
   for (const AnyBench* bench : benches) {
-    const Result sum = sum_of(outcomes, bench->design());
+    const Result sum = sum_of(outcomes, looked_at(*bench));
     const std::uint64_t clocks = sum.clocks;
-    const std::string of = benches.size() > 1 ? " of " + bench->design() : "";
+    const std::string of = benches.size() > 1 ? " of " + looked_at(*bench) : "";
     text += fmt::format("compared: {}{} on {} clock{}\n", compared_signals(*bench), of,
                         clocks == 1 ? "the one" : fmt::format("each of {}", clocks),
                         clocks == 1 ? "" : "s");
@@ -209,8 +216,8 @@ std::string report_json(const std::vector<Outcome>& outcomes, std::uint64_t seed
   } else {
     top["compared_signals"] = Json::object();
     for (const AnyBench* bench : benches) {
-      top["design"].push_back(bench->design());
-      top["compared_signals"][bench->design()] = signal_names(*bench);
+      top["design"].push_back(looked_at(*bench));
+      top["compared_signals"][looked_at(*bench)] = signal_names(*bench);
     }
   }
   top["seed"] = seed;

@@ -83,6 +83,10 @@ std::string AnyStreamBench::compared_text() const {
   return "values and order of all that comes out at " + names;
 }
 
+std::string AnyStreamBench::text_of(const HostileCase& c) const {
+  return fmt::format("random transactions, {} clocks of them, seed {}", c.clocks, c.seed);
+}
+
 std::vector<Word> AnyStreamBench::rest() const {
   return std::vector<Word>(shape_.columns().size(), 0);
 }

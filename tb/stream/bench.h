@@ -32,7 +32,9 @@ class AnyStreamBench : public AnyBench {
   std::vector<Word> rest() const override;
   std::vector<Field> state() const override { return {}; }
   std::vector<Word> cleared() const override { return {}; }
+  std::string view() const override { return view_; }
   std::string hostile_text() const override { return "random transactions with random stalls"; }
+  std::string text_of(const HostileCase& c) const override;
   Run run_hostile(const HostileCase& c) const override;
   Run replay(const Stimulus& stimulus, Window window) const override;
   std::optional<std::uint64_t> first_difference(const Stimulus& stimulus) const override;
@@ -49,6 +51,7 @@ class AnyStreamBench : public AnyBench {
  protected:
   StreamShape shape_;
   std::vector<std::string> assumed_;
+  std::string view_;
 
  private:
   struct Ready;  // a case with all that its runs need

@@ -94,6 +94,7 @@ std::string to_text(const StreamShape& shape, const StreamOrder& order,
       return fmt::format("late: {} does not come within {} of what it needs", which,
                          count(static_cast<std::uint64_t>(i.latency), "clock"));
     case Kind::unsteady:
+      if (i.pulse) return fmt::format("changed: {} changes while {} stays high", which, i.valid);
       return fmt::format("taken back: {} was offered, and is changed before it is taken", which);
     case Kind::said:
       return result.said;

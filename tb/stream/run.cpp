@@ -146,6 +146,9 @@ class Runner {
     if (t.i.steady && t.offered && (!t.valid || t.words != t.last)) {
       found(Kind::unsteady, false, s, t.came);
     }
+    if (t.i.steady && t.stays && t.came > 0 && t.words != t.last) {
+      found(Kind::unsteady, false, s, t.came - 1);
+    }
     if (t.moved) {
       if (t.i.credits > 0 && !t.ready) found(Kind::credit, false, s, t.came);
       if (t.came >= t.expected.size()) {

@@ -21,7 +21,7 @@ struct StreamFinding {
     missing,   ///< all that goes in is taken, what comes out is not all there, and nothing moves
     hung,      ///< what goes in is not taken, and nothing moves
     late,      ///< later than the stated latency
-    unsteady,  ///< what was offered was taken back or changed
+    unsteady,  ///< what was offered was taken back or changed, or what stays high
     said,      ///< the RTL itself says that something is wrong
     credit,    ///< more given than there was credit for, or more credit than there can be
   };

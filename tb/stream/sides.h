@@ -74,6 +74,7 @@ struct Taker {
   int credits = 0;             // that the design may still use
   std::deque<Word> returns{};  // credits to give back: clocks each has still to wait
   bool valid = false, ready = false, moved = false, before = false, offered = false;
+  bool stays = false;  // a pulse that came before is still high
   std::vector<Word> words{}, last{};
   std::uint64_t idle = 0;            // clocks on which it could have taken one
   std::vector<std::uint64_t> due{};  // the same, when each became due
@@ -106,17 +107,18 @@ struct Taker {
   }
   void sample() {
     const bool high = nets.valid.get() != 0;
-    valid = high && (!i.pulse || !before);
+    stays = i.pulse && high && before;
+    valid = high && !stays;
     before = high;
     // Without ready the design gives when it likes.
     moved = valid && (ready || i.ready.empty());
-    if (!valid) return;
+    if (!high) return;
     words.resize(nets.cells.size());
     for (std::size_t c = 0; c < words.size(); ++c) words[c] = nets.cells[c].get();
   }
   void advance() {
     offered = valid && !moved;
-    if (offered && i.steady) last = words;
+    if (valid && i.steady) last = words;
     if (!moved) return;
     if (i.credits > 0) {
       --credits;

@@ -104,11 +104,12 @@ class StreamBench final : public AnyStreamBench {
 
  public:
   StreamBench() {
-    shape_.title = Trait::title;
+    if constexpr (StepsOn<Design, Word>) view_ = "streams";
     shape_.design = Design::name;
     shape_.clock = Trait::clock;
     const auto parameters = parameters_of<Design>(Trait::params);
     shape_.parameters.assign(parameters.begin(), parameters.end());
+    shape_.title = title();
     if constexpr (requires { Design::watchdog; }) shape_.watchdog = Design::watchdog;
     if constexpr (requires { Design::pins(Trait::params); }) {
       const auto pins = Design::pins(Trait::params);

@@ -79,7 +79,7 @@ Sweep hostile_sweep(const AnyBench& bench, std::uint64_t seed, std::uint64_t clo
     result.clocks = r.clocks;
     result.left_out = std::move(r.left_out);
     result.mismatch = std::move(r.mismatch);
-    result.failed = fmt::format("{} hostile clocks, seed {}", c.clocks, seed);
+    result.failed = bench.text_of(c);
     return result;
   };
   return {bench.hostile_text(), (clocks + length - 1) / length, run};

@@ -11,15 +11,15 @@ namespace cosim::sha256 {
 namespace {
 
 // Section 5.1.1: the message, a bit 1, zeros, its length in bits.
-std::vector<Input<Word>> padded(const std::string& message) {
+std::vector<Block<Word>> padded(const std::string& message) {
   std::string bytes = message + '\x80';
   while (bytes.size() % 64 != 56) bytes += '\0';
   for (int i = 7; i >= 0; --i) {
     bytes += static_cast<char>(8 * message.size() >> (8 * i) & 0xff);
   }
-  std::vector<Input<Word>> blocks;
+  std::vector<Block<Word>> blocks;
   for (std::size_t begin = 0; begin < bytes.size(); begin += 64) {
-    Input<Word> block;
+    Block<Word> block;
     for (std::size_t i = 0; i < 64; ++i) {
       const auto byte = static_cast<unsigned char>(bytes[begin + i]);
       Word& word = block.data[static_cast<int>(7 - i / 8)];

@@ -29,7 +29,7 @@ struct Design {
     return stream<Asked>("asked").prefix("").valid("start").until("done");
   }
   static constexpr auto out(const Params&) {
-    return stream<Given>("given").prefix("").valid("done").rising().latency(10);
+    return stream<Given>("given").prefix("").valid("done").rising().latency(10).steady();
   }
   static constexpr auto pins(const Params&) { return std::array{pin::reset("rst")}; }
   static std::array<Stated<Word>, 1> legal(const Params&, const Asked<Word>& asked) {

@@ -13,6 +13,7 @@
 #include "tb/cli/regress_kinds.h"
 #include "tb/cli/regress_show.h"
 #include "tb/regress/lock.h"
+#include "tb/regress/slurm.h"
 #include "tb/regress/worker.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/parallel.h"
@@ -26,8 +27,8 @@ namespace fs = std::filesystem;
 using regress::RunFolder;
 
 struct RegressOptions {
-  Text file, folder, resume, shards, jobs, seed, work, only;
-  bool dry_run = false, fail_fast = false, schema = false;
+  Text file, folder, resume, shards, jobs, seed, sbatch, work, only, list;
+  bool dry_run = false, fail_fast = false, schema = false, slurm = false, merge = false;
 };
 
 unsigned jobs_of(const RegressOptions& o) {
@@ -68,6 +69,13 @@ fs::path free_folder(const std::string& name) {
   }
 }
 
+// "account=x nice" as sbatch takes them.
+std::vector<std::string> sbatch_options(const RegressOptions& o) {
+  std::vector<std::string> options = words_of(o.sbatch.value_or(""));
+  for (std::string& one : options) one.insert(0, one.starts_with("-") ? "" : "--");
+  return options;
+}
+
 std::string resume_line(const RunFolder& run) {
   return fmt::format("go on with: {} regress --resume {}\n", run.program().string(),
                      run.path().string());
@@ -88,10 +96,11 @@ int conclude_run(const RunFolder& run, const regress::Kinds& kinds, const regres
 int carry_out(const RunFolder& run, const RegressOptions& o, const regress::Kinds& kinds) {
   const regress::Lock lock(run.path() / "lock");
   RegressProgress progress;
-  const regress::LocalOptions options{jobs_of(o), o.fail_fast,
-                                      [&](const regress::Tally& tally) { progress.show(tally); }};
+  const regress::Tell tell = [&](const regress::Tally& tally) { progress.show(tally); };
   try {
-    const regress::Errors errors = run_local(run, kinds, options);
+    const regress::Errors errors =
+        o.slurm ? run_slurm(run, kinds, {sbatch_options(o), o.fail_fast, tell})
+                : run_local(run, kinds, {jobs_of(o), o.fail_fast, tell});
     progress.clear();
     return conclude_run(run, kinds, errors);
   } catch (const Interrupted& interrupted) {
@@ -123,6 +132,18 @@ int new_run(const RegressOptions& o, const regress::Kinds& kinds) {
   return carry_out(run, o, kinds);
 }
 
+// What the processes of a run do.
+int work(const RegressOptions& o, const regress::Kinds& kinds) {
+  if ((o.only ? 1 : 0) + (o.list ? 1 : 0) + (o.merge ? 1 : 0) != 1) {
+    throw InputError("--work: needs one of --only, --list and --merge");
+  }
+  const RunFolder run(*o.work, kinds);
+  if (o.merge) return conclude_run(run, kinds, {});
+  if (o.list) return run_array_task(run, kinds, *o.list);
+  const auto shards = regress::shards_in(*o.only, run.shards().size(), "--only");
+  return run_shards(run, kinds, shards, regress::host());
+}
+
 int run(const RegressOptions& o, const Registry& registry) {
   const InterruptGuard interrupts;
   const regress::Kinds kinds = regress_kinds(registry);
@@ -130,17 +151,16 @@ int run(const RegressOptions& o, const Registry& registry) {
     fmt::print("{}\n", schema(keys_of(kinds)).dump(1));
     return 0;
   }
-  if (o.work) {
-    const RunFolder run(*o.work, kinds);
-    const auto shards = regress::shards_in(needed("--only", o.only), run.shards().size(), "--only");
-    return run_shards(run, kinds, shards, regress::host());
-  }
+  if (o.work) return work(o, kinds);
+  if (o.only || o.list || o.merge) throw InputError("--only, --list and --merge go with --work");
+  if (o.sbatch && !o.slurm) throw InputError("--sbatch: goes with --slurm");
+  if (o.jobs && o.slurm) throw InputError("--jobs: the cluster decides that");
   if (o.file.has_value() == o.resume.has_value()) {
     throw InputError("regress: needs a FILE, or --resume FOLDER");
   }
   if (o.file) return new_run(o, kinds);
   if (o.folder || o.shards || o.seed || o.dry_run) {
-    throw InputError("--resume: goes on as the run began: no other option but --jobs, --fail-fast");
+    throw InputError("--resume: goes on as the run began: no option of a new run");
   }
   jobs_of(o);
   return carry_out(RunFolder(*o.resume, kinds), o, kinds);
@@ -161,10 +181,15 @@ void add_regress(const Command& program, const Registry& registry) {
   command.text("--jobs", o->jobs, "J", "Parts at a time, 1 to 1024; default one a core");
   command.text("--seed", o->seed, "S", "Of the run; default another one each time, printed");
   command.flag("--fail-fast", o->fail_fast, "Begin no part after one that fails");
+  command.flag("--slurm", o->slurm, "On the nodes of a Slurm cluster; DIR on a disk they share");
+  command.text("--sbatch", o->sbatch, "WORDS",
+               "Further options of sbatch: 'account=x partition=y nice'");
   command.flag("--dry-run", o->dry_run, "Only print what would run, and how it is cut");
   command.flag("--schema", o->schema, "Only print the plan's JSON Schema, for editors");
   command.text("--work", o->work, "DIR", "Only run parts of the run in DIR: as its processes do");
   command.text("--only", o->only, "LIST", "Which parts those are: 0-3,7");
+  command.text("--list", o->list, "FILE", "Or: those in FILE of this task of a job array");
+  command.flag("--merge", o->merge, "Or: none, only the report");
   command.footer(
       "Killed anywhere, a run goes on with --resume and ends with the same report.json.\n"
       "Exit status: 0 all holds, 1 something does not, 2 bad input, or not all could be run.\n"

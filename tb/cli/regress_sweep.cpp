@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <chrono>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -54,9 +55,12 @@ regress::Json SweepWork::run(std::uint64_t first, std::uint64_t last,
     resume.done = result_from(state);
   }
   Result done = resume.done;
+  auto saved = std::chrono::steady_clock::now();
   resume.keep = [&](const Result& now) {
     done = now;
-    if (place.checkpoint.due()) place.checkpoint.save(to_json(now));
+    if (std::chrono::steady_clock::now() - saved < place.pace) return;
+    place.checkpoint.save(to_json(now));
+    saved = std::chrono::steady_clock::now();
   };
   Result result;
   try {

@@ -22,7 +22,8 @@ const std::vector<Key>& common_keys() {
       {"minutes", Type::number,
        "Of processor time that all of it is thought to take; default 1. It is cut after this", 1,
        10'000'000},
-      {"memory", Type::number, "In MB, that a part of it may take on a cluster; default 1000", 1,
+      {"memory", Type::number,
+       "In MB, that a part of it may take on a cluster; default what is usual there", 1,
        10'000'000}};
   return keys;
 }
@@ -207,7 +208,7 @@ Json to_json(const Plan& plan) {
     one.update(t.values);
     one["seed"] = t.seed;
     one["minutes"] = static_cast<std::uint64_t>(t.minutes);
-    one["memory"] = t.memory;
+    if (t.memory != 0) one["memory"] = t.memory;
     tasks.push_back(std::move(one));
   }
   return {{"format", format}, {"name", plan.name}, {"seed", plan.seed}, {"tasks", tasks}};

@@ -37,10 +37,10 @@ struct Keys {
 struct Task {
   std::string place;  ///< in the file: "tasks[2]"
   std::string name, kind;
-  Json values;                  ///< of the kind's keys, of the right types and in range
-  std::uint64_t seed = 0;       ///< its own, or that of the run
-  double minutes = 1;           ///< of processor time that all of it is thought to take
-  std::uint64_t memory = 1000;  ///< that a part of it may take, in MB
+  Json values;               ///< of the kind's keys, of the right types and in range
+  std::uint64_t seed = 0;    ///< its own, or that of the run
+  double minutes = 1;        ///< of processor time that all of it is thought to take
+  std::uint64_t memory = 0;  ///< in MB, that a part of it may take on a cluster; 0: what is usual
 
   std::string text(const std::string& key, const std::string& otherwise = "") const;
   std::uint64_t number(const std::string& key, std::uint64_t otherwise = 0) const;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <sstream>
@@ -30,6 +31,12 @@ std::uint64_t take_number(std::string& text, const InputError& wrong) {
   return number;
 }
 
+bool on_a_cluster() { return std::getenv("SLURM_JOB_ID") != nullptr; }
+
+std::chrono::milliseconds pace() {
+  return on_a_cluster() ? std::chrono::seconds(10) : std::chrono::milliseconds(100);
+}
+
 // Runs one shard and appends its line.
 int run_shard(const RunFolder& run, const Work& work, std::uint64_t number,
               const fs::path& results) {
@@ -40,7 +47,7 @@ int run_shard(const RunFolder& run, const Work& work, std::uint64_t number,
   try {
     Checkpoint checkpoint(kept.string(), fmt::format("shard {} of {}", number, run.identity()));
     line.result = work.run(shard.first, shard.last,
-                           {run.path(), run.prepared(shard.work), number, checkpoint});
+                           {run.path(), run.prepared(shard.work), number, checkpoint, pace()});
   } catch (const InputError& error) {
     line.error = error.what();
     complain(line.error);
@@ -110,6 +117,7 @@ int run_shards(const RunFolder& run, const Kinds& kinds, const std::vector<std::
 }
 
 std::string host() {
+  if (const char* node = std::getenv("SLURMD_NODENAME"); node != nullptr) return node;
   std::array<char, 256> name{};
   if (gethostname(name.data(), name.size() - 1) != 0) return "unknown";
   return name.data();

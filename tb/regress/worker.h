@@ -22,7 +22,7 @@ std::vector<std::uint64_t> shards_in(const std::string& list, std::uint64_t shar
 int run_shards(const RunFolder& run, const Kinds& kinds, const std::vector<std::uint64_t>& shards,
                const std::string& name);
 
-/// The name of this host.
+/// The name of this host, or of the node of a cluster that it is.
 std::string host();
 
 }  // namespace cosim::regress

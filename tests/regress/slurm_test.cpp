@@ -1,0 +1,124 @@
+// What is asked of Slurm, with programs in its place that run every job at once. On a real one:
+// scripts/test --slurm.
+#include <cstdlib>
+#include <filesystem>
+
+#include "tests/regress/run.h"
+
+namespace cosim::cli {
+namespace {
+
+// Notes its arguments; of an array it runs each task, of a job the job.
+constexpr const char* sbatch = R"(#!/bin/sh
+echo "sbatch $*" >> "$TRIAL/asked"
+case $* in *partition=none*) echo "sbatch: error: no such partition" && exit 1 ;; esac
+last=-1
+for word; do
+  case $word in --array=0-*) last=${word#--array=0-} ;; esac
+  script=$word
+done
+i=0
+while [ "$i" -le "$last" ]; do
+  SLURM_JOB_ID=5$i SLURM_ARRAY_TASK_ID=$i SLURMD_NODENAME=n$i sh "$script"
+  i=$((i + 1))
+done
+[ "$last" != -1 ] || sh "$script" > "$TRIAL/merged"
+echo "$(grep -c . "$TRIAL/asked");trial"
+)";
+
+class Cluster : public Regression {
+ protected:
+  void SetUp() override {
+    std::filesystem::create_directory(folder_.path("bin"));
+    program("sbatch", sbatch);
+    program("squeue",
+            "#!/bin/sh\necho \"slurm_load_jobs error: Invalid job id specified\"\nexit 1\n");
+    program("scancel", "#!/bin/sh\necho \"scancel $*\" >> \"$TRIAL/asked\"\n");
+    setenv("TRIAL", folder_.path("").c_str(), 1);
+    setenv("PATH", (folder_.path("bin") + ":" + path_).c_str(), 1);
+    plan(R"({"name": "large", "sweep": "linear M=5 N=2", "random": 30, "memory": 3000},
+            {"name": "small", "sweep": "linear M=5 N=2", "hostile": 30000, "minutes": 8})");
+  }
+  void TearDown() override {
+    setenv("PATH", path_.c_str(), 1);
+    unsetenv("SBATCH_TIMELIMIT");
+  }
+  void program(const std::string& name, const std::string& text) const {
+    std::filesystem::permissions(folder_.write("bin/" + name, text),
+                                 std::filesystem::perms::owner_all);
+  }
+  std::vector<std::string> asked() const { return lines(folder_.text("asked")); }
+
+ private:
+  std::string path_ = std::getenv("PATH");
+};
+
+bool has(const std::string& line, const std::string& word) {
+  return (line + ' ').find(' ' + word + ' ') != std::string::npos;
+}
+
+TEST_F(Cluster, RunsArraysAndAJobBehindThem) {
+  const Ended e =
+      cosim(fresh("run", {"--shards", "9", "--slurm", "--sbatch", "account=some partition=main"}));
+  ASSERT_EQ(e.status, 0) << e.out << e.err;
+  const auto calls = asked();
+  ASSERT_EQ(calls.size(), 3U);
+  EXPECT_TRUE(has(calls[0], "--array=0-7")) << calls[0];
+  EXPECT_EQ(calls[0].find("--mem"), std::string::npos);
+  EXPECT_TRUE(has(calls[1], "--array=0-0")) << calls[1];
+  EXPECT_TRUE(has(calls[1], "--mem=3000M"));
+  EXPECT_TRUE(has(calls[2], "--dependency=afterany:1:2")) << calls[2];
+  for (const char* word : {"--requeue", "--signal=B:TERM@120", "--time=14"}) {
+    EXPECT_TRUE(has(calls[0], word)) << word << ": " << calls[0];
+  }
+  for (const std::string& call : calls) {
+    EXPECT_TRUE(has(call, "--account=some") && has(call, "--partition=main")) << call;
+  }
+  EXPECT_NE(folder_.text("merged").find("verdict: pass"), std::string::npos);
+  EXPECT_EQ(times("run")["hosts"]["n3"], 1);
+
+  ASSERT_EQ(cosim(fresh("here", {"--shards", "1"})).status, 0);
+  EXPECT_EQ(report("run"), report("here"));
+}
+
+TEST_F(Cluster, IsAskedNothingThatAVariableSays) {
+  setenv("SBATCH_TIMELIMIT", "5", 1);
+  ASSERT_EQ(cosim(fresh("run", {"--shards", "2", "--slurm"})).status, 0);
+  for (const std::string& call : asked()) {
+    EXPECT_EQ(call.find("--time"), std::string::npos) << call;
+  }
+}
+
+TEST_F(Cluster, ThatRefusesIsALine) {
+  const Ended e = cosim(fresh("run", {"--slurm", "--sbatch", "partition=none"}));
+  EXPECT_EQ(e.status, 2);
+  EXPECT_EQ(lines(e.err), std::vector<std::string>{"cosim: sbatch: error: no such partition"});
+  // What was submitted before that is cancelled.
+  program("sbatch",
+          "#!/bin/sh\n[ -e \"$TRIAL/once\" ] && echo no && exit 1\n"
+          "touch \"$TRIAL/once\"\necho 5\n");
+  EXPECT_EQ(cosim({"regress", "--resume", folder_.path("run"), "--slurm"}).status, 2);
+  EXPECT_EQ(asked().back(), "scancel --quiet 5");
+}
+
+// A job that ends without a word leaves its shards missing, for --resume.
+TEST_F(Cluster, ThatLosesJobsLeavesThemToBeRunAgain) {
+  program("sbatch", "#!/bin/sh\necho 5\n");
+  const Ended e = cosim(fresh("run", {"--shards", "9", "--slurm"}));
+  EXPECT_EQ(e.status, 2);
+  ASSERT_EQ(lines(e.err).size(), 1U) << e.err;
+  EXPECT_NE(e.err.find("shards 0-8: left no result; see "), std::string::npos) << e.err;
+  EXPECT_NE(e.out.find("verdict: UNFINISHED"), std::string::npos);
+  program("sbatch", sbatch);
+  EXPECT_EQ(cosim({"regress", "--resume", folder_.path("run"), "--slurm"}).status, 0);
+}
+
+TEST_F(Cluster, HasTasksOnlyInArrays) {
+  ASSERT_EQ(cosim(fresh("run", {"--shards", "2", "--slurm"})).status, 0);
+  const Ended e = cosim({"regress", "--work", folder_.path("run"), "--list", "1.txt"});
+  EXPECT_EQ(e.status, 2);
+  EXPECT_EQ(e.err, "cosim: --list: only in a task of a job array\n");
+}
+
+}  // namespace
+}  // namespace cosim::cli

@@ -15,6 +15,9 @@
 namespace cosim {
 namespace {
 
+// Of the folder: another one where a program that reads it has to know.
+constexpr int format = 1;
+
 std::string rows_text(const AnyBench& bench, std::size_t rows) {
   return fmt::format("{} {}{}", rows, bench.row(), rows == 1 ? "" : "s");
 }
@@ -72,6 +75,7 @@ Failure leave_failure(const AnyBench& bench, const std::string& what, const Mism
               fmt::format("{}\n{}{}\nreplay: {}\n", verdict_text({outcome}), failure.smallest,
                           again.mismatch ? to_text(*again.mismatch) : "", failure.replay));
   nlohmann::ordered_json more;
+  more["format"] = format;
   more["replay"] = failure.replay;
   more["smallest_case"] = smallest.what;
   more[fmt::format("smallest_{}s", bench.row())] = smallest.stimulus.clocks.size();

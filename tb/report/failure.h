@@ -1,7 +1,7 @@
 // The folder that a mismatch leaves: all that is needed to understand it and to run it again.
 //
 //   report.txt       what and where, the clocks around it, the smallest case, how to replay
-//   report.json      the same for a program
+//   report.json      the same for a program, with `format`, the version of the folder's
 //   stimulus.stim    the inputs up to the difference and a little on
 //   wave.fst         the clocks around it; wave.gtkw is its view for GTKWave
 //   smallest.stim    the smallest stimulus found that still fails, with smallest.fst, .gtkw

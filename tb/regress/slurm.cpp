@@ -89,10 +89,17 @@ class Submission {
       for (const auto& [memory, some] : by_memory(run_, shards)) array(memory, some);
       merging();
     } catch (...) {
-      cancel(jobs_);
+      give_up(jobs_);
       throw;
     }
     return jobs_;
+  }
+
+  /// Cancels the jobs; nobody is to wait for them any more.
+  void give_up(const Jobs& jobs) const {
+    cancel(jobs);
+    std::error_code ignored;
+    fs::remove(folder_ / "jobs.txt", ignored);
   }
 
  private:
@@ -189,13 +196,13 @@ Errors run_slurm(const RunFolder& run, const Kinds& kinds, const SlurmOptions& o
       tally.running = std::min(queue.running, tally.shards - tally.done - tally.errors);
       options.tell(tally);
       if (options.fail_fast && tally.failed != 0) {
-        cancel(jobs);
+        submission.give_up(jobs);
         return {};
       }
       wait_a_moment();
     }
   } catch (const Interrupted&) {
-    cancel(jobs);
+    submission.give_up(jobs);
     throw;
   }
   results = read_results(folder, shards);

@@ -189,7 +189,7 @@ function(cosim_add_program TARGET)
   endforeach()
   target_compile_features(${TARGET} PRIVATE cxx_std_20)
   target_link_libraries(${TARGET} PRIVATE
-    cosim::program cosim::prover cosim::dut cosim::harness ${verilated} cosim::runtime)
+    cosim::program cosim::prover cosim::stream cosim::dut cosim::harness ${verilated} cosim::runtime)
 endfunction()
 
 # The CTest test NAME.KIND, with KIND as its label.

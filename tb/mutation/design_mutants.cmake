@@ -25,7 +25,7 @@ function(cosim_shape_mutants)
   target_compile_options(mutants_${ID} PRIVATE -O1)
   target_include_directories(mutants_${ID} SYSTEM PRIVATE ${FOLDER} ${FOLDER}/verilated)
   target_link_libraries(mutants_${ID} PRIVATE
-    cosim::mutation cosim::dut cosim::runtime)
+    cosim::mutation cosim::stream cosim::dut cosim::runtime)
   set_property(GLOBAL APPEND PROPERTY COSIM_ON_DEMAND
     "    registry.mutants({\"${TITLE}\", \"mutants_${ID}\", \"${FOLDER}\"})\;\n")
 endfunction()

@@ -143,7 +143,7 @@ Ended cosim_on_terminal(const Arguments& arguments, unsigned short columns) {
   Ended ended;
   std::string part(4096, '\0');
   // A terminal whose last writer is gone gives an error, not an end.
-  for (ssize_t n = 0; (n = read(terminal, part.data(), part.size())) > 0;) {
+  for (ssize_t n = 0; (n = ::read(terminal, part.data(), part.size())) > 0;) {
     ended.out.append(part, 0, static_cast<std::size_t>(n));
   }
   ended.status = status_of(child);

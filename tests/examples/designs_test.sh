@@ -1,23 +1,18 @@
 #!/usr/bin/env bash
-# designs_test.sh FOLDER [PROGRAM]
+# designs_test.sh --built FOLDER | --program PROGRAM [NAME...]
 #
-# Installs the harness that was built in FOLDER, builds designs/ against it, and tries each design:
-# hostile clocks find no difference where it is as it is meant (FAULT=0), and find and shrink the
-# planted fault (FAULT=1), which the smallest stimulus shows again; the proof proves the one and
-# refutes the other, or refuses both. Then designs/NAME.sh, what is particular to a design. PROGRAM:
-# one that was built already. Status: 0 so, 1 not.
+# Installs the harness that was built in FOLDER, builds the designs of designs/ that are named, all
+# where none is, against it, and tries each: hostile clocks find no difference where it is as it is
+# meant (FAULT=0), and find and shrink the planted fault (FAULT=1), which the smallest stimulus shows
+# again; the proof proves the one and refutes the other, or refuses both. Then designs/NAME.sh, what
+# is particular to a design. PROGRAM: one that was built already. Status: 0 so, 1 not.
 set -euo pipefail
 
-built=$(realpath "$1") given=${2:+$(realpath "$2")}
 here=$(cd "$(dirname "$0")" && pwd)
 designs=$here/designs
 # shellcheck source=tests/support/program.sh
 source "$here/../support/program.sh"
-if [[ $given ]]; then
-  program=$given
-else
-  build_program designs "$built" "$designs"
-fi
+program_of designs "$designs" "$@"
 
 solvers=yes
 for tool in yosys cvc5 z3; do
@@ -31,9 +26,11 @@ particular() {
   source "$designs/$name.sh"
 }
 
-mapfile -t names < <(cd "$designs" && find . -name '*.h' | sort | sed 's,^\./,,; s,\.h$,,')
+if ((${#chosen[@]} == 0)); then
+  mapfile -t chosen < <(cd "$designs" && find . -name '*.h' | sort | sed 's,^\./,,; s,\.h$,,')
+fi
 clocks=20000
-for name in "${names[@]}"; do
+for name in "${chosen[@]}"; do
   ends 1 sweep "$name" --hostile "$clocks" --failures failures
   grep -q "^$name FAULT=0.*: $clocks clocks" said || fails "$name without a fault matches"
   grep -q "^$name FAULT=1.*, case [0-9]*: " said || fails "the fault of $name is found"

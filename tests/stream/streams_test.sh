@@ -1,21 +1,18 @@
 #!/usr/bin/env bash
-# Usage: streams_test.sh BUILD [PROGRAM]
+# streams_test.sh --built FOLDER | --program PROGRAM [NAME...]
 #
-# Builds designs/ against the harness as a package, installed from BUILD into a scratch prefix. What
-# is as it should be passes; each planted fault is found, said by its name, and shrunk to so few
-# transactions; its stimulus shows it again, and draws it. PROGRAM: one that was built already.
-# Status: 0 so, 1 not.
+# Installs the harness that was built in FOLDER and builds the designs of designs/ that are named, all
+# where none is, against it. What is as it should be passes; each planted fault is found, said by its
+# name, and shrunk to so few transactions; its stimulus shows it again, and draws it. PROGRAM: one that
+# was built already. Status: 0 so, 1 not.
 set -euo pipefail
 
-built=$(realpath "$1") given=${2:+$(realpath "$2")}
 here=$(cd "$(dirname "$0")" && pwd)
 # shellcheck source=tests/support/program.sh
 source "$here/../support/program.sh"
-if [[ $given ]]; then
-  program=$given
-else
-  build_program streams "$built" "$here/designs" "-DEXAMPLES=$here/../../examples"
-fi
+program_of streams "$here/designs" "$@"
+((${#chosen[@]} > 0)) || chosen=(loses doubles hangs slow wrong sha256 word pairs divider credits
+  packets asserts asserted guarded)
 
 # found DESIGN KIND MOST: the fault is found, of that kind, and its smallest stimulus has at most MOST
 # transactions, and shows it again.
@@ -39,92 +36,99 @@ found() {
   echo "$design: $kind, shrunk to $rows"
 }
 
+# both DESIGN KIND MOST: its fault is found, and without it nothing is.
+both() {
+  found "$@"
+  ends 1 sweep "$1" --hostile 20000 --failures kept
+  says_like "^$1 FAULT=0, random transactions with random stalls: [0-9]* clocks"
+}
+
 # The faults of the filter. A value is lost or doubled only where somebody waits.
-found loses lost 2
-grep -qE '^0 .* [1-9][0-9]*$' loses.stim || fails "what loses a value keeps the stall that shows it"
-found doubles doubled 2
-found hangs hung 2
-found slow late 3
-found wrong 'another value' 5
+try_loses() {
+  found loses lost 2
+  grep -qE '^0 .* [1-9][0-9]*$' loses.stim || fails "what loses a value keeps the stall that shows it"
+}
+try_doubles() { found doubles doubled 2; }
+try_hangs() { found hangs hung 2; }
+try_slow() { found slow late 3; }
+try_wrong() { found wrong 'another value' 5; }
 
-# Blocks of 512 bits, 66 clocks each.
-# Both of its models.
-ends 0 sweep sha256 --hostile 100000
-says_like '^sha256, any value on any pin on any clock: 100000 clocks'
-says_like '^sha256 streams, random transactions with random stalls: 1[0-9]* clocks'
-says_like '^compared: 32 registers and 6 outputs of sha256 on each'
-says_like '^compared: values and order of all that comes out at digest of sha256 streams on each'
-found word 'another value: digest' 1
+# Blocks of 512 bits, 66 clocks each, by both of its models.
+try_sha256() {
+  ends 0 sweep sha256 --hostile 100000
+  says_like '^sha256, any value on any pin on any clock: 100000 clocks'
+  says_like '^sha256 streams, random transactions with random stalls: 1[0-9]* clocks'
+  says_like '^compared: 32 registers and 6 outputs of sha256 on each'
+  says_like '^compared: values and order of all that comes out at digest of sha256 streams on each'
+}
+try_word() { found word 'another value: digest' 1; }
 
-# The interfaces: as they should be, then with a fault.
-for design in pairs divider credits packets; do
-  case $design in
-    pairs) kind='(another value|taken back): parts' most=1 ;;
-    divider) kind='another value: given' most=1 ;;
-    credits) kind='credit: out number . comes without any' most=6 ;;
-    packets) kind='another value: sum' most=3 ;;
-  esac
-  found "$design" "$kind" "$most"
-  ends 1 sweep $design --hostile 20000 --failures kept
-  says_like "^$design FAULT=0, random transactions with random stalls: [0-9]* clocks"
-done
+# Every kind of interface.
+try_pairs() { both pairs '(another value|taken back): parts' 1; }
+try_credits() { both credits 'credit: out number . comes without any' 6; }
+try_packets() { both packets 'another value: sum' 3; }
+try_divider() {
+  both divider 'another value: given' 1
+  says_like '^assumed of the inputs: asked: the divisor is not 0$'
+  ends 2 prove divider
+  says 'divider: a stream model, which knows no clock: nothing can be proved of it'
+  sed 's/^0 .*/0  1  0  7  0/' divider.stim > zero.stim
+  ends 2 replay zero.stim
+  says_like 'a transaction that is assumed never to come; the rule is: the divisor is not 0'
+  sed 's/^transaction /clock /' divider.stim > clocks.stim
+  ends 2 replay clocks.stim
+  says_like 'is none of origin, power-up, state, transaction'
+  # Of streams alone a mutant is killed or not, and never equal. Of 40 one is left: that done holds its
+  # 0 while the divider works is never needed, for it has been 0 since the start.
+  if command -v yosys > /dev/null; then
+    ends 1 mutate divider FAULT=0 --mutants 40
+    says 'divider FAULT=0: a stream model, which knows no clock: no mutant can be proved equal'
+    says_like '^divider FAULT=0: 40 mutants: 3[0-9] killed, 0 proved equal, [1-3] survived$'
+  else
+    echo 'no yosys: no mutants'
+  fi
+}
 
 # What the RTL says of itself, of streams and in lockstep, with its file and line.
-found asserts 'the RTL says: .*asserts.v:[0-9]*: .*1[0-9]* is more than 100$' 1
-ends 1 sweep asserts --hostile 20000 --failures kept
-says_like '^asserts FAULT=0, .*: [0-9]* clocks'
-rm -rf kept
-ends 1 sweep asserted --hostile 20000 --failures kept
-says_like '^asserted FAULT=0, .*: 20000 clocks'
-says_like '^the RTL says: .*asserted.sv:12: .*count is 10$'
-# Ten clocks up to ten, one to say so.
-grep -q '^smallest stimulus that still fails: 11 clocks' kept/*/report.txt || fails "it is shrunk"
-grep -q '"finding": "the RTL says' kept/*/report.json || fails "the report has it"
-ends 1 replay kept/*/smallest.stim
-says_like '^the RTL says: .*asserted.sv:12: '
-
+try_asserts() { both asserts 'the RTL says: .*asserts.v:[0-9]*: .*1[0-9]* is more than 100$' 1; }
+try_asserted() {
+  ends 1 sweep asserted --hostile 20000 --failures asserted
+  says_like '^asserted FAULT=0, .*: 20000 clocks'
+  says_like '^the RTL says: .*asserted.sv:12: .*count is 10$'
+  # Ten clocks up to ten, one to say so.
+  grep -q '^smallest stimulus that still fails: 11 clocks' asserted/*/report.txt ||
+    fails "it is shrunk"
+  grep -q '"finding": "the RTL says' asserted/*/report.json || fails "the report has it"
+  ends 1 replay asserted/*/smallest.stim
+  says_like '^the RTL says: .*asserted.sv:12: '
+}
 # With a model of every clock beside that of streams: what is the same is proved to be, what the RTL
 # asserts too, and a mutant is one or the other.
-if command -v yosys > /dev/null && command -v cvc5 > /dev/null && command -v z3 > /dev/null; then
-  ends 0 prove guarded FAULT=0
-  says_like 'what the RTL asserts is so .* proved$'
-  says_like '^4 of 4 claims proved by all solvers'
-  rm -rf kept
-  ends 1 prove guarded FAULT=1 --failures kept
-  says_like 'what the RTL asserts is so .* REFUTED'
-  says_like '^3 of 4 claims proved by all solvers'
-  ends 1 replay kept/*/smallest.stim
+try_guarded() {
+  if command -v yosys > /dev/null && command -v cvc5 > /dev/null && command -v z3 > /dev/null; then
+    ends 0 prove guarded FAULT=0
+    says_like 'what the RTL asserts is so .* proved$'
+    says_like '^4 of 4 claims proved by all solvers'
+    ends 1 prove guarded FAULT=1 --failures guarded
+    says_like 'what the RTL asserts is so .* REFUTED'
+    says_like '^3 of 4 claims proved by all solvers'
+    ends 1 replay guarded/*/smallest.stim
+    says_like '^the RTL says: .*guarded.sv:22: '
+    ends 0 mutate guarded FAULT=0 --mutants 100
+    says_like '^guarded FAULT=0: [0-9]* mutants: [0-9]* killed, [1-9][0-9]* proved equal, 0 survived$'
+    # Those that are the same are no more than not killed, where nothing proves it.
+    ends 1 mutate guarded FAULT=0 --mutants 100 --unproved
+    says_like '^guarded FAULT=0: [0-9]* mutants: [0-9]* killed, 0 proved equal, [1-9][0-9]* survived$'
+  else
+    echo 'no yosys, cvc5 or z3: nothing is proved'
+  fi
+  ends 1 sweep guarded --hostile 20000 --failures kept
+  says_like '^guarded FAULT=0, any value on any pin on any clock: 20000 clocks'
+  says_like '^guarded FAULT=0 streams, random transactions with random stalls: 20000 clocks'
   says_like '^the RTL says: .*guarded.sv:22: '
-  ends 0 mutate guarded FAULT=0 --mutants 100
-  says_like '^guarded FAULT=0: [0-9]* mutants: [0-9]* killed, [1-9][0-9]* proved equal, 0 survived$'
-  # Those that are the same are no more than not killed, where nothing proves it.
-  ends 1 mutate guarded FAULT=0 --mutants 100 --unproved
-  says_like '^guarded FAULT=0: [0-9]* mutants: [0-9]* killed, 0 proved equal, [1-9][0-9]* survived$'
-else
-  echo 'no yosys, cvc5 or z3: nothing is proved'
-fi
-ends 1 sweep guarded --hostile 20000 --failures kept
-says_like '^guarded FAULT=0, any value on any pin on any clock: 20000 clocks'
-says_like '^guarded FAULT=0 streams, random transactions with random stalls: 20000 clocks'
-says_like '^the RTL says: .*guarded.sv:22: '
+}
 
-# Of streams alone a mutant is killed or not, and never equal. Of 40 one is left: that done holds its 0
-# while the divider works is never needed, for it has been 0 since the start.
-if command -v yosys > /dev/null; then
-  ends 1 mutate divider FAULT=0 --mutants 40
-  says 'divider FAULT=0: a stream model, which knows no clock: no mutant can be proved equal'
-  says_like '^divider FAULT=0: 40 mutants: 3[0-9] killed, 0 proved equal, [1-3] survived$'
-else
-  echo 'no yosys: no mutants'
-fi
-
-ends 2 prove divider
-says 'divider: a stream model, which knows no clock: nothing can be proved of it'
-ends 1 sweep divider --hostile 20000
-says_like '^assumed of the inputs: asked: the divisor is not 0$'
-sed 's/^0 .*/0  1  0  7  0/' divider.stim > zero.stim
-ends 2 replay zero.stim
-says_like 'a transaction that is assumed never to come; the rule is: the divisor is not 0'
-sed 's/^transaction /clock /' divider.stim > clocks.stim
-ends 2 replay clocks.stim
-says_like 'is none of origin, power-up, state, transaction'
+for name in "${chosen[@]}"; do
+  "try_$name"
+  echo "$name: as it should be"
+done

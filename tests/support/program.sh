@@ -1,13 +1,27 @@
 # shellcheck shell=bash
 # For tests of a program of somebody's own designs: a folder `scratch`, which is the present one and
 # goes with the script, and what the program is asked and says.
+before=$PWD
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch" || exit 1
-program=''
+program='' chosen=()
 
-# build_program TARGET BUILD SOURCES [OPTION...]: installs the harness that was built in BUILD, builds
-# the project in SOURCES against it, all files at once, for the headers cost more than the designs.
+# program_of TARGET SOURCES --built FOLDER | --program PROGRAM [NAME...]: `program` is PROGRAM, or made
+# of the project in SOURCES against the harness that was built in FOLDER. `chosen` are the NAMEs, and
+# with one the project builds these alone.
+program_of() {
+  local from
+  chosen=("${@:5}")
+  from=$(cd "$before" && realpath "$4")
+  case $3 in
+    --program) program=$from ;;
+    --built) build_program "$1" "$from" "$2" "-DONLY=$(IFS=';' && echo "${chosen[*]}")" ;;
+    *) echo "needs --built FOLDER or --program PROGRAM" && exit 1 ;;
+  esac
+}
+# build_program TARGET BUILD SOURCES [OPTION...]: installs the harness that was built in BUILD, and
+# builds against it, all files at once, for the headers cost more than the designs.
 build_program() {
   cmake --install "$2" --prefix "$scratch/prefix" > "$scratch/log"
   if ! cmake -S "$3" -B "$scratch/build" -G Ninja "-DCMAKE_PREFIX_PATH=$scratch/prefix" \

@@ -14,7 +14,7 @@ void expect_fits(const Record& record, const Params& p) {
   const auto words = to_words(record);
   const auto fields = Record::fields(p);
   for (std::size_t i = 0; i < words.size(); ++i) {
-    ASSERT_EQ(words[i], low_bits(words[i], fields[i].width)) << fields[i].name;
+    ASSERT_EQ(words[i], cosim::low_bits(words[i], fields[i].width)) << fields[i].name;
   }
 }
 

@@ -8,12 +8,7 @@
 #include "model/circular/host.h"
 #include "model/circular/oracle.h"
 #include "tests/rtl/straight.h"
-
-namespace cosim::plane {
-
-static void PrintTo(const Point& p, std::ostream* out) { *out << p.x << ',' << p.y; }
-
-}  // namespace cosim::plane
+#include "tests/support/point.h"
 
 namespace cosim::circular {
 namespace {

@@ -10,12 +10,7 @@
 #include "model/dda/host.h"
 #include "tests/designs/dda/flow_chart.h"
 #include "tests/rtl/straight.h"
-
-namespace cosim::plane {
-
-static void PrintTo(const Point& p, std::ostream* out) { *out << p.x << ',' << p.y; }
-
-}  // namespace cosim::plane
+#include "tests/support/point.h"
 
 namespace cosim::dda {
 namespace {

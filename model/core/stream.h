@@ -14,12 +14,27 @@
 // std::tuple of vectors. Fields with a sign are numbers in run(), of both sides. run() gives, for
 // the first transactions of a case alone, the first of the results: what came out once stays.
 //
+// An interface of another kind has a driver of one's own, by<Driver>(). Of a stream that goes in:
+//
+//   struct Driver {
+//     static constexpr auto drives(const Params&) { return std::array{pin::wire("rx")}; }
+//     static constexpr auto reads(const Params&) { return std::array{pin::wire("busy")}; }
+//     void drive(const X<Word>* x, std::span<Word> pins);  // those that it drives, on this clock
+//     bool took(std::span<const Word> pins);               // those that it reads, later on it
+//   };
+//
+// x is the transaction that may go in, the same until took() says that it has; null where there is
+// none, or the case holds it back. Of one that comes out drive(bool ready, pins), where ready is
+// false while the case takes nothing, and std::optional<Y<Word>> came(pins). A driver is made anew
+// for each case; drive() is called once in the reset, too.
+//
 // The ports of stream "x" are x_valid, x_ready, and x_FIELD for each field; prefix() puts something
 // else before them, and a field with at("PORT") has that port. A transaction passes on a clock on
 // which valid and ready are both high.
 #pragma once
 
 #include <array>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -51,12 +66,20 @@ struct StreamPorts {
 
 /// An interface for transactions of the type Record<Word>. Each function gives it with one more
 /// thing said of it.
-template <template <class> class Record>
+/// `Driver`: void, or one of its own in place of valid and ready.
+template <template <class> class Record, class Driver = void>
 struct Stream {
   template <class V>
   using Payload = Record<V>;
+  using Own = Driver;
 
   StreamPorts ports;
+
+  /// It has pins of another kind, and a driver that knows them.
+  template <class Other>
+  constexpr Stream<Record, Other> by() const {
+    return {ports};
+  }
 
   /// Its ports begin with `text`: prefix("s_axis_t") makes them s_axis_tvalid, s_axis_tready.
   constexpr Stream prefix(const char* text) const { return with(&StreamPorts::prefix, text); }
@@ -99,9 +122,9 @@ constexpr Stream<Record> stream(const char* name) {
   return {{name}};
 }
 
-/// A port of the top module that belongs to no stream.
+/// A port of the top module that is no part of a transaction.
 struct Pin {
-  enum class Kind { reset, tied, unread };
+  enum class Kind { reset, tied, unread, driver };
   const char* port;
   Kind kind;
   Word value = 0;  ///< of a reset: where it resets; of a tied input: always
@@ -122,6 +145,8 @@ constexpr Pin reset_low(const char* port, int clocks = 2) {
 constexpr Pin tied(const char* port, Word value, int width = 1) {
   return {port, Pin::Kind::tied, value, width};
 }
+/// Of a driver of one's own.
+constexpr Pin wire(const char* port, int width = 1) { return {port, Pin::Kind::driver, 0, width}; }
 /// An output that nobody looks at.
 constexpr Pin unread(const char* port, int width = 1) {
   return {port, Pin::Kind::unread, 0, width};

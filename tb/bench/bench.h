@@ -91,6 +91,12 @@ class AnyBench {
   /// Runs it too, but finds only the first clock that differs; none where a clock before it breaks
   /// a rule of the design.
   virtual std::optional<std::uint64_t> first_difference(const Stimulus& stimulus) const = 0;
+  /// The rows of a stimulus without row n in ways of the bench's own, for shrinking; none where it
+  /// is nothing but left out.
+  virtual std::vector<std::vector<std::vector<Word>>> without(
+      const std::vector<std::vector<Word>>& /*rows*/, std::size_t /*n*/) const {
+    return {};
+  }
   /// Draws `stimulus` in the FST file `path` and the view beside it: the clocks of `around` the
   /// first difference, or all where none differs. InputError where a file cannot be written.
   virtual void draw_wave(const std::string& path, const Stimulus& stimulus,

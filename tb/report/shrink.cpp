@@ -19,7 +19,7 @@ class Shrinker {
 
   Stimulus run() {
     take(best_.clocks);
-    while (in_time() && (fewer_clocks() | calmer_pins() | lower_values())) continue;
+    while (in_time() && (fewer_clocks() | other_rows() | calmer_pins() | lower_values())) continue;
     return std::move(best_);
   }
 
@@ -50,6 +50,20 @@ class Shrinker {
                    rows.begin() + static_cast<std::ptrdiff_t>(std::min(end, rows.size())));
         any |= take(std::move(rows));
         end = std::min(begin, best_.clocks.size());
+      }
+    }
+    return any;
+  }
+
+  // Without a row in a way that the bench knows, from the end on.
+  bool other_rows() {
+    bool any = false;
+    for (std::size_t n = best_.clocks.size(); n-- > 0 && in_time();) {
+      if (n >= best_.clocks.size()) continue;
+      for (Rows& rows : bench_.without(best_.clocks, n)) {
+        if (!take(std::move(rows))) continue;
+        any = true;
+        break;
       }
     }
     return any;

@@ -16,7 +16,8 @@ namespace cosim {
 struct AnyStreamBench::Ready {
   Ready(const AnyStreamBench& b, const Stimulus& s)
       : bench(b), power_up(s.power_up), given(stream_case(b.shape_, s)), broken(rule(b, given)) {
-    if (broken == nullptr) expected = all(b, given);
+    for (const StreamCase::Side& side : given.in) in.push_back(side.given);
+    if (broken == nullptr) expected = b.expected(in);
   }
 
   /// InputError where it breaks a rule.
@@ -30,22 +31,14 @@ struct AnyStreamBench::Ready {
     return run_stream(bench.shape_, *machine, order(budget, gather, observer));
   }
   StreamOrder order(std::uint64_t budget, bool gather, StreamObserver* observer) {
-    const auto due = [this](const std::vector<std::size_t>& taken) {
-      std::vector<Sequence> some;
-      for (std::size_t i = 0; i < taken.size(); ++i) {
-        some.push_back(given.in[i].given.first(taken[i]));
-      }
-      std::vector<std::size_t> sizes;
-      for (const Sequence& out : bench.expected(some)) sizes.push_back(out.size());
-      return sizes;
-    };
-    return {given, expected, due, power_up, budget, gather, observer};
+    return {given, expected, bench.sizes(in), power_up, budget, gather, observer};
   }
 
   const AnyStreamBench& bench;
   std::uint32_t power_up;
   StreamCase given;
   const char* broken;  // the first rule that the case breaks; then it cannot be run
+  std::vector<Sequence> in;
   std::vector<Sequence> expected;
 
  private:
@@ -57,11 +50,6 @@ struct AnyStreamBench::Ready {
       }
     }
     return nullptr;
-  }
-  static std::vector<Sequence> all(const AnyStreamBench& b, const StreamCase& given) {
-    std::vector<Sequence> in;
-    for (const StreamCase::Side& side : given.in) in.push_back(side.given);
-    return b.expected(in);
   }
 };
 
@@ -84,7 +72,7 @@ std::string AnyStreamBench::compared_text() const {
 }
 
 std::string AnyStreamBench::text_of(const HostileCase& c) const {
-  return fmt::format("random transactions, {} clocks of them, seed {}", c.clocks, c.seed);
+  return fmt::format("{} clocks of transactions, seed {}", c.clocks, c.seed);
 }
 
 std::vector<Word> AnyStreamBench::rest() const {
@@ -144,6 +132,29 @@ std::optional<std::uint64_t> AnyStreamBench::first_difference(const Stimulus& st
   if (ready.broken != nullptr || !ready.run(no_budget, false).finding) return {};
   // A row may matter as long as it is there, by the stall of what comes out last.
   return stimulus.clocks.size() - 1;
+}
+
+std::vector<std::vector<std::vector<Word>>> AnyStreamBench::without(
+    const std::vector<std::vector<Word>>& rows, std::size_t n) const {
+  if (n + 1 == rows.size()) return {};
+  const auto later = [&](std::vector<std::vector<Word>>& changed, std::size_t column) {
+    Word& stall = changed[n + 1][column];
+    stall = std::min<Word>(stall + rows[n][column] + 1, (1 << stall_width) - 1);
+  };
+  // The next one goes in as late as it did, and what comes of it is taken as late, or at once.
+  std::vector<std::vector<Word>> in = rows;
+  std::size_t at = 0;
+  for (const Interface& i : shape_.in) {
+    later(in, at + 1);
+    at += 2 + i.cells.size();
+  }
+  std::vector<std::vector<Word>> both = in;
+  for (const Interface& i : shape_.out) {
+    if (i.can_stall()) later(both, at++);
+  }
+  for (auto* changed : {&in, &both})
+    changed->erase(changed->begin() + static_cast<std::ptrdiff_t>(n));
+  return {in, both};
 }
 
 void AnyStreamBench::draw_wave(const std::string& path, const Stimulus& stimulus,

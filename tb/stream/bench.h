@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -38,6 +39,8 @@ class AnyStreamBench : public AnyBench {
   Run run_hostile(const HostileCase& c) const override;
   Run replay(const Stimulus& stimulus, Window window) const override;
   std::optional<std::uint64_t> first_difference(const Stimulus& stimulus) const override;
+  std::vector<std::vector<std::vector<Word>>> without(const std::vector<std::vector<Word>>& rows,
+                                                      std::size_t n) const override;
   void draw_wave(const std::string& path, const Stimulus& stimulus, Window around) const override;
 
   const StreamShape& shape() const { return shape_; }
@@ -45,6 +48,10 @@ class AnyStreamBench : public AnyBench {
   virtual std::unique_ptr<StreamDut> dut(std::uint32_t power_up) const = 0;
   /// What must come out of each stream. InputError where the model gives what no port can hold.
   virtual std::vector<Sequence> expected(const std::vector<Sequence>& given) const = 0;
+  /// The sizes of that alone for the first so many transactions of each stream of `given`, which
+  /// stays; called with ever more.
+  virtual std::function<std::vector<std::size_t>(const std::vector<std::size_t>& taken)> sizes(
+      const std::vector<Sequence>& given) const = 0;
   /// The first rule that a transaction of stream s breaks; null where it may go in.
   virtual const char* broken_rule(std::size_t s, std::span<const Word> words) const = 0;
 

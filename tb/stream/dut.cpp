@@ -59,7 +59,9 @@ StreamNets::StreamNets(const StreamShape& shape, StreamDut& dut) {
     all.one(i.ready.c_str(), !i.goes_in);
     all.one(i.credit.c_str(), !i.goes_in);
     all.one(i.done.c_str(), false);
-    all.cells(i.cells, i.goes_in);
+    if (!i.own.is_there()) all.cells(i.cells, i.goes_in);
+    for (const Pin& p : i.own.drives) all.one(p.port, true, p.width);
+    for (const Pin& p : i.own.reads) all.one(p.port, false, p.width);
   };
   for (const Interface& i : shape.in) handshake(i);
   for (const Interface& i : shape.out) handshake(i);
@@ -72,7 +74,9 @@ StreamNets::StreamNets(const StreamShape& shape, StreamDut& dut) {
   const auto found = [&](const Interface& i) {
     InterfaceNets n{
         all.named[i.valid], all.named[i.ready], all.named[i.credit], all.named[i.done], {}};
-    for (std::size_t c = 0; c < i.cells.size(); ++c) {
+    for (const Pin& p : i.own.drives) n.drives.push_back(all.named[p.port]);
+    for (const Pin& p : i.own.reads) n.reads.push_back(all.named[p.port]);
+    for (std::size_t c = 0; c < i.cells.size() && !i.own.is_there(); ++c) {
       n.cells.push_back(i.goes_in ? all.driven[driven++] : all.read[read++]);
     }
     return n;

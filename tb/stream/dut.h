@@ -57,6 +57,7 @@ class VerilatedStreamDut : public StreamDut, protected VerilatedInstance<Top, fa
 struct InterfaceNets {
   Net valid, ready, credit, done;
   std::vector<Net> cells;
+  std::vector<Net> drives = {}, reads = {};  ///< of a driver of its own, which has no others
 };
 
 /// All ports of one instance.

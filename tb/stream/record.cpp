@@ -31,7 +31,7 @@ void TraceRecorder::add(const Interface& i) {
   const auto flag = [](const std::string& name) {
     return Field{name.c_str(), 1, Format::flag, "", ""};
   };
-  mismatch_.traces.push_back({flag(i.valid), kind, {}, {}});
+  if (!i.valid.empty()) mismatch_.traces.push_back({flag(i.valid), kind, {}, {}});
   if (!i.ready.empty()) mismatch_.traces.push_back({flag(i.ready), back, {}, {}});
   for (const Field& f : i.cells) mismatch_.traces.push_back({f, kind, {}, {}});
 }
@@ -43,7 +43,7 @@ void TraceRecorder::keep(std::size_t& at, const Interface& i, const InterfaceSee
     t.actual.push_back(actual);
     t.left_out.push_back(left_out);
   };
-  one(seen.valid ? 1 : 0, seen.valid ? 1 : 0);
+  if (!i.valid.empty()) one(seen.valid ? 1 : 0, seen.valid ? 1 : 0);
   if (!i.ready.empty()) one(seen.ready ? 1 : 0, seen.ready ? 1 : 0);
   for (std::size_t c = 0; c < seen.actual.size(); ++c) {
     one(seen.expected[c], seen.actual[c], !i.goes_in && !seen.valid);

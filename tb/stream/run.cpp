@@ -27,7 +27,7 @@ class Runner {
     dut_.begin();
     for (Giver& g : givers_) g.begin();
     for (Taker& t : takers_) t.begin();
-    if (has_latency_) note_due();
+    if (has_latency_) note_taken();
   }
 
   StreamResult run() {
@@ -51,8 +51,15 @@ class Runner {
       if (pin.kind == Pin::Kind::tied) nets_.pins[p].set(pin.value);
       if (pin.kind == Pin::Kind::reset) clocks = std::max(clocks, pin.clocks);
     }
-    for (const InterfaceNets& n : nets_.in) n.valid.set(0);
+    for (std::size_t s = 0; s < nets_.in.size(); ++s) {
+      if (givers_[s].own) {
+        givers_[s].drive_own();
+      } else {
+        nets_.in[s].valid.set(0);
+      }
+    }
     for (std::size_t s = 0; s < nets_.out.size(); ++s) {
+      if (takers_[s].own) takers_[s].drive_own();
       if (!shape_.out[s].ready.empty()) nets_.out[s].ready.set(0);
       if (!shape_.out[s].credit.empty()) nets_.out[s].credit.set(0);
     }
@@ -82,7 +89,7 @@ class Runner {
       moved |= t.moved;
     }
     moved |= took;
-    if (has_latency_ && took) note_due();
+    if (has_latency_ && took) note_taken();
     judge(moved);
     const bool more = order_.observer == nullptr || show();
     nets_.clock.set(1);
@@ -94,14 +101,11 @@ class Runner {
     return more && !ends(moved);
   }
 
-  // How many of each stream have become due by what is taken on this clock.
-  void note_due() {
+  // What is taken by the end of this clock.
+  void note_taken() {
     std::vector<std::size_t> taken;
     for (const Giver& g : givers_) taken.push_back(g.taken + (g.moved ? 1 : 0));
-    const auto due = order_.due(taken);
-    for (std::size_t s = 0; s < takers_.size(); ++s) {
-      while (takers_[s].due.size() < due[s]) takers_[s].due.push_back(takers_[s].idle);
-    }
+    for (Taker& t : takers_) t.note(taken);
   }
 
   void found(Kind kind, bool goes_in, std::size_t stream, std::size_t number,
@@ -162,12 +166,13 @@ class Runner {
       ++result_.transactions;
       if (order_.gather) gathered(s).push(t.words);
     }
-    if (!t.valid && t.ready) {
-      ++t.idle;
-      if (t.i.latency >= 0 && t.came < t.due.size() &&
-          t.idle - t.due[t.came] > static_cast<std::uint64_t>(t.i.latency)) {
-        found(Kind::late, false, s, t.came);
+    if (!t.valid && t.ready && t.i.latency >= 0) {
+      t.age();
+      if (!t.asked && t.came < t.expected.size()) {
+        t.due = order_.due(t.old)[s];
+        t.asked = true;
       }
+      if (t.came < t.due) found(Kind::late, false, s, t.came);
     }
   }
 
@@ -208,15 +213,21 @@ class Runner {
     std::vector<InterfaceSeen> in, out;
     for (std::size_t s = 0; s < givers_.size(); ++s) {
       const Giver& g = givers_[s];
-      InterfaceSeen seen{g.offers, g.i.ready.empty() || g.nets.ready.get() != 0, g.taken, {}, {}};
-      for (const Net& n : g.nets.cells) seen.actual.push_back(n.get());
+      InterfaceSeen seen{g.offers,
+                         g.own ? g.moved : g.i.ready.empty() || g.nets.ready.get() != 0,
+                         g.taken,
+                         values_of(g.nets.cells),
+                         {}};
+      if (g.own && g.offers) seen.actual.assign(g.given[g.taken].begin(), g.given[g.taken].end());
+      seen.actual.resize(g.i.cells.size());
       seen.expected = seen.actual;
       in.push_back(std::move(seen));
     }
     for (std::size_t s = 0; s < takers_.size(); ++s) {
       const Taker& t = takers_[s];
-      InterfaceSeen seen{t.valid, t.ready, t.came, {}, {}};
-      for (const Net& n : t.nets.cells) seen.actual.push_back(n.get());
+      InterfaceSeen seen{t.valid, t.ready, t.came, values_of(t.nets.cells), {}};
+      if (t.own && t.valid) seen.actual = t.words;
+      seen.actual.resize(t.i.cells.size());
       seen.expected = seen.actual;
       // What is not valid means nothing.
       if (t.valid && t.came < t.expected.size()) {

@@ -61,7 +61,7 @@ struct StreamOrder {
   const StreamCase& given;
   const std::vector<Sequence>& expected;  ///< of each stream that comes out
   /// How many must have come out of each stream for the first so many of each that goes in. Asked
-  /// only where a latency is stated.
+  /// only where a latency is stated and something is waited for longer than that, of ever more.
   std::function<std::vector<std::size_t>(const std::vector<std::size_t>& taken)> due;
   std::uint32_t noise = 1;  ///< seed of the values of fields while nothing is offered
   std::uint64_t budget = ~std::uint64_t{0};  ///< clocks after which it ends once something moves

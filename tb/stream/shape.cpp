@@ -9,7 +9,8 @@
 
 namespace cosim {
 
-void StreamShape::add(const StreamPorts& ports, bool goes_in, std::span<const Field> cells) {
+void StreamShape::add(const StreamPorts& ports, bool goes_in, std::span<const Field> cells,
+                      OwnDriver own) {
   const auto refuse = [&](const std::string& why) {
     throw InputError(fmt::format("{}: stream {}: {}", title, ports.name, why));
   };
@@ -20,8 +21,10 @@ void StreamShape::add(const StreamPorts& ports, bool goes_in, std::span<const Fi
   const auto port = [&](const char* given, const char* usual) {
     return given != nullptr ? std::string(given) : prefix + usual;
   };
-  i.valid = port(ports.valid, "valid");
-  if (ports.has_ready) i.ready = port(ports.ready, "ready");
+  i.own = std::move(own);
+  const bool usual = !i.own.is_there();
+  if (usual) i.valid = port(ports.valid, "valid");
+  if (usual && ports.has_ready) i.ready = port(ports.ready, "ready");
   if (ports.credits > 0) i.credit = port(ports.credit, "credit");
   if (ports.done != nullptr) i.done = ports.done;
   i.credits = ports.credits;
@@ -30,6 +33,9 @@ void StreamShape::add(const StreamPorts& ports, bool goes_in, std::span<const Fi
   i.steady = ports.steady;
   if (goes_in && (i.latency >= 0 || i.pulse || i.steady)) {
     refuse("latency(), rising() and steady() are of streams that come out");
+  }
+  if (!usual && (i.credits > 0 || !i.done.empty() || i.pulse)) {
+    refuse("with a driver of its own it has no credit(), until() or rising()");
   }
   if (!goes_in && !i.done.empty()) refuse("until() is of streams that go in");
 

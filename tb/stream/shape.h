@@ -17,6 +17,7 @@
 #include "model/core/fields.h"
 #include "model/core/stream.h"
 #include "tb/stimulus/stimulus.h"
+#include "tb/stream/own.h"
 #include "tb/stream/sequence.h"
 
 namespace cosim {
@@ -33,8 +34,11 @@ struct Interface {
   int credits = 0;
   int latency = -1;
   bool pulse = false, steady = false;
+  OwnDriver own = {};
 
-  bool can_stall() const { return !ready.empty() || !credit.empty(); }
+  /// It says on each clock whether it takes.
+  bool has_ready() const { return !ready.empty() || own.is_there(); }
+  bool can_stall() const { return has_ready() || !credit.empty(); }
 };
 
 struct StreamShape {
@@ -50,7 +54,8 @@ struct StreamShape {
   std::uint64_t watchdog = 1000;  ///< clocks for which nothing may move while something should
 
   /// Adds an interface with the cells of its record. InputError where that cannot be.
-  void add(const StreamPorts& ports, bool goes_in, std::span<const Field> cells);
+  void add(const StreamPorts& ports, bool goes_in, std::span<const Field> cells,
+           OwnDriver own = {});
   /// The columns of a case.
   const std::vector<Field>& columns() const { return columns_; }
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <vector>
 
 #include "tb/stream/dut.h"
@@ -12,6 +13,12 @@
 #include "tb/support/random.h"
 
 namespace cosim {
+
+inline std::vector<Word> values_of(const std::vector<Net>& nets) {
+  std::vector<Word> values;
+  for (const Net& n : nets) values.push_back(n.get());
+  return values;
+}
 
 /// A stream that goes in, at work.
 struct Giver {
@@ -25,6 +32,7 @@ struct Giver {
   bool offers = false;  // valid is high
   bool waits = false;   // for done
   bool moved = false;   // on this clock
+  std::unique_ptr<OwnGiver> own = i.own.giver ? i.own.giver() : nullptr;
 
   bool left() const { return taken < given.size(); }
   /// The harness itself makes it wait.
@@ -38,15 +46,26 @@ struct Giver {
     } else if (!offers && left() && !waits && (i.credits == 0 || credits > 0)) {
       offers = true;
       const auto words = given[taken];
-      for (std::size_t c = 0; c < words.size(); ++c) nets.cells[c].set(words[c]);
+      for (std::size_t c = 0; c < nets.cells.size(); ++c) nets.cells[c].set(words[c]);
     }
+    if (own) return drive_own();
     nets.valid.set(offers ? 1 : 0);
     if (offers || waits) return;
     for (std::size_t c = 0; c < nets.cells.size(); ++c) {
       nets.cells[c].set(low_bits(static_cast<Word>(noise.next()), i.cells[c].width));
     }
   }
+  void drive_own() {
+    std::vector<Word> pins(nets.drives.size());
+    const std::span<const Word> words = offers ? given[taken] : std::span<const Word>();
+    own->drive(offers ? &words : nullptr, pins);
+    for (std::size_t p = 0; p < pins.size(); ++p) nets.drives[p].set(pins[p]);
+  }
   void sample() {
+    if (own) {
+      moved = own->took(values_of(nets.reads)) && offers;
+      return;
+    }
     if (waits && nets.done.get() != 0) waits = false;
     moved = offers && (i.ready.empty() || nets.ready.get() != 0);
     if (i.credits > 0 && nets.credit.get() != 0) ++credits;
@@ -76,20 +95,48 @@ struct Taker {
   bool valid = false, ready = false, moved = false, before = false, offered = false;
   bool stays = false;  // a pulse that came before is still high
   std::vector<Word> words{}, last{};
-  std::uint64_t idle = 0;            // clocks on which it could have taken one
-  std::vector<std::uint64_t> due{};  // the same, when each became due
+  std::unique_ptr<OwnTaker> own = i.own.taker ? i.own.taker() : nullptr;
+  std::uint64_t idle = 0;  // clocks on which it could have taken one
+
+  // What had been taken from the streams that go in when so many clocks were idle; those are left
+  // that the latency has not yet passed over.
+  struct Taken {
+    std::uint64_t idle;
+    std::vector<std::size_t> counts;
+  };
+  std::deque<Taken> recent{};
+  std::vector<std::size_t> old{};  // what was taken longer ago than that
+  bool asked = true;               // how many are due of it
+  std::size_t due = 0;             // that many
 
   Word stall_of(std::size_t n) const { return n < stalls.size() ? stalls[n] : 0; }
   bool held_back() const { return stalled != 0 || !returns.empty(); }
+  void note(const std::vector<std::size_t>& taken) {
+    if (i.latency < 0) return;
+    if (!recent.empty() && recent.back().idle == idle) {
+      recent.back().counts = taken;
+    } else {
+      recent.push_back({idle, taken});
+    }
+  }
+  void age() {
+    ++idle;
+    while (!recent.empty() && idle - recent.front().idle > static_cast<std::uint64_t>(i.latency)) {
+      old = std::move(recent.front().counts);
+      recent.pop_front();
+      asked = false;
+    }
+  }
   void begin() {
-    stalled = i.ready.empty() ? 0 : stall_of(came);
+    stalled = i.has_ready() ? stall_of(came) : 0;
     credits = i.credits;
   }
 
   void drive() {
-    if (!i.ready.empty()) {
+    if (i.has_ready()) {
       ready = stalled == 0;
       if (!ready) --stalled;
+      if (own) return drive_own();
       nets.ready.set(ready ? 1 : 0);
     } else if (i.credits > 0) {
       const bool back = !returns.empty() && returns.front() == 0;
@@ -105,7 +152,16 @@ struct Taker {
       ready = true;
     }
   }
+  void drive_own() {
+    std::vector<Word> pins(nets.drives.size());
+    own->drive(ready, pins);
+    for (std::size_t p = 0; p < pins.size(); ++p) nets.drives[p].set(pins[p]);
+  }
   void sample() {
+    if (own) {
+      moved = valid = own->came(values_of(nets.reads), words);
+      return;
+    }
     const bool high = nets.valid.get() != 0;
     stays = i.pulse && high && before;
     valid = high && !stays;
@@ -125,7 +181,7 @@ struct Taker {
       returns.push_back(stall_of(came));
     }
     ++came;
-    stalled = i.ready.empty() ? 0 : stall_of(came);
+    stalled = i.has_ready() ? stall_of(came) : 0;
   }
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <type_traits>
@@ -88,6 +89,63 @@ class Payload {
   std::vector<std::size_t> places_;  // of the cells that the shape has
 };
 
+template <class Driver, class Record>
+class OwnGiverOf final : public OwnGiver {
+ public:
+  template <class Params>
+  explicit OwnGiverOf(const Params& p) : payload_(p) {}
+  void drive(const std::span<const Word>* words, std::span<Word> pins) override {
+    if (words == nullptr) return driver_.drive(nullptr, pins);
+    const Record record = payload_.record(*words);
+    driver_.drive(&record, pins);
+  }
+  bool took(std::span<const Word> pins) override { return driver_.took(pins); }
+
+ private:
+  Payload<Record> payload_;
+  Driver driver_;
+};
+
+template <class Driver, class Record>
+class OwnTakerOf final : public OwnTaker {
+ public:
+  template <class Params>
+  explicit OwnTakerOf(const Params& p) : payload_(p) {}
+  void drive(bool ready, std::span<Word> pins) override { driver_.drive(ready, pins); }
+  bool came(std::span<const Word> pins, std::vector<Word>& words) override {
+    const std::optional<Record> record = driver_.came(pins);
+    if (!record) return false;
+    const Sequence one = payload_.sequence({*record}, "a driver", "its stream");
+    words.assign(one[0].begin(), one[0].end());
+    return true;
+  }
+
+ private:
+  Payload<Record> payload_;
+  Driver driver_;
+};
+
+template <class Driver, class Record, class Params>
+OwnDriver own_driver([[maybe_unused]] const Params& p, bool goes_in) {
+  OwnDriver own;
+  if constexpr (!std::is_void_v<Driver>) {
+    const auto drives = Driver::drives(p);
+    const auto reads = Driver::reads(p);
+    own.drives.assign(drives.begin(), drives.end());
+    own.reads.assign(reads.begin(), reads.end());
+    if constexpr (requires(Driver d) { d.drive(nullptr, std::span<Word>()); }) {
+      if (goes_in) own.giver = [&p] { return std::make_unique<OwnGiverOf<Driver, Record>>(p); };
+    } else {
+      if (!goes_in) own.taker = [&p] { return std::make_unique<OwnTakerOf<Driver, Record>>(p); };
+    }
+    if (!own.is_there()) {
+      throw InputError(goes_in ? "a stream that goes in has the driver of one that comes out"
+                               : "a stream that comes out has the driver of one that goes in");
+    }
+  }
+  return own;
+}
+
 }  // namespace detail
 
 /// Top: the Verilated class. Trait has Design, params, and the names of the shape and of the clock.
@@ -117,7 +175,11 @@ class StreamBench final : public AnyStreamBench {
     }
     const auto add = [&]<class Side, std::size_t... S>(const Side& side, bool goes_in,
                                                        std::index_sequence<S...>) {
-      (shape_.add(std::get<S>(side).ports, goes_in, RecordOf<S, Side>::fields(Trait::params)), ...);
+      (shape_.add(
+           std::get<S>(side).ports, goes_in, RecordOf<S, Side>::fields(Trait::params),
+           detail::own_driver<typename std::tuple_element_t<S, Side>::Own, RecordOf<S, Side>>(
+               Trait::params, goes_in)),
+       ...);
     };
     const In in = detail::as_tuple(Design::in(Trait::params));
     const Out out = detail::as_tuple(Design::out(Trait::params));
@@ -147,6 +209,11 @@ class StreamBench final : public AnyStreamBench {
     return all;
   }
 
+  std::function<std::vector<std::size_t>(const std::vector<std::size_t>&)> sizes(
+      const std::vector<Sequence>& given) const override {
+    return sizes(given, Numbers<In>(), Numbers<Out>());
+  }
+
   const char* broken_rule(std::size_t s, std::span<const Word> words) const override {
     const char* broken = nullptr;
     [&]<std::size_t... S>(std::index_sequence<S...>) {
@@ -157,6 +224,22 @@ class StreamBench final : public AnyStreamBench {
   }
 
  private:
+  // Each record is made once, and once in the vector that the model is given.
+  template <std::size_t... S, std::size_t... R>
+  static std::function<std::vector<std::size_t>(const std::vector<std::size_t>&)> sizes(
+      const std::vector<Sequence>& given, std::index_sequence<S...>, std::index_sequence<R...>) {
+    return [&given, some = std::tuple<std::vector<RecordOf<S, In>>...>()](
+               const std::vector<std::size_t>& taken) mutable {
+      const auto take = [&](auto& records, std::size_t s, const auto& payload) {
+        if (records.size() > taken[s]) records.resize(taken[s]);
+        while (records.size() < taken[s])
+          records.push_back(payload.record(given[s][records.size()]));
+      };
+      (take(std::get<S>(some), S, detail::Payload<RecordOf<S, In>>(Trait::params)), ...);
+      const auto results = detail::as_tuple(Design::run(Trait::params, std::get<S>(some)...));
+      return std::vector<std::size_t>{std::get<R>(results).size()...};
+    };
+  }
   template <std::size_t S>
   static constexpr bool has_rules = requires(const RecordOf<S, In>& r) {
     Design::legal(Trait::params, r);

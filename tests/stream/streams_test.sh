@@ -11,8 +11,8 @@ here=$(cd "$(dirname "$0")" && pwd)
 # shellcheck source=tests/support/program.sh
 source "$here/../support/program.sh"
 program_of streams "$here/designs" "$@"
-((${#chosen[@]} > 0)) || chosen=(loses doubles hangs slow wrong sha256 word pairs divider credits
-  packets asserts asserted guarded)
+((${#chosen[@]} > 0)) || chosen=(loses doubles hangs slow wrong bends sha256 word pairs divider
+  credits packets serial stack asserts asserted guarded)
 
 # found DESIGN KIND MOST: the fault is found, of that kind, and its smallest stimulus has at most MOST
 # transactions, and shows it again.
@@ -22,7 +22,7 @@ found() {
   ends 1 sweep "$design" --hostile 1000000 --failures kept
   says_like "^$kind"
   smallest=(kept/*/smallest.stim)
-  grep -q '^origin.*case [0-9]*: random transactions, 1000 clocks of them, seed 1' "${smallest[0]}" ||
+  grep -q '^origin.*case [0-9]*: 1000 clocks of transactions, seed 1' "${smallest[0]}" ||
     fails "$design: a stimulus says where it comes from"
   ends 1 replay "${smallest[0]}" --wave again.fst
   [[ -s again.fst && -s again.gtkw ]] || fails "the wave is drawn"
@@ -50,8 +50,14 @@ try_loses() {
 }
 try_doubles() { found doubles doubled 2; }
 try_hangs() { found hangs hung 2; }
-try_slow() { found slow late 3; }
+# Every fourth clock: a transaction before it shrinks to a stall.
+try_slow() { found slow late 1; }
 try_wrong() { found wrong 'another value' 5; }
+# Right as long as nobody waits: the stall that shows it is left.
+try_bends() {
+  found bends 'another value: y number 0' 1
+  grep -qE '^0 .* [1-9][0-9]*$' bends.stim || fails "the stall that gives another result is kept"
+}
 
 # Blocks of 512 bits, 66 clocks each, by both of its models.
 try_sha256() {
@@ -65,6 +71,9 @@ try_word() { found word 'another value: digest' 1; }
 
 # Every kind of interface.
 try_pairs() { both pairs '(another value|taken back): parts' 1; }
+try_serial() { both serial 'another value: out' 1; }
+# What came last goes first, where two wait.
+try_stack() { both stack 'reordered: y number 0 comes after number 1' 2; }
 try_credits() { both credits 'credit: out number . comes without any' 6; }
 try_packets() { both packets 'another value: sum' 3; }
 try_divider() {

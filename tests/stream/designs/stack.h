@@ -1,0 +1,27 @@
+// What passes is as it was, in its order.
+#pragma once
+
+#include "model/core/stream.h"
+
+namespace cosim::stack {
+
+struct Params {
+  int fault;
+};
+
+#define STACK_WORD(FIELD) FIELD(data, 8, number, "", "what passes")
+COSIM_RECORD(Passed, STACK_WORD, Params);
+
+struct Design {
+  using Params = stack::Params;
+  static constexpr const char* name = "stack";
+  static constexpr auto parameters(const Params& p) {
+    return std::array<Parameter, 1>{{{"FAULT", p.fault}}};
+  }
+  static constexpr auto in(const Params&) { return stream<Passed>("x"); }
+  static constexpr auto out(const Params&) { return stream<Passed>("y").latency(1); }
+  static constexpr auto pins(const Params&) { return std::array{pin::reset("rst")}; }
+  static auto run(const Params&, const std::vector<Passed<Word>>& x) { return x; }
+};
+
+}  // namespace cosim::stack

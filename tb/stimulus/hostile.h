@@ -2,12 +2,12 @@
 // says never come. Made from a design's field table alone, so it fits every design.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <string>
 
 #include "model/core/design.h"
-#include "model/core/fields.h"
-#include "model/core/reset.h"
+#include "model/core/input_error.h"
+#include "tb/stimulus/hostile_draw.h"
 #include "tb/stimulus/legal.h"
 #include "tb/support/random.h"
 
@@ -15,21 +15,36 @@ namespace cosim {
 
 /// One reproducible run of hostile clocks.
 struct HostileCase {
+  /// In so many clocks each pin behaves as one drawing at their beginning says.
+  static constexpr std::uint64_t stretch = 256;
+
   std::uint64_t seed = 1;
-  std::uint64_t index = 0;  ///< the case's number under its seed
-  std::uint64_t clocks = 1000;
+  std::uint64_t index = 0;      ///< the case's number under its seed
+  std::uint64_t clocks = 1000;  ///< a case of fewer clocks is the beginning of one of more
 
   /// The power-up state of the case's machine.
   std::uint32_t power_up() const {
     return static_cast<std::uint32_t>(Random::for_case(~seed, index).next());
   }
+  /// What its random words start from: calls put(word) for so many of them.
+  template <class Put>
+  void seeds(std::size_t words, Put put) const {
+    Random random = Random::for_case(seed, index);
+    for (std::size_t i = 0; i < words; ++i) {
+      const std::uint64_t word = random.next();
+      put(word == 0 ? 1 : word);
+    }
+  }
 };
 
-/// Each pin leaves its resting level with a probability of its own, 1 to 2^-10, drawn anew every
+/// Each pin leaves its resting level with a probability of its own, 1 to 2^-11, drawn anew every
 /// few hundred clocks: so that some stretches reset on every clock and in others a line or an arc
 /// runs long enough to be disturbed. In half of the stretches the design's reset is never asked
-/// for. Wide pins take corner values, and may hold them for a stretch; so do arrays, each element
-/// and the whole.
+/// for. What is rare comes together more often than by chance. Wide pins hold their value until
+/// they take another, any or, as often, a corner of the stretch: 0 or all ones, a small number or
+/// one turned over, a single bit or all but one; of a signed pin in half of the stretches without
+/// its sign, for the ends of the numbers that it counts up and down through are not those of its
+/// codes. So do arrays, each element and the whole.
 template <class Design>
 class HostileStimulus {
  public:
@@ -38,8 +53,14 @@ class HostileStimulus {
   using Params = typename Design::Params;
   using State = typename Design::template State<Word>;
 
-  HostileStimulus(const typename Design::Params& p, const HostileCase& c)
-      : fields_(Inputs::fields(p)), random_(Random::for_case(c.seed, c.index)), left_(c.clocks) {}
+  HostileStimulus(const Params& p, const HostileCase& c) : plan_(p), clocks_(c.clocks) {
+    std::size_t i = 0;
+    c.seeds(plan_.words + plan_.stretch_words, [&](std::uint64_t word) {
+      const std::size_t at = i++;
+      (at < plan_.words ? held_.words[at] : held_.stretch_words[at - plan_.words]) =
+          static_cast<Word>(word);
+    });
+  }
 
   bool next(Inputs& in, const Outputs&) {
     if (!more()) return false;
@@ -61,21 +82,17 @@ class HostileStimulus {
   }
 
  private:
-  static constexpr std::uint64_t stretch = 256;
-  static constexpr int never = 64;
   static constexpr int tries = 4;
 
+  using Draw = HostileDraw<Design, Word>;
+
   bool more() {
-    if (left_ == 0) return false;
-    if (left_-- % stretch == 0 || first_) redraw();
-    first_ = false;
+    if (clock_ == clocks_) return false;
+    if (clock_++ % HostileCase::stretch == 0) Draw::begin_stretch(plan_, held_);
     return true;
   }
 
-  void draw(Inputs& in) {
-    in = rest_;
-    for_each_member<Inputs>([&](auto member, std::size_t i) { draw_pin(in.*member, member, i); });
-  }
+  void draw(Inputs& in) { Draw::clock(plan_, held_, in); }
 
   static void mend(const Params& p, const State& s, Inputs& in) {
     const Inputs drawn = in;
@@ -95,64 +112,9 @@ class HostileStimulus {
     }
   }
 
-  void draw_pin(Word& pin, Word Inputs::*member, std::size_t i) {
-    if (fields_[i].width > 1) {
-      if (happens(i)) held_.*member = random_.corner(range(fields_[i]));
-      pin = held_.*member;
-    } else if (happens(i)) {
-      pin = 1 - rest_.*member;
-    }
-  }
-  /// An array takes corners as a whole, all 0 or all 1, or in each element; or one element changes.
-  template <int N>
-  void draw_pin(Array<Word, N>& pins, Array<Word, N> Inputs::*member, std::size_t first) {
-    if (happens(first)) {
-      const Field* fields = &fields_[first];
-      const std::uint64_t how = random_.below(8);
-      const auto one = static_cast<int>(random_.below(N));
-      for (int k = 0; k < N && fields[k].width != 0; ++k) {
-        Word& pin = (held_.*member)[k];
-        if (how < 2) {
-          pin = how == 0 ? 0 : ones(fields[k].width);
-        } else if (how > 3 || k == one) {
-          pin = random_.corner(range(fields[k]));
-        }
-      }
-    }
-    pins = held_.*member;
-  }
-
-  /// The bits that a value is drawn from: half of a signed field's values are >= 0, for the ends of
-  /// the numbers that it counts up and down through are not those of its codes.
-  int range(const Field& field) {
-    return is_signed(field) && random_.one_in_power(1) ? field.width - 1 : field.width;
-  }
-
-  bool happens(std::size_t i) { return rarity_[i] != never && random_.one_in_power(rarity_[i]); }
-
-  static bool same(Word a, Word b) { return a == b; }
-  template <int N>
-  static bool same(const Array<Word, N>& a, const Array<Word, N>& b) {
-    return a.elements == b.elements;
-  }
-
-  void redraw() {
-    const bool quiet = random_.one_in_power(1);
-    Inputs clear = rest_;
-    if constexpr (has_clear<Design>) clear = Design::clear();
-    for_each_member<Inputs>([&](auto member, std::size_t i) {
-      rarity_[i] = static_cast<int>(random_.below(11));
-      if (quiet && !same(clear.*member, rest_.*member)) rarity_[i] = never;
-    });
-  }
-
-  std::array<Field, Inputs::size> fields_;
-  Random random_;
-  std::uint64_t left_;
-  Inputs rest_ = rest_of<Design>();
-  Inputs held_{};
-  std::array<int, Inputs::size> rarity_{};
-  bool first_ = true;
+  HostilePlan<Design> plan_;
+  typename Draw::Held held_{};
+  std::uint64_t clock_ = 0, clocks_;
 };
 
 }  // namespace cosim

@@ -19,7 +19,10 @@ class Shrinker {
 
   Stimulus run() {
     take(best_.clocks);
-    while (in_time() && (fewer_clocks() | other_rows() | calmer_pins() | lower_values())) continue;
+    while (in_time() && (fewer_clocks() | other_rows() | calmer_pins() | lower_values() |
+                         next_values())) {
+      continue;
+    }
     return std::move(best_);
   }
 
@@ -99,6 +102,28 @@ class Shrinker {
           std::vector<Word> row = best_.clocks[c];
           row[pin] = value ^ static_cast<Word>(std::uint64_t{1} << i);
           any |= set(c, std::move(row));
+        }
+      }
+    }
+    return any;
+  }
+
+  // The value after a wide one, which may be the address of another register, where that fails
+  // sooner.
+  bool next_values() {
+    bool any = false;
+    const std::vector<Field> pins = bench_.inputs();
+    for (std::size_t c = 0; c < best_.clocks.size() && in_time(); ++c) {
+      for (std::size_t pin = 0; pin < rest_.size() && c < best_.clocks.size(); ++pin) {
+        if (pins[pin].width == 1) continue;
+        const Stimulus before = best_;
+        std::vector<Word> row = before.clocks[c];
+        row[pin] = low_bits(add(row[pin], 1), pins[pin].width);
+        if (!set(c, std::move(row))) continue;
+        if (best_.clocks.size() < before.clocks.size()) {
+          any = true;
+        } else {
+          best_ = before;
         }
       }
     }

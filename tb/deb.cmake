@@ -1,6 +1,5 @@
-# `cpack` in the build folder, after the targets package_program, runtime and mutation: a Debian
-# package of what `cmake --install` installs. Its libraries are compiled for the fmt and the Verilator
-# of this machine.
+# `cpack` in the build folder: a Debian package of what `cmake --install` installs. Its libraries are
+# compiled for the fmt and the Verilator of this machine.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME cosim)
 set(CPACK_PACKAGE_CONTACT "cosim maintainers <maintainers@cosim.invalid>")

@@ -60,6 +60,10 @@ expect 1 '^status 3: exit 3$' "exit 3"
 expect 0 'as it was' "[[ ! -e /proc/$$ ]]"
 [[ $("$root/scripts/fresh" Debian 2>&1) == "fresh: needs a suite of Debian, such as bookworm or trixie" ]]
 
+echo brought > "$folder/it"
+expect 0 'as it was' --bring "$folder/it" "[[ -s /tmp/it ]]"
+expect 2 "^fresh: --bring: $folder/none: no such file$" --bring "$folder/none" true
+
 expect 0 'as it was' --keep "$folder/kept" true
 [[ -x $folder/kept/root/project/scripts/test ]] || fail "--keep: not kept"
 

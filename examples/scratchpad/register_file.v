@@ -22,13 +22,8 @@ module register_file (
     for (g = 0; g < 16; g = g + 1) begin : each
       assign held[32*g +: 32] = r[g];
       always @(posedge clock)
-`ifdef FAULT
-        if (write & target == g & (!fill | g == 13)) r[g] <= data;
-        else if (fill) r[g] <= line[32*g +: 32];
-`else
         if (fill) r[g] <= line[32*g +: 32];
         else if (write & target == g) r[g] <= data;
-`endif
     end
   endgenerate
 endmodule

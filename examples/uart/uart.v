@@ -27,10 +27,6 @@ module uart #(parameter D = 4) (
       frame <= {data, 1'b0};
     end else if (tick & !ready) begin
       left  <= left - 4'd1;
-`ifdef FAULT
-      frame <= {frame[0], frame[8:1]};  // the stop bit is the start bit again
-`else
       frame <= {1'b1, frame[8:1]};
-`endif
     end
 endmodule

@@ -28,6 +28,30 @@ std::string AnyBench::compared_text() const {
   return fmt::format("{} registers and {} outputs", registers(), compared().size() - registers());
 }
 
+namespace {
+std::vector<Unusable>& all_unusable() {
+  static std::vector<Unusable> all;
+  return all;
+}
+}  // namespace
+
+const std::vector<Unusable>& unusable() {
+  benches();
+  return all_unusable();
+}
+
+void add_benches(std::vector<std::unique_ptr<AnyBench>>& all,
+                 void (*add)(std::vector<std::unique_ptr<AnyBench>>&)) {
+  const std::size_t before = all.size();
+  try {
+    add(all);
+  } catch (const InputError& error) {
+    all.resize(before);
+    const std::string why = error.what();
+    all_unusable().push_back({why.substr(0, why.find_first_of(" :")), why});
+  }
+}
+
 void require_shape(const AnyBench& bench, const std::string& shape) {
   if (bench.built_as() == shape) return;
   throw InputError(

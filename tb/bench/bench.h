@@ -167,6 +167,17 @@ class Bench : public AnyBench {
 /// Every bench that was built, in the order of rtl/shipped.txt.
 const std::vector<std::unique_ptr<AnyBench>>& benches();
 
+/// A design that was built and cannot be used; benches() is without it.
+struct Unusable {
+  std::string design;
+  std::string why;  ///< one line
+};
+const std::vector<Unusable>& unusable();
+/// Has `add` add the benches of a design. Where that is an InputError, which begins with the
+/// design's name, none is added, but the design to unusable().
+void add_benches(std::vector<std::unique_ptr<AnyBench>>& all,
+                 void (*add)(std::vector<std::unique_ptr<AnyBench>>&));
+
 /// The benches of one design.
 template <class Design>
 std::vector<const Bench<Design>*> benches_of() {

@@ -21,8 +21,22 @@ bool has(const AnyBench& bench, const std::string& word) {
 
 }  // namespace
 
+namespace {
+bool something_was_left_out = false;
+}  // namespace
+
+void leave_out(const std::string& line) {
+  complain(line);
+  something_was_left_out = true;
+}
+
+bool was_left_out() { return something_was_left_out; }
+
 std::vector<const AnyBench*> chosen_benches(const std::vector<std::string>& words) {
   std::vector<const AnyBench*> found;
+  if (words.empty()) {
+    for (const Unusable& design : unusable()) leave_out(design.why);
+  }
   for (const auto& bench : benches()) {
     const bool same =
         words.empty() || (bench->design() == words.front() &&

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "model/core/input_error.h"
 #include "tb/proof/rtl.h"
@@ -98,6 +99,25 @@ struct Reset {
   bool active_low = false;
 };
 
+// What drives a bit through inverters: the bit before them, and whether they invert it.
+std::pair<int, bool> before_inverters(const Json& module, int bit) {
+  bool odd = false;
+  const auto inverter = [&] {
+    for (const auto& [name, cell] : module.at("cells").items()) {
+      const std::string type = cell.at("type");
+      if ((type == "$not" || type == "$logic_not") &&
+          bits_of(cell.at("connections").at("Y")) == Bits{bit} &&
+          cell.at("connections").at("A").size() == 1) {
+        bit = bits_of(cell.at("connections").at("A")).front();
+        return true;
+      }
+    }
+    return false;
+  };
+  while (inverter()) odd = !odd;
+  return {bit, odd};
+}
+
 // The bits that registers hold; their clock's bit, which is one, and their asynchronous reset's.
 std::set<int> held(const Json& module, int& clock, Reset& reset) {
   std::set<int> bits;
@@ -120,14 +140,15 @@ std::set<int> held(const Json& module, int& clock, Reset& reset) {
       refuse(fmt::format("{}: an asynchronous set or load", name_of(module, bit)));
     }
     if (type.starts_with("$adff")) {
-      const int by = bits_of(cell.at("connections").at("ARST")).front();
+      const auto [by, inverted] =
+          before_inverters(module, bits_of(cell.at("connections").at("ARST")).front());
       if (reset.bit >= 0 && by != reset.bit) {
         const std::string one = name_of(module, reset.bit), other = name_of(module, by);
         refuse(fmt::format("{} and {}: two asynchronous resets", std::min(one, other),
                            std::max(one, other)));
       }
       const std::string polarity = cell.at("parameters").at("ARST_POLARITY");
-      reset = {by, polarity.back() == '0'};
+      reset = {by, (polarity.back() == '0') != inverted};
     }
     const int by = bits_of(cell.at("connections").at("CLK")).front();
     if (clock >= 0 && by != clock) {
@@ -152,9 +173,6 @@ std::vector<FoundNet> memories(const Json& module) {
   if (!module.contains("memories")) return all;
   for (const auto& [name, memory] : module.at("memories").items()) {
     FoundNet net{name, {memory.at("width")}, {memory.at("size")}, false};
-    if (memory.value("start_offset", 0) != 0) {
-      refuse(fmt::format("{}: a memory whose first word is not 0", name));
-    }
     for (const auto& [cell_name, cell] : module.at("cells").items()) {
       const std::string type = cell.at("type");
       if (!type.starts_with("$memwr") || memory_of(cell) != name) continue;

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "tb/cli/chosen.h"
 #include "tb/cli/commands.h"
 #include "tb/report/report.h"
 
@@ -10,6 +11,7 @@ namespace cosim::cli {
 void add_list(const Command& program) {
   const Command command = program.sub("list", "The designs and the widths that were built");
   command.action([] {
+    for (const Unusable& unused : unusable()) leave_out(unused.why);
     std::string design;
     for (const auto& bench : benches()) {
       if (bench->design() != design) {

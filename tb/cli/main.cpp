@@ -1,6 +1,7 @@
 #include <fcntl.h>
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -9,6 +10,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/bench/bench.h"
+#include "tb/cli/chosen.h"
 #include "tb/cli/commands.h"
 #include "tb/cli/registry.h"
 #include "tb/support/interrupt.h"
@@ -33,8 +35,17 @@ void hold_standard_streams() {
   }
 }
 
+// A design that cannot be used is an error where it is named, or where there is no other.
+void check_designs(int argc, char** argv) {
+  for (const cosim::Unusable& design : cosim::unusable()) {
+    const bool named = std::find(argv, argv + argc, design.design) != argv + argc;
+    if (named || cosim::benches().empty()) throw cosim::InputError(design.why);
+  }
+}
+
 int run(int argc, char** argv) {
   cosim::name_program(cosim::cli::registry().program());
+  check_designs(argc, argv);
   return cosim::cli::run_program(
       argc, argv, cosim::program_name(),
       "Runs a design in Verilog beside its golden model, and compares every register and\n"
@@ -79,6 +90,7 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     status = refuse(std::string("internal error: ") + error.what());
   }
+  if (status == 0 && cosim::cli::was_left_out()) status = bad_input;
   if (status != bad_input && (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)) {
     return refuse(no_output);
   }

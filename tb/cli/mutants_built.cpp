@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <utility>
+
 #include "tb/cli/chosen.h"
 #include "tb/cli/on_demand.h"
 #include "tb/support/place.h"
@@ -13,9 +15,12 @@ namespace {
 void give_rtl(const OnDemand& program, const AnyBench& bench, std::uint64_t mutants) {
   give(program, "read.ys", proof::commands_to_elaborate(source_of(bench)) + '\n');
   give(program, "count.txt", fmt::format("{}\n", mutants));
-  std::string kept;
+  std::string kept, last;
   const auto fields = bench.compared();
-  for (std::size_t i = 0; i < bench.registers(); ++i) kept += net_path(fields[i].net).path + '\n';
+  for (std::size_t i = 0; i < bench.registers(); ++i) {
+    const std::string net = net_path(fields[i].net).path;
+    if (net != std::exchange(last, net)) kept += net + '\n';
+  }
   give(program, "kept.txt", kept);
 }
 

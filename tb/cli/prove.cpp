@@ -8,6 +8,7 @@
 #include <numeric>
 #include <set>
 #include <sstream>
+#include <utility>
 
 #include "model/core/input_error.h"
 #include "tb/cli/chosen.h"
@@ -47,6 +48,7 @@ struct Subject {
   proof::MachineFormula formula;
   proof::Source source;
   std::vector<Claim> claims;
+  std::string error{};  // of one that cannot be read
 };
 
 // The RTL that is proved: what the program was built from, or what --rtl names.
@@ -79,6 +81,12 @@ std::vector<Subject> chosen(const std::vector<std::string>& words) {
   }
   if (all.empty() && !refused.empty()) throw InputError(*refused.begin());
   for (const std::string& line : refused) fmt::print("{}\n", line);
+  if (words.empty()) {
+    for (const Unusable& design : unusable()) {
+      std::erase_if(all, [&](const Subject& s) { return s.formula.design == design.design; });
+      leave_out(design.why);
+    }
+  }
   if (all.empty()) {
     throw InputError(
         fmt::format("{}: is no machine that is built; see {} list", wanted, program_name()));
@@ -234,9 +242,22 @@ int run(const ProveOptions& o) {
 
   in_parallel(subjects.size(), jobs, [&](std::uint64_t i) {
     Subject& s = subjects[i];
-    s.claims = claims_on(s.formula, source_of(o, s));
+    try {
+      s.claims = claims_on(s.formula, source_of(o, s));
+    } catch (const InputError& error) {
+      s.error = error.what();
+    }
     return true;
   });
+  // The others are proved all the same.
+  const std::string error = subjects.front().error;
+  const auto is_unread = [](const Subject& s) { return !s.error.empty(); };
+  if (std::all_of(subjects.begin(), subjects.end(), is_unread)) throw InputError(error);
+  std::string said;
+  for (const Subject& s : subjects) {
+    if (is_unread(s) && std::exchange(said, s.error) != s.error) leave_out(s.error);
+  }
+  std::erase_if(subjects, is_unread);
   std::vector<const Claim*> claims;
   for (const Subject& s : subjects) {
     for (const Claim& c : s.claims) claims.push_back(&c);

@@ -175,7 +175,7 @@ function(cosim_add_program TARGET)
   foreach(id IN LISTS benches)
     string(APPEND DECLARATIONS
       "void add_${id}(std::vector<std::unique_ptr<AnyBench>>& all);\nproof::BuiltMachine machine_${id}();\n")
-    string(APPEND BENCHES "    add_${id}(all);\n")
+    string(APPEND BENCHES "    add_benches(all, add_${id});\n")
     string(APPEND MACHINES "machine_${id}(), ")
   endforeach()
   get_property(on_demand GLOBAL PROPERTY COSIM_ON_DEMAND)

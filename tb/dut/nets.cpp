@@ -63,11 +63,25 @@ std::string encoded(const std::string& path) {
   return text;
 }
 
+const VerilatedVar* var_in(const VerilatedScope* scope, const std::string& name) {
+  if (scope == nullptr || scope->varsp() == nullptr) return nullptr;
+  const auto found = scope->varsp()->find(name.c_str());
+  return found == scope->varsp()->end() ? nullptr : &found->second;
+}
+
+// A register: a net or a memory, or in RTL that a tool has written a net for each word of a memory.
+std::vector<const VerilatedVar*> vars_of(const VerilatedScope* scope, const std::string& name) {
+  if (const VerilatedVar* whole = var_in(scope, name)) return {whole};
+  std::vector<const VerilatedVar*> words;
+  while (const VerilatedVar* word = var_in(scope, fmt::format("{}[{}]", name, words.size()))) {
+    words.push_back(word);
+  }
+  return words;
+}
+
 // Whether the top module has a net of that name, dots and all: RTL that was flattened.
 bool is_flat(VerilatedContext& context, const std::string& net) {
-  const VerilatedScope* top = scope_of(context, top_of(context));
-  return top != nullptr && top->varsp() != nullptr &&
-         top->varsp()->find(net.c_str()) != top->varsp()->end();
+  return !vars_of(scope_of(context, top_of(context)), net).empty();
 }
 
 // How many cells behind `row` the shape does not have.
@@ -186,20 +200,20 @@ std::vector<Net> find_registers(VerilatedContext& context, const std::string& ti
              fmt::format("register {}: the RTL has no instance {}", net, net.substr(0, dot)));
     }
     const std::string name = dot == std::string::npos ? net : net.substr(dot + 1);
-    const auto var = scope->varsp()->find(name.c_str());
-    if (var == scope->varsp()->end()) {
-      refuse(title, fmt::format("register {}: the RTL has no such net", net));
-    }
+    const auto vars = vars_of(scope, name);
+    if (vars.empty()) refuse(title, fmt::format("register {}: the RTL has no such net", net));
+    const VerilatedVar& var = *vars.front();
     const std::string what = fmt::format("{}: {}", title, named("register", row.front()));
-    if (var->second.udims() > 1)
-      refuse(what, "in the RTL it is a memory of more dimensions than one");
-    if (var->second.udims() == 1 && var->second.unpacked().low() != 0) {
-      refuse(what,
-             fmt::format("in the RTL its first word is {}, not 0", var->second.unpacked().low()));
-    }
-    const auto places = places_in(found_net(var->second), row, what);
+    RtlNet found = found_net(var);
+    if (var_in(scope, name) == nullptr) found.words = static_cast<int>(vars.size());
+    const auto places = places_in(found, row, what);
     for (std::size_t i = 0; i < row.size(); ++i) {
-      nets.push_back(net_at(var->second, places[i], row[i].width));
+      if (vars.size() == 1) {
+        nets.push_back(net_at(var, places[i], row[i].width));
+      } else {
+        const auto word = static_cast<std::size_t>(places[i].word);
+        nets.push_back(net_at(*vars[word], {-1, places[i].low}, row[i].width));
+      }
     }
     nets.resize(nets.size() + absent_after(cells, row));
   }

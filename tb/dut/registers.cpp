@@ -49,17 +49,26 @@ std::vector<std::string> unobserved_registers(const RtlText& text, const std::ve
                          [&](const std::string& net) { return names(f, net); });
     });
     if (in_table) continue;
+    // Verilator does not show it, and no table can have it.
+    const std::string& front = nets.front();
+    const bool deep = front.ends_with("[][]");
+    const std::string register_name = front.substr(0, front.size() - (deep ? 4 : 0));
     bool allowed = false;
     for (std::size_t i = 0; i < patterns.size(); ++i) {
-      if (!matches(patterns[i], nets.front())) continue;
+      if (!matches(patterns[i], register_name)) continue;
       allowed = used[i] = true;
+    }
+    if (!allowed && deep) {
+      throw InputError(fmt::format(
+          "{}: register {}: a memory of more dimensions than one can only be in unobserved",
+          text.title, register_name));
     }
     if (!allowed) {
       throw InputError(fmt::format(
           "{}: the RTL has a register {} that no table names and that is not in unobserved",
-          text.title, nets.front()));
+          text.title, register_name));
     }
-    unobserved.push_back(nets.front());
+    unobserved.push_back(register_name);
   }
   const auto unused = std::find(used.begin(), used.end(), false);
   if (unused != used.end() && !text.registers.empty()) {

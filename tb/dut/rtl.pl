@@ -4,7 +4,8 @@
 # Reads the tree of a design that `verilator --xml-only` wrote and what `verilator --lint-only` said of
 # it. On standard output, a line each:
 #
-#   register NAME...   a register, by its path below the top, and the nets that carry its value
+#   register NAME...   a register, by its path below the top, and the nets that carry its value;
+#                      NAME[][] is a memory of several dimensions
 #   reset NAME         an input that resets some of them asynchronously, "low NAME" where it is low
 #   loop NAME          a net that may be in a combinational loop
 #
@@ -53,6 +54,18 @@ my %modules = map { $_->{has}{name} => $_ } all_of($root, 'module');
 my ($top) = grep { $_->{has}{topModule} } values %modules;
 refuse('Verilator names no top module') if !$top;
 
+# The types by their numbers; that of a memory is an array of words, one of several dimensions an array
+# of arrays, be they packed or not.
+my %types = map { $_->{has}{id} => $_ } map { @{$_->{in}} } all_of($root, 'typetable');
+sub type_of {
+    my $type = $types{$_[0] // ''} // {tag => '', has => {}};
+    return $type->{tag} eq 'refdtype' ? type_of($type->{has}{sub_dtype_id}) : $type;
+}
+sub is_deep {
+    my $type = type_of($_[0]->{has}{dtype_id});
+    return $type->{tag} eq 'unpackarraydtype' && type_of($type->{has}{sub_dtype_id})->{tag} =~ /array/;
+}
+
 # The nets that an expression on the left of an assignment is: of a part of a net the net.
 sub targets {
     my ($node) = @_;
@@ -62,13 +75,22 @@ sub targets {
 }
 
 my %carries;     # net => nets that have its value, by paths
+my %inverts;     # net => nets that have its inverse
 my @processes;   # clocked: path, scope, edges, what it writes
 my %exposed;     # nets that are read before they are written, somewhere
 my @latches;
+my %deep;        # memories of several dimensions
 
 sub carry {
     my ($from, $to) = @_;
     push @{$carries{$from}}, $to;
+}
+# Where the value is the inverse of one net.
+sub invert {
+    my ($value, $to, $resolve) = @_;
+    my ($of) = $value->{tag} eq 'not' ? @{$value->{in}} : ();
+    my $from = $of && $of->{tag} eq 'varref' && $resolve->($of->{has}{name});
+    push @{$inverts{$from}}, $to if $from;
 }
 
 # Reads and writes of a process in their order; a task is what is in it.
@@ -117,6 +139,7 @@ sub walk {
     my %here = %$tasks;
     for my $in (@{$node->{in}}) {
         $nets{$in->{has}{name}} = $path . $in->{has}{name} if $in->{tag} eq 'var';
+        $deep{$path . $in->{has}{name}} = '[][]' if $in->{tag} eq 'var' && is_deep($in);
         $here{$in->{has}{name}} = $in if $in->{tag} =~ /^(?:task|func)$/;
     }
     my $resolve = sub { $nets{$_[0]} };
@@ -134,6 +157,7 @@ sub walk {
                 if ($port->{has}{direction} ne 'out') {
                     read_process($value, $resolve, {}, \%here);
                     carry($net, $inner) if defined $net;
+                    invert($value, $inner, $resolve);
                 } elsif (defined $net) {
                     carry($inner, $net);
                 }
@@ -144,6 +168,7 @@ sub walk {
             read_process($value, $resolve, {}, \%here);
             next if $target->{tag} ne 'varref';
             my $to = $resolve->($target->{has}{name}) // next;
+            invert($value, $to, $resolve);
             my @parts = $value;
             @parts = map { $_->{tag} eq 'concat' ? @{$_->{in}} : $_ } @parts
               while grep { $_->{tag} eq 'concat' } @parts;
@@ -194,12 +219,24 @@ sub carriers {
     }
     return \%seen;
 }
-my %carriers_of_input = map { $_ => carriers($_) } keys %inputs;
-# The input that a net is; none where it is made of something else.
+# All nets that carry the value of an input, "0 NET", or its inverse, "1 NET".
+sub reached {
+    my @left = ([$_[0], 0]);
+    my %seen;
+    while (my $next = shift @left) {
+        my ($net, $odd) = @$next;
+        next if $seen{"$odd $net"}++;
+        push @left, map { [$_, $odd] } @{$carries{$net} // []};
+        push @left, map { [$_, 1 - $odd] } @{$inverts{$net} // []};
+    }
+    return \%seen;
+}
+my %reached = map { $_ => reached($_) } keys %inputs;
+# The input that a net is, or its inverse is; '' where it is made of something else.
 sub input_of {
-    my ($net) = @_;
-    my ($input) = grep { $carriers_of_input{$_}{$net} } sort keys %inputs;
-    return $input;
+    my ($net, $odd) = @_;
+    my ($input) = grep { $reached{$_}{"$odd $net"} } sort keys %inputs;
+    return $input // '';
 }
 
 my (%registers, %resets);
@@ -211,12 +248,11 @@ for my $p (@processes) {
     my $clocks = 0;
     for my $edge (@{$p->{edges}}) {
         my ($way, $net) = @$edge;
-        my $input = input_of($net) // '';
-        if ($input eq $clock) {
+        if (input_of($net, 0) eq $clock) {
             refuse("$named: a register on the falling edge of $clock") if $way ne 'POS';
             ++$clocks;
         } else {
-            push @others, [$way, $net, $input];
+            push @others, [$way, $net];
         }
     }
     my ($other) = @others;
@@ -227,9 +263,11 @@ for my $p (@processes) {
     }
     refuse("$named: an asynchronous set and reset, $others[0][1] and $others[1][1]") if @others > 1;
     if ($other) {
-        my ($way, $net, $input) = @$other;
-        refuse("$named: an asynchronous reset by $net, which is no input") if $input eq '';
-        $resets{($way eq 'NEG' ? 'low ' : '') . $input} = 1;
+        my ($way, $net) = @$other;
+        my ($input, $inverse) = map { input_of($net, $_) } 0, 1;
+        refuse("$named: an asynchronous reset by $net, which is no input") if "$input$inverse" eq '';
+        my $is_low = ($way eq 'NEG' xor $input eq '');
+        $resets{($is_low ? 'low ' : '') . ($input || $inverse)} = 1;
     }
     $registers{$_} = 1 for @held;
 }
@@ -248,7 +286,7 @@ refuse((sort @latches)[0] . ': a latch') if @latches;
 for my $register (sort keys %registers) {
     my $carriers = carriers($register);
     delete $carriers->{$register};
-    print join(' ', 'register', $register, sort keys %$carriers), "\n";
+    print join(' ', 'register', $register . ($deep{$register} // ''), sort keys %$carriers), "\n";
 }
 print "reset $_\n" for sort keys %resets;
 print "loop ", below_top($_), "\n"

@@ -18,7 +18,7 @@ folder=$(cd "$1" && pwd) prefix=$2 top=$3 count=$4 part=$5 parts=$6
 words=("${@:7}")
 kept=''
 while IFS= read -r net; do
-  kept+=" w:${net##*.}"
+  kept+=" w:${net##*.} w:${net##*.}[[]*" # of a memory that becomes registers, each
 done < <([[ ! -f $folder/kept.txt ]] || cat "$folder/kept.txt")
 prepare="$(cat "$folder/read.ys")
   ${kept:+setattr -set keep 1 $kept}

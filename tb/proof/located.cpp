@@ -26,9 +26,10 @@ std::vector<RtlCell> located(const Rtl& rtl, const std::string& design, const ch
   for (const auto& row : rows_of(fields)) {
     const std::string path = net_path(row.front().net).path;
     RtlNet net{rtl.width(path)};
+    const int first = rtl.first_word(path);
     if (net.width == 0) {
-      net.width = rtl.width(word_net(path, 0));
-      while (rtl.width(word_net(path, net.words)) != 0) ++net.words;
+      net.width = rtl.width(word_net(path, first));
+      while (rtl.width(word_net(path, first + net.words)) != 0) ++net.words;
     }
     if (net.width == 0) {
       throw InputError(fmt::format("{}: {} {}: the RTL has no such net", design, kind, path));
@@ -37,7 +38,7 @@ std::vector<RtlCell> located(const Rtl& rtl, const std::string& design, const ch
         places_in(net, row, fmt::format("{}: {} {}", design, kind, row.front().net));
     for (std::size_t i = 0; i < row.size(); ++i) {
       const auto [word, low] = places[i];
-      all.push_back({word < 0 ? path : word_net(path, word), low, row[i].width});
+      all.push_back({word < 0 ? path : word_net(path, first + word), low, row[i].width});
     }
   }
   return all;

@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <optional>
 #include <regex>
 #include <sstream>
 
@@ -227,6 +229,17 @@ Expression on_next_clock(const Expression& term) {
   std::vector<Expression> parts;
   for (const Expression& p : term.parts()) parts.push_back(on_next_clock(p));
   return {term.text(), term.sort(), parts};
+}
+
+int Rtl::first_word(const std::string& memory) const {
+  const std::string begins = fmt::format("|{}_n {}[", top_, memory);
+  std::optional<int> first;
+  for (auto wire = wires_.lower_bound(begins);
+       wire != wires_.end() && wire->first.starts_with(begins); ++wire) {
+    const int number = std::atoi(wire->first.c_str() + begins.size());
+    first = std::min(first.value_or(number), number);
+  }
+  return first.value_or(0);
 }
 
 int Rtl::width(const std::string& wire) const {

@@ -79,6 +79,8 @@ class Rtl {
   /// How many bits a wire of the top has, the word "store[3]" of a memory too; 0 where there is
   /// none.
   int width(const std::string& wire) const;
+  /// The number that the RTL gives the first word of a memory; 0 where there is no such memory.
+  int first_word(const std::string& memory) const;
   /// A wire of the top, as a code of its width. InputError where there is none.
   Expression wire(const std::string& name) const;
 

@@ -197,8 +197,15 @@ rtl 'wire x = d & other; always @(posedge clk or posedge x) if (x) q <= 0; else 
 refused "new: x: an asynchronous reset that is no input" made made.v
 rtl 'always @(posedge clk) q <= d; always @(posedge other) r <= d;'
 refused "new: clk and other: two clocks" made made.v
+rtl 'wire x = !other; always @(posedge clk or posedge x) if (x) q <= 0; else q <= d;
+     always @(posedge clk or negedge other) if (!other) r <= 0; else r <= d;'
+"$program" new made made.v > said
+grep -q 'clear() { return {.other = 0}; }' made/made.h
+rm -r made
 rtl 'reg mem[1:4]; always @(posedge clk) begin mem[w[2:0]] <= d; q <= mem[w[6:4]]; end'
-refused "new: mem: a memory whose first word is not 0" made made.v
+"$program" new made made.v > said
+grep -qF 'FIELD(mem, 1, flag.array<4>().unreset(), "", "")' made/made.h
+rm -r made
 rtl '(* nomem2reg *) reg mem[0:3]; always @* if (other) mem[w[1:0]] = d; always @(posedge clk) q <= mem[w[5:4]];'
 refused "new: mem: a memory that no clock writes" made made.v
 rtl 'always @* q = d;'

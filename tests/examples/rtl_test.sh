@@ -99,6 +99,25 @@ endmodule
 RTL
 found 'both[0].bit_of\nboth[1].bit_of\ncount\nkept\nlast\none.held one.out top\nstore\nsum|low rst_n'
 
+# A reset behind inverters is that of the input.
+cat > made.sv << 'RTL'
+module part(input wire clk, r, d, output reg q); always @(posedge clk or posedge r) if (r) q <= 0; else q <= d;
+endmodule
+module made(input wire clk, rst_n, d, output wire q, output reg r, s);
+  part one(.clk(clk), .r(!rst_n), .d(d), .q(q));
+  wire rst = ~rst_n, again = !rst;
+  always @(posedge clk or posedge rst) if (rst) r <= 0; else r <= d;
+  always @(posedge clk or negedge again) if (!again) s <= 0; else s <= d;
+endmodule
+RTL
+found 'one.q q\nr\ns|low rst_n'
+
+# A memory of several dimensions is marked.
+rtl 'reg [3:0] one[0:3], two[0:1][1:3]; reg [1:0][3:0] net, of_nets[0:1];
+     always @(posedge clk) begin one[w[1:0]] <= w[3:0]; two[d][w[1:0]] <= w[3:0]; net <= w;
+       of_nets[d] <= w; q <= ^{one[0], two[0][1], net, of_nets[0]}; end'
+found 'net\nof_nets[][]\none\nq\ntwo[][]|'
+
 # A shape, for Verilator, yosys and C++.
 said=$(cmake "-DSHAPE=W=8 MASK=8'h1F K=4'b1_01 MODE=FAST" -P read.cmake 2>&1)
 [[ $said == "W=8 MASK=31 K=5 MODE=FAST|8, 31, 5, \"FAST\"|-GW=8;-GMASK=8'h1F;-GK=4'b1_01;-GMODE=\"FAST\"|\

@@ -12,12 +12,11 @@ module gray #(parameter FAULT = 0) (
   assign code   = count ^ (count >> 1);
   assign clocks = all;
   always @(posedge clock or negedge rst_n)
-    if (!rst_n) begin
-      count <= 4'd3;
-      odd   <= 1'b0;
-    end else if (en) begin
-      count <= count + 4'd1;
-      odd   <= !odd ^ (FAULT != 0 && count == 4'd12);
-    end
+    if (!rst_n) count <= 4'd3;
+    else if (en) count <= count + 4'd1;
+  wire rst = !rst_n;
+  always @(posedge clock or posedge rst)
+    if (rst) odd <= 1'b0;
+    else if (en) odd <= !odd ^ (FAULT != 0 && count == 4'd12);
   always @(posedge clock) all <= all + {3'b000, en};
 endmodule

@@ -29,6 +29,7 @@ struct Params {
   FIELD(top, 1, flag.at("status[9]"), "", "")                          \
   FIELD(lines, 64, bits.array<8>().unreset(), "", "four of two words") \
   FIELD(order, 5, number.array<8>(p.depth), "", "")                    \
+  FIELD(pair, 4, bits.array<2>().unreset(), "", "words 6 and 7")       \
   FIELD(a, 8, bits.at("a.last").unreset(), "", "")                     \
   FIELD(b, 8, bits.at("b.last").unreset(), "", "")                     \
   FIELD(c, 8, bits.at("more[2].c.last").unreset(), "", "")
@@ -54,7 +55,8 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
   }
   step.state.a = low_bits(in.d[0], 8);
   step.state.b = s.a;
-  step.state.c = s.b ^ s.order[p.depth - 1];
+  step.state.c = s.b ^ s.order[p.depth - 1] ^ s.pair[1];
+  step.state.pair = write_where(write, s.pair, slice(in.index, 1, 1), slice(in.d[0], 7, 4));
   return step;
 }
 

@@ -1,5 +1,5 @@
-// Nets of every size and place: wider than 64 bits, slices, memories of narrow and of wide words,
-// two instances of one module, one in a generate block.
+// Nets of every size and place: wider than 64 bits, slices, memories of narrow and of wide words, one
+// whose first word is not 0, two instances of one module, one in a generate block.
 module nets #(parameter FAULT = 0, parameter W = 100, parameter D = 5) (
     input  wire         clk,
     input  wire         rst,
@@ -13,6 +13,7 @@ module nets #(parameter FAULT = 0, parameter W = 100, parameter D = 5) (
   reg [9:0]   status;           // two counters and a flag
   reg [127:0] lines [0:3];
   reg [4:0]   order [0:D-1];
+  reg [3:0]   pair [7:6];
   wire [7:0]  from_a, from_b, from_c;
 
   assign q     = held;
@@ -23,7 +24,7 @@ module nets #(parameter FAULT = 0, parameter W = 100, parameter D = 5) (
   genvar g;
   generate
     for (g = 2; g < 3; g = g + 1) begin : more
-      nets_part c (.clk(clk), .d(from_b ^ {3'd0, order[D-1]}), .q(from_c));
+      nets_part c (.clk(clk), .d(from_b ^ {3'd0, order[D-1]} ^ {4'd0, pair[7]}), .q(from_c));
     end
   endgenerate
 
@@ -33,6 +34,7 @@ module nets #(parameter FAULT = 0, parameter W = 100, parameter D = 5) (
     status[3:0] <= rst ? 4'd0 : status[3:0] + 4'd1;
     status[8:4] <= rst ? 5'd0 : status[8:4] + {4'd0, write};
     status[9] <= rst ? 1'b0 : lines[index[1:0]][127];
+    if (write) pair[{2'b11, index[1]}] <= d[7:4];
     if (write) lines[index[1:0]] <= {d[27:0], d};
     for (i = 0; i < D; i = i + 1)
       if (rst) order[i] <= i;

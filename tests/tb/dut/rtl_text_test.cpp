@@ -47,6 +47,18 @@ TEST(Unobserved, EveryOtherRegisterIsRefused) {
             "unobserved");
 }
 
+TEST(Unobserved, SoIsAMemoryOfSeveralDimensions) {
+  const RtlText deep{"made", "count\ngrid[][]", ""};
+  EXPECT_EQ(unobserved_registers(deep, {field("count")}, {"grid"}), Names{"grid"});
+  for (const char* net : {"grid", "grid[2]"}) {
+    EXPECT_EQ(
+        said([&] {
+          unobserved_registers(deep, {field("count"), field(net)}, {});
+        }),
+        "made: register grid: a memory of more dimensions than one can only be in unobserved");
+  }
+}
+
 TEST(Unobserved, APatternThatNamesNothingIsRefused) {
   const std::vector<Field> fields{field("count"), field("store"), field("top")};
   for (const char* pattern : {"debug", "debug.x*", "count", "*.d"}) {

@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# broken_test.sh PREFIX
+#
+# One design that cannot be used stops nothing of the others of its program, and where it is asked for
+# it ends in its line: one whose table lacks a register, and one that yosys cannot read. PREFIX: where
+# the harness is installed. Status: 0 so, 1 not.
+set -euo pipefail
+
+prefix=$(realpath "$1")
+root=$(cd "$(dirname "$0")/../.." && pwd)
+# shellcheck source=tests/support/program.sh
+source "$root/tests/support/program.sh"
+
+# as NAME LINE FILE: the counter by another name, with one more line.
+cp "$root"/examples/counter/counter.* .
+as() {
+  sed "s/counter/$1/g; s/endmodule/  $2\nendmodule/" counter.v > "$3"
+  sed "s/counter/$1/g; s/COUNTER/$(tr '[:lower:]' '[:upper:]' <<< "$1")/g" counter.h > "$1.h"
+}
+as lacking 'reg more; always @(posedge clk) more <= en \& !more;' lacking.v
+as unread 'assert property (@(posedge clk) rst || 1);' unread.sv
+sed '/^cosim_add_program/i\
+cosim_add_design(lacking SOURCES lacking.v MODEL lacking.h SHAPES "W=4")\
+cosim_add_design(unread SOURCES unread.sv MODEL unread.h SHAPES "W=4")' \
+  "$root/examples/counter/CMakeLists.txt" > CMakeLists.txt
+if ! cmake -S . -B build -G Ninja "-DCMAKE_PREFIX_PATH=$prefix" > log 2>&1 ||
+  ! cmake --build build >> log 2>&1; then
+  tail -50 log
+  exit 1
+fi
+program=$scratch/build/counter_cosim
+
+line="counter_cosim: lacking W=4: the RTL has a register more that no table names and that is not in \
+unobserved"
+ends 0 sweep counter --hostile 1000
+says_not lacking
+ends 0 prove counter
+ends 2 sweep lacking --hostile 1000
+[[ $(< said) == "$line" ]] || fails "sweep says: $line"
+ends 2 prove lacking
+[[ $(< said) == "$line" ]] || fails "prove says: $line"
+ends 0 sweep unread --hostile 1000
+ends 2 prove unread
+(($(wc -l < said) == 1)) || fails "it is a line"
+says "unread.sv:"
+ends 2 list
+says "$line"
+says "  counter W=8"
+ends 2 prove
+says "$line"
+says_like "^counter_cosim: .*unread.sv:[0-9]+: ERROR"
+says_like "^counter W=8 +a clear makes them the same"
+says "6 of 6 claims proved by all solvers"
+echo "as it should be"

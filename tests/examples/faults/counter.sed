@@ -1,0 +1,2 @@
+# The count before the last is taken for the last.
+s/&total;/\&total[W-1:1];/

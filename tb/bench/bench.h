@@ -167,7 +167,8 @@ class Bench : public AnyBench {
 /// Every bench that was built, in the order of rtl/shipped.txt.
 const std::vector<std::unique_ptr<AnyBench>>& benches();
 
-/// A design that was built and cannot be used; benches() is without it.
+/// A design that was built and cannot be used. The first call of benches(), which is without it,
+/// finds that.
 struct Unusable {
   std::string design;
   std::string why;  ///< one line

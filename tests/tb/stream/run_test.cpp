@@ -131,6 +131,8 @@ class Case {
     Queue queue(setting_.fault, setting_.number);
     return run_stream(shape_, queue, order(budget));
   }
+  /// How often it was asked what is due.
+  int asked() const { return asked_; }
   std::string says() {
     const StreamResult result = run();
     return result.finding ? to_text(shape_, order(100000), result) : "nothing";
@@ -138,10 +140,14 @@ class Case {
 
  private:
   StreamOrder order(std::uint64_t budget) {
-    const auto due = [](const std::vector<std::size_t>& taken) { return taken; };
+    const auto due = [this](const std::vector<std::size_t>& taken) {
+      ++asked_;
+      return taken;
+    };
     return {given_, expected_, due, 1, budget, true, nullptr};
   }
   Setting setting_;
+  int asked_ = 0;
   StreamShape shape_;
   StreamCase given_;
   std::vector<Sequence> expected_{Sequence(1)};
@@ -215,6 +221,16 @@ TEST(StreamRun, LateIsMoreThanTheStatedLatency) {
   // The queue needs one clock, whoever waits.
   EXPECT_EQ(Case({.latency = 0}).says().substr(0, 5), "late:");
   EXPECT_EQ(Case({.stall = 9, .latency = 1}).says(), "nothing");
+}
+
+// For it runs the model.
+TEST(StreamRun, WhatIsDueIsAskedOnlyWhereSomethingIsWaitedForTooLong) {
+  Case at_once({}), late({.fault = Fault::slow});
+  at_once.run();
+  EXPECT_EQ(at_once.asked(), 0);
+  late.run();
+  EXPECT_GE(late.asked(), 1);
+  EXPECT_LE(late.asked(), 2);
 }
 
 TEST(StreamRun, WhatIsOfferedMayNotChangeWhereThatIsStated) {

@@ -7,7 +7,7 @@
 
 #include "model/circular/ones_complement.h"
 #include "model/core/design.h"
-#include "model/core/fields.h"
+#include "model/core/record.h"
 #include "model/core/value.h"
 
 namespace cosim::circular {

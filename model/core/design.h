@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "model/core/bit_strings.h"
-#include "model/core/fields.h"
 #include "model/core/job.h"
 #include "model/core/memory.h"
+#include "model/core/record.h"
 #include "model/core/stated.h"
 #include "model/core/value.h"
 

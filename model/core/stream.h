@@ -38,7 +38,7 @@
 #include <tuple>
 #include <vector>
 
-#include "model/core/fields.h"
+#include "model/core/record.h"
 
 namespace cosim {
 

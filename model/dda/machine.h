@@ -6,7 +6,7 @@
 #pragma once
 
 #include "model/core/design.h"
-#include "model/core/fields.h"
+#include "model/core/record.h"
 #include "model/core/value.h"
 
 namespace cosim::dda {

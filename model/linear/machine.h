@@ -4,7 +4,7 @@
 #pragma once
 
 #include "model/core/design.h"
-#include "model/core/fields.h"
+#include "model/core/record.h"
 #include "model/core/value.h"
 #include "model/linear/reversed.h"
 

@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "model/core/input_error.h"
+#include "tb/bench/stimulus_text.h"
 #include "tb/bench/wanted.h"
 #include "tb/report/failure.h"
 #include "tb/support/draft.h"

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "model/core/input_error.h"
+#include "tb/bench/stimulus_text.h"
 #include "tb/cli/chosen.h"
 #include "tb/cli/commands.h"
 #include "tb/cli/common.h"

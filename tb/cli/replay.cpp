@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "model/core/input_error.h"
+#include "tb/bench/stimulus_text.h"
 #include "tb/cli/commands.h"
 #include "tb/cli/common.h"
 #include "tb/cli/conclude.h"

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "model/core/input_error.h"
+#include "tb/bench/stimulus_text.h"
 #include "tb/cli/chosen.h"
 #include "tb/cli/commands.h"
 #include "tb/cli/common.h"

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/core/input_error.h"
+#include "tb/bench/stimulus_text.h"
 #include "tb/report/report.h"
 #include "tb/report/shrink.h"
 #include "tb/support/draft.h"

@@ -10,6 +10,7 @@
 #include <functional>
 #include <thread>
 
+#include "tb/bench/stimulus_text.h"
 #include "tb/lockstep/replay.h"
 #include "tb/support/read_file.h"
 #include "tb/wave/view.h"

@@ -1,5 +1,5 @@
 // A stimulus file: what is read comes back from its own text, and runs.
-#include "tb/stimulus/stimulus.h"
+#include "tb/bench/stimulus_text.h"
 
 #include "model/circular/host.h"
 #include "model/linear/host.h"

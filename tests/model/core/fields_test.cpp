@@ -1,5 +1,5 @@
 // Tables of fields: what is made from one.
-#include "model/core/fields.h"
+#include "model/core/record.h"
 
 #include <gtest/gtest.h>
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "model/core/input_error.h"
+#include "model/core/record.h"
 #include "tb/bench/design_bench.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "model/core/input_error.h"
+#include "model/core/record.h"
 
 namespace cosim::test {
 namespace {

@@ -1,5 +1,6 @@
 // What a wave shows beside the fields is what the design's view has, if it has one.
 #include "model/core/probe.h"
+#include "model/core/record.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tb/stimulus/stimulus.h"
+#include "tb/bench/stimulus_text.h"
 
 #include <fmt/core.h>
 
@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "model/core/input_error.h"
-#include "tb/bench/bench.h"
 #include "tb/support/read_file.h"
 #include "tb/support/show.h"
 #include "tb/support/words.h"
@@ -15,7 +14,6 @@
 namespace cosim {
 namespace {
 
-constexpr const char* first_line = "cosim stimulus 1";
 // A little more than the stimulus of any mismatch: 100 MB.
 constexpr std::uint64_t most_clocks = 1'100'000;
 static_assert(most_clocks > most_kept + Mismatch::clocks_behind);
@@ -59,7 +57,9 @@ class Parser {
   }
 
   Replay parse(const std::vector<std::unique_ptr<AnyBench>>& benches) {
-    if (!next() || line_ != first_line) fail(fmt::format("is not '{}'", first_line));
+    if (!next() || line_ != first_line_of_stimulus) {
+      fail(fmt::format("is not '{}'", first_line_of_stimulus));
+    }
     machine(benches);
     const std::string row_word = replay_.bench->row();
     const std::string wanted = "a row '" + row_word + "' of the inputs' names";
@@ -233,41 +233,6 @@ class Parser {
 };
 
 }  // namespace
-
-std::string to_text(const Stimulus& s, const AnyBench& bench) {
-  std::string text = fmt::format("{}\nmachine {}\n", first_line, s.machine);
-  if (!s.origin.empty()) text += fmt::format("origin {}\n", s.origin);
-  text += fmt::format("power-up {}\n", s.power_up);
-  if (s.state) {
-    constexpr std::size_t most_in_line = 100;  // a memory's may be many
-    const std::vector<Field> fields = bench.state();
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-      if (i % most_in_line == 0) text += i == 0 ? "state" : "\nstate";
-      text += fmt::format(" {}={}", label_of(fields[i]), (*s.state)[i]);
-    }
-    text += '\n';
-  }
-  const std::vector<Field> inputs = bench.inputs();
-  std::vector<std::size_t> widths;
-  constexpr int first_width = 11;
-  text += fmt::format("{:<{}}", bench.row(), first_width);
-  for (const Field& f : inputs) {
-    widths.push_back(std::max(label_of(f).size(), show_width(f)));
-    text += fmt::format("  {:>{}}", label_of(f), widths.back());
-  }
-  text += '\n';
-  for (std::size_t first = 0, end = 0; first < s.clocks.size(); first = end) {
-    while (end < s.clocks.size() && s.clocks[end] == s.clocks[first]) ++end;
-    const std::string range =
-        end == first + 1 ? fmt::format("{}", first) : fmt::format("{}-{}", first, end - 1);
-    text += fmt::format("{:<{}}", range, first_width);
-    for (std::size_t i = 0; i < inputs.size(); ++i) {
-      text += fmt::format("  {:>{}}", show_short(inputs[i], s.clocks[first][i]), widths[i]);
-    }
-    text += '\n';
-  }
-  return text + "end\n";
-}
 
 Replay parse_stimulus(const std::string& name, const std::string& text,
                       const std::vector<std::unique_ptr<AnyBench>>& benches) {

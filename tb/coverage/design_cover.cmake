@@ -28,7 +28,7 @@ function(cosim_shape_cover)
     COSIM_COVERAGE COSIM_COVERAGE_OF_CASES VM_COVERAGE=1)
   target_compile_options(cover_${ID} PRIVATE -O1)
   target_include_directories(cover_${ID} SYSTEM PRIVATE ${FOLDER} ${FOLDER}/verilated)
-  target_link_libraries(cover_${ID} PRIVATE cosim::dut cosim::runtime)
+  target_link_libraries(cover_${ID} PRIVATE cosim::stream cosim::dut cosim::runtime)
   set_property(GLOBAL APPEND PROPERTY COSIM_ON_DEMAND
     "    registry.cover({\"${TITLE}\", \"cover_${ID}\", \"${FOLDER}\"})\;\n")
 endfunction()

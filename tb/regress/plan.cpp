@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "tb/regress/parse.h"
 #include "tb/support/words.h"
 
 namespace cosim::regress {
@@ -120,12 +121,6 @@ void read_task(const Json& json, const std::vector<Keys>& kinds, const Complaint
   if (!json.contains("name")) complaints.add(task.place, "name: is needed");
 }
 
-// Of a syntax error only where it is and what: the library's text is for its own users.
-std::string syntax_error(const std::string& what) {
-  const std::size_t at = what.find("at line ");
-  return at == std::string::npos ? what : what.substr(at);
-}
-
 Json schema_of(const Key& key) {
   Json json;
   switch (key.type) {
@@ -159,13 +154,10 @@ Plan read_plan(const std::string& text, const std::string& path, const std::vect
                std::uint64_t seed, std::vector<std::string>& errors) {
   const Complaints complaints(path, errors);
   Plan plan;
-  Json json;
-  try {
-    json = Json::parse(text, nullptr, true, true);
-  } catch (const Json::exception& error) {
-    complaints.add("", "no JSON: " + syntax_error(error.what()));
-    return plan;
-  }
+  std::vector<std::string> wrong_json;
+  const Json json = parse(text, wrong_json);
+  for (const std::string& one : wrong_json) complaints.add("", one);
+  if (json.is_null() && !wrong_json.empty()) return plan;
   if (!json.is_object() || !json.contains("format") || json["format"] != format) {
     complaints.add("", fmt::format("no plan: needs an object with \"format\": {}", format));
     return plan;

@@ -79,6 +79,8 @@ TEST_F(Regression, OfABadPlanIsRefusedWhole) {
                   "unexpected end of input; expected '[', '{', or a literal"});
   expect_refused(folder_, "[]", {"no plan: needs an object with \"format\": 1"});
   expect_refused(folder_, R"({"format": 2})", {"no plan: needs an object with \"format\": 1"});
+  expect_refused(folder_, head + R"({"name": "a", "run": ["true"], "seed": 1, "seed": 2}]})",
+                 {"'seed': stands twice in an object"});
   expect_refused(folder_, R"({"format": 1, "more": 1})",
                  {"more: no such key", "name: is needed", "tasks: needs a list of tasks"});
   expect_refused(folder_, head + "]}", {"tasks: needs a list of tasks"});

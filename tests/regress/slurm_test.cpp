@@ -113,6 +113,18 @@ TEST_F(Cluster, ThatLosesJobsLeavesThemToBeRunAgain) {
   EXPECT_EQ(cosim({"regress", "--resume", folder_.path("run"), "--slurm"}).status, 0);
 }
 
+TEST_F(Cluster, HasAtMostAThousandTasksInAnArray) {
+  plan(R"({"name": "many", "sweep": "linear M=5 N=2", "hostile": 3000000})");
+  program("sbatch", "#!/bin/sh\necho \"sbatch $*\" >> \"$TRIAL/asked\"\necho 5\n");
+  EXPECT_EQ(cosim(fresh("run", {"--shards", "2500", "--slurm"})).status, 2);
+  EXPECT_TRUE(has(asked()[0], "--array=0-999")) << asked()[0];
+  const auto lists = lines(folder_.text("run/slurm/1.txt"));
+  ASSERT_EQ(lists.size(), 1000U);
+  EXPECT_EQ(lists[0], "0-1");
+  EXPECT_EQ(lists[1], "2-4");
+  EXPECT_EQ(lists[999], "2497-2499");
+}
+
 TEST_F(Cluster, HasTasksOnlyInArrays) {
   ASSERT_EQ(cosim(fresh("run", {"--shards", "2", "--slurm"})).status, 0);
   const Ended e = cosim({"regress", "--work", folder_.path("run"), "--list", "1.txt"});

@@ -1,13 +1,14 @@
 # shellcheck shell=bash
 # A Slurm of two nodes on this machine, all of it in one folder: munged with its key, socket, pid, log
-# and seed files, slurmctld and two slurmd that listen on 127.0.0.1. To be sourced; needs root.
+# and seed files, slurmctld and two slurmd that listen on 127.0.0.1, on three ports from
+# $COSIM_SLURM_PORT (17020) on. To be sourced; needs root.
 #   cluster_start FOLDER   starts it and waits until both nodes are idle; SLURM_CONF then names it
 #   cluster_stop           stops every daemon and whatever it started
 #   node_kill N            takes node N away at once, with its steps and their processes
 #   node_start N           brings it back
 #   controller_stop, controller_start
 
-cluster_ports=(17020 17021 17022)
+cluster_port=${COSIM_SLURM_PORT:-17020}
 
 cluster_start() {
   cluster=$1
@@ -26,7 +27,7 @@ cluster_start() {
   cat > "$cluster/slurm.conf" << END
 ClusterName=trial
 SlurmctldHost=$host(127.0.0.1)
-SlurmctldPort=${cluster_ports[0]}
+SlurmctldPort=$cluster_port
 AuthType=auth/munge
 AuthInfo=socket=$cluster/munge/socket,cred_expire=15
 CryptoType=crypto/munge
@@ -50,7 +51,7 @@ SlurmctldPidFile=$cluster/slurmctld.pid
 SlurmdPidFile=$cluster/slurmd-%n.pid
 SlurmctldLogFile=$cluster/slurmctld.log
 SlurmdLogFile=$cluster/slurmd-%n.log
-NodeName=n[1-2] NodeHostname=$host NodeAddr=127.0.0.1 Port=[${cluster_ports[1]}-${cluster_ports[2]}] CPUs=1 RealMemory=2000 State=UNKNOWN
+NodeName=n[1-2] NodeHostname=$host NodeAddr=127.0.0.1 Port=[$((cluster_port + 1))-$((cluster_port + 2))] CPUs=1 RealMemory=2000 State=UNKNOWN
 PartitionName=main Nodes=ALL Default=YES MaxTime=INFINITE State=UP
 END
   export SLURM_CONF=$cluster/slurm.conf

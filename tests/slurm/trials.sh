@@ -4,6 +4,8 @@
 # Regressions on a real Slurm of two nodes, which it starts in a folder of its own and stops again.
 # PROGRAM runs them; FAULTY has a bench with a fault. Each trial is named, with its seconds; without
 # a TRIAL all of them. A node is killed N times, by default 20. Needs root, slurm-wlm and munge.
+# The trial `figures`, only by name, times a regression of $COSIM_TRIAL_CLOCKS clocks a shape (ten
+# million) on one node and on two; that says something where nothing else runs.
 # Status: 0 all so, 1 not, 2 could not be tried.
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/cluster.sh"
@@ -226,13 +228,27 @@ other_program() {
   same other
 }
 
+figures() {
+  local nodes began time=()
+  for nodes in 1 2; do
+    ((nodes == 2)) || scontrol update NodeName=n2 State=DRAIN Reason=figures
+    began=$EPOCHREALTIME
+    expect 0 "$program" regress plan.json --folder "figures$nodes" --shards 16 --slurm
+    time+=("$(awk -v a="$began" -v b="$EPOCHREALTIME" 'BEGIN { printf "%.1f", b - a }')")
+    scontrol update NodeName=n2 State=RESUME 2> /dev/null || true
+    same "figures$nodes"
+  done
+  awk -v one="${time[0]}" -v two="${time[1]}" \
+    'BEGIN { printf "one node %s s, two nodes %s s: %.2f of it\n", one, two, two / one }'
+}
+
 # ---- Running them ---------------------------------------------------------------------------------
 
 all=(two_nodes requests told_to_end node_lost controller_lost cancelled waiting_lost
   full_and_read_only two_at_once fault other_program)
 ((${#trials[@]})) || trials=("${all[@]}")
 for trial in "${trials[@]}"; do
-  [[ " ${all[*]} " == *" $trial "* ]] || { echo "trials.sh: no such trial: $trial" >&2 && exit 2; }
+  [[ " ${all[*]} figures " == *" $trial "* ]] || { echo "trials.sh: no such trial: $trial" >&2 && exit 2; }
 done
 design=$("$program" list | sed -n 's/^\([a-z][a-z0-9_]*\)[:, ].*/\1/p' | head -n 1)
 cat > plan.json << END

@@ -18,6 +18,13 @@ std::string last_line(const std::string& text) {
   return one_line(lines.substr(lines.find_last_of('\n') + 1));
 }
 
+// Of what libFuzzer says, the line that sums it up; it says more behind that.
+std::string finding(const std::string& text) {
+  const std::size_t at = text.find("SUMMARY: ");
+  return at == std::string::npos ? last_line(text)
+                                 : one_line(text.substr(at, text.find('\n', at) - at));
+}
+
 // Status 127 is of a program that is not there.
 Ended run_it(const std::vector<std::string>& words) {
   Ended ended = cosim::run_program(words);
@@ -58,8 +65,8 @@ class FuzzWork final : public regress::Work {
       if (!corpus_.empty()) words.push_back((place.run / corpus_).string());
       const Ended ended = run_it(words);
       if (ended.status == 0) continue;
-      failed.push_back({{"what", fmt::format("slice {}: {}", i, last_line(ended.text))},
-                        {"folder", "failures"}});
+      failed.push_back(
+          {{"what", fmt::format("slice {}: {}", i, finding(ended.text))}, {"folder", "failures"}});
     }
     regress::Json json = regress::Json::object();
     if (!failed.empty()) json["failed"] = std::move(failed);

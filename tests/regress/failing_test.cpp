@@ -59,6 +59,21 @@ TEST_F(Regression, WhoseProgramFailsOrIsNotThereSaysSo) {
   EXPECT_EQ(json["tasks"][2]["works"][0]["verdict"], "unfinished");
 }
 
+// As libFuzzer ends: the line that counts is not the last one.
+TEST_F(Regression, NamesWhatFuzzingFinds) {
+  std::filesystem::permissions(
+      folder_.write("target",
+                    "#!/bin/sh\necho 'SUMMARY: deadly signal'\necho Base64: AA==\n"
+                    "case $* in *-seed=9*) exit 77 ;; esac\n"),
+      std::filesystem::perms::owner_all);
+  plan(R"({"name": "bytes", "fuzz": "target", "seconds": 121})");
+  EXPECT_EQ(cosim(fresh("run")).status, 1);
+  // Seed 7 and number 1, counted from 1: one of three slices of a minute or less.
+  const Json failures = Json::parse(report("run"))["failures"];
+  ASSERT_EQ(failures.size(), 1U);
+  EXPECT_EQ(failures[0]["what"], "slice 1: SUMMARY: deadly signal");
+}
+
 // One line for each thing that is wrong, with the file and the place; nothing is made.
 void expect_refused(const Folder& folder, const std::string& text,
                     const std::vector<std::string>& wrong) {

@@ -74,18 +74,14 @@ proof::Source source_of(const AnyBench& bench) {
   return source;
 }
 
-std::vector<proof::Claim> claims_on(const proof::MachineFormula& machine, proof::Source source) {
+std::vector<proof::Claim> claims_on(const proof::MachineFormula& machine, const nets::Model& nets,
+                                    proof::Source source) {
   source.asynchronous_reset = !machine.seen.empty();
   source.parameters = machine.parameters;
   for (const proof::Wire& w : machine.registers) {
     if (w.field.index <= 0) source.kept.push_back(net_path(w.field.net).path);
   }
-  const proof::Rtl rtl(source);
-  std::vector<proof::Claim> claims{claim_clear(machine, rtl), claim_step(machine, rtl),
-                                   claim_cases(machine, rtl)};
-  if (!machine.legal.empty()) claims.push_back(claim_legal(machine));
-  if (!rtl.asserted().empty()) claims.push_back(claim_asserts(machine, rtl));
-  return claims;
+  return claims_of(machine, nets, source);
 }
 
 }  // namespace cosim::cli

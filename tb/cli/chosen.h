@@ -32,6 +32,7 @@ proof::Source source_of(const AnyBench& bench);
 
 /// All that is claimed of a machine and its RTL, by yosys. Its formula decides which of the RTL's
 /// registers are kept and how it is reset. InputError as of proof::Rtl and of the claims.
-std::vector<proof::Claim> claims_on(const proof::MachineFormula& machine, proof::Source source);
+std::vector<proof::Claim> claims_on(const proof::MachineFormula& machine, const nets::Model& nets,
+                                    proof::Source source);
 
 }  // namespace cosim::cli

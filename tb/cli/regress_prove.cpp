@@ -38,10 +38,10 @@ proof::Claim claim_from(const regress::Json& json) {
 
 // A solver that is not there is no finding of the proof.
 void need_solvers(const proof::Decision& decision) {
-  for (std::size_t v = 0; v < decision.solved.size(); ++v) {
-    for (const proof::Solved& one : decision.solved[v]) {
+  for (const proof::Opinion& opinion : decision.opinions) {
+    for (const proof::Solved& one : opinion.solved) {
       if (one.answer == proof::Answer::missing) {
-        throw InputError("needs " + proof::solvers()[v].name);
+        throw InputError("needs " + to_text(opinion.engine));
       }
     }
   }
@@ -54,7 +54,8 @@ class ProveWork final : public regress::Work {
 
   void prepare(const std::filesystem::path& prepared) const override {
     regress::Json claims = regress::Json::array();
-    for (const proof::Claim& claim : claims_on(machine_.formula(), machine_.source)) {
+    for (const proof::Claim& claim :
+         claims_on(machine_.formula(), machine_.nets(), machine_.source)) {
       claims.push_back(as_json(claim));
     }
     if (claims.size() < units()) throw std::logic_error("other claims than were counted");
@@ -96,7 +97,8 @@ class ProveWork final : public regress::Work {
  private:
   regress::Json decide_one(const proof::Claim& claim) const {
     InterruptGuard::check();
-    const proof::Decision decision = proof::decide({&claim}, limit_, 1).front();
+    const proof::Decision decision =
+        proof::decide({&claim}, {proof::all_engines(), limit_, 1}).front();
     need_solvers(decision);
     return {{"what", claim.what}, {"verdict", decision.verdict}};
   }

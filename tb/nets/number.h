@@ -27,6 +27,8 @@ class Truth {
   Bit bit_;
 };
 
+inline Bit fact_of(const Truth& t) { return t.bit(); }
+
 Truth operator!(const Truth& a);
 Truth operator&(const Truth& a, const Truth& b);
 Truth operator|(const Truth& a, const Truth& b);

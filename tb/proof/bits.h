@@ -23,6 +23,8 @@ class Truth {
   Expression expression_;
 };
 
+inline const Expression& fact_of(const Truth& t) { return t.expression(); }
+
 Truth operator!(const Truth& a);
 Truth operator&(const Truth& a, const Truth& b);
 Truth operator|(const Truth& a, const Truth& b);

@@ -22,12 +22,12 @@
 // bound is set. The others show that the hypotheses of the second can be met.
 #pragma once
 
-#include <map>
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "tb/proof/machine.h"
+#include "tb/proof/net_questions.h"
 #include "tb/proof/rtl.h"
 #include "tb/proof/solver.h"
 
@@ -45,7 +45,15 @@ struct Claim {
   Answer wanted = Answer::unsat;
   std::vector<Query> queries;
   std::vector<std::string> terms;  ///< whose values make a counterexample; may be empty
+  /// The same claim on nets; null where it is not asked of nets.
+  std::shared_ptr<const NetQuestions> nets = nullptr;
 };
+
+/// All that is claimed of a machine, as scripts and as nets. InputError as below.
+std::vector<Claim> claims_of(const MachineFormula& machine, const nets::Model& model,
+                             const Source& source);
+
+// Each as scripts alone.
 
 /// InputError where the RTL's registers, inputs and outputs are not those of the machine's tables,
 /// one for one.
@@ -56,24 +64,5 @@ Claim claim_asserts(const MachineFormula& machine, const Rtl& rtl);
 Claim claim_cases(const MachineFormula& machine, const Rtl& rtl);
 /// For a machine whose inputs are not all legal.
 Claim claim_legal(const MachineFormula& machine);
-
-/// One value of a signal in a counterexample.
-struct Value {
-  Field field;
-  Word expected = 0;
-  Word actual = 0;
-};
-/// A state and inputs under which RTL and model differ, or the RTL asserts what is not so.
-struct Counterexample {
-  std::vector<Value> state;         ///< of the model
-  std::vector<Value> inputs;        ///< of the clock
-  std::vector<Value> outputs;       ///< during the clock
-  std::vector<Value> after;         ///< registers, after it
-  std::vector<std::string> broken;  ///< what of the invariant the model's next state breaks
-};
-/// A solver's counterexample to claim_step or claim_asserts, from the values of its terms; none if
-/// some are missing.
-std::optional<Counterexample> counterexample(const MachineFormula& machine,
-                                             const std::map<std::string, std::string>& values);
 
 }  // namespace cosim::proof

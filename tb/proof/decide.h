@@ -1,6 +1,7 @@
-// Claims put before the solvers, several questions at a time.
+// Claims put before the engines, several questions at a time. A claim is decided where two agree.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -8,23 +9,51 @@
 
 namespace cosim::proof {
 
-/// What the solvers say of a claim.
+enum class Engine {
+  cec,   ///< yosys-abc, on the nets of a claim
+  cvc5,  ///< on its scripts
+  z3,    ///< on its scripts
+};
+std::string to_text(Engine engine);
+/// All of them, the quickest first.
+std::vector<Engine> all_engines();
+/// Whether there is something of the claim that the engine reads.
+bool can_ask(Engine engine, const Claim& claim);
+
+/// What one engine says of a claim.
+struct Opinion {
+  Engine engine = Engine::cec;
+  std::vector<Solved> solved{};  ///< by query, of nets one; empty where it was not asked
+  double seconds() const;        ///< of processor time
+};
+
 struct Decision {
-  std::vector<std::vector<Solved>> solved;  ///< by solver and query
-  std::vector<double> seconds;              ///< of processor time, by solver, of all queries
-  bool proved = false;                      ///< every solver answered every question as wanted
-  bool refuted = false;  ///< a solver gave an opposite answer, and no solver a wanted one
+  std::vector<Opinion> opinions;
+  bool proved =
+      false;  ///< as many engines as are needed answered all as wanted, and none otherwise
+  bool refuted = false;  ///< an engine gave an opposite answer, and none a wanted one
   std::string verdict;   ///< "proved", "REFUTED", or why it is neither
 };
 
-/// Has every one of solvers() answer every query of the claims, `jobs` at a time, each for `limit`
-/// seconds of processor time at most. Results are in the order of the claims.
-std::vector<Decision> decide(const std::vector<const Claim*>& claims, int limit, unsigned jobs);
+struct Asking {
+  /// Asked in this order: two of them, and another where these are not of one mind. One alone
+  /// decides by itself.
+  std::vector<Engine> engines = all_engines();
+  int limit = 300;    ///< seconds of processor time for one answer
+  unsigned jobs = 1;  ///< questions at a time
+};
 
-/// Whether a solver reached its time limit, so that a longer one might help.
+/// Has the engines answer the claims. Results are in the order of the claims.
+std::vector<Decision> decide(const std::vector<const Claim*>& claims, const Asking& asking);
+
+/// Whether an engine reached its time limit, so that a longer one might help.
 bool timed_out(const std::vector<Decision>& decisions);
 
-/// Judges the answers, by solver and query.
-Decision judged(const Claim& claim, std::vector<std::vector<Solved>> solved);
+/// Judges the opinions; `needed` engines must agree.
+Decision judged(const Claim& claim, std::vector<Opinion> opinions, std::size_t needed = 2);
+
+/// What the terms of a refuted claim are in a counterexample; empty where no engine has one.
+std::map<std::string, std::string> refuting_values(const Claim& claim, const Decision& decision,
+                                                   int limit);
 
 }  // namespace cosim::proof

@@ -5,6 +5,7 @@
 
 #include "tb/bench/bench.h"
 #include "tb/proof/claims.h"
+#include "tb/proof/counterexample.h"
 
 namespace cosim::proof {
 

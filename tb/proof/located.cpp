@@ -18,10 +18,8 @@ int bits_in(const Expression& code) {
 
 }  // namespace
 
-std::vector<RtlCell> located(const Rtl& rtl, const std::string& design, const char* kind,
-                             const std::vector<Wire>& table) {
-  std::vector<Field> fields;
-  for (const Wire& w : table) fields.push_back(w.field);
+std::vector<RtlCell> located_fields(const WiresOf& rtl, const std::string& design, const char* kind,
+                                    const std::vector<Field>& fields) {
   std::vector<RtlCell> all;
   for (const auto& row : rows_of(fields)) {
     const std::string path = net_path(row.front().net).path;

@@ -1,7 +1,8 @@
-// Where the cells of a model's tables are in the RTL's formula.
+// Where the cells of a model's tables are in the RTL.
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,10 +18,24 @@ struct RtlCell {
   int width = 1;
 };
 
-/// The cells of `table`, which `kind` names in errors: input, output or register. A memory's word
+/// What is asked of RTL: width and first_word as of Rtl.
+struct WiresOf {
+  std::function<int(const std::string&)> width, first_word;
+};
+/// The cells of a table, which `kind` names in errors: input, output or register. A memory's word
 /// is a wire of its own. InputError where the RTL has no such wire or one of another width.
-std::vector<RtlCell> located(const Rtl& rtl, const std::string& design, const char* kind,
-                             const std::vector<Wire>& table);
+std::vector<RtlCell> located_fields(const WiresOf& rtl, const std::string& design, const char* kind,
+                                    const std::vector<Field>& fields);
+/// The same of wires.
+template <class AnyRtl, class AnyWire>
+std::vector<RtlCell> located(const AnyRtl& rtl, const std::string& design, const char* kind,
+                             const std::vector<AnyWire>& table) {
+  std::vector<Field> fields;
+  for (const AnyWire& w : table) fields.push_back(w.field);
+  return located_fields({[&](const std::string& wire) { return rtl.width(wire); },
+                         [&](const std::string& memory) { return rtl.first_word(memory); }},
+                        design, kind, fields);
+}
 
 /// Bits of a free symbol of the RTL.
 struct Piece {

@@ -1,6 +1,7 @@
-// The formulas of every machine that is built.
+// The formulas and nets of every machine that is built.
 #pragma once
 
+#include "tb/nets/model.h"
 #include "tb/proof/machine.h"
 #include "tb/proof/rtl.h"
 
@@ -9,9 +10,11 @@ namespace cosim::proof {
 /// A machine as a line of rtl/shipped.txt names it.
 struct BuiltMachine {
   std::string title;
-  MachineFormula (*formula)();  ///< null where no formula can be made of the model
-  Source source;                ///< the RTL it was built from
-  bool streams = false;         ///< it has a stream model
+  /// How its model is made; null where no formula can be made of it.
+  MachineFormula (*formula)();
+  nets::Model (*nets)();
+  Source source;         ///< the RTL it was built from
+  bool streams = false;  ///< it has a stream model
 };
 
 /// Why there is no formula of a machine, for a person: what its model is.
@@ -20,12 +23,21 @@ inline const char* model_without_formula(const BuiltMachine& machine) {
                          : "a plain model, on machine integers alone";
 };
 
-/// How the formula of a design at its parameters is made, for BuiltMachine.
+/// How the formula and the nets of a design at its parameters are made, for BuiltMachine.
 template <class Trait>
 constexpr auto formula_of() -> MachineFormula (*)() {
   using Design = typename Trait::Design;
   if constexpr (StepsOn<Design, Bits>) {
     return [] { return formula<Design>(Trait::params); };
+  } else {
+    return nullptr;
+  }
+}
+template <class Trait>
+constexpr auto nets_of() -> nets::Model (*)() {
+  using Design = typename Trait::Design;
+  if constexpr (StepsOn<Design, nets::Number>) {
+    return [] { return nets::model_of<Design>(Trait::params); };
   } else {
     return nullptr;
   }

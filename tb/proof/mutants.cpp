@@ -62,8 +62,7 @@ class Side {
     std::vector<Wire> held = given;
     for (Wire& w : held) {
       if (!w.when) continue;  // at other times it holds anything, and not the same on both sides
-      const Expression any =
-          script.declare(fmt::format("{}.{}", side, detail::term(w.field)), w.code.sort());
+      const Expression any = script.declare(term_of(side, w.field), w.code.sort());
       w.code = {"ite", w.code.sort(), {*w.when, w.code, any}};
     }
     give("register", held, true);
@@ -219,7 +218,7 @@ Claim Mutants::clear(std::size_t i) const {
   Script script = declared(machine_);
   Side side("mutant", machine_, mutant.rtl, {}, script);
   for (const Wire& w : machine_.clearing) {
-    script.assume(equal(detail::symbol("in", w.field), w.code));
+    script.assume(equal(symbol("in", w.field), w.code));
   }
   Expression wrong = truth(false);
   const std::vector<Expression> after = side.after(machine_);
@@ -256,9 +255,9 @@ Claim Mutants::step(std::size_t i) const {
 std::vector<Judged> judge_mutants(const MachineFormula& machine, const fs::path& verilog,
                                   const std::vector<unsigned>& numbers, int limit, unsigned jobs) {
   const Claim reached = reached_claim(machine);
-  const Decision stays = decide({&reached}, limit, jobs).front();
-  for (const auto& by_solver : stays.solved) {
-    if (by_solver.front().answer == Answer::missing) throw InputError("needs cvc5 and z3");
+  const Decision stays = decide({&reached}, {{Engine::z3, Engine::cvc5}, limit, jobs}).front();
+  for (const Opinion& o : stays.opinions) {
+    if (o.solved.front().answer == Answer::missing) throw InputError("needs cvc5 and z3");
   }
   if (!stays.proved) {
     throw InputError(fmt::format("{}: {}: {}", machine.design, reached.what, stays.verdict));
@@ -279,8 +278,9 @@ std::vector<Judged> judge_mutants(const MachineFormula& machine, const fs::path&
         continue;
       }
       const Claim step = mutants.step(i), clear = mutants.clear(i);
-      std::vector<Decision> decided = decide({&step}, limit, 1);
-      if (decided.front().proved) decided = decide({&clear}, limit, 1);
+      std::vector<Decision> decided = decide({&step}, {{Engine::z3, Engine::cvc5}, limit, 1});
+      if (decided.front().proved)
+        decided = decide({&clear}, {{Engine::z3, Engine::cvc5}, limit, 1});
       const Decision& d = decided.front();
       judged = {d.proved, d.refuted, timed_out(decided), d.verdict};
     }

@@ -50,15 +50,9 @@ std::string commands_for_assertions() {
 std::string written_by_yosys(const Source& source) {
   const Scratch scratch;
   const fs::path file = scratch.path() / "rtl.smt2";
-  // A register that nothing reads stays one, and what is undefined is free in the formula.
-  std::string kept = "w:*_q";
-  for (const std::string& net : source.kept) kept += kept_net(net.substr(net.rfind('.') + 1));
-  // A memory becomes a register a word, store[3].
-  run_yosys(commands_to_elaborate(source) +
-                fmt::format("; rename -top {}; setattr -set keep 1 {}; prep -flatten -nomem; "
-                            "memory_collect; memory_map; async2sync; {}; dffunmap; "
-                            "setundef -anyseq; write_smt2 -wires {}",
-                            source.top, kept, commands_for_assertions(), file.string()),
+  // What is undefined is free in the formula.
+  run_yosys(flat_commands(source) + "; async2sync; " + commands_for_assertions() +
+                "; dffunmap; setundef -anyseq; write_smt2 -wires " + file.string(),
             source.top);
   return read_file(file.string());
 }
@@ -91,6 +85,16 @@ std::string commands_to_elaborate(const Source& source) {
     commands += fmt::format(" -chparam {} {}", p.name, as_constant(source, p));
   }
   return commands;
+}
+
+std::string flat_commands(const Source& source) {
+  std::string kept = "w:*_q";
+  for (const std::string& net : source.kept) kept += kept_net(net.substr(net.rfind('.') + 1));
+  return commands_to_elaborate(source) +
+         fmt::format(
+             "; rename -top {0}; setattr -set keep 1 {1}; prep -flatten -nomem; "
+             "memory_collect; memory_map; setattr -set keep 1 {1}",
+             source.top, kept);
 }
 
 void run_yosys(const std::string& commands, const std::string& what) {

@@ -36,6 +36,10 @@ std::string read_commands(const Source& source);
 /// The same, and the one that makes its hierarchy with its parameters; they end in nothing.
 std::string commands_to_elaborate(const Source& source);
 
+/// The same, and those that make one module of it, in which a memory is a register a word,
+/// store[3], and a register that nothing reads stays one.
+std::string flat_commands(const Source& source);
+
 /// Selects, for yosys, the nets of that name, and the words of a memory of that name which yosys
 /// has made registers.
 std::string kept_net(const std::string& name);

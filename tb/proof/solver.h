@@ -39,6 +39,9 @@ struct Solved {
   std::vector<Answer> answers;     ///< of all that were answered
   double seconds = 0;              ///< of processor time
   std::string said;                ///< the solver's words where it failed
+  /// What the terms are of the first question that was answered with "sat", where the answer came
+  /// with them.
+  std::map<std::string, std::string> values;
 };
 
 /// Has a solver answer the questions of a script, in `limit` seconds of processor time at the most.

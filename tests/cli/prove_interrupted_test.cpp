@@ -103,7 +103,7 @@ TEST(ProofAtItsLimit, SaysWhatToDo) {
   EXPECT_EQ(e.status, 1) << e.err;
   ASSERT_FALSE(e.out.empty());
   EXPECT_EQ(lines(e.out).back(),
-            "a solver was stopped after 1 s of processor time; give it more: --limit 10");
+            "an engine was stopped after 1 s of processor time; give it more: --limit 10");
 }
 
 }  // namespace

@@ -19,11 +19,12 @@ void expect_proved() {
   int proved = 0;
   for (const auto& v : variants<Design>()) {
     if (!v.name.starts_with("shipped/") || is_built(*v.bench)) continue;
-    const proof::MachineFormula formula = proof::formula<Design>(v.bench->params());
-    const proof::Rtl rtl = rtl_of(Design::name, v.name, *v.bench);
-    const proof::Claim claims[] = {claim_clear(formula, rtl), claim_step(formula, rtl),
-                                   claim_cases(formula, rtl)};
-    const auto decided = proof::decide({&claims[0], &claims[1], &claims[2]}, kLimit, 1);
+    const auto claims = claims_of(proof::formula<Design>(v.bench->params()),
+                                  nets::model_of<Design>(v.bench->params()),
+                                  source_of(Design::name, v.name, *v.bench));
+    std::vector<const proof::Claim*> all;
+    for (const proof::Claim& c : claims) all.push_back(&c);
+    const auto decided = proof::decide(all, {proof::all_engines(), kLimit, 1});
     for (const auto& d : decided) EXPECT_TRUE(d.proved) << v.name << ": " << d.verdict;
     ++proved;
   }

@@ -13,23 +13,11 @@
 namespace cosim::test {
 namespace {
 
-proof::MachineFormula formula_of(const AnyBench& bench) {
+const proof::BuiltMachine& machine_of(const AnyBench& bench) {
   for (const auto& machine : proof::built_machines()) {
-    if (machine.title == bench.title()) return machine.formula();
+    if (machine.title == bench.title()) return machine;
   }
   throw std::out_of_range(bench.title());
-}
-
-// What a claim's first query that is not as wanted gives, by the first solver.
-std::optional<proof::Counterexample> found(const proof::MachineFormula& formula,
-                                           const proof::Claim& claim,
-                                           const proof::Decision& decision) {
-  for (std::size_t q = 0; q < claim.queries.size(); ++q) {
-    if (decision.solved[0][q].answer != proof::Answer::sat) continue;
-    return counterexample(
-        formula, values(proof::solvers()[0], claim.queries[q].script, claim.terms, kLimit));
-  }
-  return std::nullopt;
 }
 
 struct Subject {
@@ -80,22 +68,27 @@ class Proof : public testing::TestWithParam<Subject> {};
 TEST_P(Proof, Refutes) {
   if (!can_prove()) GTEST_SKIP() << "needs yosys, cvc5 and z3";
   const Subject& s = GetParam();
-  const proof::MachineFormula formula = formula_of(*s.bench);
-  const proof::Rtl rtl = rtl_of(s.design, s.name, *s.bench);
-  const proof::Claim clear = claim_clear(formula, rtl);
-  const proof::Claim step = claim_step(formula, rtl);
-  const auto decided = proof::decide({&clear, &step}, kLimit, 1);
-  ASSERT_TRUE(decided[0].refuted || decided[1].refuted)
-      << s.what << "\nclear: " << decided[0].verdict << "\nstep: " << decided[1].verdict;
-  if (!decided[1].refuted) return;
+  const auto& machine = machine_of(*s.bench);
+  const proof::MachineFormula formula = machine.formula();
+  const auto claims = claims_of(formula, machine.nets(), source_of(s.design, s.name, *s.bench));
+  const proof::Claim &clear = claims[0], &step = claims[1];
 
-  const auto c = found(formula, step, decided[1]);
-  ASSERT_TRUE(c);
-  const Stimulus stimulus = proof::stimulus_of(*c, *s.bench);
-  const auto run = s.bench->replay(stimulus);
-  ASSERT_TRUE(run.mismatch) << "no counterexample in simulation:\n" << to_text(*c);
-  EXPECT_LE(run.mismatch->clock, 1U);
-  EXPECT_FALSE(s.shipped->replay(stimulus).mismatch) << "one of good RTL:\n" << to_text(*c);
+  // By cec and by a solver, each with a counterexample of its own.
+  for (const auto& engines : {std::vector{proof::Engine::cec, proof::Engine::z3},
+                              std::vector{proof::Engine::z3}, std::vector{proof::Engine::cec}}) {
+    const auto decided = proof::decide({&clear, &step}, {engines, kLimit, 1});
+    ASSERT_TRUE(decided[0].refuted || decided[1].refuted)
+        << s.what << "\nclear: " << decided[0].verdict << "\nstep: " << decided[1].verdict;
+    if (!decided[1].refuted || engines.size() == 2) continue;
+
+    const auto c = counterexample(formula, refuting_values(step, decided[1], kLimit));
+    ASSERT_TRUE(c);
+    const Stimulus stimulus = proof::stimulus_of(*c, *s.bench);
+    const auto run = s.bench->replay(stimulus);
+    ASSERT_TRUE(run.mismatch) << "no counterexample in simulation:\n" << to_text(*c);
+    EXPECT_LE(run.mismatch->clock, 1U);
+    EXPECT_FALSE(s.shipped->replay(stimulus).mismatch) << "one of good RTL:\n" << to_text(*c);
+  }
 }
 std::string name_of(const testing::TestParamInfo<Subject>& info) {
   std::string name = info.param.design + '_' + info.param.name;

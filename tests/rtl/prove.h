@@ -13,12 +13,11 @@
 namespace cosim::test {
 
 /// The files of variants/<design>/<name>, as CMake made them.
-inline proof::Rtl rtl_of(const std::string& design, const std::string& name,
-                         const AnyBench& bench) {
+inline proof::Source source_of(const std::string& design, const std::string& name,
+                               const AnyBench& bench) {
   std::string id = design + '_' + name;
   std::replace(id.begin(), id.end(), '/', '_');
-  return proof::Rtl(
-      proof::source_in(std::filesystem::path(COSIM_VARIANTS) / id, design, bench.parameters()));
+  return proof::source_in(std::filesystem::path(COSIM_VARIANTS) / id, design, bench.parameters());
 }
 
 }  // namespace cosim::test

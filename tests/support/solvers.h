@@ -8,10 +8,10 @@ namespace cosim::test {
 /// For one answer, in seconds of the solver's own processor time.
 constexpr int kLimit = 60;
 
-/// Whether the solvers, and yosys where RTL is read, are installed.
+/// Whether the engines, and yosys where RTL is read, are installed.
 inline bool can_prove() {
-  for (const char* program : {"yosys", "cvc5", "z3"}) {
-    if (run_program({program, "--version"}).status == 127) return false;
+  for (const char* program : {"yosys", "yosys-abc", "cvc5", "z3"}) {
+    if (run_program({program, "-h"}).status == 127) return false;
   }
   return true;
 }

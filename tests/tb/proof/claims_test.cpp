@@ -30,7 +30,9 @@ Rtl rtl_of(const MachineFormula& m) {
   return Rtl(source_in(test::project_root() / "rtl", m.design, m.parameters));
 }
 
-Decision decided(const Claim& claim) { return decide({&claim}, kLimit, 1).front(); }
+Decision decided(const Claim& claim) {
+  return decide({&claim}, {all_engines(), kLimit, 1}).front();
+}
 
 class Claims : public testing::TestWithParam<BuiltMachine> {
  protected:
@@ -39,12 +41,47 @@ class Claims : public testing::TestWithParam<BuiltMachine> {
   }
 };
 
-TEST_P(Claims, AreProved) {
-  const MachineFormula m = GetParam().formula();
-  const Rtl rtl = rtl_of(m);
-  for (const Claim& c : {claim_clear(m, rtl), claim_step(m, rtl), claim_cases(m, rtl)}) {
-    EXPECT_EQ(decided(c).verdict, "proved") << c.what;
+std::vector<Claim> claims_of(const MachineFormula& m, const nets::Model& model) {
+  return claims_of(m, model, source_in(test::project_root() / "rtl", m.design, m.parameters));
+}
+
+TEST_P(Claims, AreProvedByEachEngine) {
+  for (const Claim& c : claims_of(GetParam().formula(), GetParam().nets())) {
+    for (const Engine e : all_engines()) {
+      EXPECT_EQ(decide({&c}, {{e}, kLimit, 1}).front().verdict, "proved") << c.what;
+    }
   }
+}
+
+// As for scripts below: nets that are of another model, or of another invariant, are refuted.
+TEST_P(Claims, OnNetsNeedTheModelAndEverySentenceOfTheInvariant) {
+  const MachineFormula formula = GetParam().formula();
+  const nets::Model model = GetParam().nets();
+  const auto by_cec = [&](const nets::Model& other, std::size_t claim) {
+    const Claim c = claims_of(formula, other)[claim];
+    return decide({&c}, {{Engine::cec}, kLimit, 1}).front();
+  };
+  for (std::size_t i = 1; i < model.machine.invariant.size(); ++i) {
+    nets::Model less = model;
+    less.machine.invariant.erase(less.machine.invariant.begin() + static_cast<std::ptrdiff_t>(i));
+    EXPECT_TRUE(by_cec(less, 1).refuted) << model.machine.invariant[i].name;
+  }
+  nets::Model wrong = model;
+  wrong.machine.after.front().code.front() = !wrong.machine.after.front().code.front();
+  EXPECT_TRUE(by_cec(wrong, 1).refuted);
+  wrong = model;
+  wrong.machine.outputs.front().code.front() = nets::yes;
+  EXPECT_TRUE(by_cec(wrong, 1).refuted);
+  wrong = model;
+  wrong.machine.invariant_after.push_back({"never", nets::no});
+  EXPECT_TRUE(by_cec(wrong, 1).refuted);
+  wrong = model;
+  wrong.machine.cleared.back().code.back() = !wrong.machine.cleared.back().code.back();
+  EXPECT_TRUE(by_cec(wrong, 0).refuted);
+  wrong = model;
+  wrong.machine.invariant.push_back({"nothing", nets::no});
+  EXPECT_TRUE(by_cec(wrong, 1).proved);
+  EXPECT_TRUE(by_cec(wrong, 2).refuted);
 }
 
 // Without any one sentence of the invariant RTL and model part, so it is as weak as it can be. The

@@ -17,9 +17,11 @@ Solved answer(Answer a) {
 }
 const Claim claim{"a claim", Answer::unsat, {{{"the question"}, ""}}, {}};
 
-Decision decision(Answer cvc5, Answer z3) { return judged(claim, {{answer(cvc5)}, {answer(z3)}}); }
+Decision decision(Answer cvc5, Answer z3) {
+  return judged(claim, {{Engine::cvc5, {answer(cvc5)}}, {Engine::z3, {answer(z3)}}});
+}
 
-TEST(Decision, IsAProofWhereAllSolversAgree) {
+TEST(Decision, IsAProofWhereTwoAgree) {
   const Decision d = decision(Answer::unsat, Answer::unsat);
   EXPECT_TRUE(d.proved);
   EXPECT_FALSE(d.refuted);
@@ -38,7 +40,7 @@ TEST(Decision, IsNoProofWhereASolverIsMissingSlowOrUndecided) {
     for (const Decision& d : {decision(a, Answer::unsat), decision(Answer::unsat, a)}) {
       EXPECT_FALSE(d.proved);
       EXPECT_FALSE(d.refuted);
-      EXPECT_NE(d.verdict.find("UNDECIDED: "), std::string::npos) << d.verdict;
+      EXPECT_NE(d.verdict.find("UNDECIDED, 1 of 2: "), std::string::npos) << d.verdict;
       EXPECT_NE(d.verdict.find(to_text(a)), std::string::npos) << d.verdict;
     }
   }
@@ -48,7 +50,7 @@ TEST(Decision, IsNeitherWhereTheSolversDisagree) {
   const Decision d = decision(Answer::sat, Answer::unsat);
   EXPECT_FALSE(d.proved);
   EXPECT_FALSE(d.refuted);
-  EXPECT_EQ(d.verdict, "THE SOLVERS DISAGREE: cvc5 sat (the question), z3 unsat");
+  EXPECT_EQ(d.verdict, "THE ENGINES DISAGREE: cvc5 sat (the question), z3 unsat");
 }
 
 // One answer of many that is missing or other than wanted is enough.
@@ -59,10 +61,53 @@ TEST(Decision, NeedsEveryAnswer) {
   both.answers = {Answer::sat, Answer::sat};
   one.answers = {Answer::sat};
   other.answers = {Answer::sat, Answer::unsat};
-  EXPECT_TRUE(judged(two, {{both}, {both}}).proved);
-  EXPECT_FALSE(judged(two, {{both}, {one}}).proved);
-  EXPECT_FALSE(judged(two, {{both}, {other}}).proved);
-  EXPECT_NE(judged(two, {{both}, {other}}).verdict.find("unsat (second)"), std::string::npos);
+  const auto with = [&](const Solved& second) {
+    return judged(two, {{Engine::cvc5, {both}}, {Engine::z3, {second}}});
+  };
+  EXPECT_TRUE(with(both).proved);
+  EXPECT_FALSE(with(one).proved);
+  EXPECT_FALSE(with(other).proved);
+  EXPECT_NE(with(other).verdict.find("unsat (second)"), std::string::npos);
+}
+
+// Of three, two decide, and the third is named; but none may say the opposite.
+TEST(Decision, NeedsTwoOfThree) {
+  const auto third = [](Answer a) {
+    return judged(claim, {{Engine::cvc5, {answer(Answer::unsat)}},
+                          {Engine::z3, {answer(a)}},
+                          {Engine::cvc5, {answer(Answer::unsat)}}});
+  };
+  EXPECT_TRUE(third(Answer::timed_out).proved);
+  EXPECT_EQ(third(Answer::timed_out).verdict, "proved, z3 timed out (the question)");
+  EXPECT_FALSE(third(Answer::sat).proved);
+  EXPECT_FALSE(third(Answer::sat).refuted);
+  const std::vector<Opinion> one{{Engine::z3, {answer(Answer::unsat)}}};
+  EXPECT_FALSE(judged(claim, one).proved);
+  EXPECT_TRUE(judged(claim, one, 1).proved);
+  EXPECT_EQ(judged(claim, {}).verdict, "UNDECIDED, 0 of 2: no engine can be asked");
+}
+
+// Two are asked, and the third only where these are not of one mind.
+TEST(Decision, AsksTheThirdWhereTwoDoNotDo) {
+  const Claim no{"no", Answer::unsat, {{{"it"}, kFalse}}, {}};
+  const auto asked = [&](const std::vector<Engine>& engines, const Claim& of) {
+    std::string names;
+    const Decision d = decide({&of}, {engines, 10, 2}).front();
+    for (const Opinion& o : d.opinions) names += to_text(o.engine) + ' ';
+    return names;
+  };
+  // A claim without nets is none for cec.
+  EXPECT_EQ(asked({Engine::cec, Engine::z3, Engine::cvc5}, no), "z3 cvc5 ");
+  EXPECT_EQ(asked({Engine::z3}, no), "z3 ");
+  EXPECT_EQ(asked({Engine::cec}, no), "");
+  Claim with_nets = no;
+  NetQuestions nets;
+  nets.asked.push_back({"it", nets::no});
+  with_nets.nets = std::make_shared<const NetQuestions>(nets);
+  EXPECT_EQ(asked({Engine::cec, Engine::z3, Engine::cvc5}, with_nets), "cec z3 ");
+  // A script that is none: z3 fails, and cvc5 is asked too.
+  with_nets.queries.front().script = "(";
+  EXPECT_EQ(asked({Engine::cec, Engine::z3, Engine::cvc5}, with_nets), "cec z3 cvc5 ");
 }
 
 TEST(Solver, ThatIsMissingIsSaidToBe) {

@@ -22,7 +22,7 @@ void expect_all_proved(const std::vector<Theorem>& theorems) {
     claims.push_back(&t.claim);
     claims.push_back(&t.premises);
   }
-  const auto decided = decide(claims, kLimit, cores());
+  const auto decided = decide(claims, {all_engines(), kLimit, cores()});
   for (std::size_t i = 0; i < claims.size(); ++i) {
     EXPECT_EQ(decided[i].verdict, "proved") << theorems[i / 2].sentence << claims[i]->what;
   }
@@ -44,7 +44,7 @@ TEST(Theorems, TurnedRoundAreRefuted) {
     const std::size_t end = script.find(")\n(check-sat)", last);
     const std::string wrong = script.substr(last + 8, end - last - 8);
     script = script.substr(0, last) + "(assert (not " + wrong + "))\n(check-sat)\n";
-    const Decision decided = decide({&turned}, kLimit, 1).front();
+    const Decision decided = decide({&turned}, {all_engines(), kLimit, 1}).front();
     EXPECT_TRUE(decided.refuted) << t.sentence << ": " << decided.verdict;
   }
 }
@@ -57,7 +57,7 @@ TEST(Theorems, ThatAreFalseAreRefuted) {
   script.assume((x * x - x < n + Integer(2)).expression());
   script.ask(negation((x * x - x < n).expression()));
   const Claim wrong{"a false one", Answer::unsat, {{{"any"}, script.text()}}, {}};
-  EXPECT_TRUE(decide({&wrong}, kLimit, 1).front().refuted);
+  EXPECT_TRUE(decide({&wrong}, {all_engines(), kLimit, 1}).front().refuted);
 }
 
 }  // namespace

@@ -1,0 +1,45 @@
+// What `prove` does, in parts.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tb/cli/common.h"
+#include "tb/proof/decide.h"
+#include "tb/proof/machines.h"
+
+namespace cosim::cli {
+
+constexpr int kLongest = 86400;  ///< seconds that an engine may be given
+
+struct ProveOptions {
+  Common common;
+  std::vector<std::string> machine;
+  Text rtl, limit, jobs, engines, scripts, mutants, mutant, count;
+  bool theorems = false;
+};
+
+/// A machine that something can be proved of.
+struct ProveSubject {
+  std::string title;
+  proof::MachineFormula formula;
+  nets::Model nets;
+  proof::Source source;  ///< the RTL it was built from
+};
+/// Those that begin with these words; all where there are none. InputError where there is none;
+/// says why others of them are left out.
+std::vector<ProveSubject> subjects_of(const std::vector<std::string>& words);
+
+/// Each gives the exit status.
+int prove_machines(const ProveOptions& o, const proof::Asking& asking);
+int prove_theorems(const ProveOptions& o, const proof::Asking& asking);
+int prove_mutants(const ProveOptions& o, const proof::Asking& asking);
+
+/// Writes what the engines are asked of a claim on `title` into a folder, a file each.
+void keep_scripts(const std::string& folder, const std::string& title, const proof::Claim& claim);
+/// Says how to give an engine more time, as a last line.
+void say_limit(int limit);
+/// "cec, z3 and cvc5"
+std::string listed(const std::vector<proof::Engine>& engines);
+
+}  // namespace cosim::cli

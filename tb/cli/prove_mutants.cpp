@@ -1,0 +1,49 @@
+#include <fmt/core.h>
+
+#include <filesystem>
+#include <numeric>
+
+#include "model/core/input_error.h"
+#include "tb/cli/number.h"
+#include "tb/cli/prove.h"
+#include "tb/proof/mutants.h"
+#include "tb/support/words.h"
+
+namespace cosim::cli {
+
+namespace fs = std::filesystem;
+
+// Mutants of one machine, each refuted or proved to be the same.
+int prove_mutants(const ProveOptions& o, const proof::Asking& asking) {
+  const std::vector<ProveSubject> subjects = subjects_of(o.machine);
+  if (subjects.size() != 1) throw InputError("--mutants: needs one machine");
+  const proof::MachineFormula& formula = subjects.front().formula;
+  const fs::path file = *o.mutants;
+  if (!fs::is_regular_file(file)) throw InputError(file.string() + ": no such file");
+  if (o.mutant && o.count) throw InputError("--mutant: is one, with no --count");
+  const auto pick = [](const char* option, const std::string& text) {
+    return static_cast<unsigned>(whole(option, text, 1, 65535));
+  };
+  const unsigned first = o.mutant ? pick("--mutant", *o.mutant) : 1;
+  const unsigned number = o.mutant ? 1 : pick("--count", o.count.value_or("100"));
+
+  std::vector<unsigned> numbers(number);
+  std::iota(numbers.begin(), numbers.end(), first);
+  const auto judged = proof::judge_mutants(formula, file, numbers, asking.limit, asking.jobs);
+  std::size_t refuted = 0, equal = 0;
+  bool timed_out = false;
+  for (unsigned k = 0; k < number; ++k) {
+    refuted += judged[k].refuted ? 1 : 0;
+    equal += judged[k].same ? 1 : 0;
+    timed_out = timed_out || judged[k].timed_out;
+    if (!judged[k].same && !judged[k].refuted) {
+      fmt::print("mutant {}: {}\n", first + k, judged[k].verdict);
+    }
+  }
+  fmt::print("{}: {}, {} refuted, {} proved to be the same, {} undecided\n", subjects.front().title,
+             count(number, "mutant"), refuted, equal, number - refuted - equal);
+  if (timed_out) say_limit(asking.limit);
+  return refuted + equal == number ? 0 : 1;
+}
+
+}  // namespace cosim::cli

@@ -1,0 +1,229 @@
+// A golden model written out: one clock from any state, under any inputs, on a value type whose
+// values are not known yet. Of symbols it is formulas (tb/proof/machine.h), of gates nets.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "model/core/design.h"
+#include "model/core/fields.h"
+#include "model/core/reset.h"
+
+namespace cosim::nets {
+
+/// What a value of type V is as bits, v.code(width), and a condition c, fact_of(c).
+template <class V>
+using CodeOf = std::remove_cvref_t<decltype(std::declval<const V&>().code(1))>;
+template <class V>
+using FactOf = std::remove_cvref_t<decltype(fact_of(std::declval<const Condition<V>&>()))>;
+
+/// A free value, and the code that it is the value of.
+template <class V>
+struct FreeOf {
+  V value;
+  CodeOf<V> code;
+};
+
+/// A field and its value, a code of the field's width.
+template <class V>
+struct WireOf {
+  Field field;
+  CodeOf<V> code;
+  /// Of a register or an output: when it is compared; always where there is no condition.
+  std::optional<FactOf<V>> when{};
+};
+
+/// A condition with a name.
+template <class V>
+struct NamedOf {
+  std::string name;
+  FactOf<V> condition;
+};
+
+template <class V>
+struct MachineOf {
+  using Wire = WireOf<V>;
+  using Named = NamedOf<V>;
+
+  std::string design;
+  std::vector<Parameter> parameters;
+  std::vector<Wire> inputs;  ///< free
+  std::vector<Wire> state;   ///< free
+  std::vector<Named>
+      invariant;  ///< of the state before the clock: its fields are in range, and more
+  std::vector<Named> invariant_after;  ///< the same of the state after it
+  /// True of every state that can follow a clear, but not needed for RTL and model to be the same:
+  /// of the state before the clock, after it, and after a clear.
+  std::vector<Named> reached, reached_after, reached_cleared;
+  std::vector<Wire> registers;  ///< what the RTL's registers must hold before the clock
+  /// Under an asynchronous reset, what they must show during it; else empty.
+  std::vector<Wire> seen;
+  std::vector<Wire> outputs;  ///< during it
+  std::vector<Wire> after;    ///< what the registers must hold after it
+  std::vector<Wire> next;     ///< the state after it
+  std::vector<Named> parts;   ///< they cover all clocks and are easier one by one
+  std::vector<Named> cases;   ///< what may happen on a clock; each must be possible
+  std::vector<Named> legal;   ///< what is assumed of the inputs of a clock
+  std::vector<Named> idle;    ///< the same of the inputs that the model says are legal always
+  /// The inputs that clear the machine, with the values they have then, and on how many clocks they
+  /// are given. None for a machine that begins at its initial values.
+  std::vector<Wire> clearing;
+  int clear_clocks = 1;
+  std::vector<Wire> cleared;            ///< the registers after that
+  std::vector<std::string> unobserved;  ///< registers that are not compared: nothing can be proved
+  std::vector<Named> invariant_cleared;
+};
+
+namespace detail {
+
+/// A record of free values, which `make` gives of a field, and their wires.
+template <class V, class Record, class Fields, class Make>
+Record free_record(const Fields& fields, Make make, std::vector<WireOf<V>>& wires) {
+  Record r;
+  for_each_cell<Record>([&](auto cell, std::size_t i) {
+    if (fields[i].width == 0) return;
+    const FreeOf<V> free = make(fields[i]);
+    cell(r) = free.value;
+    wires.push_back({fields[i], free.code});
+  });
+  return r;
+}
+
+template <class V, class Record, class Fields>
+std::vector<WireOf<V>> wires(const Record& r, const Fields& fields) {
+  std::vector<WireOf<V>> all;
+  for_each_cell<Record>([&](auto cell, std::size_t i) {
+    if (fields[i].width != 0) all.push_back({fields[i], cell(r).code(fields[i].width)});
+  });
+  return all;
+}
+
+/// is_state() of every field, as a condition.
+template <class V, class Record, class Fields>
+Condition<V> in_range(const Record& r, const Fields& fields) {
+  Condition<V> all = true;
+  for_each_cell<Record>([&](auto cell, std::size_t i) {
+    if (fields[i].width == 0) return;
+    const V& v = cell(r);
+    if (is_signed(fields[i])) {
+      const V most(ones(fields[i].width - 1));
+      const bool one_more_below = fields[i].format == Format::twos_complement;
+      all = all & !(v > most) & !(v < V(0) - most - V(one_more_below ? 1 : 0));
+    } else {
+      all = all & (low_bits(v, fields[i].width) == v);
+    }
+  });
+  return all;
+}
+
+/// What a design states, or nothing.
+template <class V, class List>
+std::vector<NamedOf<V>> named(const List& stated) {
+  std::vector<NamedOf<V>> all;
+  for (const auto& [name, condition] : stated) all.push_back({name, fact_of(condition)});
+  return all;
+}
+
+/// The wires with the conditions under which they are compared.
+template <class V, class List>
+std::vector<WireOf<V>> compared_when(std::vector<WireOf<V>> wires, const List& conditions) {
+  for (const auto& [name, condition] : conditions) {
+    for (WireOf<V>& w : wires) {
+      if (std::string(w.field.name) == name) w.when = fact_of(condition);
+    }
+  }
+  return wires;
+}
+
+/// The registers in state s.
+template <class Design, class V>
+std::vector<WireOf<V>> registers_in(const typename Design::Params& p,
+                                    const typename Design::template State<V>& s) {
+  const auto fields = Design::template Registers<Word>::fields(p);
+  return compared_when<V>(wires<V>(Design::registers(p, s), fields),
+                          registers_compared_of<V>(p, s));
+}
+
+template <class Design, class V>
+std::vector<NamedOf<V>> whole_invariant(const typename Design::Params& p,
+                                        const typename Design::template State<V>& s) {
+  const auto fields = Design::template State<Word>::fields(p);
+  std::vector<NamedOf<V>> all{
+      {"every field of the state is in range", fact_of(in_range<V>(s, fields))}};
+  for (auto& n : named<V>(invariant_of<V>(p, s))) all.push_back(std::move(n));
+  return all;
+}
+
+}  // namespace detail
+
+/// The machine of one design at the parameters p. free_state(field) and free_input(field) make a
+/// FreeOf<V>: of a state's field a number with a sign where it has one, of an input's its code.
+template <class Design, class V, class FreeState, class FreeInput>
+MachineOf<V> machine_of(const typename Design::Params& p, FreeState free_state,
+                        FreeInput free_input) {
+  using detail::compared_when, detail::named, detail::wires;
+  using State = typename Design::template State<V>;
+  using Inputs = typename Design::template Inputs<V>;
+  const auto state_fields = Design::template State<Word>::fields(p);
+  const auto input_fields = Design::template Inputs<Word>::fields(p);
+  const auto output_fields = Design::template Outputs<Word>::fields(p);
+
+  MachineOf<V> m;
+  m.design = Design::name;
+  const auto parameters = parameters_of<Design>(p);
+  m.parameters.assign(parameters.begin(), parameters.end());
+  const auto in = detail::free_record<V, Inputs>(input_fields, free_input, m.inputs);
+  const auto s = detail::free_record<V, State>(state_fields, free_state, m.state);
+
+  const auto seen = seen_state<Design, V>(p, s, in);
+  auto step = clocked<Design, V>(p, s, in);
+  State::trim(p, step.state);
+  m.invariant = detail::whole_invariant<Design, V>(p, s);
+  m.invariant_after = detail::whole_invariant<Design, V>(p, step.state);
+  m.reached = named<V>(reached_of<V>(p, s));
+  m.reached_after = named<V>(reached_of<V>(p, step.state));
+  m.registers = detail::registers_in<Design, V>(p, s);
+  m.outputs = compared_when<V>(wires<V>(step.outputs, output_fields),
+                               outputs_compared_of<V>(p, seen, in, step.outputs));
+  if (is_reset_asynchronous<Design>()) m.seen = detail::registers_in<Design, V>(p, seen);
+  m.after = detail::registers_in<Design, V>(p, step.state);
+  m.next = wires<V>(step.state, state_fields);
+  m.parts = named<V>(parts_of<V>(p, s));
+  m.cases = named<V>(cases_of<V>(p, s, in));
+  m.legal = named<V>(legal_of<V>(p, s, in));
+  if (!m.legal.empty()) m.idle = named<V>(legal_of<V>(p, s, idle_of<Design, V>(p, s)));
+  // Else nothing would show that the invariant can be met.
+  if (m.cases.empty()) m.cases.push_back({"any clock", fact_of(Condition<V>(true))});
+
+  // Nor that what is not compared always is compared ever.
+  for (const auto* wires : {&m.registers, &m.outputs}) {
+    for (const WireOf<V>& w : *wires) {
+      if (w.when && w.field.index <= 0)
+        m.cases.push_back({std::string(w.field.name) + " is compared", *w.when});
+    }
+  }
+
+  auto cleared = cleared_of<Design, V>();
+  for_each_cell<State>([&](auto cell, std::size_t i) {
+    if (state_fields[i].unreset) cell(cleared) = cell(s);
+  });
+  m.cleared = detail::registers_in<Design, V>(p, cleared);
+  m.invariant_cleared = detail::whole_invariant<Design, V>(p, cleared);
+  m.reached_cleared = named<V>(reached_of<V>(p, cleared));
+  m.clear_clocks = clear_clocks_of<Design>();
+  for (const char* pattern : unobserved_of<Design>()) m.unobserved.emplace_back(pattern);
+  if constexpr (has_clear<Design>) {
+    const auto clear = to_words(Design::clear());
+    const auto rest = to_words(rest_of<Design>());
+    for (std::size_t i = 0; i < input_fields.size(); ++i) {
+      if (clear[i] == rest[i] || input_fields[i].width == 0) continue;
+      m.clearing.push_back({input_fields[i], V(clear[i]).code(input_fields[i].width)});
+    }
+  }
+  return m;
+}
+
+}  // namespace cosim::nets

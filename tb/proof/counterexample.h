@@ -1,0 +1,32 @@
+// A state and inputs that refute a claim.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tb/proof/machine.h"
+
+namespace cosim::proof {
+
+/// One value of a signal in a counterexample.
+struct Value {
+  Field field;
+  Word expected = 0;
+  Word actual = 0;
+};
+/// A state and inputs under which RTL and model differ, or the RTL asserts what is not so.
+struct Counterexample {
+  std::vector<Value> state;         ///< of the model
+  std::vector<Value> inputs;        ///< of the clock
+  std::vector<Value> outputs;       ///< during the clock
+  std::vector<Value> after;         ///< registers, after it
+  std::vector<std::string> broken;  ///< what of the invariant the model's next state breaks
+};
+/// A counterexample to claim_step or claim_asserts from the values of its terms, such as "#b0101"
+/// and "true"; none if some are missing.
+std::optional<Counterexample> counterexample(const MachineFormula& machine,
+                                             const std::map<std::string, std::string>& values);
+
+}  // namespace cosim::proof

@@ -1,0 +1,105 @@
+#include "tb/proof/rtl_nets.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+
+#include "model/core/input_error.h"
+#include "tb/nets/blif.h"
+#include "tb/support/process.h"
+#include "tb/support/read_file.h"
+
+namespace cosim::proof {
+
+RtlNets::RtlNets(const Source& source)
+    : RtlNets([&] {
+        const Scratch scratch;
+        const std::string blif = (scratch.path() / "rtl.blif").string();
+        const std::string wires = (scratch.path() / "rtl.wires").string();
+        // What is undefined in the RTL is free. What a gate leaves undefined, as a word that is not
+        // there, is 0, as in the formulas.
+        run_yosys(
+            flat_commands(source) +
+                "; chformal -remove; async2sync; setundef -undriven -anyseq; techmap; dfflegalize "
+                "-cell $_DFF_P_ 01 -cell $_DFF_N_ 01; setundef -zero; opt_expr; "
+                "opt_clean; setundef -undriven -zero; " +
+                fmt::format("write_blif {}; dump -o {} w:*", blif, wires),
+            source.top);
+        return RtlNets(source.top, read_file(blif), read_file(wires), source.asynchronous_reset);
+      }()) {}
+
+RtlNets::RtlNets(const std::string& top, const std::string& blif, const std::string& wires,
+                 bool asynchronous_reset)
+    : cells_(nets::read_blif(blif, top)) {
+  for (std::size_t i = 0; i < cells_.nets.size(); ++i) numbers_[cells_.nets[i]] = i;
+  read_wires(wires);
+  find_flip_flops(asynchronous_reset);
+}
+
+// "  wire width 8 upto offset 1 output 3 \NAME"; what yosys made itself has no backslash.
+void RtlNets::read_wires(const std::string& text) {
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string word;
+    if (!(words >> word) || word != "wire") continue;
+    Wire wire;
+    while (words >> word && word[0] != '\\' && word[0] != '$') {
+      if (word == "width") words >> wire.width;
+      if (word == "offset") words >> wire.first;
+      if (word == "upto") wire.is_upward = true;
+    }
+    if (word[0] == '\\') wires_[word.substr(1)] = wire;
+  }
+}
+
+int RtlNets::width(const std::string& wire) const {
+  const auto of = wires_.find(wire);
+  return of == wires_.end() ? 0 : of->second.width;
+}
+
+int RtlNets::first_word(const std::string& memory) const {
+  const std::string begins = memory + '[';
+  std::optional<int> first;
+  for (auto wire = wires_.lower_bound(begins);
+       wire != wires_.end() && wire->first.starts_with(begins); ++wire) {
+    const int number = std::atoi(wire->first.c_str() + begins.size());
+    first = std::min(first.value_or(number), number);
+  }
+  return first.value_or(0);
+}
+
+std::size_t RtlNets::net(const std::string& wire, int bit) const {
+  const Wire& w = wires_.at(wire);
+  const int index = w.first + (w.is_upward ? w.width - 1 - bit : bit);
+  const std::string name = w.width == 1 ? wire : fmt::format("{}[{}]", wire, index);
+  const auto found = numbers_.find(name);
+  if (found == numbers_.end()) throw InputError(fmt::format("{}: no net {}", cells_.name, name));
+  return found->second;
+}
+
+void RtlNets::find_flip_flops(bool asynchronous_reset) {
+  constexpr std::uint64_t copies = 2;  // the table of a net that is another one
+  shown_.resize(cells_.nets.size());
+  for (std::size_t i = 0; i < cells_.flip_flops.size(); ++i) shown_[cells_.flip_flops[i].now] = i;
+  std::vector<bool> many(cells_.nets.size());  // more than one
+  for (const nets::Cells::Table& t : cells_.tables) {
+    if (t.of.size() == 1 && t.table == copies) {
+      shown_[t.gives] = shown_[t.of[0]];
+      many[t.gives] = many[t.of[0]];
+    } else if (asynchronous_reset) {
+      for (const std::size_t net : t.of) {
+        many[t.gives] = many[t.gives] || many[net] ||
+                        (shown_[t.gives] && shown_[net] && shown_[t.gives] != shown_[net]);
+        if (shown_[net]) shown_[t.gives] = shown_[net];
+      }
+    }
+  }
+  for (std::size_t i = 0; i < many.size(); ++i) {
+    if (many[i]) shown_[i].reset();
+  }
+}
+
+}  // namespace cosim::proof

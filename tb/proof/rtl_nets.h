@@ -1,0 +1,53 @@
+// The RTL as nets of one bit, by yosys.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tb/nets/cells.h"
+#include "tb/proof/rtl.h"
+
+namespace cosim::proof {
+
+/// One clock of a machine as tables of truth and flip-flops. Yosys makes them on another road than
+/// the formulas of Rtl: it maps every cell to gates, and flip-flops to the plain kind.
+class RtlNets {
+ public:
+  /// Runs yosys on `source`. InputError where it cannot be run, or makes of the RTL something else
+  /// than gates and flip-flops.
+  explicit RtlNets(const Source& source);
+  /// Reads what yosys wrote: the netlist of the machine `top`, and its wires as `dump` gives them.
+  RtlNets(const std::string& top, const std::string& blif, const std::string& wires,
+          bool asynchronous_reset = false);
+
+  const nets::Cells& cells() const { return cells_; }
+  /// How many bits a wire of the top has, the word "store[3]" of a memory too; 0 where there is
+  /// none.
+  int width(const std::string& wire) const;
+  /// The number that the RTL gives the first word of a memory; 0 where there is no such memory.
+  int first_word(const std::string& memory) const;
+  /// The net of a bit of it, counted from the lowest.
+  std::size_t net(const std::string& wire, int bit) const;
+  /// The flip-flop that a net shows, by its number. Under an asynchronous reset a net that shows a
+  /// constant where the reset is given, else a flip-flop, shows that one.
+  std::optional<std::size_t> shown(std::size_t net) const { return shown_[net]; }
+
+ private:
+  struct Wire {
+    int width = 1;
+    int first = 0;           ///< the index of its lowest bit
+    bool is_upward = false;  ///< declared as [0:7]: the lowest bit has the highest index
+  };
+  void read_wires(const std::string& text);
+  void find_flip_flops(bool asynchronous_reset);
+
+  nets::Cells cells_;
+  std::map<std::string, Wire> wires_;
+  std::map<std::string, std::size_t> numbers_;  // of nets, by name
+  std::vector<std::optional<std::size_t>> shown_;
+};
+
+}  // namespace cosim::proof

@@ -1,0 +1,129 @@
+// Questions on nets, and what abc says of them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "tb/proof/abc.h"
+#include "tb/support/output_file.h"
+#include "tb/support/process.h"
+#include "tests/support/solvers.h"
+
+namespace cosim::proof {
+namespace {
+
+using nets::Bit;
+using test::kLimit;
+
+// Whether the product of two numbers of two bits can be 7, 9 or 5, and they then.
+NetQuestions products() {
+  NetQuestions q;
+  const auto number = [&](const char* name) {
+    std::vector<Bit> code;
+    for (int i = 0; i < 2; ++i) {
+      code.push_back(q.graph.input());
+      q.inputs.push_back({std::string(name) + std::to_string(i), code.back()});
+    }
+    q.terms[name] = code;
+    return nets::Number::unsigned_code(q.graph, code);
+  };
+  const nets::Number a = number("a"), b = number("b");
+  const auto ask = [&](Word product) {
+    q.asked.push_back({std::to_string(product), (a * b == nets::Number(product)).bit()});
+  };
+  ask(7);
+  ask(9);
+  ask(5);
+  return q;
+}
+
+TEST(Abc, AnswersEachQuestionAndSaysWhen) {
+  if (!test::can_prove()) GTEST_SKIP() << "needs yosys, cvc5 and z3";
+  const Solved solved = solve(products(), kLimit);
+  EXPECT_EQ(solved.answers, (std::vector{Answer::unsat, Answer::sat, Answer::unsat}))
+      << solved.said;
+  EXPECT_EQ(solved.answer, Answer::unsat);
+  EXPECT_EQ(solved.values.at("a"), "#b11");
+  EXPECT_EQ(solved.values.at("b"), "#b11");
+}
+
+// Programs of this name in place of it.
+class StandIn : public testing::Test {
+ protected:
+  void TearDown() override { setenv("PATH", path_.c_str(), 1); }
+  void says(const std::string& script) {
+    const std::string file = (folder_.path() / "yosys-abc").string();
+    OutputFile out(file);
+    out.text("#!/bin/sh\n" + script + '\n');
+    out.close();
+    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+    setenv("PATH", (folder_.path().string() + ':' + path_).c_str(), 1);
+  }
+  Scratch folder_;
+  const std::string path_ = std::getenv("PATH");
+};
+constexpr const char* kLies = "echo SATISFIABLE; echo UNSATISFIABLE; echo UNSATISFIABLE";
+TEST_F(StandIn, ThatFindsWhatIsNoneHasFailed) {
+  says(kLies);
+  const Solved solved = solve(products(), kLimit);
+  EXPECT_EQ(solved.answer, Answer::failed);
+  EXPECT_EQ(solved.said, "what it found is no answer");
+}
+TEST_F(StandIn, ThatAnswersTooLittleHasFailed) {
+  says("echo UNSATISFIABLE; echo 'Cannot open input file'");
+  const Solved solved = solve(products(), kLimit);
+  EXPECT_EQ(solved.answer, Answer::failed);
+  EXPECT_EQ(solved.said, "Cannot open input file");
+  EXPECT_TRUE(solved.answers.empty());
+}
+TEST_F(StandIn, ThatGivesUpOrIsMissingSaysSo) {
+  says("echo UNDECIDED; echo UNDECIDED; echo UNDECIDED");
+  EXPECT_EQ(solve(products(), kLimit).answer, Answer::unknown);
+  setenv("PATH", "/nonexistent", 1);
+  EXPECT_EQ(solve(products(), kLimit).answer, Answer::missing);
+}
+
+// The lowest bit is bit 0, whatever range the RTL gives its net.
+TEST(RtlNets, CountBitsFromTheLowest) {
+  const RtlNets rtl("top", ".model top\n.inputs up[2] up[3] down[3] down[2] one\n.end\n",
+                    "  wire width 2 offset 2 input 1 \\down\n  attribute \\src \"x\"\n"
+                    "  wire width 2 upto offset 2 input 2 \\up\n  wire input 3 \\one\n"
+                    "  wire width 4 $made\n");
+  const auto name = [&](const char* wire, int bit) { return rtl.cells().nets[rtl.net(wire, bit)]; };
+  EXPECT_EQ(name("down", 0), "down[2]");
+  EXPECT_EQ(name("down", 1), "down[3]");
+  EXPECT_EQ(name("up", 0), "up[3]");
+  EXPECT_EQ(name("up", 1), "up[2]");
+  EXPECT_EQ(name("one", 0), "one");
+  EXPECT_EQ(rtl.width("none"), 0);
+  EXPECT_EQ(rtl.width("$made"), 0);
+}
+
+// A copy of a flip-flop's net shows it, and what a reset takes away where there is one; what reads
+// two of them, or turns one over without a reset, does not.
+TEST(RtlNets, SeeAFlipFlopThroughItsReset) {
+  const std::string blif =
+      ".model top\n.inputs rst clk\n.latch a a re clk 2\n.latch b b re clk 2\n"
+      ".names a copy\n1 1\n.names rst copy reset\n01 1\n.names reset also\n1 1\n"
+      ".names reset b two\n11 1\n.names two more\n1 1\n.end\n";
+  const RtlNets plain("top", blif, ""), asynchronous("top", blif, "", true);
+  const auto shown = [](const RtlNets& rtl, const std::string& name) {
+    const auto& all = rtl.cells().nets;
+    const auto at = std::find(all.begin(), all.end(), name) - all.begin();
+    return rtl.shown(static_cast<std::size_t>(at));
+  };
+  for (const RtlNets* rtl : {&plain, &asynchronous}) {
+    EXPECT_EQ(shown(*rtl, "a"), 0U);
+    EXPECT_EQ(shown(*rtl, "b"), 1U);
+    EXPECT_EQ(shown(*rtl, "copy"), 0U);
+    EXPECT_EQ(shown(*rtl, "two"), std::nullopt);
+    EXPECT_EQ(shown(*rtl, "more"), std::nullopt);
+  }
+  EXPECT_EQ(shown(plain, "reset"), std::nullopt);
+  EXPECT_EQ(shown(asynchronous, "reset"), 0U);
+  EXPECT_EQ(shown(asynchronous, "also"), 0U);
+}
+
+}  // namespace
+}  // namespace cosim::proof

@@ -64,6 +64,9 @@ class AnyBench {
   /// The fields of the model's state, and the state after a clear.
   virtual std::vector<Field> state() const = 0;
   virtual std::vector<Word> cleared() const = 0;
+  /// What the RTL's registers hold when a case begins, on a machine powered up at random from
+  /// `power_up`: after a clear, or initially.
+  virtual std::vector<Word> begun(std::uint32_t /*power_up*/) const { return {}; }
   /// What hostile clocks are, in words.
   virtual std::string hostile_text() const { return "any value on any pin on any clock"; }
   /// One case of them, in words.

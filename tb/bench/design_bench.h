@@ -96,6 +96,9 @@ class DesignBench : public Bench<Design> {
   }
   std::vector<Word> rest() const override { return words(rest_of<Design>()); }
   std::vector<Word> cleared() const override { return words(cleared_of<Design, Word>()); }
+  std::vector<Word> begun(std::uint32_t power_up) const override {
+    return words(AnyLockstep<Design>(start(power_up)).dut().registers());
+  }
   typename Design::Params params() const override { return dut_.params; }
   std::unique_ptr<AnyLockstep<Design>> lockstep(std::uint32_t power_up) const override {
     return std::make_unique<AnyLockstep<Design>>(start(power_up));

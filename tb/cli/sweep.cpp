@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "model/core/input_error.h"
+#include "tb/cli/chosen.h"
 #include "tb/cli/commands.h"
 #include "tb/cli/common.h"
 #include "tb/cli/conclude.h"
@@ -15,6 +16,7 @@
 #include "tb/cli/registry.h"
 #include "tb/cli/sweep_checkpoint.h"
 #include "tb/cli/sweeps.h"
+#include "tb/lanes/sweep.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/parallel.h"
 #include "tb/support/words.h"
@@ -28,12 +30,22 @@ struct SweepOptions {
   explicit SweepOptions(const DesignSweeps& d) : design(d), shape(d.shape) {}
   const DesignSweeps& design;
   Common common;
-  Text random, hostile, jobs;
+  Text random, hostile, jobs, lanes;
   bool exhaustive = false;
   ShapeOptions shape;
 };
 
 using Benches = std::vector<const AnyBench*>;
+
+// How many lanes are asked for; nothing: what is better.
+std::optional<int> lanes_asked(const SweepOptions& o) {
+  const std::string text = o.lanes.value_or("auto");
+  if (text == "auto") return {};
+  for (const int lanes : {0, 64, 256, 512}) {
+    if (text == std::to_string(lanes)) return lanes;
+  }
+  throw InputError(fmt::format("--lanes: {} is none of auto, 512, 256, 64 and 0", in_quotes(text)));
+}
 
 // Of a design that has more than hostile clocks.
 std::string kinds_of(const DesignSweeps& design) {
@@ -72,6 +84,30 @@ std::vector<std::pair<const AnyBench*, Sweep>> planned(const SweepOptions& o,
   return all;
 }
 
+// The lanes that a bench's hostile clocks run in; none where they run one case at a time. They are
+// made in seconds, in which that gets through some hundred million clocks: unless they are asked
+// for, fewer are not worth it.
+std::unique_ptr<lanes::Built> lanes_for(const SweepOptions& o, const AnyBench& bench) {
+  constexpr std::uint64_t worth_it = 200'000'000;
+  const std::optional<int> asked = lanes_asked(o);
+  if (!o.hostile || asked == 0) return {};
+  if (!asked && whole("--hostile", *o.hostile, 1, most) < worth_it) return {};
+  try {
+    const proof::BuiltMachine& machine = machine_of(bench);
+    if (machine.played == nullptr || machine.streams) {
+      throw InputError(fmt::format("{}: does not run in lanes: it has {}", bench.title(),
+                                   model_without_formula(machine)));
+    }
+    const std::string folder = registry().build_folder() + "/lanes";
+    return lanes::built(bench.title(), machine.played(), source_of(bench),
+                        asked.value_or(lanes::widest()), folder);
+  } catch (const InputError& error) {
+    if (asked) throw;
+    fmt::print("{}; one case at a time\n", error.what());
+    return {};
+  }
+}
+
 // Hostile clocks are no jobs: the oracle has nothing to count.
 std::string swept(const Result& r) {
   if (r.checked.jobs == 0) return count(r.clocks, "clock");
@@ -86,6 +122,13 @@ Sweep interruptible(const Sweep& sweep, std::atomic<std::uint64_t>& matched) {
     InterruptGuard::check();
     Result result = run(i);
     if (result.match()) ++matched;
+    return result;
+  };
+  if (!sweep.run_some) return all;
+  all.run_some = [run = sweep.run_some, &matched](std::uint64_t first, std::uint64_t count) {
+    InterruptGuard::check();
+    Result result = run(first, count);
+    matched += result.cases - (result.match() ? 0 : 1);
     return result;
   };
   return all;
@@ -105,6 +148,8 @@ int run(const SweepOptions& o) {
   const auto threads = o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores();
   const auto sweeps = planned(o, benches);
   check_outputs(o.common);
+  if (o.lanes && !o.hostile) throw InputError("--lanes: needs --hostile");
+  lanes_asked(o);
   std::string work =
       fmt::format("seed {}, {} hostile clocks", o.common.seed(), o.hostile.value_or("no"));
   for (const auto& [bench, sweep] : sweeps) {
@@ -120,8 +165,12 @@ int run(const SweepOptions& o) {
     const Resume resume = checkpoint.resume(outcomes.size(), sweep.cases);
     std::atomic<std::uint64_t> matched{0};
     try {
+      const auto lanes = lanes_for(o, *bench);
+      const Sweep run = lanes ? lanes::hostile_sweep(*bench, *lanes, o.common.seed(),
+                                                     whole("--hostile", *o.hostile, 1, most))
+                              : sweep;
       const Result swept =
-          run_sweep(interruptible(sweep, matched), threads, progress.callback(), resume);
+          run_sweep(interruptible(run, matched), threads, progress.callback(), resume);
       outcomes.push_back({bench, sweep.name, swept});
     } catch (const Interrupted& interrupted) {
       const std::string text = fmt::format("{}: not finished; {} of {} matched", title,
@@ -148,6 +197,9 @@ void add_options(const Command& design, SweepOptions& o) {
   }
   design.text("--hostile", o.hostile, "COUNT",
               "COUNT clocks of any value on any pin at each width");
+  design.text("--lanes", o.lanes, "LANES",
+              "Hostile cases at once on a core, 512, 256 or 64, or 0: one after the other;\n"
+              "default auto: as many as the processor can, where they are worth compiling");
   design.text("--jobs", o.jobs, "J", "Threads, 1 to 1024; default one a core");
   add_failures(design, o.common);
   design.text("--checkpoint", o.common.checkpoint, "FILE",

@@ -1,7 +1,7 @@
 // The formulas and nets of every machine that is built.
 #pragma once
 
-#include "tb/nets/model.h"
+#include "tb/nets/played.h"
 #include "tb/proof/machine.h"
 #include "tb/proof/rtl.h"
 
@@ -15,6 +15,8 @@ struct BuiltMachine {
   nets::Model (*nets)();
   Source source;         ///< the RTL it was built from
   bool streams = false;  ///< it has a stream model
+  /// All that runs in lanes; null where there are no nets.
+  nets::Played (*played)() = nullptr;
 };
 
 /// Why there is no formula of a machine, for a person: what its model is.
@@ -38,6 +40,16 @@ constexpr auto nets_of() -> nets::Model (*)() {
   using Design = typename Trait::Design;
   if constexpr (StepsOn<Design, nets::Number>) {
     return [] { return nets::model_of<Design>(Trait::params); };
+  } else {
+    return nullptr;
+  }
+}
+
+template <class Trait>
+constexpr auto played_of() -> nets::Played (*)() {
+  using Design = typename Trait::Design;
+  if constexpr (StepsOn<Design, nets::Number>) {
+    return [] { return nets::played_of<Design>(Trait::params); };
   } else {
     return nullptr;
   }

@@ -19,8 +19,8 @@ class Shrinker {
 
   Stimulus run() {
     take(best_.clocks);
-    while (in_time() && (fewer_clocks() | other_rows() | calmer_pins() | lower_values() |
-                         next_values())) {
+    while (in_time() &&
+           (fewer_clocks() | other_rows() | calmer_pins() | lower_values() | next_values())) {
       continue;
     }
     return std::move(best_);

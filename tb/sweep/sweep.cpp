@@ -24,12 +24,19 @@ Result run_sweep(const Sweep& sweep, unsigned threads, const Progress& progress,
   std::mutex guard;  // of all below
   std::condition_variable room;
   Result sum = resume.done;                 // of the first cases
-  std::map<std::uint64_t, Result> waiting;  // for a case before them
+  std::map<std::uint64_t, Result> waiting;  // for a case before them; by their first
+  const auto run = [&](std::uint64_t first) {
+    if (sweep.run_some) {
+      return sweep.run_some(first, std::min(sweep.at_once, sweep.cases - first));
+    }
+    Result one = sweep.run(first);
+    one.cases = 1;
+    return one;
+  };
 
   const auto work = [&](std::uint64_t i) {
     try {
-      Result one = sweep.run(i);
-      one.cases = 1;
+      Result one = run(i);
       std::unique_lock lock(guard);
       if (!one.match() && i < end) end = i;
       waiting.emplace(i, std::move(one));
@@ -50,11 +57,12 @@ Result run_sweep(const Sweep& sweep, unsigned threads, const Progress& progress,
 
   // The calling thread is kept for what reports and saves.
   auto all = std::async(std::launch::async, [&] {
-    in_parallel(sweep.cases - before, threads, [&](std::uint64_t i) { return work(before + i); });
+    in_parallel((sweep.cases - before + sweep.at_once - 1) / sweep.at_once, threads,
+                [&](std::uint64_t i) { return work(before + i * sweep.at_once); });
   });
   while (all.wait_for(std::chrono::milliseconds(100)) != std::future_status::ready) {
     std::unique_lock lock(guard);
-    const std::uint64_t done = sum.cases + waiting.size();
+    const std::uint64_t done = std::min(sum.cases + waiting.size() * sweep.at_once, sweep.cases);
     const Result first = sum;
     lock.unlock();
     if (progress) progress(done, sweep.cases);
@@ -63,7 +71,7 @@ Result run_sweep(const Sweep& sweep, unsigned threads, const Progress& progress,
   all.get();
   if (sum.cases == end && end < sweep.cases) {
     Result& one = waiting.at(end);
-    one.failed = fmt::format("case {}: {}", end.load(), one.failed);
+    one.failed = fmt::format("case {}: {}", end + one.cases - 1, one.failed);
     add(sum, std::move(one));
   }
   if (progress) progress(sum.cases, sweep.cases);
@@ -74,15 +82,18 @@ Sweep hostile_sweep(const AnyBench& bench, std::uint64_t seed, std::uint64_t clo
   static constexpr std::uint64_t length = 1000;
   const auto run = [&bench, seed, clocks](std::uint64_t i) {
     const HostileCase c{seed, i, std::min(length, clocks - i * length)};
-    Run r = bench.run_hostile(c);
-    Result result;
-    result.clocks = r.clocks;
-    result.left_out = std::move(r.left_out);
-    result.mismatch = std::move(r.mismatch);
-    result.failed = bench.text_of(c);
-    return result;
+    return hostile_result(bench, c, bench.run_hostile(c));
   };
   return {bench.hostile_text(), (clocks + length - 1) / length, run};
+}
+
+Result hostile_result(const AnyBench& bench, const HostileCase& c, Run run) {
+  Result result;
+  result.clocks = run.clocks;
+  result.left_out = std::move(run.left_out);
+  result.mismatch = std::move(run.mismatch);
+  result.failed = bench.text_of(c);
+  return result;
 }
 
 }  // namespace cosim

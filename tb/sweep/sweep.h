@@ -17,6 +17,10 @@ struct Sweep {
   std::uint64_t cases = 0;
   /// Runs case number i < cases. Called from several threads at once.
   std::function<Result(std::uint64_t i)> run;
+  /// If not empty, runs cases number first .. first + count - 1, 1 <= count <= at_once, in place of
+  /// `run`: the sum up to and with the first that fails. It too is called from several threads.
+  std::function<Result(std::uint64_t first, std::uint64_t count)> run_some = {};
+  std::uint64_t at_once = 1;
 };
 
 /// Called now and then from the calling thread with the cases done so far.
@@ -29,7 +33,8 @@ struct Resume {
   std::function<void(const Result& done)> keep;
 };
 
-/// How many finished cases a sweep remembers at most while an earlier case is still running.
+/// How many results, each of cases at once, a sweep remembers at most while an earlier case is
+/// still running.
 inline constexpr std::size_t most_waiting = 1 << 14;
 
 /// Runs the cases on `threads` threads, >= 1. Of several failing cases the one with the smallest
@@ -45,5 +50,7 @@ JobList random_jobs(const AnyBench& bench, std::uint64_t seed, std::uint64_t i);
 
 /// Hostile clocks for any bench, in cases of 1000.
 Sweep hostile_sweep(const AnyBench& bench, std::uint64_t seed, std::uint64_t clocks);
+/// What came of one of its cases.
+Result hostile_result(const AnyBench& bench, const HostileCase& c, Run run);
 
 }  // namespace cosim

@@ -1,7 +1,9 @@
 // What full lockstep costs: clocks a second of the bare Verilated evaluate loop, of the least that
 // compares, with nothing of what explains a failure, and of lockstep as a sweep runs it, on the
 // same machine at 16 bits with the same inputs, in one run. The stimulus is made beforehand, so
-// that its cost is in none. A design adds its own in tests/designs/NAME/benchmark.
+// that its cost is in none. And hostile clocks in lanes, as a sweep runs them, all of whose cost is
+// in: the drawing, the beginning of each case, the comparison. A design adds its own in
+// tests/designs/NAME/benchmark.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -9,7 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "tb/lanes/player.h"
 #include "tb/lockstep/run.h"
+#include "tests/support/in_lanes.h"
 
 namespace cosim::bench {
 
@@ -107,7 +111,37 @@ void lockstep(benchmark::State& state, const InputList<Adapter>& list) {
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(list.size()));
 }
 
-/// Adds the three of the adapter's machine: `job(params, 1, i)` is the i-th of its jobs.
+inline void in_lanes(benchmark::State& state, const AnyBench& bench, int lanes) {
+  const auto built = test::in_lanes(bench, lanes);
+  const auto at_once = static_cast<std::uint64_t>(lanes);
+  constexpr std::uint64_t clocks = 1000;
+  lanes::Player player(*built, bench);
+  std::uint64_t first = 0;
+  for (auto _ : state) {
+    player.begin(1, first, at_once);
+    if (player.run(clocks)) state.SkipWithError("RTL and model differ");
+    first += at_once;
+  }
+  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(at_once * clocks));
+}
+
+// The built bench of the adapter's parameters.
+template <class Adapter>
+const AnyBench& bench_of() {
+  const auto words = [](const auto& list) {
+    std::string all;
+    for (const Parameter& p : list) all += to_text(p) + ' ';
+    return all;
+  };
+  for (const auto* bench : benches_of<typename Adapter::Design>()) {
+    if (words(bench->parameters()) ==
+        words(parameters_of<typename Adapter::Design>(Adapter::params)))
+      return *bench;
+  }
+  throw std::logic_error("no bench of the adapter's parameters");
+}
+
+/// Adds those of the adapter's machine: `job(params, 1, i)` is the i-th of its jobs.
 template <class Adapter, class MakeJob>
 bool measure(const std::string& name, MakeJob job) {
   const auto list = [job] {
@@ -123,6 +157,12 @@ bool measure(const std::string& name, MakeJob job) {
   add("/bare", bare<Adapter>);
   add("/compared", compared<Adapter>);
   add("/lockstep", lockstep<Adapter>);
+  for (const int lanes : {512, 256, 64}) {
+    if (lanes > lanes::widest()) continue;
+    benchmark::RegisterBenchmark(
+        (name + "/lanes" + std::to_string(lanes)).c_str(),
+        [=](benchmark::State& state) { in_lanes(state, bench_of<Adapter>(), lanes); });
+  }
   return true;
 }
 

@@ -129,6 +129,18 @@ TEST(Sweep, GivesTheSameForTheSameSeed) {
   }
 }
 
+// However many cases run at once.
+TEST(Sweep, GivesTheSameInLanes) {
+  const auto report = [](const char* lanes) {
+    return sweep({"linear", "--m", "5", "--hostile", "300001", "--seed", "7", "--lanes", lanes})
+        .report;
+  };
+  const json alone = report("0");
+  EXPECT_EQ(report("64"), alone);
+  EXPECT_EQ(report("512"), alone);
+  EXPECT_EQ(report("auto"), alone);
+}
+
 TEST(Sweep, TakesNoMoreMemoryForMoreCases) {
   expect_no_more_memory({"linear", "--m", "5"});
   expect_no_more_memory({"circular", "--width", "4"});

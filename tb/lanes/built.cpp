@@ -1,0 +1,117 @@
+#include "tb/lanes/built.h"
+
+#include <dlfcn.h>
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <system_error>
+
+#include "model/core/input_error.h"
+#include "tb/support/process.h"
+#include "tb/support/read_file.h"
+
+namespace cosim::lanes {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Two hashes of a text as one name.
+std::string name_of(const std::string& text) {
+  std::uint64_t a = 0xcbf29ce484222325ULL, b = 0x9e3779b97f4a7c15ULL;
+  for (const char c : text) {
+    a = (a ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+    b = (b + static_cast<unsigned char>(c)) * 0xbf58476d1ce4e5b9ULL;
+    b ^= b >> 29;
+  }
+  return fmt::format("{:016x}{:016x}", a, b);
+}
+
+// The first line that a program says of itself.
+std::string version(const std::string& program, const char* option) {
+  const Ended ended = run_program({program, option});
+  if (ended.status == 127) {
+    throw InputError(
+        fmt::format("lanes: need {}, which is not there; --lanes 0 does without", program));
+  }
+  return ended.text.substr(0, ended.text.find('\n'));
+}
+
+// For this processor; other architectures have no such option.
+std::string for_this_processor() {
+#ifdef __x86_64__
+  return "-march=native";
+#else
+  return "-O2";
+#endif
+}
+
+std::string processor() {
+  std::ifstream file("/proc/cpuinfo");
+  std::string text;
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("model name") || line.starts_with("flags")) text += line + '\n';
+    if (line.empty()) break;
+  }
+  return text;
+}
+
+void compile(const fs::path& library, const std::string& source) {
+  const Scratch scratch;
+  const fs::path file = scratch.path() / "lanes.cpp", made = scratch.path() / "lanes.so";
+  std::ofstream(file) << source;
+  const Ended ended = run_program({COSIM_COMPILER, "-std=c++17", "-O2", for_this_processor(), "-w",
+                                   "-fPIC", "-shared", "-o", made.string(), file.string()});
+  if (ended.status != 0) {
+    throw InputError(fmt::format("lanes: {} fails: {}", COSIM_COMPILER,
+                                 ended.text.substr(0, ended.text.find('\n'))));
+  }
+  // Beside it first: another process may load it at any time.
+  const fs::path beside = fmt::format("{}.{}", library.string(), getpid());
+  std::error_code error;
+  fs::create_directories(library.parent_path(), error);
+  fs::copy_file(made, beside, fs::copy_options::overwrite_existing, error);
+  if (!error) fs::rename(beside, library, error);
+  if (error) throw InputError(fmt::format("{}: {}", library.string(), error.message()));
+}
+
+}  // namespace
+
+int widest() {
+#ifdef __x86_64__
+  if (__builtin_cpu_supports("avx512f")) return 512;
+  if (__builtin_cpu_supports("avx2")) return 256;
+#endif
+  return 64;
+}
+
+Built::Built(const fs::path& library) : handle_(dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL)) {
+  if (handle_ == nullptr) throw InputError(fmt::format("lanes: {}", dlerror()));
+  clear = reinterpret_cast<Act>(dlsym(handle_, "cosim_lanes_clear"));
+  take_over = reinterpret_cast<Act>(dlsym(handle_, "cosim_lanes_take_over"));
+  run = reinterpret_cast<Run>(dlsym(handle_, "cosim_lanes_run"));
+  const void* own = dlsym(handle_, "cosim_lanes");
+  const void* text = dlsym(handle_, "cosim_lanes_layout");
+  if (clear == nullptr || take_over == nullptr || run == nullptr || own == nullptr ||
+      text == nullptr) {
+    dlclose(handle_);
+    throw InputError(library.string() + ": no lanes in it");
+  }
+  lanes = *static_cast<const int*>(own);
+  layout = parse_layout(static_cast<const char*>(text));
+}
+Built::~Built() { dlclose(handle_); }
+
+std::string tools() {
+  return fmt::format("{}\n{}\n{}", version(COSIM_COMPILER, "--version"), version("yosys", "-V"),
+                     processor());
+}
+
+std::unique_ptr<Built> built(const fs::path& folder, const std::string& key,
+                             const std::function<std::string()>& source) {
+  const fs::path library = folder / (name_of(key) + ".so");
+  if (!fs::exists(library)) compile(library, source());
+  return std::make_unique<Built>(library);
+}
+
+}  // namespace cosim::lanes

@@ -1,0 +1,51 @@
+// A shape's lanes, compiled when they are first asked for and kept.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "tb/lanes/layout.h"
+
+namespace cosim::lanes {
+
+/// How many lanes the processor runs at once with one instruction: 512, 256, or 64 where it has no
+/// vectors of these widths.
+int widest();
+
+/// Functions as to_text() defines them, in the memory of this process.
+class Built {
+ public:
+  using Act = void (*)(std::uint64_t* planes);
+  using Run = std::int64_t (*)(std::uint64_t* planes, const std::uint64_t* active,
+                               std::uint64_t from, std::uint64_t to, std::uint64_t* differ,
+                               std::uint64_t* left_out);
+
+  /// Loads a library. InputError where that cannot be done.
+  explicit Built(const std::filesystem::path& library);
+  ~Built();
+  Built(const Built&) = delete;
+  Built& operator=(const Built&) = delete;
+
+  int lanes = 0;
+  Layout layout;
+  Act clear = nullptr, take_over = nullptr;
+  Run run = nullptr;
+
+ private:
+  void* handle_ = nullptr;
+};
+
+/// What the code depends on beside its source, in words: compiler, yosys, processor. InputError
+/// where a tool is missing.
+std::string tools();
+
+/// The library in `folder` that was made of the same `key`; else compiles what source() gives, for
+/// so many lanes, and keeps it. Two processes may ask at once. InputError where there is no
+/// compiler or it fails.
+std::unique_ptr<Built> built(const std::filesystem::path& folder, const std::string& key,
+                             const std::function<std::string()>& source);
+
+}  // namespace cosim::lanes

@@ -1,0 +1,234 @@
+#include "tb/lanes/code.h"
+
+#include <fmt/core.h>
+
+#include "model/core/input_error.h"
+#include "tb/lanes/mapped.h"
+#include "tb/proof/located.h"
+
+namespace cosim::lanes {
+namespace {
+
+using nets::Bit;
+using nets::Wire;
+
+/// The cells of all three, and where their values go.
+class Maker {
+ public:
+  Maker(const nets::Played& played, const proof::RtlNets& rtl)
+      : played_(played), machine_(played.model.machine), rtl_(rtl) {
+    for (const auto& f : rtl.cells().flip_flops) {
+      if (f.edge == "fe") throw InputError(machine_.design + ": a flip-flop of the falling edge");
+    }
+    lay_out();
+    map();
+  }
+
+  Code take() {
+    make_clock();
+    make_stretch();
+    make_clear();
+    make_take_over();
+    return std::move(code_);
+  }
+
+ private:
+  static void append(std::vector<Bit>& to, const std::vector<Bit>& bits) {
+    to.insert(to.end(), bits.begin(), bits.end());
+  }
+  const std::vector<Wire>& registers() const {
+    return machine_.seen.empty() ? machine_.registers : machine_.seen;
+  }
+
+  void lay_out() {
+    Layout& l = code_.layout;
+    const auto at_first = [&](bool is) {
+      l.planes.push_back(is ? Layout::First::yes : Layout::First::no);
+    };
+    l.planes.resize(64 * played_.draw.seeds, Layout::First::seed);
+    l.planes.resize(played_.draw.clock.held.size(), Layout::First::no);
+    l.state = l.planes.size();
+    for (std::size_t i = 0; i < machine_.state.size(); ++i) {
+      for (int b = 0; b < machine_.state[i].field.width; ++b) at_first(bit(played_.cleared[i], b));
+    }
+    flip_flops_ = l.planes.size();
+    for (const auto& f : rtl_.cells().flip_flops) {
+      if (f.initial == '0' || f.initial == '1') {
+        at_first(f.initial == '1');
+      } else {
+        l.planes.push_back(Layout::First::anything);
+      }
+    }
+    for (const auto& r : located(rtl_, machine_.design, "register", registers())) {
+      registers_.push_back(nets_of(r));
+      auto& planes = l.registers.emplace_back();
+      for (const std::size_t net : registers_.back()) {
+        const auto shown = rtl_.shown(net);
+        planes.push_back(shown ? flip_flops_ + *shown : Layout::none);
+      }
+    }
+    for (const auto& o : located(rtl_, machine_.design, "output", machine_.outputs)) {
+      outputs_.push_back(nets_of(o));
+    }
+    bool any_left_out = false;
+    for (const auto* wires : {&registers(), &machine_.outputs}) {
+      for (const Wire& w : *wires) any_left_out = any_left_out || w.when;
+    }
+    if (any_left_out) l.counters = registers_.size() + outputs_.size();
+  }
+  std::vector<std::size_t> nets_of(const proof::RtlCell& cell) const {
+    std::vector<std::size_t> all;
+    for (int i = 0; i < cell.width; ++i) all.push_back(rtl_.net(cell.wire, cell.low + i));
+    return all;
+  }
+
+  void map() {
+    std::vector<Bit> in, out;
+    for (const nets::Port& p : played_.model.ports) in.push_back(p.bit);
+    for (const auto* wires : {&registers(), &machine_.outputs, &machine_.next}) {
+      for (const Wire& w : *wires) append(out, w.code);
+    }
+    for (const auto* wires : {&registers(), &machine_.outputs}) {
+      for (const Wire& w : *wires) out.push_back(w.when.value_or(nets::yes));
+    }
+    model_cells_ = mapped("model", played_.model.graph, in, out);
+
+    const nets::DrawStep& clock = played_.draw.clock;
+    out = clock.inputs;
+    append(out, clock.after);
+    clock_cells_ = mapped("draw", clock.graph, clock.held, out);
+    stretch_cells_ = mapped("stretch", played_.draw.stretch.graph, played_.draw.stretch.held,
+                            played_.draw.stretch.after);
+    map_rtl();
+  }
+  // Its inputs are those of the tables and then the flip-flops; its outputs what is compared and
+  // then the flip-flops after the clock.
+  void map_rtl() {
+    const nets::Cells& cells = rtl_.cells();
+    nets::Graph graph;
+    std::vector<Bit> given(cells.nets.size(), nets::no), in, out;
+    const auto is_free = [&](std::size_t net) {
+      given[net] = graph.input();
+      in.push_back(given[net]);
+    };
+    for (const auto& i : located(rtl_, machine_.design, "input", machine_.inputs)) {
+      for (const std::size_t net : nets_of(i)) is_free(net);
+    }
+    for (const auto& f : cells.flip_flops) is_free(f.now);
+    const auto nets = placed(graph, cells, given);
+    for (const auto* all : {&registers_, &outputs_}) {
+      for (const auto& wire : *all) {
+        for (const std::size_t net : wire) out.push_back(nets[net]);
+      }
+    }
+    for (const auto& f : cells.flip_flops) out.push_back(nets[f.next]);
+    rtl_cells_ = mapped("rtl", graph, in, out);
+  }
+
+  // The values of so many planes from one on.
+  static void planes(Straight& code, std::vector<Value>& values, std::size_t first,
+                     std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) values.push_back(code.plane(first + i));
+  }
+  std::size_t state_bits() const { return flip_flops_ - code_.layout.state; }
+  std::size_t flip_flop_bits() const { return rtl_.cells().flip_flops.size(); }
+
+  std::vector<Value> clock_rtl(Straight& code, std::vector<Value> in) {
+    planes(code, in, flip_flops_, flip_flop_bits());
+    auto out = code.add(rtl_cells_, in);
+    for (std::size_t i = 0; i < flip_flop_bits(); ++i) {
+      code.store(flip_flops_ + i, out[out.size() - flip_flop_bits() + i]);
+    }
+    return out;
+  }
+
+  void make_clock() {
+    Straight& code = code_.clock;
+    const nets::DrawStep& draw = played_.draw.clock;
+    std::vector<Value> held;
+    planes(code, held, 0, draw.held.size());
+    const auto drawn = code.add(clock_cells_, held);
+    const std::size_t pins = draw.inputs.size();
+    for (std::size_t i = 0; i < draw.held.size(); ++i) {
+      if (draw.after[i] != draw.held[i]) code.store(i, drawn[pins + i]);
+    }
+    std::vector<Value> in(drawn.begin(), drawn.begin() + static_cast<std::ptrdiff_t>(pins));
+    const auto actual = clock_rtl(code, in);
+    planes(code, in, code_.layout.state, state_bits());
+    const auto expected = code.add(model_cells_, in);
+
+    std::size_t at = 0, when = expected.size() - registers_.size() - outputs_.size(), counter = 0;
+    for (const auto* all : {&registers_, &outputs_}) {
+      for (const auto& wire : *all) {
+        for (std::size_t b = 0; b < wire.size(); ++b, ++at) {
+          code.compare(expected[at], actual[at], expected[when]);
+        }
+        if (expected[when] != one) code.count_without(counter, expected[when]);
+        ++counter;
+        ++when;
+      }
+    }
+    for (std::size_t i = 0; i < state_bits(); ++i)
+      code.store(code_.layout.state + i, expected[at + i]);
+  }
+
+  void make_stretch() {
+    Straight& code = code_.stretch;
+    const nets::DrawStep& draw = played_.draw.stretch;
+    std::vector<Value> held;
+    planes(code, held, 0, draw.held.size());
+    const auto after = code.add(stretch_cells_, held);
+    for (std::size_t i = 0; i < draw.held.size(); ++i) {
+      if (draw.after[i] != draw.held[i]) code.store(i, after[i]);
+    }
+  }
+
+  std::vector<Value> clearing() const {
+    std::vector<Value> in;
+    for (std::size_t i = 0; i < machine_.inputs.size(); ++i) {
+      for (std::size_t b = 0; b < machine_.inputs[i].code.size(); ++b) {
+        in.push_back(bit(played_.clearing[i], static_cast<int>(b)) ? one : zero);
+      }
+    }
+    return in;
+  }
+  void make_clear() {
+    code_.clear_clocks = machine_.clear_clocks;
+    clock_rtl(code_.clear, clearing());
+  }
+  // Of a register's code the number that the model's state has by the same name.
+  void make_take_over() {
+    if (!played_.is_of_registers) return;
+    Straight& code = code_.take_over;
+    std::vector<Value> in = clearing();
+    planes(code, in, flip_flops_, flip_flop_bits());
+    const auto held = code.add(rtl_cells_, in);
+    std::size_t at = 0;
+    for (const Wire& w : machine_.state) {
+      // Of one in ones' complement, 1 more where it is negative.
+      Value carry = w.field.format == Format::ones_complement ? held[at + w.code.size() - 1] : zero;
+      for (std::size_t b = 0; b < w.code.size(); ++b, ++at) {
+        if (!w.field.unreset) continue;
+        constexpr std::uint8_t differ = 0x66, both = 0x88;
+        code.store(code_.layout.state + at, code.cell(differ, held[at], carry, zero));
+        carry = code.cell(both, held[at], carry, zero);
+      }
+    }
+  }
+
+  const nets::Played& played_;
+  const nets::MachineOf<nets::Number>& machine_;
+  const proof::RtlNets& rtl_;
+  Code code_;
+  std::size_t flip_flops_ = 0;                                 // their first plane
+  std::vector<std::vector<std::size_t>> registers_, outputs_;  // the RTL's nets
+  nets::Cells model_cells_, clock_cells_, stretch_cells_, rtl_cells_;
+};
+
+}  // namespace
+
+Code code_of(const nets::Played& played, const proof::RtlNets& rtl) {
+  return Maker(played, rtl).take();
+}
+
+}  // namespace cosim::lanes

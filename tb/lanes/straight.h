@@ -1,0 +1,69 @@
+// Straight-line code on planes: a word of as many bits as there are lanes, lane l in bit l. Each
+// statement is one cell of at most three inputs.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tb/nets/cells.h"
+
+namespace cosim::lanes {
+
+/// A value of the code: what a cell gives, or a plane of the memory as it was before the code.
+using Value = std::size_t;
+inline constexpr Value zero = 0, one = 1;
+
+class Straight {
+ public:
+  /// What plane number i of the memory holds before the code.
+  Value plane(std::size_t i);
+  /// Bit number 4 c + 2 b + a of `table`.
+  Value cell(std::uint8_t table, Value a, Value b, Value c);
+  /// All outputs of a netlist whose inputs have these values. InputError for a table of more than
+  /// three inputs, and for flip-flops.
+  std::vector<Value> add(const nets::Cells& cells, std::span<const Value> inputs);
+
+  /// Plane number i holds the value after the code.
+  void store(std::size_t i, Value value) { stores_.push_back({i, value}); }
+  /// Lanes where the values differ, and `when` holds, are among those that the code gives.
+  void compare(Value a, Value b, Value when = one);
+  /// Counter number i counts the lanes at work in which the value does not hold.
+  void count_without(std::size_t i, Value value) { counts_.push_back({i, value}); }
+
+  /// The body of a function: V *const m is the memory. `differ` becomes the lanes that differ.
+  std::string text() const;
+  /// How many cells that is.
+  std::size_t cells() const;
+
+ private:
+  struct Cell {
+    std::uint8_t table = 0;
+    std::array<Value, 3> of{};
+    std::size_t plane = 0;
+    bool is_plane = false;
+  };
+  template <class IsFree>
+  static Cell with_last(const Cell& c, IsFree is_free);
+  struct Use {
+    std::size_t number;
+    Value value;
+  };
+  struct Comparison {
+    Value a, b, when;
+  };
+  std::vector<std::size_t> needs() const;
+  std::vector<Value> order() const;
+
+  // The first two are the constants.
+  std::vector<Cell> cells_ = std::vector<Cell>(2);
+  std::map<std::size_t, Value> planes_;
+  std::vector<Use> stores_, counts_;
+  std::vector<Comparison> comparisons_;
+};
+
+}  // namespace cosim::lanes

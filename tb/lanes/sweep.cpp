@@ -1,0 +1,170 @@
+#include "tb/lanes/sweep.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <regex>
+#include <utility>
+
+#include "model/core/input_error.h"
+#include "tb/lanes/code.h"
+#include "tb/lanes/player.h"
+#include "tb/support/place.h"
+#include "tb/support/read_file.h"
+
+namespace cosim::lanes {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Planes of a memory that would not stay near the processor, and a source of hundreds of MB.
+constexpr std::size_t most_bits = std::size_t{1} << 14;
+
+// What the code of a shape follows from.
+std::string key_of(const std::string& title, const nets::Played& played,
+                   const proof::Source& source, int lanes) {
+  std::string key = fmt::format("{} {} {}\n{}\n{}\n", COSIM_LANES_VERSION, lanes, title, tools(),
+                                proof::commands_to_elaborate(source));
+  std::vector<fs::path> files = source.files;
+  for (const fs::path& folder : source.include_dirs) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (entry.is_regular_file()) files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  for (const fs::path& file : files) key += read_file(file.string());
+  const nets::MachineOf<nets::Number>& m = played.model.machine;
+  std::vector<nets::Port> out, held;
+  const auto add = [](std::vector<nets::Port>& ports, const std::vector<nets::Bit>& bits) {
+    for (const nets::Bit bit : bits) ports.push_back({fmt::format("p{}", ports.size()), bit});
+  };
+  for (const auto* wires : {&m.registers, &m.seen, &m.outputs, &m.next}) {
+    for (const nets::Wire& w : *wires) {
+      add(out, w.code);
+      if (w.when) add(out, {*w.when});
+      key += fmt::format("{} {} {}\n", label_of(w.field), w.field.net, w.when.has_value());
+    }
+  }
+  key += to_blif("model", played.model.graph, played.model.ports, out);
+  for (const auto* step : {&played.draw.clock, &played.draw.stretch}) {
+    held.clear();
+    out.clear();
+    add(held, step->held);
+    add(out, step->inputs);
+    add(out, step->after);
+    key += to_blif("draw", step->graph, held, out);
+  }
+  for (const auto* codes : {&played.cleared, &played.clearing}) {
+    for (const Word code : *codes) key += fmt::format("{} ", code);
+  }
+  return key + fmt::format("{}", m.clear_clocks);
+}
+
+// Whether the RTL checks itself, outside of comments: what it says then, only Verilator hears.
+bool speaks(const proof::Source& source) {
+  static const std::regex comment(R"(//[^\n]*|/\*[^*]*\*+([^/*][^*]*\*+)*/)");
+  static const std::regex says(R"(\$(error|fatal|stop|finish|warning)\b|\bassert\b)");
+  for (const fs::path& file : source.files) {
+    const std::string text = std::regex_replace(read_file(file.string()), comment, " ");
+    if (std::regex_search(text, says)) return true;
+  }
+  return false;
+}
+
+// The cases of a sweep, some at a time.
+class Hostile {
+ public:
+  static constexpr std::uint64_t length = 1000;
+
+  Hostile(const AnyBench& bench, const Built& built, std::uint64_t seed, std::uint64_t clocks)
+      : bench_(bench), built_(built), seed_(seed), clocks_(clocks) {}
+
+  Result run(std::uint64_t first, std::uint64_t count) const {
+    Player player(built_, bench_);
+    player.begin(seed_, first, count);
+    const std::uint64_t ends = clocks_of(first + count - 1);  // of the last case, perhaps sooner
+    std::optional<Player::Differs> worst;
+    const auto run_to = [&](std::uint64_t to) {
+      while (const auto differs = player.run(to)) {
+        worst = differs;
+        player.work_below(differs->lane);
+      }
+    };
+    run_to(ends);
+    if (ends < length) {
+      player.work_below(count - 1);
+      run_to(length);
+    }
+    if (worst) return failed(first, *worst);
+    Result result;
+    result.cases = count;
+    result.clocks = (count - 1) * length + ends;
+    result.left_out = player.left_out();
+    return result;
+  }
+
+ private:
+  std::uint64_t clocks_of(std::uint64_t i) const { return std::min(length, clocks_ - i * length); }
+  Result failed(std::uint64_t first, const Player::Differs& differs) const {
+    Result sum;
+    if (differs.lane > 0) sum = run(first, differs.lane);
+    const HostileCase c{seed_, first + differs.lane, clocks_of(first + differs.lane)};
+    Run again = bench_.run_hostile(c);
+    if (!again.mismatch || again.mismatch->clock != differs.clock) {
+      throw Unconfirmed(fmt::format(
+          "{}: case {}, in lane {} of {}, differs on clock {} there, and one at a time {}: an "
+          "error "
+          "of the lanes, or a register that nothing sets powers up otherwise; --lanes 0 does "
+          "without",
+          bench_.title(), c.index, differs.lane, built_.lanes, differs.clock,
+          again.mismatch ? fmt::format("on clock {}", again.mismatch->clock) : "nowhere"));
+    }
+    Result one = hostile_result(bench_, c, std::move(again));
+    one.failed += fmt::format(", found in lane {} of {}", differs.lane, built_.lanes);
+    one.cases = 1;
+    add(sum, std::move(one));
+    return sum;
+  }
+
+  const AnyBench& bench_;
+  const Built& built_;
+  std::uint64_t seed_, clocks_;
+};
+
+}  // namespace
+
+std::unique_ptr<Built> built(const std::string& title, const nets::Played& played,
+                             const proof::Source& source, int lanes, const fs::path& folder) {
+  const auto refuse = [&](const std::string& why) {
+    throw InputError(fmt::format("{}: does not run in lanes: {}", title, why));
+  };
+  if (!played.model.machine.legal.empty()) {
+    refuse("its inputs have rules, and what breaks one is drawn again, case by case");
+  }
+  if (speaks(source)) refuse("its RTL checks itself, with an assertion or $error");
+  std::size_t bits = 0;
+  for (const nets::Wire& w : played.model.machine.state) bits += w.code.size();
+  if (bits > most_bits) {
+    refuse(fmt::format("its memory is too large: {} bits, and {} can be planes", bits, most_bits));
+  }
+  proof::Source all = source;
+  all.asynchronous_reset = !played.model.machine.seen.empty();
+  for (const nets::Wire& w : played.model.machine.registers) {
+    if (w.field.index <= 0) all.kept.push_back(net_path(w.field.net).path);
+  }
+  return built(folder, key_of(title, played, all, lanes),
+               [&] { return to_text(code_of(played, proof::RtlNets(all)), lanes); });
+}
+
+Sweep hostile_sweep(const AnyBench& bench, const Built& built, std::uint64_t seed,
+                    std::uint64_t clocks) {
+  Sweep sweep = cosim::hostile_sweep(bench, seed, clocks);
+  sweep.at_once = static_cast<std::uint64_t>(built.lanes);
+  sweep.run_some = [hostile = Hostile(bench, built, seed, clocks)](std::uint64_t first,
+                                                                   std::uint64_t count) {
+    return hostile.run(first, count);
+  };
+  return sweep;
+}
+
+}  // namespace cosim::lanes

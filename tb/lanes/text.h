@@ -1,0 +1,35 @@
+// The C++ of a shape's lanes.
+#pragma once
+
+#include <string>
+
+#include "tb/lanes/layout.h"
+#include "tb/lanes/straight.h"
+
+namespace cosim::lanes {
+
+/// What the code of a shape is made of. The memory is the same for all.
+struct Code {
+  Straight clock;      ///< draws the inputs, clocks and compares RTL and model
+  Straight stretch;    ///< before the first clock of a stretch: draws how often pins change
+  Straight clear;      ///< one clock of the RTL alone, with the inputs that clear it
+  Straight take_over;  ///< behind the last of them: what the model takes over from the RTL
+  int clear_clocks = 0;
+  Layout layout;
+};
+
+/// As a source of C++ without anything of this project. It defines, for planes of V, words of
+/// `lanes` bits, 64, 256 or 512,
+///
+///   int cosim_lanes                                      so many
+///   char cosim_lanes_layout[]                            the layout of the memory, in words
+///   void cosim_lanes_clear(V* m)                         clears the RTL
+///   void cosim_lanes_take_over(V* m)                     gives the model what no reset reaches
+///   int64_t cosim_lanes_run(V* m, const V* active, uint64_t from, uint64_t to, V* differ,
+///                           uint64_t* left_out)
+///
+/// The last one runs clocks number from .. to - 1 of the cases. It ends after the first on which
+/// any of the lanes at work differs, and returns its number and those lanes; else -1.
+std::string to_text(const Code& code, int lanes);
+
+}  // namespace cosim::lanes

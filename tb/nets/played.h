@@ -1,0 +1,46 @@
+// All of a design that runs in lanes beside its RTL, as nets: its golden model, its hostile
+// stimulus, and where a case begins.
+#pragma once
+
+#include <type_traits>
+#include <vector>
+
+#include "model/core/design.h"
+#include "tb/nets/draw.h"
+#include "tb/nets/model.h"
+
+namespace cosim::nets {
+
+struct Played {
+  Model model;
+  Draw draw;
+  /// The codes of the state after a clear, one for each of model.machine.state, and of the inputs
+  /// that clear the design or, where none do, of those at rest.
+  std::vector<Word> cleared, clearing;
+  /// The state's fields are the RTL's registers, by the same names: what no reset reaches is taken
+  /// over from there.
+  bool is_of_registers = false;
+};
+
+template <class Design>
+Played played_of(const typename Design::Params& p) {
+  using State = typename Design::template State<Word>;
+  using Inputs = typename Design::template Inputs<Word>;
+  Played played{model_of<Design>(p), draw_of<Design>(p), {}, {}};
+  const auto codes = [](const auto& record, const auto& fields) {
+    std::vector<Word> all;
+    const auto words = to_words(record);
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      if (fields[i].width != 0) all.push_back(cosim::low_bits(words[i], fields[i].width));
+    }
+    return all;
+  };
+  played.cleared = codes(cleared_of<Design, Word>(), State::fields(p));
+  Inputs clear = rest_of<Design>();
+  if constexpr (has_clear<Design>) clear = Design::clear();
+  played.clearing = codes(clear, Inputs::fields(p));
+  played.is_of_registers = std::is_same_v<State, typename Design::template Registers<Word>>;
+  return played;
+}
+
+}  // namespace cosim::nets

@@ -1,6 +1,6 @@
 // Nets of every size and place: wider than 64 bits, slices, memories of narrow and of wide words, one
 // whose first word is not 0, two instances of one module, one in a generate block.
-module nets #(parameter FAULT = 0, parameter W = 100, parameter D = 5) (
+module wires #(parameter FAULT = 0, parameter W = 100, parameter D = 5) (
     input  wire         clk,
     input  wire         rst,
     input  wire         write,
@@ -19,12 +19,12 @@ module nets #(parameter FAULT = 0, parameter W = 100, parameter D = 5) (
   assign q     = held;
   assign mixed = {from_c[3:0], from_b, from_a};
 
-  nets_part a (.clk(clk), .d(d[7:0]), .q(from_a));
-  nets_part b (.clk(clk), .d(from_a), .q(from_b));
+  wires_part a (.clk(clk), .d(d[7:0]), .q(from_a));
+  wires_part b (.clk(clk), .d(from_a), .q(from_b));
   genvar g;
   generate
     for (g = 2; g < 3; g = g + 1) begin : more
-      nets_part c (.clk(clk), .d(from_b ^ {3'd0, order[D-1]} ^ {4'd0, pair[7]}), .q(from_c));
+      wires_part c (.clk(clk), .d(from_b ^ {3'd0, order[D-1]} ^ {4'd0, pair[7]}), .q(from_c));
     end
   endgenerate
 

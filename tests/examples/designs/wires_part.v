@@ -1,4 +1,4 @@
-module nets_part(input wire clk, input wire [7:0] d, output wire [7:0] q);
+module wires_part(input wire clk, input wire [7:0] d, output wire [7:0] q);
   reg [7:0] last;
   assign q = last;
   always @(posedge clk) last <= d;

@@ -1,11 +1,11 @@
-// Golden model of nets.v.
+// Golden model of wires.v.
 #pragma once
 
 #include "model/core/bit_strings.h"
 #include "model/core/design.h"
 #include "model/core/memory.h"
 
-namespace cosim::nets {
+namespace cosim::wires {
 
 struct Params {
   int fault;
@@ -13,16 +13,16 @@ struct Params {
   int depth;  ///< 1 to 8
 };
 
-#define NETS_INPUTS(FIELD)        \
+#define WIRES_INPUTS(FIELD)        \
   FIELD(rst, 1, flag, "", "")     \
   FIELD(write, 1, flag, "", "")   \
   FIELD(index, 3, number, "", "") \
   FIELD(d, p.width, bits.words<2>(), "", "")
-#define NETS_OUTPUTS(FIELD)                       \
+#define WIRES_OUTPUTS(FIELD)                       \
   FIELD(q, p.width, bits.words<2>(), "", "")      \
   FIELD(from_a, 8, bits.at("mixed[7:0]"), "", "") \
   FIELD(from_bc, 4, bits.array<3>().at("mixed[19:8]"), "", "")
-#define NETS_STATE(FIELD)                                              \
+#define WIRES_STATE(FIELD)                                              \
   FIELD(held, p.width, bits.words<2>(), "", "")                        \
   FIELD(clocks, 4, number.at("status[3:0]"), "", "")                   \
   FIELD(writes, 5, number.at("status[8:4]"), "", "")                   \
@@ -33,7 +33,7 @@ struct Params {
   FIELD(a, 8, bits.at("a.last").unreset(), "", "")                     \
   FIELD(b, 8, bits.at("b.last").unreset(), "", "")                     \
   FIELD(c, 8, bits.at("more[2].c.last").unreset(), "", "")
-COSIM_RECORDS(NETS, Params);
+COSIM_RECORDS(WIRES, Params);
 
 template <class V>
 constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) {
@@ -61,8 +61,8 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
 }
 
 struct Design {
-  COSIM_DESIGN(nets);
-  static constexpr const char* name = "nets";
+  COSIM_DESIGN(wires);
+  static constexpr const char* name = "wires";
   static constexpr Inputs<Word> clear() { return {.rst = 1}; }
   template <class V>
   static constexpr State<V> cleared() {
@@ -75,4 +75,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::nets
+}  // namespace cosim::wires

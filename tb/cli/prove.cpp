@@ -58,6 +58,9 @@ int run(const ProveOptions& o) {
   if (!o.mutants && (o.count || o.mutant)) {
     throw InputError(std::string(o.count ? "--count" : "--mutant") + ": belongs to --mutants");
   }
+  if (o.mutants && o.engines) {
+    throw InputError("--engines: not with --mutants, which cvc5 and z3 decide");
+  }
   const proof::Asking asking{engines_of(o), limit, jobs};
   if (o.theorems) return prove_theorems(o, asking);
   if (o.mutants) return prove_mutants(o, asking);
@@ -75,10 +78,8 @@ void add_prove(const Command& program) {
   command.text("--limit", o->limit, "S", "Seconds of processor time for one answer; default 300");
   command.text("--jobs", o->jobs, "J", "Engines at a time; default one a core");
   command.text("--scripts", o->scripts, "DIR", "Keep what the engines are asked in DIR");
-  command.text(
-      "--engines", o->engines, "A,B,C",
-      "Of cec, z3 and cvc5, in this order: two are asked, and a third where these are not of "
-      "one mind; one alone decides by itself");
+  command.text("--engines", o->engines, "A,B,C",
+               "Whom to ask, first to last, of cec, z3 and cvc5; default all");
   command.flag("--theorems", o->theorems,
                "Instead: what the sources claim, as theorems on the models");
   command.text("--mutants", o->mutants, "FILE.v",
@@ -87,7 +88,8 @@ void add_prove(const Command& program) {
   command.text("--mutant", o->mutant, "K", "Only the mutant with mutsel = K");
   add_failures(command, o->common);
   command.footer(
-      "Needs yosys, and two of yosys-abc (cec), z3 and cvc5: what two of them prove is proved.\n"
+      "Needs yosys, and two of yosys-abc (cec), z3 and cvc5. What two of them prove is proved;\n"
+      "the third is asked where the first two do not settle it. One alone decides by itself.\n"
       "Example: " +
       program_name() + " prove " + proof::built_machines().front().title);
   command.action([o] { return run(*o); });

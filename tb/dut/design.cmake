@@ -55,6 +55,9 @@ function(cosim_verilated_library target)
   target_compile_options(${target} PRIVATE -w)  # a user's flags are for a user's code
 endfunction()
 
+# Name spaces of the harness in cosim, where each design has one of its own name.
+set(COSIM_TAKEN_NAMES cli coverage detail lanes mutation nets pin proof regress row)
+
 function(cosim_add_design NAME)
   if(NOT VERILATOR_ROOT)
     find_package(verilator REQUIRED HINTS $ENV{VERILATOR_ROOT} /usr/share/verilator)
@@ -63,6 +66,9 @@ function(cosim_add_design NAME)
   set(what "cosim_add_design(${NAME})")
   if(D_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "${what}: what is ${D_UNPARSED_ARGUMENTS}?")
+  endif()
+  if(NAME IN_LIST COSIM_TAKEN_NAMES)
+    message(FATAL_ERROR "${what}: the harness has a name space cosim::${NAME}; name it otherwise")
   endif()
   foreach(needed SOURCES MODEL)
     if(NOT D_${needed})

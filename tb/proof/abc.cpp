@@ -64,8 +64,8 @@ Solved solve(const NetQuestions& questions, int limit) {
   const auto in_scratch = [&](const char* name, std::size_t i) {
     return (scratch.path() / fmt::format("{}{}", name, i)).string();
   };
-  // Equal gates are found first, then a SAT solver has the rest: of `iprove`, `cec` and `&cec` none
-  // was faster.
+  // Equal gates are found first, then a SAT solver has the rest. On all shapes together neither
+  // `iprove` nor `&fraig` was faster.
   std::string commands;
   const auto texts = netlists(questions);
   for (std::size_t i = 0; i < texts.size(); ++i) {

@@ -47,7 +47,7 @@ constexpr const char* kTo32Bits = " is not a whole number from 0 to 4294967295";
 TEST(Refusal, OfCommands) {
   const std::string commands = names_of_commands();
   EXPECT_TRUE(commands.starts_with("list, ") &&
-              commands.ends_with(", sweep, replay, wave, prove, lint, new"));
+              commands.ends_with(", sweep, replay, wave, prove, regress, lint, new"));
   const std::string designs = names_of_commands({"sweep"});
   expect_unused({}, "a command is needed: " + commands);
   expect_unused({"draw"}, "no such command: 'draw'; there are " + commands);
@@ -68,6 +68,8 @@ TEST(Refusal, OfProofs) {
   expect_unused({"prove", "--limit", "0"}, "--limit: '0' is not a whole number from 1 to 86400");
   expect_unused({"prove", "--count", "5"}, "--count: belongs to --mutants");
   expect_unused({"prove", "--mutant", "5"}, "--mutant: belongs to --mutants");
+  expect_unused({"prove", "--mutants", "x.v", "--engines", "cec"},
+                "--engines: not with --mutants, which cvc5 and z3 decide");
   expect_unused({"prove", "--theorems", "spiral"}, "spiral: is no design with theorems");
   expect_unused({"prove", "linear", "--rtl", "/dev/null"},
                 "/dev/null: no Verilog of linear; --rtl DIR names the folder that "

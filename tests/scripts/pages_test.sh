@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# README is a door: short, and every page of docs/ is linked from it. Every relative link of every page
-# leads to a file. First on a small tree where each is wrong, then on the project.
+# README is a door: short, and every page of docs/ is linked from it. Every relative link of every
+# page leads to a file, and no page holds a @PLACE@ that is still to be filled in. First on a small
+# tree where each is wrong, then on the project.
 # Status: 0 so it is, 1 not, with a line for each find.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -22,6 +23,7 @@ finds() {
     while read -r target; do
       [[ -e $(dirname "$page")/$target ]] || echo "$page: no $target"
     done < <(links "$page")
+    { grep -noE '@[A-Z_]+@' "$page" || true; } | sed "s|^|$page:|"
   done
   LC_ALL=C comm -13 <(links README.md | LC_ALL=C sort -u) <(printf '%s\n' docs/*.md | LC_ALL=C sort) |
     sed 's/^/README.md: does not link /'
@@ -33,12 +35,13 @@ mkdir -p "$folder/docs"
   seq "$most"
 } > "$folder/README.md"
 echo 'from [here](../README.md#part) to [two](two.md) and [none](README.md)' > "$folder/docs/one.md"
-touch "$folder/docs/two.md"
+echo '@TIMES@' > "$folder/docs/two.md"
 diff - <(finds "$folder") << END
 README.md: $((most + 1)) lines, at most $most
 README.md: no docs/gone.md
 README.md: no x.png
 docs/one.md: no README.md
+docs/two.md:1:@TIMES@
 README.md: does not link docs/two.md
 END
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/folder.h"
@@ -139,6 +140,10 @@ TEST(Sweep, GivesTheSameInLanes) {
   EXPECT_EQ(report("64"), alone);
   EXPECT_EQ(report("512"), alone);
   EXPECT_EQ(report("auto"), alone);
+  // What was compiled is kept in the build folder, not at the root of the disk.
+  EXPECT_TRUE(
+      std::filesystem::exists(std::filesystem::path(COSIM_PROGRAM).parent_path() / "lanes"));
+  EXPECT_FALSE(std::filesystem::exists("/lanes"));
 }
 
 TEST(Sweep, TakesNoMoreMemoryForMoreCases) {

@@ -13,16 +13,16 @@ struct Params {
   int depth;  ///< 1 to 8
 };
 
-#define WIRES_INPUTS(FIELD)        \
+#define WIRES_INPUTS(FIELD)       \
   FIELD(rst, 1, flag, "", "")     \
   FIELD(write, 1, flag, "", "")   \
   FIELD(index, 3, number, "", "") \
   FIELD(d, p.width, bits.words<2>(), "", "")
-#define WIRES_OUTPUTS(FIELD)                       \
+#define WIRES_OUTPUTS(FIELD)                      \
   FIELD(q, p.width, bits.words<2>(), "", "")      \
   FIELD(from_a, 8, bits.at("mixed[7:0]"), "", "") \
   FIELD(from_bc, 4, bits.array<3>().at("mixed[19:8]"), "", "")
-#define WIRES_STATE(FIELD)                                              \
+#define WIRES_STATE(FIELD)                                             \
   FIELD(held, p.width, bits.words<2>(), "", "")                        \
   FIELD(clocks, 4, number.at("status[3:0]"), "", "")                   \
   FIELD(writes, 5, number.at("status[8:4]"), "", "")                   \

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/bench/directed.h"
+#include "tb/gtest/directed.h"
 #include "uart_rx.h"
 
 namespace cosim::uart_rx {

@@ -1,6 +1,7 @@
 # What the sweeps of a design of somebody's own reach: a program for each shape, its RTL Verilated
 # with counters, which make it several times slower. Built when the command `cover` asks for it.
 include_guard(GLOBAL)
+include(${CMAKE_CURRENT_LIST_DIR}/../package/design_on_demand.cmake)
 
 # To be called by cosim_add_design() for a shape, whose variables it uses.
 function(cosim_shape_cover)
@@ -17,18 +18,7 @@ function(cosim_shape_cover)
     WORKING_DIRECTORY ${FOLDER} DEPENDS ${rtl} ${included} VERBATIM
     COMMENT "Counters for ${TITLE}")
   configure_file(${root}/tb/coverage/named_cover_of.cpp.in ${FOLDER}/cover_of.cpp @ONLY)
-  set_source_files_properties(${FOLDER}/cover_of.cpp PROPERTIES
-    OBJECT_DEPENDS ${FOLDER}/counted.cpp)
-
-  add_executable(cover_${ID} EXCLUDE_FROM_ALL ${FOLDER}/cover_of.cpp ${FOLDER}/counted.cpp)
-  set_target_properties(cover_${ID} PROPERTIES
-    UNITY_BUILD OFF RUNTIME_OUTPUT_DIRECTORY ${FOLDER})
-  target_compile_features(cover_${ID} PRIVATE cxx_std_20)
+  cosim_on_demand(cover ${FOLDER}/counted.cpp)
   target_compile_definitions(cover_${ID} PRIVATE
     COSIM_COVERAGE COSIM_COVERAGE_OF_CASES VM_COVERAGE=1)
-  target_compile_options(cover_${ID} PRIVATE -O1)
-  target_include_directories(cover_${ID} SYSTEM PRIVATE ${FOLDER} ${FOLDER}/verilated)
-  target_link_libraries(cover_${ID} PRIVATE cosim::stream cosim::dut cosim::runtime)
-  set_property(GLOBAL APPEND PROPERTY COSIM_ON_DEMAND
-    "    registry.cover({\"${TITLE}\", \"cover_${ID}\", \"${FOLDER}\"})\;\n")
 endfunction()

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/coverage/counts.h"
+#include "tb/dut/counts.h"
 
 namespace cosim::coverage {
 

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "tb/coverage/counts.h"
+#include "tb/dut/counts.h"
 
 namespace cosim {
 

@@ -10,7 +10,7 @@
 #include "model/core/design.h"
 #include "model/core/fields.h"
 #include "model/core/reset.h"
-#include "tb/coverage/counts.h"
+#include "tb/dut/counts.h"
 #include "tb/lockstep/meant.h"
 
 /// Inlines all calls in a function. Not under the sanitizers, where the compiler would take

@@ -1,6 +1,7 @@
 # The mutants of a design of somebody's own: a program for each shape, built when the command `mutate`
 # asks for it. That command writes what plant.sh is to be given.
 include_guard(GLOBAL)
+include(${CMAKE_CURRENT_LIST_DIR}/../package/design_on_demand.cmake)
 
 # To be called by cosim_add_design() for a shape, whose variables it uses.
 function(cosim_shape_mutants)
@@ -14,18 +15,5 @@ function(cosim_shape_mutants)
     DEPENDS ${root}/tb/mutation/plant.sh ${given} ${rtl} ${included} VERBATIM
     COMMENT "Planting mutants in ${TITLE}")
   configure_file(${root}/tb/mutation/named_mutants_of.cpp.in ${FOLDER}/mutants_of.cpp @ONLY)
-  set_source_files_properties(${FOLDER}/mutants_of.cpp PROPERTIES
-    OBJECT_DEPENDS ${FOLDER}/mutants.cpp)
-
-  add_executable(mutants_${ID} EXCLUDE_FROM_ALL ${FOLDER}/mutants_of.cpp ${FOLDER}/mutants.cpp)
-  set_target_properties(mutants_${ID} PROPERTIES
-    UNITY_BUILD OFF RUNTIME_OUTPUT_DIRECTORY ${FOLDER})
-  target_compile_features(mutants_${ID} PRIVATE cxx_std_20)
-  # Run for a few thousand clocks a mutant: not compiled for speed.
-  target_compile_options(mutants_${ID} PRIVATE -O1)
-  target_include_directories(mutants_${ID} SYSTEM PRIVATE ${FOLDER} ${FOLDER}/verilated)
-  target_link_libraries(mutants_${ID} PRIVATE
-    cosim::mutation cosim::stream cosim::dut cosim::runtime)
-  set_property(GLOBAL APPEND PROPERTY COSIM_ON_DEMAND
-    "    registry.mutants({\"${TITLE}\", \"mutants_${ID}\", \"${FOLDER}\"})\;\n")
+  cosim_on_demand(mutants ${FOLDER}/mutants.cpp cosim::mutation)
 endfunction()

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "tb/bench/named_bench.h"
+#include "tb/package/named_bench.h"
 #include "tb/mutation/subject.h"
 
 namespace cosim::mutation {

@@ -3,12 +3,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <optional>
 #include <regex>
 #include <sstream>
 
 #include "model/core/input_error.h"
+#include "tb/proof/first_word.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
 
@@ -236,14 +235,7 @@ Expression on_next_clock(const Expression& term) {
 }
 
 int Rtl::first_word(const std::string& memory) const {
-  const std::string begins = fmt::format("|{}_n {}[", top_, memory);
-  std::optional<int> first;
-  for (auto wire = wires_.lower_bound(begins);
-       wire != wires_.end() && wire->first.starts_with(begins); ++wire) {
-    const int number = std::atoi(wire->first.c_str() + begins.size());
-    first = std::min(first.value_or(number), number);
-  }
-  return first.value_or(0);
+  return proof::first_word(wires_, fmt::format("|{}_n {}[", top_, memory));
 }
 
 int Rtl::width(const std::string& wire) const {

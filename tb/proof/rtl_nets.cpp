@@ -2,12 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <cstdlib>
 #include <sstream>
 
 #include "model/core/input_error.h"
 #include "tb/nets/blif.h"
+#include "tb/proof/first_word.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
 
@@ -61,14 +60,7 @@ int RtlNets::width(const std::string& wire) const {
 }
 
 int RtlNets::first_word(const std::string& memory) const {
-  const std::string begins = memory + '[';
-  std::optional<int> first;
-  for (auto wire = wires_.lower_bound(begins);
-       wire != wires_.end() && wire->first.starts_with(begins); ++wire) {
-    const int number = std::atoi(wire->first.c_str() + begins.size());
-    first = std::min(first.value_or(number), number);
-  }
-  return first.value_or(0);
+  return proof::first_word(wires_, memory + '[');
 }
 
 std::size_t RtlNets::net(const std::string& wire, int bit) const {

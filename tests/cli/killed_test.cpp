@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "tb/coverage/counts.h"
+#include "tb/dut/counts.h"
 #include "tests/cli/checkpoint.h"
 #include "tests/support/sanitized.h"
 

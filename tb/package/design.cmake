@@ -24,10 +24,10 @@
 # text. Paths are relative to the folder that calls. RTL with a second clock, a falling edge, a latch, a
 # combinational loop or a bidirectional port is refused, in a line that names the net.
 include_guard(GLOBAL)
-include(${CMAKE_CURRENT_LIST_DIR}/rtl.cmake)
-include(${CMAKE_CURRENT_LIST_DIR}/shape.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/../dut/rtl.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/../dut/shape.cmake)
 set_property(GLOBAL PROPERTY COSIM_ROOT "${CMAKE_CURRENT_LIST_DIR}/../..")
-include(${CMAKE_CURRENT_LIST_DIR}/design_gtest.cmake)  # cosim_add_gtest(): tests by hand
+include(${CMAKE_CURRENT_LIST_DIR}/../gtest/design_gtest.cmake)  # cosim_add_gtest(): tests by hand
 include(${CMAKE_CURRENT_LIST_DIR}/../mutation/design_mutants.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../coverage/design_cover.cmake)
 
@@ -141,7 +141,7 @@ function(cosim_add_design NAME)
     verilate(${NAME}_verilated PREFIX ${PREFIX} TOP_MODULE ${TOP} SOURCES ${rtl}
       VERILATOR_ARGS ${generics} ${options} -Wno-fatal --x-initial unique --x-assign unique
                      --assert --vpi --public-flat-rw)
-    configure_file(${root}/tb/bench/named_bench_of.cpp.in
+    configure_file(${root}/tb/package/named_bench_of.cpp.in
       ${CMAKE_CURRENT_BINARY_DIR}/bench_${ID}.cpp @ONLY)
     set_property(GLOBAL APPEND PROPERTY COSIM_BENCH_SOURCES
       ${CMAKE_CURRENT_BINARY_DIR}/bench_${ID}.cpp)

@@ -1,4 +1,4 @@
-#include "tb/coverage/counts.h"
+#include "tb/dut/counts.h"
 
 #include <fmt/core.h>
 #include <unistd.h>

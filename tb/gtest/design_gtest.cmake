@@ -1,6 +1,6 @@
 # cosim_add_gtest(TARGET PROGRAM program SOURCES file.cpp...)
 #
-# An executable of tests by hand, tb/bench/directed.h, in GoogleTest, on the designs of a program that
+# An executable of tests by hand, tb/gtest/directed.h, in GoogleTest, on the designs of a program that
 # cosim_add_program() has made: nothing of them is compiled again. Each of its tests is a CTest test
 # with the label directed.
 function(cosim_add_gtest NAME)
@@ -22,7 +22,7 @@ function(cosim_add_gtest NAME)
   include(GoogleTest)
   get_property(root GLOBAL PROPERTY COSIM_ROOT)
   set(hook ${CMAKE_CURRENT_BINARY_DIR}/${NAME}_gtest.cpp)
-  configure_file(${root}/tb/bench/named_gtest.cpp.in ${hook} @ONLY)
+  configure_file(${root}/tb/gtest/named_gtest.cpp.in ${hook} @ONLY)
   add_executable(${NAME} ${sources} ${hook} $<TARGET_OBJECTS:${G_PROGRAM}>)
   set_target_properties(${NAME} PROPERTIES UNITY_BUILD OFF)
   target_compile_features(${NAME} PRIVATE cxx_std_20)

@@ -1,5 +1,5 @@
 // Tests by hand, on a counter whose RTL is its model, with and without a fault.
-#include "tb/bench/directed.h"
+#include "tb/gtest/directed.h"
 
 #include <gtest/gtest.h>
 

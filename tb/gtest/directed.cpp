@@ -1,4 +1,4 @@
-#include "tb/bench/directed.h"
+#include "tb/gtest/directed.h"
 
 #include <fmt/core.h>
 

@@ -1,0 +1,60 @@
+#!/usr/bin/env bash
+# figures_test.sh PROGRAM: figures in README and the pages of docs/ that follow from the project's files
+# or that PROGRAM counts in no time are what they say. Those of the claims have a test of their own.
+# Status: 0 so it is, 1 not, with a line for each sentence or row that a page does not have.
+set -euo pipefail
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../.." && pwd)
+program=$(realpath "$1")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$root"
+
+# says PAGE TEXT...: it has each text, wherever its lines break.
+says() {
+  local page text
+  page=$(tr '\n' ' ' < "$1")
+  for text in "${@:2}"; do
+    [[ $page == *"$text"* ]] || echo "$1: does not say: $text"
+  done
+}
+
+# column NUMBER FIRST PAGE: that column of the table whose first heading is FIRST.
+column() {
+  awk -F ' *[|] *' -v column="$(($1 + 1))" -v first="$2" '
+    $2 == first { inside = 1; next }
+    !/^[|]/ { inside = 0 }
+    inside && $2 != "---" { print $column }' "$3"
+}
+
+shapes=$(sed '/^#/d; /^$/d' rtl/shipped.txt)
+machines=$(wc -l <<< "$shapes")
+files=(tests/designs/*/rtl/variants/{faults,errata,deep}/*.cmake)
+model=$(grep -cvE '^ *(//.*)?$' examples/fir/fir.h)
+
+# Solvers that know nothing: the theorems are counted, not proved.
+for solver in z3 cvc5; do
+  printf '#!/bin/sh\necho unknown\n' > "$folder/$solver"
+  chmod +x "$folder/$solver"
+done
+theorems=$(PATH=$folder:$PATH "$program" prove --theorems 2>&1 |
+  sed -n 's/^0 of \([0-9]*\) theorems proved by .*/\1/p') || true
+
+finds() {
+  local page design faults kept
+  says README.md "input: $machines shapes up to 32 bits" "line: $theorems theorems on the models"
+  says docs/proof.md "All $((3 * machines)) claims, of $machines machines up to 32 bits" \
+    "All $theorems are proved" "All ${#files[@]} planted faults and misprints"
+  says docs/failures.md "Each of $((${#files[@]} - 1)) planted faults and misprints"
+  for page in docs/cost.md docs/streams.md; do says $page "$model lines"; done
+  for design in circular:circular dda:DDA linear:linear; do
+    faults=$(grep -c '^fault(' "tests/designs/${design%:*}/mutation/faults.cmake")
+    says docs/mutation.md "| ${design#*:} | $faults | $faults | 0 |"
+  done
+  kept=$(column 5 machine docs/cost.md | grep -oE '[0-9.]+' | sort -n | sed -n '1p;$p' | paste -sd ' ')
+  says README.md "lockstep keeps ${kept/ / to } of the bare"
+  diff <(column 1 machine docs/netlists.md) <(echo "$shapes") | sed 's|^[<>]|docs/netlists.md: &|' || true
+}
+
+found=$(finds)
+[[ ! $found ]] || { echo "$found" && exit 1; }
+echo "the figures are as the pages say"

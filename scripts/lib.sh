@@ -6,6 +6,8 @@
 #   help WORDS...        where one of the words is -h or --help: usage, and the end of the script
 #   quietly COMMAND...   COMMAND, its output only where it fails; on a terminal, one moving line
 #   build PRESET TARGET  configures where needed, then builds, quietly
+#   on_page PAGE COLUMNS copies a table in Markdown from standard input, and says of each row whether the
+#                        page of docs/ has another one in the first COLUMNS columns
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -68,6 +70,16 @@ configure() {
   rm -f "$note"
   COSIM_WERROR=${now[1]} quietly cmake "${fresh[@]}" --preset "$preset" -DBUILD_TESTING="$tests" &&
     printf '%s\n' "${now[@]}" > "$note"
+}
+
+on_page() {
+  local row cells
+  while IFS= read -r row; do
+    printf '%s\n' "$row"
+    [[ $row == '|'* && $row != '| ---'* ]] || continue
+    cells=$(cut -d '|' -f "1-$(($2 + 1))" <<< "$row")
+    grep -qF -- "$cells|" "$root/docs/$1" || say "docs/$1 says otherwise: $cells|"
+  done
 }
 
 # The lock is for two scripts at once.

@@ -40,15 +40,16 @@ theorems=$(PATH=$folder:$PATH "$program" prove --theorems 2>&1 |
   sed -n 's/^0 of \([0-9]*\) theorems proved by .*/\1/p') || true
 
 finds() {
-  local page design faults kept
+  local page file name faults kept
   says README.md "input: $machines shapes up to 32 bits" "line: $theorems theorems on the models"
   says docs/proof.md "All $((3 * machines)) claims, of $machines machines up to 32 bits" \
     "All $theorems are proved" "All ${#files[@]} planted faults and misprints"
   says docs/failures.md "Each of $((${#files[@]} - 1)) planted faults and misprints"
   for page in docs/cost.md docs/streams.md; do says $page "$model lines"; done
-  for design in circular:circular dda:DDA linear:linear; do
-    faults=$(grep -c '^fault(' "tests/designs/${design%:*}/mutation/faults.cmake")
-    says docs/mutation.md "| ${design#*:} | $faults | $faults | 0 |"
+  for file in tests/{designs,studies}/*/mutation/faults.cmake tests/mutation/models/faults/*.cmake; do
+    faults=$(grep -c '^fault(' "$file")
+    name=${file%/mutation/faults.cmake}
+    says docs/mutation.md "| $(basename "$name" .cmake) | $faults | $faults | 0 |"
   done
   kept=$(column 5 machine docs/cost.md | grep -oE '[0-9.]+' | sort -n | sed -n '1p;$p' | paste -sd ' ')
   says README.md "lockstep keeps ${kept/ / to } of the bare"

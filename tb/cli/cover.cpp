@@ -131,19 +131,19 @@ int run(const CoverOptions& o, const Registry& registry) {
 void add_cover(const Command& program, const Registry& registry) {
   if (registry.covers().empty()) return;
   auto o = std::make_shared<CoverOptions>();
-  const Command command =
-      program.sub("cover", "What of the RTL and of the cases its sweeps never reach");
+  const Command command = program.sub(
+      "cover", "Which lines and bits of the RTL, and which cases, the sweeps never reach");
   command.arguments("MACHINE", o->words, "A design, or a line of 'list'; default all");
   command.text("--hostile", o->hostile, "CLOCKS",
-               "So many hostile clocks of each shape; default 100000");
+               "How many hostile clocks each shape gets; default 100000");
   command.text("--random", o->random, "JOBS",
-               "So many random jobs of each shape, where the design declares some; default 1000");
+               "How many random jobs, where the design declares some; default 1000");
   add_common(command, o->common);
   command.footer(
       "Lines, toggles of each bit and cover statements are counted by Verilator, over all "
       "instances\n"
-      "and shapes of a design; what stands between '// verilator coverage_off' and\n"
-      "'// verilator coverage_on' is not. The program with counters is built at the first time.\n"
+      "and shapes of a design; not what stands between '// verilator coverage_off' and\n"
+      "'// verilator coverage_on'. The program with counters is built when first asked for.\n"
       "Exit status: 0 all reached, 1 something was not, 2 bad input.");
   command.action([o, &registry] { return run(*o, registry); });
 }

@@ -9,7 +9,8 @@ namespace cosim::cli {
 
 void add_examples(const Command& program, const Registry& registry) {
   if (registry.examples().empty()) return;
-  const Command command = program.sub("examples", "A command line for each thing to be seen first");
+  const Command command =
+      program.sub("examples", "Command lines to begin with, for each design and study");
   command.action([&registry] {
     for (const Example& example : registry.examples()) {
       fmt::print("{}\n  {} {}\n", example.title, program_name(), fmt::join(example.words, " "));

@@ -93,7 +93,7 @@ void add_lint(const Command& program) {
   const Command command = program.sub("lint", "What other tools find in the RTL");
   command.arguments("MACHINE", *words, "A design, or a line of 'list'; default all");
   command.footer(fmt::format(
-      "Verilator, and where they are installed Icarus Verilog and yosys: all warnings, latches.\n"
+      "Runs Verilator with all warnings, and Icarus Verilog and yosys where they are installed.\n"
       "Exit status: 0 no finding, 1 findings, 2 bad input.\n"
       "Example: {} lint {}",
       program_name(), benches().front()->design()));

@@ -9,7 +9,7 @@
 namespace cosim::cli {
 
 void add_list(const Command& program) {
-  const Command command = program.sub("list", "The designs and the widths that were built");
+  const Command command = program.sub("list", "The designs that were built, and their parameters");
   command.action([] {
     for (const Unusable& unused : unusable()) leave_out(unused.why);
     std::string design;

@@ -53,7 +53,7 @@ int run(int argc, char** argv) {
       "output on every clock.",
       [](const cosim::cli::Command& program) {
         program.footer("Exit status: 0 match, 1 mismatch, 2 bad input.\n" + cosim::program_name() +
-                       " COMMAND --help tells of a command's options.");
+                       " COMMAND --help explains a command and its options.");
         const cosim::cli::Registry& registry = cosim::cli::registry();
         if (cosim::benches().empty()) return cosim::cli::add_new(program);  // that of the package
         cosim::cli::add_list(program);

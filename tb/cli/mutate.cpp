@@ -107,17 +107,17 @@ int run(const MutateOptions& o, const Registry& registry) {
 void add_mutate(const Command& program, const Registry& registry) {
   if (registry.mutants().empty()) return;
   auto o = std::make_shared<MutateOptions>();
-  const Command command =
-      program.sub("mutate", "Small faults in the RTL: each is to be found, or proved to be none");
+  const Command command = program.sub(
+      "mutate", "Plants small faults in the RTL: each must be found, or proved harmless");
   command.arguments("MACHINE", o->words, "A design, or a line of 'list'; default all");
-  command.text("--mutants", o->mutants, "N", "At most so many of each, 1 to 65535; default 100");
-  command.flag("--unproved", o->unproved, "Prove none to be equal: what is not killed survives");
+  command.text("--mutants", o->mutants, "N", "At most N for each shape, 1 to 65535; default 100");
+  command.flag("--unproved", o->unproved, "Do without proofs: what is not found survives");
   command.flag("--list", o->list, "Print each mutant and what became of it");
   command.text("--failures", o->common.failures, "DIR",
                "Where a survivor leaves its folder; default $COSIM_FAILURES or failures");
   command.text("--report", o->common.report, "FILE", "Write what became of each as JSON");
   command.footer(
-      "Needs yosys, which plants them, a compiler, and cvc5 and z3, which prove.\n"
+      "Needs yosys, which plants them, a compiler, and cvc5 and z3 for the proofs.\n"
       "Exit status: 0 none survived, 1 some did, 2 bad input.");
   command.action([o, &registry] { return run(*o, registry); });
 }

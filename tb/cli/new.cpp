@@ -87,8 +87,9 @@ void add_new(const Command& program) {
   auto o = std::make_shared<NewOptions>();
   const Command command = program.sub("new", "A project for a design of your own, in a new folder");
   command.arguments("NAME FILE...", o->words,
-                    "The folder and the design; then its Verilog, whose ports, parameters and\n"
-                    "registers become the model's tables. Without a file: one that passes");
+                    "The name of the folder and the design; then its Verilog files, whose ports,\n"
+                    "parameters and registers become the model's tables. Without a file: a small\n"
+                    "design that passes");
   command.flag("--plain", o->plain,
                "The model's step in any C++, on machine integers: nothing is proved of it");
   command.flag("--stream", o->stream,

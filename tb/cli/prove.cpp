@@ -74,22 +74,22 @@ void add_prove(const Command& program) {
   const Command command =
       program.sub("prove", "Proves that RTL and model are the same, for every state and input");
   command.arguments("MACHINE", o->machine, "A design, or a line of 'list'; default all");
-  command.text("--rtl", o->rtl, "DIR", "Other RTL than that built here: a folder for each design");
+  command.text("--rtl", o->rtl, "DIR", "Prove other RTL: DIR has a folder for each design");
   command.text("--limit", o->limit, "S", "Seconds of processor time for one answer; default 300");
   command.text("--jobs", o->jobs, "J", "Engines at a time; default one a core");
   command.text("--scripts", o->scripts, "DIR", "Keep what the engines are asked in DIR");
   command.text("--engines", o->engines, "A,B,C",
-               "Whom to ask, first to last, of cec, z3 and cvc5; default all");
+               "Which of cec, z3 and cvc5 to ask, in this order; default all");
   command.flag("--theorems", o->theorems,
-               "Instead: what the sources claim, as theorems on the models");
+               "Prove instead what the sources claim, as theorems on the models");
   command.text("--mutants", o->mutants, "FILE.v",
-               "Instead: the mutants of one machine, in RTL with an input mutsel");
-  command.text("--count", o->count, "N", "Only the first N mutants; default 100");
-  command.text("--mutant", o->mutant, "K", "Only the mutant with mutsel = K");
+               "Prove instead mutants of one machine, which an input mutsel selects");
+  command.text("--count", o->count, "N", "With --mutants: only the first N; default 100");
+  command.text("--mutant", o->mutant, "K", "With --mutants: only the one with mutsel = K");
   add_failures(command, o->common);
   command.footer(
       "Needs yosys, and two of yosys-abc (cec), z3 and cvc5. What two of them prove is proved;\n"
-      "the third is asked where the first two do not settle it. One alone decides by itself.\n"
+      "the third is asked where the first two do not decide. With one engine that one decides.\n"
       "Example: " +
       program_name() + " prove " + proof::built_machines().front().title);
   command.action([o] { return run(*o); });

@@ -177,19 +177,22 @@ void add_regress(const Command& program, const Registry& registry) {
                "Where the run is kept, a new folder; default regressions/NAME-NUMBER");
   command.text("--resume", o->resume, "DIR", "Go on with the run in DIR");
   command.text("--shards", o->shards, "N",
-               "Cut into about N parts; default a minute each. The report is the same");
+               "Cut into about N parts; default a minute each. The report stays the same");
   command.text("--jobs", o->jobs, "J", "Parts at a time, 1 to 1024; default one a core");
-  command.text("--seed", o->seed, "S", "Of the run; default another one each time, printed");
+  command.text("--seed", o->seed, "S",
+               "Seed of the run; default a new one each time, which is printed");
   command.flag("--fail-fast", o->fail_fast, "Begin no part after one that fails");
   command.flag("--slurm", o->slurm, "On the nodes of a Slurm cluster; DIR on a disk they share");
   command.text("--sbatch", o->sbatch, "WORDS",
-               "Further options of sbatch: 'account=x partition=y nice'");
+               "More options for sbatch: 'account=x partition=y nice'");
   command.flag("--dry-run", o->dry_run, "Only print what would run, and how it is cut");
   command.flag("--schema", o->schema, "Only print the plan's JSON Schema, for editors");
-  command.text("--work", o->work, "DIR", "Only run parts of the run in DIR: as its processes do");
-  command.text("--only", o->only, "LIST", "Which parts those are: 0-3,7");
-  command.text("--list", o->list, "FILE", "Or: those in FILE of this task of a job array");
-  command.flag("--merge", o->merge, "Or: none, only the report");
+  command.text("--work", o->work, "DIR",
+               "Only work on parts of the run in DIR, with one of these three:");
+  command.text("--only", o->only, "LIST", "With --work: these parts, such as 0-3,7");
+  command.text("--list", o->list, "FILE",
+               "With --work: of the lines in FILE the parts of this task of a job array");
+  command.flag("--merge", o->merge, "With --work: no part, only put the report together");
   command.footer(
       "Killed anywhere, a run goes on with --resume and ends with the same report.json.\n"
       "Exit status: 0 all holds, 1 something does not, 2 bad input, or not all could be run.\n"

@@ -50,8 +50,8 @@ int run(const ReplayOptions& o) {
 void add_replay(const Command& program) {
   auto o = std::make_shared<ReplayOptions>();
   const Command command =
-      program.sub("replay", "A stimulus file, or the folder of a failure, once more");
-  command.argument("FILE", o->file, "The stimulus; of a folder its stimulus.stim", true);
+      program.sub("replay", "Runs a stimulus file, or the folder of a failure, again");
+  command.argument("FILE", o->file, "The stimulus, or a folder that holds a stimulus.stim", true);
   add_wave(command, o->common, "Draw it as a waveform, with FILE.gtkw, its view for GTKWave");
   add_failures(command, o->common, false);
   command.text("--report", o->common.report, "FILE", "Write the verdict and the figures as JSON");

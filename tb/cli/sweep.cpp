@@ -190,7 +190,8 @@ int run(const SweepOptions& o) {
 
 void add_options(const Command& design, SweepOptions& o) {
   if (o.design.exhaustive) {
-    design.flag("--exhaustive", o.exhaustive, "Everything, at the widths small enough for it");
+    design.flag("--exhaustive", o.exhaustive,
+                "Every case there is, at the widths small enough to try all");
   }
   if (o.design.random) {
     design.text("--random", o.random, "COUNT", "COUNT random cases at each width");
@@ -198,8 +199,8 @@ void add_options(const Command& design, SweepOptions& o) {
   design.text("--hostile", o.hostile, "COUNT",
               "COUNT clocks of any value on any pin at each width");
   design.text("--lanes", o.lanes, "LANES",
-              "Hostile cases at once on a core, 512, 256 or 64, or 0: one after the other;\n"
-              "default auto: as many as the processor can, where they are worth compiling");
+              "How many hostile cases run at once on a core: 512, 256, 64, or 0 for one after the\n"
+              "other; default auto: as many as the processor can, in runs long enough for it");
   design.text("--jobs", o.jobs, "J", "Threads, 1 to 1024; default one a core");
   add_failures(design, o.common);
   design.text("--checkpoint", o.common.checkpoint, "FILE",
@@ -221,7 +222,8 @@ void add_design(const Command& sweep, const DesignSweeps& swept) {
 }  // namespace
 
 void add_sweep(const Command& program, const Registry& registry) {
-  const Command command = program.sub("sweep", "Many cases on every built width of a design");
+  const Command command =
+      program.sub("sweep", "Many cases of a design, at every width that was built");
   for (const DesignSweeps* design : all_sweeps(registry)) add_design(command, *design);
 }
 

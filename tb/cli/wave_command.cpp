@@ -95,10 +95,11 @@ void add_wave_command(const Command& program) {
   auto o = std::make_shared<WaveOptions>();
   const Command command = program.sub("wave", "A waveform of RTL and model, opened in GTKWave");
   command.arguments("WHAT", o->words,
-                    "A stimulus, the folder of a failure, or a line of 'list', whose hostile\n"
+                    "A stimulus, the folder of a failure, or a line of 'list', of which hostile\n"
                     "clocks are drawn; default the newest failure");
-  command.text("--hostile", o->hostile, "CLOCKS", "How many of these; default 300");
-  command.text("--out", o->common.wave, "FILE.fst", "Only draw it there, with FILE.gtkw, its view");
+  command.text("--hostile", o->hostile, "CLOCKS", "How many hostile clocks are drawn; default 300");
+  command.text("--out", o->common.wave, "FILE.fst",
+               "Write the wave there, with FILE.gtkw, its view, and do not open it");
   command.text("--seed", o->common.seed_text, "S", "Seed of hostile clocks; default 1");
   command.text("--failures", o->common.failures, "DIR",
                "Where failures are; default $COSIM_FAILURES or failures");

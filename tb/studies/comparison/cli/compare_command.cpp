@@ -210,10 +210,11 @@ void add_compare(const Command& program) {
   add_failures(command, o->common);
   add_common(command, o->common);
   command.footer(
-      "axial: a line's points along its minor axis, an arc's along the axis that rests; radial:\n"
-      "across the curve; end: the last point from the end; gaps: of the minor axis of a line, of\n"
-      "the steps of an arc, over the ideal; kinds: combinations of steps on a clock, none "
-      "included.\n"
+      "axial: how far the points are off along one axis, of a line its minor axis; radial: across\n"
+      "the curve. end: how far the last point is from the end asked for. gaps: the shortest and "
+      "the\n"
+      "longest way from step to step over the ideal one, of a line on its minor axis. kinds: how\n"
+      "many combinations of steps occur on a clock, the one without a step included.\n"
       "Lines: " +
       names_of(compare::line_algorithms()) + "\nArcs: " + names_of(compare::arc_algorithms()) +
       "\nExample: cosim compare --line 27,9");

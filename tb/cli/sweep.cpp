@@ -199,8 +199,8 @@ void add_options(const Command& design, SweepOptions& o) {
   design.text("--hostile", o.hostile, "COUNT",
               "COUNT clocks of any value on any pin at each width");
   design.text("--lanes", o.lanes, "LANES",
-              "How many hostile cases run at once on a core: 512, 256, 64, or 0 for one after the\n"
-              "other; default auto: as many as the processor can, in runs long enough for it");
+              "How many hostile cases run at once on a core: 512, 256, 64, or 0: one at a\n"
+              "time; default auto: as many as the processor can, if the run is long enough");
   design.text("--jobs", o.jobs, "J", "Threads, 1 to 1024; default one a core");
   add_failures(design, o.common);
   design.text("--checkpoint", o.common.checkpoint, "FILE",

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "tb/package/named_bench.h"
 #include "tb/mutation/subject.h"
+#include "tb/package/named_bench.h"
 
 namespace cosim::mutation {
 

@@ -12,6 +12,7 @@
 #include "tb/bench/stimulus_text.h"
 #include "tb/cli/chosen.h"
 #include "tb/cli/prove.h"
+#include "tb/cli/refuted.h"
 #include "tb/proof/explain.h"
 #include "tb/report/failure.h"
 #include "tb/support/output_file.h"
@@ -58,28 +59,23 @@ void print_row(const std::string& title, const Claim& claim, const Decision& dec
 // A counterexample can be replayed only if this program was built from the same RTL.
 void explain(const ProveOptions& o, const ProveSubject& subject, const Claim& claim,
              const Decision& decision, int limit) {
-  const auto found =
-      proof::counterexample(subject.formula, proof::refuting_values(claim, decision, limit));
+  const auto same = [&](const auto& b) { return b->title() == subject.title; };
+  const AnyBench& bench = **std::find_if(benches().begin(), benches().end(), same);
+  const auto found = refuted(subject.formula, bench, claim, decision, limit);
   if (!found) return;
-  const AnyBench* bench = nullptr;
-  for (const auto& b : benches()) {
-    if (b->title() == subject.title) bench = b.get();
-  }
-  const Stimulus stimulus = proof::stimulus_of(*found, *bench);
-  const Run run = bench->replay(stimulus);
-  if (run.mismatch) {
-    fmt::print("\n{}", to_text(*run.mismatch));
-    const Failure failure = leave_failure(*bench, "counterexample of the proof", *run.mismatch,
+  if (const auto& mismatch = found->run.mismatch) {
+    fmt::print("\n{}", to_text(*mismatch));
+    const Failure failure = leave_failure(bench, refuted_case, *mismatch,
                                           {o.common.failures_folder(), o.common.window()});
     fmt::print("\n{}", to_text(failure));
     return;
   }
-  fmt::print("\n{}", to_text(*found));
+  fmt::print("\n{}", to_text(found->counterexample));
   fs::create_directories(o.common.failures_folder());
-  const fs::path kept = fs::path(o.common.failures_folder()) /
-                        (failure_name(*bench, "counterexample of the proof") + ".stim");
+  const fs::path kept =
+      fs::path(o.common.failures_folder()) / (failure_name(bench, refuted_case) + ".stim");
   OutputFile file(kept.string());
-  file.text(to_text(stimulus, *bench));
+  file.text(to_text(found->stimulus, bench));
   file.close();
   fmt::print(
       "RTL as built here gives what the model gives: the counterexample is of another RTL, or of\n"

@@ -2,12 +2,15 @@
 // and where a claim is decided only the solvers are needed.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "model/core/input_error.h"
 #include "tb/cli/chosen.h"
+#include "tb/cli/refuted.h"
 #include "tb/cli/regress_kinds.h"
 #include "tb/proof/decide.h"
+#include "tb/report/failure.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/read_file.h"
 #include "tb/support/replace_file.h"
@@ -22,7 +25,10 @@ regress::Json as_json(const proof::Claim& claim) {
   for (const proof::Query& q : claim.queries) {
     queries.push_back({{"asks", q.asks}, {"script", q.script}, {"eager", q.eager}});
   }
-  return {{"what", claim.what}, {"sat", claim.wanted == proof::Answer::sat}, {"queries", queries}};
+  return {{"what", claim.what},
+          {"sat", claim.wanted == proof::Answer::sat},
+          {"queries", queries},
+          {"terms", claim.terms}};
 }
 
 proof::Claim claim_from(const regress::Json& json) {
@@ -33,6 +39,7 @@ proof::Claim claim_from(const regress::Json& json) {
     claim.queries.push_back({q.at("asks").get<std::vector<std::string>>(),
                              q.at("script").get<std::string>(), q.at("eager").get<bool>()});
   }
+  claim.terms = json.at("terms").get<std::vector<std::string>>();
   return claim;
 }
 
@@ -72,16 +79,15 @@ class ProveWork final : public regress::Work {
     // too.
     const std::uint64_t end = last == units() ? claims.size() : last;
     for (std::uint64_t i = first + decided.size(); i < end; ++i) {
-      decided.push_back(decide_one(claim_from(claims.at(i))));
+      decided.push_back(decide_one(claim_from(claims.at(i)), place));
       place.checkpoint.save(nlohmann::json(decided));
     }
+    regress::Json all = regress::Json::array();
     for (const regress::Json& one : decided) {
-      if (one.at("verdict") == "proved") continue;
-      failed.push_back({{"what", fmt::format("{}: {}", one["what"].get<std::string>(),
-                                             one["verdict"].get<std::string>())},
-                        {"command", "prove " + title()}});
+      all.push_back({{"what", one.at("what")}, {"verdict", one.at("verdict")}});
+      if (one.contains("failed")) failed.push_back(one["failed"]);
     }
-    regress::Json json{{"claims", std::move(decided)}};
+    regress::Json json{{"claims", std::move(all)}};
     if (!failed.empty()) json["failed"] = std::move(failed);
     return json;
   }
@@ -95,12 +101,30 @@ class ProveWork final : public regress::Work {
   }
 
  private:
-  regress::Json decide_one(const proof::Claim& claim) const {
+  regress::Json decide_one(const proof::Claim& claim, const regress::Place& place) const {
     InterruptGuard::check();
     const proof::Decision decision =
         proof::decide({&claim}, {proof::all_engines(), limit_, 1}).front();
     need_solvers(decision);
-    return {{"what", claim.what}, {"verdict", decision.verdict}};
+    regress::Json json{{"what", claim.what}, {"verdict", decision.verdict}};
+    if (!decision.proved) json["failed"] = failed(claim, decision, place);
+    return json;
+  }
+
+  // A counterexample that lockstep shows has a folder; else the command finds it again.
+  regress::Json failed(const proof::Claim& claim, const proof::Decision& decision,
+                       const regress::Place& place) const {
+    regress::Json json{{"what", fmt::format("{}: {}", claim.what, decision.verdict)},
+                       {"command", "prove " + title()}};
+    const auto same = [&](const auto& b) { return b->title() == title(); };
+    const AnyBench& bench = **std::find_if(benches().begin(), benches().end(), same);
+    const auto found = refuted(machine_.formula(), bench, claim, decision, limit_);
+    if (!found || !found->run.mismatch) return json;
+    const Failure failure = leave_failure(bench, fmt::format("{}: {}", refuted_case, claim.what),
+                                          *found->run.mismatch, {place.failures()});
+    json["folder"] = failure.folder.lexically_relative(place.run).string();
+    json["command"] = "replay " + json["folder"].get<std::string>();
+    return json;
   }
 
   const proof::BuiltMachine& machine_;

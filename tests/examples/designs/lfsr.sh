@@ -5,4 +5,14 @@ ends 0 replay a.stim --report report.json
 grep -q '"MODE": "FILL"' report.json || fails "the report has the text of MODE"
 printf 'cosim stimulus 1\nmachine lfsr FAULT=0 TAPS=184 MODE=FILL\nstate bits=7\nclock en\n0-9 1\nend\n' > a.stim
 ends 0 replay a.stim
-[[ ! $solvers ]] || { ends 0 prove lfsr FAULT=0 && says "they begin the same"; }
+if [[ $solvers ]]; then
+  ends 0 prove lfsr FAULT=0
+  says "they begin the same"
+  # A regression leaves what refutes a claim as a failure that replays.
+  printf '{"format": 1, "name": "p", "tasks": [{"name": "claims", "prove": "lfsr"}]}' > plan.json
+  ends 1 regress plan.json --folder run
+  says "FAILED: claims: lfsr FAULT=1"
+  refuted=(run/failures/lfsr-FAULT1-*)
+  [[ -d ${refuted[0]} ]] || fails "a refuted claim leaves a folder"
+  ends 1 replay "${refuted[0]}"
+fi

@@ -39,7 +39,7 @@ struct Kind {
   const char* name;
   bool (*is)(const Point&);
 };
-constexpr Kind kinds[] = {{"lines", is_line}, {"toggles", is_toggle}, {"covers", is_cover}};
+constexpr Kind point_kinds[] = {{"lines", is_line}, {"toggles", is_toggle}, {"covers", is_cover}};
 
 // "24 of 24 lines"; nothing where there is none.
 void add_part(std::string& text, Json& json, const char* name, std::uint64_t reached,
@@ -88,7 +88,7 @@ Json covered(const CoverOptions& o, const Registry& registry, const Benches& ben
   const std::string design = benches.front()->design();
   Json json{{"design", design}, {"shapes", benches.size()}, {"differs", differed}};
   std::string text;
-  for (const Kind& kind : kinds) {
+  for (const Kind& kind : point_kinds) {
     const auto all = std::count_if(points.rtl.begin(), points.rtl.end(), kind.is);
     const auto reached = std::count_if(points.rtl.begin(), points.rtl.end(),
                                        [&](const Point& p) { return kind.is(p) && p.hits != 0; });

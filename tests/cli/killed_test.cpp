@@ -90,7 +90,7 @@ TEST_F(KilledSweep, StartsFromWhatTheCheckpointSays) {
 // The measures of a check are kept with all that it takes to go on and to print them.
 TEST_F(KilledSweep, GoesOnWithWhatTheCheckMeasured) {
   const Arguments measured{"sweep",        "linear",
-                           "--random",     "200000",
+                           "--random",     "100000",
                            "--m",          "5",
                            "--checkpoint", folder_.path("state"),
                            "--report",     folder_.path("report")};

@@ -22,11 +22,12 @@ longest=30
 # KB of memory: what never ends may also grow.
 largest=2000000
 
-# attack NUMBER: the test that saw the fault, and how long it took, to files of its number. Those
-# that take long come after the others.
+# Tests that take long come after the others.
+long='*AgainstOracle*:ValueTypes*:*Reachable*:*Accuracy.OfALine*:*NeverWraps*'
+# attack NUMBER: the test that saw the fault, and how long it took, to files of its number.
 attack() {
   local number=$1 begin=$EPOCHREALTIME status=0 log=$scratch/$1.log filter
-  for filter in '-*AgainstOracle*:ValueTypes*:*Reachable*' '*'; do
+  for filter in "-$long" "$long"; do
     { (ulimit -t "$longest" -v "$largest" && COSIM_FAULT=$number exec "$program" --gtest_fail_fast \
       --gtest_color=no --gtest_filter="$filter") > "$log" 2>&1; } 2> /dev/null || status=$?
     ((status == 0)) || break

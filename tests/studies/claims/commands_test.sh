@@ -96,6 +96,7 @@ scripts/cosim sweep linear --exhaustive   # --nothing
 COSIM_LANES_ALL=1 build/cosim sweep linear --exhausted && scripts/test --presets asan
 build/uart_cosim sweep uart --hostile 10
 build/uart_cosim sweep uart --hostil 10
+~/cosim/bin/cosim news uart
 ```
 ```console
 $ cosim arc --count
@@ -117,7 +118,8 @@ page.md:2: no rtl/linear/liner.v
 page.md:5: build/cosim sweep linear --exhausted: --exhausted
 page.md:5: scripts/test --presets asan: --presets
 page.md:7: build/uart_cosim sweep uart --hostil 10: --hostil
-page.md:14: scripts/wave --shots FILE: --shots
+page.md:8: ~/cosim/bin/cosim news uart: there is no command news
+page.md:15: scripts/wave --shots FILE: --shots
 END
 
 found=$(finds README.md docs/*.md)

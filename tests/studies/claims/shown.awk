@@ -19,7 +19,7 @@ function paths(text,   words, n, i) {
 function call(text) {
   sub(/^ +/, "", text)
   while (text ~ /^[A-Z_]+=[^ ]* /) sub(/^[^ ]* /, "", text)
-  if (text !~ /^(scripts\/[a-z]+|build\/([a-z]+\/)?[a-z_]+|cosim [a-z-])/) return 0
+  if (text !~ /^(scripts\/[a-z]+|build\/([a-z]+\/)?[a-z_]+|(~\/cosim\/bin\/)?cosim [a-z-])/) return 0
   sub(/ +# .*/, "", text)
   say("command", text)
   paths(text)

@@ -27,8 +27,8 @@ struct StepOf {
 
 namespace detail {
 
-/// What the RTL's registers hold in state s: registers(p, s), or where a model has no such function
-/// the fields of s, those with a sign as their codes.
+/// What the RTL's registers hold in state s: registers(p, s). Where a model has no such function:
+/// the fields of s, with signed numbers as their codes.
 template <class Params, class State>
 constexpr auto registers_of(const Params& p, const State& s) {
   if constexpr (requires { registers(p, s); }) {
@@ -52,8 +52,8 @@ constexpr auto registers_of(const Params& p, const State& s) {
 
 }  // namespace detail
 
-/// Whether the design's next() takes values of type V. A generic model's takes any; that of a plain
-/// one, a function of State<Word> and Inputs<Word>, machine integers alone.
+/// Whether the design's next() takes values of type V. That of a generic model takes any V; that of
+/// a plain model, a function of State<Word> and Inputs<Word>, takes machine integers only.
 template <class Design, class V>
 concept StepsOn = requires(const typename Design::Params& p,
                            const typename Design::template State<V>& s,
@@ -61,7 +61,7 @@ concept StepsOn = requires(const typename Design::Params& p,
   Design::next(p, s, in);
 };
 
-/// Inputs of a clock on which nothing is asked of the design: rest(), or all 0.
+/// Inputs of a clock on which the design has nothing to do: rest(), or all 0.
 template <class Design>
 constexpr auto rest_of() {
   if constexpr (requires { Design::rest(); }) {
@@ -115,7 +115,7 @@ constexpr const char* source_of() {
   }
 }
 
-// What a model may state beside its step, each a function found by its arguments; none by default.
+// What a model may state beside its step: each is a function of that name, found by its arguments.
 
 template <class V, class Params, class State>
 constexpr auto invariant_of(const Params& p, const State& s) {
@@ -201,8 +201,8 @@ inline constexpr bool has_legal = requires(const typename Design::Params& p,
   legal(p, s, in);
 };
 
-/// Legal inputs of a clock in state s on which as little as possible is asked: idle(p, s), or where
-/// a model has no such function rest_of<Design>(), which then is to be legal in every state.
+/// Legal inputs for a clock in state s on which the design has as little to do as possible: idle(p,
+/// s). Where a model has no such function: rest_of<Design>(), which must then always be legal.
 template <class Design, class V>
 constexpr auto idle_of(const typename Design::Params& p,
                        const typename Design::template State<V>& s) {
@@ -219,7 +219,7 @@ constexpr auto idle_of(const typename Design::Params& p,
   }
 }
 
-/// The host of a design that has none: it has no jobs, and any pin may have any value on any clock.
+/// The host of a design without one: there are no jobs, any pin may have any value on any clock.
 template <class Design>
 class NoHost {
  public:

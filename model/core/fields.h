@@ -1,9 +1,9 @@
 // What a record of a design consists of: its fields, as data, and its cells, one by one. A record
 // and its fields come from one table (record.h).
 //
-// Whoever is generic over records works on cells: a field that is no array, or an element of one. A
-// record has the cells of its arrays at their full size; those that a shape does not have are 0 and
-// have no width.
+// Code for records of any design works on cells. A cell is a field that is no array, or one element
+// of an array. A record has all cells of its arrays at their full size. Elements that a shape does
+// not have are 0, and their width is 0.
 #pragma once
 
 #include <array>
@@ -60,8 +60,8 @@ constexpr bool is_signed(const Field& field) {
   return field.format == Format::twos_complement || field.format == Format::ones_complement;
 }
 
-/// The number that a field's code stands for, in units of its last bit: quarters if its
-/// fraction has two bits. An unsigned code of 64 bits stays a bit pattern.
+/// The number that a field's code stands for, in units of its lowest bit: in quarters where two
+/// bits are its fraction. An unsigned code of 64 bits stays a bit pattern.
 constexpr Word units_of(const Field& field, Word code) {
   if (field.format == Format::twos_complement) return from_twos_complement(code, field.width);
   if (field.format == Format::ones_complement) return from_ones_complement(code, field.width);

@@ -10,8 +10,8 @@ namespace cosim {
 
 namespace detail {
 
-// The element at the lower `bits` bits of the index, counted from `first`; of elements that are not
-// there any other may stand in.
+// Element first + n, n the lower `bits` bits of the index. Where the array has no such element the
+// result is some other one: the caller must not use it.
 template <class E, int N, class V>
 constexpr E element(const Array<E, N>& array, const V& index, int first, int bits) {
   if (bits == 0) return array[first];
@@ -34,7 +34,7 @@ constexpr Condition<V> is_index(const V& index, int size) {
 
 }  // namespace detail
 
-/// The element at `index`; E{}, 0, where the array has none there.
+/// The element at `index`; 0 (E{}) where the index is outside the array.
 template <class E, int N, class V>
 constexpr E read(const Array<E, N>& array, const V& index) {
   const auto is_there = detail::is_index(index, N);
@@ -45,7 +45,7 @@ constexpr E read(const Array<E, N>& array, const V& index) {
   }
 }
 
-/// The array with `value` at `index`; as it was where it has none there.
+/// The array with `value` at `index`; unchanged where the index is outside the array.
 template <class E, int N, class V>
 constexpr Array<E, N> write(Array<E, N> array, const V& index, const E& value) {
   if constexpr (std::same_as<V, Word>) {
@@ -56,7 +56,7 @@ constexpr Array<E, N> write(Array<E, N> array, const V& index, const E& value) {
   return array;
 }
 
-/// The same where c holds; else the array as it was.
+/// The same where c holds; else the array unchanged.
 template <class E, int N, class V>
 constexpr Array<E, N> write_where(Condition<V> c, const Array<E, N>& array, const V& index,
                                   const E& value) {

@@ -11,22 +11,22 @@
 //   static std::vector<Y<Word>> run(const Params& p, const std::vector<X<Word>>& x);
 //
 // Of several interfaces in() and out() give a std::tuple, run() takes a vector of each and gives a
-// std::tuple of vectors. Fields with a sign are numbers in run(), of both sides. run() gives, for
-// the first transactions of a case alone, the first of the results: what came out once stays.
+// std::tuple of vectors. Signed fields are numbers in run(), not codes. Given only the first
+// transactions of a case, run() must give the first of its results: what came out once stays.
 //
-// An interface of another kind has a driver of one's own, by<Driver>(). Of a stream that goes in:
+// An interface of another kind has a driver of your own, by<Driver>(). Of an input stream:
 //
 //   struct Driver {
 //     static constexpr auto drives(const Params&) { return std::array{pin::wire("rx")}; }
 //     static constexpr auto reads(const Params&) { return std::array{pin::wire("busy")}; }
-//     void drive(const X<Word>* x, std::span<Word> pins);  // those that it drives, on this clock
-//     bool took(std::span<const Word> pins);               // those that it reads, later on it
+//     void drive(const X<Word>* x, std::span<Word> pins);  // sets the pins of drives(), each clock
+//     bool took(std::span<const Word> pins);  // then sees those of reads(), on the same clock
 //   };
 //
-// x is the transaction that may go in, the same until took() says that it has; null where there is
-// none, or the case holds it back. Of one that comes out drive(bool ready, pins), where ready is
-// false while the case takes nothing, and std::optional<Y<Word>> came(pins). A driver is made anew
-// for each case; drive() is called once in the reset, too.
+// x is the transaction that may go in, the same one until took() says that it went in; null where
+// there is none, or the case holds it back. The driver of an output stream has drive(bool ready,
+// pins), where ready is false while the case takes nothing, and std::optional<Y<Word>> came(pins).
+// Each case has a new driver; drive() is called once in the reset, too.
 //
 // The ports of stream "x" are x_valid, x_ready, and x_FIELD for each field; prefix() puts something
 // else before them, and a field with at("PORT") has that port. A transaction passes on a clock on
@@ -49,7 +49,7 @@ concept HasStreams = requires(const typename Design::Params& p) {
   Design::out(p);
 };
 
-/// What an interface has beside its fields. A null name is that of the default.
+/// What an interface has beside its fields. For a name that is null the default beside it is used.
 struct StreamPorts {
   const char* name;
   const char* prefix = nullptr;  ///< NAME_
@@ -64,9 +64,9 @@ struct StreamPorts {
   bool steady = false;  ///< what is offered stays until it is taken
 };
 
-/// An interface for transactions of the type Record<Word>. Each function gives it with one more
-/// thing said of it.
-/// `Driver`: void, or one of its own in place of valid and ready.
+/// An interface for transactions of the type Record<Word>: an input stream goes into the design, an
+/// output stream comes out of it. Each function gives a copy of it with one more property.
+/// `Driver`: void, or the type of a driver of your own in place of valid and ready.
 template <template <class> class Record, class Driver = void>
 struct Stream {
   template <class V>
@@ -75,7 +75,7 @@ struct Stream {
 
   StreamPorts ports;
 
-  /// It has pins of another kind, and a driver that knows them.
+  /// Its pins are of another kind; a driver of the type Other knows them.
   template <class Other>
   constexpr Stream<Record, Other> by() const {
     return {ports};
@@ -85,27 +85,27 @@ struct Stream {
   constexpr Stream prefix(const char* text) const { return with(&StreamPorts::prefix, text); }
   constexpr Stream valid(const char* port) const { return with(&StreamPorts::valid, port); }
   constexpr Stream ready(const char* port) const { return with(&StreamPorts::ready, port); }
-  /// There is no ready: whoever takes can always take.
+  /// There is no ready: the side that takes can always take.
   constexpr Stream always_ready() const { return with(&StreamPorts::has_ready, false); }
-  /// In place of ready: whoever gives may give `n` transactions, and one more for each clock on
-  /// which the other side sets the port PREFIXcredit, or `port`.
+  /// Credits in place of ready: the side that gives may give `n` transactions, and one more for
+  /// each clock on which the other side sets the port PREFIXcredit, or `port`.
   constexpr Stream credit(int n, const char* port = nullptr) const {
     return always_ready().with(&StreamPorts::credits, n).with(&StreamPorts::credit, port);
   }
-  /// Of a stream that goes in, in place of ready: a transaction is taken on its one clock of valid,
-  /// its fields stay, and the next one waits until the output `port` has been high after it. With
-  /// valid("start") this is a plain start and done.
+  /// Of an input stream, in place of ready: valid is high for one clock, on which the transaction
+  /// is taken; its fields stay, and the next one waits until the output `port` was high after it.
+  /// With valid("start") this is a plain start and done.
   constexpr Stream until(const char* port) const {
     return always_ready().with(&StreamPorts::done, port);
   }
-  /// Of a stream that comes out: valid may stay high; a transaction is its rising edge.
+  /// Of an output stream: valid may stay high; each rising edge of it is a transaction.
   constexpr Stream rising() const { return always_ready().with(&StreamPorts::pulse, true); }
-  /// Of a stream that comes out: what is offered and not taken must be offered unchanged on the
-  /// next clock; of one that is rising(), what came must stay as long as valid does.
+  /// Of an output stream: what is offered and not taken must be offered unchanged on the next
+  /// clock. With rising(): what came must stay as long as valid does.
   constexpr Stream steady() const { return with(&StreamPorts::steady, true); }
-  /// Of a stream that comes out: a transaction comes at most `clocks` after the last one that goes
-  /// in and that it needs; a clock on which this stream moves or is made to wait does not count.
-  /// 0: on the same clock.
+  /// Of an output stream: a transaction comes at most `clocks` after the last input that it needs
+  /// has gone in; 0: on the same clock. A clock on which this stream moves, or is made to wait,
+  /// does not count.
   constexpr Stream latency(int clocks) const { return with(&StreamPorts::latency, clocks); }
 
  private:
@@ -127,14 +127,14 @@ struct Pin {
   enum class Kind { reset, tied, unread, driver };
   const char* port;
   Kind kind;
-  Word value = 0;  ///< of a reset: where it resets; of a tied input: always
+  Word value = 0;  ///< of a reset: the level that resets; of a tied input: its value
   int width = 1;   ///< bits, 1 to 64
-  int clocks = 1;  ///< of a reset
+  int clocks = 1;  ///< of a reset: how long it lasts
 };
 
 namespace pin {
 
-/// High, or low, for so many clocks at the start of each case, then the other.
+/// A reset: high, or low, for so many clocks at the start of each case, then the other level.
 constexpr Pin reset(const char* port, int clocks = 2) {
   return {port, Pin::Kind::reset, 1, 1, clocks};
 }
@@ -145,9 +145,9 @@ constexpr Pin reset_low(const char* port, int clocks = 2) {
 constexpr Pin tied(const char* port, Word value, int width = 1) {
   return {port, Pin::Kind::tied, value, width};
 }
-/// Of a driver of one's own.
+/// A pin of a driver of your own.
 constexpr Pin wire(const char* port, int width = 1) { return {port, Pin::Kind::driver, 0, width}; }
-/// An output that nobody looks at.
+/// An output that is not compared.
 constexpr Pin unread(const char* port, int width = 1) {
   return {port, Pin::Kind::unread, 0, width};
 }

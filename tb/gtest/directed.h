@@ -1,6 +1,6 @@
-// Tests by hand: drive this, expect that, on these clocks. RTL and model run in lockstep all the
-// while, so every register is compared on every clock, and a test that fails leaves a folder as any
-// other failure does. Knows no test framework: what goes wrong is thrown as text.
+// Tests by hand: set these pins, expect those outputs, on these clocks. RTL and model run in
+// lockstep meanwhile, so every register is compared on every clock, and a test that fails leaves a
+// folder as any other failure does. Needs no test framework: what goes wrong is thrown as text.
 //
 //   TEST(Counter, Counts) {
 //     Directed<counter::Design> bench("W=4");
@@ -80,8 +80,8 @@ class Directed {
   /// Looks at a clock.
   using Monitor = std::function<void(const Inputs& in, const Outputs& out)>;
 
-  /// The design at a shape, "W=4", just cleared; "" where only one is built. Registers that no
-  /// reset reaches follow from power_up.
+  /// The design at a shape, such as "W=4", just cleared; "" where only one is built. Registers that
+  /// no reset reaches hold values drawn from the seed power_up.
   explicit Directed(const std::string& shape = "", std::uint32_t power_up = 1)
       : Directed(chosen(shape), power_up) {}
   explicit Directed(const Bench<Design>& bench, std::uint32_t power_up = 1)
@@ -90,11 +90,11 @@ class Directed {
   Directed(const Directed&) = delete;
   Directed& operator=(const Directed&) = delete;
 
-  /// The pins; each holds its value until it is given another. First at rest.
+  /// The input pins. Each keeps its value until it gets another one. At first all are at rest.
   Inputs in = rest_of<Design>();
 
-  /// One clock; the outputs during it. Differ where RTL and model do, InputError for a value that
-  /// is not one of its pin and for inputs that the design says never come.
+  /// One clock; gives the outputs during it. Throws Differ where RTL and model differ, InputError
+  /// for a value that does not fit its pin and for inputs that the design says never come.
   const Outputs& clock() {
     for (const Driver& drive : drivers_) drive(in, out());
     const auto words = to_words(in);
@@ -105,12 +105,12 @@ class Directed {
     for (const Monitor& watch : monitors_) watch(in, out());
     return out();
   }
-  /// As many clocks; the outputs of the last.
+  /// So many clocks; gives the outputs of the last.
   const Outputs& clocks(std::uint64_t number) {
     while (number-- > 0) clock();
     return out();
   }
-  /// Clocks until holds(outputs), at most `most`. Whether it held.
+  /// Clocks until holds(outputs), at most `most` times. True if it held.
   template <class Holds>
   bool until(Holds holds, std::uint64_t most) {
     while (most-- > 0) {
@@ -124,8 +124,8 @@ class Directed {
   /// The state before the next clock.
   const State& state() const { return lockstep_->state(); }
 
-  /// From now on calls `driver` before each clock, `monitor` after it: in the order they were
-  /// added.
+  /// From now on calls `driver` before each clock, `monitor` after it; several of them in the order
+  /// in which they were added.
   void add(Driver driver) { drivers_.push_back(std::move(driver)); }
   void watch(Monitor monitor) { monitors_.push_back(std::move(monitor)); }
 

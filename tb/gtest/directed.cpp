@@ -32,7 +32,7 @@ std::size_t directed_choice(const std::vector<const AnyBench*>& benches, const s
     there += (there.empty() ? "" : ", ") + title;
   }
   throw InputError(fmt::format("{}: {}; there is {}", design,
-                               shape.empty() ? "a shape is to be named" : "no shape " + shape,
+                               shape.empty() ? "name one of the shapes" : "no shape " + shape,
                                there.empty() ? "none" : there));
 }
 
@@ -49,7 +49,7 @@ void DirectedRecord::clock(const std::vector<Word>& inputs) {
   for (std::size_t i = 0; i < fields_.size(); ++i) {
     const Field& pin = fields_[i];
     if (pin.width < 1 || low_bits(inputs[i], pin.width) == inputs[i]) continue;
-    throw InputError(fmt::format("{}: clock {}: {} is to be {}, and has {}", bench_.title(),
+    throw InputError(fmt::format("{}: clock {}: {} is given {}, and has {}", bench_.title(),
                                  clocks(), label_of(pin), inputs[i],
                                  count(static_cast<std::uint64_t>(pin.width), "bit")));
   }

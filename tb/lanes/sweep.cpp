@@ -139,7 +139,7 @@ std::unique_ptr<Built> built(const std::string& title, const nets::Played& playe
     throw InputError(fmt::format("{}: does not run in lanes: {}", title, why));
   };
   if (!played.model.machine.legal.empty()) {
-    refuse("its inputs have rules, and what breaks one is drawn again, case by case");
+    refuse("its inputs have rules, and inputs that break one are drawn again, case by case");
   }
   if (speaks(source)) refuse("its RTL checks itself, with an assertion or $error");
   std::size_t bits = 0;

@@ -100,8 +100,8 @@ Run AnyStreamBench::run_hostile(const HostileCase& c) const {
     Run failed = replay(stimulus, Window{});
     if (!failed.mismatch) {
       throw InputError(title() +
-                       ": a failing case passes when it runs again: is there something "
-                       "in its model or its RTL that is not of the case?");
+                       ": a failing case passes when it runs again: does its model or its "
+                       "RTL depend on something outside the case?");
     }
     failed.clocks += run.clocks;
     return failed;

@@ -1,11 +1,14 @@
-# What a page shows of the project, a line each: FILE:LINE, a tab, the kind, a tab, the text.
+# What pages show of the project, a line each, where it stands first: FILE:LINE, a tab, the kind, a tab,
+# the text.
 #   command  a call of a script or of the program, in a block of commands or as `code` in a sentence
 #   option   --NAME in a sentence, of some command
 #   path     a file or folder of the project
 # In a fenced block a command begins its line, or stands behind "$ " where what it prints follows.
 # Blocks of other languages are not searched.
 
-function say(kind, what) { printf "%s:%d\t%s\t%s\n", FILENAME, FNR, kind, what }
+function say(kind, what) {
+  if (!said[kind, what]++) printf "%s:%d\t%s\t%s\n", FILENAME, FNR, kind, what
+}
 
 function paths(text,   words, n, i) {
   n = split(text, words, /[ ,;()=]+/)

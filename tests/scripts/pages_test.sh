@@ -2,7 +2,7 @@
 # README is a door: short, and every page of docs/ is linked from it. Every relative link of every
 # page leads to a file and, behind a #, to a heading of it. Each page of docs/ begins with what one can
 # do after reading it, and no page holds a @PLACE@ that is still to be filled in. First on a small tree
-# where each is wrong, then on the project.
+# where each is wrong, then on the project. And a script whose table a page has says which row differs.
 # Status: 0 so it is, 1 not, with a line for each find.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -73,6 +73,18 @@ docs/two.md: no heading for one.md#a-commentnowhere
 docs/two.md:3:@TIMES@
 docs/two.md:3: does not say what one can do after it
 README.md: does not link docs/two.md
+END
+
+mkdir "$folder/scripts"
+cp "$root/scripts/lib.sh" "$folder/scripts"
+printf '| a | 1 | 9 s |\n' > "$folder/docs/table.md"
+printf '| a | 1 | 8 s |\n| --- | --- | --- |\n| a | 10 | 9 s |\nwords\n' > "$folder/table"
+diff - <(bash -c "source '$folder/scripts/lib.sh'; on_page table.md 2" < "$folder/table" 2>&1) << 'END'
+| a | 1 | 8 s |
+| --- | --- | --- |
+| a | 10 | 9 s |
+== docs/table.md says otherwise: | a | 10 |
+words
 END
 
 found=$(finds "$root")

@@ -1,6 +1,7 @@
 // How a design is reset, as its struct Design says: clear(), the inputs that clear it, on
 // clear_clocks clocks, at the edge or, where asynchronous_reset says so, at once; or no clear() at
-// all, for a design that only begins at its initial values.
+// all, for a design that only begins at its initial values. Where there are several asynchronous
+// resets, the model's function reset(p, s, in) is the state s under those that `in` gives.
 #pragma once
 
 #include <cstddef>
@@ -28,10 +29,22 @@ constexpr int clear_clocks_of() {
   }
 }
 
-/// Whether the reset does not wait for the clock: Design::asynchronous_reset, or false.
+/// Whether the model says itself what each asynchronous reset clears, with reset(p, s, in).
+template <class Design>
+inline constexpr bool has_reset = requires(const typename Design::Params& p,
+                                           const typename Design::template State<Word>& s,
+                                           const typename Design::template Inputs<Word>& in) {
+  reset(p, s, in);
+};
+
+/// Whether the reset does not wait for the clock: the model has reset(p, s, in), or
+/// Design::asynchronous_reset says so.
 template <class Design>
 constexpr bool is_reset_asynchronous() {
-  if constexpr (requires { Design::asynchronous_reset; }) {
+  if constexpr (has_reset<Design>) {
+    static_assert(has_clear<Design>, "clear() gives all the resets");
+    return true;
+  } else if constexpr (requires { Design::asynchronous_reset; }) {
     static_assert(has_clear<Design>, "an asynchronous reset is what clear() gives");
     return Design::asynchronous_reset;
   } else {
@@ -51,12 +64,14 @@ constexpr Condition<V> resets(const typename Design::template Inputs<V>& in) {
 }
 
 /// The state s as a clock with these inputs sees it: under an asynchronous reset it is cleared
-/// already, but for what no reset reaches.
+/// already, but for what that does not reach.
 template <class Design, class V>
 constexpr decltype(auto) seen_state(const typename Design::Params& p,
                                     const typename Design::template State<V>& s,
                                     const typename Design::template Inputs<V>& in) {
-  if constexpr (is_reset_asynchronous<Design>()) {
+  if constexpr (has_reset<Design>) {
+    return reset(p, s, in);
+  } else if constexpr (is_reset_asynchronous<Design>()) {
     using State = typename Design::template State<V>;
     const auto fields = Design::template State<Word>::fields(p);
     auto cleared = cleared_of<Design, V>();

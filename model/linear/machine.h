@@ -48,7 +48,7 @@ struct Params {
   FIELD(trigger32,     1,            flag,   "32", "a code was written for the present BP")        \
   FIELD(counter4,      p.n + 1,      number, "4",  "words still to form")                          \
   FIELD(register5,     p.gamma(),    number, "5",  "BP modulo 2^gamma")                            \
-  FIELD(multiplier6,   p.n,          number, "6",  "words formed, modulo 2^n")                     \
+  FIELD(multiplier6,   p.n, number.at("multiplier6.ticks_q"), "6", "words formed, modulo 2^n")     \
   FIELD(register3,     p.n,          bits,   "3",  "low bits of UK")                               \
   FIELD(register9,     p.word() - 1, bits,   "9",  "word of ROM 2 for the high bits of UK")        \
   FIELD(trigger10,     1,            flag,   "10", "bit of multiplier 6 for this word")

@@ -117,15 +117,14 @@ module linear #(
 
   // ---- Register of the low bits of UK (3), multiplier (6), trigger of its bit (10) --------------
   reg [N-1:0] register3_q;
-  reg [N-1:0] multiplier6_q;
   reg trigger10_q;
-  wire [N-1:0] next_tick;
   wire rate_bit;
 
   linear_multiplier6 #(.N(N)) multiplier6 (
+    .clk(clk),
+    .clear(clear_work),
+    .count(count),
     .code(register3_q),
-    .ticks(multiplier6_q),
-    .next_tick(next_tick),
     .rate_bit(rate_bit)
   );
 
@@ -134,13 +133,8 @@ module linear #(
     else if (load_uk) register3_q <= data[N-1:0];
 
   always @(posedge clk)
-    if (clear_work) begin
-      multiplier6_q <= {N{1'b0}};
-      trigger10_q <= 1'b0;
-    end else if (count) begin
-      multiplier6_q <= next_tick;
-      trigger10_q <= rate_bit;
-    end
+    if (clear_work) trigger10_q <= 1'b0;
+    else if (count) trigger10_q <= rate_bit;
 
   // ---- ROM of the control code (2), register of its word (9) ------------------------------------
   wire [WORD-2:0] rom2_word;

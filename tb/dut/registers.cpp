@@ -79,31 +79,38 @@ std::vector<std::string> unobserved_registers(const RtlText& text, const std::ve
   return unobserved;
 }
 
-void require_resets(const RtlText& text, bool is_asynchronous, const std::vector<ResetPin>& pins) {
+void require_resets(const RtlText& text, Resets design, const std::vector<ResetPin>& pins) {
   const auto resets = lines_of(text.resets);
   const auto refuse = [&](const std::string& why) {
     throw InputError(fmt::format("{}: {}", text.title, why));
   };
   if (resets.empty()) {
-    if (is_asynchronous && !text.registers.empty()) {
-      refuse("asynchronous_reset, and no register of the RTL has an asynchronous reset");
+    if (design != Resets::at_edge && !text.registers.empty()) {
+      refuse(fmt::format("{}, and no register of the RTL has an asynchronous reset",
+                         design == Resets::at_once ? "asynchronous_reset" : "reset()"));
     }
     return;
   }
   const std::string& name = resets.front().back();
-  if (!is_asynchronous) {
+  if (design != Resets::each_at_once && resets.size() > 1) {
+    refuse(fmt::format(
+        "{} and {} reset asynchronously: the model is to say what each clears, with reset()", name,
+        resets[1].back()));
+  }
+  if (design == Resets::at_edge) {
     refuse(fmt::format(
         "{} resets asynchronously: struct Design is to say asynchronous_reset = true", name));
   }
-  if (resets.size() > 1) {
-    refuse(fmt::format("two asynchronous resets, {} and {}", name, resets[1].back()));
-  }
-  const bool level = resets.front().size() == 1;
-  if (pins.size() != 1 || pins.front().net != name || pins.front().in_clear != level) {
-    refuse(
-        fmt::format("{} resets asynchronously where it is {}, and clear() is to differ from "
-                    "rest() in that alone",
-                    name, level ? 1 : 0));
+  for (const auto& reset : resets) {
+    const bool level = reset.size() == 1;
+    const bool is_given = std::any_of(pins.begin(), pins.end(), [&](const ResetPin& pin) {
+      return pin.net == reset.back() && pin.in_clear == level;
+    });
+    if (is_given && (design == Resets::each_at_once || pins.size() == 1)) continue;
+    refuse(fmt::format(
+        "{} resets asynchronously where it is {}, and clear() is to {}", reset.back(),
+        level ? 1 : 0,
+        design == Resets::each_at_once ? "give it" : "differ from rest() in that alone"));
   }
 }
 

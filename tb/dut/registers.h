@@ -29,9 +29,16 @@ struct ResetPin {
 std::vector<std::string> unobserved_registers(const RtlText& text, const std::vector<Field>& fields,
                                               const std::vector<std::string>& patterns);
 
+/// When the resets of a design act, and on what.
+enum class Resets {
+  at_edge,
+  at_once,      ///< one, on all: Design::asynchronous_reset
+  each_at_once  ///< several, as the model's reset(p, s, in) says
+};
+
 /// InputError where the RTL has an asynchronous reset and the design has not, or the other way
-/// round, and where clear() does not give it.
-void require_resets(const RtlText& text, bool is_asynchronous, const std::vector<ResetPin>& pins);
+/// round, and where clear() does not give all of them.
+void require_resets(const RtlText& text, Resets resets, const std::vector<ResetPin>& pins);
 
 /// Both for a design; its unobserved registers.
 template <class Design>
@@ -47,7 +54,11 @@ std::vector<std::string> require_registers(const RtlText& text, const typename D
       pins.push_back({fields[i].net, clear[i] != 0});
     }
   }
-  require_resets(text, is_reset_asynchronous<Design>(), pins);
+  require_resets(text,
+                 has_reset<Design>                 ? Resets::each_at_once
+                 : is_reset_asynchronous<Design>() ? Resets::at_once
+                                                   : Resets::at_edge,
+                 pins);
   return unobserved_registers(text, {held.begin(), held.end()}, {patterns.begin(), patterns.end()});
 }
 

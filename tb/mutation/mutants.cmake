@@ -25,6 +25,7 @@ function(add_mutants set count part parts DESIGN)
   list(JOIN chosen "" chosen)
   file(CONFIGURE OUTPUT ${FOLDER}/read.ys CONTENT
     "read_verilog ${DESIGN}/*.v\nhierarchy -check -top ${DESIGN}${chosen}\n")
+  cosim_nets_below(${DESIGN})
   configure_file(${PROJECT_SOURCE_DIR}/tb/dut/registers.vlt.in ${FOLDER}/registers.vlt @ONLY)
   file(GLOB rtl CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/${DESIGN}/*.v)
   add_custom_command(OUTPUT ${FOLDER}/mutants.cpp

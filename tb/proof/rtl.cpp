@@ -211,14 +211,18 @@ std::vector<std::size_t> Rtl::pieces(const std::string& wire) const {
 // Yosys makes of a register with an asynchronous reset one without, and behind it a choice between
 // that and a constant, by the input.
 std::string Rtl::without_reset(const std::string& symbol) const {
+  // An input that is nothing but a condition is a Bool.
   static const std::regex choice(
-      R"(\(ite \(= \(\(_ extract 0 0\) \|[^|]*\|\) #b1\) (\S+) (\S+)\))");
+      R"(\(ite (?:\|[^|]*\||\(= \(\(_ extract 0 0\) \|[^|]*\|\) #b1\)) (\S+) (\S+)\))");
   const auto of = wires_.find(symbol);
   std::smatch part;
   if (of == wires_.end() || !std::regex_match(of->second.body, part, choice)) return symbol;
   const std::string yes = part[1], no = part[2];
-  if (yes.starts_with("#b") && no.starts_with('|')) return no;
-  if (no.starts_with("#b") && yes.starts_with('|')) return yes;
+  const auto is_constant = [](const std::string& term) {
+    return term.starts_with("#b") || term == "true" || term == "false";
+  };
+  if (is_constant(yes) && no.starts_with('|')) return no;
+  if (is_constant(no) && yes.starts_with('|')) return yes;
   return symbol;
 }
 

@@ -68,6 +68,13 @@ refused "made: Verilator cannot read it: %Error: "
 if command -v yosys > /dev/null; then
   rtl 'wire y, z; assign y = z ^ d; assign z = y & w[0]; always @(posedge clk) q <= y;'
   refused "made: y: a combinational loop"
+  # Beside a carry chain, which Verilator takes for one as well; and of nets with names like those that
+  # yosys gives.
+  rtl 'wire [3:0] a; assign a[0] = d; assign a[3:1] = a[2:0] & w[3:1];
+       wire y, z; assign y = z ^ a[3]; assign z = y & w[0]; always @(posedge clk) q <= y;'
+  refused "made: y: a combinational loop"
+  rtl 'wire y$, z$; assign y$ = z$ ^ d; assign z$ = y$ & w[0]; always @(posedge clk) q <= y$;'
+  refused ": a combinational loop"
 else
   echo "no yosys: no loop is looked for"
 fi

@@ -75,29 +75,50 @@ TEST(Unobserved, NothingIsKnownWithoutTheText) {
 }
 
 TEST(Resets, AreThoseThatTheDesignNames) {
-  const RtlText none{"made", "q", ""}, high{"made", "q", "rst"}, low{"made", "q", "low rst_n"},
-      two{"made", "q", "a\nb"};
-  EXPECT_EQ(said([&] { require_resets(none, false, {{"rst", true}}); }), "");
-  EXPECT_EQ(said([&] { require_resets(high, true, {{"rst", true}}); }), "");
-  EXPECT_EQ(said([&] { require_resets(low, true, {{"rst_n", false}}); }), "");
+  const RtlText none{"made", "q", ""}, high{"made", "q", "rst"}, low{"made", "q", "low rst_n"};
+  const auto at_edge = Resets::at_edge, at_once = Resets::at_once, each = Resets::each_at_once;
+  EXPECT_EQ(said([&] { require_resets(none, at_edge, {{"rst", true}}); }), "");
+  EXPECT_EQ(said([&] { require_resets(high, at_once, {{"rst", true}}); }), "");
+  EXPECT_EQ(said([&] { require_resets(low, at_once, {{"rst_n", false}}); }), "");
+  EXPECT_EQ(said([&] { require_resets(low, each, {{"rst_n", false}, {"x", true}}); }), "");
+  const std::string no_register = ", and no register of the RTL has an asynchronous reset";
   EXPECT_EQ(said([&] {
-              require_resets(none, true, {{"rst", true}});
+              require_resets(none, at_once, {{"rst", true}});
             }),
-            "made: asynchronous_reset, and no register of the RTL has an asynchronous reset");
+            "made: asynchronous_reset" + no_register);
   EXPECT_EQ(said([&] {
-              require_resets(low, false, {{"rst_n", false}});
+              require_resets(none, each, {{"rst", true}});
+            }),
+            "made: reset()" + no_register);
+  EXPECT_EQ(said([&] {
+              require_resets(low, at_edge, {{"rst_n", false}});
             }),
             "made: rst_n resets asynchronously: struct Design is to say asynchronous_reset = true");
-  EXPECT_EQ(said([&] {
-              require_resets(two, true, {{"a", true}});
-            }),
-            "made: two asynchronous resets, a and b");
   for (const std::vector<ResetPin>& pins : {std::vector<ResetPin>{{"rst_n", true}},
                                             {{"other", false}},
                                             {{"rst_n", false}, {"x", true}}}) {
-    EXPECT_EQ(said([&] { require_resets(low, true, pins); }),
+    EXPECT_EQ(said([&] { require_resets(low, at_once, pins); }),
               "made: rst_n resets asynchronously where it is 0, and clear() is to differ from "
               "rest() in that alone");
+  }
+}
+
+TEST(Resets, OfSeveralAreGivenByTheClearTogether) {
+  const RtlText two{"made", "q", "a\nlow b"};
+  const ResetPin a{"a", true}, b{"b", false}, b_high{"b", true}, x{"x", true};
+  EXPECT_EQ(said([&] { require_resets(two, Resets::each_at_once, {a, b}); }), "");
+  EXPECT_EQ(said([&] { require_resets(two, Resets::each_at_once, {x, b, a}); }), "");
+  for (const std::vector<ResetPin>& pins :
+       {std::vector<ResetPin>{a}, {a, x}, std::vector<ResetPin>{a, b_high}}) {
+    EXPECT_EQ(said([&] { require_resets(two, Resets::each_at_once, pins); }),
+              "made: b resets asynchronously where it is 0, and clear() is to give it");
+  }
+  for (const Resets design : {Resets::at_edge, Resets::at_once}) {
+    EXPECT_EQ(
+        said([&] {
+          require_resets(two, design, {a, b});
+        }),
+        "made: a and b reset asynchronously: the model is to say what each clears, with reset()");
   }
 }
 

@@ -8,6 +8,8 @@ replace(linear.v [[
 
 replace(linear.v [[
     .clear(clear_work),
+    .load(load_bp),
 ]] [[
     .clear(reset),
+    .load(load_bp),
 ]])

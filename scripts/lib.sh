@@ -8,8 +8,10 @@
 #   build PRESET TARGET  configures where needed, then builds, quietly
 #   on_page PAGE COLUMNS copies a table in Markdown from standard input, and says of each row whether the
 #                        page of docs/ has another one in the first COLUMNS columns
+#   record NAME TITLE COMMAND  the rest of the script leaves what it prints for scripts/report
 set -euo pipefail
 
+arguments=("$@") # the caller's
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 say() { printf '== %s\n' "$*" >&2; }
@@ -94,3 +96,29 @@ build() (
     configure "$preset" "$folder" "$target" &&
     quietly cmake --build --preset "$preset" --target "$target" -j "$(nproc)"
 )
+
+# record NAME TITLE COMMAND: runs the caller once more, with its own arguments, below this one, and
+# ends with its status. What that prints is printed, and left in build/results/NAME, below five
+# lines: TITLE, the command as it was typed, the status, when it began, and how many seconds it took.
+# COMMAND is for scripts/report: what one types to have it. What runs below another one that is
+# recorded belongs to that.
+record() {
+  [[ ! ${COSIM_RECORDED-} ]] || return 0
+  local results=$root/build/results began=$EPOCHSECONDS status
+  mkdir -p "$results"
+  local recorded=$results/.$1
+  rm -f "$recorded" "$recorded.new" # of one that was stopped
+  set +e
+  # Where this one is ended that one is too.
+  COSIM_RECORDED=$1 setpriv --pdeathsig TERM -- "$0" "${arguments[@]}" | tee "$recorded"
+  status=${PIPESTATUS[0]}
+  set -e
+  {
+    printf '%s\n' "$2" "scripts/$(basename "$0")${arguments[*]:+ ${arguments[*]}}" "$status" \
+      "$began" $((EPOCHSECONDS - began))
+    cat "$recorded"
+  } > "$recorded.new"
+  mv "$recorded.new" "$results/$1"
+  rm "$recorded"
+  exit "$status"
+}

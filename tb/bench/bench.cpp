@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "model/core/input_error.h"
+#include "tb/wave/picture.h"
 
 namespace cosim {
 
@@ -26,6 +27,19 @@ Stimulus AnyBench::hostile(const HostileCase& /*c*/) const {
 
 std::string AnyBench::compared_text() const {
   return fmt::format("{} registers and {} outputs", registers(), compared().size() - registers());
+}
+
+WavePicture AnyBench::draw_wave(const std::string& path, const Stimulus& stimulus,
+                                Window around) const {
+  PictureSink picture;
+  if (path.empty()) {
+    show(stimulus, around, picture);
+  } else {
+    Wave wave(path);
+    BothSinks both(wave, picture);
+    show(stimulus, around, both);
+  }
+  return picture.take();
 }
 
 namespace {

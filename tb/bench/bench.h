@@ -29,6 +29,9 @@ struct JobsRun {
   std::string error;       ///< of the design's check, one line; empty where it found none
 };
 
+class WaveSink;
+struct WavePicture;
+
 /// What every bench can say of itself.
 class AnyBench {
  public:
@@ -100,10 +103,12 @@ class AnyBench {
       const std::vector<std::vector<Word>>& /*rows*/, std::size_t /*n*/) const {
     return {};
   }
-  /// Draws `stimulus` in the FST file `path` and the view beside it: the clocks of `around` the
-  /// first difference, or all where none differs. InputError where a file cannot be written.
-  virtual void draw_wave(const std::string& path, const Stimulus& stimulus,
-                         Window around) const = 0;
+  /// Runs a stimulus, which has a clock at least, and shows it to `sink`: the clocks of `around`
+  /// the first difference, or all where none differs.
+  virtual void show(const Stimulus& stimulus, Window around, WaveSink& sink) const = 0;
+  /// Draws it in the FST file `path` and the view beside it, and for a page; for that alone where
+  /// the path is empty. InputError where a file cannot be written.
+  WavePicture draw_wave(const std::string& path, const Stimulus& stimulus, Window around) const;
 
   /// "NAME M=5 N=2": the design and its parameters, as its RTL was built.
   std::string built_as() const;

@@ -174,9 +174,9 @@ class DesignBench : public Bench<Design> {
     // The class without the open hierarchy is faster, and a start from a clear needs no more.
     return ran(s.state ? instrumented_ : dut_, s).differs;
   }
-  void draw_wave(const std::string& path, const Stimulus& s, Window around) const override {
-    record_wave(instrumented_, path, s, around,
-                {this->title(), inputs(), compared(), registers(), probes()});
+  void show(const Stimulus& s, Window around, WaveSink& sink) const override {
+    record_wave(instrumented_, s, around,
+                {this->title(), inputs(), compared(), registers(), probes()}, sink);
   }
 
  protected:

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "model/core/input_error.h"
+#include "tb/wave/picture.h"
 
 namespace cosim {
 

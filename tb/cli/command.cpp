@@ -82,6 +82,43 @@ std::string empty_value(int argc, const char* const* argv) {
   return {};
 }
 
+// What may stand at the end of the command line that is typed behind --complete, a line each: the
+// commands, and the options once a - is there. What is no command, a file or a design, is left out.
+void print_completions(const CLI::App& program, int argc, const char* const* argv) {
+  const CLI::App* at = &program;
+  const auto commands = [](const CLI::App& app) {
+    return app.get_subcommands([](const CLI::App*) { return true; });
+  };
+  for (int i = 2; i + 1 < argc; ++i) {
+    for (const CLI::App* command : commands(*at)) {
+      if (command->get_name() != argv[i]) continue;
+      at = command;
+      break;
+    }
+  }
+  const std::string_view begun = argc > 2 ? argv[argc - 1] : "";
+  const auto offer = [&](const std::string& word) {
+    if (word.starts_with(begun)) fmt::print("{}\n", word);
+  };
+  for (const CLI::App* command : commands(*at)) offer(command->get_name());
+  if (!begun.starts_with('-')) return;
+  for (const CLI::Option* option : at->get_options()) {
+    for (const std::string& name : option->get_lnames()) offer("--" + name);
+  }
+}
+
+// For bash: the program is asked itself.
+void print_completion(const std::string& name) {
+  fmt::print(
+      "# Completion of {0} for bash: source <({0} --completion)\n"
+      "_{0}_words() {{\n"
+      "  mapfile -t COMPREPLY < <(\"$1\" --complete \"${{COMP_WORDS[@]:1:COMP_CWORD}}\" 2> "
+      "/dev/null)\n"
+      "}}\n"
+      "complete -o default -F _{0}_words {0}\n",
+      name);
+}
+
 }  // namespace
 
 Command Command::sub(const std::string& name, const std::string& help) const {
@@ -126,11 +163,23 @@ int run_program(int argc, const char* const* argv, const std::string& name, cons
   app.get_formatter()->column_width(24);
   Action chosen;
   commands(Command(app, chosen));
+  const std::string version = "cosim " COSIM_VERSION;
+  app.set_version_flag("--version", name == "cosim" ? version : name + ", of " + version,
+                       "Print the version and end");
+  const auto completion = [&] {
+    print_completion(name);
+    throw CLI::Success();
+  };
+  app.add_flag_callback("--completion", completion, "Print the completion for bash and end");
+  if (argc > 1 && std::string_view(argv[1]) == "--complete") {
+    print_completions(app, argc, argv);
+    return 0;
+  }
   if (argc < 2) fmt::print("{}", app.help());
   if (const std::string line = empty_value(argc, argv); !line.empty()) throw InputError(line);
   try {
     app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& call) {
+  } catch (const CLI::Success& call) {  // --help and the like
     return app.exit(call);
   } catch (const CLI::ParseError& error) {
     throw InputError(usage_error(app, error));

@@ -52,7 +52,8 @@ class Command {
 
 /// Reads the command line of the program `name`, whose help begins with `help`, runs the command
 /// and returns the exit status. `commands` adds the commands. InputError, one line, for a command
-/// line that cannot be read; without any argument the help is printed first.
+/// line that cannot be read; without any argument the help is printed first. --version and
+/// --completion, for bash, are there without being added.
 int run_program(int argc, const char* const* argv, const std::string& name, const std::string& help,
                 const std::function<void(const Command&)>& commands);
 

@@ -53,6 +53,8 @@ void add_failures(const Command& command, Common& common, bool kept) {
 
 void add_wave(const Command& command, Common& common, const std::string& file) {
   command.text("--wave", common.wave, "FILE.fst", file);
+  command.text("--html", common.html, "FILE.html",
+               "Write the verdict and the wave as a page for a browser");
 }
 
 void add_window(const Command& command, Common& common) {

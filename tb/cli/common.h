@@ -16,6 +16,7 @@ struct Common {
   Text seed_text;
   Text plot;
   Text wave, wave_before, wave_after;
+  Text html;
   Text failures;
   bool keeps_failures = false;
   bool table = false;
@@ -34,7 +35,7 @@ void add_report(const Command& command, Common& common);
 void add_csv(const Command& command, Common& common, const std::string& rows);
 /// --failures; `kept`: failures are kept even without the option.
 void add_failures(const Command& command, Common& common, bool kept = true);
-/// --wave, whose help is `file`.
+/// --wave, whose help is `file`, and --html.
 void add_wave(const Command& command, Common& common, const std::string& file);
 /// --wave-before and --wave-after.
 void add_window(const Command& command, Common& common);

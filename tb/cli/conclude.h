@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tb/cli/common.h"
+#include "tb/cli/wave.h"
 #include "tb/report/report.h"
 
 namespace cosim::cli {
@@ -23,9 +24,10 @@ Outcome outcome_of(const AnyBench& bench, const std::string& work, Run run, Chec
 }
 
 /// Prints what was compared and the verdict, then writes the report where one is asked for
-/// (`extra`: more of its keys, a JSON object), then keeps the first mismatch in a folder. 0 where
-/// all matched, else 1.
+/// (`extra`: more of its keys, a JSON object), then keeps the first mismatch in a folder, then
+/// writes the page where one is asked for, with the pictures: of what is kept in a folder the page
+/// of that. 0 where all matched, else 1.
 int conclude(const std::vector<Outcome>& outcomes, const Common& common,
-             const std::string& extra = "{}");
+             const std::string& extra = "{}", const Pictures& pictures = {});
 
 }  // namespace cosim::cli

@@ -45,15 +45,15 @@ template <class Design>
 class Watch final : public Observer<Design> {
  public:
   Watch(const Common& common, const std::string& title, const Extent& extent)
-      : wave_(common.wave), progress_(title, extent.clocks, leaves_terminal(common)) {}
+      : common_(common), progress_(title, extent.clocks, leaves_terminal(common)) {}
   void clock(std::size_t, const Compared<Design>&) override {
-    if (++clocks_ > most_wave_clocks && wave_) check_wave_clocks(clocks_);
+    if (++clocks_ > most_wave_clocks) check_wave_clocks(common_, clocks_);
     progress_.at(clocks_);
   }
   void finish() { progress_.clear(); }
 
  private:
-  bool wave_;
+  const Common& common_;
   std::uint64_t clocks_ = 0;
   RunProgress progress_;
 };
@@ -82,11 +82,11 @@ int draw_one(const OneRun<Design>& one) {
   Run run = session->draw({&one.job, 1}, observers);
   watch.finish();
   if (common.plot) draw_plot(*common.plot, {one.work, {one.ideal(path.marks)}, {path}});
-  draw_wave(common, bench, one.work, *session, run.mismatch);
+  const Pictures pictures = draw_wave(common, bench, one.work, *session, run.mismatch);
   csv.close();
   const Outcome outcome = outcome_of(bench, one.work, std::move(run), one.check);
   fmt::print("drawn: {}\n", drawn(outcome.result));
-  return conclude({outcome}, common);
+  return conclude({outcome}, common, "{}", pictures);
 }
 
 }  // namespace cosim::cli

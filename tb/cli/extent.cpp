@@ -10,14 +10,14 @@
 
 namespace cosim::cli {
 
-void check_wave_clocks(std::uint64_t clocks) {
-  if (clocks <= most_wave_clocks) return;
-  throw InputError(
-      fmt::format("--wave: {} clocks are more than can be drawn, {}", clocks, most_wave_clocks));
+void check_wave_clocks(const Common& common, std::uint64_t clocks) {
+  if (clocks <= most_wave_clocks || !(common.wave || common.html)) return;
+  throw InputError(fmt::format("{}: {} clocks are more than can be drawn, {}",
+                               common.wave ? "--wave" : "--html", clocks, most_wave_clocks));
 }
 
 void check_extent(const Common& common, const Extent& extent) {
-  if (common.wave) check_wave_clocks(extent.clocks);
+  check_wave_clocks(common, extent.clocks);
   if (common.plot) Series::check_steps(extent.steps);
 }
 

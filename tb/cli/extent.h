@@ -9,7 +9,7 @@
 
 namespace cosim::cli {
 
-/// The most clocks that --wave draws.
+/// The most clocks that --wave and --html draw.
 inline constexpr std::uint64_t most_wave_clocks = 2'000'000;
 
 struct Extent {
@@ -19,11 +19,12 @@ struct Extent {
   std::size_t row = 0;       ///< bytes of a row at most
 };
 
-/// InputError if --wave or --plot cannot draw that much.
+/// InputError if --wave, --html or --plot cannot draw that much.
 void check_extent(const Common& common, const Extent& extent);
 
-/// InputError if these are more clocks than a wave can show: for a run whose length was not known.
-void check_wave_clocks(std::uint64_t clocks);
+/// InputError if a wave or a page is asked for and these are more clocks than it can show: for a
+/// run whose length was not known.
+void check_wave_clocks(const Common& common, std::uint64_t clocks);
 
 /// Whether the run prints only a few lines, so that a progress bar can be shown.
 bool leaves_terminal(const Common& common);

@@ -104,6 +104,7 @@ std::vector<Output> outputs_of(const Common& common, const WavesOf& waves) {
   add("--report", common.report);
   add("--checkpoint", common.checkpoint);
   add("--plot", common.plot);
+  add("--html", common.html);
   if (!common.wave) return all;
   for (const AnyBench* bench : waves) {
     const std::string file = wave_file(*common.wave, waves.size() > 1 ? bench->design() : "");
@@ -135,6 +136,7 @@ void check_apart(const std::vector<Output>& all, const std::string& input) {
 
 void check_outputs(const Common& common, const std::string& input, const WavesOf& waves) {
   if (common.wave) check_ending("--wave", *common.wave, {".fst"});
+  if (common.html) check_ending("--html", *common.html, {".html"});
   if (common.failures && common.failures->empty()) {
     throw InputError("--failures: names no folder");
   }

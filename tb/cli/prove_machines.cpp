@@ -54,6 +54,7 @@ void print_row(const std::string& title, const Claim& claim, const Decision& dec
     times += fmt::format("{:>6}  ", time);
   }
   fmt::print("{:<20} {:<32}{}{}\n", title, claim.what, times, decision.verdict);
+  std::fflush(stdout);  // to be seen when it is known, in a pipe too
 }
 
 // A counterexample can be replayed only if this program was built from the same RTL.

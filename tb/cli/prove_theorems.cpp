@@ -33,6 +33,7 @@ int prove_theorems(const ProveOptions& o, const proof::Asking& asking) {
     }
     fmt::print("{}: {}.\n  {}{}\n", theorems[i].design, theorems[i].sentence, times, claim.verdict);
     if (!premises.proved) fmt::print("  its premises: {}\n", premises.verdict);
+    std::fflush(stdout);
     proved += claim.proved && premises.proved ? 1 : 0;
   }
   fmt::print("{} of {} proved by {}\n", proved, count(theorems.size(), "theorem"),

@@ -16,15 +16,16 @@ std::string wave_file(const std::string& file, const std::string& part) {
   return path.string();
 }
 
-void draw_wave(const Common& common, const AnyBench& bench, Stimulus stimulus,
-               const std::string& work, const std::string& part) {
-  if (!common.wave) return;
-  check_wave_clocks(stimulus.clocks.size());
+Pictures draw_wave(const Common& common, const AnyBench& bench, Stimulus stimulus,
+                   const std::string& work, const std::string& part) {
+  if (!common.wave && !common.html) return {};
+  check_wave_clocks(common, stimulus.clocks.size());
   stimulus.machine = bench.title();
   stimulus.origin = work;
-  const std::string file = wave_file(*common.wave, part);
-  bench.draw_wave(file, stimulus, common.window());
-  fmt::print("wave: {}\n", view_file(file));
+  const std::string file = common.wave ? wave_file(*common.wave, part) : "";
+  Pictures one{bench.draw_wave(file, stimulus, common.window())};
+  if (common.wave) fmt::print("wave: {}\n", view_file(file));
+  return common.html ? one : Pictures{};
 }
 
 }  // namespace cosim::cli

@@ -10,6 +10,7 @@
 #include "tb/report/failure.h"
 #include "tb/support/draft.h"
 #include "tb/support/words.h"
+#include "tb/wave/picture.h"
 
 namespace cosim {
 namespace {

@@ -32,7 +32,7 @@ bool is_element_at_rest(const Trace& t) {
 
 }  // namespace
 
-std::string to_text(const Mismatch& m) {
+std::string difference_text(const Mismatch& m) {
   std::string text = m.finding.empty() ? "" : m.finding + '\n';
   if (!m.finding.empty() && m.field.width == 0) {
     text += fmt::format("  on clock {}\n", m.clock);
@@ -41,7 +41,11 @@ std::string to_text(const Mismatch& m) {
                         m.clock, m.signal, *m.field.source != '\0' ? ", block " : "",
                         m.field.source, show(m.field, m.expected), show(m.field, m.actual));
   }
+  return text;
+}
 
+std::string table_text(const Mismatch& m) {
+  std::string text;
   // Every cell first: a column is as wide as its widest.
   struct Row {
     std::string head;
@@ -97,5 +101,7 @@ std::string to_text(const Mismatch& m) {
   }
   return text;
 }
+
+std::string to_text(const Mismatch& m) { return difference_text(m) + table_text(m); }
 
 }  // namespace cosim

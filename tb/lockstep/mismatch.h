@@ -68,9 +68,14 @@ struct Mismatch {
   std::function<SmallerCase()> smaller_case;
 };
 
-/// The mismatch as text: what and where, then the table of the clocks around it, with expected
-/// above actual wherever they differ, in parts one below the other where it is wider than 120
-/// columns. What was not compared is expected to be "-". Lines end in '\n'.
+/// What differs, and where. Lines end in '\n', here and below.
+std::string difference_text(const Mismatch& mismatch);
+
+/// The clocks around it as a table, with expected above actual wherever they differ, in parts one
+/// below the other where it is wider than 120 columns. What was not compared is expected to be "-".
+std::string table_text(const Mismatch& mismatch);
+
+/// Both.
 std::string to_text(const Mismatch& mismatch);
 
 }  // namespace cosim

@@ -7,6 +7,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/bench/stimulus_text.h"
+#include "tb/report/page.h"
 #include "tb/report/report.h"
 #include "tb/report/shrink.h"
 #include "tb/support/draft.h"
@@ -21,6 +22,17 @@ constexpr int format = 1;
 
 std::string rows_text(const AnyBench& bench, std::size_t rows) {
   return fmt::format("{} {}{}", rows, bench.row(), rows == 1 ? "" : "s");
+}
+
+std::vector<Page::Command> commands_after(const Failure& failure) {
+  const std::string folder = failure.folder.string();
+  const std::string replay = fmt::format("{} replay {}/smallest.stim", program_name(), folder);
+  return {{failure.replay, "The same run once more"},
+          {replay, "The smallest stimulus"},
+          {replay + " --html again.html", "A page of it like this one, after a change"},
+          {fmt::format("{} wave {}", program_name(), folder), "The whole wave in GTKWave"},
+          {fmt::format("cd {} && gtkwave wave.fst wave.gtkw", folder),
+           "The same where there is only the folder"}};
 }
 
 }  // namespace
@@ -50,15 +62,18 @@ Failure leave_failure(const AnyBench& bench, const std::string& what, const Mism
   stimulus.machine = bench.title();
   stimulus.origin = what;
   draft.write("stimulus.stim", to_text(stimulus, bench));
-  bench.draw_wave((draft.folder() / "wave.fst").string(), stimulus, options.wave);
+  const WavePicture wave =
+      bench.draw_wave((draft.folder() / "wave.fst").string(), stimulus, options.wave);
 
   SmallerCase smallest{"", stimulus};
   if (mismatch.smaller_case) smallest = mismatch.smaller_case();
   smallest.stimulus.machine = bench.title();
   smallest.stimulus = shrink(bench, smallest.stimulus);
   smallest.stimulus.origin = "the smallest found of: " + what;
-  draft.write("smallest.stim", to_text(smallest.stimulus, bench));
-  bench.draw_wave((draft.folder() / "smallest.fst").string(), smallest.stimulus, options.wave);
+  const std::string smallest_text = to_text(smallest.stimulus, bench);
+  draft.write("smallest.stim", smallest_text);
+  const WavePicture smallest_wave =
+      bench.draw_wave((draft.folder() / "smallest.fst").string(), smallest.stimulus, options.wave);
   const Run again = bench.replay(smallest.stimulus);
 
   if (!smallest.what.empty()) {
@@ -75,6 +90,13 @@ Failure leave_failure(const AnyBench& bench, const std::string& what, const Mism
   draft.write("report.txt",
               fmt::format("{}\n{}{}\nreplay: {}\n", verdict_text({outcome}), failure.smallest,
                           again.mismatch ? to_text(*again.mismatch) : "", failure.replay));
+  failure.page = page_text(
+      {{outcome},
+       {{"The wave around the first difference",
+         "wave.fst has more clocks, and the RTL's whole hierarchy.", wave},
+        {"The smallest stimulus that still fails", failure.smallest, smallest_wave, smallest_text}},
+       commands_after(failure)});
+  draft.write("report.html", failure.page);
   nlohmann::ordered_json more;
   more["format"] = format;
   more["replay"] = failure.replay;

@@ -2,6 +2,7 @@
 //
 //   report.txt       what and where, the clocks around it, the smallest case, how to replay
 //   report.json      the same for a program, with `format`, the version of the folder's
+//   report.html      the same as a page, with the waves around the difference
 //   stimulus.stim    the inputs up to the difference and a little on
 //   wave.fst         the clocks around it; wave.gtkw is its view for GTKWave
 //   smallest.stim    the smallest stimulus found that still fails, with smallest.fst, .gtkw
@@ -24,6 +25,7 @@ struct Failure {
   std::filesystem::path folder;
   std::string smallest;  ///< the smallest case and the size of the smallest stimulus, lines
   std::string replay;    ///< the command that replays it
+  std::string page;      ///< report.html
 };
 
 /// Writes root/<design>-<case>, from `what`, one line that names the case. The folder appears when

@@ -8,7 +8,6 @@
 #include "tb/bench/wanted.h"
 #include "tb/stream/draw.h"
 #include "tb/stream/record.h"
-#include "tb/wave/view.h"
 
 namespace cosim {
 
@@ -157,15 +156,14 @@ std::vector<std::vector<std::vector<Word>>> AnyStreamBench::without(
   return {in, both};
 }
 
-void AnyStreamBench::draw_wave(const std::string& path, const Stimulus& stimulus,
-                               Window around) const {
+void AnyStreamBench::show(const Stimulus& stimulus, Window around, WaveSink& sink) const {
   Ready ready(*this, stimulus);
   ready.refuse();
   const StreamResult first = ready.run(no_budget, false);
   const auto machine = dut(stimulus.power_up);
-  WaveRecorder recorder(path, shape_, title(), *machine, first, around);
+  WaveRecorder recorder(shape_, title(), *machine, first, around, sink);
   run_stream(shape_, *machine, ready.order(no_budget, false, &recorder));
-  recorder.close();
+  recorder.end();
 }
 
 }  // namespace cosim

@@ -41,7 +41,7 @@ class AnyStreamBench : public AnyBench {
   std::optional<std::uint64_t> first_difference(const Stimulus& stimulus) const override;
   std::vector<std::vector<std::vector<Word>>> without(const std::vector<std::vector<Word>>& rows,
                                                       std::size_t n) const override;
-  void draw_wave(const std::string& path, const Stimulus& stimulus, Window around) const override;
+  void show(const Stimulus& stimulus, Window around, WaveSink& sink) const override;
 
   const StreamShape& shape() const { return shape_; }
   /// A new instance of the RTL.

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "tb/wave/view.h"
-
 namespace cosim {
 namespace {
 
@@ -71,10 +69,9 @@ bool TraceRecorder::clock(std::uint64_t clock, const std::vector<InterfaceSeen>&
   return clock < m.clock + window_.after;
 }
 
-WaveRecorder::WaveRecorder(const std::string& path, const StreamShape& shape,
-                           const std::string& title, const StreamDut& dut,
-                           const StreamResult& known, Window around)
-    : finding_(known.finding), path_(path) {
+WaveRecorder::WaveRecorder(const StreamShape& shape, const std::string& title, const StreamDut& dut,
+                           const StreamResult& known, Window around, WaveSink& sink)
+    : finding_(known.finding), rtl_(dut.signals()), sink_(sink) {
   shape_.title = title;
   const auto add = [&](const Interface& i) {
     const auto seen = [&](const char* what, int width, Format format) {
@@ -90,20 +87,23 @@ WaveRecorder::WaveRecorder(const std::string& path, const StreamShape& shape,
       shape_.compared.insert(shape_.compared.end(), i.cells.begin(), i.cells.end());
     }
     shape_.compared.push_back({kept(i.name + "_fails"), 1, Format::flag, "", ""});
+    shape_.parts.push_back({i.name, shape_.inputs.size(), shape_.compared.size()});
   };
   for (const Interface& i : shape.in) add(i);
   for (const Interface& i : shape.out) add(i);
 
+  range_.clocks = known.clocks;
   range_.last = known.clocks - 1;
   if (finding_) {
     range_.mismatch = finding_->clock;
     range_.first = finding_->clock > around.before ? finding_->clock - around.before : 0;
     range_.last = finding_->clock + around.after;
+    range_.clocks = std::max(range_.clocks, range_.last + 1);
     const Interface& i = (finding_->goes_in ? shape.in : shape.out)[finding_->stream];
     range_.signal = finding_->kind == StreamFinding::Kind::value ? label_of(i.cells[finding_->cell])
                                                                  : i.name + "_fails";
   }
-  wave_.emplace(path, shape_, dut.signals());
+  sink_.begin(shape_, range_, rtl_);
 }
 
 bool WaveRecorder::clock(std::uint64_t clock, const std::vector<InterfaceSeen>& in,
@@ -121,6 +121,8 @@ bool WaveRecorder::clock(std::uint64_t clock, const std::vector<InterfaceSeen>& 
       now.expected.insert(now.expected.end(), seen.expected.begin(), seen.expected.end());
       now.actual.insert(now.actual.end(), seen.actual.begin(), seen.actual.end());
     }
+    now.compared.resize(now.expected.size(), seen.valid);
+    now.compared.push_back(true);
     now.expected.push_back(0);
     now.actual.push_back(found != nullptr && found->goes_in == goes_in && found->stream == s ? 1
                                                                                              : 0);
@@ -130,13 +132,8 @@ bool WaveRecorder::clock(std::uint64_t clock, const std::vector<InterfaceSeen>& 
   for (std::size_t i = 0; i < now.expected.size(); ++i) {
     now.differs.push_back(now.expected[i] != now.actual[i]);
   }
-  wave_->clock(now);
+  sink_.clock(now);
   return clock < range_.last;
-}
-
-void WaveRecorder::close() {
-  wave_->close();
-  write_view(path_, shape_, range_);
 }
 
 }  // namespace cosim

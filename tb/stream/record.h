@@ -34,23 +34,22 @@ class TraceRecorder final : public StreamObserver {
 /// fields, those expected, and NAME_fails, which is 1 where the finding is.
 class WaveRecorder final : public StreamObserver {
  public:
-  /// Of a run of `dut` that goes as `known`, all of it or what is around its finding. InputError
-  /// where the file cannot be written, here and in close().
-  WaveRecorder(const std::string& path, const StreamShape& shape, const std::string& title,
-               const StreamDut& dut, const StreamResult& known, Window around);
+  /// Of a run of `dut` that goes as `known`, for `sink`: all of it or what is around its finding.
+  WaveRecorder(const StreamShape& shape, const std::string& title, const StreamDut& dut,
+               const StreamResult& known, Window around, WaveSink& sink);
   bool clock(std::uint64_t clock, const std::vector<InterfaceSeen>& in,
              const std::vector<InterfaceSeen>& out) override;
-  void close();
+  void end() { sink_.end(range_); }
 
  private:
   const char* kept(std::string name) { return names_.emplace_back(std::move(name)).c_str(); }
 
   std::optional<StreamFinding> finding_;
-  std::string path_;
   std::deque<std::string> names_;
   WaveShape shape_;
   WaveRange range_;
-  std::optional<Wave> wave_;
+  std::vector<Signal> rtl_;
+  WaveSink& sink_;
 };
 
 }  // namespace cosim

@@ -1,21 +1,21 @@
-// Draws a stimulus as a wave: runs it in lockstep on RTL whose whole hierarchy can be seen.
+// Runs a stimulus for somebody who looks: in lockstep, on RTL whose whole hierarchy can be seen.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "tb/lockstep/replay.h"
-#include "tb/wave/view.h"
 #include "tb/wave/wave.h"
 
 namespace cosim {
 
-/// Draws the clocks of `around` the stimulus's first difference, all where none differs.
+/// Gives the sink the clocks of `around` the stimulus's first difference, all where none differs.
 template <class Design>
-void record_wave(const DutMaker<Design>& maker, const std::string& path, const Stimulus& stimulus,
-                 Window around, const WaveShape& shape) {
+void record_wave(const DutMaker<Design>& maker, const Stimulus& stimulus, Window around,
+                 const WaveShape& shape, WaveSink& sink) {
   WaveRange range;
-  range.last = stimulus.clocks.size() - 1;
+  range.clocks = stimulus.clocks.size();
+  range.last = range.clocks - 1;
   range.mismatch = differing_clock(maker, stimulus);
   if (range.mismatch) {
     range.first = *range.mismatch > around.before ? *range.mismatch - around.before : 0;
@@ -23,7 +23,8 @@ void record_wave(const DutMaker<Design>& maker, const std::string& path, const S
   }
 
   const auto lockstep = started(maker, stimulus);
-  Wave wave(path, shape, lockstep->dut().signals());
+  const std::vector<Signal> signals = lockstep->dut().signals();
+  sink.begin(shape, range, signals);
   ViewOf<Design> expected, actual;
   Rows<Design> rows(maker.params, stimulus);
   typename Design::template Inputs<Word> in;
@@ -48,16 +49,17 @@ void record_wave(const DutMaker<Design>& maker, const std::string& path, const S
       const auto expected_probes = expected.values(), actual_probes = actual.values();
       now.expected_probes.assign(expected_probes.begin(), expected_probes.end());
       now.actual_probes.assign(actual_probes.begin(), actual_probes.end());
+      now.compared.clear();
       now.differs.clear();
       for (std::size_t i = 0; i < now.expected.size(); ++i) {
-        now.differs.push_back(lockstep->meant().of_cell(i) && now.expected[i] != now.actual[i]);
+        now.compared.push_back(lockstep->meant().of_cell(i));
+        now.differs.push_back(now.compared.back() && now.expected[i] != now.actual[i]);
         if (range.signal.empty() && now.differs.back()) range.signal = label_of(shape.compared[i]);
       }
-      wave.clock(now);
+      sink.clock(now);
     });
   }
-  wave.close();
-  write_view(path, shape, range);
+  sink.end(range);
 }
 
 }  // namespace cosim

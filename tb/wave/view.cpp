@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "tb/support/output_file.h"
+#include "tb/wave/rows.h"
 
 namespace cosim {
 namespace {
@@ -94,10 +95,6 @@ class View {
   OutputFile& file_;
 };
 
-std::string source_of(const Field& f) {
-  return *f.source == '\0' ? "" : fmt::format(" ({})", f.source);
-}
-
 unsigned format_of(const Bus& b) { return format_of(b.field, b.width); }
 
 void add_pair(View& view, const Bus& b) {
@@ -124,39 +121,16 @@ void add_probe(View& view, const Probe& probe, const std::string& words) {
   if (analog) view.higher(3);
 }
 
-// Those of a group together, where they stand side by side.
-void add_probes(View& view, const std::string& path, const std::vector<Probe>& probes) {
-  std::string group;
-  const auto change = [&](const std::string& to) {
-    if (to == group) return;
-    if (!group.empty()) view.end_group(group);
-    if (!to.empty()) view.group(to);
-    group = to;
-  };
-  for (const Probe& probe : probes) {
-    change(probe.group);
-    add_probe(view, probe, name_of(words_file(path, probe)));
+void add_register(View& view, const Bus& b, const std::string& shown) {
+  if (!has_number(b.field)) {
+    view.signal("cosim.actual." + b.name, b.width, format_of(b), shown);
+  } else if (b.field.fraction > 0) {
+    view.signal("cosim.number." + b.name, 1, signed_decimal | analog_step | analog_full, shown,
+                orange);
+    view.higher(3);
+  } else {
+    view.signal("cosim.number." + b.name, 1, signed_decimal, shown);
   }
-  change("");
-}
-
-void add_registers(View& view, const WaveShape& shape) {
-  view.group("Registers (block of the source)");
-  for (const Bus& b : buses_of(shape.compared)) {
-    if (b.first >= shape.registers) break;
-    const Field& f = b.field;
-    const std::string shown = b.name + source_of(f);
-    if (!has_number(f)) {
-      view.signal("cosim.actual." + b.name, b.width, format_of(b), shown);
-    } else if (f.fraction > 0) {
-      view.signal("cosim.number." + b.name, 1, signed_decimal | analog_step | analog_full, shown,
-                  orange);
-      view.higher(3);
-    } else {
-      view.signal("cosim.number." + b.name, 1, signed_decimal, shown);
-    }
-  }
-  view.end_group("Registers (block of the source)");
 }
 
 void write_words(const std::string& path, const Probe& probe) {
@@ -197,11 +171,7 @@ void write_view(const std::string& path, const WaveShape& shape, const WaveRange
 
   // A wave of many clocks is opened around the mismatch, or where it begins.
   constexpr std::uint64_t shown_clocks = 32;
-  const std::uint64_t all = range.last - range.first + 1;
-  const std::uint64_t clocks = std::min(all, shown_clocks);
-  const std::uint64_t before =
-      range.mismatch ? std::min(*range.mismatch - range.first, clocks * 2 / 3) : 0;
-  const std::uint64_t from = range.mismatch ? *range.mismatch - before : range.first;
+  const std::uint64_t clocks = std::min(range.last - range.first + 1, shown_clocks);
 
   // GTKWave's zoom z is 2^-z ns to 200 pixels.
   constexpr double frames = 1100 / 200.0;
@@ -212,7 +182,7 @@ void write_view(const std::string& path, const WaveShape& shape, const WaveRange
   file.line("[*] {}: to be opened in the folder it lies in", shape.title);
   file.line("[dumpfile] \"{}\"", name_of(path));
   file.line("[savefile] \"{}\"", name_of(view_path));
-  file.line("[timestart] {}", from * wave_period);
+  file.line("[timestart] {}", seen_first(range, shown_clocks) * wave_period);
   file.line("[size] 1480 960");
   file.line("[pos] -1 -1");
   // The primary marker, and 26 named ones that are not set.
@@ -227,32 +197,33 @@ void write_view(const std::string& path, const WaveShape& shape, const WaveRange
   view.signal("cosim.clk", 1, binary, "clk");
   view.signal("cosim.clock", clock_width, decimal, "clock");
   view.signal("cosim.mismatch.any", 1, binary, "mismatch", red);
-  const std::vector<Bus> compared = buses_of(shape.compared);
-  for (const Bus& b : compared) {
-    const auto cell = shape.compared.begin() + static_cast<std::ptrdiff_t>(b.first);
-    if (std::none_of(cell, cell + static_cast<std::ptrdiff_t>(b.count),
-                     [&](const Field& f) { return label_of(f) == range.signal; })) {
-      continue;
+  const std::vector<Bus> inputs = buses_of(shape.inputs), compared = buses_of(shape.compared);
+  const auto add = [&](const WaveRow& row) {
+    switch (row.kind) {
+      case WaveRow::Kind::input:
+        view.signal("cosim.inputs." + inputs[row.at].name, inputs[row.at].width,
+                    format_of(inputs[row.at]), row.shown);
+        break;
+      case WaveRow::Kind::output:
+        view.signal("cosim.actual." + compared[row.at].name, compared[row.at].width,
+                    format_of(compared[row.at]), row.shown, orange);
+        break;
+      case WaveRow::Kind::reg:
+        add_register(view, compared[row.at], row.shown);
+        break;
+      case WaveRow::Kind::pair:
+        add_pair(view, compared[row.at]);
+        break;
+      case WaveRow::Kind::probe:
+        add_probe(view, shape.probes[row.at], name_of(words_file(path, shape.probes[row.at])));
+        break;
     }
-    view.group("First difference: " + range.signal);
-    add_pair(view, b);
-    view.end_group("First difference: " + range.signal);
+  };
+  for (const WaveGroup& group : wave_groups(shape, range.signal)) {
+    if (!group.title.empty()) view.group(group.title, group.is_open);
+    for (const WaveRow& row : group.rows) add(row);
+    if (!group.title.empty()) view.end_group(group.title, group.is_open);
   }
-  add_probes(view, path, shape.probes);
-  view.group("Pins (of the source)");
-  for (const Bus& b : buses_of(shape.inputs)) {
-    view.signal("cosim.inputs." + b.name, b.width, format_of(b), b.name + source_of(b.field));
-  }
-  for (const Bus& b : compared) {
-    if (b.first < shape.registers) continue;
-    view.signal("cosim.actual." + b.name, b.width, format_of(b), b.name + source_of(b.field),
-                orange);
-  }
-  view.end_group("Pins (of the source)");
-  add_registers(view, shape);
-  view.group("Expected, actual, mismatch", false);
-  for (const Bus& b : compared) add_pair(view, b);
-  view.end_group("Expected, actual, mismatch", false);
   file.close();
 }
 

@@ -42,12 +42,16 @@ void draw(Fst& fst, std::uint32_t handle, const Bus& bus, const std::vector<Word
 
 }  // namespace
 
-Wave::Wave(const std::string& path, const WaveShape& shape, std::vector<Signal> rtl)
-    : fst_(std::make_unique<Fst>(path)),
-      shape_(shape),
-      input_buses_(buses_of(shape.inputs)),
-      buses_(buses_of(shape.compared)),
-      rtl_(std::move(rtl)) {
+Wave::Wave(const std::string& path) : path_(path), fst_(std::make_unique<Fst>(path)) {}
+
+Wave::~Wave() = default;
+
+void Wave::begin(const WaveShape& shape, const WaveRange& /*range*/,
+                 const std::vector<Signal>& rtl) {
+  shape_ = &shape;
+  input_buses_ = buses_of(shape.inputs);
+  buses_ = buses_of(shape.compared);
+  rtl_ = rtl;
   Fst& fst = *fst_;
   fst.open_scope("cosim");
   clk_ = fst.variable("clk", 1);
@@ -85,8 +89,6 @@ Wave::Wave(const std::string& path, const WaveShape& shape, std::vector<Signal> 
   change_scope(fst, scope, {});
 }
 
-Wave::~Wave() = default;
-
 void Wave::clock(const WaveClock& now) {
   Fst& fst = *fst_;
   fst.time(now.clock * period);
@@ -109,7 +111,7 @@ void Wave::clock(const WaveClock& now) {
   const auto& differs = now.differs;
   fst.value(any_, 1, std::find(differs.begin(), differs.end(), true) == differs.end() ? 0 : 1);
   for (std::size_t i = 0; i < probes_.size(); ++i) {
-    const Probe& probe = shape_.probes[i];
+    const Probe& probe = shape_->probes[i];
     const bool expected = probe.side == Probe::Side::expected;
     fst.value(probes_[i], probe.width, expected ? now.expected_probes[i] : now.actual_probes[i]);
     if (probe.side == Probe::Side::both) {
@@ -132,9 +134,10 @@ void Wave::clock(const WaveClock& now) {
   end_ = (now.clock + 1) * period;
 }
 
-void Wave::close() {
+void Wave::end(const WaveRange& range) {
   fst_->time(end_);
   fst_->close();
+  write_view(path_, *shape_, range);
 }
 
 }  // namespace cosim

@@ -27,20 +27,29 @@
 
 namespace cosim {
 
+/// An interface: its signals, which are seen together. Its last compared one is 1 where what is
+/// wrong is at this interface, and is expected to be 0.
+struct WavePart {
+  std::string title;
+  std::size_t inputs = 0, compared = 0;  ///< where those of the next one begin
+};
+
 /// The signals of a machine that are drawn.
 struct WaveShape {
   std::string title;
   std::vector<Field> inputs;
   std::vector<Field> compared;  ///< registers first
   std::size_t registers = 0;
-  std::vector<Probe> probes;  ///< those of a scope side by side
+  std::vector<Probe> probes;      ///< those of a scope side by side
+  std::vector<WavePart> parts{};  ///< of a machine whose pins belong to interfaces; else empty
 };
 
 /// One clock of a run.
 struct WaveClock {
   std::uint64_t clock = 0;
   std::vector<Word> inputs, expected, actual;
-  std::vector<bool> differs;  ///< of what is compared on this clock; one an entry of expected
+  std::vector<bool> compared;  ///< whether it means anything on this clock
+  std::vector<bool> differs;   ///< of what does; both have one an entry of expected
   std::vector<Word> expected_probes, actual_probes;
 };
 
@@ -48,6 +57,7 @@ struct WaveClock {
 struct WaveRange {
   std::uint64_t first = 0;
   std::uint64_t last = ~std::uint64_t{0};
+  std::uint64_t clocks = 0;  ///< of the run as a whole
   std::optional<std::uint64_t> mismatch;
   std::string signal;  ///< the first that differs; empty where none does
 };
@@ -55,22 +65,37 @@ struct WaveRange {
 /// Bits of the clock's number.
 inline constexpr int clock_width = 40;
 
+/// What takes a run clock by clock: the file of a wave, a picture.
+class WaveSink {
+ public:
+  virtual ~WaveSink() = default;
+  /// First. `shape` and `rtl`, the signals of the RTL, live until end(); the range's signal is not
+  /// known yet.
+  virtual void begin(const WaveShape& shape, const WaveRange& range,
+                     const std::vector<Signal>& rtl) = 0;
+  /// The next clock of the range; the RTL's signals are read as they are now.
+  virtual void clock(const WaveClock& now) = 0;
+  /// Last.
+  virtual void end(const WaveRange& range) = 0;
+};
+
 class Fst;
 
-class Wave {
+/// The FST file, and beside it its view for GTKWave. InputError where one cannot be written.
+class Wave final : public WaveSink {
  public:
-  /// InputError where the file cannot be written, here and in close().
-  Wave(const std::string& path, const WaveShape& shape, std::vector<Signal> rtl);
-  ~Wave();
+  explicit Wave(const std::string& path);
+  ~Wave() override;
 
-  /// The next clock; the RTL's signals are read as they are now.
-  void clock(const WaveClock& now);
-  /// To be called after the last clock.
-  void close();
+  void begin(const WaveShape& shape, const WaveRange& range,
+             const std::vector<Signal>& rtl) override;
+  void clock(const WaveClock& now) override;
+  void end(const WaveRange& range) override;
 
  private:
+  std::string path_;
   std::unique_ptr<Fst> fst_;
-  const WaveShape& shape_;
+  const WaveShape* shape_ = nullptr;
   std::vector<Bus> input_buses_, buses_;
   std::vector<Signal> rtl_;
   std::vector<std::uint32_t> rtl_handles_, inputs_, expected_, actual_, mismatch_, numbers_,

@@ -94,7 +94,7 @@ std::string file(Random& random, const std::string& help) {
                            std::string(300, 'l'),
                            std::string(250, 'm')};
   std::string name = one_in(random, 5) ? any(random, input_names()) : any(random, names);
-  for (const char* ending : {".svg", ".png", ".fst"}) {
+  for (const char* ending : {".svg", ".png", ".fst", ".html"}) {
     if (help.find(ending) != std::string::npos && one_in(random, ending[1] == 's' ? 3 : 2)) {
       return (one_in(random, 6) ? name : "p") + ending;
     }

@@ -62,6 +62,7 @@ std::string unsound(const std::string& path) {
   file.read(last.data(), static_cast<std::streamsize>(last.size()));
   const auto ends = [&](const char* text) { return last.find(text) != std::string::npos; };
   if (begins("\x89PNG")) return ends("IEND") ? "" : "the picture is cut";
+  if (begins("<!DOCTYPE html>")) return ends("</html>") ? "" : "the page is cut";
   if (begins("<?xml")) return ends("</svg>") ? "" : "the picture is cut";
   if (path.ends_with(".fst")) return size > 500 ? "" : "the wave is cut";
   return last.ends_with('\n') ? "" : "its last line is cut";

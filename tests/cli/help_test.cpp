@@ -35,8 +35,8 @@ TEST(Help, NamesEveryOption) {
         "--wave-before N", "--wave-after N"}},
       {"examples", {"--help"}},
       {"replay",
-       {"FILE", "--wave FILE.fst", "--failures DIR", "--wave-before N", "--wave-after N",
-        "--report FILE"}},
+       {"FILE", "--wave FILE.fst", "--html FILE.html", "--failures DIR", "--wave-before N",
+        "--wave-after N", "--report FILE"}},
       {"prove",
        {"MACHINE", "--rtl DIR", "--limit S", "--jobs J", "--scripts DIR", "--theorems",
         "--mutants FILE.v", "--count N", "--mutant K", "--failures DIR"}}};
@@ -48,6 +48,39 @@ TEST(Help, NamesEveryOption) {
     expect_in(help(sweep), {"--exhaustive", "--random COUNT", "--hostile COUNT", "--jobs J",
                             "--checkpoint FILE", "--report FILE", "--seed S"});
   }
+}
+
+TEST(Help, HasAVersion) {
+  const Ended ended = cosim({"--version"});
+  EXPECT_EQ(ended.status, 0);
+  EXPECT_TRUE(ended.out.starts_with("cosim 1.")) << ended.out;
+  EXPECT_NE(ended.out.find("(Verilator 5."), std::string::npos) << ended.out;
+  EXPECT_EQ(lines(ended.out).size(), 1U);
+}
+
+// What bash offers behind these words.
+std::vector<std::string> completed(const std::string& typed) {
+  const Folder folder;
+  const std::string script = folder.write(
+      "typed", "source <(" COSIM_PROGRAM " --completion)\nCOMP_WORDS=(cosim " + typed +
+                   ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n"
+                   "_cosim_words " COSIM_PROGRAM "\nprintf '%s\\n' \"${COMPREPLY[@]}\"\n");
+  EXPECT_EQ(std::system(("bash '" + script + "' > '" + folder.path("offered") + '\'').c_str()), 0);
+  return lines(folder.text("offered"));
+}
+
+TEST(Completion, OffersEveryCommandAndOptionOfTheHelp) {
+  std::vector<std::string> names;
+  for (const Arguments& command : commands()) {
+    if (names.empty() || names.back() != command.front()) names.push_back(command.front());
+  }
+  EXPECT_EQ(completed("''"), names);
+  EXPECT_EQ(completed("repl"), (std::vector<std::string>{"replay"}));
+  const std::string text = help({"replay"});
+  const std::vector<std::string> options = completed("replay --");
+  EXPECT_GE(options.size(), 7U);
+  for (const std::string& option : options) expect_in(text, {option});
+  EXPECT_EQ(completed("replay --wave-b"), (std::vector<std::string>{"--wave-before"}));
 }
 
 TEST(Help, ComesWithoutACommandToo) {

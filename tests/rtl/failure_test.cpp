@@ -96,7 +96,7 @@ void expect_failure_explained(const Variant<Design>& variant) {
   const auto took = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
   testing::Test::RecordProperty("seconds", std::to_string(took));
   EXPECT_LT(took, kSeconds) << "of the processor";
-  for (const char* name : {"report.txt", "report.json", "wave.gtkw", "wave.phase.txt",
+  for (const char* name : {"report.txt", "report.json", "report.html", "wave.gtkw", "wave.phase.txt",
                            "wave.step.txt", "smallest.gtkw"}) {
     EXPECT_GT(fs::file_size(failure.folder / name), 0U) << name;
   }
@@ -195,7 +195,7 @@ TEST(FailureFolder, MayBeLeftBySeveralAtOnce) {
   { const std::jthread one(leave), two(leave); }
   const std::string name = failure_name(*m.bench, "case");
   EXPECT_EQ(names_in(temporary.path()), (std::vector<std::string>{name}));
-  EXPECT_EQ(names_in(temporary.path() / name).size(), 12U);
+  EXPECT_EQ(names_in(temporary.path() / name).size(), 13U);
 }
 
 }  // namespace

@@ -17,15 +17,19 @@ program_of streams "$here/designs" "$@"
 # found DESIGN KIND MOST: the fault is found, of that kind, and its smallest stimulus has at most MOST
 # transactions, and shows it again.
 found() {
-  local design=$1 kind=$2 most=$3 smallest rows
+  local design=$1 kind=$2 most=$3 smallest rows page
   rm -rf kept
   ends 1 sweep "$design" --hostile 1000000 --failures kept
   says_like "^$kind"
   smallest=(kept/*/smallest.stim)
   grep -q '^origin.*case [0-9]*: 1000 clocks of transactions, seed 1' "${smallest[0]}" ||
     fails "$design: a stimulus says where it comes from"
-  ends 1 replay "${smallest[0]}" --wave again.fst
+  ends 1 replay "${smallest[0]}" --wave again.fst --html again.html
   [[ -s again.fst && -s again.gtkw ]] || fails "the wave is drawn"
+  grep -qE "^<pre class=\"first\">$kind" kept/*/report.html || fails "the page says what is wrong"
+  for page in kept/*/report.html again.html; do
+    grep -qF '>first difference</text>' "$page" || fails "$page shows where"
+  done
   rows=$(sed -n 's/^smallest stimulus that still fails: \([0-9]*\) transactions\?, .*/\1/p' \
     kept/*/report.txt)
   cp "${smallest[0]}" "$design.stim"

@@ -2,7 +2,10 @@
 # A word of a memory has its index in the mismatch, in the wave and in a stimulus; a wide number is
 # one trace of the wave.
 smallest=(failures/wires-FAULT1-*/smallest.stim)
-ends 1 replay "${smallest[0]}" --wave wires.fst
+ends 1 replay "${smallest[0]}" --wave wires.fst --html wires.html
+for trace in 'order[3] expected' 'order[3] actual' 'held'; do
+  grep -qE -- ">${trace//[\[\]]/.}[ <]" wires.html || fails "the page of wires has $trace"
+done
 says 'order[3]'
 says 'd[99:64]'
 for trace in 'First difference: order[3]' 'cosim.actual.order[3][4:0]' 'cosim.actual.held[99:0]' \

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "tb/support/read_file.h"
+#include "tb/wave/picture.h"
 #include "tests/support/model_adapter.h"
 #include "tests/support/vcd.h"
 

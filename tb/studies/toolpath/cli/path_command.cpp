@@ -66,15 +66,19 @@ std::string figures(const std::string& file, double scale, const toolpath::Progr
 }
 
 // A wave for each machine that had work.
-void draw_waves(const Common& common, const AnyBench& lines, const AnyBench& arcs,
-                const PathRun& path, const PathResult& result) {
+Pictures draw_waves(const Common& common, const AnyBench& lines, const AnyBench& arcs,
+                    const PathRun& path, const PathResult& result) {
   const std::string work = "path";
-  if (result.lines.cases != 0) {
-    draw_wave(common, lines, work, path.lines(), result.lines.mismatch, lines.design());
-  }
-  if (result.arcs.cases != 0) {
-    draw_wave(common, arcs, work, path.arcs(), result.arcs.mismatch, arcs.design());
-  }
+  Pictures all;
+  const auto add = [&](const AnyBench& bench, const auto& session, const Result& r) {
+    if (r.cases == 0) return;
+    for (auto& one : draw_wave(common, bench, work, session, r.mismatch, bench.design())) {
+      all.push_back(std::move(one));
+    }
+  };
+  add(lines, path.lines(), result.lines);
+  add(arcs, path.arcs(), result.arcs);
+  return all;
 }
 
 // How far a point of a segment is off its line or circle.
@@ -134,10 +138,8 @@ int run(const PathOptions& o) {
   const auto& arcs = circular::bench_for(arc_shape, plan.arc_width);
   const Extents parts = extents_of(plan, lines.params().gamma());
   const Extent extent = whole(parts, plan.segments.size());
-  if (o.common.wave) {
-    check_wave_clocks(parts.lines.clocks);
-    check_wave_clocks(parts.arcs.clocks);
-  }
+  check_wave_clocks(o.common, parts.lines.clocks);
+  check_wave_clocks(o.common, parts.arcs.clocks);
   if (o.common.plot) Series::check_steps(extent.steps);
   check_outputs(o.common, file, {&lines, &arcs});
 
@@ -167,7 +169,7 @@ int run(const PathOptions& o) {
         progress.at(++steps);
       });
   progress.clear();
-  draw_waves(o.common, lines, arcs, path, result);
+  const Pictures pictures = draw_waves(o.common, lines, arcs, path, result);
 
   const std::vector<Outcome> outcomes = outcomes_of(lines, arcs, result);
   if (o.common.plot) {
@@ -190,7 +192,7 @@ int run(const PathOptions& o) {
     fmt::print(", arcs closed by lines of at most {}", count(closing, "step"));
   }
   fmt::print("\n");
-  return conclude(outcomes, o.common, figures(file, scale, program, plan, result));
+  return conclude(outcomes, o.common, figures(file, scale, program, plan, result), pictures);
 }
 
 }  // namespace

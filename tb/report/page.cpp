@@ -1,0 +1,162 @@
+#include "tb/report/page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tb/report/page_style.h"
+#include "tb/support/markup.h"
+#include "tb/support/words.h"
+
+namespace cosim {
+namespace {
+
+constexpr std::size_t most_page_lines = 300,
+                      most_page_text = 40'000;  // of a text that is shown whole
+
+// Stands in a page once, before its waves.
+constexpr const char* hatching =
+    "<svg width=\"0\" height=\"0\" style=\"position:absolute\" aria-hidden=\"true\"><defs>"
+    "<pattern id=\"off\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\" "
+    "patternTransform=\"rotate(45)\"><path class=\"hatch\" d=\"M0 0V6\"/></pattern></defs></svg>\n";
+
+// The beginning of a long text, and how much of it is not there.
+std::string cut(const std::string& text) {
+  std::size_t end = 0, lines = 0;
+  while (end < text.size() && lines < most_page_lines) {
+    const std::size_t next = std::min(text.find('\n', end), text.size() - 1) + 1;
+    if (next > most_page_text) break;
+    end = next;
+    ++lines;
+  }
+  if (end == text.size()) return markup(text);
+  const auto left = std::count(text.begin() + static_cast<std::ptrdiff_t>(end), text.end(), '\n');
+  return markup(text.substr(0, end)) +
+         fmt::format("... left out: {}\n", count(static_cast<std::uint64_t>(left), "more line"));
+}
+
+std::string block(const std::string& text, const char* kind = "") {
+  return fmt::format("<pre{}>{}</pre>\n", kind, cut(text));
+}
+
+std::string paragraphs(const std::string& lines) {
+  std::string text;
+  for (std::size_t at = 0; at < lines.size();) {
+    const std::size_t end = std::min(lines.find('\n', at), lines.size());
+    if (end > at) text += fmt::format("<p>{}</p>\n", markup(lines.substr(at, end - at)));
+    at = end + 1;
+  }
+  return text;
+}
+
+// Which clocks of the run are seen.
+std::string shown(const WavePicture& p) {
+  std::string text = p.first == p.last ? fmt::format("Shown: clock {}", p.first)
+                                       : fmt::format("Shown: clocks {} to {}", p.first, p.last);
+  text += fmt::format(" of {}", count(p.clocks, "clock"));
+  const std::uint64_t after = p.clocks > p.last + 1 ? p.clocks - p.last - 1 : 0;
+  if (p.first > 0) text += fmt::format("; left out: {} before them", p.first);
+  if (after > 0)
+    text += fmt::format("{} {} after them", p.first > 0 ? " and" : "; left out:", after);
+  if (p.left_out > 0) {
+    text +=
+        fmt::format(". Not shown: {}, elements of arrays that do not change here{}",
+                    count(p.left_out, "signal"), p.is_cut ? " and others, there are so many" : "");
+  }
+  return text + ".";
+}
+
+std::string head(const Page& page) {
+  const bool match = all_match(page.outcomes);
+  std::string text = fmt::format("<span class=\"verdict {}\">{}</span>\n", match ? "good" : "bad",
+                                 match ? "match" : "MISMATCH");
+  for (const Outcome& o : page.outcomes) {
+    if (!match && o.result.match()) continue;
+    text += fmt::format("<h1>{}</h1>\n<p>{}</p>\n", markup(o.bench->title()),
+                        markup(match ? o.work : o.result.failed));
+    if (match) continue;
+    text += o.result.mismatch
+                ? block(difference_text(*o.result.mismatch), " class=\"first\"")
+                : block("RTL and model agree, and both are wrong: " + o.result.checked.error + '\n',
+                        " class=\"first\"");
+  }
+  return text + "<div class=\"soft\">" + paragraphs(comparison_text(page.outcomes)) + "</div>\n";
+}
+
+// What the colours of a wave mean, of those that it has.
+std::string legend(const WavePicture& p) {
+  std::string text;
+  if (p.wave.find("class=\"mark\"") != std::string::npos) {
+    text +=
+        "<span class=\"e\">expected</span> is what the model has, <span class=\"a\">actual</span> "
+        "what the RTL has; red is where they differ, the yellow column the first clock that does. ";
+  }
+  if (p.wave.find("class=\"off\"") != std::string::npos) {
+    text += "Hatched is what means nothing on that clock and is not compared.";
+  }
+  return text.empty() ? "" : "<p class=\"soft\">" + text + "</p>\n";
+}
+
+std::string part_text(const Page::Part& part) {
+  const WavePicture& p = part.picture;
+  std::string text = fmt::format("<h2>{}</h2>\n{}<p>{}</p>\n{}", markup(part.heading),
+                                 paragraphs(part.text), shown(p), p.wave + legend(p));
+  if (!part.stimulus.empty()) {
+    text += "<details open><summary>Its stimulus</summary>" + block(part.stimulus) + "</details>\n";
+  }
+  return text;
+}
+
+std::string path_text(const WavePicture& p) {
+  return fmt::format(
+      "<h2>The path, clocks {} to {}</h2>\n<p>x and y of the wave, in steps{}</p>\n{}",
+      p.path_first, p.path_last,
+      p.path.find("class=\"ring\"") == std::string::npos
+          ? "."
+          : ": <span class=\"e\">expected</span>, <span class=\"a\">actual</span>; the ring is "
+            "where "
+            "they part.",
+      p.path);
+}
+
+std::string framed(const std::string& title, const std::string& body) {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
+      "name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<link rel=\"icon\" "
+      "href=\"data:,\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}</body>\n"
+      "</html>\n",
+      markup(title), page_style, body);
+}
+
+}  // namespace
+
+std::string page_text(const Page& page) {
+  std::string body = hatching + head(page);
+  for (const Page::Part& part : page.parts) {
+    if (!part.picture.wave.empty()) body += part_text(part);
+  }
+  for (const Page::Part& part : page.parts) {
+    if (part.picture.path.empty()) continue;
+    body += path_text(part.picture);
+    break;
+  }
+  if (!page.commands.empty()) {
+    body += "<h2>To go on</h2>\n<dl>\n";
+    for (const Page::Command& c : page.commands) {
+      body += fmt::format("<dt>{}</dt><dd><pre>{}</pre></dd>\n", markup(c.what), markup(c.words));
+    }
+    body += "</dl>\n";
+  }
+  for (const Outcome& o : page.outcomes) {
+    if (!o.result.mismatch) continue;
+    body += "<details><summary>The clocks around the difference as a table</summary>" +
+            block(table_text(*o.result.mismatch)) + "</details>\n";
+  }
+  const Outcome* first = page.outcomes.empty() ? nullptr : &page.outcomes.front();
+  return framed(
+      fmt::format("{}{}{}", all_match(page.outcomes) ? "match" : "MISMATCH",
+                  first != nullptr ? ": " : "", first != nullptr ? first->bench->title() : ""),
+      body);
+}
+
+}  // namespace cosim

@@ -1,0 +1,116 @@
+#include "tb/wave/rows.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+namespace cosim {
+namespace {
+
+std::string with_source(const Bus& b) {
+  return *b.field.source == '\0' ? b.name : fmt::format("{} ({})", b.name, b.field.source);
+}
+
+class Groups {
+ public:
+  Groups(const WaveShape& shape, const std::string& differs)
+      : shape_(shape), inputs_(buses_of(shape.inputs)), compared_(buses_of(shape.compared)) {
+    add_difference(differs);
+    add_probes();
+    if (shape.parts.empty()) {
+      add_pins();
+    } else {
+      add_parts();
+    }
+    if (shape.registers > 0) {
+      open("Registers (block of the source)");
+      for (std::size_t i = 0; i < compared_.size() && is_register(i); ++i) add_compared(i);
+    }
+    all_.push_back({"Expected, actual, mismatch", false, {}});
+    for (std::size_t i = 0; i < compared_.size(); ++i) add_pair(i);
+  }
+  std::vector<WaveGroup> take() { return std::move(all_); }
+
+ private:
+  bool is_register(std::size_t i) const { return compared_[i].first < shape_.registers; }
+  /// What is wrong at an interface, which is expected nowhere.
+  bool is_finding(std::size_t i) const {
+    return std::any_of(shape_.parts.begin(), shape_.parts.end(), [&](const WavePart& part) {
+      return part.compared == compared_[i].first + 1;
+    });
+  }
+  void open(const std::string& title) { all_.push_back({title, true, {}}); }
+  void add(WaveRow::Kind kind, std::size_t at, std::string shown) {
+    all_.back().rows.push_back({kind, at, std::move(shown)});
+  }
+  void add_input(std::size_t i) { add(WaveRow::Kind::input, i, with_source(inputs_[i])); }
+  void add_compared(std::size_t i) {
+    add(is_register(i) ? WaveRow::Kind::reg : WaveRow::Kind::output, i, with_source(compared_[i]));
+  }
+  void add_pair(std::size_t i) {
+    if (is_finding(i)) return add_compared(i);
+    add(WaveRow::Kind::pair, i, compared_[i].name);
+  }
+
+  void add_difference(const std::string& differs) {
+    for (std::size_t i = 0; i < compared_.size(); ++i) {
+      const auto cell = shape_.compared.begin() + static_cast<std::ptrdiff_t>(compared_[i].first);
+      if (std::none_of(cell, cell + static_cast<std::ptrdiff_t>(compared_[i].count),
+                       [&](const Field& f) { return label_of(f) == differs; })) {
+        continue;
+      }
+      open("First difference: " + differs);
+      add_pair(i);
+    }
+  }
+  // Those of a group together, where they stand side by side.
+  void add_probes() {
+    std::string group;
+    for (std::size_t i = 0; i < shape_.probes.size(); ++i) {
+      const Probe& probe = shape_.probes[i];
+      if (i == 0 || group != probe.group) open(probe.group);
+      group = probe.group;
+      add(WaveRow::Kind::probe, i, probe.name);
+    }
+  }
+  void add_pins() {
+    open("Pins (of the source)");
+    for (std::size_t i = 0; i < inputs_.size(); ++i) add_input(i);
+    for (std::size_t i = 0; i < compared_.size(); ++i) {
+      if (!is_register(i)) add_compared(i);
+    }
+  }
+  // What comes out is seen beside what is expected.
+  void add_parts() {
+    std::size_t input = 0, compared = 0;
+    for (const WavePart& part : shape_.parts) {
+      open(part.title);
+      for (; input < inputs_.size() && inputs_[input].first < part.inputs; ++input) {
+        add_input(input);
+      }
+      for (; compared < compared_.size() && compared_[compared].first < part.compared; ++compared) {
+        add_pair(compared);
+      }
+    }
+  }
+
+  const WaveShape& shape_;
+  const std::vector<Bus> inputs_, compared_;
+  std::vector<WaveGroup> all_;
+};
+
+}  // namespace
+
+std::vector<WaveGroup> wave_groups(const WaveShape& shape, const std::string& differs) {
+  return Groups(shape, differs).take();
+}
+
+std::uint64_t seen_first(const WaveRange& range, std::uint64_t clocks) {
+  if (!range.mismatch) return range.first;
+  const std::uint64_t all = std::min(range.last - range.first + 1, clocks);
+  const std::uint64_t before = std::min(*range.mismatch - range.first, all * 2 / 3);
+  return std::min(*range.mismatch - before,
+                  range.last + 1 - all);  // none less than there is room for
+}
+
+}  // namespace cosim

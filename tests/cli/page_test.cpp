@@ -1,0 +1,112 @@
+// report.html and --html, as text. tests/cli/browser_test.sh opens them.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/folder.h"
+#include "tests/cli/program.h"
+
+namespace cosim::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool has(const std::string& page, const std::string& text) {
+  return page.find(text) != std::string::npos;
+}
+
+// One file that needs nothing else.
+void expect_alone(const std::string& page) {
+  EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
+  EXPECT_TRUE(page.ends_with("</html>\n"));
+  EXPECT_LT(page.size(), 1'000'000U);
+  for (const char* other : {"<script", "http:", "https:", "src=", "@import", "url(h", "onload"}) {
+    EXPECT_FALSE(has(page, other)) << other;
+  }
+}
+
+TEST(Page, OfAFailureHasAllThatIsNeeded) {
+  const Folder folder;
+  const Ended e = faulty({"line", "--major", "3000", "--minor", "700", "--failures",
+                          folder.path("kept"), "--html", folder.path("x.html")});
+  ASSERT_EQ(e.status, 1) << e.err;
+  const std::string kept =
+      "kept/" + fs::directory_iterator(folder.path("kept"))->path().filename().string();
+  const std::string page = folder.text(kept + "/report.html");
+  EXPECT_EQ(page, folder.text("x.html"));
+  expect_alone(page);
+  const auto report = nlohmann::json::parse(folder.text(kept + "/report.json"));
+  const auto& mismatch = report.at("mismatch");
+  const std::string signal = mismatch.at("signal");
+  for (const std::string& text : std::vector<std::string>{
+           ">MISMATCH<", ">linear M=32 N=26<", ">First difference: " + signal + '<',
+           "expected " + mismatch.at("expected").get<std::string>(),
+           "actual   " + mismatch.at("actual").get<std::string>()}) {
+    EXPECT_TRUE(has(page, text)) << text;
+  }
+  for (const auto& name : report.at("compared_signals")) {
+    EXPECT_TRUE(has(page, '>' + name.get<std::string>())) << name;
+  }
+  EXPECT_TRUE(has(page, folder.text(kept + "/smallest.stim")));
+  EXPECT_TRUE(has(page, "cosim replay " + folder.path(kept)));
+}
+
+TEST(Page, OfARunShowsItsWordsAndPath) {
+  const Folder folder;
+  const Ended e = cosim({"line", "--major", "27", "--minor", "9", "--code", "01010", "--m", "5",
+                         "--n", "2", "--html", folder.path("x.html")});
+  ASSERT_EQ(e.status, 0) << e.err;
+  EXPECT_TRUE(has(e.out, "page: " + folder.path("x.html") + '\n'));
+  const std::string page = folder.text("x.html");
+  expect_alone(page);
+  // Table 3 of the source: the words of the minor axis.
+  for (const char* word : {">01000101<", ">01000100<", ">01000000<", ">match<", ">27<", ">9<"}) {
+    EXPECT_TRUE(has(page, word)) << word;
+  }
+  EXPECT_TRUE(has(page, "to (27, 9)"));
+  EXPECT_FALSE(has(page, "class=\"mark\""));
+}
+
+TEST(Page, OfAPathHasAWaveAMachine) {
+  const Folder folder;
+  const std::string program = folder.write("p.ngc", "G21 G90 G1 X1 Y0.5 F1\nG2 X2 Y-0.5 I0 J-1\n");
+  const Ended e = cosim({"path", program, "--steps-per-mm", "20", "--html", folder.path("x.html")});
+  ASSERT_EQ(e.status, 0) << e.err;
+  const std::string page = folder.text("x.html");
+  EXPECT_TRUE(has(page, ">The wave of linear "));
+  EXPECT_TRUE(has(page, ">The wave of circular "));
+}
+
+TEST(Page, OfALongRunSaysWhatItLeavesOut) {
+  const Folder folder;
+  const Ended e = cosim({"arc", "--radius", "3000", "--html", folder.path("x.html")});
+  ASSERT_EQ(e.status, 0) << e.err;
+  const std::string page = folder.text("x.html");
+  expect_alone(page);
+  const std::size_t at = page.find("Shown: clocks 0 to ");
+  ASSERT_NE(at, std::string::npos);
+  unsigned last = 0, all = 0, after = 0;
+  ASSERT_EQ(
+      std::sscanf(page.c_str() + at, "Shown: clocks 0 to %u of %u clocks; left out: %u after them.",
+                  &last, &all, &after),
+      3);
+  EXPECT_TRUE(has(e.out, " on each of " + std::to_string(all) + " clocks\n")) << e.out;
+  EXPECT_EQ(last + 1 + after, all);
+}
+
+TEST(Page, ThatCannotBeWrittenIsSaidFirst) {
+  const Folder folder;
+  const auto refusal = [&](const std::string& file) {
+    const Ended e = cosim({"arc", "--radius", "5", "--html", file});
+    EXPECT_EQ(e.status, 2);
+    EXPECT_EQ(e.out, "");
+    return e.err;
+  };
+  EXPECT_EQ(refusal(""), "cosim: --html: names no file\n");
+  EXPECT_EQ(refusal("x.htm"), "cosim: --html: x.htm does not end in .html\n");
+  EXPECT_EQ(refusal(folder.path("none/x.html")),
+            "cosim: " + folder.path("none/x.html") + ": cannot write: No such file or directory\n");
+}
+
+}  // namespace
+}  // namespace cosim::cli

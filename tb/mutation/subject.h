@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "tb/bench/design_bench.h"
 #include "tb/mutation/cases.h"
 #include "tb/mutation/mutants.h"
 

@@ -113,7 +113,7 @@ TEST(Directed, RefusesAValueThatItsPinCannotHave) {
     bench.clock();
     FAIL() << "8 has four bits";
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "counted: clock 0: by is to be 8, and has 3 bits");
+    EXPECT_STREQ(error.what(), "counted: clock 0: by is given 8, and has 3 bits");
   }
 }
 

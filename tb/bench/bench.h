@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -31,6 +32,22 @@ struct JobsRun {
 
 class WaveSink;
 struct WavePicture;
+
+/// A clock of RTL and model in lockstep on which they were the same.
+struct Watched {
+  std::vector<Word> inputs;       ///< in the order of their table
+  std::vector<Word> expected;     ///< codes, of registers and outputs as in compared()
+  std::vector<bool> is_compared;  ///< which of these mean something on this clock
+};
+/// Sees clock after clock; false where it has seen enough.
+using Watch = std::function<bool(const Watched&)>;
+
+/// The inputs that clear a machine, or those at rest where it begins at its initial values, and on
+/// how many clocks they are given before the first that is compared.
+struct Clearing {
+  std::vector<Word> inputs;
+  int clocks = 0;
+};
 
 /// What every bench can say of itself.
 class AnyBench {
@@ -78,6 +95,9 @@ class AnyBench {
   virtual Run run_hostile(const HostileCase& c) const = 0;
   /// The inputs of these, as a stimulus. InputError of a bench that cannot tell them before.
   virtual Stimulus hostile(const HostileCase& c) const;
+  virtual Clearing clearing() const { return {}; }
+  /// Runs them before `watch`, as far as it wants. InputError where RTL and model differ.
+  virtual void watch_hostile(const HostileCase& /*c*/, const Watch& /*watch*/) const {}
 
   /// The fields of a job, of a design that declares its jobs by a table (job.h); else empty.
   virtual std::vector<JobField> job_fields() const { return {}; }
@@ -86,6 +106,9 @@ class AnyBench {
   /// Drives declared jobs one after the other on a machine powered up at random from `power_up`,
   /// to their end or to the first difference.
   virtual JobsRun run_jobs(const JobList& /*jobs*/, std::uint32_t /*power_up*/) const { return {}; }
+  /// The same before `watch`, as watch_hostile().
+  virtual void watch_jobs(const JobList& /*jobs*/, std::uint32_t /*power_up*/,
+                          const Watch& /*watch*/) const {}
   /// The inputs of these, as a stimulus.
   virtual Stimulus stimulus_of(const JobList& /*jobs*/, std::uint32_t /*power_up*/) const {
     return {};
@@ -166,6 +189,9 @@ class Bench : public AnyBench {
   virtual typename Design::Params params() const = 0;
   /// A machine of its own, powered up at random from `power_up`.
   virtual std::unique_ptr<Session<Design>> open(std::uint32_t power_up) const = 0;
+  /// Draws jobs on such a machine before `watch`, as watch_hostile().
+  virtual void watch_drawn(std::span<const typename Session<Design>::Job> jobs,
+                           std::uint32_t power_up, const Watch& watch) const = 0;
   /// RTL and model that were just cleared, to be clocked by hand.
   virtual std::unique_ptr<AnyLockstep<Design>> lockstep(std::uint32_t power_up) const = 0;
   /// The DUT alone, without a model.

@@ -132,6 +132,20 @@ class DesignBench : public Bench<Design> {
   std::unique_ptr<Session<Design>> open(std::uint32_t power_up) const override {
     return std::make_unique<HostSession>(*this, power_up);
   }
+  Clearing clearing() const override {
+    if constexpr (has_clear<Design>) return {words(Design::clear()), clear_clocks_of<Design>()};
+    return {words(rest_of<Design>()), 0};
+  }
+  void watch_hostile(const HostileCase& c, const Watch& watch) const override {
+    follow(HostileStimulus<Design>(params(), c), c.power_up(), watch);
+  }
+  void watch_drawn(std::span<const Job> jobs, std::uint32_t power_up,
+                   const Watch& watch) const override {
+    follow(Host(params(), jobs), power_up, watch);
+  }
+  void watch_jobs(const JobList& jobs, std::uint32_t power_up, const Watch& watch) const override {
+    watch_drawn(typed(jobs), power_up, watch);
+  }
 
   std::vector<JobField> job_fields() const override {
     if constexpr (DeclaresJobs<Design>) {
@@ -227,6 +241,26 @@ class DesignBench : public Bench<Design> {
 
   typename AnyAdapter<Design>::PowerUp start(std::uint32_t power_up) const {
     return {dut_, power_up};
+  }
+  template <class Source>
+  void follow(Source source, std::uint32_t power_up, const Watch& watch) const {
+    const Cells<typename Design::template Registers<Word>> registers(dut_.params);
+    const Cells<typename Design::template Outputs<Word>> outputs(dut_.params);
+    AnyLockstep<Design> both(start(power_up));
+    typename Design::template Inputs<Word> in;
+    Watched seen;
+    while (next_inputs<Design>(source, dut_.params, both.state(), in, both.expected().outputs)) {
+      if (!both.clock(in)) throw InputError(this->title() + ": RTL and model differ");
+      seen.inputs = words(in);
+      seen.expected = registers.words(both.expected().registers);
+      const auto more = outputs.words(both.expected().outputs);
+      seen.expected.insert(seen.expected.end(), more.begin(), more.end());
+      seen.is_compared.resize(seen.expected.size());
+      for (std::size_t i = 0; i < seen.expected.size(); ++i) {
+        seen.is_compared[i] = both.meant().of_cell(i);
+      }
+      if (!watch(seen)) return;
+    }
   }
   /// Describes the first difference, which is on `clock` of the inputs from `source`.
   template <class Source>

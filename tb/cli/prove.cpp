@@ -58,9 +58,6 @@ int run(const ProveOptions& o) {
   if (!o.mutants && (o.count || o.mutant)) {
     throw InputError(std::string(o.count ? "--count" : "--mutant") + ": belongs to --mutants");
   }
-  if (o.mutants && o.engines) {
-    throw InputError("--engines: not with --mutants, which cvc5 and z3 decide");
-  }
   const proof::Asking asking{engines_of(o), limit, jobs};
   if (o.theorems) return prove_theorems(o, asking);
   if (o.mutants) return prove_mutants(o, asking);

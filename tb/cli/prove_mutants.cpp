@@ -17,7 +17,6 @@ namespace fs = std::filesystem;
 int prove_mutants(const ProveOptions& o, const proof::Asking& asking) {
   const std::vector<ProveSubject> subjects = subjects_of(o.machine);
   if (subjects.size() != 1) throw InputError("--mutants: needs one machine");
-  const proof::MachineFormula& formula = subjects.front().formula;
   const fs::path file = *o.mutants;
   if (!fs::is_regular_file(file)) throw InputError(file.string() + ": no such file");
   if (o.mutant && o.count) throw InputError("--mutant: is one, with no --count");
@@ -29,7 +28,8 @@ int prove_mutants(const ProveOptions& o, const proof::Asking& asking) {
 
   std::vector<unsigned> numbers(number);
   std::iota(numbers.begin(), numbers.end(), first);
-  const auto judged = proof::judge_mutants(formula, file, numbers, asking.limit, asking.jobs);
+  proof::Judge judge(subjects.front().formula, &subjects.front().nets, asking);
+  const auto judged = judge.judge(file, numbers);
   std::size_t refuted = 0, equal = 0;
   bool timed_out = false;
   for (unsigned k = 0; k < number; ++k) {

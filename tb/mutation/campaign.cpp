@@ -69,12 +69,9 @@ class Course {
     });
   }
 
-  void attack_with(std::size_t first, std::size_t last, End otherwise) {
-    each(open(), [&](unsigned mutant) {
-      Outcome outcome = attack(subject_, mutant, first, last);
-      if (outcome.end == End::open) outcome.end = otherwise;
-      if (outcome.end != End::open) decide(mutant, std::move(outcome));
-    });
+  void attack_with(std::size_t first, std::size_t last) {
+    subject_.attack(open(), first, last, threads_,
+                    [&](unsigned mutant, Outcome outcome) { decide(mutant, std::move(outcome)); });
     save();
   }
 
@@ -104,18 +101,12 @@ std::size_t Campaign::count(End end) const {
 
 Campaign run_campaign(const Subject& subject, const Prover& prover, unsigned threads,
                       Checkpoint& checkpoint, const Part& part) {
-  const std::size_t quick = subject.quick();
-  const std::size_t all = subject.cases().size();
-  const Outcome control = attack(subject, 0, 0, quick);
-  if (control.end != End::open) {
-    throw InputError(subject.bench().title() + ": RTL and model differ without a mutant: " +
-                     control.stimulus + ", " + control.signal);
-  }
+  const std::size_t quick = subject.cases().quick, all = subject.cases().all.size();
   Course course(subject, threads, checkpoint, part);
-  course.attack_with(0, quick, End::open);
+  course.attack_with(0, quick);
 
-  // The prover is a program of its own: a few mutants a call, so that little is lost.
-  constexpr std::size_t a_call = 16;
+  // A call begins with runs of yosys: some mutants a call, but few enough that little is lost.
+  constexpr std::size_t a_call = 64;
   std::vector<std::vector<unsigned>> calls;
   for (const unsigned mutant : course.open()) {
     if (calls.empty() || calls.back().size() == a_call) calls.emplace_back();
@@ -131,7 +122,8 @@ Campaign run_campaign(const Subject& subject, const Prover& prover, unsigned thr
   });
   course.save();
 
-  course.attack_with(quick, all, End::survived);
+  course.attack_with(quick, all);
+  for (const unsigned mutant : course.open()) course.decide(mutant, {End::survived, "", 0, ""});
   return course.campaign();
 }
 
@@ -146,7 +138,6 @@ std::string to_json(const Subject& subject, const Campaign& campaign) {
       value = p.value;
     }
   }
-  top["verilog"] = subject.verilog();
   top["mutants"] = campaign.outcomes.size();
   top["killed"] = campaign.count(End::killed);
   top["equivalent"] = campaign.count(End::equivalent);

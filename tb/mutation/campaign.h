@@ -34,10 +34,9 @@ struct Campaign {
 Campaign run_campaign(const Subject& subject, const Prover& prover, unsigned threads,
                       Checkpoint& checkpoint, const Part& part = {});
 
-/// The campaign as JSON text: an object with `design`, `parameters`, `verilog`, `mutants`,
-/// `killed`, `equivalent`, `survived`, `seconds`, and `outcomes`, an object for each mutant with
-/// `mutant`, its number, `what` and `end`, and where it was killed `stimulus`, `clock` and
-/// `signal`.
+/// The campaign as JSON text: an object with `design`, `parameters`, `mutants`, `killed`,
+/// `equivalent`, `survived`, `seconds`, and `outcomes`, an object for each mutant with `mutant`,
+/// its number, `what` and `end`, and where it was killed `stimulus`, `clock` and `signal`.
 std::string to_json(const Subject& subject, const Campaign& campaign);
 
 }  // namespace cosim::mutation

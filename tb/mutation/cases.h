@@ -28,25 +28,41 @@ struct Jobs {
   }
 };
 
-inline constexpr std::uint64_t seed = 1;
-inline constexpr std::uint64_t long_jobs = 4;
+inline constexpr std::uint64_t campaign_seed = 1;
+inline constexpr std::uint64_t long_jobs = 16;
 
 /// Draws jobs on a new machine; the same jobs get the same power-up state.
 template <class Design>
 Case drawing(const Bench<Design>& bench, std::string name, typename Jobs<Design>::List jobs,
-             std::uint64_t power_up) {
-  const auto run = [&bench, jobs = std::move(jobs), power_up] {
+             std::uint64_t number) {
+  const auto power_up = static_cast<std::uint32_t>(number);
+  const auto run = [&bench, jobs, power_up] {
     Observers<Design> nobody{};
-    return bench.open(static_cast<std::uint32_t>(power_up))->draw(jobs, nobody);
+    return bench.open(power_up)->draw(jobs, nobody);
   };
-  return {std::move(name), run};
+  const auto before = [&bench, jobs, power_up](const Watch& watch) {
+    bench.watch_drawn(jobs, power_up, watch);
+  };
+  return {std::move(name), run, before, power_up};
 }
 
-template <class Design>
-Case hostile(const Bench<Design>& bench, std::uint64_t i) {
-  return {fmt::format("hostile clocks, case {}", i), [&bench, i] {
-            return bench.run_hostile({seed, i, 1000});
-          }};
+inline Case hostile(const AnyBench& bench, std::uint64_t i) {
+  const HostileCase c{campaign_seed, i, 1000};
+  return {fmt::format("hostile clocks, case {}", i), [&bench, c] { return bench.run_hostile(c); },
+          [&bench, c](const Watch& watch) { bench.watch_hostile(c, watch); }, c.power_up()};
+}
+
+/// Jobs of a design that declares them.
+inline Case declared(const AnyBench& bench, std::uint64_t i) {
+  const auto power_up = static_cast<std::uint32_t>(i);
+  return {fmt::format("random jobs {}", i),
+          [&bench, i, power_up] {
+            return bench.run_jobs(random_jobs(bench, campaign_seed, i), power_up).run;
+          },
+          [&bench, i, power_up](const Watch& watch) {
+            bench.watch_jobs(random_jobs(bench, campaign_seed, i), power_up, watch);
+          },
+          power_up};
 }
 
 /// Cases first .. last - 1 of hostile clocks and of random jobs, by turns.
@@ -55,42 +71,34 @@ void add_cases(std::vector<Case>& all, const Bench<Design>& bench, std::uint64_t
                std::uint64_t last) {
   for (std::uint64_t i = first; i < last; ++i) {
     all.push_back(hostile(bench, i));
-    auto jobs = Jobs<Design>::random(bench.params(), seed, i);
+    auto jobs = Jobs<Design>::random(bench.params(), campaign_seed, i);
     if (!jobs.empty()) {
       all.push_back(drawing(bench, fmt::format("random job {}", i), std::move(jobs), i));
     }
-    if constexpr (DeclaresJobs<Design>) {
-      all.push_back(
-          {fmt::format("random jobs {}", i), [&bench, i] {
-             return bench.run_jobs(random_jobs(bench, seed, i), static_cast<std::uint32_t>(i)).run;
-           }});
-    }
+    if (!bench.job_fields().empty()) all.push_back(declared(bench, i));
   }
 }
 
 constexpr std::uint64_t quick_cases = 12;
 constexpr std::uint64_t thorough_cases = 2000;
 
+/// All of them, on `bench`, which must outlive them.
 template <class Design>
-std::vector<Case> quick_cases_of(const Bench<Design>& bench) {
-  std::vector<Case> all;
+Cases cases_of(const Bench<Design>& bench) {
+  Cases cases;
   auto printed = Jobs<Design>::printed(bench.params());
-  if (!printed.empty()) all.push_back(drawing(bench, "printed example", std::move(printed), 0));
-  add_cases(all, bench, 0, quick_cases);
-  return all;
-}
-
-/// Adds the others. The number of stimuli before.
-template <class Design>
-std::size_t add_thorough_cases(std::vector<Case>& all, const Bench<Design>& bench) {
-  const std::size_t before = all.size();
-  for (std::uint64_t i = 0; i < long_jobs; ++i) {
-    auto jobs = Jobs<Design>::longest(bench.params(), seed, i);
-    if (jobs.empty()) break;
-    all.push_back(drawing(bench, fmt::format("long job {}", i), std::move(jobs), i));
+  if (!printed.empty()) {
+    cases.all.push_back(drawing(bench, "printed example", std::move(printed), 0));
   }
-  add_cases(all, bench, quick_cases, thorough_cases);
-  return before;
+  add_cases(cases.all, bench, 0, quick_cases);
+  cases.quick = cases.all.size();
+  for (std::uint64_t i = 0; i < long_jobs; ++i) {
+    auto jobs = Jobs<Design>::longest(bench.params(), campaign_seed, i);
+    if (jobs.empty()) break;
+    cases.all.push_back(drawing(bench, fmt::format("long job {}", i), std::move(jobs), i));
+  }
+  add_cases(cases.all, bench, quick_cases, thorough_cases);
+  return cases;
 }
 
 }  // namespace cosim::mutation

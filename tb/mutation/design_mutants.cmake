@@ -10,9 +10,9 @@ function(cosim_shape_mutants)
   set(given ${FOLDER}/read.ys ${FOLDER}/kept.txt ${FOLDER}/count.txt)
   add_custom_command(OUTPUT ${FOLDER}/mutants.cpp
     COMMAND bash ${root}/tb/mutation/plant.sh
-      ${FOLDER} ${MUTANTS} ${TOP} ${FOLDER}/count.txt 1 1 --vpi --public-flat-rw
+      ${FOLDER} ${MUTANTS} ${TOP} ${FOLDER}/count.txt --vpi --public-flat-rw
     WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}
-    DEPENDS ${root}/tb/mutation/plant.sh ${given} ${rtl} ${included} VERBATIM
+    DEPENDS ${root}/tb/mutation/plant.sh ${root}/tb/mutation/verilate.sh ${given} ${rtl} ${included} VERBATIM
     COMMENT "Planting mutants in ${TITLE}")
   configure_file(${root}/tb/mutation/named_mutants_of.cpp.in ${FOLDER}/mutants_of.cpp @ONLY)
   cosim_on_demand(mutants ${FOLDER}/mutants.cpp cosim::mutation)

@@ -3,6 +3,8 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <memory>
+#include <optional>
 
 #include "model/core/input_error.h"
 #include "tb/mutation/campaign.h"
@@ -10,24 +12,39 @@
 #include "tb/proof/machines.h"
 #include "tb/proof/mutants.h"
 #include "tb/support/parallel.h"
+#include "tb/support/process.h"
 #include "tb/support/replace_file.h"
 
 namespace cosim::mutation {
 namespace {
 
-constexpr int kLimit = 60;  // seconds of a solver for one mutant
+constexpr int kLimit = 60;  // seconds of an engine for one mutant
 
 Prover nobody();
 
-/// The solvers, on the formulas of the subject's model.
-Prover solvers(const Subject& subject) {
+/// What the engines need of a subject's model.
+struct Asked {
+  proof::MachineFormula formula;
+  std::optional<nets::Model> nets;
+  std::optional<proof::Judge> judge;
+};
+
+/// The engines, on the formulas and nets of the subject's model.
+Prover engines(const Subject& subject) {
   for (const auto& machine : proof::built_machines()) {
     if (machine.title != subject.bench().built_as()) continue;
     if (machine.formula == nullptr) return nobody();
-    return [&subject, formula = machine.formula()](const std::vector<unsigned>& mutants) {
+    const auto asked = std::make_shared<Asked>();
+    asked->formula = machine.formula();
+    if (machine.nets != nullptr) asked->nets = machine.nets();
+    asked->judge.emplace(asked->formula, asked->nets ? &*asked->nets : nullptr,
+                         proof::Asking{.limit = kLimit});
+    return [&subject, asked](const std::vector<unsigned>& mutants) {
+      const Scratch scratch;
+      const auto verilog = scratch.path() / "mutants.v";
+      subject.write_verilog(mutants, verilog);
       std::vector<bool> proved;
-      for (const auto& judged :
-           proof::judge_mutants(formula, subject.verilog(), mutants, kLimit, 1)) {
+      for (const auto& judged : asked->judge->judge(verilog, mutants)) {
         proved.push_back(judged.same);
       }
       return proved;
@@ -55,9 +72,9 @@ int run(const Subject& subject, const Options& o) {
   }
   if (o.results.empty()) throw InputError("RESULTS is required");
   Checkpoint checkpoint(o.results + ".part",
-                        fmt::format("mutants of {}, {} from {}", subject.bench().title(),
-                                    o.part.count, o.part.first));
-  const Campaign campaign = run_campaign(subject, o.unproved ? nobody() : solvers(subject),
+                        fmt::format("{} mutants of {}, {} from {}", subject.mutants().size(),
+                                    subject.bench().title(), o.part.count, o.part.first));
+  const Campaign campaign = run_campaign(subject, o.unproved ? nobody() : engines(subject),
                                          o.threads, checkpoint, o.part);
   replace_file(o.results, to_json(subject, campaign));
   checkpoint.done();

@@ -1,72 +1,106 @@
 # Mutants of the RTL, planted by yosys and attacked with the testbench's stimuli. Of every design in
 # rtl/shipped.txt two shapes: the first, that of the source's example, and the last of 16 bits.
 #
-#   slice  for the tests: built with everything else; its programs in slice_programs
-#   full   for scripts/mutate: the target mutants_full
+#   mutants  attacks those of any shape that is built
+#   slice    for the tests; its programs, `mutants` on one shape, in slice_programs
+#   full     for scripts/mutate
+#   all      for scripts/mutate --all: every mutant there is, and of the shapes of 32 bits too
+#   drawn    for scripts/mutate --drawn: some that lanes killed, in Verilated classes
 set(here ${CMAKE_CURRENT_LIST_DIR})
 add_executable(mutants_table ${here}/table.cpp)
 target_link_libraries(mutants_table PRIVATE engine cold warnings)
-add_custom_target(mutants_slice ALL DEPENDS mutants_table)
-add_custom_target(mutants_full DEPENDS mutants_table)
-set(slice_programs)
-set(full_programs)
 
-# add_mutants(SET COUNT PART PARTS DESIGN PARAMETERS...): a program for every PARTS-th of COUNT
-# mutants of a design, from number PART on.
-function(add_mutants set count part parts DESIGN)
-  string(REGEX REPLACE "[ =;]" "" ID "${DESIGN}${ARGN}")
-  set(name ${set}_${ID}_${part})
-  set(PREFIX Vmutants_${name})
-  set(FOLDER ${CMAKE_CURRENT_BINARY_DIR}/${name})
-  string(REGEX REPLACE "[A-Z]+=" "" PARAMETERS "${ARGN}")
-  string(REPLACE ";" ", " PARAMETERS "${PARAMETERS}")
-  set(chosen ${ARGN})
-  list(TRANSFORM chosen REPLACE "(.*)=(.*)" " -chparam \\1 \\2")
-  list(JOIN chosen "" chosen)
-  file(CONFIGURE OUTPUT ${FOLDER}/read.ys CONTENT
-    "read_verilog ${DESIGN}/*.v\nhierarchy -check -top ${DESIGN}${chosen}\n")
+set(CASES_INCLUDES "")
+foreach(design IN LISTS COSIM_DESIGNS)
+  set(jobs tb/designs/${design}/mutation/jobs.h)
+  if(NOT EXISTS ${PROJECT_SOURCE_DIR}/${jobs})
+    set(jobs tb/designs/${design}/bench.h)
+  endif()
+  string(APPEND CASES_INCLUDES "#include \"${jobs}\"\n")
+endforeach()
+list(TRANSFORM COSIM_DESIGNS APPEND "::Design" OUTPUT_VARIABLE CASES_DESIGNS)
+list(JOIN CASES_DESIGNS ", " CASES_DESIGNS)
+configure_file(${here}/cases_of_built.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/cases_of_built.cpp @ONLY)
+add_executable(mutants ${here}/built.cpp ${CMAKE_CURRENT_BINARY_DIR}/cases_of_built.cpp)
+target_link_libraries(mutants PRIVATE mutation proof tb cold warnings)
+
+# A program for some mutants of a shape.
+function(add_mutants set count shape)
+  string(REGEX REPLACE "[ =]" "" ID "${shape}")
+  set(program ${CMAKE_CURRENT_BINARY_DIR}/mutants_${set}_${ID})
+  file(GENERATE OUTPUT ${program}
+    CONTENT "#!/bin/sh\nexec '$<TARGET_FILE:mutants>' '${shape}' ${count} \"$@\"\n"
+    FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ
+      WORLD_EXECUTE)
+  set(${set}_programs ${${set}_programs} ${program} PARENT_SCOPE)
+endfunction()
+
+# add_drawn(SHAPE COUNT DRAWN): the program drawn_SHAPE_DRAWN, which runs DRAWN of COUNT mutants in lockstep,
+# one at a time.
+function(add_drawn shape count drawn)
+  string(REGEX REPLACE "[ =]" "" ID "${shape}")
+  set(PREFIX Vdrawn_${ID})
+  set(FOLDER ${CMAKE_CURRENT_BINARY_DIR}/drawn/${ID}_${drawn})
+  string(REGEX REPLACE " .*" "" DESIGN "${shape}")
+  string(REGEX REPLACE "[A-Z]+=" "" PARAMETERS "${shape}")
+  string(REGEX REPLACE "^[^ ]* (.*)$" "\\1" PARAMETERS "${PARAMETERS}")
+  string(REPLACE " " ", " PARAMETERS "${PARAMETERS}")
   cosim_nets_below(${DESIGN})
   configure_file(${PROJECT_SOURCE_DIR}/tb/dut/registers.vlt.in ${FOLDER}/registers.vlt @ONLY)
   file(GLOB rtl CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/${DESIGN}/*.v)
   add_custom_command(OUTPUT ${FOLDER}/mutants.cpp
-    COMMAND ${here}/plant.sh
-      ${FOLDER} ${PREFIX} ${DESIGN} ${count} ${part} ${parts} -O3 registers.vlt
-    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}/rtl
-    DEPENDS ${here}/plant.sh ${FOLDER}/read.ys ${FOLDER}/registers.vlt ${rtl} VERBATIM
-    COMMENT "Planting mutants in ${DESIGN} ${ARGN}, part ${part}")
-  configure_file(${here}/mutants_of.cpp.in ${FOLDER}/mutants_of.cpp @ONLY)
-  set_source_files_properties(${FOLDER}/mutants_of.cpp PROPERTIES
+    COMMAND mutants ${shape} ${count} --draw ${drawn} ${FOLDER}
+    COMMAND ${here}/verilate.sh ${FOLDER} ${PREFIX} ${DESIGN} registers.vlt
+    DEPENDS mutants ${here}/verilate.sh ${FOLDER}/registers.vlt ${rtl} VERBATIM
+    COMMENT "Drawing mutants of ${shape}")
+  configure_file(${here}/drawn_of.cpp.in ${FOLDER}/drawn_of.cpp @ONLY)
+  set_source_files_properties(${FOLDER}/drawn_of.cpp PROPERTIES
     OBJECT_DEPENDS ${FOLDER}/mutants.cpp)
-
-  add_executable(mutants_${name} EXCLUDE_FROM_ALL ${FOLDER}/mutants_of.cpp ${FOLDER}/mutants.cpp)
+  set(name drawn_${ID}_${drawn})
+  add_executable(${name} EXCLUDE_FROM_ALL ${FOLDER}/drawn_of.cpp ${FOLDER}/mutants.cpp)
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
   # Run for a few thousand clocks a mutant: not compiled for speed.
-  target_compile_options(mutants_${name} PRIVATE -O1)
-  target_include_directories(mutants_${name} SYSTEM PRIVATE ${FOLDER} ${FOLDER}/verilated)
-  target_link_libraries(mutants_${name} PRIVATE mutation proof tb)
-  add_dependencies(mutants_${set} mutants_${name})
-  set(${set}_programs ${${set}_programs} $<TARGET_FILE:mutants_${name}> PARENT_SCOPE)
+  target_compile_options(${name} PRIVATE -O1)
+  target_include_directories(${name} SYSTEM PRIVATE ${FOLDER} ${FOLDER}/verilated)
+  target_link_libraries(${name} PRIVATE mutation proof tb)
 endfunction()
 
-file(STRINGS ${PROJECT_SOURCE_DIR}/rtl/shipped.txt shipped REGEX "^[^#]")
-set(designs ${shipped})
-list(TRANSFORM designs REPLACE " .*" "")
-list(REMOVE_DUPLICATES designs)
-foreach(design IN LISTS designs)
-  set(shapes ${shipped})
+set(drawn_programs)
+foreach(design IN LISTS COSIM_DESIGNS)
+  set(shapes ${COSIM_SHIPPED})
   list(FILTER shapes INCLUDE REGEX "^${design} ")
   list(GET shapes 0 example)
   list(FILTER shapes INCLUDE REGEX "^[^=]*=16( |$)")
   list(GET shapes -1 wide)
-  separate_arguments(example)
-  separate_arguments(wide)
-  add_mutants(slice 100 1 1 ${example})
-  add_mutants(slice 100 1 1 ${wide})
-  foreach(part RANGE 1 4)
-    add_mutants(full 4000 ${part} 4 ${example})
-    add_mutants(full 2000 ${part} 4 ${wide})
+  add_mutants(slice 100 "${example}")
+  add_mutants(slice 100 "${wide}")
+  add_mutants(full 4000 "${example}")
+  add_mutants(full 2000 "${wide}")
+  set(widest ${COSIM_SHIPPED})
+  list(FILTER widest INCLUDE REGEX "^${design} [^=]*=32( |$)")
+  foreach(shape "${example}" "${wide}" ${widest})
+    add_mutants(all 65535 "${shape}")
+  endforeach()
+  add_drawn("${example}" 4000 200)
+  add_drawn("${wide}" 2000 200)
+  foreach(shape "${example}" "${wide}")
+    string(REGEX REPLACE "[ =]" "" ID "${shape}")
+    list(APPEND drawn_programs drawn_${ID}_200)
   endforeach()
 endforeach()
-foreach(set slice full)
+# And a few of the first for the tests.
+list(GET COSIM_SHIPPED 0 first)
+add_drawn("${first}" 4000 20)
+string(REGEX REPLACE "[ =]" "" ID "${first}")
+set(drawn_slice drawn_${ID}_20)
+set_target_properties(${drawn_slice} PROPERTIES EXCLUDE_FROM_ALL OFF)
+add_custom_target(mutants_drawn DEPENDS ${drawn_programs})
+set(programs ${drawn_programs})
+list(TRANSFORM programs REPLACE "(.+)" "$<TARGET_FILE:\\1>")
+list(JOIN programs "\n" programs)
+file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/drawn.txt CONTENT "${programs}\n")
+foreach(set slice full all)
+  add_custom_target(mutants_${set} DEPENDS mutants mutants_table)
   list(JOIN ${set}_programs "\n" programs)
   file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${set}.txt CONTENT "${programs}\n")
 endforeach()

@@ -1,6 +1,8 @@
-// Mutants: small faults planted by a program, many in one Verilated class and chosen by a number.
+// Mutants: small faults planted by a program, each turned on by a number.
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -23,39 +25,41 @@ struct Outcome {
   std::string signal;       ///< killed: the first signal to differ
 };
 
-/// One run of a fixed number of clocks on a bench; it follows from its name alone.
+/// One run on a bench; it follows from its name alone.
 struct Case {
-  std::string name;  ///< "hostile clocks, seed 1 case 3"
+  std::string name;  ///< "hostile clocks, case 3"
   std::function<Run()> run;
+  /// The same run before a Watch, of a bench in lockstep.
+  std::function<void(const Watch&)> watch = {};
+  std::uint32_t power_up = 0;
+};
+
+/// The cheapest first. The first `quick` of them kill nearly every mutant that can be killed.
+struct Cases {
+  std::vector<Case> all;
+  std::size_t quick = 0;
 };
 
 /// The RTL of one design at one set of parameters, with its mutants.
 class Subject {
  public:
-  Subject(std::string verilog, const std::string& list);
   virtual ~Subject() = default;
 
   virtual const AnyBench& bench() const = 0;
-  /// Chooses the mutant, from 1, for all machines that the calling thread makes from now on; 0 is
-  /// the unchanged RTL.
-  virtual void choose(unsigned mutant) const = 0;
-  /// The cheapest first. The first `quick()` of them kill nearly every mutant that can be killed.
-  virtual const std::vector<Case>& cases() const = 0;
-  virtual std::size_t quick() const = 0;
+  virtual const Cases& cases() const = 0;
+  /// What each mutant is, in the words of yosys's `mutate`; number 1 first.
+  virtual const std::vector<std::string>& mutants() const = 0;
+  /// A Verilog file that holds these, and perhaps others; its input `mutsel` chooses one.
+  virtual void write_verilog(const std::vector<unsigned>& mutants,
+                             const std::filesystem::path& file) const = 0;
 
-  /// The Verilog file that holds them; its input `mutsel` chooses one.
-  const std::string& verilog() const { return verilog_; }
-  /// What each mutant is, in the words of yosys's `mutate`; that of mutsel = 1 first.
-  const std::vector<std::string>& mutants() const { return mutants_; }
-
- private:
-  std::string verilog_;
-  std::vector<std::string> mutants_;
+  using Decide = std::function<void(unsigned mutant, Outcome)>;
+  /// Runs cases first .. last - 1 on each of these mutants, on `threads` threads, until one kills
+  /// it; calls killed(mutant, outcome), from several threads, for those that are killed. InputError
+  /// where RTL and model differ without a mutant.
+  virtual void attack(const std::vector<unsigned>& mutants, std::size_t first, std::size_t last,
+                      unsigned threads, const Decide& killed) const = 0;
 };
-
-/// Runs the stimuli first .. last - 1 on a mutant, on the calling thread, until one kills it.
-/// Otherwise the outcome is open.
-Outcome attack(const Subject& subject, unsigned mutant, std::size_t first, std::size_t last);
 
 /// The program around a subject, whose --help says what it takes. The exit status.
 int main_of(const Subject& subject, int argc, char** argv);

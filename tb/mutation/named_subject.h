@@ -29,38 +29,43 @@ class MutantStreamDut final : public VerilatedStreamDut<Top> {
 
 /// Attacked with random transactions alone.
 template <class Top, class Trait>
-class StreamSubject final : public Subject {
+class StreamSubject final : public VerilatedSubject {
  public:
-  StreamSubject(std::string verilog, const std::string& list) : Subject(std::move(verilog), list) {
+  StreamSubject(std::string verilog, const std::string& list)
+      : VerilatedSubject(std::move(verilog), list) {
     for (std::uint64_t i = 0; i < thorough_cases; ++i) {
-      cases_.push_back({fmt::format("random transactions, case {}", i), [this, i] {
-                          return bench_.run_hostile(HostileCase{seed, i, 1000});
-                        }});
+      cases_.all.push_back({fmt::format("random transactions, case {}", i), [this, i] {
+                              return bench_.run_hostile(HostileCase{campaign_seed, i, 1000});
+                            }});
     }
+    cases_.quick = quick_cases;
   }
 
   const AnyBench& bench() const override { return bench_; }
   void choose(unsigned mutant) const override { MutantStreamDut<Top>::chosen = mutant; }
-  const std::vector<Case>& cases() const override { return cases_; }
-  std::size_t quick() const override { return quick_cases; }
+  const Cases& cases() const override { return cases_; }
 
  private:
   StreamBench<Top, Trait, MutantStreamDut<Top>> bench_;
-  std::vector<Case> cases_;
+  Cases cases_;
 };
 
 /// Attacked with both.
 template <class Top, class Trait>
-class BothSubject final : public Subject {
+class BothSubject final : public VerilatedSubject {
  public:
   BothSubject(const std::string& verilog, const std::string& list)
-      : Subject(verilog, list), clocks_(verilog, list), streams_(verilog, list) {
-    const std::size_t first = clocks_.quick(), second = streams_.quick();
-    add(clocks_, 0, first);
-    add(streams_, 0, second);
-    quick_ = cases_.size();
-    add(clocks_, first, clocks_.cases().size());
-    add(streams_, second, streams_.cases().size());
+      : VerilatedSubject(verilog, list), clocks_(verilog, list), streams_(verilog, list) {
+    const auto add = [&](const Cases& of, bool quick) {
+      const auto middle = of.all.begin() + static_cast<std::ptrdiff_t>(of.quick);
+      cases_.all.insert(cases_.all.end(), quick ? of.all.begin() : middle,
+                        quick ? middle : of.all.end());
+    };
+    for (const bool quick : {true, false}) {
+      add(clocks_.cases(), quick);
+      add(streams_.cases(), quick);
+      if (quick) cases_.quick = cases_.all.size();
+    }
   }
 
   const AnyBench& bench() const override { return clocks_.bench(); }
@@ -68,20 +73,12 @@ class BothSubject final : public Subject {
     clocks_.choose(mutant);
     streams_.choose(mutant);
   }
-  const std::vector<Case>& cases() const override { return cases_; }
-  std::size_t quick() const override { return quick_; }
+  const Cases& cases() const override { return cases_; }
 
  private:
-  void add(const Subject& of, std::size_t begin, std::size_t end) {
-    const auto all = of.cases().begin();
-    cases_.insert(cases_.end(), all + static_cast<std::ptrdiff_t>(begin),
-                  all + static_cast<std::ptrdiff_t>(end));
-  }
-
   AdapterSubject<NamedAdapter<Top, Trait>, AdapterBench> clocks_;
   StreamSubject<Top, Trait> streams_;
-  std::vector<Case> cases_;
-  std::size_t quick_ = 0;
+  Cases cases_;
 };
 
 /// Top: the Verilated class. `verilog`, `list`: the mutants, as Subject has them.

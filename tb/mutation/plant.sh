@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# plant.sh FOLDER PREFIX TOP COUNT PART PARTS [WORD...]
+# plant.sh FOLDER PREFIX TOP COUNT [WORD...]
 #
-# COUNT, a number or a file that holds it, of mutants of a design's RTL (all there are, where these are fewer), made by yosys in all its
-# modes, and every PARTS-th of them from number PART on, 1 to PARTS, planted in one Verilog module
-# that has a further input: mutsel = k turns mutant k on, 0 none. In FOLDER are
+# COUNT, a number or a file that holds it, of mutants of a design's RTL (all there are, where these are
+# fewer), made by yosys in all its modes and planted in one Verilog module that has a further input:
+# mutsel = k turns mutant k on, 0 none. In FOLDER are
 #   read.ys      commands of yosys that read the RTL, to its hierarchy; file names as seen from the
 #                folder this is run in, so that a mutant is known by the place in its file
 #   kept.txt     where it is there: the nets of the registers, which keep their names
@@ -13,9 +13,9 @@
 #   mutants.cpp  what Verilator makes of it, the class PREFIX, given the WORDs too
 set -euo pipefail
 
-folder=$(cd "$1" && pwd) prefix=$2 top=$3 count=$4 part=$5 parts=$6
+folder=$(cd "$1" && pwd) prefix=$2 top=$3 count=$4
 [[ ! -f $count ]] || count=$(< "$count")
-words=("${@:7}")
+words=("${@:5}")
 kept=''
 while IFS= read -r net; do
   kept+=" w:${net##*.} w:${net##*.}[[]*" # of a memory that becomes registers, each
@@ -28,18 +28,12 @@ prepare="$(cat "$folder/read.ys")
 export HOME=$folder # where yosys keeps a history
 yosys -q -p "$prepare; mutate -list $count -seed 1 -o $folder/all.txt" > "$folder/yosys.log" 2>&1 ||
   { cat "$folder/yosys.log" >&2 && exit 1; }
-awk -v part="$part" -v parts="$parts" 'NR % parts == part % parts' "$folder/all.txt" \
-  > "$folder/part.txt"
-sed -E "s/^mutate //; s/-module [^ ]+ //; s,$PWD/,,g" "$folder/part.txt" > "$folder/mutants.txt"
+sed -E "s/^mutate //; s/-module [^ ]+ //; s,$PWD/,,g" "$folder/all.txt" > "$folder/mutants.txt"
 {
   echo "$prepare"
-  awk '{ print $0, "-ctrl mutsel 16", NR }' "$folder/part.txt"
+  awk '{ print $0, "-ctrl mutsel 16", NR }' "$folder/all.txt"
   echo "opt_clean; write_verilog -noattr $folder/mutants.v"
 } > "$folder/mutants.ys"
 yosys -q "$folder/mutants.ys"
 
-cd "$folder"
-rm -rf verilated
-verilator --cc --top-module "$top" --prefix "$prefix" --Mdir verilated -Wno-fatal -Wno-lint -Wno-style \
-  --x-initial unique --x-assign unique --noassert "${words[@]}" mutants.v
-(cd verilated && printf '#include "verilated/%s"\n' *.cpp) > mutants.cpp
+bash "$(dirname "${BASH_SOURCE[0]}")/verilate.sh" "$folder" "$prefix" "$top" "${words[@]}"

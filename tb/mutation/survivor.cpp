@@ -7,6 +7,7 @@
 
 #include "tb/report/failure.h"
 #include "tb/support/draft.h"
+#include "tb/support/process.h"
 #include "tb/support/read_file.h"
 
 namespace cosim::mutation {
@@ -47,7 +48,7 @@ std::filesystem::path leave_survivor(const Subject& subject, unsigned mutant,
       "{}: mutant {} survived: {}\nNo proof that it is the same machine, and RTL and model part on "
       "no clock of these runs\n",
       title, mutant, what);
-  for (const auto& [kind, runs] : kinds_of(subject.cases())) {
+  for (const auto& [kind, runs] : kinds_of(subject.cases().all)) {
     text += fmt::format("  {}: {}\n", kind, runs);
     json["stimuli"][kind] = runs;
   }
@@ -55,7 +56,10 @@ std::filesystem::path leave_survivor(const Subject& subject, unsigned mutant,
 
   draft.write("report.txt", text);
   draft.write("report.json", json.dump(1) + '\n');
-  draft.write("mutants.v", read_file(subject.verilog()));
+  const Scratch scratch;
+  const auto verilog = scratch.path() / "mutants.v";
+  subject.write_verilog({mutant}, verilog);
+  draft.write("mutants.v", read_file(verilog.string()));
   draft.finish();
   return draft.target();
 }

@@ -15,6 +15,7 @@
 #pragma once
 
 #include <filesystem>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,9 @@
 
 namespace cosim::proof {
 
-/// That `reached` is true after a clear and stays so, by the model alone.
-Claim reached_claim(const MachineFormula& machine);
+/// That `reached` is true after a clear and stays so, by the model alone, which may be null as
+/// nets.
+Claim reached_claim(const MachineFormula& machine, const nets::Model* model = nullptr);
 
 /// Some of the mutants in a file, each as formulas of its own.
 class Mutants {
@@ -52,16 +54,35 @@ class Mutants {
 
 /// What is known of a mutant.
 struct Judged {
-  bool same = false;       ///< proved by all solvers
+  bool same = false;       ///< proved by as many engines as are needed
   bool refuted = false;    ///< shown not to be, from a state that may never be reached
   bool timed_out = false;  ///< more time might help
   std::string verdict;
 };
 
-/// Has the solvers judge these mutants, `jobs` questions at a time, each for `limit` seconds of
-/// processor time at the most. InputError where a solver or yosys is missing.
-std::vector<Judged> judge_mutants(const MachineFormula& machine,
-                                  const std::filesystem::path& verilog,
-                                  const std::vector<unsigned>& numbers, int limit, unsigned jobs);
+/// Has the engines judge mutants of one machine. yosys-abc is asked of many at once; what it shows
+/// to differ nobody else is asked.
+class Judge {
+ public:
+  /// `model`: the machine as nets; null where yosys-abc is not to be asked. Both must outlive it.
+  Judge(const MachineFormula& machine, const nets::Model* model, Asking asking);
+
+  /// Those of a Verilog file as of Mutants. May be called from several threads. InputError where an
+  /// engine or yosys is missing.
+  std::vector<Judged> judge(const std::filesystem::path& verilog,
+                            const std::vector<unsigned>& numbers);
+
+ private:
+  void require_reached();
+  std::vector<Opinion> opinions_of_abc(const std::filesystem::path& verilog,
+                                       const std::vector<unsigned>& numbers) const;
+  Judged judged_by(const Claim& step, const Claim& clear, std::vector<Opinion> opinions,
+                   const std::vector<Engine>& engines, std::size_t needed) const;
+
+  const MachineFormula& machine_;
+  const nets::Model* model_;
+  Asking asking_;
+  std::once_flag once_;
+};
 
 }  // namespace cosim::proof

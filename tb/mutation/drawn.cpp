@@ -1,0 +1,90 @@
+#include "tb/mutation/drawn.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <numeric>
+
+#include "tb/support/parallel.h"
+#include "tb/support/random.h"
+
+namespace cosim::mutation {
+
+using Json = nlohmann::ordered_json;
+
+void draw(const LanesSubject& subject, std::size_t count, const std::filesystem::path& folder) {
+  std::vector<unsigned> numbers(subject.mutants().size());
+  std::iota(numbers.begin(), numbers.end(), 1U);
+  Random random(campaign_seed);
+  for (std::size_t i = numbers.size(); i > 1; --i)
+    std::swap(numbers[i - 1], numbers[random.below(i)]);
+  // Some of them nothing kills.
+  numbers.resize(std::min(numbers.size(), count + count / 4 + 10));
+
+  std::mutex guard;
+  std::map<unsigned, Outcome> killed;
+  subject.attack(numbers, 0, subject.cases().quick, cores(), [&](unsigned mutant, Outcome outcome) {
+    const std::lock_guard lock(guard);
+    killed[mutant] = std::move(outcome);
+  });
+  std::erase_if(numbers, [&](unsigned k) { return !killed.contains(k); });
+  numbers.resize(std::min(numbers.size(), count));
+  std::sort(numbers.begin(), numbers.end());
+  const auto not_cleared = subject.not_cleared(numbers);
+  Json list = Json::array();
+  for (const unsigned k : numbers) {
+    const Outcome& o = killed[k];
+    list.push_back({{"mutant", k},
+                    {"what", subject.mutants()[k - 1]},
+                    {"stimulus", o.stimulus},
+                    {"clock", o.clock},
+                    {"signal", o.signal},
+                    {"cleared", !std::binary_search(not_cleared.begin(), not_cleared.end(), k)}});
+  }
+  std::filesystem::create_directories(folder);
+  subject.write_verilog(numbers, folder / "mutants.v");
+  replace_file((folder / "drawn.json").string(), list.dump(1) + '\n');
+}
+
+int check_drawn(const VerilatedSubject& subject, const std::filesystem::path& folder) {
+  const Json list = Json::parse(read_file((folder / "drawn.json").string()));
+  const auto& cases = subject.cases().all;
+  std::size_t same = 0, not_cleared = 0;
+  std::mutex guard;
+  in_parallel(list.size(), cores(), [&](std::uint64_t i) {
+    const Json& drawn = list[i];
+    const bool cleared = drawn.at("cleared");
+    const std::string stimulus = drawn.at("stimulus");
+    const auto only =
+        std::find_if(cases.begin(), cases.end(), [&](const Case& c) { return c.name == stimulus; });
+    const auto first = static_cast<std::size_t>(only - cases.begin());
+    const Outcome o =
+        cleared && only != cases.end()
+            ? subject.attack(drawn.at("mutant").get<unsigned>(), first, first + 1)
+            : subject.attack(drawn.at("mutant").get<unsigned>(), 0, subject.cases().quick);
+    const bool killed = o.end == Outcome::End::killed;
+    const bool as_drawn = killed && o.stimulus == stimulus && o.clock == drawn.at("clock") &&
+                          o.signal == drawn.at("signal");
+    const std::lock_guard lock(guard);
+    if (cleared && as_drawn) ++same;
+    if (!cleared && killed) ++not_cleared;
+    if (cleared ? !as_drawn : !killed) {
+      fmt::print(
+          "mutant {}: {}: in lanes {}, clock {}, {}; in lockstep {}\n",
+          drawn.at("mutant").get<unsigned>(), drawn.at("what").get<std::string>(), stimulus,
+          drawn.at("clock").get<std::uint64_t>(), drawn.at("signal").get<std::string>(),
+          killed ? fmt::format("{}, clock {}, {}", o.stimulus, o.clock, o.signal) : "not killed");
+    }
+    return true;
+  });
+  fmt::print(
+      "{}: of {} mutants that lanes killed lockstep kills {} by the same case on the same clock at "
+      "the same signal, and {} that a clear leaves as they powered up\n",
+      subject.bench().title(), list.size(), same, not_cleared);
+  return same + not_cleared == list.size() && !list.empty() ? 0 : 1;
+}
+
+}  // namespace cosim::mutation

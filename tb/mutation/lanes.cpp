@@ -1,0 +1,287 @@
+#include "tb/mutation/lanes.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <bit>
+#include <span>
+#include <unordered_map>
+#include <utility>
+
+#include "model/core/input_error.h"
+#include "tb/proof/located.h"
+#include "tb/support/random.h"
+
+namespace cosim::mutation {
+namespace {
+
+using nets::Bit;
+using nets::Plane;
+
+constexpr int mutsel_bits = 16;
+constexpr std::uint32_t none = ~std::uint32_t{0};
+
+// Lane by lane what Graph::looked_up() is.
+Plane looked_up(std::span<const Plane> of, std::uint64_t table) {
+  if (of.empty()) return Plane::all((table & 1) != 0);
+  const std::size_t half = std::size_t{1} << (of.size() - 1);
+  const auto rest = of.first(of.size() - 1);
+  const Plane no = looked_up(rest, table);
+  return no ^ (of.back() & (no ^ looked_up(rest, table >> half)));
+}
+
+}  // namespace
+
+PlantedNets::PlantedNets(const AnyBench& bench, proof::RtlNets nets)
+    : bench_(bench), nets_(std::move(nets)), compared_(bench.compared()) {
+  const auto registers = compared_.begin() + static_cast<std::ptrdiff_t>(bench.registers());
+  inputs_ = nets_of("input", bench.inputs());
+  wires_ = nets_of("register", {compared_.begin(), registers});
+  for (auto& wire : nets_of("output", {registers, compared_.end()})) wires_.push_back(wire);
+  if (nets_.width("mutsel") != mutsel_bits) throw InputError(bench.title() + ": no mutants");
+  for (int i = 0; i < mutsel_bits; ++i) mutsel_.push_back(nets_.net("mutsel", i));
+
+  std::vector<bool> is_known(nets_.cells().nets.size());
+  for (const auto& input : inputs_) {
+    for (const std::size_t net : input) is_known[net] = true;
+  }
+  for (const std::size_t net : mutsel_) is_known[net] = true;
+  for (const std::size_t net : nets_.cells().inputs) {
+    if (!is_known[net]) clocks_.push_back(net);
+  }
+  std::unordered_map<std::string_view, std::size_t> numbers;
+  for (std::size_t i = 0; i < nets_.cells().nets.size(); ++i) numbers[nets_.cells().nets[i]] = i;
+  for (const auto& f : nets_.cells().flip_flops) flip_flop_clocks_.push_back(numbers.at(f.clock));
+}
+
+std::vector<std::vector<std::size_t>> PlantedNets::nets_of(const char* kind,
+                                                           const std::vector<Field>& fields) {
+  const auto cells =
+      proof::located_fields({[&](const std::string& wire) { return nets_.width(wire); },
+                             [&](const std::string& memory) { return nets_.first_word(memory); }},
+                            bench_.design(), kind, fields);
+  std::vector<std::vector<std::size_t>> all;
+  for (const proof::RtlCell& c : cells) {
+    auto& wire = all.emplace_back();
+    for (int b = 0; b < c.width; ++b) wire.push_back(nets_.net(c.wire, c.low + b));
+  }
+  return all;
+}
+
+Lanes::Lanes(const PlantedNets& rtl, const std::vector<unsigned>& numbers) : rtl_(rtl) {
+  for (std::size_t lane = 0; lane < numbers.size(); ++lane) all_.set(lane);
+  place(numbers);
+  std::vector<Bit> roots = next_;
+  for (const auto& wire : wires_) roots.insert(roots.end(), wire.begin(), wire.end());
+  planes_ = std::make_unique<nets::Planes>(graph_, roots, numbers.size());
+  for (const auto& [bit, plane] : controls_) planes_->give(bit, plane);
+  state_.resize(held_.size());
+  after_.resize(held_.size());
+}
+
+// By net the number in constants_ of what it is in each lane, where that follows from mutsel, and
+// from the clock, which is so.
+std::vector<std::uint32_t> Lanes::lane_constants(const std::vector<unsigned>& numbers, bool clock) {
+  const nets::Cells& cells = rtl_.nets_.cells();
+  std::vector<std::uint32_t> all(cells.nets.size(), none);
+  const auto put = [&](std::size_t net, const Plane& plane) {
+    all[net] = static_cast<std::uint32_t>(constants_.size());
+    constants_.push_back(plane);
+  };
+  for (std::size_t i = 0; i < rtl_.mutsel_.size(); ++i) {
+    Plane plane;
+    for (std::size_t lane = 0; lane < numbers.size(); ++lane) {
+      if ((numbers[lane] >> i & 1) != 0) plane.set(lane);
+    }
+    put(rtl_.mutsel_[i], plane);
+  }
+  for (const std::size_t net : rtl_.clocks_) put(net, Plane::all(clock));
+  for (const std::size_t net : cells.free) put(net, Plane::all(false));
+  std::array<Plane, 6> of;
+  for (const auto& t : cells.tables) {
+    if (std::any_of(t.of.begin(), t.of.end(), [&](std::size_t n) { return all[n] == none; })) {
+      continue;
+    }
+    for (std::size_t i = 0; i < t.of.size(); ++i) of[i] = constants_[all[t.of[i]]];
+    put(t.gives, looked_up(std::span(of).first(t.of.size()), t.table));
+  }
+  return all;
+}
+
+void Lanes::place(const std::vector<unsigned>& numbers) {
+  const nets::Cells& cells = rtl_.nets_.cells();
+  const auto low = lane_constants(numbers, false), high = lane_constants(numbers, true);
+  find_edges(low, high);
+
+  std::vector<Bit> bits(cells.nets.size());
+  std::vector<bool> is_made(cells.nets.size());
+  const auto make = [&](std::size_t net) {
+    is_made[net] = true;
+    return bits[net] = graph_.input();
+  };
+  for (const auto& input : rtl_.inputs_) {
+    auto& own = inputs_.emplace_back();
+    for (const std::size_t net : input) own.push_back(make(net));
+  }
+  for (const auto& f : cells.flip_flops) held_.push_back(make(f.now));
+  // What is the same in all lanes is folded, so that only the mutants in the lanes are left.
+  const auto bit_of = [&](std::size_t net) {
+    if (is_made[net] || low[net] == none) return bits[net];
+    const Plane& plane = constants_[low[net]];
+    if (plane != constants_[high[net]]) {
+      throw InputError(rtl_.bench_.title() + ": its RTL reads the clock");
+    }
+    is_made[net] = true;
+    if (!(plane & all_).any()) return bits[net] = nets::no;
+    if (!(~plane & all_).any()) return bits[net] = nets::yes;
+    controls_.emplace_back(make(net), plane);
+    return bits[net];
+  };
+  std::vector<Bit> of;
+  for (const auto& t : cells.tables) {
+    if (low[t.gives] != none) continue;
+    of.clear();
+    for (const std::size_t net : t.of) of.push_back(bit_of(net));
+    bits[t.gives] = graph_.looked_up(of, t.table);
+  }
+  for (const auto& f : cells.flip_flops) next_.push_back(bit_of(f.next));
+  for (const auto& wire : rtl_.wires_) {
+    auto& own = wires_.emplace_back();
+    for (const std::size_t net : wire) own.push_back(bit_of(net));
+  }
+  constants_.clear();
+}
+
+// A mutant of a clock: in its lane the flip-flops keep what they hold, or take the next on the
+// other edge.
+void Lanes::find_edges(const std::vector<std::uint32_t>& low,
+                       const std::vector<std::uint32_t>& high) {
+  const auto& flip_flops = rtl_.nets_.cells().flip_flops;
+  for (std::size_t i = 0; i < flip_flops.size(); ++i) {
+    const std::size_t net = rtl_.flip_flop_clocks_[i];
+    if (low[net] == none) {
+      throw InputError(rtl_.bench_.title() + ": its RTL makes a clock of its own");
+    }
+    const Plane before = constants_[low[net]], behind = constants_[high[net]];
+    rising_.push_back(~before & behind);
+    falling_.push_back(before & ~behind);
+    if (flip_flops[i].edge == "fe") std::swap(rising_.back(), falling_.back());
+    any_falls_ = any_falls_ || (falling_.back() & all_).any();
+  }
+}
+
+void Lanes::drive(const std::vector<Word>& inputs) {
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    for (std::size_t b = 0; b < inputs_[i].size(); ++b) {
+      planes_->give(inputs_[i][b], Plane::all(bit(inputs[i], static_cast<int>(b))));
+    }
+  }
+}
+
+// The clock falls as the inputs of the next one are given: what is clocked by that edge sees them.
+void Lanes::fall() {
+  if (!any_falls_ || std::exchange(is_first_, false)) return;
+  planes_->run();
+  for (std::size_t i = 0; i < held_.size(); ++i) after_[i] = planes_->get(next_[i]);
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    state_[i] = state_[i] ^ (falling_[i] & (state_[i] ^ after_[i]));
+    planes_->give(held_[i], state_[i]);
+  }
+}
+
+void Lanes::rise() {
+  for (std::size_t i = 0; i < held_.size(); ++i) after_[i] = planes_->get(next_[i]);
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    state_[i] = state_[i] ^ (rising_[i] & (state_[i] ^ after_[i]));
+    planes_->give(held_[i], state_[i]);
+  }
+}
+
+void Lanes::power_up(const std::vector<bool>& held) {
+  const auto& flip_flops = rtl_.nets_.cells().flip_flops;
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    const char initial = flip_flops[i].initial;
+    const bool is_given = initial == '0' || initial == '1';
+    state_[i] = Plane::all(is_given ? initial == '1' : held[i]);
+    planes_->give(held_[i], state_[i]);
+  }
+  is_first_ = true;
+}
+
+void Lanes::clear() {
+  const Clearing clearing = rtl_.bench_.clearing();
+  for (int i = 0; i < clearing.clocks; ++i) {
+    drive(clearing.inputs);
+    fall();
+    planes_->run();
+    rise();
+  }
+}
+
+void Lanes::begin(std::uint32_t seed) {
+  Random random(seed);
+  std::vector<bool> held(held_.size());
+  for (std::size_t i = 0; i < held.size(); ++i) held[i] = random.next() >> 63 != 0;
+  power_up(held);
+  clear();
+  at_work_ = all_;
+  takes_over_ = true;
+}
+
+Plane Lanes::not_cleared() {
+  Plane depends;
+  std::vector<Plane> first;
+  for (const bool is : {false, true}) {
+    power_up(std::vector<bool>(held_.size(), is));
+    clear();
+    if (!is) first = state_;
+  }
+  for (std::size_t i = 0; i < first.size(); ++i) depends = depends | (first[i] ^ state_[i]);
+  return depends & all_;
+}
+
+std::vector<Lanes::Killed> Lanes::clock(const Watched& seen) {
+  const auto is = [&](std::size_t i, std::size_t b) {
+    return bit(seen.expected[i], static_cast<int>(b));
+  };
+  // The model has taken over what no reset reaches.
+  for (std::size_t i = 0; takes_over_ && i < rtl_.bench_.registers(); ++i) {
+    if (!rtl_.compared_[i].unreset) continue;
+    for (std::size_t b = 0; b < wires_[i].size(); ++b) {
+      const auto own = std::find(held_.begin(), held_.end(), wires_[i][b]);
+      if (own == held_.end()) continue;
+      state_[static_cast<std::size_t>(own - held_.begin())] = Plane::all(is(i, b));
+      planes_->give(*own, Plane::all(is(i, b)));
+    }
+  }
+  takes_over_ = false;
+  drive(seen.inputs);
+  fall();
+  planes_->run();
+
+  const auto differs = [&](std::size_t i) {
+    Plane any;
+    for (std::size_t b = 0; b < wires_[i].size(); ++b) {
+      any = any | (planes_->get(wires_[i][b]) ^ Plane::all(is(i, b)));
+    }
+    return any & at_work_;
+  };
+  std::vector<Killed> killed;
+  for (std::size_t i = 0; i < wires_.size(); ++i) {
+    if (!seen.is_compared[i]) continue;
+    const Plane different = differs(i);
+    if (!different.any()) continue;
+    for (std::size_t w = 0; w < different.words.size(); ++w) {
+      for (std::uint64_t left = different.words[w]; left != 0; left &= left - 1) {
+        killed.push_back({64 * w + static_cast<std::size_t>(std::countr_zero(left)),
+                          label_of(rtl_.compared_[i])});
+      }
+    }
+    at_work_ = at_work_ & ~different;
+  }
+  rise();
+  is_first_ = false;
+  return killed;
+}
+
+}  // namespace cosim::mutation

@@ -1,0 +1,79 @@
+// Mutants in lanes: the RTL of a shape as nets, run on planes, with another mutant in each lane.
+//
+// All lanes get the clocks of one run. Until a mutant differs from the model for the first time its
+// outputs are the model's, and so is what a host makes of them: the run is that of the RTL without
+// a mutant in lockstep, whatever the stimulus is. Its model is compared with each lane.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "tb/bench/bench.h"
+#include "tb/nets/planes.h"
+#include "tb/proof/rtl_nets.h"
+
+namespace cosim::mutation {
+
+/// The nets of RTL with mutants planted in it, tied to the tables of its bench.
+class PlantedNets {
+ public:
+  /// `bench`, of the RTL without mutants, must outlive it. InputError where the RTL is not what its
+  /// tables say.
+  PlantedNets(const AnyBench& bench, proof::RtlNets nets);
+
+ private:
+  friend class Lanes;
+  std::vector<std::vector<std::size_t>> nets_of(const char* kind, const std::vector<Field>& fields);
+
+  const AnyBench& bench_;
+  proof::RtlNets nets_;
+  std::vector<Field> compared_;
+  std::vector<std::vector<std::size_t>> inputs_, wires_;  // of inputs, and of what is compared
+  std::vector<std::size_t> mutsel_, clocks_;              // all other inputs are clocks
+  std::vector<std::size_t> flip_flop_clocks_;             // the net of each
+};
+
+/// Up to nets::plane_lanes of them at work.
+class Lanes {
+ public:
+  /// Mutant numbers[l] is in lane l. `rtl` must outlive it. InputError where the RTL clocks
+  /// flip-flops by more than its clock, or reads the clock.
+  Lanes(const PlantedNets& rtl, const std::vector<unsigned>& numbers);
+
+  /// Powers up and clears; then all lanes are at work.
+  void begin(std::uint32_t power_up);
+  struct Killed {
+    std::size_t lane = 0;
+    std::string signal;  ///< the first that differs
+  };
+  /// The next clock. The lanes at work on which RTL and model differ; they are at work no longer.
+  std::vector<Killed> clock(const Watched& seen);
+  /// The lanes in which what a clear leaves depends on how the RTL powered up.
+  nets::Plane not_cleared();
+  std::size_t gates() const { return planes_->gates(); }
+
+ private:
+  void place(const std::vector<unsigned>& numbers);
+  void find_edges(const std::vector<std::uint32_t>& low, const std::vector<std::uint32_t>& high);
+  std::vector<std::uint32_t> lane_constants(const std::vector<unsigned>& numbers, bool clock);
+  void power_up(const std::vector<bool>& held);
+  void clear();
+  void drive(const std::vector<Word>& inputs);
+  void rise();
+  void fall();
+
+  const PlantedNets& rtl_;
+  nets::Graph graph_;
+  std::vector<std::vector<nets::Bit>> inputs_, wires_;
+  std::vector<nets::Bit> held_, next_;  // of each flip-flop
+  std::vector<nets::Plane> state_, after_, rising_, falling_;
+  std::vector<nets::Plane> constants_;  // that lanes have of their own
+  std::vector<std::pair<nets::Bit, nets::Plane>> controls_;
+  std::unique_ptr<nets::Planes> planes_;
+  nets::Plane all_, at_work_;
+  bool any_falls_ = false, is_first_ = true, takes_over_ = true;
+};
+
+}  // namespace cosim::mutation

@@ -1,0 +1,76 @@
+#include "tb/mutation/planted.h"
+
+#include <fmt/core.h>
+
+#include <regex>
+#include <sstream>
+#include <utility>
+
+#include "tb/support/output_file.h"
+#include "tb/support/process.h"
+#include "tb/support/read_file.h"
+
+namespace cosim::mutation {
+
+Planted::Planted(proof::Source source, unsigned count) : source_(std::move(source)) {
+  const Scratch scratch;
+  const std::string list = (scratch.path() / "all.txt").string();
+  proof::run_yosys(prepared() + fmt::format("; mutate -list {} -seed 1 -o {}", count, list),
+                   source_.top);
+  static const std::regex said(R"(^mutate |-module \S+ )");
+  std::istringstream lines(read_file(list));
+  for (std::string line; std::getline(lines, line);) {
+    commands_.push_back(line);
+    std::string words = std::regex_replace(line, said, "");
+    for (const auto& file : source_.files) {
+      // A mutant is known by the place in its file, wherever that lies.
+      const std::string path = file.parent_path().parent_path().string() + '/';
+      for (std::size_t at = 0; (at = words.find(path, at)) != std::string::npos;) {
+        words.erase(at, path.size());
+      }
+    }
+    mutants_.push_back(words);
+  }
+}
+
+std::string Planted::prepared() const {
+  std::string kept;
+  for (const std::string& net : source_.kept) {
+    kept += proof::kept_net(net.substr(net.rfind('.') + 1));
+  }
+  return fmt::format("{}; {}prep -flatten -top {}; chformal -remove; opt_clean",
+                     proof::commands_to_elaborate(source_),
+                     kept.empty() ? "" : fmt::format("setattr -set keep 1{}; ", kept), source_.top);
+}
+
+void Planted::run(const std::vector<unsigned>& numbers, const std::string& then) const {
+  const Scratch scratch;
+  const std::string script = (scratch.path() / "plant.ys").string();
+  OutputFile file(script);
+  for (const unsigned k : numbers) {
+    file.text(fmt::format("{} -ctrl mutsel 16 {}\n", commands_.at(k - 1), k));
+  }
+  file.close();
+  proof::run_yosys(fmt::format("{}; script {}; opt_clean; {}", prepared(), script, then),
+                   source_.top);
+}
+
+// No cell is optimised: it takes longer than what comes of it saves.
+proof::RtlNets Planted::nets(const std::vector<unsigned>& numbers) const {
+  const Scratch scratch;
+  const std::string blif = (scratch.path() / "rtl.blif").string();
+  const std::string wires = (scratch.path() / "rtl.wires").string();
+  run(numbers,
+      fmt::format("memory_collect; memory_map; async2sync; setundef -undriven -anyseq; simplemap; "
+                  "techmap; dfflegalize -cell $_DFF_P_ 01 -cell $_DFF_N_ 01; setundef -zero; "
+                  "setundef -undriven -zero; write_blif {}; dump -o {} w:*",
+                  blif, wires));
+  return {source_.top, read_file(blif), read_file(wires), source_.asynchronous_reset};
+}
+
+void Planted::write_verilog(const std::vector<unsigned>& numbers,
+                            const std::filesystem::path& file) const {
+  run(numbers, "write_verilog -noattr " + file.string());
+}
+
+}  // namespace cosim::mutation

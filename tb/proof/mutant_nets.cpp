@@ -1,0 +1,218 @@
+#include "tb/proof/mutant_nets.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "tb/proof/located.h"
+
+namespace cosim::proof {
+namespace {
+
+using nets::Bit;
+using nets::no;
+using nets::yes;
+using Bits = std::vector<Bit>;
+using Known = MutantNets::Known;
+
+// The model, and the RTL with any of its mutants.
+class Maker {
+ public:
+  Maker(const nets::Model& model, const RtlNets& rtl)
+      : machine_(model.machine), rtl_(rtl), q_{model.graph, model.ports, {}, {}} {
+    const auto find = [&](const char* kind, const std::vector<nets::Wire>& table) {
+      std::vector<std::vector<std::size_t>> all;
+      for (const RtlCell& cell : located(rtl, machine_.design, kind, table)) {
+        auto& nets = all.emplace_back();
+        for (int i = 0; i < cell.width; ++i) nets.push_back(rtl.net(cell.wire, cell.low + i));
+      }
+      return all;
+    };
+    inputs_ = find("input", machine_.inputs);
+    registers_ = find("register", machine_.registers);
+    outputs_ = find("output", machine_.outputs);
+    std::map<std::string, std::size_t> numbers;
+    const auto& cells = rtl.cells();
+    for (std::size_t i = 0; i < cells.nets.size(); ++i) numbers[cells.nets[i]] = i;
+    for (const auto& f : cells.flip_flops) clocks_.push_back(numbers.at(f.clock));
+    anything_.resize(cells.nets.size());
+    for (const auto* all : {&cells.inputs, &cells.free}) {
+      for (const std::size_t net : *all) anything_[net] = free_bit();
+    }
+    for (const auto& f : cells.flip_flops) anything_[f.now] = free_bit();
+    for (const auto* all : {&machine_.invariant, &machine_.reached, &machine_.legal}) {
+      for (const nets::Named& n : *all) assumed_ = graph().both(assumed_, n.condition);
+    }
+    original_ = step_of(0);
+  }
+
+  Known ask(unsigned number) {
+    const Step with = step_of(number);
+    if (with.clocks != original_.clocks) return Known::other;
+    Bit wrong = no;
+    const auto differ = [&](const std::vector<nets::Wire>& wires, const std::vector<Bits>& a,
+                            const std::vector<Bits>& b) {
+      for (std::size_t i = 0; i < wires.size(); ++i) {
+        wrong = graph().either(wrong, where_compared(wires[i], differs(a[i], b[i])));
+      }
+    };
+    differ(machine_.after, original_.after, with.after);
+    differ(machine_.outputs, original_.outputs, with.outputs);
+    wrong = graph().both(wrong, graph().both(assumed_, graph().both(original_.given, with.given)));
+    wrong = graph().either(wrong, not_cleared(number));
+    if (wrong == no) return Known::same;
+    if (wrong == yes) return Known::other;
+    q_.asked.push_back({fmt::format("mutant {}", number), wrong});
+    return Known::asked;
+  }
+  NetQuestions take() { return std::move(q_); }
+
+ private:
+  // A clock of the RTL from the states that the model has.
+  struct Step {
+    Bit given = yes;  // that registers hold what the model's hold, where flip-flops are not they
+    std::vector<Bits> after, outputs;
+    Bits clocks;
+  };
+
+  nets::Graph& graph() { return q_.graph; }
+  Bit free_bit() {
+    const Bit bit = graph().input();
+    q_.inputs.push_back({fmt::format("free.{}", q_.inputs.size()), bit});
+    return bit;
+  }
+  Bit differs(const Bits& a, const Bits& b) {
+    Bit any = no;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      any = graph().either(any, graph().differ(a[i], b[i]));
+    }
+    return any;
+  }
+  Bit where_compared(const nets::Wire& w, Bit wrong) {
+    return w.when ? graph().both(*w.when, wrong) : wrong;
+  }
+
+  // By net: flip-flops hold `held`; inputs are the model's, or free.
+  Bits placed(unsigned number, const Bits& held, bool free_inputs,
+              const std::vector<nets::Wire>& clearing = {}) {
+    const nets::Cells& cells = rtl_.cells();
+    Bits given(cells.nets.size());
+    for (const auto* all : {&cells.inputs, &cells.free}) {
+      for (const std::size_t net : *all) given[net] = anything_[net];
+    }
+    for (int i = 0; i < rtl_.width("mutsel"); ++i) {
+      given[rtl_.net("mutsel", i)] = (number >> i & 1U) != 0 ? yes : no;
+    }
+    for (std::size_t i = 0; i < inputs_.size(); ++i) {
+      const nets::Wire& own = machine_.inputs[i];
+      const Bits* code = free_inputs ? nullptr : &own.code;
+      for (const nets::Wire& w : clearing) {
+        if (label_of(w.field) == label_of(own.field)) code = &w.code;
+      }
+      for (std::size_t b = 0; code != nullptr && b < inputs_[i].size(); ++b) {
+        given[inputs_[i][b]] = (*code)[b];
+      }
+    }
+    for (std::size_t i = 0; i < held.size(); ++i) given[cells.flip_flops[i].now] = held[i];
+    return nets::placed(graph(), cells, std::move(given));
+  }
+  Bits held_at_random() const {
+    Bits all;
+    for (const auto& f : rtl_.cells().flip_flops) all.push_back(anything_[f.now]);
+    return all;
+  }
+  Bits next_of(const Bits& nets) const {
+    Bits all;
+    for (const auto& f : rtl_.cells().flip_flops) all.push_back(nets[f.next]);
+    return all;
+  }
+  static std::vector<Bits> in(const Bits& nets, const std::vector<std::vector<std::size_t>>& of) {
+    std::vector<Bits> all;
+    for (const auto& wire : of) {
+      Bits& bits = all.emplace_back();
+      for (const std::size_t net : wire) bits.push_back(nets[net]);
+    }
+    return all;
+  }
+
+  Step step_of(unsigned number) {
+    Step step;
+    Bits held = held_at_random();
+    const Bits nets = placed(number, held, false);
+    // A net that is a flip-flop gives it its value; of any other that is assumed.
+    for (std::size_t i = 0; i < registers_.size(); ++i) {
+      const nets::Wire& w = machine_.registers[i];
+      for (std::size_t b = 0; b < registers_[i].size(); ++b) {
+        const auto own = std::find(held.begin(), held.end(), nets[registers_[i][b]]);
+        if (own == held.end()) continue;
+        *own = w.when ? graph().choice(*w.when, w.code[b], *own) : w.code[b];
+      }
+    }
+    const Bits now = placed(number, held, false);
+    for (std::size_t i = 0; i < registers_.size(); ++i) {
+      const nets::Wire& w = machine_.registers[i];
+      for (std::size_t b = 0; b < registers_[i].size(); ++b) {
+        const Bit wrong = graph().differ(now[registers_[i][b]], w.code[b]);
+        step.given = graph().both(step.given, !where_compared(w, wrong));
+      }
+    }
+    step.outputs = in(now, outputs_);
+    step.after = in(placed(number, next_of(now), true), registers_);
+    for (const std::size_t net : clocks_) step.clocks.push_back(now[net]);
+    return step;
+  }
+
+  // After a clock that clears, whatever the flip-flops held.
+  Bit not_cleared(unsigned number) {
+    const Bits now = placed(number, held_at_random(), false, machine_.clearing);
+    const auto after = in(placed(number, next_of(now), true), registers_);
+    Bit wrong = no;
+    for (std::size_t i = 0; i < after.size(); ++i) {
+      const nets::Wire& w = machine_.cleared[i];
+      if (w.field.unreset) continue;  // whatever it holds, the model takes it over
+      wrong = graph().either(wrong, where_compared(w, differs(after[i], w.code)));
+    }
+    return wrong;
+  }
+
+  const nets::MachineOf<nets::Number>& machine_;
+  const RtlNets& rtl_;
+  NetQuestions q_;
+  std::vector<std::vector<std::size_t>> inputs_, registers_, outputs_;
+  std::vector<std::size_t> clocks_;  // of each flip-flop
+  Bits anything_;                    // by net, of inputs and flip-flops
+  Bit assumed_ = yes;
+  Step original_;
+};
+
+}  // namespace
+
+NetQuestions nets_of_reached(const nets::Model& model) {
+  const auto& m = model.machine;
+  NetQuestions q{model.graph, model.ports, {}, {}};
+  Bit assumed = yes, wrong = no;
+  for (const auto* all : {&m.invariant, &m.reached, &m.legal}) {
+    for (const nets::Named& n : *all) assumed = q.graph.both(assumed, n.condition);
+  }
+  for (const auto* all : {&m.invariant_after, &m.reached_after}) {
+    for (const nets::Named& n : *all) wrong = q.graph.either(wrong, !n.condition);
+  }
+  for (const auto* all : {&m.invariant_cleared, &m.reached_cleared}) {
+    for (const nets::Named& n : *all) wrong = q.graph.either(wrong, !n.condition);
+  }
+  q.asked.push_back({"any clock", q.graph.both(assumed, wrong)});
+  return q;
+}
+
+MutantNets nets_of_mutants(const nets::Model& model, const RtlNets& rtl,
+                           const std::vector<unsigned>& numbers) {
+  Maker maker(model, rtl);
+  MutantNets all;
+  for (const unsigned number : numbers) all.known.push_back(maker.ask(number));
+  all.questions = maker.take();
+  return all;
+}
+
+}  // namespace cosim::proof

@@ -1,0 +1,63 @@
+// Planes against 64 runs of the same graph, gate by gate.
+#include "tb/nets/planes.h"
+
+#include <gtest/gtest.h>
+
+#include "tb/support/random.h"
+
+namespace cosim::test {
+namespace {
+
+using nets::Bit;
+using nets::Plane;
+
+// Each gate from bits at random, any of them opposite.
+nets::Graph made_at_random(Random& random, std::vector<Bit>& bits) {
+  nets::Graph graph;
+  bits = {nets::no};
+  for (int i = 0; i < 20; ++i) bits.push_back(graph.input());
+  const auto any = [&] {
+    const Bit bit = bits[random.below(bits.size())];
+    return random.below(2) == 0 ? bit : !bit;
+  };
+  for (int i = 0; i < 500; ++i) {
+    switch (random.below(3)) {
+      case 0:
+        bits.push_back(graph.both(any(), any()));
+        break;
+      case 1:
+        bits.push_back(graph.differ(any(), any()));
+        break;
+      default:
+        bits.push_back(graph.choice(any(), any(), any()));
+    }
+  }
+  return graph;
+}
+
+TEST(Planes, HoldWhatSixtyFourRunsGive) {
+  Random random(3);
+  for (const std::size_t lanes : {std::size_t{64}, nets::plane_lanes}) {
+    std::vector<Bit> bits;
+    const nets::Graph graph = made_at_random(random, bits);
+    nets::Planes planes(graph, bits, lanes);
+    std::vector<Plane> given(graph.inputs().size());
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      for (std::uint64_t& w : given[i].words) w = random.next();
+      planes.give(graph.inputs()[i], given[i]);
+    }
+    planes.run();
+    for (std::size_t w = 0; w < lanes / 64; ++w) {
+      std::vector<std::uint64_t> inputs;
+      for (const Plane& p : given) inputs.push_back(p.words[w]);
+      const auto gates = run(graph, inputs);
+      for (const Bit bit : bits) {
+        ASSERT_EQ(planes.get(bit).words[w], in_runs(gates, bit));
+        ASSERT_EQ(planes.get(!bit).words[w], in_runs(gates, !bit));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace cosim::test

@@ -80,7 +80,7 @@ void add_cases(std::vector<Case>& all, const Bench<Design>& bench, std::uint64_t
 }
 
 constexpr std::uint64_t quick_cases = 12;
-constexpr std::uint64_t thorough_cases = 2000;
+constexpr std::uint64_t thorough_cases = 3000;
 
 /// All of them, on `bench`, which must outlive them.
 template <class Design>

@@ -1,32 +1,29 @@
 #include "model/circular/host.h"
 
+#include <algorithm>
+
 namespace cosim::circular {
 
+Task<Word> task_of(const Params& p, const Arc& arc) {
+  const Setup s = setup(arc.from, arc.radius2);
+  const auto code = [&](std::int64_t v) {
+    return low_bits(to_ones_complement(v, p.width + 1), p.width + 1);
+  };
+  const Word most = ones(p.width + 2);
+  return {s.sector2,   low_bits(s.f, p.width + 2), code(s.ct7),
+          code(s.ct8), arc.count.has_value(),      std::min(arc.count.value_or(0), most)};
+}
+
 bool Host::next(Inputs<Word>& in, const Outputs<Word>& seen) {
-  in = Design::rest();
-  if (age_ > 0) {
-    // The start shows in `running` one clock later.
-    const bool first = age_ == 1;
-    if (!first) steps_ += seen.step_y | seen.step_x;
-    if (first || seen.running) {
-      ++age_;
-      const auto& count = arcs_[job_].count;
-      in.stop = count && steps_ >= *count;
-      return true;
-    }
-    age_ = 0;
-    ++job_;
+  if (!is_first_) {
+    const Turn<Word> turn = turned(p_, driven_, seen);
+    driven_ = turn.driven;
+    job_ += turn.over;
   }
   if (job_ == arcs_.size()) return false;
-  const Setup s = setup(arcs_[job_].from, arcs_[job_].radius2);
-  in.load = 1;
-  in.start = 1;
-  in.sector2 = s.sector2;
-  in.f = low_bits(s.f, p_.width + 2);
-  in.ct7 = low_bits(to_ones_complement(s.ct7, p_.width + 1), p_.width + 1);
-  in.ct8 = low_bits(to_ones_complement(s.ct8, p_.width + 1), p_.width + 1);
-  age_ = 1;
-  steps_ = 0;
+  if (!driven_.begun) task_ = task_of(p_, arcs_[job_]);
+  in = pins(p_, task_, driven_);
+  is_first_ = false;
   return true;
 }
 

@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "model/circular/arc.h"
-#include "model/circular/machine.h"
+#include "model/circular/drive.h"
 #include "model/circular/view.h"
 
 namespace cosim::circular {
@@ -38,8 +37,9 @@ class Host {
   Params p_;
   std::span<const Arc> arcs_;
   std::size_t job_ = 0;
-  std::int64_t steps_ = 0;
-  std::int64_t age_ = 0;  // clocks since the start, counting it
+  bool is_first_ = true;
+  Task<Word> task_;
+  Driven<Word> driven_;
 };
 
 }  // namespace cosim::circular

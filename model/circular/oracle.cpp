@@ -10,20 +10,32 @@ Point next_point(Point p, std::uint64_t radius2) {
   return {p.x - 1, nearest_on(p.x - 1, radius2) > p.y ? p.y + 1 : p.y};
 }
 
+namespace {
+
+__extension__ typedef unsigned __int128 Uint128;
+
 // The difference of two near roots would lose its digits: a - b = (a^2 - b^2) / (a + b), and the
 // squares are exact.
+double apart(Uint128 at, std::uint64_t radius2) {  // at most 2^127
+  const Uint128 squares = at > radius2 ? at - radius2 : radius2 - at;
+  if (squares == 0) return 0;
+  const long double roots =
+      std::sqrt(static_cast<long double>(at)) + std::sqrt(static_cast<long double>(radius2));
+  return static_cast<double>(static_cast<long double>(squares) / roots);
+}
+
+}  // namespace
+
 double radial_deviation(Point p, std::uint64_t radius2) {
-  __extension__ typedef unsigned __int128 Uint128;
   const auto square = [](std::int64_t v) {
     const Uint128 size = v < 0 ? -static_cast<Uint128>(v) : static_cast<Uint128>(v);
     return size * size;
   };
-  const Uint128 at = square(p.x) + square(p.y);  // at most 2^127
-  const Uint128 apart = at > radius2 ? at - radius2 : radius2 - at;
-  if (apart == 0) return 0;
-  const long double roots =
-      std::sqrt(static_cast<long double>(at)) + std::sqrt(static_cast<long double>(radius2));
-  return static_cast<double>(static_cast<long double>(apart) / roots);
+  return apart(square(p.x) + square(p.y), radius2);
+}
+
+double radial_deviation_by(std::int64_t excess, std::uint64_t radius2) {
+  return apart(static_cast<Uint128>(radius2) + static_cast<Uint128>(excess), radius2);
 }
 
 }  // namespace cosim::circular

@@ -21,5 +21,7 @@ Point next_point(Point p, std::uint64_t radius2);
 /// |sqrt(x^2 + y^2) - sqrt(radius2)| in steps, accurate to 1e-9 of a step for points near the
 /// circle and to the precision of a double elsewhere.
 double radial_deviation(Point p, std::uint64_t radius2);
+/// The same of a point whose x^2 + y^2 is so much more than radius2; at least -radius2.
+double radial_deviation_by(std::int64_t excess, std::uint64_t radius2);
 
 }  // namespace cosim::circular

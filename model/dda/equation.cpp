@@ -80,7 +80,27 @@ Way nearest(const Equation& curve, Real x, Real y) {
   return {w.x * low.x + w.y * high.x, w.x * low.y + w.y * high.y};
 }
 
+// The value is A times the difference of two squares, of the distance from the centre and of the
+// radius.
+double off_circle(const Equation& curve, Real value, Real from_centre) {
+  const Real radius = std::hypot(curve.x0, curve.y0) / std::fabs(curve.two_a);
+  return static_cast<double>(std::fabs(value) * 2 / std::fabs(curve.two_a) /
+                             (from_centre + radius));
+}
+
 }  // namespace
+
+double deviation_by(const Job& job, std::int64_t twice) {
+  if (twice == 0) return 0;
+  const Equation curve(job.start);
+  const Real value = static_cast<Real>(twice) / 2;
+  if (curve.is_line()) {
+    return static_cast<double>(std::fabs(value) /
+                               std::max(std::fabs(curve.x0), std::fabs(curve.y0)));
+  }
+  const Real radius = std::hypot(curve.x0, curve.y0) / std::fabs(curve.two_a);
+  return off_circle(curve, value, std::sqrt(radius * radius + 2 * value / curve.two_a));
+}
 
 double deviation(const Job& job, Point at) {
   const Equation curve(job.start);
@@ -88,12 +108,8 @@ double deviation(const Job& job, Point at) {
   const Real value = curve.value(x, y);
   if (value == 0) return 0;
   if (curve.is_circle()) {
-    // The value is A times the difference of two squares, of the distance from the centre and of
-    // the radius.
     const Real centre_x = -curve.y0 / curve.two_a, centre_y = curve.x0 / curve.two_a;
-    const Real radius = std::hypot(centre_x, centre_y);
-    return static_cast<double>(std::fabs(value) * 2 / std::fabs(curve.two_a) /
-                               (std::hypot(x - centre_x, y - centre_y) + radius));
+    return off_circle(curve, value, std::hypot(x - centre_x, y - centre_y));
   }
   if (!curve.is_straight_from(x, y)) {
     // The start is on the curve.

@@ -13,6 +13,9 @@ namespace cosim::dda {
 /// where that is within an eighth of the distance, else the distance. Finite, whatever the job.
 double deviation(const Job& job, Point at);
 
+/// The same of a line or a circle, where twice the left side of its equation has this value.
+double deviation_by(const Job& job, std::int64_t twice);
+
 /// The curve's point next to `at`, to the digits of a picture; one of them where there are several.
 std::pair<double, double> on_curve(const Job& job, Point at);
 

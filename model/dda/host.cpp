@@ -7,35 +7,31 @@ namespace {
 
 using Start = State<Word>;
 
-// The modes and every register behind them.
-constexpr std::size_t addresses = Start::size - Start::index_sx + 1;
-
-Word word_at(const Params& p, const Start& s, std::size_t address) {
+Word word_at(const Params& p, const Start& s, int address) {
   if (address == 0) return s.sequential + 2 * s.normalise + 4 * s.free;
-  return to_words(registers(p, s))[Start::index_sx + address - 1];
+  return to_words(registers(p, s))[Start::index_sx + static_cast<std::size_t>(address) - 1];
 }
 
 }  // namespace
 
+Task<Word> task_of(const Params& p, const Job& job) {
+  Task<Word> task;
+  for (int i = 0; i < addresses; ++i) task.words[i] = word_at(p, job.start, i);
+  task.counted = job.clocks.has_value();
+  task.clocks = job.clocks.value_or(0);
+  return task;
+}
+
 bool Host::next(Inputs<Word>& in, const Outputs<Word>& seen) {
-  in = Design::rest();
-  if (written_ == addresses) {
-    // The start shows in `busy` one clock later.
-    if (clocks_ == 0 || seen.busy) {
-      const auto& clocks = jobs_[job_].clocks;
-      in.stop = clocks && clocks_ >= *clocks;
-      ++clocks_;
-      return true;
-    }
-    written_ = 0;
-    ++job_;
+  if (!is_first_) {
+    const Turn<Word> turn = turned(p_, driven_, seen);
+    driven_ = turn.driven;
+    job_ += turn.over;
   }
   if (job_ == jobs_.size()) return false;
-  in.write = 1;
-  in.address = static_cast<Word>(written_);
-  in.data = word_at(p_, jobs_[job_].start, written_);
-  in.start = ++written_ == addresses;
-  clocks_ = 0;
+  if (driven_.written == 0) task_ = task_of(p_, jobs_[job_]);
+  in = pins(p_, task_, driven_);
+  is_first_ = false;
   return true;
 }
 

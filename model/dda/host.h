@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "model/dda/curve.h"
+#include "model/dda/drive.h"
 #include "model/dda/view.h"
 
 namespace cosim::dda {
@@ -37,8 +37,9 @@ class Host {
   Params p_;
   std::span<const Job> jobs_;
   std::size_t job_ = 0;
-  std::size_t written_ = 0;  // of the addresses of this job
-  std::int64_t clocks_ = 0;  // of running so far
+  bool is_first_ = true;
+  Task<Word> task_;
+  Driven<Word> driven_;
 };
 
 }  // namespace cosim::dda

@@ -1,42 +1,24 @@
 #include "model/linear/host.h"
 
+#include <algorithm>
+
 namespace cosim::linear {
 
+Task<Word> task_of(const Params& p, const Job& job) {
+  return {job.line.major, low_bits(static_cast<Word>(job.line.code), p.m), job.words.has_value(),
+          std::min(job.words.value_or(0), ones(p.n + 1))};
+}
+
 bool Host::next(Inputs<Word>& in, const Outputs<Word>& seen) {
-  in = Design::rest();
-  if (phase_ == Phase::run) {
-    words_ += seen.strobe;
-    if (seen.busy) {
-      const auto& words = jobs_[job_].words;
-      in.initial_set_n = !(words && words_ >= *words);
-      return true;
-    }
-    phase_ = Phase::bp;
-    ++job_;
+  if (!is_first_) {
+    const Turn<Word> turn = turned(p_, driven_, seen);
+    driven_ = turn.driven;
+    job_ += turn.over;
   }
   if (job_ == jobs_.size()) return false;
-  const Line& line = jobs_[job_].line;
-  switch (phase_) {
-    case Phase::bp:
-      in.write_bp = 1;
-      in.data = line.major;
-      words_ = 0;
-      phase_ = Phase::uk;
-      break;
-    case Phase::uk:
-      in.write_uk = 1;
-      in.data = static_cast<Word>(line.code);
-      phase_ = Phase::start;
-      break;
-    case Phase::start:
-      in.start = 1;
-      phase_ = Phase::rise;
-      break;
-    case Phase::rise:  // `busy` shows one clock after the start
-    case Phase::run:
-      phase_ = Phase::run;
-      break;
-  }
+  if (driven_.clock == 0) task_ = task_of(p_, jobs_[job_]);
+  in = pins(p_, task_, driven_);
+  is_first_ = false;
   return true;
 }
 

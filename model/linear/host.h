@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "model/linear/control_code.h"
-#include "model/linear/machine.h"
+#include "model/linear/drive.h"
 #include "model/linear/view.h"
 
 namespace cosim::linear {
@@ -28,7 +28,7 @@ class Host {
   using Job = linear::Job;
 
   /// `jobs` must outlive the host.
-  Host(const Params&, std::span<const Job> jobs) : jobs_(jobs) {}
+  Host(const Params& p, std::span<const Job> jobs) : p_(p), jobs_(jobs) {}
 
   /// The inputs of the next clock; false when the last line is over. `seen`: the outputs of the
   /// clock before (of no meaning on the first call).
@@ -44,10 +44,12 @@ class Host {
   std::size_t job() const { return job_; }
 
  private:
+  Params p_;
   std::span<const Job> jobs_;
   std::size_t job_ = 0;
-  std::int64_t words_ = 0;
-  enum class Phase { bp, uk, start, rise, run } phase_ = Phase::bp;
+  bool is_first_ = true;
+  Task<Word> task_;
+  Driven<Word> driven_;
 };
 
 }  // namespace cosim::linear

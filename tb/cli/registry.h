@@ -24,9 +24,9 @@ struct DesignSweeps {
   std::string help;     ///< what is swept: "Lines of any slope"
   std::string example;  ///< the words behind "PROGRAM sweep DESIGN"
   std::vector<ShapeOption> shape;
-  /// Every case there is; empty if the bench is too wide for that.
-  std::function<std::vector<Sweep>(const AnyBench&)> exhaustive;
-  std::string exhaustible;  ///< the shapes that are not too wide: "M <= 8"
+  /// Every case there is, one at a time or in lanes; empty if the bench is too wide for that.
+  std::function<std::vector<Sweep>(const AnyBench&, bool in_lanes)> exhaustive;
+  std::string exhaustible;  ///< the shapes that are not too wide: "M <= 8, or 14 with --lanes auto"
   /// `count` cases, which the seed decides.
   std::function<Sweep(const AnyBench&, std::uint64_t seed, std::uint64_t count)> random;
 };

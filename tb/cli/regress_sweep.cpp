@@ -146,7 +146,7 @@ regress::Works SweepKind::works(const regress::Task& task, const std::filesystem
   regress::Works works;
   for (const AnyBench* bench : benches) {
     std::vector<Sweep> sweeps;
-    if (task.has("exhaustive")) sweeps = design.exhaustive(*bench);
+    if (task.has("exhaustive")) sweeps = design.exhaustive(*bench, false);
     if (task.has("random")) sweeps = {design.random(*bench, task.seed, task.number("random"))};
     if (task.has("hostile")) sweeps = {hostile_sweep(*bench, task.seed, task.number("hostile"))};
     for (Sweep& sweep : sweeps)

@@ -16,6 +16,7 @@
 #include "tb/cli/registry.h"
 #include "tb/cli/sweep_checkpoint.h"
 #include "tb/cli/sweeps.h"
+#include "tb/lanes/jobs.h"
 #include "tb/lanes/sweep.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/parallel.h"
@@ -70,10 +71,11 @@ std::vector<std::pair<const AnyBench*, Sweep>> planned(const SweepOptions& o,
   const std::uint64_t seed = o.common.seed();
   const std::uint64_t cases = o.random ? whole("--random", *o.random, 1, most) : 0;
   const std::uint64_t clocks = o.hostile ? whole("--hostile", *o.hostile, 1, most) : 0;
+  const bool in_lanes = o.lanes && lanes_asked(o) != 0;
   std::vector<std::pair<const AnyBench*, Sweep>> all;
   for (const AnyBench* bench : benches) {
     std::vector<Sweep> sweeps;
-    if (o.exhaustive) sweeps = o.design.exhaustive(*bench);
+    if (o.exhaustive) sweeps = o.design.exhaustive(*bench, in_lanes);
     if (o.random) sweeps = {o.design.random(*bench, seed, cases)};
     if (o.hostile) sweeps = {hostile_sweep(*bench, seed, clocks)};
     for (Sweep& sweep : sweeps) all.emplace_back(bench, std::move(sweep));
@@ -81,17 +83,28 @@ std::vector<std::pair<const AnyBench*, Sweep>> planned(const SweepOptions& o,
   if (all.empty()) {
     throw InputError("--exhaustive: too wide to try everything; take " + o.design.exhaustible);
   }
+  if (in_lanes) {
+    for (const auto& [bench, sweep] : all) {
+      if (!o.hostile && !sweep.in_lanes) {
+        throw InputError(
+            fmt::format("{}, {}: does not run in lanes: only what a design's Jobs draw "
+                        "does; --lanes 0 does without",
+                        bench->title(), sweep.name));
+      }
+    }
+  }
   return all;
 }
 
-// The lanes that a bench's hostile clocks run in; none where they run one case at a time. They are
-// made in seconds, in which that gets through some hundred million clocks: unless they are asked
-// for, fewer are not worth it.
-std::unique_ptr<lanes::Built> lanes_for(const SweepOptions& o, const AnyBench& bench) {
+// The lanes that a sweep runs in; none where it runs one case at a time. They are made in seconds,
+// in which that gets through some hundred million clocks: unless they are asked for, fewer are not
+// worth it, and nobody knows of how many clocks jobs are.
+std::unique_ptr<lanes::Built> lanes_for(const SweepOptions& o, const AnyBench& bench,
+                                        const Sweep& sweep) {
   constexpr std::uint64_t worth_it = 200'000'000;
   const std::optional<int> asked = lanes_asked(o);
-  if (!o.hostile || asked == 0) return {};
-  if (!asked && whole("--hostile", *o.hostile, 1, most) < worth_it) return {};
+  if (asked == 0 || (!o.lanes && !o.hostile)) return {};
+  if (!asked && o.hostile && whole("--hostile", *o.hostile, 1, most) < worth_it) return {};
   try {
     const proof::BuiltMachine& machine = machine_of(bench);
     if (machine.played == nullptr || machine.streams) {
@@ -99,13 +112,25 @@ std::unique_ptr<lanes::Built> lanes_for(const SweepOptions& o, const AnyBench& b
                                    model_without_formula(machine)));
     }
     const std::string folder = registry().build_folder() + "/lanes";
-    return lanes::built(bench.title(), machine.played(), source_of(bench),
-                        asked.value_or(lanes::widest()), folder);
+    const int lanes = asked.value_or(lanes::widest());
+    if (o.hostile) {
+      return lanes::built(bench.title(), machine.played(), source_of(bench), lanes, folder);
+    }
+    return lanes::built_for_jobs(bench, machine.played(), source_of(bench), *sweep.in_lanes, lanes,
+                                 folder);
   } catch (const InputError& error) {
     if (asked) throw;
     fmt::print("{}; one case at a time\n", error.what());
     return {};
   }
+}
+
+// The sweep in these lanes.
+Sweep in_lanes(const SweepOptions& o, const AnyBench& bench, const Sweep& sweep,
+               const lanes::Built& lanes) {
+  if (!o.hostile) return lanes::job_sweep(bench, lanes, sweep);
+  return lanes::hostile_sweep(bench, lanes, o.common.seed(),
+                              whole("--hostile", *o.hostile, 1, most));
 }
 
 // Hostile clocks are no jobs: the oracle has nothing to count.
@@ -146,10 +171,9 @@ int run(const SweepOptions& o) {
   const Benches benches = matching(o.design.design, o.shape.shape());
   check_kind(o);
   const auto threads = o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores();
+  lanes_asked(o);
   const auto sweeps = planned(o, benches);
   check_outputs(o.common);
-  if (o.lanes && !o.hostile) throw InputError("--lanes: needs --hostile");
-  lanes_asked(o);
   std::string work =
       fmt::format("seed {}, {} hostile clocks", o.common.seed(), o.hostile.value_or("no"));
   for (const auto& [bench, sweep] : sweeps) {
@@ -165,10 +189,8 @@ int run(const SweepOptions& o) {
     const Resume resume = checkpoint.resume(outcomes.size(), sweep.cases);
     std::atomic<std::uint64_t> matched{0};
     try {
-      const auto lanes = lanes_for(o, *bench);
-      const Sweep run = lanes ? lanes::hostile_sweep(*bench, *lanes, o.common.seed(),
-                                                     whole("--hostile", *o.hostile, 1, most))
-                              : sweep;
+      const auto lanes = lanes_for(o, *bench, sweep);
+      const Sweep run = lanes ? in_lanes(o, *bench, sweep, *lanes) : sweep;
       const Result swept =
           run_sweep(interruptible(run, matched), threads, progress.callback(), resume);
       outcomes.push_back({bench, sweep.name, swept});
@@ -199,8 +221,9 @@ void add_options(const Command& design, SweepOptions& o) {
   design.text("--hostile", o.hostile, "COUNT",
               "COUNT clocks of any value on any pin at each width");
   design.text("--lanes", o.lanes, "LANES",
-              "How many hostile cases run at once on a core: 512, 256, 64, or 0: one at a\n"
-              "time; default auto: as many as the processor can, if the run is long enough");
+              "How many cases run at once on a core: 512, 256, 64, or 0: one at a time; auto:
+"
+              "as many as the processor can, the default of hostile clocks in a long run");
   design.text("--jobs", o.jobs, "J", "Threads, 1 to 1024; default one a core");
   add_failures(design, o.common);
   design.text("--checkpoint", o.common.checkpoint, "FILE",

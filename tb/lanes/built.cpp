@@ -89,11 +89,12 @@ Built::Built(const fs::path& library) : handle_(dlopen(library.c_str(), RTLD_NOW
   if (handle_ == nullptr) throw InputError(fmt::format("lanes: {}", dlerror()));
   clear = reinterpret_cast<Act>(dlsym(handle_, "cosim_lanes_clear"));
   take_over = reinterpret_cast<Act>(dlsym(handle_, "cosim_lanes_take_over"));
+  choose = reinterpret_cast<Choose>(dlsym(handle_, "cosim_lanes_choose"));
   run = reinterpret_cast<Run>(dlsym(handle_, "cosim_lanes_run"));
   const void* own = dlsym(handle_, "cosim_lanes");
   const void* text = dlsym(handle_, "cosim_lanes_layout");
-  if (clear == nullptr || take_over == nullptr || run == nullptr || own == nullptr ||
-      text == nullptr) {
+  if (clear == nullptr || take_over == nullptr || choose == nullptr || run == nullptr ||
+      own == nullptr || text == nullptr) {
     dlclose(handle_);
     throw InputError(library.string() + ": no lanes in it");
   }

@@ -19,6 +19,8 @@ int widest();
 class Built {
  public:
   using Act = void (*)(std::uint64_t* planes);
+  using Choose = void (*)(std::uint64_t* planes, const std::uint64_t* which,
+                          const std::uint64_t* from, std::uint64_t count);
   using Run = std::int64_t (*)(std::uint64_t* planes, const std::uint64_t* active,
                                std::uint64_t from, std::uint64_t to, std::uint64_t* differ,
                                std::uint64_t* left_out);
@@ -32,6 +34,7 @@ class Built {
   int lanes = 0;
   Layout layout;
   Act clear = nullptr, take_over = nullptr;
+  Choose choose = nullptr;
   Run run = nullptr;
 
  private:

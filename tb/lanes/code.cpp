@@ -26,7 +26,7 @@ class Maker {
 
   Code take() {
     make_clock();
-    make_stretch();
+    if (!played_.draw.stretch.held.empty()) make_stretch();
     make_clear();
     make_take_over();
     return std::move(code_);
@@ -97,8 +97,17 @@ class Maker {
     out = clock.inputs;
     append(out, clock.after);
     clock_cells_ = mapped("draw", clock.graph, clock.held, out);
-    stretch_cells_ = mapped("stretch", played_.draw.stretch.graph, played_.draw.stretch.held,
-                            played_.draw.stretch.after);
+    if (!played_.draw.stretch.held.empty()) {
+      stretch_cells_ = mapped("stretch", played_.draw.stretch.graph, played_.draw.stretch.held,
+                              played_.draw.stretch.after);
+    }
+    if (const auto& answer = played_.draw.answer) {
+      in = answer->held;
+      append(in, answer->seen);
+      out = answer->after;
+      out.push_back(answer->wrong);
+      answer_cells_ = mapped("answer", answer->graph, in, out);
+    }
     map_rtl();
   }
   // Its inputs are those of the tables and then the flip-flops; its outputs what is compared and
@@ -170,6 +179,20 @@ class Maker {
     }
     for (std::size_t i = 0; i < state_bits(); ++i)
       code.store(code_.layout.state + i, expected[at + i]);
+    if (played_.draw.answer) answer(code, std::move(held), expected);
+  }
+  // The outputs stand behind the registers.
+  void answer(Straight& code, std::vector<Value> held, const std::vector<Value>& expected) {
+    std::size_t first = 0, count = 0;
+    for (const auto& wire : registers_) first += wire.size();
+    for (const auto& wire : outputs_) count += wire.size();
+    const std::size_t planes = held.size();
+    for (std::size_t i = 0; i < count; ++i) held.push_back(expected[first + i]);
+    const auto after = code.add(answer_cells_, held);
+    for (std::size_t i = 0; i < planes; ++i) {
+      if (played_.draw.answer->after[i] != played_.draw.answer->held[i]) code.store(i, after[i]);
+    }
+    code.compare(after[planes], zero);
   }
 
   void make_stretch() {
@@ -194,6 +217,7 @@ class Maker {
   }
   void make_clear() {
     code_.clear_clocks = machine_.clear_clocks;
+    code_.is_asked = played_.draw.answer.has_value();
     clock_rtl(code_.clear, clearing());
   }
   // Of a register's code the number that the model's state has by the same name.
@@ -222,7 +246,7 @@ class Maker {
   Code code_;
   std::size_t flip_flops_ = 0;                                 // their first plane
   std::vector<std::vector<std::size_t>> registers_, outputs_;  // the RTL's nets
-  nets::Cells model_cells_, clock_cells_, stretch_cells_, rtl_cells_;
+  nets::Cells model_cells_, clock_cells_, stretch_cells_, answer_cells_, rtl_cells_;
 };
 
 }  // namespace

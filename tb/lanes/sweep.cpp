@@ -54,6 +54,15 @@ std::string key_of(const std::string& title, const nets::Played& played,
     add(out, step->after);
     key += to_blif("draw", step->graph, held, out);
   }
+  if (const auto& answer = played.draw.answer) {
+    held.clear();
+    out.clear();
+    add(held, answer->held);
+    add(held, answer->seen);
+    add(out, answer->after);
+    add(out, {answer->wrong});
+    key += to_blif("answer", answer->graph, held, out);
+  }
   for (const auto* codes : {&played.cleared, &played.clearing}) {
     for (const Word code : *codes) key += fmt::format("{} ", code);
   }

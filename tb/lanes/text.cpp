@@ -127,12 +127,15 @@ extern "C" void cosim_lanes_clear(V* m) {{
   for (int i = 0; i < {}; ++i) clear(m, V{{}}, nullptr);
 }}
 extern "C" void cosim_lanes_take_over(V* m) {{ take_over(m, V{{}}, nullptr); }}
+extern "C" void cosim_lanes_choose(V* m, const V* which, const V* from, std::uint64_t planes) {{
+  for (std::uint64_t i = 0; i < planes; ++i) m[i] = m[i] ^ (*which & (m[i] ^ from[i]));
+}}
 extern "C" std::int64_t cosim_lanes_run(V* m, const V* active, std::uint64_t from, std::uint64_t to,
                                         V* differ, std::uint64_t* left_out) {{
   for (std::uint64_t at = from; at < to; ++at) {{
     if (at % {} == 0) stretch(m, *active, left_out);
     const V d = clock(m, *active, left_out);
-    if (any(d)) {{
+    if (any({})) {{
       *differ = d;
       return static_cast<std::int64_t>(at);
     }}
@@ -140,7 +143,8 @@ extern "C" std::int64_t cosim_lanes_run(V* m, const V* active, std::uint64_t fro
   return -1;
 }}
 )",
-                     to_text(code.layout), code.clear_clocks, HostileCase::stretch);
+                     to_text(code.layout), code.clear_clocks, HostileCase::stretch,
+                     code.is_asked ? "d | (m[0] & *active)" : "d");
 }
 
 }  // namespace cosim::lanes

@@ -15,6 +15,7 @@ struct Code {
   Straight clear;      ///< one clock of the RTL alone, with the inputs that clear it
   Straight take_over;  ///< behind the last of them: what the model takes over from the RTL
   int clear_clocks = 0;
+  bool is_asked = false;  ///< plane number 0 says in which lanes a job is over
   Layout layout;
 };
 
@@ -25,11 +26,14 @@ struct Code {
 ///   char cosim_lanes_layout[]                            the layout of the memory, in words
 ///   void cosim_lanes_clear(V* m)                         clears the RTL
 ///   void cosim_lanes_take_over(V* m)                     gives the model what no reset reaches
+///   void cosim_lanes_choose(V* m, const V* which, const V* from, uint64_t planes)
+///                                                        takes over these lanes
 ///   int64_t cosim_lanes_run(V* m, const V* active, uint64_t from, uint64_t to, V* differ,
 ///                           uint64_t* left_out)
 ///
 /// The last one runs clocks number from .. to - 1 of the cases. It ends after the first on which
-/// any of the lanes at work differs, and returns its number and those lanes; else -1.
+/// any of the lanes at work differs, or its job is over, and returns its number and those that
+/// differ; else -1.
 std::string to_text(const Code& code, int lanes);
 
 }  // namespace cosim::lanes

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "tb/nets/number.h"
@@ -17,9 +18,19 @@ struct DrawStep {
   std::vector<Bit> inputs;  ///< of a clock: the inputs that the shape has, one behind the other
 };
 
+/// What is made of the outputs of a clock, where the inputs follow from them.
+struct Answer {
+  Graph graph;
+  std::vector<Bit> held;   ///< free: what its clock's DrawStep holds
+  std::vector<Bit> seen;   ///< free: the outputs that the shape has, one behind the other
+  std::vector<Bit> after;  ///< what is held then
+  Bit wrong;               ///< an error, beside what differs
+};
+
 struct Draw {
   std::size_t seeds = 0;  ///< words that the seeds of a case give: the first; all else is 0 then
   DrawStep clock, stretch;
+  std::optional<Answer> answer{};
 };
 
 namespace detail {

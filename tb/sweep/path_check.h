@@ -12,6 +12,15 @@
 
 namespace cosim {
 
+/// The figures of a check of paths, before the number of jobs.
+inline Checked path_figures(std::uint64_t steps, double max_deviation) {
+  Checked found;
+  found.measures = {
+      {"steps", Measure::Sum::total, "", "step", steps},
+      {"max_deviation", Measure::Sum::largest, "largest deviation", "step", max_deviation}};
+  return found;
+}
+
 template <class Design>
 class PathCheck : public Observer<Design> {
  public:
@@ -25,10 +34,9 @@ class PathCheck : public Observer<Design> {
   }
   /// What was found so far, the present job left open.
   Checked so_far() const {
-    Checked found = found_;
-    found.measures = {
-        {"steps", Measure::Sum::total, "", "step", steps_},
-        {"max_deviation", Measure::Sum::largest, "largest deviation", "step", max_deviation_}};
+    Checked found = path_figures(steps_, max_deviation_);
+    found.jobs = found_.jobs;
+    found.error = found_.error;
     return found;
   }
   /// Closes the last job.

@@ -5,12 +5,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "tb/bench/bench.h"
 #include "tb/sweep/result.h"
 
 namespace cosim {
+
+class LaneJobs;  // lane_jobs.h
 
 struct Sweep {
   std::string name;  ///< what is swept, for a person: "every BP and UK"
@@ -21,6 +24,8 @@ struct Sweep {
   /// `run`: the sum up to and with the first that fails. It too is called from several threads.
   std::function<Result(std::uint64_t first, std::uint64_t count)> run_some = {};
   std::uint64_t at_once = 1;
+  /// What its cases are in lanes; none where they are not jobs or run one at a time only.
+  std::shared_ptr<const LaneJobs> in_lanes = {};
 };
 
 /// Called now and then from the calling thread with the cases done so far.

@@ -3,8 +3,14 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
 
 #include "tb/designs/circular/check.h"
+#include "tb/designs/circular/lanes.h"
+#include "tb/sweep/lane_jobs.h"
 
 namespace cosim::circular {
 namespace {
@@ -13,18 +19,56 @@ std::uint64_t square(std::int64_t r) {
   return static_cast<std::uint64_t>(r) * static_cast<std::uint64_t>(r);
 }
 
+using Arcs = std::function<bool(Arc&)>;
+
 Sweep over_radii(const CircularBench& bench, const char* name, std::int64_t first,
-                 std::int64_t last, std::vector<Arc> (*arcs_of)(std::int64_t radius)) {
-  const auto run = [&bench, first, arcs_of](std::uint64_t i) {
-    const std::int64_t radius = first + static_cast<std::int64_t>(i);
-    const std::vector<Arc> arcs = arcs_of(radius);
+                 std::int64_t last, std::uint64_t cases_a_lane,
+                 Arcs (*arcs_of)(std::int64_t radius)) {
+  const auto arcs_at = [first, arcs_of](std::uint64_t i) {
+    return arcs_of(first + static_cast<std::int64_t>(i));
+  };
+  const auto run = [&bench, first, arcs_at](std::uint64_t i) {
+    const std::vector<Arc> arcs = all_of<Arc>(arcs_at(i));
     Result result = run_arcs(bench, arcs, static_cast<std::uint32_t>(i));
-    result.failed = fmt::format("R = {}, {} arcs", radius, arcs.size());
+    result.failed =
+        fmt::format("R = {}, {} arcs", first + static_cast<std::int64_t>(i), arcs.size());
     return result;
   };
-  return {fmt::format("{}, R = {} to {}", name, first, last),
-          static_cast<std::uint64_t>(last - first + 1), run};
+  Sweep sweep{fmt::format("{}, R = {} to {}", name, first, last),
+              static_cast<std::uint64_t>(last - first + 1), run};
+  sweep.in_lanes = std::make_shared<LaneJobsOf<LaneArcs>>(bench.params(), arcs_at, cases_a_lane);
+  return sweep;
 }
+
+// The points of every_start(), one after the other.
+class Starts {
+ public:
+  explicit Starts(std::uint64_t radius2) : radius2_(radius2) {}
+  std::optional<Point> next() {
+    if (column_ < 0) {
+      const Point at{nearest_on(row_, radius2_), row_};
+      if (at.x > at.y) {
+        ++row_;
+        return at;
+      }
+      // The last column of sector 2, which may be one beside the last row of sector 1.
+      column_ = row_ + 1;
+      while (column_ >= 0 && nearest_on(column_, radius2_) < column_) --column_;
+    }
+    if (is_over_) return {};
+    const Point at{column_, nearest_on(column_, radius2_)};
+    if (column_-- == 0) {
+      is_over_ = true;
+      column_ = 0;
+    }
+    return at;
+  }
+
+ private:
+  std::uint64_t radius2_;
+  std::int64_t row_ = 0, column_ = -1;
+  bool is_over_ = false;
+};
 
 }  // namespace
 
@@ -35,46 +79,46 @@ Result run_arcs(const CircularBench& bench, std::span<const Arc> arcs, std::uint
 
 std::vector<Point> every_start(std::uint64_t radius2) {
   std::vector<Point> starts;
-  for (std::int64_t y = 0;; ++y) {
-    const std::int64_t x = nearest_on(y, radius2);
-    if (x <= y) break;
-    starts.push_back({x, y});
-  }
-  std::vector<Point> sector2;
-  for (std::int64_t x = 0;; ++x) {
-    const std::int64_t y = nearest_on(x, radius2);
-    if (y < x) break;
-    sector2.push_back({x, y});
-  }
-  starts.insert(starts.end(), sector2.rbegin(), sector2.rend());
+  for (Starts all(radius2); const auto start = all.next();) starts.push_back(*start);
   return starts;
 }
 
 Sweep every_radius(const CircularBench& bench, std::int64_t first, std::int64_t last) {
-  return over_radii(bench, "every radius from (R, 0)", first, last, [](std::int64_t r) {
-    return std::vector<Arc>{{{r, 0}, square(r), {}}};
+  return over_radii(bench, "every radius from (R, 0)", first, last, 8, [](std::int64_t r) -> Arcs {
+    return [r, is_over = false](Arc& arc) mutable {
+      arc = {{r, 0}, square(r), {}};
+      return !std::exchange(is_over, true);
+    };
   });
 }
 
 Sweep every_start(const CircularBench& bench, std::int64_t last) {
-  return over_radii(bench, "every start of every radius", 1, last, [](std::int64_t r) {
-    std::vector<Arc> arcs;
-    for (const Point& p : every_start(square(r))) arcs.push_back({p, square(r), {}});
-    return arcs;
+  return over_radii(bench, "every start of every radius", 1, last, 1, [](std::int64_t r) -> Arcs {
+    return [r, all = Starts(square(r))](Arc& arc) mutable {
+      const auto from = all.next();
+      arc = {from.value_or(Point{}), square(r), {}};
+      return from.has_value();
+    };
   });
 }
 
 Sweep every_stop(const CircularBench& bench, std::int64_t last) {
-  return over_radii(bench, "every early stop from every start", 1, last, [](std::int64_t r) {
-    std::vector<Arc> arcs;
-    for (const Point& p : every_start(square(r))) {
-      const std::int64_t steps = steps_to_end(p, square(r));
-      for (std::int64_t count = 0; count <= steps + 1; ++count) {
-        arcs.push_back({p, square(r), count});
-      }
-    }
-    return arcs;
-  });
+  return over_radii(bench, "every early stop from every start", 1, last, 1,
+                    [](std::int64_t r) -> Arcs {
+                      return [all = Starts(square(r)), now = Arc{{}, square(r), {}},
+                              stops = std::int64_t{0}, count = std::int64_t{0}](Arc& arc) mutable {
+                        if (count == stops) {
+                          const auto from = all.next();
+                          if (!from) return false;
+                          now.from = *from;
+                          stops = steps_to_end(now.from, now.radius2) + 2;
+                          count = 0;
+                        }
+                        arc = now;
+                        arc.count = count++;
+                        return true;
+                      };
+                    });
 }
 
 Arc random_arc(const Params& p, std::uint64_t seed, std::uint64_t i) {
@@ -114,7 +158,16 @@ Sweep random_arcs(const CircularBench& bench, std::uint64_t seed, std::uint64_t 
                     arc.from.y, arc.count ? fmt::format("{}", *arc.count) : "all", seed);
     return result;
   };
-  return {"random arcs", count, run};
+  Sweep sweep{"random arcs", count, run};
+  const auto arcs_at = [p = bench.params(), seed](std::uint64_t i) -> Arcs {
+    return [p, seed, i, is_over = false](Arc& arc) mutable {
+      if (std::exchange(is_over, true)) return false;
+      arc = random_arc(p, seed, i);
+      return true;
+    };
+  };
+  sweep.in_lanes = std::make_shared<LaneJobsOf<LaneArcs>>(bench.params(), arcs_at, 32);
+  return sweep;
 }
 
 }  // namespace cosim::circular

@@ -4,9 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "model/core/input_error.h"
+#include "tb/designs/dda/lanes.h"
+#include "tb/sweep/lane_jobs.h"
 
 namespace cosim::dda {
 namespace {
@@ -53,6 +58,22 @@ Job random_conic(const Params& p, Random& random, const Settings& settings) {
   return conic(p, q, from, settings, 1 + small(12));
 }
 
+using Jobs = std::function<bool(Job&)>;
+
+// A sweep whose cases are these jobs, one at a time or in lanes.
+template <class Describe>
+Sweep swept(const DdaBench& bench, const char* name, std::uint64_t cases, JobsOf<Job> jobs,
+            Describe describe) {
+  const auto run = [&bench, jobs, describe](std::uint64_t i) {
+    Result result = run_jobs(bench, all_of<Job>(jobs(i)), static_cast<std::uint32_t>(i));
+    result.failed = describe(i);
+    return result;
+  };
+  Sweep sweep{name, cases, run};
+  sweep.in_lanes = std::make_shared<LaneJobsOf<LaneCurves>>(bench.params(), std::move(jobs), 1);
+  return sweep;
+}
+
 }  // namespace
 
 Result run_jobs(const DdaBench& bench, std::span<const Job> jobs, std::uint32_t power_up) {
@@ -62,37 +83,34 @@ Result run_jobs(const DdaBench& bench, std::span<const Job> jobs, std::uint32_t 
 
 Sweep every_line(const DdaBench& bench) {
   const std::int64_t most = ones(bench.params().width);
-  const auto run = [&bench, most](std::uint64_t i) {
+  const auto lines_of = [p = bench.params(), most](std::uint64_t i) -> Jobs {
     const std::int64_t x = static_cast<std::int64_t>(i) - most;
-    std::vector<Job> jobs;
-    for (std::int64_t y = -most; y <= most; ++y) {
-      for (const Preload preload : preloads) {
-        for (const bool normalise : {false, true}) {
-          jobs.push_back(line(bench.params(), {x, y}, {Update::parallel, preload, normalise}));
-        }
-      }
-    }
-    Result result = run_jobs(bench, jobs, static_cast<std::uint32_t>(i));
-    result.failed = fmt::format("DX = {} with every DY", x);
-    return result;
+    return [p, x, y = -most, most, kind = 0U](Job& job) mutable {
+      if (y > most) return false;
+      job = line(p, {x, y}, {updates[kind & 1], preloads[kind >> 1 & 1], (kind & 4) != 0});
+      kind = (kind + 1) % 8;
+      if (kind == 0) ++y;
+      return true;
+    };
   };
-  return {"every DX with every DY", static_cast<std::uint64_t>(2 * most + 1), run};
+  return swept(bench, "every DX with every DY", static_cast<std::uint64_t>(2 * most + 1), lines_of,
+               [most](std::uint64_t i) {
+                 return fmt::format("DX = {} with every DY", static_cast<std::int64_t>(i) - most);
+               });
 }
 
 Sweep every_quarter(const DdaBench& bench) {
-  const auto run = [&bench](std::uint64_t i) {
-    const std::int64_t radius = static_cast<std::int64_t>(i) + 1;
-    std::vector<Job> jobs;
-    for (const Update update : updates) {
-      for (const Preload preload : preloads) {
-        jobs.push_back(arc(bench.params(), {radius, 0}, {0, radius}, {update, preload, false}));
-      }
-    }
-    Result result = run_jobs(bench, jobs, static_cast<std::uint32_t>(i));
-    result.failed = fmt::format("R = {}", radius);
-    return result;
+  const auto quarters_of = [p = bench.params()](std::uint64_t i) -> Jobs {
+    return [p, radius = static_cast<std::int64_t>(i) + 1, kind = 0U](Job& job) mutable {
+      if (kind == 4) return false;
+      job = arc(p, {radius, 0}, {0, radius}, {updates[kind >> 1], preloads[kind & 1], false});
+      ++kind;
+      return true;
+    };
   };
-  return {"every quarter from (R, 0)", static_cast<std::uint64_t>(ones(bench.params().width)), run};
+  return swept(bench, "every quarter from (R, 0)",
+               static_cast<std::uint64_t>(ones(bench.params().width)), quarters_of,
+               [](std::uint64_t i) { return fmt::format("R = {}", i + 1); });
 }
 
 Job random_job(const Params& p, std::uint64_t seed, std::uint64_t i) {

@@ -14,8 +14,8 @@ using DdaBench = Bench<Design>;
 /// Runs jobs one after the other on one machine.
 Result run_jobs(const DdaBench& bench, std::span<const Job> jobs, std::uint32_t power_up);
 
-/// Every DX with every DY of the width, to all four sides, normalised and not, with either preload;
-/// a case is one DX.
+/// Every DX with every DY of the width, to all four sides, normalised and not, with either update
+/// and either preload; a case is one DX.
 Sweep every_line(const DdaBench& bench);
 
 /// The quarter from (R, 0) for every R of the width, with either update and either preload; a case

@@ -3,13 +3,24 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <functional>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "model/linear/control_code.h"
 #include "model/linear/oracle.h"
 #include "tb/designs/linear/check.h"
+#include "tb/designs/linear/lanes.h"
+#include "tb/sweep/lane_jobs.h"
 
 namespace cosim::linear {
+
+namespace {
+
+using Lines = std::function<bool(Job&)>;
+
+}  // namespace
 
 Result run_lines(const LinearBench& bench, std::span<const Job> jobs, std::uint32_t power_up) {
   Check check(bench.params(), jobs);
@@ -18,16 +29,22 @@ Result run_lines(const LinearBench& bench, std::span<const Job> jobs, std::uint3
 
 Sweep every_line(const LinearBench& bench) {
   const int m = bench.params().m;
-  const auto run = [&bench, m](std::uint64_t major) {
-    std::vector<Job> jobs;
-    for (Code code = 0; code >> m == 0; ++code) {
-      jobs.push_back({{static_cast<std::int64_t>(major), code}, {}});
-    }
+  const auto lines_of = [m](std::uint64_t major) -> Lines {
+    return [major = static_cast<std::int64_t>(major), codes = Code{1} << m,
+            code = Code{0}](Job& job) mutable {
+      job = {{major, code}, {}};
+      return code++ < codes;
+    };
+  };
+  const auto run = [&bench, lines_of](std::uint64_t major) {
+    const std::vector<Job> jobs = all_of<Job>(lines_of(major));
     Result result = run_lines(bench, jobs, static_cast<std::uint32_t>(major));
     result.failed = fmt::format("BP = {} with every UK", major);
     return result;
   };
-  return {"every BP with every UK", std::uint64_t{1} << m, run};
+  Sweep sweep{"every BP with every UK", std::uint64_t{1} << m, run};
+  sweep.in_lanes = std::make_shared<LaneJobsOf<LaneLines>>(bench.params(), lines_of, 1);
+  return sweep;
 }
 
 Job random_line(const Params& p, std::uint64_t seed, std::uint64_t i) {
@@ -54,7 +71,16 @@ Sweep random_lines(const LinearBench& bench, std::uint64_t seed, std::uint64_t c
                                 bench.params().m, seed);
     return result;
   };
-  return {"random lines", count, run};
+  Sweep sweep{"random lines", count, run};
+  const auto line_of = [p = bench.params(), seed](std::uint64_t i) -> Lines {
+    return [p, seed, i, is_over = false](Job& job) mutable {
+      if (std::exchange(is_over, true)) return false;
+      job = random_line(p, seed, i);
+      return true;
+    };
+  };
+  sweep.in_lanes = std::make_shared<LaneJobsOf<LaneLines>>(bench.params(), line_of, 32);
+  return sweep;
 }
 
 }  // namespace cosim::linear

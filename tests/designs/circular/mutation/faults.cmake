@@ -58,15 +58,24 @@ fault("An arc that runs is loaded" circular/machine.h
 fault("The zero of F is +0" circular/machine.h
   [[to_ones_complement_minus_zero(s.f, p.width + 4)]] [[to_ones_complement(s.f, p.width + 4)]])
 
-fault("The host stops an arc a step late" circular/host.cpp
-  [[steps_ >= *count]] [[steps_ > *count]])
-fault("The host counts the steps of earlier arcs" circular/host.cpp
-  [[steps_ = 0;]] [[steps_ += 0;]])
+fault("The host stops an arc a step late" circular/drive.h
+  [[!(d.steps < t.count)]] [[d.steps > t.count]])
+fault("The host counts the steps of earlier arcs" circular/drive.h
+  [[begun & !over, d.steps]] [[Condition<V>(true), d.steps]])
 fault("The host sends F in ones' complement" circular/host.cpp
-  [[low_bits(s.f, p_.width + 2)]]
-  [[low_bits(to_ones_complement(s.f, p_.width + 2), p_.width + 2)]])
-fault("The host starts every arc in sector 1" circular/host.cpp
-  [[in.sector2 = s.sector2;]] [[in.sector2 = 0;]])
+  [[low_bits(s.f, p.width + 2)]]
+  [[low_bits(to_ones_complement(s.f, p.width + 2), p.width + 2)]])
+fault("The host starts every arc in sector 1" circular/drive.h
+  [[in.sector2 = t.sector2;]] [[in.sector2 = V(0);]])
+
+fault("The oracle of lanes steps inward from a point on the circle" circular/walk.h
+  [[!(above < w.x)]] [[!(above + V(1) < w.x)]])
+fault("The oracle of lanes steps up in sector 2 whenever it may" circular/walk.h
+  [[beside + w.y < V(0)]] [[!(beside + w.y > V(0))]])
+fault("The oracle of lanes knows no end" circular/walk.h
+  [[w.x == V(0)]] [[w.x < V(0)]])
+fault("The oracle of lanes does not count the steps" circular/walk.h
+  [[n.steps == due.steps]] [[Condition<V>(true)]])
 
 fault("X = Y belongs to sector 1" circular/arc.cpp [[p.x > p.y]] [[p.x >= p.y]])
 fault("A root is rounded up from the half on" circular/arc.cpp

@@ -113,14 +113,22 @@ fault("A parabola has a turn" dda/conic.cpp
 
 fault("The host exchanges two modes" dda/host.cpp
   [[s.sequential + 2 * s.normalise]] [[s.normalise + 2 * s.sequential]])
-fault("The host starts before the last register is written" dda/host.cpp
-  [[++written_ == addresses]] [[++written_ + 1 == addresses]])
-fault("The host stops a clock late" dda/host.cpp
-  [[clocks_ >= *clocks]] [[clocks_ > *clocks]])
-fault("The host counts the clocks of earlier jobs" dda/host.cpp
-  [[clocks_ = 0;]] [[clocks_ += 0;]])
+fault("The host starts before the last register is written" dda/drive.h
+  [[d.written == V(addresses - 1)]] [[d.written == V(addresses - 2)]])
+fault("The host stops a clock late" dda/drive.h
+  [[!(d.clocks < t.clocks)]] [[d.clocks > t.clocks]])
+fault("The host counts the clocks of earlier jobs" dda/drive.h
+  [[select(writes | over, V(0), d.clocks + V(1))]]
+  [[select(writes | over, d.clocks, d.clocks + V(1))]])
 fault("A job is tried again as a smaller one" dda/host.cpp
   [[clocks >= *job.clocks]] [[clocks > *job.clocks]])
+
+fault("The oracle of lanes takes the sum of X for that of Y" dda/walk.h
+  [[to_y = w.sum_y]] [[to_y = w.sum_x]])
+fault("The oracle of lanes knows no sequential update" dda/walk.h
+  [[select(sequential, turned_y, w.rate_y)]] [[w.rate_y]])
+fault("The oracle of lanes does not see an end that is too early" dda/walk.h
+  [[over & !is_set(w.over)]] [[over & is_set(w.over)]])
 
 fault("The oracle shifts a line once too often" dda/oracle.cpp
   [[(larger << shifts_) >> (width_ - 1) == 0]] [[(larger << shifts_) >> width_ == 0]])
@@ -137,6 +145,6 @@ fault("A line is off by the distance across it" dda/equation.cpp
 fault("A conic is off by twice its A" dda/equation.cpp
   [[two_a / 2 * x * x]] [[two_a * x * x]])
 fault("A circle is off by its equation over the gradient of its radius" dda/equation.cpp
-  [[std::hypot(x - centre_x, y - centre_y) + radius]] [[2 * radius]])
+  [[from_centre + radius]] [[2 * radius]])
 fault("A point is put on the curve in one step" dda/equation.cpp
   [[i < 8]] [[i < 1]])

@@ -20,7 +20,7 @@ class EveryDdaLine : public testing::TestWithParam<Param> {};
 TEST_P(EveryDdaLine, Matches) {
   const Result result = test::expect_match(every_line(*GetParam()));
   const auto side = static_cast<std::uint64_t>(2 * ones(GetParam()->params().width) + 1);
-  EXPECT_EQ(result.checked.jobs, 4 * side * side);
+  EXPECT_EQ(result.checked.jobs, 8 * side * side);
   EXPECT_LT(result.checked.number("max_deviation"), 1);
 }
 INSTANTIATE_TEST_SUITE_P(Dda, EveryDdaLine, widths(6, 6), test::name_of_shape<Param>);

@@ -63,11 +63,19 @@ fault("Trigger 10 shows the bit only with a word" linear/machine.h
   [[r.trigger10 = s.last_bit;]] [[r.trigger10 = s.formed;]])
 
 fault("The host's second line is a step shorter" linear/host.cpp
-  [[in.data = line.major;]] [[in.data = job_ == 1 ? line.major - 1 : line.major;]])
-fault("The host gives a line up a word late" linear/host.cpp
-  [[words_ >= *words]] [[words_ > *words]])
-fault("The host counts the words of earlier lines" linear/host.cpp
-  [[words_ = 0;]] [[words_ += 0;]])
+  [=[task_of(p_, jobs_[job_])]=]
+  [=[[&] { auto task = task_of(p_, jobs_[job_]); task.major -= job_ == 1; return task; }()]=])
+fault("The host gives a line up a word late" linear/drive.h
+  [[!(d.words < t.words)]] [[d.words > t.words]])
+fault("The host counts the words of earlier lines" linear/drive.h
+  [[started & !over, d.words]] [[Condition<V>(true), d.words]])
+
+fault("The oracle of lanes knows no last word" linear/walk.h
+  [[(words == whole) & !(rest < V(q))]] [[words == whole]])
+fault("The oracle of lanes takes even positions for odd ones" linear/walk.h
+  [[is_even = is_even & !bit(q, i - 1);]] [[is_even = is_even & bit(q, i - 1);]])
+fault("The oracle of lanes does not count the words" linear/walk.h
+  [[now == due.words]] [[Condition<V>(true)]])
 
 fault("A weight has no rounding" linear/control_code.cpp
   [[(major >> (i - 1) & 1)]] [[std::int64_t{0}]])

@@ -1,0 +1,78 @@
+// The device outside as a step function over a value type: on machine integers it drives the pins
+// of one machine (host.h), on bits of gates those of as many as there are lanes.
+#pragma once
+
+#include <algorithm>
+
+#include "model/dda/curve.h"
+#include "model/dda/machine.h"
+
+namespace cosim::dda {
+
+/// How many words are written: the modes, and every register behind them.
+inline constexpr int addresses = State<Word>::size - State<Word>::index_sx + 1;
+
+/// Bits that count the clocks of a job in a lane: of an arc and of a circle, and of 2^13 clocks of
+/// anything.
+constexpr int clock_bits(int width) { return std::max(width + 4, 14); }
+
+// clang-format off
+/// What it is told of a job.
+#define DDA_TASK(FIELD)                                                                            \
+  FIELD(words,   p.width + 1,         bits.array<12>(), "", "what is written, by address")         \
+  FIELD(counted, 1,                   flag,             "", "stop it after so many clocks")        \
+  FIELD(clocks,  clock_bits(p.width), number,           "", "")
+
+/// What it goes on from; all 0 before a job.
+#define DDA_DRIVEN(FIELD)                                                                          \
+  FIELD(written, 4,                   number,           "", "addresses that were written")         \
+  FIELD(clocks,  clock_bits(p.width), number,           "", "of running so far")
+// clang-format on
+
+COSIM_RECORD(Task, DDA_TASK, Params);
+COSIM_RECORD(Driven, DDA_DRIVEN, Params);
+static_assert(addresses == 12);
+
+Task<Word> task_of(const Params& p, const Job& job);
+
+/// The inputs of the next clock.
+template <class V>
+constexpr Inputs<V> pins(const Params&, const Task<V>& t, const Driven<V>& d) {
+  const Inputs<V> rest{V(0), V(0), V(0), V(0), V(0), V(0)};
+  return either(
+      d.written < V(addresses),
+      [&] {
+        Inputs<V> in = rest;
+        in.write = V(1);
+        in.address = d.written;
+        for (int i = 0; i < addresses; ++i) {
+          in.data = select(d.written == V(i), t.words[i], in.data);
+        }
+        in.start = flag<V>(d.written == V(addresses - 1));
+        return in;
+      },
+      [&] {
+        Inputs<V> in = rest;
+        in.stop = flag<V>(is_set(t.counted) & !(d.clocks < t.clocks));
+        return in;
+      });
+}
+
+/// What it goes on from, and whether that was the job's last clock.
+template <class V>
+struct Turn {
+  Driven<V> driven;
+  Condition<V> over;
+};
+
+/// After a clock with these outputs. The start shows in `busy` on the next one.
+template <class V>
+constexpr Turn<V> turned(const Params&, const Driven<V>& d, const Outputs<V>& seen) {
+  const Condition<V> writes = d.written < V(addresses);
+  const Condition<V> over = !writes & !is_set(seen.busy);
+  return {{select(over, V(0), select(writes, d.written + V(1), d.written)),
+           select(writes | over, V(0), d.clocks + V(1))},
+          over};
+}
+
+}  // namespace cosim::dda

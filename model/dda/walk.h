@@ -1,0 +1,102 @@
+// The oracle of the DDA as a step function over a value type, for as many jobs as there are lanes:
+// Track of oracle.h, whose rates are those of the point that it stands on. It knows the left side
+// of the curve's equation there, too.
+#pragma once
+
+#include "model/dda/drive.h"
+
+namespace cosim::dda {
+
+// clang-format off
+/// What is due of a job, beside its task.
+#define DDA_DUE(FIELD)                                                                             \
+  FIELD(shifts,  6,                   number,          "", "clocks that shift the rates")
+
+/// Where it stands. Nothing of it wraps on the way of a job that is one.
+#define DDA_WALKED(FIELD)                                                                          \
+  FIELD(shifts,  6,                   number,          "", "clocks to come that shift")            \
+  FIELD(left,    clock_bits(p.width), number,          "", "clocks to come until the stop")        \
+  FIELD(over,    1,                   flag,            "", "it has come to the end")               \
+  FIELD(sum_x,   p.width,             number,          "", "the sum of the rates, its part of a step") \
+  FIELD(sum_y,   p.width,             number,          "", "")                                     \
+  FIELD(rate_x,  p.width + 2,         twos_complement, "", "at the point")                         \
+  FIELD(rate_y,  p.width + 2,         twos_complement, "", "")                                     \
+  FIELD(x,       p.width + 2,         twos_complement, "", "the point")                            \
+  FIELD(y,       p.width + 2,         twos_complement, "", "")                                     \
+  FIELD(left_x,  p.width,             number,          "", "steps to come")                        \
+  FIELD(left_y,  p.width,             number,          "", "")                                     \
+  FIELD(excess,  p.width + 10,        twos_complement, "", "twice the equation's left side, shifted") \
+  FIELD(steps,   clock_bits(p.width), number,          "", "clocks with a step so far")            \
+  FIELD(least,   p.width + 10,        twos_complement, "", "excess of this job")                   \
+  FIELD(most,    p.width + 10,        twos_complement, "", "")
+// clang-format on
+
+COSIM_RECORD(Due, DDA_DUE, Params);
+COSIM_RECORD(Walked, DDA_WALKED, Params);
+
+Due<Word> due_of(const Params& p, const Job& job);
+
+template <class V>
+struct Verdict {
+  Walked<V> walked;
+  Condition<V> wrong;  ///< a step, a code or the end is not what is due
+};
+
+/// Where a job begins.
+template <class V>
+constexpr Walked<V> begun(const Params& p, const Task<V>& t, const Due<V>& due) {
+  const auto number = [&](int i) { return low_bits(t.words[i], p.width); };
+  const auto code = [&](int i) { return from_twos_complement(t.words[i], p.width + 1); };
+  return {due.shifts, t.clocks,  V(0),      number(1), number(2), code(3), code(4), code(5),
+          code(6),    number(7), number(8), V(0),      V(0),      V(0),    V(0)};
+}
+
+/// After a clock with these outputs, the first or the last one of its job or one between them.
+template <class V>
+constexpr Verdict<V> walked(const Params& p, const Task<V>& t, const Due<V>& due,
+                            const Walked<V>& w, const Outputs<V>& seen, Condition<V> first,
+                            Condition<V> over) {
+  const Condition<V> busy = is_set(seen.busy), counted = !bit(t.words[0], 2);
+  const Condition<V> sequential = bit(t.words[0], 0);
+  const auto code = [&](const V& v) { return from_twos_complement(v, p.width + 1); };
+  const V two_a = code(t.words[9]), b = code(t.words[10]), two_c = code(t.words[11]);
+  const auto times = [](const V& step, const V& by) {
+    return select(step == V(0), V(0), select(step < V(0), V(0) - by, by));
+  };
+
+  const Condition<V> ended =
+      (counted & (w.left_x == V(0)) & (w.left_y == V(0))) | (is_set(t.counted) & (w.left == V(0)));
+  const Condition<V> shifts = !(w.shifts == V(0)), moves = !ended & !shifts;
+  const V to_x = w.sum_x + w.rate_x;
+  const V x = select(moves & !(counted & (w.left_x == V(0))), shift_right(to_x, p.width), V(0));
+  const V turned_y = w.rate_y + times(x, two_a), turned_x = w.rate_x - times(x, b);
+  const V to_y = w.sum_y + select(sequential, turned_y, w.rate_y);
+  const V y = select(moves & !(counted & (w.left_y == V(0))), shift_right(to_y, p.width), V(0));
+  const auto size = [](const V& step) { return select(step < V(0), V(0) - step, step); };
+
+  Walked<V> n = w;
+  n.shifts = select(shifts & !ended, w.shifts - V(1), w.shifts);
+  n.left = select(w.left == V(0), V(0), w.left - V(1));
+  n.over = flag<V>(ended);
+  n.sum_x = select(moves, low_bits(to_x, p.width), w.sum_x);
+  n.sum_y = select(moves, low_bits(to_y, p.width), w.sum_y);
+  n.rate_x = select(shifts, w.rate_x + w.rate_x, turned_x - times(y, two_c));
+  n.rate_y = select(shifts, w.rate_y + w.rate_y, turned_y + times(y, b));
+  n.x = w.x + x;
+  n.y = w.y + y;
+  n.left_x = w.left_x - size(x);
+  n.left_y = w.left_y - size(y);
+  // A step along x changes the left side by y' at its middle, one along y by -x'.
+  n.excess = w.excess + times(x, shift_left(w.rate_y, 1)) + select(x == V(0), V(0), two_a) -
+             times(y, shift_left(turned_x, 1)) + select(y == V(0), V(0), two_c);
+  n.steps = w.steps + flag<V>(!((x == V(0)) & (y == V(0))));
+  n.least = select(n.excess < w.least, n.excess, w.least);
+  n.most = select(n.excess > w.most, n.excess, w.most);
+
+  const Condition<V> right = (seen.x_up - seen.x_down == x) & (seen.y_up - seen.y_down == y) &
+                             (code(seen.code_x) == w.x) & (code(seen.code_y) == w.y);
+  const Condition<V> wrong = (busy & !right) | (over & !is_set(w.over));
+  return {select(first, begun(p, t, due), select(busy, n, w)), Condition<V>(!first & wrong)};
+}
+
+}  // namespace cosim::dda

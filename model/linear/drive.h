@@ -1,0 +1,62 @@
+// The device outside as a step function over a value type, SU 1631518: on machine integers it
+// drives the pins of one machine (host.h), on bits of gates those of as many as there are lanes.
+#pragma once
+
+#include "model/linear/machine.h"
+
+namespace cosim::linear {
+
+struct Job;  // host.h
+
+// clang-format off
+/// What it is told of a line.
+#define LINEAR_TASK(FIELD)                                                                         \
+  FIELD(major,   p.m,         number, "14", "BP")                                                  \
+  FIELD(code,    p.m,         bits,   "14", "UK")                                                  \
+  FIELD(counted, 1,           flag,   "",   "give it up after so many words")                      \
+  FIELD(words,   p.n + 1,     number, "",   "which no line has more of")
+
+/// What it goes on from; all 0 before a line.
+#define LINEAR_DRIVEN(FIELD)                                                                       \
+  FIELD(clock,   3,           number, "",   "0 to 3: writes BP, UK, starts, waits; 4: it runs")    \
+  FIELD(words,   p.n + 1,     number, "",   "words seen so far")
+// clang-format on
+
+COSIM_RECORD(Task, LINEAR_TASK, Params);
+COSIM_RECORD(Driven, LINEAR_DRIVEN, Params);
+
+Task<Word> task_of(const Params& p, const Job& job);
+
+/// The inputs of the next clock.
+template <class V>
+constexpr Inputs<V> pins(const Params&, const Task<V>& t, const Driven<V>& d) {
+  const Condition<V> writes_bp = d.clock == V(0), writes_uk = d.clock == V(1);
+  const Condition<V> runs = !(d.clock < V(4));
+  Inputs<V> in;
+  in.initial_set_n = flag<V>(!(runs & is_set(t.counted) & !(d.words < t.words)));
+  in.reset = V(0);
+  in.write_bp = flag<V>(writes_bp);
+  in.write_uk = flag<V>(writes_uk);
+  in.start = flag<V>(d.clock == V(2));
+  in.data = select(writes_bp, t.major, select(writes_uk, t.code, V(0)));
+  return in;
+}
+
+/// What it goes on from, and whether that was the line's last clock.
+template <class V>
+struct Turn {
+  Driven<V> driven;
+  Condition<V> over;
+};
+
+/// After a clock with these outputs. `busy` shows one clock after the start.
+template <class V>
+constexpr Turn<V> turned(const Params&, const Driven<V>& d, const Outputs<V>& seen) {
+  const Condition<V> started = d.clock > V(2);
+  const Condition<V> over = started & !is_set(seen.busy);
+  return {{select(over, V(0), select(d.clock < V(4), d.clock + V(1), d.clock)),
+           select(started & !over, d.words + seen.strobe, V(0))},
+          over};
+}
+
+}  // namespace cosim::linear

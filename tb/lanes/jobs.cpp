@@ -1,0 +1,270 @@
+#include "tb/lanes/jobs.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <bit>
+#include <cstdlib>
+#include <new>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "model/core/input_error.h"
+#include "tb/lanes/sweep.h"
+#include "tb/support/interrupt.h"
+#include "tb/support/random.h"
+#include "tb/sweep/lane_jobs.h"
+
+namespace cosim::lanes {
+namespace {
+
+/// One thread's lanes at the cases of a sweep.
+class JobPlayer {
+ public:
+  JobPlayer(const Built& built, const LaneJobs& jobs)
+      : built_(built),
+        layout_(jobs.layout()),
+        at_work_(jobs.begin(static_cast<std::size_t>(built.lanes))),
+        words_(static_cast<std::size_t>(built.lanes) / 64),
+        lanes_(static_cast<std::size_t>(built.lanes)),
+        codes_(layout_.task.size()),
+        figures_(layout_.figure_widths.size()),
+        left_out_(built.layout.counters) {
+    constexpr std::size_t line = 64;
+    const std::size_t all = planes() + 3 + machine_planes();
+    const std::size_t bytes = all * words_ * sizeof(std::uint64_t);
+    memory_.reset(
+        static_cast<std::uint64_t*>(std::aligned_alloc(line, (bytes + line - 1) / line * line)));
+    if (!memory_) throw std::bad_alloc();
+    active_ = &memory_[planes() * words_];
+    differ_ = active_ + words_;
+    fresh_ = differ_ + words_;
+    cleared_ = fresh_ + words_;
+    std::fill_n(memory_.get(), all * words_, 0);
+    clear();
+  }
+
+  /// Whether nothing is left of what the RTL powered up with.
+  bool is_cleared() const {
+    for (std::size_t i = 0; i < machine_planes() * words_; ++i) {
+      const std::uint64_t first = (cleared_[i / words_ * words_] & 1) != 0 ? ~std::uint64_t{0} : 0;
+      if (cleared_[i] != first) return false;
+    }
+    return true;
+  }
+
+  struct Failed {
+    std::uint64_t index = 0, clock = 0;  ///< of the case, and in it
+    std::size_t lane = 0;
+  };
+  /// Runs cases first .. first + count - 1 to their ends, or those before and with the first that
+  /// fails.
+  std::optional<Failed> run(std::uint64_t first, std::uint64_t count) {
+    next_ = first;
+    end_ = first + count;
+    for (std::size_t lane = 0; lane < lanes_.size(); ++lane) begin_case(lane);
+    constexpr std::uint64_t some = 1 << 16;
+    while (working_ > 0) {
+      InterruptGuard::check();
+      put_fresh();
+      const std::int64_t at =
+          built_.run(memory_.get(), active_, clock_, clock_ + some, differ_, left_out_.data());
+      if (at < 0) {
+        clock_ += some;
+        continue;
+      }
+      clock_ = static_cast<std::uint64_t>(at) + 1;
+      for (std::size_t w = 0; w < words_; ++w) {
+        for (std::uint64_t left = differ_[w] & active_[w]; left != 0; left &= left - 1) {
+          failed(64 * w + static_cast<std::size_t>(std::countr_zero(left)));
+        }
+        for (std::uint64_t left = memory_[w] & active_[w] & ~differ_[w]; left != 0;
+             left &= left - 1) {
+          job_over(64 * w + static_cast<std::size_t>(std::countr_zero(left)));
+        }
+      }
+    }
+    return failed_;
+  }
+  std::uint64_t clocks() const { return clocks_; }
+  Checked checked() const { return at_work_->checked(); }
+  const std::vector<std::uint64_t>& left_out() const { return left_out_; }
+
+ private:
+  struct Lane {
+    std::uint64_t index = 0, begun = 0;  // its case, and the clock that is the first of it
+  };
+
+  std::size_t planes() const { return built_.layout.planes.size(); }
+  std::size_t machine_planes() const { return planes() - built_.layout.state; }
+
+  void clear() {
+    Random random(1);
+    const auto& first = built_.layout.planes;
+    for (std::size_t i = built_.layout.state; i < first.size(); ++i) {
+      for (std::size_t w = 0; w < words_; ++w) {
+        memory_[i * words_ + w] = first[i] == Layout::First::anything ? random.next()
+                                  : first[i] == Layout::First::yes    ? ~std::uint64_t{0}
+                                                                      : 0;
+      }
+    }
+    built_.clear(memory_.get());
+    built_.take_over(memory_.get());
+    std::copy_n(&memory_[built_.layout.state * words_], machine_planes() * words_, cleared_);
+  }
+
+  // Those that begin a case are as after a clear.
+  void put_fresh() {
+    if (!any_fresh_) return;
+    built_.choose(&memory_[built_.layout.state * words_], fresh_, cleared_, machine_planes());
+    std::fill_n(fresh_, words_, 0);
+    any_fresh_ = false;
+  }
+
+  static std::uint64_t bit_of(std::size_t lane) { return std::uint64_t{1} << (lane % 64); }
+
+  // The next case that has a job, or nothing.
+  void begin_case(std::size_t lane) {
+    const bool was_working = (active_[lane / 64] & bit_of(lane)) != 0;
+    while (next_ < end_ && !failed_) {
+      lanes_[lane] = {next_, clock_};
+      at_work_->open(lane, next_++);
+      if (!begin_job(lane)) continue;
+      fresh_[lane / 64] |= bit_of(lane);
+      any_fresh_ = true;
+      if (!was_working) ++working_;
+      active_[lane / 64] |= bit_of(lane);
+      return;
+    }
+    if (was_working) retire(lane);
+  }
+  void retire(std::size_t lane) {
+    active_[lane / 64] &= ~bit_of(lane);
+    --working_;
+  }
+
+  bool begin_job(std::size_t lane) {
+    if (!at_work_->next(lane, codes_)) return false;
+    std::uint64_t* word = &memory_[words_ + lane / 64];
+    const std::uint64_t own = bit_of(lane);
+    for (std::size_t i = 0; i < codes_.size(); ++i) {
+      auto code = static_cast<std::uint64_t>(codes_[i]);
+      for (int b = 0; b < layout_.task[i]; ++b, code >>= 1, word += words_) {
+        *word = (*word & ~own) | (own & (0 - (code & 1)));
+      }
+    }
+    return true;
+  }
+
+  void job_over(std::size_t lane) {
+    const std::uint64_t* word = &memory_[layout_.figures * words_ + lane / 64];
+    for (std::size_t i = 0; i < figures_.size(); ++i) {
+      std::uint64_t code = 0;
+      for (int b = 0; b < layout_.figure_widths[i]; ++b, word += words_) {
+        code |= (*word >> (lane % 64) & 1) << b;
+      }
+      figures_[i] = static_cast<Word>(code);
+    }
+    at_work_->over(lane, figures_);
+    if (begin_job(lane)) return;
+    clocks_ += clock_ - lanes_[lane].begun;
+    begin_case(lane);
+  }
+
+  // Cases behind it are of no interest any more.
+  void failed(std::size_t lane) {
+    const Lane& at = lanes_[lane];
+    if (!failed_ || at.index < failed_->index) {
+      failed_ = Failed{at.index, clock_ - 1 - at.begun, lane};
+    }
+    for (std::size_t other = 0; other < lanes_.size(); ++other) {
+      const bool works = (active_[other / 64] & bit_of(other)) != 0;
+      if (works && lanes_[other].index >= failed_->index) retire(other);
+    }
+  }
+
+  struct Free {
+    void operator()(std::uint64_t* memory) const { std::free(memory); }
+  };
+  const Built& built_;
+  const nets::JobLayout layout_;
+  std::unique_ptr<JobsAtWork> at_work_;
+  std::size_t words_;  // a plane
+  std::vector<Lane> lanes_;
+  std::vector<Word> codes_, figures_;
+  std::vector<std::uint64_t> left_out_;
+  // The planes; who is at work, who differs, who begins; the planes of a cleared machine.
+  std::unique_ptr<std::uint64_t[], Free> memory_;
+  std::uint64_t *active_ = nullptr, *differ_ = nullptr, *fresh_ = nullptr, *cleared_ = nullptr;
+  bool any_fresh_ = false;
+  std::size_t working_ = 0;
+  std::uint64_t next_ = 0, end_ = 0, clock_ = 0, clocks_ = 0;
+  std::optional<Failed> failed_;
+};
+
+class Cases {
+ public:
+  Cases(const AnyBench& bench, const Built& built, const Sweep& sweep)
+      : bench_(bench), built_(built), sweep_(sweep) {}
+
+  Result run(std::uint64_t first, std::uint64_t count) const {
+    JobPlayer player(built_, *sweep_.in_lanes);
+    if (const auto failed = player.run(first, count)) return confirmed(first, *failed);
+    Result result;
+    result.cases = count;
+    result.clocks = player.clocks();
+    result.left_out = player.left_out();
+    result.checked = player.checked();
+    return result;
+  }
+
+ private:
+  Result confirmed(std::uint64_t first, const JobPlayer::Failed& failed) const {
+    Result sum;
+    if (failed.index > first) sum = run(first, failed.index - first);
+    Result one = sweep_.run(failed.index);
+    const bool same = one.mismatch ? one.mismatch->clock == failed.clock : !one.match();
+    if (!same) {
+      throw Unconfirmed(fmt::format(
+          "{}: case {}, in lane {} of {}, fails on clock {} there, and one at a time {}: an error "
+          "of the lanes; --lanes 0 does without",
+          bench_.title(), failed.index, failed.lane, built_.lanes, failed.clock,
+          one.mismatch ? fmt::format("on clock {}", one.mismatch->clock) : "nowhere"));
+    }
+    one.failed += fmt::format(", found in lane {} of {}", failed.lane, built_.lanes);
+    one.cases = 1;
+    add(sum, std::move(one));
+    return sum;
+  }
+
+  const AnyBench& bench_;
+  const Built& built_;
+  Sweep sweep_;
+};
+
+}  // namespace
+
+std::unique_ptr<Built> built_for_jobs(const AnyBench& bench, nets::Played played,
+                                      const proof::Source& source, const LaneJobs& jobs, int lanes,
+                                      const std::filesystem::path& folder) {
+  played.draw = jobs.draw();
+  auto made = built(bench.title(), played, source, lanes, folder);
+  if (!JobPlayer(*made, jobs).is_cleared()) {
+    throw InputError(fmt::format(
+        "{}: its jobs do not run in lanes: a register comes out of a clear as it powered up",
+        bench.title()));
+  }
+  return made;
+}
+
+Sweep job_sweep(const AnyBench& bench, const Built& built, const Sweep& sweep) {
+  Sweep all = sweep;
+  all.at_once = static_cast<std::uint64_t>(built.lanes) * sweep.in_lanes->cases_a_lane();
+  all.run_some = [cases = Cases(bench, built, sweep)](std::uint64_t first, std::uint64_t count) {
+    return cases.run(first, count);
+  };
+  return all;
+}
+
+}  // namespace cosim::lanes

@@ -1,0 +1,128 @@
+// Jobs as nets: the device outside that drives them, and the oracle that judges them, as step
+// functions over a value type. A design's Jobs has
+//
+//   using Design, Job;
+//   Task<V>, Driven<V>, Due<V>, Walked<V>     records: what the device is told of a job, what it
+//                                             goes on from, what is due of the job, how far it is
+//   Task<Word> task_of(p, job), Due<Word> due_of(p, job)
+//   Inputs<V> pins(p, task, driven)           of the next clock
+//   turned(p, task, driven, outputs)          {driven, over} after it: whether it was the last
+//   walked(p, task, due, walked, outputs, first, over)
+//                                             {walked, wrong} after it; `first` of the job, and
+//                                             last
+//   std::size_t figures                       the first field of Walked that is read of a job's end
+//
+// Driven is all 0 before a job and after its last clock. None of the functions knows the clock.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "model/core/fields.h"
+#include "tb/nets/draw.h"
+#include "tb/nets/number.h"
+
+namespace cosim::nets {
+
+/// The records of a job in a lane.
+template <class Jobs, class V>
+struct JobIn {
+  typename Jobs::template Task<V> task;
+  typename Jobs::template Due<V> due;
+  typename Jobs::template Driven<V> driven;
+  typename Jobs::template Walked<V> walked;
+};
+
+/// Which bits of what is held are what: the first says that the job was over on the last clock,
+/// the task and what is due follow, in the order of their tables.
+struct JobLayout {
+  std::vector<int> task;             ///< widths of the fields of both
+  std::size_t figures = 0;           ///< the first bit of the figures
+  std::vector<int> figure_widths{};  ///< of their fields
+};
+
+template <class Jobs>
+JobLayout job_layout_of(const typename Jobs::Design::Params& p) {
+  JobLayout all;
+  std::size_t at = 1;
+  const auto add = [&](const auto& fields, std::vector<int>* widths, std::size_t from) {
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      if (widths == &all.figure_widths && i == from) all.figures = at;
+      if (widths != nullptr && i >= from) widths->push_back(fields[i].width);
+      at += static_cast<std::size_t>(fields[i].width);
+    }
+  };
+  add(Jobs::template Task<Word>::fields(p), &all.task, 0);
+  add(Jobs::template Due<Word>::fields(p), &all.task, 0);
+  add(Jobs::template Driven<Word>::fields(p), nullptr, 0);
+  add(Jobs::template Walked<Word>::fields(p), &all.figure_widths, Jobs::figures);
+  return all;
+}
+
+namespace detail {
+
+// Free bits as the numbers that they stand for, or of outputs as the codes that they are.
+template <class Record, class Params>
+void free_code(const Params& p, Graph& graph, Record& r, std::vector<Bit>& bits,
+               bool are_codes = false) {
+  const auto fields = Record::fields(p);
+  for_each_cell<Record>([&](auto cell, std::size_t i) {
+    if (fields[i].width == 0) return;
+    std::vector<Bit> code;
+    for (int b = 0; b < fields[i].width; ++b) code.push_back(graph.input());
+    bits.insert(bits.end(), code.begin(), code.end());
+    cell(r) = is_signed(fields[i]) && !are_codes ? Number::signed_code(graph, code)
+                                                 : Number::unsigned_code(graph, code);
+  });
+}
+
+template <class Record, class Params>
+void add_code(const Params& p, const Record& r, std::vector<Bit>& bits) {
+  const auto fields = Record::fields(p);
+  for_each_cell<Record>([&](auto cell, std::size_t i) {
+    for (const Bit bit : cell(r).code(fields[i].width)) bits.push_back(bit);
+  });
+}
+
+template <class Jobs>
+JobIn<Jobs, Number> free_job(const typename Jobs::Design::Params& p, Graph& graph,
+                             std::vector<Bit>& held) {
+  JobIn<Jobs, Number> job;
+  held.push_back(graph.input());
+  free_code(p, graph, job.task, held);
+  free_code(p, graph, job.due, held);
+  free_code(p, graph, job.driven, held);
+  free_code(p, graph, job.walked, held);
+  return job;
+}
+
+}  // namespace detail
+
+template <class Jobs>
+Draw draw_of_jobs(const typename Jobs::Design::Params& p) {
+  using Design = typename Jobs::Design;
+  Draw draw;
+  DrawStep& clock = draw.clock;
+  const auto before = detail::free_job<Jobs>(p, clock.graph, clock.held);
+  clock.after = clock.held;
+  detail::add_code(p, Jobs::pins(p, before.task, before.driven), clock.inputs);
+
+  Answer& answer = draw.answer.emplace();
+  auto job = detail::free_job<Jobs>(p, answer.graph, answer.held);
+  typename Design::template Outputs<Number> seen;
+  detail::free_code(p, answer.graph, seen, answer.seen, true);
+  const auto turn = Jobs::turned(p, job.task, job.driven, seen);
+  Truth first = true;
+  for_each_cell<typename Jobs::template Driven<Number>>(
+      [&](auto cell, std::size_t) { first = first & (cell(job.driven) == Number(0)); });
+  const auto verdict = Jobs::walked(p, job.task, job.due, job.walked, seen, first, turn.over);
+  answer.after.push_back(fact_of(turn.over));
+  detail::add_code(p, job.task, answer.after);
+  detail::add_code(p, job.due, answer.after);
+  detail::add_code(p, turn.driven, answer.after);
+  detail::add_code(p, verdict.walked, answer.after);
+  answer.wrong = fact_of(verdict.wrong);
+  return draw;
+}
+
+}  // namespace cosim::nets

@@ -7,8 +7,9 @@
 #
 # A study says in tb/studies/NAME/study.cmake what it needs: STUDY_DESIGNS, STUDY_STUDIES and
 # STUDY_MODELS, the folders of model/ that it brings.
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/shipped.txt)
-file(STRINGS ${PROJECT_SOURCE_DIR}/rtl/shipped.txt COSIM_SHIPPED REGEX "^[^#]")
+set(COSIM_SHAPES rtl/shipped.txt CACHE STRING "The file of the parameter sets to build")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${COSIM_SHAPES})
+file(STRINGS ${PROJECT_SOURCE_DIR}/${COSIM_SHAPES} COSIM_SHIPPED REGEX "^[^#]")
 set(COSIM_DESIGNS ${COSIM_SHIPPED})
 list(TRANSFORM COSIM_DESIGNS REPLACE " .*" "")
 list(REMOVE_DUPLICATES COSIM_DESIGNS)

@@ -8,6 +8,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/cli/chosen.h"
+#include "tb/cli/in_lanes.h"
 #include "tb/cli/regress_kinds.h"
 #include "tb/cli/result_json.h"
 #include "tb/cli/sweeps.h"
@@ -22,10 +23,13 @@ constexpr std::uint64_t most_cases = std::uint64_t{1} << 48;
 
 class SweepWork final : public regress::Work {
  public:
-  SweepWork(const AnyBench& bench, Sweep sweep)
+  /// `clocks`: of a sweep of hostile ones, which run in lanes where they are worth it; else 0.
+  SweepWork(const AnyBench& bench, Sweep sweep, std::uint64_t seed, std::uint64_t clocks)
       : Work(fmt::format("{}, {}", bench.title(), sweep.name), sweep.cases),
         bench_(bench),
-        sweep_(std::move(sweep)) {}
+        sweep_(std::move(sweep)),
+        seed_(seed),
+        clocks_(clocks) {}
 
   bool ends_at_failure() const override { return true; }
   regress::Json run(std::uint64_t first, std::uint64_t last,
@@ -37,18 +41,26 @@ class SweepWork final : public regress::Work {
 
   const AnyBench& bench_;
   Sweep sweep_;
+  std::uint64_t seed_, clocks_;
 };
 
 // A sweep that ends before case `last` and, as one that goes on, begins with case `first`: cases
 // keep their numbers.
 regress::Json SweepWork::run(std::uint64_t first, std::uint64_t last,
                              const regress::Place& place) const {
-  Sweep part = sweep_;
+  const InLanes all(bench_, sweep_, seed_, clocks_, {});
+  Sweep part = all.sweep();
   part.cases = last;
-  part.run = [this](std::uint64_t i) {
+  part.run = [&all](std::uint64_t i) {
     InterruptGuard::check();
-    return sweep_.run(i);
+    return all.sweep().run(i);
   };
+  if (part.run_some) {
+    part.run_some = [&all](std::uint64_t i, std::uint64_t count) {
+      InterruptGuard::check();
+      return all.sweep().run_some(i, count);
+    };
+  }
   Resume resume;
   resume.done.cases = first;
   if (const auto state = place.checkpoint.state(); !state.is_null()) {
@@ -144,13 +156,14 @@ regress::Works SweepKind::works(const regress::Task& task, const std::filesystem
                                  task.has("random") ? "random" : "exhaustive"));
   }
   regress::Works works;
+  const std::uint64_t clocks = task.has("hostile") ? task.number("hostile") : 0;
   for (const AnyBench* bench : benches) {
     std::vector<Sweep> sweeps;
     if (task.has("exhaustive")) sweeps = design.exhaustive(*bench, false);
     if (task.has("random")) sweeps = {design.random(*bench, task.seed, task.number("random"))};
-    if (task.has("hostile")) sweeps = {hostile_sweep(*bench, task.seed, task.number("hostile"))};
+    if (task.has("hostile")) sweeps = {hostile_sweep(*bench, task.seed, clocks)};
     for (Sweep& sweep : sweeps)
-      works.push_back(std::make_unique<SweepWork>(*bench, std::move(sweep)));
+      works.push_back(std::make_unique<SweepWork>(*bench, std::move(sweep), task.seed, clocks));
   }
   if (works.empty()) {
     throw InputError("exhaustive: too wide to try everything; take " + design.exhaustible);

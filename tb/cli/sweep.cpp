@@ -10,14 +10,13 @@
 #include "tb/cli/commands.h"
 #include "tb/cli/common.h"
 #include "tb/cli/conclude.h"
+#include "tb/cli/in_lanes.h"
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
 #include "tb/cli/progress.h"
 #include "tb/cli/registry.h"
 #include "tb/cli/sweep_checkpoint.h"
 #include "tb/cli/sweeps.h"
-#include "tb/lanes/jobs.h"
-#include "tb/lanes/sweep.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/parallel.h"
 #include "tb/support/words.h"
@@ -37,16 +36,6 @@ struct SweepOptions {
 };
 
 using Benches = std::vector<const AnyBench*>;
-
-// How many lanes are asked for; nothing: what is better.
-std::optional<int> lanes_asked(const SweepOptions& o) {
-  const std::string text = o.lanes.value_or("auto");
-  if (text == "auto") return {};
-  for (const int lanes : {0, 64, 256, 512}) {
-    if (text == std::to_string(lanes)) return lanes;
-  }
-  throw InputError(fmt::format("--lanes: {} is none of auto, 512, 256, 64 and 0", in_quotes(text)));
-}
 
 // Of a design that has more than hostile clocks.
 std::string kinds_of(const DesignSweeps& design) {
@@ -71,7 +60,7 @@ std::vector<std::pair<const AnyBench*, Sweep>> planned(const SweepOptions& o,
   const std::uint64_t seed = o.common.seed();
   const std::uint64_t cases = o.random ? whole("--random", *o.random, 1, most) : 0;
   const std::uint64_t clocks = o.hostile ? whole("--hostile", *o.hostile, 1, most) : 0;
-  const bool in_lanes = o.lanes && lanes_asked(o) != 0;
+  const bool in_lanes = o.lanes && lanes_asked(o.lanes) != 0;
   std::vector<std::pair<const AnyBench*, Sweep>> all;
   for (const AnyBench* bench : benches) {
     std::vector<Sweep> sweeps;
@@ -87,50 +76,12 @@ std::vector<std::pair<const AnyBench*, Sweep>> planned(const SweepOptions& o,
     for (const auto& [bench, sweep] : all) {
       if (!o.hostile && !sweep.in_lanes) {
         throw InputError(
-            fmt::format("{}, {}: does not run in lanes: only what a design's Jobs draw "
-                        "does; --lanes 0 does without",
+            fmt::format("{}, {}: its jobs are driven one case at a time only: --lanes 0",
                         bench->title(), sweep.name));
       }
     }
   }
   return all;
-}
-
-// The lanes that a sweep runs in; none where it runs one case at a time. They are made in seconds,
-// in which that gets through some hundred million clocks: unless they are asked for, fewer are not
-// worth it, and nobody knows of how many clocks jobs are.
-std::unique_ptr<lanes::Built> lanes_for(const SweepOptions& o, const AnyBench& bench,
-                                        const Sweep& sweep) {
-  constexpr std::uint64_t worth_it = 200'000'000;
-  const std::optional<int> asked = lanes_asked(o);
-  if (asked == 0 || (!o.lanes && !o.hostile)) return {};
-  if (!asked && o.hostile && whole("--hostile", *o.hostile, 1, most) < worth_it) return {};
-  try {
-    const proof::BuiltMachine& machine = machine_of(bench);
-    if (machine.played == nullptr || machine.streams) {
-      throw InputError(fmt::format("{}: does not run in lanes: it has {}", bench.title(),
-                                   model_without_formula(machine)));
-    }
-    const std::string folder = registry().build_folder() + "/lanes";
-    const int lanes = asked.value_or(lanes::widest());
-    if (o.hostile) {
-      return lanes::built(bench.title(), machine.played(), source_of(bench), lanes, folder);
-    }
-    return lanes::built_for_jobs(bench, machine.played(), source_of(bench), *sweep.in_lanes, lanes,
-                                 folder);
-  } catch (const InputError& error) {
-    if (asked) throw;
-    fmt::print("{}; one case at a time\n", error.what());
-    return {};
-  }
-}
-
-// The sweep in these lanes.
-Sweep in_lanes(const SweepOptions& o, const AnyBench& bench, const Sweep& sweep,
-               const lanes::Built& lanes) {
-  if (!o.hostile) return lanes::job_sweep(bench, lanes, sweep);
-  return lanes::hostile_sweep(bench, lanes, o.common.seed(),
-                              whole("--hostile", *o.hostile, 1, most));
 }
 
 // Hostile clocks are no jobs: the oracle has nothing to count.
@@ -171,7 +122,7 @@ int run(const SweepOptions& o) {
   const Benches benches = matching(o.design.design, o.shape.shape());
   check_kind(o);
   const auto threads = o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores();
-  lanes_asked(o);
+  lanes_asked(o.lanes);
   const auto sweeps = planned(o, benches);
   check_outputs(o.common);
   std::string work =
@@ -189,10 +140,10 @@ int run(const SweepOptions& o) {
     const Resume resume = checkpoint.resume(outcomes.size(), sweep.cases);
     std::atomic<std::uint64_t> matched{0};
     try {
-      const auto lanes = lanes_for(o, *bench, sweep);
-      const Sweep run = lanes ? in_lanes(o, *bench, sweep, *lanes) : sweep;
+      const std::uint64_t clocks = o.hostile ? whole("--hostile", *o.hostile, 1, most) : 0;
+      const InLanes run(*bench, sweep, o.common.seed(), clocks, o.lanes);
       const Result swept =
-          run_sweep(interruptible(run, matched), threads, progress.callback(), resume);
+          run_sweep(interruptible(run.sweep(), matched), threads, progress.callback(), resume);
       outcomes.push_back({bench, sweep.name, swept});
     } catch (const Interrupted& interrupted) {
       const std::string text = fmt::format("{}: not finished; {} of {} matched", title,

@@ -2,7 +2,8 @@
 // compares, with nothing of what explains a failure, and of lockstep as a sweep runs it, on the
 // same machine at 16 bits with the same inputs, in one run. The stimulus is made beforehand, so
 // that its cost is in none. And hostile clocks in lanes, as a sweep runs them, all of whose cost is
-// in: the drawing, the beginning of each case, the comparison. A design adds its own in
+// in: the drawing, the beginning of each case, the comparison. And whole jobs of random length in
+// lanes, judged by the oracle. A design adds its own in
 // tests/designs/NAME/benchmark.
 #pragma once
 
@@ -125,9 +126,24 @@ inline void in_lanes(benchmark::State& state, const AnyBench& bench, int lanes) 
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(at_once * clocks));
 }
 
+// Whole jobs, which some thousand cases a time begin with and end without one in most lanes.
+inline void jobs_in_lanes(benchmark::State& state, const AnyBench& bench, const Sweep& sweep,
+                          int lanes) {
+  const auto built = test::jobs_in_lanes(bench, sweep, lanes);
+  const Sweep some = lanes::job_sweep(bench, *built, sweep);
+  std::uint64_t first = 0, clocks = 0;
+  for (auto _ : state) {
+    const Result result = some.run_some(first, some.at_once);
+    if (!result.match()) state.SkipWithError("RTL and model differ");
+    first += some.at_once;
+    clocks += result.clocks;
+  }
+  state.SetItemsProcessed(static_cast<std::int64_t>(clocks));
+}
+
 // The built bench of the adapter's parameters.
 template <class Adapter>
-const AnyBench& bench_of() {
+const Bench<typename Adapter::Design>& bench_of() {
   const auto words = [](const auto& list) {
     std::string all;
     for (const Parameter& p : list) all += to_text(p) + ' ';
@@ -141,9 +157,10 @@ const AnyBench& bench_of() {
   throw std::logic_error("no bench of the adapter's parameters");
 }
 
-/// Adds those of the adapter's machine: `job(params, 1, i)` is the i-th of its jobs.
-template <class Adapter, class MakeJob>
-bool measure(const std::string& name, MakeJob job) {
+/// Adds those of the adapter's machine: `job(params, 1, i)` is the i-th of its jobs, and
+/// `sweep(bench, 1, count)` a sweep of so many that has lanes.
+template <class Adapter, class MakeJob, class MakeSweep>
+bool measure(const std::string& name, MakeJob job, MakeSweep sweep) {
   const auto list = [job] {
     std::vector<typename Adapter::Design::Host::Job> jobs;
     for (std::uint64_t i = 0; i < 1000; ++i) jobs.push_back(job(Adapter::params, 1, i));
@@ -162,6 +179,11 @@ bool measure(const std::string& name, MakeJob job) {
     benchmark::RegisterBenchmark(
         (name + "/lanes" + std::to_string(lanes)).c_str(),
         [=](benchmark::State& state) { in_lanes(state, bench_of<Adapter>(), lanes); });
+    benchmark::RegisterBenchmark(
+        (name + "/jobs" + std::to_string(lanes)).c_str(), [=](benchmark::State& state) {
+          const auto& bench = bench_of<Adapter>();
+          jobs_in_lanes(state, bench, sweep(bench, 1, std::uint64_t{1} << 40), lanes);
+        });
   }
   return true;
 }

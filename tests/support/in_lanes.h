@@ -1,19 +1,36 @@
 // The lanes of a built design, kept in the build folder for the program and all tests.
 #pragma once
 
+#include <utility>
+
+#include "tb/lanes/jobs.h"
 #include "tb/lanes/sweep.h"
 #include "tb/proof/machines.h"
 
 namespace cosim::test {
 
-inline std::unique_ptr<lanes::Built> in_lanes(const AnyBench& bench, int lanes) {
+/// The machine of a bench, and its RTL.
+inline std::pair<const proof::BuiltMachine*, proof::Source> machine_of(const AnyBench& bench) {
   for (const auto& machine : proof::built_machines()) {
     if (machine.title != bench.title()) continue;
     proof::Source source = machine.source;
     source.parameters = bench.parameters();
-    return lanes::built(machine.title, machine.played(), source, lanes, COSIM_LANES_FOLDER);
+    return {&machine, source};
   }
   throw std::logic_error(bench.title() + ": no machine");
+}
+
+inline std::unique_ptr<lanes::Built> in_lanes(const AnyBench& bench, int lanes) {
+  const auto [machine, source] = machine_of(bench);
+  return lanes::built(machine->title, machine->played(), source, lanes, COSIM_LANES_FOLDER);
+}
+
+/// For the jobs of a sweep.
+inline std::unique_ptr<lanes::Built> jobs_in_lanes(const AnyBench& bench, const Sweep& sweep,
+                                                   int lanes) {
+  const auto [machine, source] = machine_of(bench);
+  return lanes::built_for_jobs(bench, machine->played(), source, *sweep.in_lanes, lanes,
+                               COSIM_LANES_FOLDER);
 }
 
 }  // namespace cosim::test

@@ -166,7 +166,7 @@ Sweep random_arcs(const CircularBench& bench, std::uint64_t seed, std::uint64_t 
       return true;
     };
   };
-  sweep.in_lanes = std::make_shared<LaneJobsOf<LaneArcs>>(bench.params(), arcs_at, 32);
+  sweep.in_lanes = std::make_shared<LaneJobsOf<LaneArcs>>(bench.params(), arcs_at, 128);
   return sweep;
 }
 

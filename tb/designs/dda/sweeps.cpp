@@ -58,19 +58,29 @@ Job random_conic(const Params& p, Random& random, const Settings& settings) {
   return conic(p, q, from, settings, 1 + small(12));
 }
 
+constexpr std::int64_t longest = 3000;
+
+// A job that is long, and others, are stopped after a random number of clocks.
+void give_up(const Params& p, Random& random, Job& job) {
+  if (!random.one_in_power(2) && p.width <= 11) return;
+  job.clocks =
+      std::min(job.clocks.value_or(longest), static_cast<std::int64_t>(random.below(longest)));
+}
+
 using Jobs = std::function<bool(Job&)>;
 
 // A sweep whose cases are these jobs, one at a time or in lanes.
 template <class Describe>
 Sweep swept(const DdaBench& bench, const char* name, std::uint64_t cases, JobsOf<Job> jobs,
-            Describe describe) {
+            std::uint64_t cases_a_lane, Describe describe) {
   const auto run = [&bench, jobs, describe](std::uint64_t i) {
     Result result = run_jobs(bench, all_of<Job>(jobs(i)), static_cast<std::uint32_t>(i));
     result.failed = describe(i);
     return result;
   };
   Sweep sweep{name, cases, run};
-  sweep.in_lanes = std::make_shared<LaneJobsOf<LaneCurves>>(bench.params(), std::move(jobs), 1);
+  sweep.in_lanes =
+      std::make_shared<LaneJobsOf<LaneCurves>>(bench.params(), std::move(jobs), cases_a_lane);
   return sweep;
 }
 
@@ -94,7 +104,7 @@ Sweep every_line(const DdaBench& bench) {
     };
   };
   return swept(bench, "every DX with every DY", static_cast<std::uint64_t>(2 * most + 1), lines_of,
-               [most](std::uint64_t i) {
+               1, [most](std::uint64_t i) {
                  return fmt::format("DX = {} with every DY", static_cast<std::int64_t>(i) - most);
                });
 }
@@ -109,12 +119,11 @@ Sweep every_quarter(const DdaBench& bench) {
     };
   };
   return swept(bench, "every quarter from (R, 0)",
-               static_cast<std::uint64_t>(ones(bench.params().width)), quarters_of,
+               static_cast<std::uint64_t>(ones(bench.params().width)), quarters_of, 1,
                [](std::uint64_t i) { return fmt::format("R = {}", i + 1); });
 }
 
 Job random_job(const Params& p, std::uint64_t seed, std::uint64_t i) {
-  constexpr std::int64_t longest = 3000;
   Random random = Random::for_case(seed, i);
   const Settings settings = random_settings(random);
   Job job;
@@ -136,11 +145,30 @@ Job random_job(const Params& p, std::uint64_t seed, std::uint64_t i) {
   } catch (const InputError&) {  // it leaves the registers: a line in its place
     job = line(p, {either_sign(p, random), either_sign(p, random)}, settings);
   }
-  if (random.one_in_power(2) || p.width > 11) {
-    job.clocks =
-        std::min(job.clocks.value_or(longest), static_cast<std::int64_t>(random.below(longest)));
-  }
+  give_up(p, random, job);
   return job;
+}
+
+Sweep random_lines_and_arcs(const DdaBench& bench, std::uint64_t seed, std::uint64_t count) {
+  const auto one = [p = bench.params(), seed](std::uint64_t i) {
+    Random random = Random::for_case(seed, i);
+    const Settings settings = random_settings(random);
+    Job job = random.one_in_power(1)
+                  ? random_arc(p, random, settings)
+                  : line(p, {either_sign(p, random), either_sign(p, random)}, settings);
+    give_up(p, random, job);
+    return job;
+  };
+  const auto jobs_of = [one](std::uint64_t i) -> Jobs {
+    return [one, i, is_over = false](Job& job) mutable {
+      if (std::exchange(is_over, true)) return false;
+      job = one(i);
+      return true;
+    };
+  };
+  return swept(bench, "random lines and arcs", count, jobs_of, 128, [=, &bench](std::uint64_t i) {
+    return fmt::format("{}, seed {}", Host::describe(bench.params(), one(i)), seed);
+  });
 }
 
 Sweep random_jobs(const DdaBench& bench, std::uint64_t seed, std::uint64_t count) {

@@ -26,6 +26,10 @@ Sweep every_quarter(const DdaBench& bench);
 /// after a random number of clocks where it is long.
 Job random_job(const Params& p, std::uint64_t seed, std::uint64_t i);
 
+/// `count` random lines and arcs, in lanes too: the same but for circles and other conics, whose
+/// whole way is walked before they are drawn.
+Sweep random_lines_and_arcs(const DdaBench& bench, std::uint64_t seed, std::uint64_t count);
+
 /// `count` random jobs; a case is one job.
 Sweep random_jobs(const DdaBench& bench, std::uint64_t seed, std::uint64_t count);
 

@@ -79,7 +79,7 @@ Sweep random_lines(const LinearBench& bench, std::uint64_t seed, std::uint64_t c
       return true;
     };
   };
-  sweep.in_lanes = std::make_shared<LaneJobsOf<LaneLines>>(bench.params(), line_of, 32);
+  sweep.in_lanes = std::make_shared<LaneJobsOf<LaneLines>>(bench.params(), line_of, 128);
   return sweep;
 }
 

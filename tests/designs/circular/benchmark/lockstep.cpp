@@ -9,7 +9,7 @@ namespace cosim::circular {
 namespace {
 
 [[maybe_unused]] const bool measured =
-    bench::measure<Adapter<VcircularW16, Params{16}>>("circular_W16", random_arc);
+    bench::measure<Adapter<VcircularW16, Params{16}>>("circular_W16", random_arc, random_arcs);
 
 }  // namespace
 }  // namespace cosim::circular

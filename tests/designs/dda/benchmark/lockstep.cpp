@@ -9,7 +9,7 @@ namespace cosim::dda {
 namespace {
 
 [[maybe_unused]] const bool measured =
-    bench::measure<Adapter<VddaW16, Params{16}>>("dda_W16", random_job);
+    bench::measure<Adapter<VddaW16, Params{16}>>("dda_W16", random_job, random_lines_and_arcs);
 
 }  // namespace
 }  // namespace cosim::dda

@@ -8,8 +8,8 @@
 namespace cosim::linear {
 namespace {
 
-[[maybe_unused]] const bool measured =
-    bench::measure<Adapter<VlinearM16N13, Params{16, 13}>>("linear_M16N13", random_line);
+[[maybe_unused]] const bool measured = bench::measure<Adapter<VlinearM16N13, Params{16, 13}>>(
+    "linear_M16N13", random_line, random_lines);
 
 }  // namespace
 }  // namespace cosim::linear

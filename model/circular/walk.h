@@ -11,9 +11,6 @@ namespace cosim::circular {
 // clang-format off
 /// What is due of an arc.
 #define CIRCULAR_DUE(FIELD)                                                                        \
-  FIELD(x,       p.width + 1, number,          "", "its start")                                    \
-  FIELD(y,       p.width + 1, number,          "", "")                                             \
-  FIELD(excess,  p.width + 4, twos_complement, "", "x^2 + y^2 - R^2 there")                        \
   FIELD(steps,   p.width + 2, number,          "", "its steps")                                    \
   FIELD(whole,   1,           flag,            "", "they lead to its end")                         \
   FIELD(end_y,   p.width + 1, number,          "", "where x is 0")
@@ -21,10 +18,9 @@ namespace cosim::circular {
 /// Where it stands. A step changes the excess by less than 2^(width + 2), and before it was less
 /// than 2^width: so it is right up to the first step that is not.
 #define CIRCULAR_WALKED(FIELD)                                                                     \
-  FIELD(x,       p.width + 1, number,          "", "the point")                                    \
+  FIELD(x1,      p.width + 2, twos_complement, "", "the point: x - 1")                             \
   FIELD(y,       p.width + 1, number,          "", "")                                             \
   FIELD(excess,  p.width + 4, twos_complement, "", "x^2 + y^2 - R^2")                              \
-  FIELD(steps,   p.width + 2, number,          "", "so far")                                       \
   FIELD(least,   p.width + 4, twos_complement, "", "excess of this arc")                           \
   FIELD(most,    p.width + 4, twos_complement, "", "")
 // clang-format on
@@ -34,6 +30,7 @@ COSIM_RECORD(Walked, CIRCULAR_WALKED, Params);
 
 /// Of an arc that the machine holds.
 Due<Word> due_of(const Params& p, const Arc& arc);
+Walked<Word> begun(const Params& p, const Arc& arc);
 
 template <class V>
 struct Verdict {
@@ -41,34 +38,38 @@ struct Verdict {
   Condition<V> wrong;  ///< a step, the number of them or the last point is not what is due
 };
 
-/// After a clock with these outputs, the first or the last one of its arc or one between them.
+/// After a clock with these outputs, the last one of its arc or another; `steps`: those of the arc
+/// so far, without this clock's.
 template <class V>
-constexpr Verdict<V> walked(const Params&, const Due<V>& due, const Walked<V>& w,
-                            const Outputs<V>& seen, Condition<V> first, Condition<V> over) {
-  const Condition<V> up = is_set(seen.step_y), left = is_set(seen.step_x), steps = up | left;
-  const V one = V(1);
-  const V above = w.excess + w.y + w.y + one;   // of (x, y + 1)
-  const V beside = w.excess - w.x - w.x + one;  // of (x - 1, y)
-  // Left where (x - 1/2)^2 is more than what is left for it on the row above; up where (y + 1/2)^2
-  // is less than what is left for it in the column beside.
-  const Condition<V> sector1 = w.x > w.y;
-  const Condition<V> due_left = !sector1 | !(above < w.x);
-  const Condition<V> due_up = sector1 | (beside + w.y < V(0));
-  const Condition<V> past = !sector1 & (w.x == V(0));
+constexpr Verdict<V> walked(const Params&, const Due<V>& due, const Walked<V>& w, const V& steps,
+                            const Outputs<V>& seen, Condition<V> over) {
+  const Condition<V> up = is_set(seen.step_y), left = is_set(seen.step_x), any = up | left;
+  const auto twice_and_one = [](const V& v) { return shift_left(v, 1) + V(1); };
 
   Walked<V> n;
-  n.x = w.x - seen.step_x;
+  n.x1 = w.x1 - seen.step_x;
   n.y = w.y + seen.step_y;
   n.excess =
-      select(up, select(left, above - w.x - w.x + one, above), select(left, beside, w.excess));
-  n.steps = w.steps + flag<V>(steps);
+      w.excess + select(up, twice_and_one(w.y), V(0)) - select(left, twice_and_one(w.x1), V(0));
   n.least = select(n.excess < w.least, n.excess, w.least);
   n.most = select(n.excess > w.most, n.excess, w.most);
-  const Condition<V> at_end = (n.x == V(0)) & (n.y == due.end_y);
-  const Condition<V> ended = (n.steps == due.steps) & (at_end | !is_set(due.whole));
-  const Condition<V> wrong = (steps & (past | (up ^ due_up) | (left ^ due_left))) | (over & !ended);
-  const Walked<V> at_start{due.x, due.y, due.excess, V(0), due.excess, due.excess};
-  return {select(first, at_start, n), Condition<V>((first & steps) | (wrong & !first))};
+
+  // In sector 1 each step goes up, and left where the circle is nearer to x - 1 on that row. Of the
+  // point that it comes to, x^2 + y^2 - R^2 < x where it did not go left, else it is -x or more. In
+  // sector 2 that is so of y, and each step goes left, and up or not.
+  const Condition<V> sector1 = !(w.x1 < w.y);
+  const Condition<V> must = (sector1 & up) | (!sector1 & left);
+  const Condition<V> outer = (sector1 & !left) | (!sector1 & up);
+  // excess - x or excess + x, and likewise of y, as one sum: -x is x - 1 turned over, -y - 1 is y.
+  const V by = select(sector1, n.x1, n.y), carry = flag<V>(sector1 ^ outer);
+  const Condition<V> below =
+      (shift_left(n.excess, 1) | carry) + (shift_left(by ^ select(outer, V(-1), V(0)), 1) | carry) <
+      V(0);
+  const Condition<V> past = !sector1 & (w.x1 < V(0));
+  const Condition<V> at_end = (n.x1 == V(-1)) & (n.y == due.end_y);
+  const Condition<V> ended = (steps == due.steps) & (at_end | !is_set(due.whole)) & !any;
+  const Condition<V> wrong = (any & (past | !must | (outer ^ below))) | (over & !ended);
+  return {n, wrong};
 }
 
 }  // namespace cosim::circular

@@ -35,6 +35,7 @@ COSIM_RECORD(Due, DDA_DUE, Params);
 COSIM_RECORD(Walked, DDA_WALKED, Params);
 
 Due<Word> due_of(const Params& p, const Job& job);
+Walked<Word> begun(const Params& p, const Job& job);
 
 template <class V>
 struct Verdict {
@@ -42,20 +43,10 @@ struct Verdict {
   Condition<V> wrong;  ///< a step, a code or the end is not what is due
 };
 
-/// Where a job begins.
+/// After a clock with these outputs, the last one of its job or another.
 template <class V>
-constexpr Walked<V> begun(const Params& p, const Task<V>& t, const Due<V>& due) {
-  const auto number = [&](int i) { return low_bits(t.words[i], p.width); };
-  const auto code = [&](int i) { return from_twos_complement(t.words[i], p.width + 1); };
-  return {due.shifts, t.clocks,  V(0),      number(1), number(2), code(3), code(4), code(5),
-          code(6),    number(7), number(8), V(0),      V(0),      V(0),    V(0)};
-}
-
-/// After a clock with these outputs, the first or the last one of its job or one between them.
-template <class V>
-constexpr Verdict<V> walked(const Params& p, const Task<V>& t, const Due<V>& due,
-                            const Walked<V>& w, const Outputs<V>& seen, Condition<V> first,
-                            Condition<V> over) {
+constexpr Verdict<V> walked(const Params& p, const Task<V>& t, const Walked<V>& w,
+                            const Outputs<V>& seen, Condition<V> over) {
   const Condition<V> busy = is_set(seen.busy), counted = !bit(t.words[0], 2);
   const Condition<V> sequential = bit(t.words[0], 0);
   const auto code = [&](const V& v) { return from_twos_complement(v, p.width + 1); };
@@ -96,7 +87,7 @@ constexpr Verdict<V> walked(const Params& p, const Task<V>& t, const Due<V>& due
   const Condition<V> right = (seen.x_up - seen.x_down == x) & (seen.y_up - seen.y_down == y) &
                              (code(seen.code_x) == w.x) & (code(seen.code_y) == w.y);
   const Condition<V> wrong = (busy & !right) | (over & !is_set(w.over));
-  return {select(first, begun(p, t, due), select(busy, n, w)), Condition<V>(!first & wrong)};
+  return {select(busy, n, w), wrong};
 }
 
 }  // namespace cosim::dda

@@ -19,6 +19,7 @@ COSIM_RECORD(Due, LINEAR_DUE, Params);
 COSIM_RECORD(Walked, LINEAR_WALKED, Params);
 
 Due<Word> due_of(const Params& p, const Job& job);
+inline Walked<Word> begun(const Params&, const Job&) { return {}; }
 
 template <class V>
 struct Verdict {
@@ -38,12 +39,11 @@ constexpr Condition<V> steps_at(const Params& p, const V& code, const V& q) {
   return steps;
 }
 
-/// After a clock with these outputs, the first or the last one of its line or one between them.
+/// After a clock with these outputs, the last one of its line or another.
 template <class V>
 constexpr Verdict<V> walked(const Params& p, const Task<V>& t, const Due<V>& due,
-                            const Walked<V>& w, const Outputs<V>& seen, Condition<V> first,
-                            Condition<V> over) {
-  const V words = select(first, V(0), w.words);
+                            const Walked<V>& w, const Outputs<V>& seen, Condition<V> over) {
+  const V words = w.words;
   const V whole = shift_right(t.major, p.gamma()), rest = low_bits(t.major, p.gamma());
   Condition<V> wrong = false;
   for (int q = 1; q <= p.word(); ++q) {

@@ -28,7 +28,7 @@ class JobPlayer {
         at_work_(jobs.begin(static_cast<std::size_t>(built.lanes))),
         words_(static_cast<std::size_t>(built.lanes) / 64),
         lanes_(static_cast<std::size_t>(built.lanes)),
-        codes_(layout_.task.size()),
+        codes_(layout_.begins.size()),
         figures_(layout_.figure_widths.size()),
         left_out_(built.layout.counters) {
     constexpr std::size_t line = 64;
@@ -150,7 +150,7 @@ class JobPlayer {
     const std::uint64_t own = bit_of(lane);
     for (std::size_t i = 0; i < codes_.size(); ++i) {
       auto code = static_cast<std::uint64_t>(codes_[i]);
-      for (int b = 0; b < layout_.task[i]; ++b, code >>= 1, word += words_) {
+      for (int b = 0; b < layout_.begins[i]; ++b, code >>= 1, word += words_) {
         *word = (*word & ~own) | (own & (0 - (code & 1)));
       }
     }

@@ -4,7 +4,7 @@
 //   using Design, Job;
 //   Task<V>, Driven<V>, Due<V>, Walked<V>     records: what the device is told of a job, what it
 //                                             goes on from, what is due of the job, how far it is
-//   Task<Word> task_of(p, job), Due<Word> due_of(p, job)
+//   Task<Word> task_of(p, job), Due<Word> due_of(p, job), Walked<Word> begun(p, job)
 //   Inputs<V> pins(p, task, driven)           of the next clock
 //   turned(p, task, driven, outputs)          {driven, over} after it: whether it was the last
 //   walked(p, task, due, walked, outputs, first, over)
@@ -29,14 +29,14 @@ template <class Jobs, class V>
 struct JobIn {
   typename Jobs::template Task<V> task;
   typename Jobs::template Due<V> due;
-  typename Jobs::template Driven<V> driven;
   typename Jobs::template Walked<V> walked;
+  typename Jobs::template Driven<V> driven;
 };
 
-/// Which bits of what is held are what: the first says that the job was over on the last clock,
-/// the task and what is due follow, in the order of their tables.
+/// Which bits of what is held are what: the first says that the job was over on the last clock.
+/// Behind it stands what a job begins with, in the order of its tables.
 struct JobLayout {
-  std::vector<int> task;             ///< widths of the fields of both
+  std::vector<int> begins;           ///< widths of the fields of task, of what is due, of how far
   std::size_t figures = 0;           ///< the first bit of the figures
   std::vector<int> figure_widths{};  ///< of their fields
 };
@@ -45,17 +45,21 @@ template <class Jobs>
 JobLayout job_layout_of(const typename Jobs::Design::Params& p) {
   JobLayout all;
   std::size_t at = 1;
-  const auto add = [&](const auto& fields, std::vector<int>* widths, std::size_t from) {
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-      if (widths == &all.figure_widths && i == from) all.figures = at;
-      if (widths != nullptr && i >= from) widths->push_back(fields[i].width);
-      at += static_cast<std::size_t>(fields[i].width);
+  const auto add = [&](const auto& fields) {
+    for (const Field& field : fields) {
+      all.begins.push_back(field.width);
+      at += static_cast<std::size_t>(field.width);
     }
   };
-  add(Jobs::template Task<Word>::fields(p), &all.task, 0);
-  add(Jobs::template Due<Word>::fields(p), &all.task, 0);
-  add(Jobs::template Driven<Word>::fields(p), nullptr, 0);
-  add(Jobs::template Walked<Word>::fields(p), &all.figure_widths, Jobs::figures);
+  add(Jobs::template Task<Word>::fields(p));
+  add(Jobs::template Due<Word>::fields(p));
+  const auto walked = Jobs::template Walked<Word>::fields(p);
+  all.figures = at;
+  for (std::size_t i = 0; i < walked.size(); ++i) {
+    if (i < Jobs::figures) all.figures += static_cast<std::size_t>(walked[i].width);
+    if (i >= Jobs::figures) all.figure_widths.push_back(walked[i].width);
+  }
+  add(walked);
   return all;
 }
 
@@ -91,8 +95,8 @@ JobIn<Jobs, Number> free_job(const typename Jobs::Design::Params& p, Graph& grap
   held.push_back(graph.input());
   free_code(p, graph, job.task, held);
   free_code(p, graph, job.due, held);
-  free_code(p, graph, job.driven, held);
   free_code(p, graph, job.walked, held);
+  free_code(p, graph, job.driven, held);
   return job;
 }
 
@@ -112,15 +116,12 @@ Draw draw_of_jobs(const typename Jobs::Design::Params& p) {
   typename Design::template Outputs<Number> seen;
   detail::free_code(p, answer.graph, seen, answer.seen, true);
   const auto turn = Jobs::turned(p, job.task, job.driven, seen);
-  Truth first = true;
-  for_each_cell<typename Jobs::template Driven<Number>>(
-      [&](auto cell, std::size_t) { first = first & (cell(job.driven) == Number(0)); });
-  const auto verdict = Jobs::walked(p, job.task, job.due, job.walked, seen, first, turn.over);
+  const auto verdict = Jobs::walked(p, job, seen, turn.over);
   answer.after.push_back(fact_of(turn.over));
   detail::add_code(p, job.task, answer.after);
   detail::add_code(p, job.due, answer.after);
-  detail::add_code(p, turn.driven, answer.after);
   detail::add_code(p, verdict.walked, answer.after);
+  detail::add_code(p, turn.driven, answer.after);
   answer.wrong = fact_of(verdict.wrong);
   return draw;
 }

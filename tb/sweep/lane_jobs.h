@@ -19,7 +19,7 @@ class JobsAtWork {
   virtual ~JobsAtWork() = default;
   /// Lane number `lane` begins with case i.
   virtual void open(std::size_t lane, std::uint64_t i) = 0;
-  /// Its next job, as the codes of the task and of what is due; false at the end of its case.
+  /// Its next job, as the codes that it begins with; false at the end of its case.
   virtual bool next(std::size_t lane, std::span<Word> codes) = 0;
   /// It has drawn that job, and these are the codes of the figures.
   virtual void over(std::size_t lane, std::span<const Word> figures) = 0;
@@ -50,8 +50,8 @@ std::vector<Job> all_of(const std::function<bool(Job& job)>& next) {
   return all;
 }
 
-/// Jobs, see nets/jobs.h, has besides: Figures, default constructed, with add(p, job, walked) for
-/// each job that was drawn and checked(), which counts no jobs.
+/// Jobs, see nets/jobs.h, has besides: Figures, default constructed, with add(p, job, due, walked)
+/// for each job that was drawn and checked(), which counts no jobs.
 template <class Jobs>
 class LaneJobsOf final : public LaneJobs {
   using Params = typename Jobs::Design::Params;
@@ -77,7 +77,9 @@ class LaneJobsOf final : public LaneJobs {
       if (!at.next(at.job)) return false;
       std::size_t i = 0;
       for (const Word word : to_words(Jobs::task_of(all_.p_, at.job))) codes[i++] = word;
-      for (const Word word : to_words(Jobs::due_of(all_.p_, at.job))) codes[i++] = word;
+      at.due = Jobs::due_of(all_.p_, at.job);
+      for (const Word word : to_words(at.due)) codes[i++] = word;
+      for (const Word word : to_words(Jobs::begun(all_.p_, at.job))) codes[i++] = word;
       return true;
     }
     void over(std::size_t lane, std::span<const Word> figures) override {
@@ -87,7 +89,7 @@ class LaneJobsOf final : public LaneJobs {
       for_each_cell<Walked>([&](auto cell, std::size_t i) {
         if (i >= Jobs::figures) cell(walked) = units_of(fields[i], figures[i - Jobs::figures]);
       });
-      figures_.add(all_.p_, lanes_[lane].job, walked);
+      figures_.add(all_.p_, lanes_[lane].job, lanes_[lane].due, walked);
       ++jobs_;
     }
     Checked checked() const override {
@@ -100,6 +102,7 @@ class LaneJobsOf final : public LaneJobs {
     struct Lane {
       std::function<bool(Job&)> next;
       Job job;
+      typename Jobs::template Due<Word> due;
     };
     const LaneJobsOf& all_;
     std::vector<Lane> lanes_;

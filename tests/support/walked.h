@@ -8,6 +8,7 @@
 
 #include "model/core/design.h"
 #include "tb/bench/bench.h"
+#include "tb/nets/jobs.h"
 #include "tb/support/random.h"
 #include "tb/sweep/checked.h"
 
@@ -27,27 +28,28 @@ BothOracles both_oracles(const typename Lanes::Design::Params& p,
   BothOracles both;
   auto s = cleared_of<Design, Word>();
   typename Lanes::Figures figures;
-  typename Lanes::template Walked<Word> walked{};
   std::uint64_t clock = 0;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const auto task = Lanes::task_of(p, jobs[i]);
     const auto due = Lanes::due_of(p, jobs[i]);
+    auto walked = Lanes::begun(p, jobs[i]);
     typename Lanes::template Driven<Word> driven{};
-    for (bool first = true, over = false; !over; first = false, ++clock) {
+    for (bool over = false; !over; ++clock) {
       auto step = Design::next(p, s, Lanes::pins(p, task, driven));
       s = step.state;
-      const auto turn = Lanes::turned(p, task, driven, step.outputs);
       change(step.outputs, clock);
+      const auto turn = Lanes::turned(p, task, driven, step.outputs);
       over = turn.over;
+      const nets::JobIn<Lanes, Word> job{task, due, walked, driven};
       driven = turn.driven;
-      const auto verdict = Lanes::walked(p, task, due, walked, step.outputs, first, over);
+      const auto verdict = Lanes::walked(p, job, step.outputs, over);
       walked = verdict.walked;
       both.is_wrong = both.is_wrong || verdict.wrong;
       Compared<Design> seen{};
       seen.outputs = step.outputs;
       check.clock(i, seen);
     }
-    figures.add(p, jobs[i], walked);
+    figures.add(p, jobs[i], due, walked);
   }
   both.check = check.finish();
   both.lanes = figures.checked();

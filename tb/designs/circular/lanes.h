@@ -7,11 +7,14 @@
 #include "model/circular/drive.h"
 #include "model/circular/oracle.h"
 #include "model/circular/walk.h"
+#include "tb/nets/jobs.h"
 #include "tb/sweep/path_check.h"
 
 namespace cosim::circular {
 
 struct LaneArcs {
+  template <class V>
+  using JobIn = nets::JobIn<LaneArcs, V>;
   using Design = circular::Design;
   using Job = Arc;
   template <class V>
@@ -25,6 +28,7 @@ struct LaneArcs {
 
   static Task<Word> task_of(const Params& p, const Arc& arc) { return circular::task_of(p, arc); }
   static Due<Word> due_of(const Params& p, const Arc& arc) { return circular::due_of(p, arc); }
+  static Walked<Word> begun(const Params& p, const Arc& arc) { return circular::begun(p, arc); }
   template <class V>
   static auto pins(const Params& p, const Task<V>& t, const Driven<V>& d) {
     return circular::pins(p, t, d);
@@ -34,16 +38,16 @@ struct LaneArcs {
     return circular::turned(p, d, seen);
   }
   template <class V>
-  static auto walked(const Params& p, const Task<V>&, const Due<V>& due, const Walked<V>& w,
-                     const Outputs<V>& seen, Condition<V> first, Condition<V> over) {
-    return circular::walked(p, due, w, seen, first, over);
+  static auto walked(const Params& p, const JobIn<V>& job, const Outputs<V>& seen,
+                     Condition<V> over) {
+    return circular::walked(p, job.due, job.walked, job.driven.steps, seen, over);
   }
-  static constexpr std::size_t figures = Walked<Word>::index_steps;
+  static constexpr std::size_t figures = Walked<Word>::index_least;
 
   class Figures {
    public:
-    void add(const Params&, const Arc& arc, const Walked<Word>& at_end) {
-      steps_ += static_cast<std::uint64_t>(at_end.steps);
+    void add(const Params&, const Arc& arc, const Due<Word>& due, const Walked<Word>& at_end) {
+      steps_ += static_cast<std::uint64_t>(due.steps);
       for (const Word excess : {at_end.least, at_end.most}) {
         max_deviation_ = std::max(max_deviation_, radial_deviation_by(excess, arc.radius2));
       }

@@ -7,11 +7,14 @@
 #include "model/dda/equation.h"
 #include "model/dda/host.h"
 #include "model/dda/walk.h"
+#include "tb/nets/jobs.h"
 #include "tb/sweep/path_check.h"
 
 namespace cosim::dda {
 
 struct LaneCurves {
+  template <class V>
+  using JobIn = nets::JobIn<LaneCurves, V>;
   using Design = dda::Design;
   using Job = dda::Job;
   template <class V>
@@ -25,6 +28,7 @@ struct LaneCurves {
 
   static Task<Word> task_of(const Params& p, const Job& job) { return dda::task_of(p, job); }
   static Due<Word> due_of(const Params& p, const Job& job) { return dda::due_of(p, job); }
+  static Walked<Word> begun(const Params& p, const Job& job) { return dda::begun(p, job); }
   template <class V>
   static auto pins(const Params& p, const Task<V>& t, const Driven<V>& d) {
     return dda::pins(p, t, d);
@@ -34,17 +38,17 @@ struct LaneCurves {
     return dda::turned(p, d, seen);
   }
   template <class V>
-  static auto walked(const Params& p, const Task<V>& t, const Due<V>& due, const Walked<V>& w,
-                     const Outputs<V>& seen, Condition<V> first, Condition<V> over) {
-    return dda::walked(p, t, due, w, seen, first, over);
+  static auto walked(const Params& p, const JobIn<V>& job, const Outputs<V>& seen,
+                     Condition<V> over) {
+    return dda::walked(p, job.task, job.walked, seen, over);
   }
   static constexpr std::size_t figures = Walked<Word>::index_steps;
 
   class Figures {
    public:
-    void add(const Params& p, const Job& job, const Walked<Word>& at_end) {
+    void add(const Params&, const Job& job, const Due<Word>& due, const Walked<Word>& at_end) {
       steps_ += static_cast<std::uint64_t>(at_end.steps);
-      const Word scale = Word{1} << dda::due_of(p, job).shifts;
+      const Word scale = Word{1} << due.shifts;
       for (const Word excess : {at_end.least, at_end.most}) {
         max_deviation_ = std::max(max_deviation_, deviation_by(job, excess / scale));
       }

@@ -68,14 +68,14 @@ fault("The host sends F in ones' complement" circular/host.cpp
 fault("The host starts every arc in sector 1" circular/drive.h
   [[in.sector2 = t.sector2;]] [[in.sector2 = V(0);]])
 
-fault("The oracle of lanes steps inward from a point on the circle" circular/walk.h
-  [[!(above < w.x)]] [[!(above + V(1) < w.x)]])
-fault("The oracle of lanes steps up in sector 2 whenever it may" circular/walk.h
-  [[beside + w.y < V(0)]] [[!(beside + w.y > V(0))]])
+fault("The oracle of lanes does not look whether the circle is nearer" circular/walk.h
+  [[outer ^ below]] [[outer & !outer]])
+fault("The oracle of lanes takes a point on the edge for one beyond" circular/walk.h
+  [[sector1 ^ outer]] [[outer & sector1]])
 fault("The oracle of lanes knows no end" circular/walk.h
-  [[w.x == V(0)]] [[w.x < V(0)]])
+  [[!sector1 & (w.x1 < V(0))]] [[!sector1 & sector1]])
 fault("The oracle of lanes does not count the steps" circular/walk.h
-  [[n.steps == due.steps]] [[Condition<V>(true)]])
+  [[steps == due.steps]] [[Condition<V>(true)]])
 
 fault("X = Y belongs to sector 1" circular/arc.cpp [[p.x > p.y]] [[p.x >= p.y]])
 fault("A root is rounded up from the half on" circular/arc.cpp

@@ -56,8 +56,11 @@ JobLayout job_layout_of(const typename Jobs::Design::Params& p) {
   const auto walked = Jobs::template Walked<Word>::fields(p);
   all.figures = at;
   for (std::size_t i = 0; i < walked.size(); ++i) {
-    if (i < Jobs::figures) all.figures += static_cast<std::size_t>(walked[i].width);
-    if (i >= Jobs::figures) all.figure_widths.push_back(walked[i].width);
+    if (i + 1 > Jobs::figures) {
+      all.figure_widths.push_back(walked[i].width);
+    } else {
+      all.figures += static_cast<std::size_t>(walked[i].width);
+    }
   }
   add(walked);
   return all;

@@ -86,8 +86,9 @@ class LaneJobsOf final : public LaneJobs {
       using Walked = typename Jobs::template Walked<Word>;
       Walked walked{};
       const auto fields = Walked::fields(all_.p_);
+      std::size_t first = Jobs::figures;  // no constant: it may be 0
       for_each_cell<Walked>([&](auto cell, std::size_t i) {
-        if (i >= Jobs::figures) cell(walked) = units_of(fields[i], figures[i - Jobs::figures]);
+        if (i >= first) cell(walked) = units_of(fields[i], figures[i - first]);
       });
       figures_.add(all_.p_, lanes_[lane].job, lanes_[lane].due, walked);
       ++jobs_;

@@ -9,6 +9,7 @@
 #include "tb/sweep/sweep.h"
 #include "tests/support/designs.h"
 #include "tests/support/in_lanes.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/sweeps.h"
 #include "tests/tb/shape.h"
 
@@ -138,6 +139,18 @@ TYPED_TEST(LanesOf, SumUpToTheSweepOfOneCaseAtATime) {
       }
     }
   }
+}
+
+// In seconds where the processor has vectors; where it has none, or what they reach is counted,
+// fewer.
+TYPED_TEST(LanesOf, MatchOnTenThousandMillionClocks) {
+  const int lanes = lanes::widest();
+  std::uint64_t clocks = lanes == 512 ? 10'000'000'000 : lanes == 256 ? 2'000'000'000 : 100'000'000;
+  if (coverage::measured || sanitized) clocks /= 100;
+  const AnyBench& bench = smallest<TypeParam>();
+  const Result result =
+      expect_match(lanes::hostile_sweep(bench, lanes_of(bench, lanes), 1, clocks));
+  EXPECT_EQ(result.clocks, clocks);
 }
 
 // A shape's lanes are compiled once.

@@ -72,10 +72,6 @@ fault("The oracle of lanes does not look whether the circle is nearer" circular/
   [[outer ^ below]] [[outer & !outer]])
 fault("The oracle of lanes takes a point on the edge for one beyond" circular/walk.h
   [[sector1 ^ outer]] [[outer & sector1]])
-fault("The oracle of lanes knows no end" circular/walk.h
-  [[!sector1 & (w.x1 < V(0))]] [[!sector1 & sector1]])
-fault("The oracle of lanes does not count the steps" circular/walk.h
-  [[steps == due.steps]] [[Condition<V>(true)]])
 
 fault("X = Y belongs to sector 1" circular/arc.cpp [[p.x > p.y]] [[p.x >= p.y]])
 fault("A root is rounded up from the half on" circular/arc.cpp

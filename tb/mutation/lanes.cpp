@@ -229,14 +229,14 @@ void Lanes::begin(std::uint32_t seed) {
 }
 
 Plane Lanes::not_cleared() {
+  constexpr std::uint32_t power_ups = 64;
   Plane depends;
   std::vector<Plane> first;
-  for (const bool is : {false, true}) {
-    power_up(std::vector<bool>(held_.size(), is));
-    clear();
-    if (!is) first = state_;
+  for (std::uint32_t seed = 0; seed < power_ups; ++seed) {
+    begin(seed);
+    if (first.empty()) first = state_;
+    for (std::size_t i = 0; i < first.size(); ++i) depends = depends | (first[i] ^ state_[i]);
   }
-  for (std::size_t i = 0; i < first.size(); ++i) depends = depends | (first[i] ^ state_[i]);
   return depends & all_;
 }
 

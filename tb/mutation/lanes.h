@@ -50,7 +50,8 @@ class Lanes {
   };
   /// The next clock. The lanes at work on which RTL and model differ; they are at work no longer.
   std::vector<Killed> clock(const Watched& seen);
-  /// The lanes in which what a clear leaves depends on how the RTL powered up.
+  /// The lanes in which what a clear leaves depends on how the RTL powered up, of which
+  /// some are tried.
   nets::Plane not_cleared();
   std::size_t gates() const { return planes_->gates(); }
 

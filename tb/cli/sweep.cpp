@@ -172,8 +172,8 @@ void add_options(const Command& design, SweepOptions& o) {
   design.text("--hostile", o.hostile, "COUNT",
               "COUNT clocks of any value on any pin at each width");
   design.text("--lanes", o.lanes, "LANES",
-              "How many cases run at once on a core: 512, 256, 64, or 0: one at a time; auto:\n"
-              "as many as the processor can, the default of hostile clocks in a long run");
+              "How many cases run at once on a core: 512, 256, 64, or 0: one at a time;\n"
+              "auto: as many as the processor can, as hostile clocks do in a long run");
   design.text("--jobs", o.jobs, "J", "Threads, 1 to 1024; default one a core");
   add_failures(design, o.common);
   design.text("--checkpoint", o.common.checkpoint, "FILE",

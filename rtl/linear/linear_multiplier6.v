@@ -13,6 +13,7 @@ module linear_multiplier6 #(
   output wire         rate_bit    // to trigger 10
 );
 
+  localparam [N-1:0] ZERO = 0;
   localparam [N-1:0] ONE = 1;
 
   reg [N-1:0] ticks_q;
@@ -32,7 +33,7 @@ module linear_multiplier6 #(
   endgenerate
 
   always @(posedge clk)
-    if (clear) ticks_q <= {N{1'b0}};
+    if (clear) ticks_q <= ZERO;
     else if (count) ticks_q <= next_tick;
 
 endmodule

@@ -68,8 +68,6 @@ TEST(Refusal, OfProofs) {
   expect_unused({"prove", "--limit", "0"}, "--limit: '0' is not a whole number from 1 to 86400");
   expect_unused({"prove", "--count", "5"}, "--count: belongs to --mutants");
   expect_unused({"prove", "--mutant", "5"}, "--mutant: belongs to --mutants");
-  expect_unused({"prove", "--mutants", "x.v", "--engines", "cec"},
-                "--engines: not with --mutants, which cvc5 and z3 decide");
   expect_unused({"prove", "--theorems", "spiral"}, "spiral: is no design with theorems");
   expect_unused({"prove", "linear", "--rtl", "/dev/null"},
                 "/dev/null: no Verilog of linear; --rtl DIR names the folder that "

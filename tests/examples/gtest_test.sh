@@ -4,7 +4,7 @@
 # What cosim_add_gtest() cannot do is one line when CMake runs. Status: 0 so, 1 not.
 set -euo pipefail
 
-functions=$(cd "$(dirname "$0")/../../tb/dut" && pwd)/design.cmake
+functions=$(cd "$(dirname "$0")/../../tb/package" && pwd)/design.cmake
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 cd "$folder"

@@ -47,8 +47,8 @@ TYPED_TEST_SUITE(LanesRefuse, Designs, DesignNames);
 TYPED_TEST(LanesRefuse, InputsWithRules) {
   this->played_.model.machine.legal.push_back({"it is so", nets::yes});
   EXPECT_EQ(this->why(this->machine_.second),
-            "it: does not run in lanes: its inputs have rules, and what breaks one is drawn again, "
-            "case by case");
+            "it: does not run in lanes: its inputs have rules, and inputs that break one are drawn "
+            "again, case by case");
 }
 
 TYPED_TEST(LanesRefuse, AStateThatIsTooLarge) {

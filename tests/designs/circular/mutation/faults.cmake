@@ -61,7 +61,7 @@ fault("The zero of F is +0" circular/machine.h
 fault("The host stops an arc a step late" circular/drive.h
   [[!(d.steps < t.count)]] [[d.steps > t.count]])
 fault("The host counts the steps of earlier arcs" circular/drive.h
-  [[begun & !over, d.steps]] [[Condition<V>(true), d.steps]])
+  [[begun & !over]] [[Condition<V>(true)]])
 fault("The host sends F in ones' complement" circular/host.cpp
   [[low_bits(s.f, p.width + 2)]]
   [[low_bits(to_ones_complement(s.f, p.width + 2), p.width + 2)]])

@@ -124,7 +124,7 @@ fault("A job is tried again as a smaller one" dda/host.cpp
   [[clocks >= *job.clocks]] [[clocks > *job.clocks]])
 
 fault("The oracle of lanes takes the sum of X for that of Y" dda/walk.h
-  [[to_y = w.sum_y]] [[to_y = w.sum_x]])
+  [[shift_right(to_y, p.width)]] [[shift_right(to_x, p.width)]])
 fault("The oracle of lanes knows no sequential update" dda/walk.h
   [[select(sequential, turned_y, w.rate_y)]] [[w.rate_y]])
 fault("The oracle of lanes does not see an end that is too early" dda/walk.h

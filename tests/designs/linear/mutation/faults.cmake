@@ -68,7 +68,7 @@ fault("The host's second line is a step shorter" linear/host.cpp
 fault("The host gives a line up a word late" linear/drive.h
   [[!(d.words < t.words)]] [[d.words > t.words]])
 fault("The host counts the words of earlier lines" linear/drive.h
-  [[started & !over, d.words]] [[Condition<V>(true), d.words]])
+  [[started & !over]] [[Condition<V>(true)]])
 
 fault("The oracle of lanes knows no last word" linear/walk.h
   [[(words == whole) & !(rest < V(q))]] [[words == whole]])

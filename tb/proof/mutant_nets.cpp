@@ -131,8 +131,9 @@ class Maker {
   static std::vector<Bits> in(const Bits& nets, const std::vector<std::vector<std::size_t>>& of) {
     std::vector<Bits> all;
     for (const auto& wire : of) {
-      Bits& bits = all.emplace_back();
+      Bits bits;
       for (const std::size_t net : wire) bits.push_back(nets[net]);
+      all.push_back(std::move(bits));
     }
     return all;
   }

@@ -77,6 +77,11 @@ SvgPath without_rest(SvgPath path) {
   return path;
 }
 
+template <class... Values>
+void put(std::string& out, fmt::format_string<Values...> format, Values&&... values) {
+  fmt::format_to(std::back_inserter(out), format, std::forward<Values>(values)...);
+}
+
 }  // namespace
 
 std::string path_svg(const SvgPath& given) {
@@ -88,35 +93,34 @@ std::string path_svg(const SvgPath& given) {
   if (!moves(path.actual) && !moves(path.expected)) return "";
   const Frame frame(path);
   std::string out;
-  const auto put = [&]<class... Values>(fmt::format_string<Values...> format, Values&&... values) {
-    fmt::format_to(std::back_inserter(out), format, std::forward<Values>(values)...);
-  };
-  put("<svg class=\"path\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\">",
+  put(out,
+      "<svg class=\"path\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\">",
       frame.width(), frame.height());
   // Where single steps can be told apart, the grid and its points.
   const bool shows_steps = frame.scale >= 6;
   if (shows_steps) {
-    put("<path class=\"grid\" d=\"");
+    put(out, "<path class=\"grid\" d=\"");
     for (double at = frame.x0; at <= frame.x1; ++at) {
-      put("M{:.1f} {:.1f}V{:.1f}", frame.x(at), frame.y(frame.y0), frame.y(frame.y1));
+      put(out, "M{:.1f} {:.1f}V{:.1f}", frame.x(at), frame.y(frame.y0), frame.y(frame.y1));
     }
     for (double at = frame.y0; at <= frame.y1; ++at) {
-      put("M{:.1f} {:.1f}H{:.1f}", frame.x(frame.x0), frame.y(at), frame.x(frame.x1));
+      put(out, "M{:.1f} {:.1f}H{:.1f}", frame.x(frame.x0), frame.y(at), frame.x(frame.x1));
     }
-    put("\"/>");
+    put(out, "\"/>");
   }
   if (path.expected != path.actual) {
-    put("<path class=\"over\" fill=\"none\" d=\"{}\"/>", line(frame, path.expected));
+    put(out, "<path class=\"over\" fill=\"none\" d=\"{}\"/>", line(frame, path.expected));
   }
-  put("<path class=\"l a\" d=\"{}\"/>", line(frame, path.actual));
+  put(out, "<path class=\"l a\" d=\"{}\"/>", line(frame, path.actual));
   if (shows_steps) {
     for (const auto& [px, py] : std::set(path.actual.begin(), path.actual.end())) {
-      put("<circle class=\"dot\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.5\"/>", frame.x(px),
+      put(out, "<circle class=\"dot\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"2.5\"/>", frame.x(px),
           frame.y(py));
     }
   }
   const auto mark = [&](const std::pair<double, double>& at, const char* what) {
-    put("<text class=\"n\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{} ({:g}, {:g})</text>",
+    put(out,
+        "<text class=\"n\" x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\">{} ({:g}, {:g})</text>",
         frame.x(at.first),
         frame.y(at.second) + (frame.y(at.second) < frame.height() / 2 ? -12 : 22),
         frame.x(at.first) < frame.width() / 3       ? "start"
@@ -130,7 +134,7 @@ std::string path_svg(const SvgPath& given) {
   for (std::size_t i = 0; i < both; ++i) {
     if (path.expected[i] == path.actual[i]) continue;
     const auto& apart = path.expected[i == 0 ? 0 : i - 1];
-    put("<circle class=\"ring\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"7\"/>", frame.x(apart.first),
+    put(out, "<circle class=\"ring\" cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"7\"/>", frame.x(apart.first),
         frame.y(apart.second));
     break;
   }

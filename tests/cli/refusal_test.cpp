@@ -220,8 +220,10 @@ TEST(Refusal, OfSweeps) {
                    "--jobs: '" + std::string(n) + "' is not a whole number from 1 to 1024");
   }
   const std::string wide = "--exhaustive: too wide to try everything; take ";
-  expect_refused({"sweep", "linear", "--exhaustive", "--m", "16"}, wide + "M <= 8, or 14 with --lanes auto");
-  expect_refused({"sweep", "circular", "--exhaustive", "--width", "32"}, wide + "W <= 12, or 16 with --lanes auto");
+  expect_refused({"sweep", "linear", "--exhaustive", "--m", "16"},
+                 wide + "M <= 8, or 14 with --lanes auto");
+  expect_refused({"sweep", "circular", "--exhaustive", "--width", "32"},
+                 wide + "W <= 12, or 16 with --lanes auto");
   expect_unused({"sweep", "linear", "--random", "1", "--width", "4"},
                 "sweep linear: no such option: '--width'");
   expect_unused({"sweep", "linear", "--random", "1", "--csv", "x"},

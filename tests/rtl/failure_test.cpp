@@ -96,8 +96,8 @@ void expect_failure_explained(const Variant<Design>& variant) {
   const auto took = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
   testing::Test::RecordProperty("seconds", std::to_string(took));
   EXPECT_LT(took, kSeconds) << "of the processor";
-  for (const char* name : {"report.txt", "report.json", "report.html", "wave.gtkw", "wave.phase.txt",
-                           "wave.step.txt", "smallest.gtkw"}) {
+  for (const char* name : {"report.txt", "report.json", "report.html", "wave.gtkw",
+                           "wave.phase.txt", "wave.step.txt", "smallest.gtkw"}) {
     EXPECT_GT(fs::file_size(failure.folder / name), 0U) << name;
   }
 

@@ -144,7 +144,10 @@ void Command::argument(const std::string& name, Text& value, const std::string& 
 
 void Command::arguments(const std::string& name, std::vector<std::string>& values,
                         const std::string& help) const {
-  app_->add_option(name, values, help)->type_name("");
+  // To CLI11 a name is one word; what stands behind it is text.
+  const std::size_t space = name.find(' ');
+  auto* option = app_->add_option(name.substr(0, space), values, help)->type_name("");
+  if (space != std::string::npos) option->option_text(name.substr(space + 1));
 }
 
 void Command::flag(const std::string& name, bool& value, const std::string& help) const {

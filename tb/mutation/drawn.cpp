@@ -66,8 +66,9 @@ int check_drawn(const VerilatedSubject& subject, const std::filesystem::path& fo
             ? subject.attack(drawn.at("mutant").get<unsigned>(), first, first + 1)
             : subject.attack(drawn.at("mutant").get<unsigned>(), 0, subject.cases().quick);
     const bool killed = o.end == Outcome::End::killed;
-    const bool as_drawn = killed && o.stimulus == stimulus && o.clock == drawn.at("clock") &&
-                          o.signal == drawn.at("signal");
+    const bool as_drawn = killed && o.stimulus == stimulus &&
+                          o.clock == drawn.at("clock").get<std::uint64_t>() &&
+                          o.signal == drawn.at("signal").get<std::string>();
     const std::lock_guard lock(guard);
     if (cleared && as_drawn) ++same;
     if (!cleared && killed) ++not_cleared;

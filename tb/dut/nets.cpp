@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstring>
 #include <map>
+#include <utility>
 
 #include "model/core/input_error.h"
 #include "tb/dut/named_adapter.h"
@@ -13,10 +14,22 @@
 namespace cosim {
 namespace {
 
+// "TOP.top.g[1].part" of "TOP.top.g__BRA__1__KET__.part"; newer versions of Verilator may write it
+// so.
+std::string plain(std::string path) {
+  for (const auto& [coded, bracket] : {std::pair{"__BRA__", "["}, std::pair{"__KET__", "]"}}) {
+    for (std::size_t at; (at = path.find(coded)) != std::string::npos;) {
+      path.replace(at, std::strlen(coded), bracket);
+    }
+  }
+  return path;
+}
+
 const VerilatedScope* scope_of(VerilatedContext& context, const std::string& path) {
-  const auto* all = context.scopeNameMap();
-  const auto found = all->find(path.c_str());
-  return found == all->end() ? nullptr : found->second;
+  for (const auto& [name, scope] : *context.scopeNameMap()) {
+    if (plain(name) == path) return scope;
+  }
+  return nullptr;
 }
 
 RtlNet found_net(const VerilatedVar& var) {
@@ -46,21 +59,6 @@ std::string top_of(VerilatedContext& context) {
     }
   }
   return "TOP";
-}
-
-// "g[1].part" as Verilator writes it: "g__BRA__1__KET__.part".
-std::string encoded(const std::string& path) {
-  std::string text;
-  for (const char c : path) {
-    if (c == '[') {
-      text += "__BRA__";
-    } else if (c == ']') {
-      text += "__KET__";
-    } else {
-      text += c;
-    }
-  }
-  return text;
 }
 
 const VerilatedVar* var_in(const VerilatedScope* scope, const std::string& name) {
@@ -193,7 +191,7 @@ std::vector<Net> find_registers(VerilatedContext& context, const std::string& ti
     const std::string net = net_path(row.front().net).path;
     const std::size_t dot = is_flat(context, net) ? std::string::npos : net.rfind('.');
     std::string path = top_of(context);
-    if (dot != std::string::npos) path += '.' + encoded(net.substr(0, dot));
+    if (dot != std::string::npos) path += '.' + net.substr(0, dot);
     const VerilatedScope* scope = scope_of(context, path);
     if (scope == nullptr || scope->varsp() == nullptr) {
       refuse(title,

@@ -133,7 +133,8 @@ TEST(Solver, BeginsAnewWithOtherOptionsOnWhatIsHard) {
   const Solver works{"slow", "awk", "BEGIN{while(ARGC<3){}}1", "x=1"};
   const Solved hard = solve(works, "unsat\n", 30, true);
   EXPECT_EQ(hard.answer, Answer::unsat) << hard.said;
-  EXPECT_GE(hard.seconds, 0.8 * kSoon);  // the limit is kept in ticks of the clock
+  // What the first try took counts; on a busy machine the limit and the sum differ by much.
+  EXPECT_GE(hard.seconds, 0.5 * kSoon);
   EXPECT_EQ(solve(works, "unsat\n", kSoon, true).answer, Answer::timed_out);
   const Solver prints{"quick", "tail", "-n1", "-f"};
   EXPECT_EQ(solve(prints, "unsat\n", kSoon + 1, true).answer, Answer::unsat);

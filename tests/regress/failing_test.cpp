@@ -89,9 +89,9 @@ void expect_refused(const Folder& folder, const std::string& text,
 
 TEST_F(Regression, OfABadPlanIsRefusedWhole) {
   const std::string head = R"({"format": 1, "name": "n", "tasks": [)";
-  expect_refused(folder_, "",
+  expect_refused(folder_, "x",
                  {"no JSON: at line 1, column 1: syntax error while parsing value - "
-                  "unexpected end of input; expected '[', '{', or a literal"});
+                  "invalid literal; last read: 'x'"});
   expect_refused(folder_, "[]", {"no plan: needs an object with \"format\": 1"});
   expect_refused(folder_, R"({"format": 2})", {"no plan: needs an object with \"format\": 1"});
   expect_refused(folder_, head + R"({"name": "a", "run": ["true"], "seed": 1, "seed": 2}]})",

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "model/core/input_error.h"
+#include "taken_names.h"
 #include "tb/cli/commands.h"
 #include "tb/support/draft.h"
 #include "tb/support/read_file.h"
@@ -31,6 +32,12 @@ void require_name(const std::string& name) {
   if (!good) {
     throw InputError(fmt::format("NAME: {} is not small letters, digits and _, a letter first",
                                  in_quotes(name)));
+  }
+  for (const TakenName& t : taken_names) {
+    if (name == t.name) {
+      throw InputError(
+          fmt::format("NAME: {} is a name of the harness's own, in {}", name, t.header));
+    }
   }
   if (fs::exists(name)) throw InputError(name + ": exists");
 }

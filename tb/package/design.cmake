@@ -24,6 +24,7 @@
 # text. Paths are relative to the folder that calls. RTL with a second clock, a falling edge, a latch, a
 # combinational loop or a bidirectional port is refused, in a line that names the net.
 include_guard(GLOBAL)
+include(${CMAKE_CURRENT_LIST_DIR}/taken.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../dut/rtl.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../dut/shape.cmake)
 set_property(GLOBAL PROPERTY COSIM_ROOT "${CMAKE_CURRENT_LIST_DIR}/../..")
@@ -55,9 +56,6 @@ function(cosim_verilated_library target)
   target_compile_options(${target} PRIVATE -w)  # a user's flags are for a user's code
 endfunction()
 
-# Name spaces of the harness in cosim, where each design has one of its own name.
-set(COSIM_TAKEN_NAMES cli coverage detail lanes mutation nets pin proof regress row)
-
 function(cosim_add_design NAME)
   if(NOT VERILATOR_ROOT)
     find_package(verilator REQUIRED HINTS $ENV{VERILATOR_ROOT} /usr/share/verilator)
@@ -67,8 +65,9 @@ function(cosim_add_design NAME)
   if(D_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "${what}: what is ${D_UNPARSED_ARGUMENTS}?")
   endif()
-  if(NAME IN_LIST COSIM_TAKEN_NAMES)
-    message(FATAL_ERROR "${what}: the harness has a name space cosim::${NAME}; name it otherwise")
+  cosim_taken_names(taken)
+  if(";${taken};" MATCHES ";${NAME} ([^;]*)")
+    message(FATAL_ERROR "${what}: the name is the harness's own, in ${CMAKE_MATCH_1}")
   endif()
   foreach(needed SOURCES MODEL)
     if(NOT D_${needed})

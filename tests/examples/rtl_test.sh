@@ -134,20 +134,4 @@ for wrong in "W" "W=4'b12" "W=40'hFFFFFFFFFF" 'W=a"b'; do
   ! said=$(cmake "-DSHAPE=$wrong" -P read.cmake 2>&1) || fails "$wrong is refused"
   [[ $said == *"shape: SHAPES: "* ]] || fails "$wrong is named"
 done
-
-# The names that no design may have are those of the harness.
-cat > take.cmake << END
-cmake_minimum_required(VERSION 3.25)
-set(VERILATOR_ROOT x)
-include($sources/tb/package/design.cmake)
-cosim_add_design(proof SOURCES x.v MODEL x.h)
-END
-! said=$(cmake -P take.cmake 2>&1) || fails "a design of a taken name is refused"
-[[ $said == *"cosim_add_design(proof): the harness has a name space cosim::proof"* ]] || fails "it is named"
-taken=$(sed -n 's/^set(COSIM_TAKEN_NAMES \(.*\))/\1/p' "$sources/tb/package/design.cmake" | tr ' ' '\n')
-there=$(grep -rhoE --include='*.h' --include='*.cpp' --exclude-dir=designs --exclude-dir=studies \
-  '^namespace (cosim::)?[a-z]+ ' "$sources/tb" "$sources/model/core" |
-  sed 's/namespace //; s/cosim:://; s/ //' | grep -vxE 'cosim|fs' | LC_ALL=C sort -u)
-said=$there
-[[ $taken == "$there" ]] || fails "COSIM_TAKEN_NAMES has all of them"
 echo "read or refused"

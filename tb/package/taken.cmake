@@ -1,0 +1,49 @@
+# The names that no design may have: each design has a name space of its own in cosim, where the
+# harness's headers declare things too. Those stand at the start of a line. What a model may have beside
+# its step is looked up there too, as NAME(p, s).
+include_guard(GLOBAL)
+cmake_path(SET COSIM_HEADERS NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/../..)
+
+# cosim_taken_names(VARIABLE): a list of "NAME HEADER".
+function(cosim_taken_names variable)
+  get_property(all GLOBAL PROPERTY COSIM_TAKEN_NAMES)
+  if(NOT all)
+    # Those of libraries, which are looked up there as well.
+    set(all "std <cstdint>" "fmt <fmt/core.h>" "nlohmann <nlohmann/json.hpp>")
+    file(GLOB headers RELATIVE ${COSIM_HEADERS}
+      ${COSIM_HEADERS}/model/core/*.h ${COSIM_HEADERS}/tb/*/*.h)
+    foreach(header IN LISTS headers)
+      file(STRINGS ${COSIM_HEADERS}/${header} lines
+        REGEX "^[a-zA-Z]|^}  // namespace | [a-z_]+[(]p, s[,)]")
+      list(FILTER lines EXCLUDE REGEX "^template <.*>$|^ *//")
+      list(TRANSFORM lines REPLACE "(alignas|decltype)[(][a-z0-9]*[)]" "")
+      set(inside "")  # a name space in cosim: what is declared there is in nobody's way
+      foreach(line IN LISTS lines)
+        set(name "")
+        if(line MATCHES "^}  // namespace (cosim::)?(.*)$")
+          if(CMAKE_MATCH_2 STREQUAL inside)
+            set(inside "")
+          endif()
+        elseif(header MATCHES "^model/" AND line MATCHES "^ .* ([a-z_]+)[(]p, s[,)]")
+          set(name ${CMAKE_MATCH_1})
+        elseif(inside)
+        elseif(line MATCHES "^namespace (cosim::)?([a-zA-Z_0-9]+) ")
+          set(name ${CMAKE_MATCH_2})
+          if(NOT name STREQUAL cosim)
+            set(inside ${name})
+          endif()
+        elseif(line MATCHES "^(struct|class|enum class|enum|union) +([a-zA-Z_0-9]+)")
+          set(name ${CMAKE_MATCH_2})
+        elseif(line MATCHES "^([a-zA-Z][^(={;]*[ *&>])?[(]?[*]?([a-zA-Z_0-9]+)([(){;]| [={]|$)")
+          set(name ${CMAKE_MATCH_2})
+        endif()
+        if(name)
+          list(APPEND all "${name} ${header}")
+        endif()
+      endforeach()
+    endforeach()
+    list(REMOVE_DUPLICATES all)
+    set_property(GLOBAL PROPERTY COSIM_TAKEN_NAMES "${all}")
+  endif()
+  set(${variable} "${all}" PARENT_SCOPE)
+endfunction()

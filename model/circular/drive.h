@@ -1,9 +1,9 @@
-// The device outside as a step function over a value type, SU 1665343: on machine integers it
-// drives the pins of one machine (host.h), on bits of gates those of as many as there are lanes.
+// The device outside as a step function, see model/core/drive.h: SU 1665343.
 #pragma once
 
 #include "model/circular/arc.h"
 #include "model/circular/machine.h"
+#include "model/core/drive.h"
 
 namespace cosim::circular {
 
@@ -17,7 +17,7 @@ namespace cosim::circular {
   FIELD(counted, 1,           flag,            "",   "end it after so many steps")                 \
   FIELD(count,   p.width + 2, number,          "",   "which no arc has more of")
 
-/// What it goes on from; all 0 before an arc.
+/// What it goes on from.
 #define CIRCULAR_DRIVEN(FIELD)                                                                     \
   FIELD(begun,   1,           flag,            "",   "the arc was started")                        \
   FIELD(steps,   p.width + 2, number,          "",   "steps seen so far")
@@ -50,16 +50,9 @@ constexpr Inputs<V> pins(const Params&, const Task<V>& t, const Driven<V>& d) {
       });
 }
 
-/// What it goes on from, and whether that was the arc's last clock.
-template <class V>
-struct Turn {
-  Driven<V> driven;
-  Condition<V> over;
-};
-
 /// After a clock with these outputs.
 template <class V>
-constexpr Turn<V> turned(const Params&, const Driven<V>& d, const Outputs<V>& seen) {
+constexpr Turn<Driven, V> turned(const Params&, const Driven<V>& d, const Outputs<V>& seen) {
   const Condition<V> begun = is_set(d.begun);
   const Condition<V> over = begun & !is_set(seen.running);
   return {{flag<V>(!over), select(begun & !over, d.steps + (seen.step_y | seen.step_x), V(0))},

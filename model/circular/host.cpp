@@ -14,19 +14,6 @@ Task<Word> task_of(const Params& p, const Arc& arc) {
           code(s.ct8), arc.count.has_value(),      std::min(arc.count.value_or(0), most)};
 }
 
-bool Host::next(Inputs<Word>& in, const Outputs<Word>& seen) {
-  if (!is_first_) {
-    const Turn<Word> turn = turned(p_, driven_, seen);
-    driven_ = turn.driven;
-    job_ += turn.over;
-  }
-  if (job_ == arcs_.size()) return false;
-  if (!driven_.begun) task_ = task_of(p_, arcs_[job_]);
-  in = pins(p_, task_, driven_);
-  is_first_ = false;
-  return true;
-}
-
 std::vector<Arc> Host::smaller(const Params&, const Arc& arc) {
   std::vector<Arc> arcs;
   // Whole radii from the axis on, by powers of two less.

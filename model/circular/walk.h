@@ -1,10 +1,10 @@
-// The oracle of the circular machine as a step function over a value type, for as many arcs as
-// there are lanes: which of the two points in reach is nearest to the circle, from the steps alone.
-// It knows x^2 + y^2 - R^2 of the point that it stands on.
+// The oracle of the circular machine as a step function, see model/core/walk.h: which of the two
+// points in reach is nearest to the circle, from the steps alone. It knows x^2 + y^2 - R^2 of the
+// point that it stands on.
 #pragma once
 
-#include "model/circular/arc.h"
-#include "model/circular/machine.h"
+#include "model/circular/drive.h"
+#include "model/core/walk.h"
 
 namespace cosim::circular {
 
@@ -27,22 +27,18 @@ namespace cosim::circular {
 
 COSIM_RECORD(Due, CIRCULAR_DUE, Params);
 COSIM_RECORD(Walked, CIRCULAR_WALKED, Params);
+template <class V>
+using Walk = WalkOf<Task, Due, Walked, Driven, V>;
 
 /// Of an arc that the machine holds.
 Due<Word> due_of(const Params& p, const Arc& arc);
 Walked<Word> begun(const Params& p, const Arc& arc);
 
+/// Wrong is a step, the number of them or the last point.
 template <class V>
-struct Verdict {
-  Walked<V> walked;
-  Condition<V> wrong;  ///< a step, the number of them or the last point is not what is due
-};
-
-/// After a clock with these outputs, the last one of its arc or another; `steps`: those of the arc
-/// so far, without this clock's.
-template <class V>
-constexpr Verdict<V> walked(const Params&, const Due<V>& due, const Walked<V>& w, const V& steps,
-                            const Outputs<V>& seen, Condition<V> over) {
+constexpr Verdict<Walked, V> walked(const Params&, const Walk<V>& arc, const Outputs<V>& seen,
+                                    Condition<V> over) {
+  const auto& [task, due, w, driven] = arc;
   const Condition<V> up = is_set(seen.step_y), left = is_set(seen.step_x), any = up | left;
   const auto twice_and_one = [](const V& v) { return shift_left(v, 1) + V(1); };
 
@@ -67,7 +63,7 @@ constexpr Verdict<V> walked(const Params&, const Due<V>& due, const Walked<V>& w
       V(0);
   const Condition<V> past = !sector1 & (w.x1 < V(0));
   const Condition<V> at_end = (n.x1 == V(-1)) & (n.y == due.end_y);
-  const Condition<V> ended = (steps == due.steps) & (at_end | !is_set(due.whole)) & !any;
+  const Condition<V> ended = (driven.steps == due.steps) & (at_end | !is_set(due.whole)) & !any;
   const Condition<V> wrong = (any & (past | !must | (outer ^ below))) | (over & !ended);
   return {n, wrong};
 }

@@ -1,9 +1,9 @@
-// The device outside as a step function over a value type: on machine integers it drives the pins
-// of one machine (host.h), on bits of gates those of as many as there are lanes.
+// The device outside as a step function, see model/core/drive.h.
 #pragma once
 
 #include <algorithm>
 
+#include "model/core/drive.h"
 #include "model/dda/curve.h"
 #include "model/dda/machine.h"
 
@@ -23,7 +23,7 @@ constexpr int clock_bits(int width) { return std::max(width + 4, 14); }
   FIELD(counted, 1,                   flag,             "", "stop it after so many clocks")        \
   FIELD(clocks,  clock_bits(p.width), number,           "", "")
 
-/// What it goes on from; all 0 before a job.
+/// What it goes on from.
 #define DDA_DRIVEN(FIELD)                                                                          \
   FIELD(written, 4,                   number,           "", "addresses that were written")         \
   FIELD(clocks,  clock_bits(p.width), number,           "", "of running so far")
@@ -58,16 +58,9 @@ constexpr Inputs<V> pins(const Params&, const Task<V>& t, const Driven<V>& d) {
       });
 }
 
-/// What it goes on from, and whether that was the job's last clock.
-template <class V>
-struct Turn {
-  Driven<V> driven;
-  Condition<V> over;
-};
-
 /// After a clock with these outputs. The start shows in `busy` on the next one.
 template <class V>
-constexpr Turn<V> turned(const Params&, const Driven<V>& d, const Outputs<V>& seen) {
+constexpr Turn<Driven, V> turned(const Params&, const Driven<V>& d, const Outputs<V>& seen) {
   const Condition<V> writes = d.written < V(addresses);
   const Condition<V> over = !writes & !is_set(seen.busy);
   return {{select(over, V(0), select(writes, d.written + V(1), d.written)),

@@ -22,19 +22,6 @@ Task<Word> task_of(const Params& p, const Job& job) {
   return task;
 }
 
-bool Host::next(Inputs<Word>& in, const Outputs<Word>& seen) {
-  if (!is_first_) {
-    const Turn<Word> turn = turned(p_, driven_, seen);
-    driven_ = turn.driven;
-    job_ += turn.over;
-  }
-  if (job_ == jobs_.size()) return false;
-  if (driven_.written == 0) task_ = task_of(p_, jobs_[job_]);
-  in = pins(p_, task_, driven_);
-  is_first_ = false;
-  return true;
-}
-
 std::vector<Job> Host::smaller(const Params& p, const Job& job) {
   std::vector<Job> jobs;
   const Start& s = job.start;

@@ -1,8 +1,9 @@
-// The oracle of the DDA as a step function over a value type, for as many jobs as there are lanes:
-// Track of oracle.h, whose rates are those of the point that it stands on. It knows the left side
-// of the curve's equation there, too.
+// The oracle of the DDA as a step function, see model/core/walk.h: Track of oracle.h, whose rates
+// are those of the point that it stands on. It knows the left side of the curve's equation there,
+// too.
 #pragma once
 
+#include "model/core/walk.h"
 #include "model/dda/drive.h"
 
 namespace cosim::dda {
@@ -33,20 +34,17 @@ namespace cosim::dda {
 
 COSIM_RECORD(Due, DDA_DUE, Params);
 COSIM_RECORD(Walked, DDA_WALKED, Params);
+template <class V>
+using Walk = WalkOf<Task, Due, Walked, Driven, V>;
 
 Due<Word> due_of(const Params& p, const Job& job);
 Walked<Word> begun(const Params& p, const Job& job);
 
+/// Wrong is a step, a code or the end.
 template <class V>
-struct Verdict {
-  Walked<V> walked;
-  Condition<V> wrong;  ///< a step, a code or the end is not what is due
-};
-
-/// After a clock with these outputs, the last one of its job or another.
-template <class V>
-constexpr Verdict<V> walked(const Params& p, const Task<V>& t, const Walked<V>& w,
-                            const Outputs<V>& seen, Condition<V> over) {
+constexpr Verdict<Walked, V> walked(const Params& p, const Walk<V>& job, const Outputs<V>& seen,
+                                    Condition<V> over) {
+  const auto& [t, due, w, driven] = job;
   const Condition<V> busy = is_set(seen.busy), counted = !bit(t.words[0], 2);
   const Condition<V> sequential = bit(t.words[0], 0);
   const auto code = [&](const V& v) { return from_twos_complement(v, p.width + 1); };

@@ -1,7 +1,7 @@
-// The device outside as a step function over a value type, SU 1631518: on machine integers it
-// drives the pins of one machine (host.h), on bits of gates those of as many as there are lanes.
+// The device outside as a step function, see model/core/drive.h: SU 1631518.
 #pragma once
 
+#include "model/core/drive.h"
 #include "model/linear/machine.h"
 
 namespace cosim::linear {
@@ -16,7 +16,7 @@ struct Job;  // host.h
   FIELD(counted, 1,           flag,   "",   "give it up after so many words")                      \
   FIELD(words,   p.n + 1,     number, "",   "which no line has more of")
 
-/// What it goes on from; all 0 before a line.
+/// What it goes on from.
 #define LINEAR_DRIVEN(FIELD)                                                                       \
   FIELD(clock,   3,           number, "",   "0 to 3: writes BP, UK, starts, waits; 4: it runs")    \
   FIELD(words,   p.n + 1,     number, "",   "words seen so far")
@@ -42,16 +42,9 @@ constexpr Inputs<V> pins(const Params&, const Task<V>& t, const Driven<V>& d) {
   return in;
 }
 
-/// What it goes on from, and whether that was the line's last clock.
-template <class V>
-struct Turn {
-  Driven<V> driven;
-  Condition<V> over;
-};
-
 /// After a clock with these outputs. `busy` shows one clock after the start.
 template <class V>
-constexpr Turn<V> turned(const Params&, const Driven<V>& d, const Outputs<V>& seen) {
+constexpr Turn<Driven, V> turned(const Params&, const Driven<V>& d, const Outputs<V>& seen) {
   const Condition<V> started = d.clock > V(2);
   const Condition<V> over = started & !is_set(seen.busy);
   return {{select(over, V(0), select(d.clock < V(4), d.clock + V(1), d.clock)),

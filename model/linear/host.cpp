@@ -9,19 +9,6 @@ Task<Word> task_of(const Params& p, const Job& job) {
           std::min(job.words.value_or(0), ones(p.n + 1))};
 }
 
-bool Host::next(Inputs<Word>& in, const Outputs<Word>& seen) {
-  if (!is_first_) {
-    const Turn<Word> turn = turned(p_, driven_, seen);
-    driven_ = turn.driven;
-    job_ += turn.over;
-  }
-  if (job_ == jobs_.size()) return false;
-  if (driven_.clock == 0) task_ = task_of(p_, jobs_[job_]);
-  in = pins(p_, task_, driven_);
-  is_first_ = false;
-  return true;
-}
-
 std::vector<Job> Host::smaller(const Params& p, const Job& job) {
   std::vector<Job> jobs;
   const auto add = [&](auto change) {

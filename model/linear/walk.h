@@ -1,7 +1,8 @@
-// The oracle of the linear machine as a step function over a value type, for as many lines as there
-// are lanes: on which positions of a line each axis steps, from their numbers alone.
+// The oracle of the linear machine as a step function, see model/core/walk.h: on which positions of
+// a line each axis steps, from their numbers alone.
 #pragma once
 
+#include "model/core/walk.h"
 #include "model/linear/drive.h"
 
 namespace cosim::linear {
@@ -17,15 +18,11 @@ namespace cosim::linear {
 
 COSIM_RECORD(Due, LINEAR_DUE, Params);
 COSIM_RECORD(Walked, LINEAR_WALKED, Params);
+template <class V>
+using Walk = WalkOf<Task, Due, Walked, Driven, V>;
 
 Due<Word> due_of(const Params& p, const Job& job);
 inline Walked<Word> begun(const Params&, const Job&) { return {}; }
-
-template <class V>
-struct Verdict {
-  Walked<V> walked;
-  Condition<V> wrong;  ///< the words on the outputs, or the number of them, are not what is due
-};
 
 /// Whether the minor axis steps on position q of a code, 1 <= q <= 2^m: bit a_i where q is
 /// 2^(i-1) * odd, none where i > m.
@@ -39,11 +36,12 @@ constexpr Condition<V> steps_at(const Params& p, const V& code, const V& q) {
   return steps;
 }
 
-/// After a clock with these outputs, the last one of its line or another.
+/// Wrong are the words on the outputs, or the number of them.
 template <class V>
-constexpr Verdict<V> walked(const Params& p, const Task<V>& t, const Due<V>& due,
-                            const Walked<V>& w, const Outputs<V>& seen, Condition<V> over) {
-  const V words = w.words;
+constexpr Verdict<Walked, V> walked(const Params& p, const Walk<V>& line, const Outputs<V>& seen,
+                                    Condition<V> over) {
+  const auto& [t, due, walked, driven] = line;
+  const V words = walked.words;
   const V whole = shift_right(t.major, p.gamma()), rest = low_bits(t.major, p.gamma());
   Condition<V> wrong = false;
   for (int q = 1; q <= p.word(); ++q) {

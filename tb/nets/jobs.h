@@ -1,18 +1,9 @@
-// Jobs as nets: the device outside that drives them, and the oracle that judges them, as step
-// functions over a value type. A design's Jobs has
+// Jobs as nets: the device outside that drives them (model/core/drive.h), and the oracle that
+// judges them (model/core/walk.h). A design's Jobs has
 //
-//   using Design, Job;
-//   Task<V>, Driven<V>, Due<V>, Walked<V>     records: what the device is told of a job, what it
-//                                             goes on from, what is due of the job, how far it is
-//   Task<Word> task_of(p, job), Due<Word> due_of(p, job), Walked<Word> begun(p, job)
-//   Inputs<V> pins(p, task, driven)           of the next clock
-//   turned(p, task, driven, outputs)          {driven, over} after it: whether it was the last
-//   walked(p, task, due, walked, outputs, first, over)
-//                                             {walked, wrong} after it; `first` of the job, and
-//                                             last
-//   std::size_t figures                       the first field of Walked that is read of a job's end
-//
-// Driven is all 0 before a job and after its last clock. None of the functions knows the clock.
+//   using Design
+//   Walk<V>
+//   std::size_t figures               the first field of Walked that is read of a job's end
 #pragma once
 
 #include <cstddef>
@@ -23,15 +14,6 @@
 #include "tb/nets/number.h"
 
 namespace cosim::nets {
-
-/// The records of a job in a lane.
-template <class Jobs, class V>
-struct JobIn {
-  typename Jobs::template Task<V> task;
-  typename Jobs::template Due<V> due;
-  typename Jobs::template Walked<V> walked;
-  typename Jobs::template Driven<V> driven;
-};
 
 /// Which bits of what is held are what: the first says that the job was over on the last clock.
 /// Behind it stands what a job begins with, in the order of its tables.
@@ -51,9 +33,10 @@ JobLayout job_layout_of(const typename Jobs::Design::Params& p) {
       at += static_cast<std::size_t>(field.width);
     }
   };
-  add(Jobs::template Task<Word>::fields(p));
-  add(Jobs::template Due<Word>::fields(p));
-  const auto walked = Jobs::template Walked<Word>::fields(p);
+  using Walk = typename Jobs::template Walk<Word>;
+  add(decltype(Walk::task)::fields(p));
+  add(decltype(Walk::due)::fields(p));
+  const auto walked = decltype(Walk::walked)::fields(p);
   all.figures = at;
   for (std::size_t i = 0; i < walked.size(); ++i) {
     if (i + 1 > Jobs::figures) {
@@ -92,9 +75,8 @@ void add_code(const Params& p, const Record& r, std::vector<Bit>& bits) {
 }
 
 template <class Jobs>
-JobIn<Jobs, Number> free_job(const typename Jobs::Design::Params& p, Graph& graph,
-                             std::vector<Bit>& held) {
-  JobIn<Jobs, Number> job;
+auto free_job(const typename Jobs::Design::Params& p, Graph& graph, std::vector<Bit>& held) {
+  typename Jobs::template Walk<Number> job;
   held.push_back(graph.input());
   free_code(p, graph, job.task, held);
   free_code(p, graph, job.due, held);
@@ -112,14 +94,14 @@ Draw draw_of_jobs(const typename Jobs::Design::Params& p) {
   DrawStep& clock = draw.clock;
   const auto before = detail::free_job<Jobs>(p, clock.graph, clock.held);
   clock.after = clock.held;
-  detail::add_code(p, Jobs::pins(p, before.task, before.driven), clock.inputs);
+  detail::add_code(p, pins(p, before.task, before.driven), clock.inputs);
 
   Answer& answer = draw.answer.emplace();
   auto job = detail::free_job<Jobs>(p, answer.graph, answer.held);
   typename Design::template Outputs<Number> seen;
   detail::free_code(p, answer.graph, seen, answer.seen, true);
-  const auto turn = Jobs::turned(p, job.task, job.driven, seen);
-  const auto verdict = Jobs::walked(p, job, seen, turn.over);
+  const auto turn = turned(p, job.driven, seen);
+  const auto verdict = walked(p, job, seen, turn.over);
   answer.after.push_back(fact_of(turn.over));
   detail::add_code(p, job.task, answer.after);
   detail::add_code(p, job.due, answer.after);

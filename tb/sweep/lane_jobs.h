@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/core/design.h"
 #include "model/core/value.h"
 #include "tb/nets/jobs.h"
 #include "tb/sweep/checked.h"
@@ -50,12 +51,13 @@ std::vector<Job> all_of(const std::function<bool(Job& job)>& next) {
   return all;
 }
 
-/// Jobs, see nets/jobs.h, has besides: Figures, default constructed, with add(p, job, due, walked)
-/// for each job that was drawn and checked(), which counts no jobs.
+/// Jobs, see nets/jobs.h, has besides: Figures figures_of(p, job, due, walked) of a job that was
+/// drawn. Figures are added up by add() and give checked(), which counts no jobs.
 template <class Jobs>
 class LaneJobsOf final : public LaneJobs {
   using Params = typename Jobs::Design::Params;
-  using Job = typename Jobs::Job;
+  using Job = typename HostOf<typename Jobs::Design>::Job;
+  using Walk = typename Jobs::template Walk<Word>;
 
  public:
   LaneJobsOf(const Params& p, JobsOf<Job> jobs, std::uint64_t cases_a_lane)
@@ -76,21 +78,21 @@ class LaneJobsOf final : public LaneJobs {
       Lane& at = lanes_[lane];
       if (!at.next(at.job)) return false;
       std::size_t i = 0;
-      for (const Word word : to_words(Jobs::task_of(all_.p_, at.job))) codes[i++] = word;
-      at.due = Jobs::due_of(all_.p_, at.job);
+      for (const Word word : to_words(task_of(all_.p_, at.job))) codes[i++] = word;
+      at.due = due_of(all_.p_, at.job);
       for (const Word word : to_words(at.due)) codes[i++] = word;
-      for (const Word word : to_words(Jobs::begun(all_.p_, at.job))) codes[i++] = word;
+      for (const Word word : to_words(begun(all_.p_, at.job))) codes[i++] = word;
       return true;
     }
     void over(std::size_t lane, std::span<const Word> figures) override {
-      using Walked = typename Jobs::template Walked<Word>;
+      using Walked = decltype(Walk::walked);
       Walked walked{};
       const auto fields = Walked::fields(all_.p_);
       std::size_t first = Jobs::figures;  // no constant: it may be 0
       for_each_cell<Walked>([&](auto cell, std::size_t i) {
         if (i >= first) cell(walked) = units_of(fields[i], figures[i - first]);
       });
-      figures_.add(all_.p_, lanes_[lane].job, lanes_[lane].due, walked);
+      figures_.add(Jobs::figures_of(all_.p_, lanes_[lane].job, lanes_[lane].due, walked));
       ++jobs_;
     }
     Checked checked() const override {
@@ -103,7 +105,7 @@ class LaneJobsOf final : public LaneJobs {
     struct Lane {
       std::function<bool(Job&)> next;
       Job job;
-      typename Jobs::template Due<Word> due;
+      decltype(Walk::due) due;
     };
     const LaneJobsOf& all_;
     std::vector<Lane> lanes_;

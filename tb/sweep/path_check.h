@@ -12,14 +12,23 @@
 
 namespace cosim {
 
-/// The figures of a check of paths, before the number of jobs.
-inline Checked path_figures(std::uint64_t steps, double max_deviation) {
-  Checked found;
-  found.measures = {
-      {"steps", Measure::Sum::total, "", "step", steps},
-      {"max_deviation", Measure::Sum::largest, "largest deviation", "step", max_deviation}};
-  return found;
-}
+/// Of one path or of several.
+struct PathFigures {
+  std::uint64_t steps = 0;
+  double max_deviation = 0;
+
+  void add(const PathFigures& more) {
+    steps += more.steps;
+    max_deviation = std::max(max_deviation, more.max_deviation);
+  }
+  Checked checked() const {
+    Checked found;
+    found.measures = {
+        {"steps", Measure::Sum::total, "", "step", steps},
+        {"max_deviation", Measure::Sum::largest, "largest deviation", "step", max_deviation}};
+    return found;
+  }
+};
 
 template <class Design>
 class PathCheck : public Observer<Design> {
@@ -34,7 +43,7 @@ class PathCheck : public Observer<Design> {
   }
   /// What was found so far, the present job left open.
   Checked so_far() const {
-    Checked found = path_figures(steps_, max_deviation_);
+    Checked found = figures_.checked();
     found.jobs = found_.jobs;
     found.error = found_.error;
     return found;
@@ -47,8 +56,8 @@ class PathCheck : public Observer<Design> {
 
  protected:
   void fail(std::string error) { found_.error = std::move(error); }
-  void drew(std::uint64_t steps) { steps_ += steps; }
-  void deviates(double steps) { max_deviation_ = std::max(max_deviation_, steps); }
+  void drew(std::uint64_t steps) { figures_.add({steps, 0}); }
+  void deviates(double steps) { figures_.add({0, steps}); }
 
  private:
   virtual void open(const Job& job) = 0;
@@ -72,8 +81,7 @@ class PathCheck : public Observer<Design> {
   std::size_t job_ = 0;
   bool open_ = false;
   Checked found_;
-  std::uint64_t steps_ = 0;
-  double max_deviation_ = 0;
+  PathFigures figures_;
 };
 
 }  // namespace cosim

@@ -62,9 +62,6 @@ fault("Counter 4 counts the remainder before a code is written" linear/machine.h
 fault("Trigger 10 shows the bit only with a word" linear/machine.h
   [[r.trigger10 = s.last_bit;]] [[r.trigger10 = s.formed;]])
 
-fault("The host's second line is a step shorter" linear/host.cpp
-  [=[task_of(p_, jobs_[job_])]=]
-  [=[[&] { auto task = task_of(p_, jobs_[job_]); task.major -= job_ == 1; return task; }()]=])
 fault("The host gives a line up a word late" linear/drive.h
   [[!(d.words < t.words)]] [[d.words > t.words]])
 fault("The host counts the words of earlier lines" linear/drive.h

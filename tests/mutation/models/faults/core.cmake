@@ -1,4 +1,4 @@
-# In model/core/: how numbers stand for codes.
+# In model/core/: how numbers stand for codes, and how jobs are driven.
 
 fault("A code of two's complement has no sign" core/value.h
   [[code - V(shift_left(1, width))]] [[code]])
@@ -18,3 +18,6 @@ fault("A joined part keeps the bits above it" core/bit_strings.h
   [[low_bits(low, width_of_low)]] [[low]])
 fault("An array is written at its first element" core/memory.h
   [[array[static_cast<int>(index)] = value;]] [[array[0] = value;]])
+
+fault("The second job of a host is its first one again" core/drive.h
+  [=[jobs_[job_]]=] [=[jobs_[job_ == 1 ? 0 : job_]]=])

@@ -6,7 +6,7 @@
 #include "model/core/input_error.h"
 #include "tb/cli/number.h"
 #include "tb/cli/prove.h"
-#include "tb/proof/mutants.h"
+#include "tb/proof/judge.h"
 #include "tb/support/words.h"
 
 namespace cosim::cli {

@@ -1,0 +1,46 @@
+// Whether mutants are the same machine as the RTL without one: the engines are asked.
+#pragma once
+
+#include <filesystem>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "tb/proof/decide.h"
+
+namespace cosim::proof {
+
+/// What is known of a mutant.
+struct Judged {
+  bool same = false;       ///< proved by as many engines as are needed
+  bool refuted = false;    ///< shown not to be, from a state that may never be reached
+  bool timed_out = false;  ///< more time might help
+  std::string verdict;
+};
+
+/// Has the engines judge mutants of one machine. yosys-abc is asked of many at once; what it shows
+/// to differ nobody else is asked.
+class Judge {
+ public:
+  /// `model`: the machine as nets; null where yosys-abc is not to be asked. Both must outlive it.
+  Judge(const MachineFormula& machine, const nets::Model* model, Asking asking);
+
+  /// Those of a Verilog file as of Mutants. May be called from several threads. InputError where an
+  /// engine or yosys is missing.
+  std::vector<Judged> judge(const std::filesystem::path& verilog,
+                            const std::vector<unsigned>& numbers);
+
+ private:
+  void require_reached();
+  std::vector<std::vector<Opinion>> opinions_of_abc(const std::filesystem::path& verilog,
+                                                    const std::vector<unsigned>& numbers) const;
+  Judged judged_by(const Claim& step, const Claim& clear, std::vector<Opinion> opinions,
+                   const std::vector<Engine>& engines, std::size_t needed) const;
+
+  const MachineFormula& machine_;
+  const nets::Model* model_;
+  Asking asking_;
+  std::once_flag once_;
+};
+
+}  // namespace cosim::proof

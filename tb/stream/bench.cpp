@@ -150,6 +150,9 @@ std::vector<std::vector<std::vector<Word>>> AnyStreamBench::without(
   std::vector<std::vector<Word>> both = in;
   for (const Interface& i : shape_.out) {
     if (i.can_stall()) later(both, at++);
+    if (!i.can_wait()) continue;
+    both[n + 1][at] |= rows[n][at];
+    ++at;
   }
   for (auto* changed : {&in, &both})
     changed->erase(changed->begin() + static_cast<std::ptrdiff_t>(n));

@@ -15,12 +15,16 @@ struct Density {
   int rarity = never;      // one in 2^rarity
   std::uint64_t most = 0;  // clocks
   bool stretches = false;  // on and off for some transactions each
+  int waiting = never;     // one in 2^waiting is not taken before its valid was seen
 
   static constexpr int never = 64;
 
   Word stall(Random& random, std::size_t row) const {
     if (rarity == never || (stretches && (row / 8) % 2 == 0)) return 0;
     return random.one_in_power(rarity) ? static_cast<Word>(1 + random.below(most)) : 0;
+  }
+  Word waits(Random& random) const {
+    return waiting != never && random.one_in_power(waiting) ? 1 : 0;
   }
 };
 
@@ -34,7 +38,7 @@ Density random_density(Random& random) {
   return d;
 }
 
-std::vector<Density> densities(Random& random, std::size_t interfaces) {
+std::vector<Density> stalling(Random& random, std::size_t interfaces) {
   std::vector<Density> all(interfaces);
   const std::uint64_t kind = random.below(8);
   if (kind < 2) return all;  // no stalls
@@ -51,6 +55,15 @@ std::vector<Density> densities(Random& random, std::size_t interfaces) {
     return all;
   }
   for (Density& d : all) d = random_density(random);
+  return all;
+}
+
+// Whatever the stalls are, who takes may look for valid first: always, or now and then.
+std::vector<Density> densities(Random& random, std::size_t interfaces) {
+  std::vector<Density> all = stalling(random, interfaces);
+  if (!random.one_in_power(2)) return all;
+  const bool always = random.one_in_power(1);
+  for (Density& d : all) d.waiting = always ? 0 : static_cast<int>(random.below(4));
   return all;
 }
 
@@ -95,8 +108,10 @@ Stimulus draw_stream_case(const StreamShape& shape, std::uint64_t seed, std::uin
       row.insert(row.end(), words.begin(), words.end());
     }
     for (const Interface& i : shape.out) {
-      const Word stall = density[at++].stall(random, n);
+      const Density& d = density[at++];
+      const Word stall = d.stall(random, n);
       if (i.can_stall()) row.push_back(stall);
+      if (i.can_wait()) row.push_back(d.waits(random));
     }
     stimulus.clocks.push_back(std::move(row));
   }

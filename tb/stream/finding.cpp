@@ -72,6 +72,11 @@ std::string to_text(const StreamShape& shape, const StreamOrder& order,
   const Interface& i = (f.goes_in ? shape.in : shape.out)[f.stream];
   const std::string which = fmt::format("{} number {}", i.name, f.number);
   const std::string stands = count(shape.watchdog, "clock");
+  std::string waits;
+  if (f.waits) {
+    const Interface& out = shape.out[*f.waits];
+    waits = fmt::format("{} waits for {}, ", out.ready, out.valid);
+  }
   switch (f.kind) {
     case Kind::value:
       return wrong_value(i.name, f.number, result.came, order.expected[f.stream]);
@@ -89,7 +94,8 @@ std::string to_text(const StreamShape& shape, const StreamOrder& order,
           "moves for {}",
           which, order.expected[f.stream].size(), stands);
     case Kind::hung:
-      return fmt::format("hung: {} is not taken, and nothing moves for {}", which, stands);
+      return fmt::format("hung: {} {}, {}and nothing moves for {}", which,
+                         f.goes_in ? "is not taken" : "does not come", waits, stands);
     case Kind::late:
       return fmt::format("late: {} does not come within {} of what it needs", which,
                          count(static_cast<std::uint64_t>(i.latency), "clock"));

@@ -20,7 +20,7 @@ class Runner {
       givers_.back().credits = shape.in[s].credits;
     }
     for (std::size_t s = 0; s < shape.out.size(); ++s) {
-      takers_.push_back({shape.out[s], nets_.out[s], order.expected[s], order.given.out[s].stalls});
+      takers_.push_back({shape.out[s], nets_.out[s], order.expected[s], order.given.out[s]});
       if (shape.out[s].latency >= 0) has_latency_ = true;
     }
     reset();
@@ -114,6 +114,9 @@ class Runner {
     const bool stands = kind == Kind::hung || kind == Kind::missing;
     const std::uint64_t clock = stands ? moved_at_ : result_.clocks;
     result_.finding = {kind, goes_in, stream, number, cell, clock};
+    for (std::size_t s = 0; s < takers_.size() && stands; ++s) {
+      if (takers_[s].waits) result_.finding->waits = s;
+    }
   }
 
   void hear() {
@@ -142,7 +145,8 @@ class Runner {
     }
     for (std::size_t s = 0; s < takers_.size(); ++s) {
       const Taker& t = takers_[s];
-      if (t.came < t.expected.size()) found(Kind::missing, false, s, t.came);
+      if (t.came == t.expected.size()) continue;
+      found(t.waits ? Kind::hung : Kind::missing, false, s, t.came);
     }
   }
 

@@ -19,7 +19,7 @@ struct StreamFinding {
     value,     ///< another value than expected
     extra,     ///< one more than expected
     missing,   ///< all that goes in is taken, what comes out is not all there, and nothing moves
-    hung,      ///< what goes in is not taken, and nothing moves
+    hung,      ///< what goes in is not taken, or valid waits for ready, and nothing moves
     late,      ///< later than the stated latency
     unsteady,  ///< what was offered was taken back or changed, or what stays high
     said,      ///< the RTL itself says that something is wrong
@@ -32,6 +32,8 @@ struct StreamFinding {
   std::size_t cell = 0;    ///< of a value: the first that differs
   /// From the end of the reset on; where nothing moves, the first clock of that.
   std::uint64_t clock = 0;
+  /// Where nothing moves, a stream that comes out whose ready waits for valid.
+  std::optional<std::size_t> waits = {};
 };
 
 struct StreamResult {

@@ -43,6 +43,7 @@ void StreamShape::add(const StreamPorts& ports, bool goes_in, std::span<const Fi
   if (i.can_stall() || goes_in) {
     column({kept(i.name + "_stall"), stall_width, Format::number, "", "clocks before it"});
   }
+  if (i.can_wait()) column({kept(i.name + "_waits"), 1, Format::flag, "", "ready waits for valid"});
   for (Field cell : cells) {
     if (cell.width == 0) continue;  // of an array: this shape does not have it
     if (std::string_view(cell.net) == cell.name) cell.net = kept(prefix + cell.name);
@@ -64,7 +65,7 @@ void StreamShape::column(const Field& field) {
 
 StreamCase stream_case(const StreamShape& shape, const Stimulus& stimulus) {
   StreamCase all;
-  for (const Interface& i : shape.in) all.in.push_back({Sequence(i.cells.size()), {}});
+  for (const Interface& i : shape.in) all.in.push_back({Sequence(i.cells.size()), {}, {}});
   for (std::size_t s = 0; s < shape.out.size(); ++s) all.out.emplace_back();
   for (const std::vector<Word>& row : stimulus.clocks) {
     std::size_t at = 0;
@@ -78,6 +79,7 @@ StreamCase stream_case(const StreamShape& shape, const Stimulus& stimulus) {
     }
     for (std::size_t s = 0; s < shape.out.size(); ++s) {
       if (shape.out[s].can_stall()) all.out[s].stalls.push_back(row[at++]);
+      if (shape.out[s].can_wait()) all.out[s].waits.push_back(row[at++]);
     }
   }
   return all;

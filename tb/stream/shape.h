@@ -6,6 +6,7 @@
 //   x_FIELD  its fields
 //   y_stall  the clocks for which the transaction of that number is not taken from the stream y,
 //            which comes out, from the one before it on
+//   y_waits  1 where it is not taken before its valid was seen either: ready waits for valid
 #pragma once
 
 #include <cstdint>
@@ -39,6 +40,8 @@ struct Interface {
   /// It says on each clock whether it takes.
   bool has_ready() const { return !ready.empty() || own.is_there(); }
   bool can_stall() const { return has_ready() || !credit.empty(); }
+  /// The side that takes can see valid before it says that it does.
+  bool can_wait() const { return !goes_in && !ready.empty(); }
 };
 
 struct StreamShape {
@@ -72,6 +75,7 @@ struct StreamCase {
   struct Side {
     Sequence given{1};         ///< of a stream that goes in
     std::vector<Word> stalls;  ///< before each; none behind the last
+    std::vector<Word> waits;   ///< 1 where ready waits for valid, of a stream that comes out
   };
   std::vector<Side> in, out;
 };

@@ -87,9 +87,10 @@ struct Taker {
   const Interface& i;
   const InterfaceNets& nets;
   const Sequence& expected;
-  const std::vector<Word>& stalls;
+  const StreamCase::Side& given;
   std::size_t came = 0;
   Word stalled = 0;
+  bool waits = false;          // for valid, before ready
   int credits = 0;             // that the design may still use
   std::deque<Word> returns{};  // credits to give back: clocks each has still to wait
   bool valid = false, ready = false, moved = false, before = false, offered = false;
@@ -109,7 +110,7 @@ struct Taker {
   bool asked = true;               // how many are due of it
   std::size_t due = 0;             // that many
 
-  Word stall_of(std::size_t n) const { return n < stalls.size() ? stalls[n] : 0; }
+  Word stall_of(std::size_t n) const { return n < given.stalls.size() ? given.stalls[n] : 0; }
   bool held_back() const { return stalled != 0 || !returns.empty(); }
   void note(const std::vector<std::size_t>& taken) {
     if (i.latency < 0) return;
@@ -128,14 +129,18 @@ struct Taker {
     }
   }
   void begin() {
-    stalled = i.has_ready() ? stall_of(came) : 0;
     credits = i.credits;
+    next();
+  }
+  void next() {
+    stalled = i.has_ready() ? stall_of(came) : 0;
+    waits = came < given.waits.size() && given.waits[came] != 0;
   }
 
   void drive() {
     if (i.has_ready()) {
-      ready = stalled == 0;
-      if (!ready) --stalled;
+      ready = stalled == 0 && !waits;
+      if (stalled != 0) --stalled;
       if (own) return drive_own();
       nets.ready.set(ready ? 1 : 0);
     } else if (i.credits > 0) {
@@ -169,6 +174,7 @@ struct Taker {
     // Without ready the design gives when it likes.
     moved = valid && (ready || i.ready.empty());
     if (!high) return;
+    waits = false;
     words.resize(nets.cells.size());
     for (std::size_t c = 0; c < words.size(); ++c) words[c] = nets.cells[c].get();
   }
@@ -181,7 +187,7 @@ struct Taker {
       returns.push_back(stall_of(came));
     }
     ++came;
-    stalled = i.has_ready() ? stall_of(came) : 0;
+    next();
   }
 };
 

@@ -88,9 +88,12 @@ class Bench {
     top_.x_valid = 0;
   }
   Task drive_out() {
-    for (const int wait : given_.waits) {
-      for (int i = 0; i < wait; ++i) {
+    for (std::size_t n = 0; n < given_.waits.size(); ++n) {
+      bool seen = !given_.sees_valid[n];
+      for (int i = 0; i < given_.waits[n] || !seen; ++i) {
         top_.y_ready = 0;
+        co_await settled_;
+        seen |= top_.y_valid != 0;
         co_await edge_;
       }
       top_.y_ready = 1;

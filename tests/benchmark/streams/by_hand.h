@@ -10,10 +10,12 @@ class VfirW12STAGES3;
 
 namespace by_hand {
 
-/// What one case gives: samples, the clocks before each, the clocks before each result is taken.
+/// What one case gives: samples, the clocks before each, the clocks before each result is taken,
+/// and whether it is not taken before valid was seen either.
 struct Case {
   std::vector<int> samples;
   std::vector<int> stalls, waits;
+  std::vector<bool> sees_valid;
 };
 
 /// Runs it from a reset on. How many results came and were right; the first wrong one ends it.

@@ -42,7 +42,7 @@ const std::vector<Stimulus>& stimuli() {
   }();
   return all;
 }
-// The columns are x_give, x_stall, x_data and y_stall, and every row gives.
+// The columns are x_give, x_stall, x_data, y_stall and y_waits, and every row gives.
 const std::vector<by_hand::Case>& cases_by_hand() {
   static const auto all = [] {
     std::vector<by_hand::Case> list;
@@ -52,6 +52,7 @@ const std::vector<by_hand::Case>& cases_by_hand() {
         one.stalls.push_back(static_cast<int>(row[1]));
         one.samples.push_back(static_cast<int>(from_twos_complement(row[2], 12)));
         one.waits.push_back(static_cast<int>(row[3]));
+        one.sees_valid.push_back(row[4] != 0);
       }
       list.push_back(std::move(one));
     }
@@ -85,10 +86,10 @@ void bare(benchmark::State& state) {
       top.clk = 0;
       top.eval();
       const bool taken = top.x_valid != 0 && top.x_ready != 0;
-      const bool came = top.y_valid != 0 && top.y_ready != 0;
+      const bool offered = top.y_valid != 0;
       top.clk = 1;
       top.eval();
-      return std::pair{taken, came};
+      return std::pair{taken, offered};
     };
     top.rst = 1;
     top.x_valid = top.y_ready = 0;
@@ -97,15 +98,20 @@ void bare(benchmark::State& state) {
     top.rst = 0;
     const std::size_t all = given.samples.size();
     int stall = given.stalls[0], wait = given.waits[0];
+    bool unseen = given.sees_valid[0];
     for (std::size_t n = 0, m = 0; m < all;) {
       top.x_valid = n < all && stall == 0 ? 1 : 0;
       if (n < all) top.x_data = static_cast<std::uint16_t>(given.samples[n] & 0xfff);
-      top.y_ready = wait == 0 ? 1 : 0;
+      top.y_ready = wait == 0 && !unseen ? 1 : 0;
       if (stall > 0) --stall;
       if (wait > 0) --wait;
-      const auto [taken, came] = clock();
+      const auto [taken, offered] = clock();
       if (taken && ++n < all) stall = given.stalls[n];
-      if (came && ++m < all) wait = given.waits[m];
+      unseen &= !offered;
+      if (offered && top.y_ready != 0 && ++m < all) {
+        wait = given.waits[m];
+        unseen = given.sees_valid[m];
+      }
     }
     return true;
   });

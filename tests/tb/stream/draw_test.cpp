@@ -11,7 +11,7 @@
 namespace cosim {
 namespace {
 
-// A stream in and one out; the columns of a case are x_give, x_stall, x_data, y_stall.
+// A stream in and one out; the columns of a case are x_give, x_stall, x_data, y_stall, y_waits.
 class Shape {
  public:
   Shape() {
@@ -40,7 +40,7 @@ bool any(std::size_t, std::span<const Word>) { return true; }
 
 TEST(StreamDraw, CasesHaveNoStallsManyDensitiesAndOneSideThatStarvesTheOther) {
   const Shape s;
-  int none = 0, x_starves = 0, y_starves = 0, y_shut = 0;
+  int none = 0, x_starves = 0, y_starves = 0, y_shut = 0, y_waits = 0, y_waits_at_times = 0;
   std::set<std::size_t> densities;  // in tenths
   for (std::uint64_t i = 0; i < 400; ++i) {
     const Stimulus drawn = draw_stream_case(s.shape, 1, i, 1000, any);
@@ -51,6 +51,9 @@ TEST(StreamDraw, CasesHaveNoStallsManyDensitiesAndOneSideThatStarvesTheOther) {
     x_starves += x.some == rows && x.most >= 8 && y.some == 0 ? 1 : 0;
     y_starves += y.some == rows && y.most >= 8 && x.some == 0 ? 1 : 0;
     y_shut += y.most > 100 ? 1 : 0;
+    const std::size_t waits = stalls(drawn, 4).some;
+    y_waits += waits == rows ? 1 : 0;
+    y_waits_at_times += waits > 0 && waits < rows ? 1 : 0;
     densities.insert(10 * x.some / rows);
   }
   EXPECT_GE(none, 20);
@@ -58,6 +61,10 @@ TEST(StreamDraw, CasesHaveNoStallsManyDensitiesAndOneSideThatStarvesTheOther) {
   EXPECT_GE(y_starves, 10);
   EXPECT_GE(y_shut, 5);
   EXPECT_GE(densities.size(), 6U);
+  // Who takes looks for valid first, in a quarter of the cases, with stalls or without.
+  EXPECT_GE(y_waits, 20);
+  EXPECT_GE(y_waits_at_times, 10);
+  EXPECT_LE(y_waits + y_waits_at_times, 150);
 }
 
 TEST(StreamDraw, ACaseFollowsFromItsNumberAndGivesOnlyWhatIsLegal) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <deque>
 #include <memory>
 
@@ -22,7 +23,9 @@ enum class Fault {
   extra_last,
   hang,
   slow,
-  change
+  change,
+  asks,  // says valid only to one who is ready
+  idles  // takes only while one who takes it on is ready
 };
 
 /// Takes 8 bits and gives them one more, at least one clock later. It holds two values.
@@ -49,8 +52,8 @@ class Queue final : public StreamDut {
   void eval() override {
     if (clk_ != 0 && before_ == 0) edge();
     before_ = clk_;
-    x_ready_ = held_.size() < 2 && !hung_ ? 1 : 0;
-    y_valid_ = !held_.empty() && wait_ == 0 ? 1 : 0;
+    x_ready_ = held_.size() < 2 && !hung_ && (fault_ != Fault::idles || y_ready_ != 0) ? 1 : 0;
+    y_valid_ = !held_.empty() && wait_ == 0 && (fault_ != Fault::asks || y_ready_ != 0) ? 1 : 0;
     y_data_ = held_.empty() ? 0 : held_.front();
   }
 
@@ -103,6 +106,7 @@ struct Setting {
   std::uint64_t number = 3;
   Word stall = 0;  ///< of each value that comes out
   int latency = 1;
+  Word waits = 0;  ///< ready of each waits for valid
   bool steady = false;
 };
 
@@ -116,13 +120,14 @@ class Case {
     const Field data{"data", 8, Format::bits, "", "", 0, "data"};
     shape_.add({.name = "x"}, true, {&data, 1});
     shape_.add({.name = "y", .latency = s.latency, .steady = s.steady}, false, {&data, 1});
-    given_.in.push_back({Sequence(1), {}});
+    given_.in.push_back({Sequence(1), {}, {}});
     given_.out.emplace_back();
     for (Word n = 0; n < 10; ++n) {
       const Word in = n * 7, out = n * 7 + 1;
       given_.in[0].given.push({&in, 1});
       given_.in[0].stalls.push_back(0);
       given_.out[0].stalls.push_back(s.stall);
+      given_.out[0].waits.push_back(s.waits);
       expected_[0].push({&out, 1});
     }
   }
@@ -211,6 +216,29 @@ TEST(StreamRun, AHangIsFoundWithinTheWatchdog) {
 
 TEST(StreamRun, WhatTheHarnessHoldsBackIsNoHang) {
   EXPECT_EQ(Case({.stall = 200}).says(), "nothing");
+}
+
+// Each then takes two clocks; a stall goes on meanwhile.
+TEST(StreamRun, OneWhoIsReadyOnlyOnceItSawValidIsServed) {
+  for (const Word stall : {0, 1, 7}) {
+    Case c({.stall = stall, .waits = 1, .steady = true});
+    const StreamResult result = c.run();
+    EXPECT_FALSE(result.finding) << stall;
+    EXPECT_EQ(result.transactions, 10U);
+    EXPECT_GE(result.clocks,
+              10 * (1 + std::max<std::uint64_t>(1, static_cast<std::uint64_t>(stall))));
+  }
+}
+
+TEST(StreamRun, ADesignThatWaitsForReadyHangsWithOneThatWaitsForValid) {
+  EXPECT_EQ(Case({.fault = Fault::asks, .stall = 3}).says(), "nothing");
+  EXPECT_EQ(Case({.fault = Fault::idles, .stall = 3}).says(), "nothing");
+  EXPECT_EQ(
+      Case({.fault = Fault::asks, .waits = 1}).says(),
+      "hung: x number 2 is not taken, y_ready waits for y_valid, and nothing moves for 50 clocks");
+  EXPECT_EQ(
+      Case({.fault = Fault::idles, .waits = 1}).says(),
+      "hung: x number 0 is not taken, y_ready waits for y_valid, and nothing moves for 50 clocks");
 }
 
 TEST(StreamRun, LateIsMoreThanTheStatedLatency) {

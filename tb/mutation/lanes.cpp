@@ -75,8 +75,16 @@ Lanes::Lanes(const PlantedNets& rtl, const std::vector<unsigned>& numbers) : rtl
   for (const auto& wire : wires_) roots.insert(roots.end(), wire.begin(), wire.end());
   planes_ = std::make_unique<nets::Planes>(graph_, roots, numbers.size());
   for (const auto& [bit, plane] : controls_) planes_->give(bit, plane);
-  state_.resize(held_.size());
-  after_.resize(held_.size());
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    if (planes_->root(held_[i]).at == 0) continue;  // nothing reads it
+    rising_.push_back(planes_->flip_flop(held_[i], next_[i], edges_[i].rising));
+    const Plane& falling = edges_[i].falling;
+    if ((falling & all_).any()) falling_.push_back(planes_->flip_flop(held_[i], next_[i], falling));
+  }
+  for (const auto& wire : wires_) {
+    auto& own = compared_.emplace_back();
+    for (const Bit b : wire) own.push_back(planes_->root(b));
+  }
 }
 
 // By net the number in constants_ of what it is in each lane, where that follows from mutsel, and
@@ -163,10 +171,8 @@ void Lanes::find_edges(const std::vector<std::uint32_t>& low,
       throw InputError(rtl_.bench_.title() + ": its RTL makes a clock of its own");
     }
     const Plane before = constants_[low[net]], behind = constants_[high[net]];
-    rising_.push_back(~before & behind);
-    falling_.push_back(before & ~behind);
-    if (flip_flops[i].edge == "fe") std::swap(rising_.back(), falling_.back());
-    any_falls_ = any_falls_ || (falling_.back() & all_).any();
+    edges_.push_back({~before & behind, before & ~behind});
+    if (flip_flops[i].edge == "fe") std::swap(edges_.back().rising, edges_.back().falling);
   }
 }
 
@@ -180,21 +186,9 @@ void Lanes::drive(const std::vector<Word>& inputs) {
 
 // The clock falls as the inputs of the next one are given: what is clocked by that edge sees them.
 void Lanes::fall() {
-  if (!any_falls_ || std::exchange(is_first_, false)) return;
+  if (falling_.empty() || std::exchange(is_first_, false)) return;
   planes_->run();
-  for (std::size_t i = 0; i < held_.size(); ++i) after_[i] = planes_->get(next_[i]);
-  for (std::size_t i = 0; i < held_.size(); ++i) {
-    state_[i] = state_[i] ^ (falling_[i] & (state_[i] ^ after_[i]));
-    planes_->give(held_[i], state_[i]);
-  }
-}
-
-void Lanes::rise() {
-  for (std::size_t i = 0; i < held_.size(); ++i) after_[i] = planes_->get(next_[i]);
-  for (std::size_t i = 0; i < held_.size(); ++i) {
-    state_[i] = state_[i] ^ (rising_[i] & (state_[i] ^ after_[i]));
-    planes_->give(held_[i], state_[i]);
-  }
+  planes_->edge(falling_);
 }
 
 void Lanes::power_up(const std::vector<bool>& held) {
@@ -202,8 +196,7 @@ void Lanes::power_up(const std::vector<bool>& held) {
   for (std::size_t i = 0; i < held_.size(); ++i) {
     const char initial = flip_flops[i].initial;
     const bool is_given = initial == '0' || initial == '1';
-    state_[i] = Plane::all(is_given ? initial == '1' : held[i]);
-    planes_->give(held_[i], state_[i]);
+    planes_->give(held_[i], Plane::all(is_given ? initial == '1' : held[i]));
   }
   is_first_ = true;
 }
@@ -214,7 +207,7 @@ void Lanes::clear() {
     drive(clearing.inputs);
     fall();
     planes_->run();
-    rise();
+    planes_->edge(rising_);
   }
 }
 
@@ -234,24 +227,23 @@ Plane Lanes::not_cleared() {
   std::vector<Plane> first;
   for (std::uint32_t seed = 0; seed < power_ups; ++seed) {
     begin(seed);
-    if (first.empty()) first = state_;
-    for (std::size_t i = 0; i < first.size(); ++i) depends = depends | (first[i] ^ state_[i]);
+    for (std::size_t i = 0; i < held_.size(); ++i) {
+      const Plane now = planes_->get(held_[i]);
+      if (seed == 0) first.push_back(now);
+      depends = depends | (first[i] ^ now);
+    }
   }
   return depends & all_;
 }
 
 std::vector<Lanes::Killed> Lanes::clock(const Watched& seen) {
-  const auto is = [&](std::size_t i, std::size_t b) {
-    return bit(seen.expected[i], static_cast<int>(b));
-  };
   // The model has taken over what no reset reaches.
   for (std::size_t i = 0; takes_over_ && i < rtl_.bench_.registers(); ++i) {
     if (!rtl_.compared_[i].unreset) continue;
     for (std::size_t b = 0; b < wires_[i].size(); ++b) {
       const auto own = std::find(held_.begin(), held_.end(), wires_[i][b]);
       if (own == held_.end()) continue;
-      state_[static_cast<std::size_t>(own - held_.begin())] = Plane::all(is(i, b));
-      planes_->give(*own, Plane::all(is(i, b)));
+      planes_->give(*own, Plane::all(bit(seen.expected[i], static_cast<int>(b))));
     }
   }
   takes_over_ = false;
@@ -259,17 +251,10 @@ std::vector<Lanes::Killed> Lanes::clock(const Watched& seen) {
   fall();
   planes_->run();
 
-  const auto differs = [&](std::size_t i) {
-    Plane any;
-    for (std::size_t b = 0; b < wires_[i].size(); ++b) {
-      any = any | (planes_->get(wires_[i][b]) ^ Plane::all(is(i, b)));
-    }
-    return any & at_work_;
-  };
   std::vector<Killed> killed;
-  for (std::size_t i = 0; i < wires_.size(); ++i) {
+  for (std::size_t i = 0; i < compared_.size(); ++i) {
     if (!seen.is_compared[i]) continue;
-    const Plane different = differs(i);
+    const Plane different = planes_->differing(compared_[i], seen.expected[i]) & at_work_;
     if (!different.any()) continue;
     for (std::size_t w = 0; w < different.words.size(); ++w) {
       for (std::uint64_t left = different.words[w]; left != 0; left &= left - 1) {
@@ -279,7 +264,7 @@ std::vector<Lanes::Killed> Lanes::clock(const Watched& seen) {
     }
     at_work_ = at_work_ & ~different;
   }
-  rise();
+  planes_->edge(rising_);
   is_first_ = false;
   return killed;
 }

@@ -62,19 +62,23 @@ class Lanes {
   void power_up(const std::vector<bool>& held);
   void clear();
   void drive(const std::vector<Word>& inputs);
-  void rise();
   void fall();
 
   const PlantedNets& rtl_;
   nets::Graph graph_;
   std::vector<std::vector<nets::Bit>> inputs_, wires_;
   std::vector<nets::Bit> held_, next_;  // of each flip-flop
-  std::vector<nets::Plane> state_, after_, rising_, falling_;
+  struct Edges {
+    nets::Plane rising, falling;
+  };
+  std::vector<Edges> edges_;  // in which lanes each flip-flop takes them
+  std::vector<nets::PlaneFlipFlop> rising_, falling_;
+  std::vector<std::vector<nets::PlaneRoot>> compared_;
   std::vector<nets::Plane> constants_;  // that lanes have of their own
   std::vector<std::pair<nets::Bit, nets::Plane>> controls_;
   std::unique_ptr<nets::Planes> planes_;
   nets::Plane all_, at_work_;
-  bool any_falls_ = false, is_first_ = true, takes_over_ = true;
+  bool is_first_ = true, takes_over_ = true;
 };
 
 }  // namespace cosim::mutation

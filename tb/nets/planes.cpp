@@ -1,10 +1,31 @@
 #include "tb/nets/planes.h"
 
+#include <algorithm>
 #include <utility>
 
-namespace cosim::nets {
+#include "tb/nets/schedule.h"
 
-Planes::Planes(const Graph& graph, std::span<const Bit> roots, std::size_t lanes) : lanes_(lanes) {
+namespace cosim::nets {
+namespace {
+
+constexpr std::size_t plane_words = plane_lanes / 64;
+
+PlaneStep::Act act_of(const Graph::Made& g) {
+  switch (g.kind) {
+    case Gate::both:
+      if (g.a.is_opposite()) return g.b.is_opposite() ? PlaneStep::neither : PlaneStep::not_a;
+      return g.b.is_opposite() ? PlaneStep::not_b : PlaneStep::both;
+    case Gate::differ:
+      return PlaneStep::differ;
+    default:
+      return g.c.is_opposite() ? PlaneStep::turned_choice : PlaneStep::choice;
+  }
+}
+
+}  // namespace
+
+Planes::Planes(const Graph& graph, std::span<const Bit> roots, std::size_t lanes)
+    : words_(lanes > 64 ? plane_words : 1) {
   const auto& gates = graph.gates();
   std::vector<bool> needed(gates.size());
   for (const Bit b : roots) needed[b.gate()] = true;
@@ -14,37 +35,25 @@ Planes::Planes(const Graph& graph, std::span<const Bit> roots, std::size_t lanes
   }
   place_.resize(gates.size());
   std::uint32_t places = 1;
-  for (std::size_t i = 1; i < gates.size(); ++i) {
+  std::vector<std::uint32_t> run;
+  for (std::uint32_t i = 1; i < gates.size(); ++i) {
     if (!needed[i]) continue;
-    const Graph::Made& g = gates[i];
-    place_[i] = places++;
-    const auto of = [&](Bit b) { return place_[b.gate()]; };
-    PlaneStep step{PlaneStep::both, of(g.a), of(g.b), of(g.c), place_[i]};
-    switch (g.kind) {
-      case Gate::both:
-        if (g.a.is_opposite()) {
-          step.act = g.b.is_opposite() ? PlaneStep::neither : PlaneStep::not_a;
-        } else if (g.b.is_opposite()) {
-          step.act = PlaneStep::not_b;
-        }
-        break;
-      case Gate::differ:
-        step.act = PlaneStep::differ;
-        break;
-      case Gate::choice:
-        step.act = g.c.is_opposite() ? PlaneStep::turned_choice : PlaneStep::choice;
-        break;
-      case Gate::constant:
-      case Gate::input:
-        continue;
+    if (gates[i].kind == Gate::input) {
+      place_[i] = places++;
+    } else {
+      run.push_back(i);
     }
-    steps_.push_back(step);
   }
-  memory_.resize(places);
-}
-
-void Planes::give(Bit input, const Plane& plane) {
-  if (const std::uint32_t at = place_[input.gate()]; at != 0) memory_[at] = plane;
+  const auto kind_of = [&](std::uint32_t gate) { return act_of(gates[gate]); };
+  for (const std::uint32_t i : alike_together(graph, std::move(run), kind_of)) {
+    const Graph::Made& g = gates[i];
+    const auto of = [&](Bit b) { return place_[b.gate()]; };
+    place_[i] = places++;
+    steps_.push_back({act_of(g), of(g.a), of(g.b), of(g.c), place_[i]});
+    if (steps_.size() > 1 && steps_[steps_.size() - 2].act == steps_.back().act) ends_.pop_back();
+    ends_.push_back(static_cast<std::uint32_t>(steps_.size()));
+  }
+  memory_.resize((places * words_ + plane_words - 1) / plane_words);
 }
 
 namespace {
@@ -59,53 +68,124 @@ namespace {
 
 typedef std::uint64_t Vector __attribute__((vector_size(sizeof(Plane)), may_alias));
 
-#define COSIM_STEPS(word)                                                              \
-  for (const PlaneStep& s : steps) {                                                   \
-    switch (s.act) {                                                                   \
-      case PlaneStep::both:                                                            \
-        m[s.gives] word = m[s.a] word & m[s.b] word;                                   \
-        break;                                                                         \
-      case PlaneStep::not_a:                                                           \
-        m[s.gives] word = ~m[s.a] word & m[s.b] word;                                  \
-        break;                                                                         \
-      case PlaneStep::not_b:                                                           \
-        m[s.gives] word = m[s.a] word & ~m[s.b] word;                                  \
-        break;                                                                         \
-      case PlaneStep::neither:                                                         \
-        m[s.gives] word = ~(m[s.a] word | m[s.b] word);                                \
-        break;                                                                         \
-      case PlaneStep::differ:                                                          \
-        m[s.gives] word = m[s.a] word ^ m[s.b] word;                                   \
-        break;                                                                         \
-      case PlaneStep::choice:                                                          \
-        m[s.gives] word = m[s.c] word ^ (m[s.a] word & (m[s.b] word ^ m[s.c] word));   \
-        break;                                                                         \
-      case PlaneStep::turned_choice:                                                   \
-        m[s.gives] word = ~m[s.c] word ^ (m[s.a] word & (m[s.b] word ^ ~m[s.c] word)); \
-        break;                                                                         \
-    }                                                                                  \
+// M: what a plane is in the memory. A value of it is never passed on: how a vector is passed
+// depends on the processor.
+#define COSIM_ALL_OF(what)                            \
+  for (; s != end; ++s) {                             \
+    const M &a = m[s->a], &b = m[s->b], &c = m[s->c]; \
+    (void)c;                                          \
+    m[s->gives] = what;                               \
+  }                                                   \
+  break
+template <class M>
+[[gnu::always_inline]] inline void run_on(std::span<const PlaneStep> steps,
+                                          std::span<const std::uint32_t> ends, M* m) {
+  const PlaneStep* s = steps.data();
+  for (const std::uint32_t behind : ends) {
+    const PlaneStep* const end = steps.data() + behind;
+    switch (s->act) {
+      case PlaneStep::both:
+        COSIM_ALL_OF(a & b);
+      case PlaneStep::not_a:
+        COSIM_ALL_OF(~a & b);
+      case PlaneStep::not_b:
+        COSIM_ALL_OF(a & ~b);
+      case PlaneStep::neither:
+        COSIM_ALL_OF(~(a | b));
+      case PlaneStep::differ:
+        COSIM_ALL_OF(a ^ b);
+      case PlaneStep::choice:
+        COSIM_ALL_OF(c ^ (a & (b ^ c)));
+      case PlaneStep::turned_choice:
+        COSIM_ALL_OF(~c ^ (a & (b ^ ~c)));
+    }
   }
+}
+#undef COSIM_ALL_OF
+
+template <class M>
+[[gnu::always_inline]] inline void take_on(std::span<const PlaneFlipFlop> flip_flops, M* taken,
+                                           M* m) {
+  for (std::size_t i = 0; i < flip_flops.size(); ++i) {
+    const PlaneRoot next = flip_flops[i].next;
+    taken[i] = next.is_opposite ? ~m[next.at] : m[next.at];
+  }
+  for (std::size_t i = 0; i < flip_flops.size(); ++i) {
+    const PlaneFlipFlop& f = flip_flops[i];
+    const M& lanes = *reinterpret_cast<const M*>(&f.lanes);
+    m[f.held] ^= lanes & (m[f.held] ^ taken[i]);
+  }
+}
+
+template <class M>
+[[gnu::always_inline]] inline void differ_on(std::span<const PlaneRoot> roots, Word value,
+                                             const M* m, M* any) {
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    const bool turned = roots[i].is_opposite != bit(value, static_cast<int>(i));
+    *any |= turned ? ~m[roots[i].at] : m[roots[i].at];
+  }
+}
 
 COSIM_FOR_THIS_PROCESSOR
-void run_all(std::span<const PlaneStep> steps, Plane* planes) {
-  auto* const m = reinterpret_cast<Vector*>(planes);
-  COSIM_STEPS()
+void run_all(std::span<const PlaneStep> steps, std::span<const std::uint32_t> ends, Vector* m) {
+  run_on(steps, ends, m);
 }
-void run_first_word(std::span<const PlaneStep> steps, Plane* m) { COSIM_STEPS(.words[0]) }
+COSIM_FOR_THIS_PROCESSOR
+void take_all(std::span<const PlaneFlipFlop> flip_flops, Vector* taken, Vector* m) {
+  take_on(flip_flops, taken, m);
+}
+COSIM_FOR_THIS_PROCESSOR
+void differ_all(std::span<const PlaneRoot> roots, Word value, const Vector* m, Vector* any) {
+  differ_on(roots, value, m, any);
+}
+
+Vector* vectors(std::vector<Plane>& planes) { return reinterpret_cast<Vector*>(planes.data()); }
+const Vector* vectors(const std::vector<Plane>& planes) {
+  return reinterpret_cast<const Vector*>(planes.data());
+}
+std::uint64_t* words(std::vector<Plane>& planes) { return planes.front().words.data(); }
+const std::uint64_t* words(const std::vector<Plane>& planes) { return planes.front().words.data(); }
 
 }  // namespace
 
-void Planes::run() {
-  if (lanes_ > 64) {
-    run_all(steps_, memory_.data());
-  } else {
-    run_first_word(steps_, memory_.data());
-  }
+void Planes::give(Bit input, const Plane& plane) {
+  const std::size_t at = place_[input.gate()];
+  if (at == 0) return;
+  std::copy_n(plane.words.begin(), words_, words(memory_) + at * words_);
 }
 
 Plane Planes::get(Bit root) const {
-  const Plane& p = memory_[place_[root.gate()]];
+  Plane p;
+  std::copy_n(words(memory_) + place_[root.gate()] * words_, words_, p.words.begin());
   return root.is_opposite() ? ~p : p;
+}
+
+void Planes::run() {
+  if (is_narrow()) {
+    run_on(steps_, ends_, words(memory_));
+  } else {
+    run_all(steps_, ends_, vectors(memory_));
+  }
+}
+
+void Planes::edge(std::span<const PlaneFlipFlop> flip_flops) {
+  if (flip_flops.empty()) return;
+  taken_.resize(std::max(taken_.size(), flip_flops.size()));
+  if (is_narrow()) {
+    take_on(flip_flops, words(taken_), words(memory_));
+  } else {
+    take_all(flip_flops, vectors(taken_), vectors(memory_));
+  }
+}
+
+Plane Planes::differing(std::span<const PlaneRoot> roots, Word value) const {
+  Plane any;
+  if (is_narrow()) {
+    differ_on(roots, value, words(memory_), any.words.data());
+  } else {
+    differ_all(roots, value, vectors(memory_), reinterpret_cast<Vector*>(&any));
+  }
+  return any;
 }
 
 }  // namespace cosim::nets

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "model/core/value.h"
 #include "tb/nets/graph.h"
 
 namespace cosim::nets {
@@ -50,6 +51,19 @@ struct PlaneStep {
   std::uint32_t a, b, c, gives;
 };
 
+/// A root in the memory of planes.
+struct PlaneRoot {
+  std::uint32_t at = 0;  ///< 0 where nothing needs it, or where it is a constant
+  bool is_opposite = false;
+};
+
+/// A flip-flop: in `lanes` it takes `next` at an edge.
+struct PlaneFlipFlop {
+  std::uint32_t held = 0;
+  PlaneRoot next;
+  Plane lanes;
+};
+
 /// The gates that some bits of a graph come to.
 class Planes {
  public:
@@ -60,16 +74,30 @@ class Planes {
   /// it.
   void give(Bit input, const Plane& plane);
   void run();
-  /// What one of the roots is in each lane that is run, since the last run.
+  /// What a root, or a free bit that one needs, is in each lane that is run, since the last run.
   Plane get(Bit root) const;
+
+  PlaneRoot root(Bit root) const { return {place_[root.gate()], root.is_opposite()}; }
+  /// `held` is a free bit that a root needs, `next` a root.
+  PlaneFlipFlop flip_flop(Bit held, Bit next, const Plane& lanes) const {
+    return {place_[held.gate()], root(next), lanes};
+  }
+  /// An edge of the clock: all take at once what the last run made.
+  void edge(std::span<const PlaneFlipFlop> flip_flops);
+  /// The lanes that are run in which roots, lowest first, are not `value`.
+  Plane differing(std::span<const PlaneRoot> roots, Word value) const;
   /// How many gates are run.
   std::size_t gates() const { return steps_.size(); }
 
  private:
-  std::size_t lanes_;
+  // A memory of one word a plane stays near the processor, where that is lanes enough.
+  bool is_narrow() const { return words_ == 1; }
+
+  std::size_t words_;                 // of a plane in the memory
   std::vector<std::uint32_t> place_;  // of a gate, by number; 0, a plane of zeros, of the constant
   std::vector<PlaneStep> steps_;
-  std::vector<Plane> memory_;
+  std::vector<std::uint32_t> ends_;  // of the steps alike that follow each other
+  std::vector<Plane> memory_, taken_;
 };
 
 }  // namespace cosim::nets

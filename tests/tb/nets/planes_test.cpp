@@ -59,5 +59,55 @@ TEST(Planes, HoldWhatSixtyFourRunsGive) {
   }
 }
 
+// Shift registers, in which each takes what another holds: all at once, in their own lanes only.
+TEST(Planes, TakeTheNextAtAnEdge) {
+  Random random(4);
+  for (const std::size_t lanes : {std::size_t{64}, nets::plane_lanes}) {
+    nets::Graph graph;
+    const std::vector<Bit> held{graph.input(), graph.input(), graph.input()};
+    nets::Planes planes(graph, held, lanes);
+    std::vector<Plane> before(held.size()), taking(held.size());
+    std::vector<nets::PlaneFlipFlop> flip_flops;
+    for (std::size_t i = 0; i < held.size(); ++i) {
+      for (std::uint64_t& w : before[i].words) w = random.next();
+      for (std::uint64_t& w : taking[i].words) w = random.next();
+      planes.give(held[i], before[i]);
+      flip_flops.push_back(planes.flip_flop(held[i], !held[(i + 1) % held.size()], taking[i]));
+    }
+    planes.run();
+    planes.edge(flip_flops);
+    for (std::size_t i = 0; i < held.size(); ++i) {
+      const Plane after = planes.get(held[i]);
+      for (std::size_t l = 0; l < lanes; ++l) {
+        const bool next = !before[(i + 1) % held.size()].lane(l);
+        ASSERT_EQ(after.lane(l), taking[i].lane(l) ? next : before[i].lane(l));
+      }
+    }
+  }
+}
+
+TEST(Planes, DifferWhereOneOfTheBitsDoes) {
+  Random random(5);
+  for (const std::size_t lanes : {std::size_t{64}, nets::plane_lanes}) {
+    nets::Graph graph;
+    const std::vector<Bit> bits{graph.input(), graph.input(), graph.input()};
+    nets::Planes planes(graph, bits, lanes);
+    std::vector<Plane> given(bits.size());
+    for (std::size_t i = 0; i < bits.size(); ++i) {
+      for (std::uint64_t& w : given[i].words) w = random.next();
+      planes.give(bits[i], given[i]);
+    }
+    const std::vector<nets::PlaneRoot> roots{planes.root(bits[0]), planes.root(!bits[1]),
+                                             planes.root(bits[2])};
+    for (Word value = 0; value < 8; ++value) {
+      const Plane differing = planes.differing(roots, value);
+      for (std::size_t l = 0; l < lanes; ++l) {
+        const Word is = given[0].lane(l) + 2 * !given[1].lane(l) + 4 * given[2].lane(l);
+        ASSERT_EQ(differing.lane(l), is != value);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cosim::test

@@ -1,6 +1,6 @@
 # The names that no design may have: each design has a name space of its own in cosim, where the
 # harness's headers declare things too. Those stand at the start of a line. What a model may have beside
-# its step is looked up there too, as NAME(p, s).
+# its step is looked up there too, as NAME(p, ...).
 include_guard(GLOBAL)
 cmake_path(SET COSIM_HEADERS NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/../..)
 
@@ -14,7 +14,7 @@ function(cosim_taken_names variable)
       ${COSIM_HEADERS}/model/core/*.h ${COSIM_HEADERS}/tb/*/*.h)
     foreach(header IN LISTS headers)
       file(STRINGS ${COSIM_HEADERS}/${header} lines
-        REGEX "^[a-zA-Z]|^}  // namespace | [a-z_]+[(]p, s[,)]")
+        REGEX "^[a-zA-Z]|^}  // namespace | [a-z_]+[(]p_?, [a-z_]+[,)]")
       list(FILTER lines EXCLUDE REGEX "^template <.*>$|^ *//")
       list(TRANSFORM lines REPLACE "(alignas|decltype)[(][a-z0-9]*[)]" "")
       set(inside "")  # a name space in cosim: what is declared there is in nobody's way
@@ -24,7 +24,7 @@ function(cosim_taken_names variable)
           if(CMAKE_MATCH_2 STREQUAL inside)
             set(inside "")
           endif()
-        elseif(header MATCHES "^model/" AND line MATCHES "^ .* ([a-z_]+)[(]p, s[,)]")
+        elseif(header MATCHES "^model/" AND line MATCHES "^ .* ([a-z_]+)[(]p_?, [a-z_]+[,)]")
           set(name ${CMAKE_MATCH_1})
         elseif(inside)
         elseif(line MATCHES "^namespace (cosim::)?([a-zA-Z_0-9]+) ")

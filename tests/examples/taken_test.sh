@@ -55,7 +55,7 @@ foreach(name IN LISTS taken)
 endforeach()
 CMAKE
 cmake -P names.cmake 2>&1 | sed 's/ .*//' | sort -u > taken
-# But the words of C++, Verilator's, and two that are looked up by the types of their arguments.
+# But the words of C++, Verilator's, and some that are looked up by the types of their arguments.
 tr ' ' '\n' > words << 'WORDS'
 and asm auto bool break case catch char class concept const constexpr continue decltype default
 delete do double else enum explicit extern false final float for friend goto if inline int long
@@ -63,7 +63,7 @@ mutable namespace new noexcept not nullptr operator or override private protecte
 requires return short signed sizeof static static_assert static_cast struct switch template this
 thread_local throw true try typedef typename union unsigned using virtual void volatile while
 alignas alignof const_cast dynamic_cast reinterpret_cast
-fact_of for_each_step
+fact_of for_each_step task_of due_of begun walked
 WORDS
 (cd "$sources" && cat model/core/*.h tb/*/*.h) | grep -oE '\b[a-zA-Z][a-zA-Z0-9_]*\b' | sort -u |
   grep -vxFf words -f taken | grep -vE '^(Verilated|VL_|vpi|Vpi|vl|COSIM_)' > free

@@ -4,30 +4,19 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <set>
 #include <tuple>
 #include <utility>
 
-#include "model/core/input_error.h"
-#include "tb/proof/rtl.h"
+#include "tb/cli/found_held.h"
+#include "tb/proof/yosys.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
 
 namespace cosim::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Bits = std::vector<int>;
-
-[[noreturn]] void refuse(const std::string& why) { throw InputError("new: " + why); }
-
-// Bits of a net by their numbers; a constant bit is -1.
-Bits bits_of(const Json& list) {
-  Bits bits;
-  for (const Json& bit : list) bits.push_back(bit.is_number() ? bit.get<int>() : -1);
-  return bits;
-}
 
 // The top module, flat, as yosys writes it.
 struct Netlist {
@@ -65,105 +54,6 @@ std::vector<FoundNet> ports(const Json& module, const std::string& direction) {
     if (way == direction) all.push_back({name, {static_cast<int>(port.at("bits").size())}});
   }
   return all;
-}
-
-// The name of a bit of the module, for a person.
-std::string name_of(const Json& module, int bit) {
-  for (const auto& [name, net] : module.at("netnames").items()) {
-    if (net.value("hide_name", 0) != 0) continue;
-    const Bits bits = bits_of(net.at("bits"));
-    if (std::find(bits.begin(), bits.end(), bit) != bits.end()) return name;
-  }
-  return "a net";
-}
-
-std::string without_backslash(const std::string& name) {
-  return name.starts_with('\\') ? name.substr(1) : name;
-}
-
-// The memory that a cell writes or reads.
-std::string memory_of(const Json& cell) {
-  return without_backslash(cell.at("parameters").value("MEMID", ""));
-}
-
-// Whether it is a register that takes the same number on every clock, as that of a loop does.
-bool holds_nothing(const Json& cell) {
-  const Bits next = bits_of(cell.at("connections").at("D"));
-  return std::all_of(next.begin(), next.end(), [](int bit) { return bit < 0; });
-}
-
-// The asynchronous reset, one or none: its bit.
-struct Reset {
-  int bit = -1;
-  bool active_low = false;
-};
-
-// What drives a bit through inverters: the bit before them, and whether they invert it.
-std::pair<int, bool> before_inverters(const Json& module, int bit) {
-  bool odd = false;
-  const auto inverter = [&] {
-    for (const auto& [name, cell] : module.at("cells").items()) {
-      const std::string type = cell.at("type");
-      if ((type == "$not" || type == "$logic_not") &&
-          bits_of(cell.at("connections").at("Y")) == Bits{bit} &&
-          cell.at("connections").at("A").size() == 1) {
-        bit = bits_of(cell.at("connections").at("A")).front();
-        return true;
-      }
-    }
-    return false;
-  };
-  while (inverter()) odd = !odd;
-  return {bit, odd};
-}
-
-// The bits that registers hold; their clock's bit, which is one, and their asynchronous reset's.
-std::set<int> held(const Json& module, int& clock, Reset& reset) {
-  std::set<int> bits;
-  for (const auto& [name, cell] : module.at("cells").items()) {
-    const std::string type = cell.at("type");
-    if (type.find("latch") != std::string::npos) {
-      const int bit = bits_of(cell.at("connections").at("Q")).front();
-      refuse(fmt::format("{}: a latch", name_of(module, bit)));
-    }
-    const bool writes_memory = type.starts_with("$memwr");
-    if (!type.starts_with("$") || !(writes_memory || type.find("dff") != std::string::npos)) {
-      continue;
-    }
-    if (writes_memory &&
-        std::stoi(cell.at("parameters").value("CLK_ENABLE", "1"), nullptr, 2) == 0) {
-      refuse(fmt::format("{}: a memory that no clock writes", memory_of(cell)));
-    }
-    if (type.starts_with("$al") || type.starts_with("$dffsr")) {
-      const int bit = bits_of(cell.at("connections").at("Q")).front();
-      refuse(fmt::format("{}: an asynchronous set or load", name_of(module, bit)));
-    }
-    if (type.starts_with("$adff")) {
-      const auto [by, inverted] =
-          before_inverters(module, bits_of(cell.at("connections").at("ARST")).front());
-      if (reset.bit >= 0 && by != reset.bit) {
-        const std::string one = name_of(module, reset.bit), other = name_of(module, by);
-        refuse(fmt::format("{} and {}: two asynchronous resets", std::min(one, other),
-                           std::max(one, other)));
-      }
-      const std::string polarity = cell.at("parameters").at("ARST_POLARITY");
-      reset = {by, (polarity.back() == '0') != inverted};
-    }
-    const int by = bits_of(cell.at("connections").at("CLK")).front();
-    if (clock >= 0 && by != clock) {
-      const std::string one = name_of(module, clock), other = name_of(module, by);
-      refuse(fmt::format("{} and {}: two clocks", std::min(one, other), std::max(one, other)));
-    }
-    clock = by;
-    if (writes_memory || holds_nothing(cell)) continue;
-    for (const int bit : bits_of(cell.at("connections").at("Q"))) bits.insert(bit);
-  }
-  // What yosys puts before a memory's port.
-  for (const auto& [name, net] : module.at("netnames").items()) {
-    if (!name.starts_with("$memwr$")) continue;
-    for (const int bit : bits_of(net.at("bits"))) bits.erase(bit);
-  }
-  return bits;
 }
 
 // What the RTL has as a memory; of one that is written at constant addresses a reset is the reason.
@@ -249,9 +139,7 @@ Found found_at(const std::vector<std::string>& files, const std::string& top,
   const Netlist n = netlist_of(files, top, parameters);
   Found found;
   found.top = n.top;
-  int clock = -1;
-  Reset reset;
-  const std::set<int> bits = held(n.module, clock, reset);
+  const auto [bits, clock, reset] = held(n.module);
   if (with_registers) {
     found.registers = registers(n.module, bits);
     for (const FoundNet& memory : memories(n.module)) found.registers.push_back(memory);

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "tb/proof/rtl.h"
 #include "tb/proof/rtl_nets.h"
+#include "tb/proof/yosys.h"
 
 namespace cosim::mutation {
 

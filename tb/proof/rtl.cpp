@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <regex>
 #include <sstream>
 
@@ -25,11 +26,6 @@ int width_of(const std::string& sort) {
 std::string without_state(const std::string& text) {
   static const std::regex applied(R"(\((\|[^|]*\|) state\))");
   return std::regex_replace(text, applied, "$1");
-}
-
-std::string as_constant(const Source& source, const Parameter& p) {
-  const auto found = source.constants.find(p.name);
-  return found == source.constants.end() ? to_text(p) : found->second;
 }
 
 // What makes of assertions formulas of their own clock. A yosys from 0.38 on has cells of another
@@ -57,75 +53,6 @@ std::string written_by_yosys(const Source& source) {
 }
 
 }  // namespace
-
-std::string kept_net(const std::string& name) {
-  std::string pattern;  // in which a bracket stands for itself
-  for (const char c : name) pattern += c == '[' ? std::string("\\[") : std::string(1, c);
-  return fmt::format(" w:{0} w:{0}\\[*", pattern);
-}
-
-std::string read_commands(const Source& source) {
-  std::string options;
-  for (const fs::path& folder : source.include_dirs)
-    options += fmt::format(" -I{}", folder.string());
-  for (const std::string& define : source.defines) options += " -D" + define;
-  std::string commands;
-  for (const fs::path& file : source.files) {
-    const bool is_system_verilog = file.extension() == ".sv" || file.extension() == ".svh";
-    commands += fmt::format("read_verilog{}{} \"{}\"; ", is_system_verilog ? " -sv" : "", options,
-                            file.string());
-  }
-  return commands;
-}
-
-std::string commands_to_elaborate(const Source& source) {
-  std::string commands = read_commands(source) + "hierarchy -check -top " + source.top;
-  for (const Parameter& p : source.parameters) {
-    commands += fmt::format(" -chparam {} {}", p.name, as_constant(source, p));
-  }
-  return commands;
-}
-
-std::string flat_commands(const Source& source) {
-  std::string kept = "w:*_q";
-  for (const std::string& net : source.kept) kept += kept_net(net.substr(net.rfind('.') + 1));
-  return commands_to_elaborate(source) +
-         fmt::format(
-             "; rename -top {0}; setattr -set keep 1 {1}; prep -flatten -nomem; "
-             "memory_collect; memory_map; setattr -set keep 1 {1}",
-             source.top, kept);
-}
-
-void run_yosys(const std::string& commands, const std::string& what) {
-  // yosys keeps a history in the user's home.
-  const Scratch home;
-  const Ended ended = run_program({"env", "-u", "XDG_STATE_HOME", "HOME=" + home.path().string(),
-                                   "yosys", "-q", "-p", commands});
-  if (ended.status == 127) throw InputError("needs yosys");
-  if (ended.status == 0) return;
-  // The line of the error: it begins with the file and the line of the RTL.
-  const std::size_t at = std::min(ended.text.find("ERROR"), ended.text.size());
-  const std::size_t newline = ended.text.rfind('\n', at);
-  std::string error = ended.text.substr(newline == std::string::npos ? 0 : newline + 1);
-  error.resize(std::min(error.find('\n'), error.size()));
-  throw InputError(fmt::format("{}: yosys cannot read it: {}", what, error));
-}
-
-Source source_in(const fs::path& folder, const std::string& design,
-                 const std::vector<Parameter>& parameters) {
-  Source source{{}, design, parameters};
-  std::error_code error;
-  const fs::path own = fs::exists(folder / design, error) ? folder / design : folder;
-  for (const auto& entry : fs::directory_iterator(own, error)) {
-    if (entry.path().extension() == ".v") source.files.push_back(fs::absolute(entry.path()));
-  }
-  if (source.files.empty()) {
-    throw InputError(fmt::format("{}: no Verilog of {}; --rtl DIR names the folder that has it",
-                                 folder.string(), design));
-  }
-  std::sort(source.files.begin(), source.files.end());
-  return source;
-}
 
 Rtl::Rtl(const Source& source)
     : Rtl(source.top, written_by_yosys(source), source.asynchronous_reset) {}

@@ -1,51 +1,14 @@
 // The RTL as formulas, by yosys.
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
-#include "model/core/fields.h"
 #include "tb/proof/expression.h"
+#include "tb/proof/yosys.h"
 
 namespace cosim::proof {
-
-/// A machine in Verilog.
-struct Source {
-  std::vector<std::filesystem::path> files;
-  std::string top;
-  std::vector<Parameter> parameters;  ///< none where the files hold them
-  /// Registers that stay although nothing reads them, by their nets; those named *_q stay always.
-  std::vector<std::string> kept = {};
-  std::vector<std::filesystem::path> include_dirs = {};
-  std::vector<std::string> defines = {};  ///< "NAME" or "NAME=VALUE"
-  /// Parameters that Verilog writes otherwise than as a plain number, as it does.
-  std::map<std::string, std::string> constants = {};
-  bool asynchronous_reset = false;  ///< as of Rtl's constructor
-};
-
-/// The RTL of `design`: the files of folder/design, or of the folder itself where there is no such
-/// folder in it. InputError where there are none.
-Source source_in(const std::filesystem::path& folder, const std::string& design,
-                 const std::vector<Parameter>& parameters);
-
-/// The commands of yosys that read the files of `source`, each by its kind: a file .sv is
-/// SystemVerilog. They end in "; ".
-std::string read_commands(const Source& source);
-/// The same, and the one that makes its hierarchy with its parameters; they end in nothing.
-std::string commands_to_elaborate(const Source& source);
-
-/// The same, and those that make one module of it, in which a memory is a register a word,
-/// store[3], and a register that nothing reads stays one.
-std::string flat_commands(const Source& source);
-
-/// Selects, for yosys, the nets of that name, and the words of a memory of that name which yosys
-/// has made registers.
-std::string kept_net(const std::string& name);
-
-/// Runs yosys. InputError where there is none or it stops with an error; it names `what`.
-void run_yosys(const std::string& commands, const std::string& what);
 
 /// One clock of a machine as yosys writes it for SMT-LIB 2, but without its notion of a state: each
 /// register and each input is a symbol, and all else is defined from them.

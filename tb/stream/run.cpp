@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "tb/stream/seen.h"
 #include "tb/stream/sides.h"
 #include "tb/support/random.h"
 
@@ -215,30 +216,8 @@ class Runner {
 
   bool show() {
     std::vector<InterfaceSeen> in, out;
-    for (std::size_t s = 0; s < givers_.size(); ++s) {
-      const Giver& g = givers_[s];
-      InterfaceSeen seen{g.offers,
-                         g.own ? g.moved : g.i.ready.empty() || g.nets.ready.get() != 0,
-                         g.taken,
-                         values_of(g.nets.cells),
-                         {}};
-      if (g.own && g.offers) seen.actual.assign(g.given[g.taken].begin(), g.given[g.taken].end());
-      seen.actual.resize(g.i.cells.size());
-      seen.expected = seen.actual;
-      in.push_back(std::move(seen));
-    }
-    for (std::size_t s = 0; s < takers_.size(); ++s) {
-      const Taker& t = takers_[s];
-      InterfaceSeen seen{t.valid, t.ready, t.came, values_of(t.nets.cells), {}};
-      if (t.own && t.valid) seen.actual = t.words;
-      seen.actual.resize(t.i.cells.size());
-      seen.expected = seen.actual;
-      // What is not valid means nothing.
-      if (t.valid && t.came < t.expected.size()) {
-        seen.expected.assign(t.expected[t.came].begin(), t.expected[t.came].end());
-      }
-      out.push_back(std::move(seen));
-    }
+    for (const Giver& g : givers_) in.push_back(seen_of(g));
+    for (const Taker& t : takers_) out.push_back(seen_of(t));
     return order_.observer->clock(result_.clocks, in, out);
   }
 

@@ -15,8 +15,9 @@
 #include "model/core/design.h"
 #include "model/core/input_error.h"
 #include "model/core/stream.h"
-#include "tb/lockstep/cells.h"
 #include "tb/stream/bench.h"
+#include "tb/stream/own_of.h"
+#include "tb/stream/payload.h"
 
 namespace cosim {
 namespace detail {
@@ -34,116 +35,6 @@ constexpr auto as_tuple(T one) {
   } else {
     return std::tuple<T>(std::move(one));
   }
-}
-
-/// Transactions of one stream, between the records of the model and the codes at the ports.
-template <class Record>
-class Payload {
- public:
-  template <class Params>
-  explicit Payload(const Params& p) : fields_(Record::fields(p)) {
-    for (std::size_t i = 0; i < fields_.size(); ++i) {
-      if (fields_[i].width != 0) places_.push_back(i);
-    }
-  }
-
-  Record record(std::span<const Word> words) const {
-    Words<Record> all{};
-    for (std::size_t i = 0; i < places_.size(); ++i) {
-      all[places_[i]] = units_of(fields_[places_[i]], words[i]);
-    }
-    return from_words<Record>(all);
-  }
-  std::vector<Record> records(const Sequence& sequence) const {
-    std::vector<Record> all;
-    all.reserve(sequence.size());
-    for (std::size_t n = 0; n < sequence.size(); ++n) all.push_back(record(sequence[n]));
-    return all;
-  }
-  /// InputError "TITLE: ..." where a value has no code.
-  Sequence sequence(const std::vector<Record>& records, const std::string& title,
-                    const std::string& stream) const {
-    Sequence all(places_.size());
-    std::vector<Word> words(places_.size());
-    for (const Record& r : records) {
-      const Words<Record> values = to_words(r);
-      for (std::size_t i = 0; i < places_.size(); ++i) {
-        const Field& f = fields_[places_[i]];
-        words[i] = values[places_[i]];
-        if (!is_state(f, words[i])) {
-          throw InputError(
-              fmt::format("{}: the model gives {} for {} of stream {}, which has {} "
-                          "bits",
-                          title, words[i], label_of(f), stream, f.width));
-        }
-        words[i] = f.format == Format::ones_complement ? to_ones_complement(words[i], f.width)
-                                                       : low_bits(words[i], f.width);
-      }
-      all.push(words);
-    }
-    return all;
-  }
-
- private:
-  std::array<Field, Record::size> fields_;
-  std::vector<std::size_t> places_;  // of the cells that the shape has
-};
-
-template <class Driver, class Record>
-class OwnGiverOf final : public OwnGiver {
- public:
-  template <class Params>
-  explicit OwnGiverOf(const Params& p) : payload_(p) {}
-  void drive(const std::span<const Word>* words, std::span<Word> pins) override {
-    if (words == nullptr) return driver_.drive(nullptr, pins);
-    const Record record = payload_.record(*words);
-    driver_.drive(&record, pins);
-  }
-  bool took(std::span<const Word> pins) override { return driver_.took(pins); }
-
- private:
-  Payload<Record> payload_;
-  Driver driver_;
-};
-
-template <class Driver, class Record>
-class OwnTakerOf final : public OwnTaker {
- public:
-  template <class Params>
-  explicit OwnTakerOf(const Params& p) : payload_(p) {}
-  void drive(bool ready, std::span<Word> pins) override { driver_.drive(ready, pins); }
-  bool came(std::span<const Word> pins, std::vector<Word>& words) override {
-    const std::optional<Record> record = driver_.came(pins);
-    if (!record) return false;
-    const Sequence one = payload_.sequence({*record}, "a driver", "its stream");
-    words.assign(one[0].begin(), one[0].end());
-    return true;
-  }
-
- private:
-  Payload<Record> payload_;
-  Driver driver_;
-};
-
-template <class Driver, class Record, class Params>
-OwnDriver own_driver([[maybe_unused]] const Params& p, bool goes_in) {
-  OwnDriver own;
-  if constexpr (!std::is_void_v<Driver>) {
-    const auto drives = Driver::drives(p);
-    const auto reads = Driver::reads(p);
-    own.drives.assign(drives.begin(), drives.end());
-    own.reads.assign(reads.begin(), reads.end());
-    if constexpr (requires(Driver d) { d.drive(nullptr, std::span<Word>()); }) {
-      if (goes_in) own.giver = [&p] { return std::make_unique<OwnGiverOf<Driver, Record>>(p); };
-    } else {
-      if (!goes_in) own.taker = [&p] { return std::make_unique<OwnTakerOf<Driver, Record>>(p); };
-    }
-    if (!own.is_there()) {
-      throw InputError(goes_in ? "a stream that goes in has the driver of one that comes out"
-                               : "a stream that comes out has the driver of one that goes in");
-    }
-  }
-  return own;
 }
 
 }  // namespace detail

@@ -1,0 +1,43 @@
+// RTL and model in lockstep, at work.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "tb/bench/bench.h"
+
+namespace cosim {
+
+template <class Design>
+class Loop {
+ public:
+  virtual ~Loop() = default;
+  /// Clocks through the inputs of the host or the stimulus, to their end (true) or to the first
+  /// difference (false). Adds the clocks, the differing one included, to `clocks`.
+  virtual bool through(HostOf<Design>& host, Observer<Design>& observer, std::uint64_t& clocks) = 0;
+  virtual bool through(HostileStimulus<Design>& hostile, std::uint64_t& clocks) = 0;
+  /// So far, as of a Run.
+  virtual std::vector<std::uint64_t> left_out() const = 0;
+};
+
+template <class Adapter>
+class AdapterLoop final : public Loop<typename Adapter::Design> {
+  using Design = typename Adapter::Design;
+
+ public:
+  template <class PowerUp>
+  explicit AdapterLoop(const PowerUp& power_up) : lockstep_(power_up) {}
+  bool through(HostOf<Design>& host, Observer<Design>& observer, std::uint64_t& clocks) override {
+    return clock_through(lockstep_, host, clocks,
+                         [&](const auto& h, const auto& seen) { observer.clock(h.job(), seen); });
+  }
+  bool through(HostileStimulus<Design>& hostile, std::uint64_t& clocks) override {
+    return clock_through(lockstep_, hostile, clocks, [](const auto&, const auto&) {});
+  }
+  std::vector<std::uint64_t> left_out() const override { return lockstep_.meant().left_out(); }
+
+ private:
+  Lockstep<Adapter> lockstep_;
+};
+
+}  // namespace cosim

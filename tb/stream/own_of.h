@@ -1,0 +1,73 @@
+// A driver of a design's own, as a run of any design has it.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "model/core/input_error.h"
+#include "tb/stream/own.h"
+#include "tb/stream/payload.h"
+
+namespace cosim::detail {
+
+template <class Driver, class Record>
+class OwnGiverOf final : public OwnGiver {
+ public:
+  template <class Params>
+  explicit OwnGiverOf(const Params& p) : payload_(p) {}
+  void drive(const std::span<const Word>* words, std::span<Word> pins) override {
+    if (words == nullptr) return driver_.drive(nullptr, pins);
+    const Record record = payload_.record(*words);
+    driver_.drive(&record, pins);
+  }
+  bool took(std::span<const Word> pins) override { return driver_.took(pins); }
+
+ private:
+  Payload<Record> payload_;
+  Driver driver_;
+};
+
+template <class Driver, class Record>
+class OwnTakerOf final : public OwnTaker {
+ public:
+  template <class Params>
+  explicit OwnTakerOf(const Params& p) : payload_(p) {}
+  void drive(bool ready, std::span<Word> pins) override { driver_.drive(ready, pins); }
+  bool came(std::span<const Word> pins, std::vector<Word>& words) override {
+    const std::optional<Record> record = driver_.came(pins);
+    if (!record) return false;
+    const Sequence one = payload_.sequence({*record}, "a driver", "its stream");
+    words.assign(one[0].begin(), one[0].end());
+    return true;
+  }
+
+ private:
+  Payload<Record> payload_;
+  Driver driver_;
+};
+
+template <class Driver, class Record, class Params>
+OwnDriver own_driver([[maybe_unused]] const Params& p, bool goes_in) {
+  OwnDriver own;
+  if constexpr (!std::is_void_v<Driver>) {
+    const auto drives = Driver::drives(p);
+    const auto reads = Driver::reads(p);
+    own.drives.assign(drives.begin(), drives.end());
+    own.reads.assign(reads.begin(), reads.end());
+    if constexpr (requires(Driver d) { d.drive(nullptr, std::span<Word>()); }) {
+      if (goes_in) own.giver = [&p] { return std::make_unique<OwnGiverOf<Driver, Record>>(p); };
+    } else {
+      if (!goes_in) own.taker = [&p] { return std::make_unique<OwnTakerOf<Driver, Record>>(p); };
+    }
+    if (!own.is_there()) {
+      throw InputError(goes_in ? "a stream that goes in has the driver of one that comes out"
+                               : "a stream that comes out has the driver of one that goes in");
+    }
+  }
+  return own;
+}
+
+}  // namespace cosim::detail

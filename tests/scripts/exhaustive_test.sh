@@ -2,8 +2,8 @@
 # exhaustive_test.sh PROGRAM
 #
 # scripts/exhaustive on the shapes of this program, killed with all that it started and gone on with:
-# its report is that of a run that nobody cut, and what was done is not done again. Status: 0 so, 1 not, 77 without yosys or
-# without the design.
+# its report is that of a run that nobody cut, and what was done is not done again.
+# Status: 0 so, 1 not, 77 without yosys or without the design.
 set -euo pipefail
 
 program=$1

@@ -47,10 +47,18 @@ both() {
   says_like "^$1 FAULT=0, random transactions with random stalls: [0-9]* clocks"
 }
 
+# no_lanes DESIGN: a design with streams is refused in lanes in one line.
+no_lanes() {
+  ends 2 sweep "$1" --hostile 1000 --lanes 512
+  says_like "^streams: $1.*: does not run in lanes: it has a stream model, which knows no clock$"
+  (($(wc -l < said) == 1)) || fails "lanes of $1 are refused in one line"
+}
+
 # The faults of the filter. A value is lost or doubled only where somebody waits.
 try_loses() {
   found loses lost 2
   grep -qE '^0 .* ([1-9][0-9]* +[01]|0 +1)$' loses.stim || fails "what loses a value keeps the stall that shows it"
+  no_lanes loses
 }
 # Where all are taken late all are doubled, which has no name.
 try_doubles() { found doubles '(doubled|another value): y number' 2; }
@@ -153,6 +161,7 @@ try_guarded() {
   says_like '^guarded FAULT=0, any value on any pin on any clock: 20000 clocks'
   says_like '^guarded FAULT=0 streams, random transactions with random stalls: 200[0-9]* clocks'
   says_like '^the RTL says: .*guarded.sv:22: '
+  no_lanes guarded
 }
 
 for name in "${chosen[@]}"; do

@@ -2,12 +2,10 @@
 // names, and whatever lockstep does not see is said to be an error.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstdlib>
 #include <set>
 
-#include "tb/lanes/sweep.h"
-#include "tests/rtl/straight.h"
+#include "tests/rtl/variant_lanes.h"
 #include "tests/support/designs.h"
 
 namespace cosim::test {
@@ -15,16 +13,6 @@ namespace {
 
 constexpr std::uint64_t kSeed = 1;
 constexpr std::uint64_t kClocks = 100'000;
-
-template <class Design>
-std::unique_ptr<lanes::Built> in_lanes(const Variant<Design>& v, int lanes) {
-  std::string id = Design::name + ('_' + v.name);
-  std::replace(id.begin(), id.end(), '/', '_');
-  const auto source = proof::source_in(std::filesystem::path(COSIM_VARIANTS) / id, Design::name,
-                                       v.bench->parameters());
-  return lanes::built(v.bench->title(), nets::played_of<Design>(v.bench->params()), source, lanes,
-                      COSIM_LANES_FOLDER);
-}
 
 // Two of each design, one of them in what a clear leaves, and with $COSIM_LANES_ALL every fault.
 bool wanted(const std::string& variant) {

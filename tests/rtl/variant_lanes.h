@@ -1,0 +1,36 @@
+// RTL with a fault in lanes: what hostile clocks, or whole jobs, find of it there is what one case
+// at a time finds.
+#pragma once
+
+#include <algorithm>
+
+#include "tb/nets/played.h"
+#include "tests/rtl/variant.h"
+#include "tests/support/lane_sweeps.h"
+
+namespace cosim::test {
+
+template <class Design>
+proof::Source source_of(const Variant<Design>& v) {
+  std::string id = Design::name + ('_' + v.name);
+  std::replace(id.begin(), id.end(), '/', '_');
+  return proof::source_in(std::filesystem::path(COSIM_VARIANTS) / id, Design::name,
+                          v.bench->parameters());
+}
+
+template <class Design>
+std::unique_ptr<lanes::Built> in_lanes(const Variant<Design>& v, int lanes) {
+  return lanes::built(v.bench->title(), nets::played_of<Design>(v.bench->params()), source_of(v),
+                      lanes, COSIM_LANES_FOLDER);
+}
+
+/// Jobs find the fault in lanes as one at a time.
+template <class Design>
+void expect_jobs_find(const Variant<Design>& v, const Sweep& sweep) {
+  SCOPED_TRACE(v.name + ": " + v.what);
+  const auto built = lanes::built_for_jobs(*v.bench, nets::played_of<Design>(v.bench->params()),
+                                           source_of(v), *sweep.in_lanes, 512, COSIM_LANES_FOLDER);
+  expect_same_failure(*v.bench, sweep, *built);
+}
+
+}  // namespace cosim::test

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <array>
+
 #include "model/core/input_error.h"
 #include "tb/cli/chosen.h"
 #include "tb/cli/registry.h"
@@ -12,9 +14,17 @@
 namespace cosim::cli {
 namespace {
 
+namespace fs = std::filesystem;
+
 // They are made in seconds, in which one case at a time gets through some hundred million clocks:
 // unless they are asked for, fewer are not worth it, and nobody knows of how many clocks jobs are.
 bool are_worth_it(std::uint64_t clocks) { return clocks >= 200'000'000; }
+
+constexpr std::array widths{512, 256, 64};
+
+fs::path library_of(const fs::path& prepared, int lanes) {
+  return prepared / fmt::format("{}.so", lanes);
+}
 
 std::unique_ptr<lanes::Built> made(const AnyBench& bench, const Sweep& sweep, bool is_hostile,
                                    int lanes) {
@@ -55,8 +65,39 @@ InLanes::InLanes(const AnyBench& bench, const Sweep& sweep, std::uint64_t seed,
     fmt::print("{}; one case at a time\n", error.what());
     return;
   }
-  sweep_ = is_hostile ? lanes::hostile_sweep(bench, *built_, seed, clocks)
-                      : lanes::job_sweep(bench, *built_, sweep);
+  take(bench, seed, clocks);
+}
+
+InLanes::InLanes(const AnyBench& bench, const Sweep& sweep, std::uint64_t seed,
+                 std::uint64_t clocks, const fs::path& prepared)
+    : sweep_(sweep) {
+  for (const int lanes : widths) {
+    if (lanes > lanes::widest() || !fs::exists(library_of(prepared, lanes))) continue;
+    built_ = std::make_unique<lanes::Built>(library_of(prepared, lanes));
+    take(bench, seed, clocks);
+    return;
+  }
+}
+
+void InLanes::take(const AnyBench& bench, std::uint64_t seed, std::uint64_t clocks) {
+  sweep_ = clocks != 0 ? lanes::hostile_sweep(bench, *built_, seed, clocks)
+                       : lanes::job_sweep(bench, *built_, sweep_);
+}
+
+void prepare_lanes(const AnyBench& bench, const Sweep& sweep, std::uint64_t clocks, bool asked,
+                   bool for_any, const fs::path& prepared) {
+  if (!asked && !are_worth_it(clocks)) return;
+  try {
+    for (const int lanes : widths) {
+      if (lanes > lanes::widest() || (lanes < lanes::widest() && !for_any)) continue;
+      const fs::path library = made(bench, sweep, clocks != 0, lanes)->library;
+      fs::create_directories(prepared);
+      fs::copy_file(library, library_of(prepared, lanes));
+    }
+  } catch (const InputError& error) {
+    if (asked) throw;
+    fmt::print("{}; one case at a time\n", error.what());
+  }
 }
 
 }  // namespace cosim::cli

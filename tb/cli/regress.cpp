@@ -125,7 +125,8 @@ int new_run(const RegressOptions& o, const regress::Kinds& kinds) {
   }
   const fs::path folder = o.folder ? fs::path(*o.folder) : free_folder(plan.name);
   const fs::path plan_folder = fs::path(*o.file).parent_path();
-  const RunFolder run = RunFolder::make(folder, std::move(plan), kinds, plan_folder, shards);
+  const RunFolder run =
+      RunFolder::make(folder, std::move(plan), kinds, plan_folder, shards, o.slurm);
   fmt::print("{}: seed {}, {} in {}\n", run.plan().name, run.plan().seed,
              count(run.shards().size(), "shard"), run.path().string());
   std::fflush(stdout);

@@ -59,7 +59,7 @@ class ProveWork final : public regress::Work {
   ProveWork(const proof::BuiltMachine& machine, std::uint64_t claims, int limit)
       : Work(machine.title, claims), machine_(machine), limit_(limit) {}
 
-  void prepare(const std::filesystem::path& prepared) const override {
+  void prepare(const std::filesystem::path& prepared, bool) const override {
     regress::Json claims = regress::Json::array();
     for (const proof::Claim& claim :
          claims_on(machine_.formula(), machine_.nets(), machine_.source)) {

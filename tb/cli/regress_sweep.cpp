@@ -24,14 +24,20 @@ constexpr std::uint64_t most_cases = std::uint64_t{1} << 48;
 class SweepWork final : public regress::Work {
  public:
   /// `clocks`: of a sweep of hostile ones, which run in lanes where they are worth it; else 0.
-  SweepWork(const AnyBench& bench, Sweep sweep, std::uint64_t seed, std::uint64_t clocks)
+  /// `lanes`: where they are asked for.
+  SweepWork(const AnyBench& bench, Sweep sweep, std::uint64_t seed, std::uint64_t clocks,
+            bool lanes)
       : Work(fmt::format("{}, {}", bench.title(), sweep.name), sweep.cases),
         bench_(bench),
         sweep_(std::move(sweep)),
         seed_(seed),
-        clocks_(clocks) {}
+        clocks_(clocks),
+        lanes_(lanes) {}
 
   bool ends_at_failure() const override { return true; }
+  void prepare(const std::filesystem::path& prepared, bool elsewhere) const override {
+    prepare_lanes(bench_, sweep_, clocks_, lanes_, elsewhere, prepared);
+  }
   regress::Json run(std::uint64_t first, std::uint64_t last,
                     const regress::Place& place) const override;
   regress::Json merged(const std::vector<regress::Json>& results) const override;
@@ -42,13 +48,14 @@ class SweepWork final : public regress::Work {
   const AnyBench& bench_;
   Sweep sweep_;
   std::uint64_t seed_, clocks_;
+  bool lanes_;
 };
 
 // A sweep that ends before case `last` and, as one that goes on, begins with case `first`: cases
 // keep their numbers.
 regress::Json SweepWork::run(std::uint64_t first, std::uint64_t last,
                              const regress::Place& place) const {
-  const InLanes all(bench_, sweep_, seed_, clocks_, {});
+  const InLanes all(bench_, sweep_, seed_, clocks_, place.prepared);
   Sweep part = all.sweep();
   part.cases = last;
   part.run = [&all](std::uint64_t i) {
@@ -134,7 +141,9 @@ class SweepKind final : public regress::Kind {
          {"exhaustive", Type::yes, "Everything, at the widths small enough for it"},
          {"random", Type::number, "So many random cases at each width", 1, most_cases},
          {"hostile", Type::number, "So many clocks of any value on any pin at each width", 1,
-          most_cases}}};
+          most_cases},
+         {"lanes", Type::yes,
+          "Hundreds of cases at a time: jobs, too, and more can be exhausted"}}};
   }
   regress::Works works(const regress::Task& task, const std::filesystem::path&) const override;
 
@@ -148,7 +157,8 @@ regress::Works SweepKind::works(const regress::Task& task, const std::filesystem
   const auto& design = **std::find_if(all.begin(), all.end(), [&](const DesignSweeps* one) {
     return one->design == benches.front()->design();
   });
-  if (task.values.size() != 2) {
+  const bool lanes = task.has("lanes");
+  if (task.values.size() != (lanes ? 3 : 2)) {
     throw InputError("needs one of \"exhaustive\", \"random\" and \"hostile\"");
   }
   if ((task.has("exhaustive") && !design.exhaustive) || (task.has("random") && !design.random)) {
@@ -159,16 +169,22 @@ regress::Works SweepKind::works(const regress::Task& task, const std::filesystem
   const std::uint64_t clocks = task.has("hostile") ? task.number("hostile") : 0;
   for (const AnyBench* bench : benches) {
     std::vector<Sweep> sweeps;
-    if (task.has("exhaustive")) sweeps = design.exhaustive(*bench, false);
+    if (task.has("exhaustive")) sweeps = design.exhaustive(*bench, lanes);
     if (task.has("random")) sweeps = {design.random(*bench, task.seed, task.number("random"))};
     if (task.has("hostile")) sweeps = {hostile_sweep(*bench, task.seed, clocks)};
-    for (Sweep& sweep : sweeps)
-      works.push_back(std::make_unique<SweepWork>(*bench, std::move(sweep), task.seed, clocks));
+    for (Sweep& sweep : sweeps) {
+      if (lanes && clocks == 0 && !sweep.in_lanes) {
+        throw InputError(fmt::format("{}, {}: its jobs are driven one case at a time only",
+                                     bench->title(), sweep.name));
+      }
+      works.push_back(
+          std::make_unique<SweepWork>(*bench, std::move(sweep), task.seed, clocks, lanes));
+    }
   }
   if (works.empty()) {
-    // Without what lanes could try: a plan takes them for hostile clocks alone.
     const std::string narrow = design.exhaustible.substr(0, design.exhaustible.find(','));
-    throw InputError("exhaustive: too wide to try everything; take " + narrow);
+    throw InputError(fmt::format("exhaustive: too wide to try everything; take {}{}", narrow,
+                                 lanes ? "" : ", or more with \"lanes\""));
   }
   return works;
 }

@@ -37,30 +37,20 @@ std::string version(const std::string& program, const char* option) {
   return ended.text.substr(0, ended.text.find('\n'));
 }
 
-// For this processor; other architectures have no such option.
-std::string for_this_processor() {
+// The vectors of this width; other architectures have no such options.
+std::string vectors_of([[maybe_unused]] int lanes) {
 #ifdef __x86_64__
-  return "-march=native";
-#else
-  return "-O2";
+  if (lanes == 512) return "-mavx512f";
+  if (lanes == 256) return "-mavx2";
 #endif
+  return "-O2";
 }
 
-std::string processor() {
-  std::ifstream file("/proc/cpuinfo");
-  std::string text;
-  for (std::string line; std::getline(file, line);) {
-    if (line.starts_with("model name") || line.starts_with("flags")) text += line + '\n';
-    if (line.empty()) break;
-  }
-  return text;
-}
-
-void compile(const fs::path& library, const std::string& source) {
+void compile(const fs::path& library, int lanes, const std::string& source) {
   const Scratch scratch;
   const fs::path file = scratch.path() / "lanes.cpp", made = scratch.path() / "lanes.so";
   std::ofstream(file) << source;
-  const Ended ended = run_program({COSIM_COMPILER, "-std=c++17", "-O2", for_this_processor(), "-w",
+  const Ended ended = run_program({COSIM_COMPILER, "-std=c++17", "-O2", vectors_of(lanes), "-w",
                                    "-fPIC", "-shared", "-o", made.string(), file.string()});
   if (ended.status != 0) {
     throw InputError(fmt::format("lanes: {} fails: {}", COSIM_COMPILER,
@@ -85,7 +75,8 @@ int widest() {
   return 64;
 }
 
-Built::Built(const fs::path& library) : handle_(dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL)) {
+Built::Built(fs::path from)
+    : library(std::move(from)), handle_(dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL)) {
   if (handle_ == nullptr) throw InputError(fmt::format("lanes: {}", dlerror()));
   clear = reinterpret_cast<Act>(dlsym(handle_, "cosim_lanes_clear"));
   take_over = reinterpret_cast<Act>(dlsym(handle_, "cosim_lanes_take_over"));
@@ -104,14 +95,13 @@ Built::Built(const fs::path& library) : handle_(dlopen(library.c_str(), RTLD_NOW
 Built::~Built() { dlclose(handle_); }
 
 std::string tools() {
-  return fmt::format("{}\n{}\n{}", version(COSIM_COMPILER, "--version"), version("yosys", "-V"),
-                     processor());
+  return fmt::format("{}\n{}", version(COSIM_COMPILER, "--version"), version("yosys", "-V"));
 }
 
-std::unique_ptr<Built> built(const fs::path& folder, const std::string& key,
+std::unique_ptr<Built> built(const fs::path& folder, const std::string& key, int lanes,
                              const std::function<std::string()>& source) {
   const fs::path library = folder / (name_of(key) + ".so");
-  if (!fs::exists(library)) compile(library, source());
+  if (!fs::exists(library)) compile(library, lanes, source());
   return std::make_unique<Built>(library);
 }
 

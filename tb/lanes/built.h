@@ -26,11 +26,12 @@ class Built {
                                std::uint64_t* left_out);
 
   /// Loads a library. InputError where that cannot be done.
-  explicit Built(const std::filesystem::path& library);
+  explicit Built(std::filesystem::path from);
   ~Built();
   Built(const Built&) = delete;
   Built& operator=(const Built&) = delete;
 
+  std::filesystem::path library;
   int lanes = 0;
   Layout layout;
   Act clear = nullptr, take_over = nullptr;
@@ -41,14 +42,14 @@ class Built {
   void* handle_ = nullptr;
 };
 
-/// What the code depends on beside its source, in words: compiler, yosys, processor. InputError
-/// where a tool is missing.
+/// What the code depends on beside its source, in words: compiler and yosys. InputError where a
+/// tool is missing.
 std::string tools();
 
 /// The library in `folder` that was made of the same `key`; else compiles what source() gives, for
-/// so many lanes, and keeps it. Two processes may ask at once. InputError where there is no
-/// compiler or it fails.
-std::unique_ptr<Built> built(const std::filesystem::path& folder, const std::string& key,
+/// so many lanes, and keeps it. It runs on any processor that has vectors of this width. Two
+/// processes may ask at once. InputError where there is no compiler or it fails.
+std::unique_ptr<Built> built(const std::filesystem::path& folder, const std::string& key, int lanes,
                              const std::function<std::string()>& source);
 
 }  // namespace cosim::lanes

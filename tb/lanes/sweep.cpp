@@ -161,7 +161,7 @@ std::unique_ptr<Built> built(const std::string& title, const nets::Played& playe
   for (const nets::Wire& w : played.model.machine.registers) {
     if (w.field.index <= 0) all.kept.push_back(net_path(w.field.net).path);
   }
-  return built(folder, key_of(title, played, all, lanes),
+  return built(folder, key_of(title, played, all, lanes), lanes,
                [&] { return to_text(code_of(played, proof::RtlNets(all)), lanes); });
 }
 

@@ -18,16 +18,12 @@ typedef std::uint64_t V __attribute__((vector_size(COSIM_LANES / 8)));
 #else
 typedef std::uint64_t V;
 #endif
-#if (COSIM_LANES == 512 && defined(__AVX512F__)) || (COSIM_LANES == 256 && defined(__AVX512VL__))
+#if COSIM_LANES == 512 && defined(__AVX512F__)
 #include <immintrin.h>
 constexpr int most_plain = 1;
 template <int table>
 static inline V three(V a, V b, V c) {
-#if COSIM_LANES == 512
   return (V)_mm512_ternarylogic_epi64((__m512i)c, (__m512i)b, (__m512i)a, table);
-#else
-  return (V)_mm256_ternarylogic_epi64((__m256i)c, (__m256i)b, (__m256i)a, table);
-#endif
 }
 #else
 constexpr int most_plain = 100;

@@ -116,7 +116,7 @@ std::vector<Size> sizes(const std::vector<Known>& works) {
 }
 
 RunFolder RunFolder::make(const fs::path& folder, Plan plan, const Kinds& kinds,
-                          const fs::path& plan_folder, std::uint64_t shards) {
+                          const fs::path& plan_folder, std::uint64_t shards, bool elsewhere) {
   RunFolder run;
   run.path_ = fs::absolute(folder).lexically_normal();
   if (!run.path_.has_filename()) run.path_ = run.path_.parent_path();
@@ -134,7 +134,7 @@ RunFolder RunFolder::make(const fs::path& folder, Plan plan, const Kinds& kinds,
   std::vector<Works> works;
   for (std::size_t t = 0; t < run.plan_.tasks.size(); ++t) works.push_back(run.works_of(t, kinds));
   in_parallel(run.works_.size(), cores(), [&](std::uint64_t i) {
-    works[run.works_[i].task][run.works_[i].in_task]->prepare(run.prepared(i));
+    works[run.works_[i].task][run.works_[i].in_task]->prepare(run.prepared(i), elsewhere);
     return true;
   });
 

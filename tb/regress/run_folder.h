@@ -32,10 +32,11 @@ struct Known {
 class RunFolder {
  public:
   /// Makes a folder for the plan, whose paths lead from `plan_folder`, cut into about `shards`
-  /// shards, and has every work prepared. InputError where something is there already, or where it
-  /// cannot be done; then nothing is left.
+  /// shards, and has every work prepared, also for other machines where it runs `elsewhere`.
+  /// InputError where something is there already, or where it cannot be done; then nothing is left.
   static RunFolder make(const std::filesystem::path& folder, Plan plan, const Kinds& kinds,
-                        const std::filesystem::path& plan_folder, std::uint64_t shards);
+                        const std::filesystem::path& plan_folder, std::uint64_t shards,
+                        bool elsewhere);
 
   /// That of a run that was made. InputError where it is none, where its plan has been changed, and
   /// where this is another program than that of the run.

@@ -41,9 +41,10 @@ class Work {
   /// Whether nothing after a unit that fails is looked at.
   virtual bool ends_at_failure() const { return false; }
 
-  /// Makes what the parts need, in the folder `prepared`, which it makes if it needs one.
+  /// Makes what the parts need, in the folder `prepared`, which it makes if it needs one. A part
+  /// that runs elsewhere, on a node of a cluster, finds no compiler and perhaps another processor.
   /// InputError where that cannot be done.
-  virtual void prepare(const std::filesystem::path& /*prepared*/) const {}
+  virtual void prepare(const std::filesystem::path& /*prepared*/, bool /*elsewhere*/) const {}
 
   /// Runs the units first to last - 1, first < last. The result is an object without times and
   /// hosts; where something does not hold, it has `failed`, an array of objects with `what`, one

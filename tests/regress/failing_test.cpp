@@ -121,7 +121,7 @@ TEST_F(Regression, OfABadPlanIsRefusedWhole) {
                 {"name": "g", "mutate": "linear", "programs": ["plan.json"]}]})",
       {"tasks[0]: needs one of \"exhaustive\", \"random\" and \"hostile\"",
        "tasks[1]: 'lin' is not built; see cosim list",
-       "tasks[2]: exhaustive: too wide to try everything; take M <= 8",
+       "tasks[2]: exhaustive: too wide to try everything; take M <= 8, or more with \"lanes\"",
        "tasks[3]: needs \"programs\"", "tasks[4]: fuzz: no such file: none",
        "tasks[5]: 'linear M=99' is not built; see cosim list",
        "tasks[6]: plan.json: cannot be run"});

@@ -2,6 +2,7 @@
 // scripts/test --slurm.
 #include <cstdlib>
 #include <filesystem>
+#include <regex>
 
 #include "tests/regress/run.h"
 
@@ -11,6 +12,7 @@ namespace {
 // Notes its arguments; of an array it runs each task, of a job the job.
 constexpr const char* sbatch = R"(#!/bin/sh
 echo "sbatch $*" >> "$TRIAL/asked"
+PATH=$TRIAL/node:$PATH
 case $* in *partition=none*) echo "sbatch: error: no such partition" && exit 1 ;; esac
 last=-1
 for word; do
@@ -79,6 +81,32 @@ TEST_F(Cluster, RunsArraysAndAJobBehindThem) {
 
   ASSERT_EQ(cosim(fresh("here", {"--shards", "1"})).status, 0);
   EXPECT_EQ(report("run"), report("here"));
+}
+
+// Nodes have no yosys, and perhaps vectors less wide.
+TEST_F(Cluster, HasLanesMadeForItsNodes) {
+  const std::string tasks = R"({"name": "pins", "sweep": "linear M=5 N=2", "hostile": 30000$},
+                               {"name": "jobs", "sweep": "linear M=5 N=2", "random": 3000$})";
+  const auto with = [&](const std::string& lanes) {
+    return std::regex_replace(tasks, std::regex(R"(\$)"), lanes);
+  };
+  plan(with(""));
+  ASSERT_EQ(cosim(fresh("alone", {"--shards", "1"})).status, 0);
+  plan(with(R"(, "lanes": true)"));
+  std::filesystem::create_directory(folder_.path("node"));
+  program("../node/yosys", "#!/bin/sh\nexit 127\n");
+  const Ended e = cosim(fresh("run", {"--shards", "5", "--slurm"}));
+  EXPECT_EQ(e.status, 0) << e.out << e.err;
+  EXPECT_EQ(report("run"), report("alone"));
+  EXPECT_TRUE(folder_.holds("run/prepared/0/64.so"));
+
+  // They are what runs: a node that cannot load them says so.
+  for (const auto& library : std::filesystem::directory_iterator(folder_.path("run/prepared/0"))) {
+    folder_.write("run/prepared/0/" + library.path().filename().string(), "none");
+  }
+  std::filesystem::remove_all(folder_.path("run/results"));
+  std::filesystem::create_directory(folder_.path("run/results"));
+  EXPECT_EQ(cosim({"regress", "--resume", folder_.path("run"), "--slurm"}).status, 2);
 }
 
 TEST_F(Cluster, IsAskedNothingThatAVariableSays) {

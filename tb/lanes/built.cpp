@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <system_error>
 
@@ -37,11 +38,12 @@ std::string version(const std::string& program, const char* option) {
   return ended.text.substr(0, ended.text.find('\n'));
 }
 
-// The vectors of this width; other architectures have no such options.
+// Vectors of this width, or of less where this processor has none; other architectures have no such
+// options.
 std::string vectors_of([[maybe_unused]] int lanes) {
 #ifdef __x86_64__
-  if (lanes == 512) return "-mavx512f";
-  if (lanes == 256) return "-mavx2";
+  if (std::min(lanes, widest()) == 512) return "-mavx512f";
+  if (std::min(lanes, widest()) == 256) return "-mavx2";
 #endif
   return "-O2";
 }
@@ -100,7 +102,7 @@ std::string tools() {
 
 std::unique_ptr<Built> built(const fs::path& folder, const std::string& key, int lanes,
                              const std::function<std::string()>& source) {
-  const fs::path library = folder / (name_of(key) + ".so");
+  const fs::path library = folder / (name_of(key + vectors_of(lanes)) + ".so");
   if (!fs::exists(library)) compile(library, lanes, source());
   return std::make_unique<Built>(library);
 }

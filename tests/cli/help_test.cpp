@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <sstream>
 
 #include "tests/cli/folder.h"
@@ -76,10 +77,15 @@ TEST(Completion, OffersEveryCommandAndOptionOfTheHelp) {
   }
   EXPECT_EQ(completed("''"), names);
   EXPECT_EQ(completed("repl"), (std::vector<std::string>{"replay"}));
+  // A line of the help each, "  --wave FILE", the first with a letter before it.
   const std::string text = help({"replay"});
-  const std::vector<std::string> options = completed("replay --");
+  const std::regex option("\n +(?:-[a-z],)?(--[a-z-]+)");
+  std::vector<std::string> options;
+  for (std::sregex_iterator i(text.begin(), text.end(), option), end; i != end; ++i) {
+    options.push_back(i->str(1));
+  }
   EXPECT_GE(options.size(), 7U);
-  for (const std::string& option : options) expect_in(text, {option});
+  EXPECT_EQ(completed("replay --"), options);
   EXPECT_EQ(completed("replay --wave-b"), (std::vector<std::string>{"--wave-before"}));
 }
 

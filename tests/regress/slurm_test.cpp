@@ -85,10 +85,10 @@ TEST_F(Cluster, RunsArraysAndAJobBehindThem) {
 
 // Nodes have no yosys, and perhaps vectors less wide.
 TEST_F(Cluster, HasLanesMadeForItsNodes) {
-  const std::string tasks = R"({"name": "pins", "sweep": "linear M=5 N=2", "hostile": 30000$},
+  const std::string sweeps = R"({"name": "pins", "sweep": "linear M=5 N=2", "hostile": 30000$},
                                {"name": "jobs", "sweep": "linear M=5 N=2", "random": 3000$})";
   const auto with = [&](const std::string& lanes) {
-    return std::regex_replace(tasks, std::regex(R"(\$)"), lanes);
+    return std::regex_replace(sweeps, std::regex(R"(\$)"), lanes);
   };
   plan(with(""));
   ASSERT_EQ(cosim(fresh("alone", {"--shards", "1"})).status, 0);

@@ -45,7 +45,7 @@ Planes::Planes(const Graph& graph, std::span<const Bit> roots, std::size_t lanes
     }
   }
   const auto kind_of = [&](std::uint32_t gate) { return act_of(gates[gate]); };
-  for (const std::uint32_t i : alike_together(graph, std::move(run), kind_of)) {
+  for (const std::uint32_t i : alike_together(graph, run, kind_of)) {
     const Graph::Made& g = gates[i];
     const auto of = [&](Bit b) { return place_[b.gate()]; };
     place_[i] = places++;

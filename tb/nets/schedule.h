@@ -6,7 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "tb/nets/graph.h"
@@ -16,7 +15,8 @@ namespace cosim::nets {
 /// `gates`, by number and in rising order, so ordered that each comes behind the ones it reads and
 /// that as many as can be found of kind_of(gate), 0 to 7, follow each other.
 template <class KindOf>
-std::vector<std::uint32_t> alike_together(const Graph& graph, std::vector<std::uint32_t> gates,
+std::vector<std::uint32_t> alike_together(const Graph& graph,
+                                          const std::vector<std::uint32_t>& gates,
                                           const KindOf& kind_of) {
   const auto& made = graph.gates();
   std::vector<std::vector<std::uint32_t>> readers(made.size());

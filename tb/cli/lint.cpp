@@ -40,12 +40,11 @@ Words iverilog(const proof::Source& source, const Scratch& scratch) {
   return words;
 }
 
-Words yosys(const proof::Source& source, const Scratch& scratch) {
+Words yosys(const proof::Source& source) {
   const std::string commands =
       commands_to_elaborate(source) +
       "; proc; check -assert; select -assert-none t:$dlatch* t:$adlatch* t:$sr; opt; check -assert";
-  // It keeps a history in the user's home.
-  return {"env", "HOME=" + scratch.path().string(), "yosys", "-q", "-p", commands};
+  return {"yosys", "-q", "-p", commands};
 }
 
 // What the tool says, but for Verilator's report of what it has done.
@@ -69,8 +68,13 @@ int run(const Words& words) {
     const proof::Source source = source_of(*bench);
     const std::pair<const char*, Words> tools[] = {{"verilator -Wall", verilator(source)},
                                                    {"iverilog -Wall", iverilog(source, scratch)},
-                                                   {"yosys check", yosys(source, scratch)}};
-    for (const auto& [tool, command] : tools) {
+                                                   {"yosys check", yosys(source)}};
+    // What they leave where they are stopped, and what yosys keeps in a home, goes with the
+    // scratch.
+    const std::string own = scratch.path().string();
+    for (const auto& [tool, arguments] : tools) {
+      Words command{"env", "HOME=" + own, "TMPDIR=" + own};
+      command.insert(command.end(), arguments.begin(), arguments.end());
       const Ended ended = cosim::run_program(command);
       std::string result = "clean";
       if (ended.status == 127) {

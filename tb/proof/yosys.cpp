@@ -58,9 +58,10 @@ std::string flat_commands(const Source& source) {
 }
 
 void run_yosys(const std::string& commands, const std::string& what) {
-  // yosys keeps a history in the user's home.
-  const Scratch home;
-  const Ended ended = run_program({"env", "-u", "XDG_STATE_HOME", "HOME=" + home.path().string(),
+  // yosys keeps a history in the user's home, and leaves its files where it is stopped.
+  const Scratch scratch;
+  const std::string own = scratch.path().string();
+  const Ended ended = run_program({"env", "-u", "XDG_STATE_HOME", "HOME=" + own, "TMPDIR=" + own,
                                    "yosys", "-q", "-p", commands});
   if (ended.status == 127) throw InputError("needs yosys");
   if (ended.status == 0) return;

@@ -11,6 +11,7 @@
 #include "tb/mutation/survivor.h"
 #include "tb/proof/judge.h"
 #include "tb/proof/machines.h"
+#include "tb/support/interrupt.h"
 #include "tb/support/parallel.h"
 #include "tb/support/process.h"
 #include "tb/support/replace_file.h"
@@ -109,6 +110,8 @@ int main_of(const Subject& subject, int argc, char** argv) {
     return run(subject, o);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
+  } catch (const Interrupted& interrupted) {
+    return 128 + interrupted.signal;
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 2;

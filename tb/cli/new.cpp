@@ -34,10 +34,7 @@ void require_name(const std::string& name) {
                                  in_quotes(name)));
   }
   for (const TakenName& t : taken_names) {
-    if (name == t.name) {
-      throw InputError(
-          fmt::format("NAME: {} is a name of the harness's own, in {}", name, t.header));
-    }
+    if (name == t.name) throw InputError(fmt::format("NAME: {} {}", name, t.why));
   }
   if (fs::exists(name)) throw InputError(name + ": exists");
 }

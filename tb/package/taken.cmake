@@ -4,7 +4,17 @@
 include_guard(GLOBAL)
 cmake_path(SET COSIM_HEADERS NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/../..)
 
-# cosim_taken_names(VARIABLE): a list of "NAME HEADER".
+# The words of C++20.
+set(COSIM_CPP_WORDS
+  alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t char32_t char8_t
+  class co_await co_return co_yield compl concept const const_cast consteval constexpr constinit
+  continue decltype default delete do double dynamic_cast else enum explicit export extern false float
+  for friend goto if inline int long mutable namespace new noexcept not not_eq nullptr operator or or_eq
+  private protected public register reinterpret_cast requires return short signed sizeof static
+  static_assert static_cast struct switch template this thread_local throw true try typedef typeid
+  typename union unsigned using virtual void volatile wchar_t while xor xor_eq)
+
+# cosim_taken_names(VARIABLE): a list of "NAME WHY", why it is taken.
 function(cosim_taken_names variable)
   get_property(all GLOBAL PROPERTY COSIM_TAKEN_NAMES)
   if(NOT all)
@@ -43,6 +53,10 @@ function(cosim_taken_names variable)
       endforeach()
     endforeach()
     list(REMOVE_DUPLICATES all)
+    list(TRANSFORM all REPLACE "^([^ ]+) (.*)$" "\\1 is the harness's own, in \\2")
+    foreach(word IN LISTS COSIM_CPP_WORDS)
+      list(APPEND all "${word} is a word of C++")
+    endforeach()
     set_property(GLOBAL PROPERTY COSIM_TAKEN_NAMES "${all}")
   endif()
   set(${variable} "${all}" PARENT_SCOPE)

@@ -178,8 +178,9 @@ rtl() {
 }
 refused "NAME: is needed"
 refused "NAME: 'Made' is not small letters, digits and _, a letter first" Made
-refused "NAME: parity is a name of the harness's own, in model/core/bit_strings.h" parity
-[[ ! -e parity ]] || exit 1
+refused "NAME: parity is the harness's own, in model/core/bit_strings.h" parity
+refused "NAME: switch is a word of C++" switch
+[[ ! -e parity && ! -e switch ]] || exit 1
 refused "pair: exists" pair
 refused "none.v: no such file" made none.v
 rtl 'always @(posedge clk) q <= d'

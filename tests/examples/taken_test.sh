@@ -41,6 +41,9 @@ stall_width tb/stream/shape.h
 registers model/core/design.h
 fmt <fmt/core.h>
 NAMES
+[[ $(of switch) == *"cosim_add_design(switch): the name is a word of C++"* ]] || fails "switch is refused"
+[[ $(of my-fifo) == *"cosim_add_design(my-fifo): the name is not letters, digits and _, a letter first"* ]] ||
+  fails "my-fifo is refused"
 # Those of designs that are there, and of members, parameters and name spaces inside of others.
 for path in "$sources"/{rtl/*/,examples/*/,tests/*/designs/*.h} clocks data valid mend solve; do
   name=$(basename "$path" .h)
@@ -55,15 +58,10 @@ foreach(name IN LISTS taken)
 endforeach()
 CMAKE
 cmake -P names.cmake 2>&1 | sed 's/ .*//' | sort -u > taken
-# But the words of C++, Verilator's, and some that are looked up by the types of their arguments.
-tr ' ' '\n' > words << 'WORDS'
-and asm auto bool break case catch char class concept const constexpr continue decltype default
-delete do double else enum explicit extern false final float for friend goto if inline int long
-mutable namespace new noexcept not nullptr operator or override private protected public register
-requires return short signed sizeof static static_assert static_cast struct switch template this
-thread_local throw true try typedef typename union unsigned using virtual void volatile while
-alignas alignof const_cast dynamic_cast reinterpret_cast
-fact_of for_each_step task_of due_of begun walked
+# But Verilator's, and some that are looked up by the types of their arguments.
+tr ' ' '
+' > words << 'WORDS'
+fact_of for_each_step task_of due_of begun walked override final
 WORDS
 (cd "$sources" && cat model/core/*.h tb/*/*.h) | grep -oE '\b[a-zA-Z][a-zA-Z0-9_]*\b' | sort -u |
   grep -vxFf words -f taken | grep -vE '^(Verilated|VL_|vpi|Vpi|vl|COSIM_)' > free

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "model/core/input_error.h"
 #include "tb/cli/chosen.h"
@@ -14,13 +13,13 @@
 #include "tb/cli/outputs.h"
 #include "tb/coverage/points.h"
 #include "tb/report/report.h"
+#include "tb/support/json.h"
 #include "tb/support/process.h"
 #include "tb/support/words.h"
 
 namespace cosim::cli {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using coverage::Point;
 using coverage::Points;
 using Benches = std::vector<const AnyBench*>;
@@ -122,7 +121,7 @@ int run(const CoverOptions& o, const Registry& registry) {
     reached = reached && !all.back().at("differs") && all.back().at("never_reached").empty();
     first = last;
   }
-  write_report(o.common.report.value_or(""), all.dump(1) + '\n');
+  write_report(o.common.report.value_or(""), json_text(all, 1) + '\n');
   return reached ? 0 : 1;
 }
 

@@ -33,6 +33,6 @@ void announce_csv(const Common& common, const Extent& extent) {
   std::fflush(stdout);
 }
 
-std::size_t digits(std::uint64_t number) { return fmt::formatted_size("{}", number); }
+std::size_t digits(std::uint64_t number) { return std::to_string(number).size(); }
 
 }  // namespace cosim::cli

@@ -10,6 +10,7 @@
 
 #include "tb/cli/found_held.h"
 #include "tb/proof/yosys.h"
+#include "tb/support/json.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
 
@@ -36,7 +37,7 @@ Netlist netlist_of(const std::vector<std::string>& files, const std::string& top
   commands += fmt::format("; hierarchy -check {}{}; proc; flatten; write_json \"{}\"", which,
                           parameters, json);
   proof::run_yosys(commands, "new");
-  const Json all = Json::parse(read_file(json));
+  const Json all = json_of(read_file(json));
   for (const auto& [name, module] : all.at("modules").items()) {
     const Json& attributes = module.at("attributes");
     if (!attributes.contains("top")) continue;

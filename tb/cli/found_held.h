@@ -1,14 +1,13 @@
 // The registers in a netlist of yosys: their bits, their clock and their asynchronous reset.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 #include <vector>
 
-namespace cosim::cli {
+#include "tb/support/json.h"
 
-using Json = nlohmann::ordered_json;
+namespace cosim::cli {
 
 /// InputError "new: ...".
 [[noreturn]] void refuse(const std::string& why);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "model/core/input_error.h"
 #include "tb/cli/chosen.h"
@@ -13,14 +12,13 @@
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
 #include "tb/report/report.h"
+#include "tb/support/json.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
 #include "tb/support/words.h"
 
 namespace cosim::cli {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct MutateOptions {
   Common common;
@@ -69,7 +67,7 @@ Json attacked(const MutateOptions& o, const Registry& registry, const AnyBench& 
   if (ended.status != 0 && ended.status != 1) {
     throw InputError(ended.text.substr(0, ended.text.find('\n')));
   }
-  Json outcome = Json::parse(read_file(results));
+  Json outcome = json_of(read_file(results));
   fmt::print("{}: {}: {} killed, {} proved equal, {} survived\n", bench.built_as(),
              count(outcome.at("mutants").get<std::uint64_t>(), "mutant"),
              outcome.at("killed").get<std::uint64_t>(),
@@ -98,7 +96,7 @@ int run(const MutateOptions& o, const Registry& registry) {
     all.push_back(attacked(o, registry, *bench, mutants));
     survived = survived || all.back().at("survived") != 0;
   }
-  write_report(o.common.report.value_or(""), all.dump(1) + '\n');
+  write_report(o.common.report.value_or(""), json_text(all, 1) + '\n');
   return survived ? 1 : 0;
 }
 

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "model/core/input_error.h"
 #include "tb/cli/commands.h"
@@ -16,6 +15,7 @@
 #include "tb/regress/slurm.h"
 #include "tb/regress/worker.h"
 #include "tb/support/interrupt.h"
+#include "tb/support/json.h"
 #include "tb/support/parallel.h"
 #include "tb/support/read_file.h"
 #include "tb/support/words.h"
@@ -149,7 +149,7 @@ int run(const RegressOptions& o, const Registry& registry) {
   const InterruptGuard interrupts;
   const regress::Kinds kinds = regress_kinds(registry);
   if (o.schema) {
-    fmt::print("{}\n", schema(keys_of(kinds)).dump(1));
+    fmt::print("{}\n", json_text(schema(keys_of(kinds)), 1));
     return 0;
   }
   if (o.work) return work(o, kinds);

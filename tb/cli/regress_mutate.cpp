@@ -2,13 +2,13 @@
 #include <fmt/core.h>
 
 #include <map>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "model/core/input_error.h"
 #include "tb/cli/chosen.h"
 #include "tb/cli/mutants_built.h"
 #include "tb/cli/regress_kinds.h"
+#include "tb/support/json.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
 #include "tb/support/words.h"
@@ -34,8 +34,7 @@ class MutateWork final : public regress::Work {
   MutateWork(std::string title, std::uint64_t mutants, std::string program, bool unproved)
       : Work(std::move(title), mutants), program_(std::move(program)), unproved_(unproved) {}
 
-  regress::Json run(std::uint64_t first, std::uint64_t last,
-                    const regress::Place& place) const override {
+  Json run(std::uint64_t first, std::uint64_t last, const regress::Place& place) const override {
     // The campaign has a checkpoint of its own, beside its results.
     const fs::path results = place.run / "checkpoints" / fmt::format("{}.mutants", place.shard);
     std::vector<std::string> words{(place.run / program_).string(),
@@ -52,20 +51,20 @@ class MutateWork final : public regress::Work {
                                    "1"};
     if (unproved_) words.emplace_back("--unproved");
     const Ended ended = attack_with(words);
-    const auto all = regress::Json::parse(read_file(results.string()));
-    regress::Json json{{"outcomes", all.at("outcomes")}};
-    for (const regress::Json& one : all.at("outcomes")) {
+    const auto all = json_of(read_file(results.string()));
+    Json json{{"outcomes", all.at("outcomes")}};
+    for (const Json& one : all.at("outcomes")) {
       if (one.at("end") == "survived") json["failed"].push_back(survivor(one, ended.text, place));
     }
     fs::remove(results);
     return json;
   }
 
-  regress::Json merged(const std::vector<regress::Json>& results) const override {
-    regress::Json outcomes = regress::Json::array();
+  Json merged(const std::vector<Json>& results) const override {
+    Json outcomes = Json::array();
     std::map<std::string, std::uint64_t> ends{{"killed", 0}, {"equivalent", 0}, {"survived", 0}};
-    for (const regress::Json& part : results) {
-      for (const regress::Json& one : part.at("outcomes")) {
+    for (const Json& part : results) {
+      for (const Json& one : part.at("outcomes")) {
         ++ends[one.at("end").get<std::string>()];
         outcomes.push_back(one);
       }
@@ -79,10 +78,9 @@ class MutateWork final : public regress::Work {
 
  private:
   // The program says where it left the folder.
-  static regress::Json survivor(const regress::Json& mutant, const std::string& said,
-                                const regress::Place& place) {
+  static Json survivor(const Json& mutant, const std::string& said, const regress::Place& place) {
     const std::string what = mutant.at("what").get<std::string>();
-    regress::Json json{
+    Json json{
         {"what", fmt::format("mutant {} survived: {}", mutant.at("mutant").get<unsigned>(), what)}};
     std::istringstream lines(said);
     const std::string begin = fmt::format("survived: {}, kept in: ", what);
@@ -113,7 +111,7 @@ class MutateKind final : public regress::Kind {
   }
 
   void keep(regress::Task& task, const fs::path& plan, const fs::path& run) const override {
-    regress::Json programs = regress::Json::array();
+    Json programs = Json::array();
     for (const std::string& program : programs_of(task, plan)) {
       programs.push_back(kept_with("programs", program, plan, run));
     }

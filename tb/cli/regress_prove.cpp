@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "model/core/input_error.h"
 #include "tb/cli/chosen.h"
@@ -12,6 +11,7 @@
 #include "tb/proof/decide.h"
 #include "tb/report/failure.h"
 #include "tb/support/interrupt.h"
+#include "tb/support/json.h"
 #include "tb/support/read_file.h"
 #include "tb/support/replace_file.h"
 
@@ -20,8 +20,8 @@ namespace {
 
 constexpr std::uint64_t usual_limit = 300, longest_limit = 86400;
 
-regress::Json as_json(const proof::Claim& claim) {
-  regress::Json queries = regress::Json::array();
+Json as_json(const proof::Claim& claim) {
+  Json queries = Json::array();
   for (const proof::Query& q : claim.queries) {
     queries.push_back({{"asks", q.asks}, {"script", q.script}, {"eager", q.eager}});
   }
@@ -31,11 +31,11 @@ regress::Json as_json(const proof::Claim& claim) {
           {"terms", claim.terms}};
 }
 
-proof::Claim claim_from(const regress::Json& json) {
+proof::Claim claim_from(const Json& json) {
   proof::Claim claim;
   claim.what = json.at("what").get<std::string>();
   claim.wanted = json.at("sat").get<bool>() ? proof::Answer::sat : proof::Answer::unsat;
-  for (const regress::Json& q : json.at("queries")) {
+  for (const Json& q : json.at("queries")) {
     claim.queries.push_back({q.at("asks").get<std::vector<std::string>>(),
                              q.at("script").get<std::string>(), q.at("eager").get<bool>()});
   }
@@ -60,62 +60,61 @@ class ProveWork final : public regress::Work {
       : Work(machine.title, claims), machine_(machine), limit_(limit) {}
 
   void prepare(const std::filesystem::path& prepared, bool) const override {
-    regress::Json claims = regress::Json::array();
+    Json claims = Json::array();
     for (const proof::Claim& claim :
          claims_on(machine_.formula(), machine_.nets(), machine_.source)) {
       claims.push_back(as_json(claim));
     }
     if (claims.size() < units()) throw std::logic_error("other claims than were counted");
-    replace_file(prepared.string(), claims.dump());
+    replace_file(prepared.string(), json_text(claims));
   }
 
-  regress::Json run(std::uint64_t first, std::uint64_t last,
-                    const regress::Place& place) const override {
-    const auto claims = regress::Json::parse(read_file(place.prepared.string()));
-    regress::Json decided(place.checkpoint.state());
-    if (decided.is_null()) decided = regress::Json::array();
-    regress::Json failed = regress::Json::array();
+  Json run(std::uint64_t first, std::uint64_t last, const regress::Place& place) const override {
+    const auto claims = json_of(read_file(place.prepared.string()));
+    Json decided(place.checkpoint.state());
+    if (decided.is_null()) decided = Json::array();
+    Json failed = Json::array();
     // That RTL asserts something is not known before yosys reads it: the last unit has that claim
     // too.
     const std::uint64_t end = last == units() ? claims.size() : last;
     for (std::uint64_t i = first + decided.size(); i < end; ++i) {
       decided.push_back(decide_one(claim_from(claims.at(i)), place));
-      place.checkpoint.save(nlohmann::json(decided));
+      place.checkpoint.save(decided);
     }
-    regress::Json all = regress::Json::array();
-    for (const regress::Json& one : decided) {
+    Json all = Json::array();
+    for (const Json& one : decided) {
       all.push_back({{"what", one.at("what")}, {"verdict", one.at("verdict")}});
       if (one.contains("failed")) failed.push_back(one["failed"]);
     }
-    regress::Json json{{"claims", std::move(all)}};
+    Json json{{"claims", std::move(all)}};
     if (!failed.empty()) json["failed"] = std::move(failed);
     return json;
   }
 
-  regress::Json merged(const std::vector<regress::Json>& results) const override {
-    regress::Json claims = regress::Json::array();
-    for (const regress::Json& one : results) {
-      for (const regress::Json& claim : one.at("claims")) claims.push_back(claim);
+  Json merged(const std::vector<Json>& results) const override {
+    Json claims = Json::array();
+    for (const Json& one : results) {
+      for (const Json& claim : one.at("claims")) claims.push_back(claim);
     }
     return {{"claims", claims}};
   }
 
  private:
-  regress::Json decide_one(const proof::Claim& claim, const regress::Place& place) const {
+  Json decide_one(const proof::Claim& claim, const regress::Place& place) const {
     InterruptGuard::check();
     const proof::Decision decision =
         proof::decide({&claim}, {proof::all_engines(), limit_, 1}).front();
     need_solvers(decision);
-    regress::Json json{{"what", claim.what}, {"verdict", decision.verdict}};
+    Json json{{"what", claim.what}, {"verdict", decision.verdict}};
     if (!decision.proved) json["failed"] = failed(claim, decision, place);
     return json;
   }
 
   // A counterexample that lockstep shows has a folder; else the command finds it again.
-  regress::Json failed(const proof::Claim& claim, const proof::Decision& decision,
-                       const regress::Place& place) const {
-    regress::Json json{{"what", fmt::format("{}: {}", claim.what, decision.verdict)},
-                       {"command", "prove " + title()}};
+  Json failed(const proof::Claim& claim, const proof::Decision& decision,
+              const regress::Place& place) const {
+    Json json{{"what", fmt::format("{}: {}", claim.what, decision.verdict)},
+              {"command", "prove " + title()}};
     const auto same = [&](const auto& b) { return b->title() == title(); };
     const AnyBench& bench = **std::find_if(benches().begin(), benches().end(), same);
     const auto found = refuted(machine_.formula(), bench, claim, decision, limit_);

@@ -1,10 +1,9 @@
 // Other programs as tasks of a regression: fuzzing by time, and any program that ends with 0.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "model/core/input_error.h"
 #include "tb/cli/regress_kinds.h"
+#include "tb/support/json.h"
 #include "tb/support/process.h"
 #include "tb/support/words.h"
 
@@ -45,9 +44,8 @@ class FuzzWork final : public regress::Work {
         seconds_(seconds),
         seed_(seed) {}
 
-  regress::Json run(std::uint64_t first, std::uint64_t last,
-                    const regress::Place& place) const override {
-    regress::Json failed = regress::Json::array();
+  Json run(std::uint64_t first, std::uint64_t last, const regress::Place& place) const override {
+    Json failed = Json::array();
     for (std::uint64_t i = first; i < last; ++i) {
       const Scratch found;  // what it finds worth keeping is not kept
       // libFuzzer takes 31 bits, and 0 for a seed of its own.
@@ -68,14 +66,12 @@ class FuzzWork final : public regress::Work {
       failed.push_back(
           {{"what", fmt::format("slice {}: {}", i, finding(ended.text))}, {"folder", "failures"}});
     }
-    regress::Json json = regress::Json::object();
+    Json json = Json::object();
     if (!failed.empty()) json["failed"] = std::move(failed);
     return json;
   }
 
-  regress::Json merged(const std::vector<regress::Json>&) const override {
-    return {{"seconds", seconds_}};
-  }
+  Json merged(const std::vector<Json>&) const override { return {{"seconds", seconds_}}; }
 
  private:
   std::string target_, corpus_;
@@ -116,9 +112,9 @@ class RunWork final : public regress::Work {
   explicit RunWork(std::vector<std::string> words)
       : Work(one_line(fmt::format("{}", fmt::join(words, " "))), 1), words_(std::move(words)) {}
 
-  regress::Json run(std::uint64_t, std::uint64_t, const regress::Place&) const override {
+  Json run(std::uint64_t, std::uint64_t, const regress::Place&) const override {
     const Ended ended = run_it(words_);
-    regress::Json json{{"status", ended.status}};
+    Json json{{"status", ended.status}};
     if (ended.status != 0) {
       json["failed"].push_back(
           {{"what", fmt::format("status {}: {}", ended.status, last_line(ended.text))}});
@@ -126,9 +122,7 @@ class RunWork final : public regress::Work {
     return json;
   }
 
-  regress::Json merged(const std::vector<regress::Json>& results) const override {
-    return results.front();
-  }
+  Json merged(const std::vector<Json>& results) const override { return results.front(); }
 
  private:
   std::vector<std::string> words_;

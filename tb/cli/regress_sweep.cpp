@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "model/core/input_error.h"
@@ -15,6 +14,7 @@
 #include "tb/report/failure.h"
 #include "tb/report/report.h"
 #include "tb/support/interrupt.h"
+#include "tb/support/json.h"
 
 namespace cosim::cli {
 namespace {
@@ -38,12 +38,11 @@ class SweepWork final : public regress::Work {
   void prepare(const std::filesystem::path& prepared, bool elsewhere) const override {
     prepare_lanes(bench_, sweep_, clocks_, lanes_, elsewhere, prepared);
   }
-  regress::Json run(std::uint64_t first, std::uint64_t last,
-                    const regress::Place& place) const override;
-  regress::Json merged(const std::vector<regress::Json>& results) const override;
+  Json run(std::uint64_t first, std::uint64_t last, const regress::Place& place) const override;
+  Json merged(const std::vector<Json>& results) const override;
 
  private:
-  regress::Json kept(const Result& result, const regress::Place& place) const;
+  Json kept(const Result& result, const regress::Place& place) const;
 
   const AnyBench& bench_;
   Sweep sweep_;
@@ -53,8 +52,7 @@ class SweepWork final : public regress::Work {
 
 // A sweep that ends before case `last` and, as one that goes on, begins with case `first`: cases
 // keep their numbers.
-regress::Json SweepWork::run(std::uint64_t first, std::uint64_t last,
-                             const regress::Place& place) const {
+Json SweepWork::run(std::uint64_t first, std::uint64_t last, const regress::Place& place) const {
   const InLanes all(bench_, sweep_, seed_, clocks_, place.prepared);
   Sweep part = all.sweep();
   part.cases = last;
@@ -89,17 +87,16 @@ regress::Json SweepWork::run(std::uint64_t first, std::uint64_t last,
     throw;
   }
   result.cases -= first;
-  regress::Json json = to_json(result);
+  Json json = to_json(result);
   if (!result.match()) {
-    json["mismatch"] =
-        regress::Json::parse(run_json({&bench_, sweep_.name, result})).at("mismatch");
+    json["mismatch"] = json_of(run_json({&bench_, sweep_.name, result})).at("mismatch");
     json["failed"].push_back(kept(result, place));
   }
   return json;
 }
 
 // The failure for the report, and its folder.
-regress::Json SweepWork::kept(const Result& result, const regress::Place& place) const {
+Json SweepWork::kept(const Result& result, const regress::Place& place) const {
   if (!result.mismatch) {
     return {{"what", fmt::format("{}: RTL and model agree, and both are wrong: {}", result.failed,
                                  result.checked.error)}};
@@ -113,14 +110,14 @@ regress::Json SweepWork::kept(const Result& result, const regress::Place& place)
           {"command", "replay " + folder}};
 }
 
-regress::Json SweepWork::merged(const std::vector<regress::Json>& results) const {
+Json SweepWork::merged(const std::vector<Json>& results) const {
   Result sum;
-  std::optional<regress::Json> mismatch;
-  for (const regress::Json& one : results) {
-    add(sum, result_from(nlohmann::json(one)));
+  std::optional<Json> mismatch;
+  for (const Json& one : results) {
+    add(sum, result_from(one));
     if (one.contains("mismatch")) mismatch = one["mismatch"];
   }
-  auto json = regress::Json::parse(run_json({&bench_, sweep_.name, sum}));
+  auto json = json_of(run_json({&bench_, sweep_.name, sum}));
   json["cases"] = sum.cases;
   if (mismatch) {
     json["verdict"] = "mismatch";

@@ -4,14 +4,15 @@
 
 #include "model/core/input_error.h"
 #include "tb/cli/result_json.h"
+#include "tb/support/json.h"
 
 namespace cosim::cli {
 
 SweepCheckpoint::SweepCheckpoint(const std::string& path, const std::string& work)
     : path_(path), checkpoint_(path, work) {
-  const Checkpoint::Json state = checkpoint_.state();
+  const Json state = checkpoint_.state();
   try {
-    for (const Checkpoint::Json& one : state) done_.push_back(result_from(one));
+    for (const Json& one : state) done_.push_back(result_from(one));
   } catch (const std::exception&) {
     fail();
   }
@@ -25,7 +26,7 @@ Resume SweepCheckpoint::resume(std::size_t i, std::uint64_t cases) {
   const auto keep = [this, i](const Result& done) {
     done_[i] = done;
     if (!checkpoint_.due()) return;
-    Checkpoint::Json state = Checkpoint::Json::array();
+    Json state = Json::array();
     for (const Result& one : done_) state.push_back(to_json(one));
     checkpoint_.save(state);
   };

@@ -3,12 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <regex>
 #include <utility>
 
 #include "model/core/input_error.h"
 #include "tb/lanes/code.h"
 #include "tb/lanes/player.h"
+#include "tb/support/pattern.h"
 #include "tb/support/place.h"
 #include "tb/support/read_file.h"
 
@@ -71,11 +71,11 @@ std::string key_of(const std::string& title, const nets::Played& played,
 
 // Whether the RTL checks itself, outside of comments: what it says then, only Verilator hears.
 bool speaks(const proof::Source& source) {
-  static const std::regex comment(R"(//[^\n]*|/\*[^*]*\*+([^/*][^*]*\*+)*/)");
-  static const std::regex says(R"(\$(error|fatal|stop|finish|warning)\b|\bassert\b)");
+  static const Pattern comment(R"(//[^\n]*|/\*[^*]*\*+([^/*][^*]*\*+)*/)");
+  static const Pattern says(R"(\$(error|fatal|stop|finish|warning)\b|\bassert\b)");
   for (const fs::path& file : source.files) {
-    const std::string text = std::regex_replace(read_file(file.string()), comment, " ");
-    if (std::regex_search(text, says)) return true;
+    const std::string text = comment.replaced(read_file(file.string()), " ");
+    if (says.in(text)) return true;
   }
   return false;
 }

@@ -4,9 +4,9 @@
 #include <chrono>
 #include <exception>
 #include <mutex>
-#include <nlohmann/json.hpp>
 
 #include "model/core/input_error.h"
+#include "tb/support/json.h"
 #include "tb/support/parallel.h"
 
 namespace cosim::mutation {
@@ -128,7 +128,7 @@ Campaign run_campaign(const Subject& subject, const Prover& prover, unsigned thr
 }
 
 std::string to_json(const Subject& subject, const Campaign& campaign) {
-  nlohmann::ordered_json top;
+  Json top;
   top["design"] = subject.bench().design();
   for (const Parameter& p : subject.bench().parameters()) {
     auto& value = top["parameters"][p.name];
@@ -143,12 +143,11 @@ std::string to_json(const Subject& subject, const Campaign& campaign) {
   top["equivalent"] = campaign.count(End::equivalent);
   top["survived"] = campaign.count(End::survived);
   top["seconds"] = campaign.seconds;
-  top["outcomes"] = nlohmann::ordered_json::array();
+  top["outcomes"] = Json::array();
   for (std::size_t i = 0; i < campaign.outcomes.size(); ++i) {
     const Outcome& o = campaign.outcomes[i];
     const std::size_t mutant = campaign.first + i;
-    nlohmann::ordered_json one{
-        {"mutant", mutant}, {"what", subject.mutants()[mutant - 1]}, {"end", o.end}};
+    Json one{{"mutant", mutant}, {"what", subject.mutants()[mutant - 1]}, {"end", o.end}};
     if (o.end == End::killed) {
       one["stimulus"] = o.stimulus;
       one["clock"] = o.clock;
@@ -156,7 +155,7 @@ std::string to_json(const Subject& subject, const Campaign& campaign) {
     }
     top["outcomes"].push_back(std::move(one));
   }
-  return top.dump(1) + '\n';
+  return json_text(top, 1) + '\n';
 }
 
 }  // namespace cosim::mutation

@@ -5,15 +5,13 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
-#include <nlohmann/json.hpp>
 #include <numeric>
 
+#include "tb/support/json.h"
 #include "tb/support/parallel.h"
 #include "tb/support/random.h"
 
 namespace cosim::mutation {
-
-using Json = nlohmann::ordered_json;
 
 void draw(const LanesSubject& subject, std::size_t count, const std::filesystem::path& folder) {
   std::vector<unsigned> numbers(subject.mutants().size());
@@ -46,11 +44,11 @@ void draw(const LanesSubject& subject, std::size_t count, const std::filesystem:
   }
   std::filesystem::create_directories(folder);
   subject.write_verilog(numbers, folder / "mutants.v");
-  replace_file((folder / "drawn.json").string(), list.dump(1) + '\n');
+  replace_file((folder / "drawn.json").string(), json_text(list, 1) + '\n');
 }
 
 int check_drawn(const VerilatedSubject& subject, const std::filesystem::path& folder) {
-  const Json list = Json::parse(read_file((folder / "drawn.json").string()));
+  const Json list = json_of(read_file((folder / "drawn.json").string()));
   const auto& cases = subject.cases().all;
   std::size_t same = 0, not_cleared = 0;
   std::mutex guard;

@@ -2,11 +2,11 @@
 
 #include <fmt/core.h>
 
-#include <regex>
 #include <sstream>
 #include <utility>
 
 #include "tb/support/output_file.h"
+#include "tb/support/pattern.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
 
@@ -17,11 +17,11 @@ Planted::Planted(proof::Source source, unsigned count) : source_(std::move(sourc
   const std::string list = (scratch.path() / "all.txt").string();
   proof::run_yosys(prepared() + fmt::format("; mutate -list {} -seed 1 -o {}", count, list),
                    source_.top);
-  static const std::regex said(R"(^mutate |-module \S+ )");
+  static const Pattern said(R"(^mutate |-module \S+ )");
   std::istringstream lines(read_file(list));
   for (std::string line; std::getline(lines, line);) {
     commands_.push_back(line);
-    std::string words = std::regex_replace(line, said, "");
+    std::string words = said.replaced(line, "");
     for (const auto& file : source_.files) {
       // A mutant is known by the place in its file, wherever that lies.
       const std::string path = file.parent_path().parent_path().string() + '/';

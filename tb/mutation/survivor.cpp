@@ -3,10 +3,10 @@
 #include <fmt/core.h>
 
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "tb/report/failure.h"
 #include "tb/support/draft.h"
+#include "tb/support/json.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
 
@@ -32,7 +32,7 @@ std::filesystem::path leave_survivor(const Subject& subject, unsigned mutant,
   const std::string prove = fmt::format("{} {} --mutants {} --mutant {}", prover, title,
                                         (draft.target() / "mutants.v").string(), mutant);
 
-  nlohmann::ordered_json json{{"verdict", "survived"}, {"design", subject.bench().design()}};
+  Json json{{"verdict", "survived"}, {"design", subject.bench().design()}};
   for (const Parameter& p : subject.bench().parameters()) {
     auto& value = json["parameters"][p.name];
     if (p.text != nullptr) {
@@ -55,7 +55,7 @@ std::filesystem::path leave_survivor(const Subject& subject, unsigned mutant,
   text += fmt::format("To have the solvers look for a state in which they part:\n  {}\n", prove);
 
   draft.write("report.txt", text);
-  draft.write("report.json", json.dump(1) + '\n');
+  draft.write("report.json", json_text(json, 1) + '\n');
   const Scratch scratch;
   const auto verilog = scratch.path() / "mutants.v";
   subject.write_verilog({mutant}, verilog);

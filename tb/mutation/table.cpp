@@ -6,15 +6,15 @@
 #include <cstdio>
 #include <exception>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <vector>
 
+#include "tb/support/json.h"
 #include "tb/support/read_file.h"
 #include "tb/support/replace_file.h"
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using cosim::Json;
 
 struct Row {
   std::size_t mutants = 0, killed = 0, equivalent = 0, survived = 0;
@@ -35,7 +35,7 @@ int run(const std::string& out, const std::vector<std::string>& paths) {
   std::map<std::string, Row> rows;
   std::size_t survived = 0;
   for (const std::string& path : paths) {
-    const Json& results = all.emplace_back(Json::parse(cosim::read_file(path)));
+    const Json& results = all.emplace_back(cosim::json_of(cosim::read_file(path)));
     const std::string name =
         fmt::format("| {} | {} |", results.at("design").get<std::string>(), shape_of(results));
     if (!rows.contains(name)) order.push_back(name);
@@ -55,7 +55,7 @@ int run(const std::string& out, const std::vector<std::string>& paths) {
     fmt::print("{} {} | {} | {} | {} | {:.0f} |\n", name, row.mutants, row.killed, row.equivalent,
                row.survived, row.seconds);
   }
-  cosim::replace_file(out, all.dump(1) + '\n');
+  cosim::replace_file(out, cosim::json_text(all, 1) + '\n');
   return survived == 0 ? 0 : 1;
 }
 

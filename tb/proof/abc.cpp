@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
 #include <set>
 #include <sstream>
 
 #include "tb/support/output_file.h"
+#include "tb/support/pattern.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
 
@@ -22,11 +22,8 @@ std::vector<std::uint64_t> run_of(const NetQuestions& questions, const std::stri
   std::set<std::string> set;
   std::error_code error;
   if (std::filesystem::exists(file, error)) {
-    static const std::regex given(R"((\S+)@0=1)");
-    const std::string text = read_file(file);
-    for (std::sregex_iterator i(text.begin(), text.end(), given), end; i != end; ++i) {
-      set.insert((*i)[1]);
-    }
+    static const Pattern given(R"((\S+)@0=1)");
+    for (const Pattern::Parts& part : given.all(read_file(file))) set.insert(part[1]);
   }
   std::vector<std::uint64_t> inputs;
   for (const nets::Port& p : questions.inputs) inputs.push_back(set.contains(p.name) ? 1 : 0);

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <regex>
 #include <sstream>
 
 #include "model/core/input_error.h"
 #include "tb/proof/first_word.h"
+#include "tb/support/pattern.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
 
@@ -24,8 +24,8 @@ int width_of(const std::string& sort) {
 // Yosys defines a function of the state for every wire; here the state is what the free symbols
 // are, and the functions are plain names.
 std::string without_state(const std::string& text) {
-  static const std::regex applied(R"(\((\|[^|]*\|) state\))");
-  return std::regex_replace(text, applied, "$1");
+  static const Pattern applied(R"(\((\|[^|]*\|) state\))");
+  return applied.replaced(text, "$1");
 }
 
 // What makes of assertions formulas of their own clock. A yosys from 0.38 on has cells of another
@@ -65,11 +65,11 @@ Rtl::Rtl(std::string top, const std::string& smt2, bool asynchronous_reset)
 }
 
 void Rtl::read_line(const std::string& line) {
-  static const std::regex declaration(R"(\(declare-fun (\|[^|]*\|) \(\|[^|]*\|\) (.*)\) ;.*)");
-  static const std::regex relation(R"(  \(= (.*) \((\|[^|]*\|) next_state\)\).*)");
-  static const std::regex function(
+  static const Pattern declaration(R"(\(declare-fun (\|[^|]*\|) \(\|[^|]*\|\) (.*)\) ;.*)");
+  static const Pattern relation(R"(  \(= (.*) \((\|[^|]*\|) next_state\)\).*)");
+  static const Pattern function(
       R"(\(define-fun (\|[^|]*\|) \(\(state \|[^|]*\|\)\) (Bool|\(_ BitVec \d+\)) (.*)\)( ;.*)?)");
-  std::smatch part;
+  Pattern::Parts part;
   if (line.starts_with(';')) return read_port(line);
   if (in_initial_) {  // a line "  (= term value) ; name" for each register, perhaps in an (and
     in_initial_ = !line.starts_with(')');
@@ -83,14 +83,14 @@ void Rtl::read_line(const std::string& line) {
     in_relation_ = true;
   } else if (line.starts_with("(define-fun |" + top_ + "_i|") && !line.ends_with(')')) {
     in_initial_ = true;
-  } else if (in_relation_ && std::regex_match(line, part, relation)) {
+  } else if (in_relation_ && !(part = relation.whole(line)).empty()) {
     const auto found = std::find_if(free_.begin(), free_.end(),
                                     [&](const Free& f) { return f.symbol == part[2]; });
     if (found == free_.end()) throw InputError(top_ + ": a register that yosys did not declare");
     found->after = without_state(part[1]);
-  } else if (!in_relation_ && std::regex_match(line, part, declaration)) {
+  } else if (!in_relation_ && !(part = declaration.whole(line)).empty()) {
     free_.push_back({part[1], width_of(part[2]), part[2] == boolean, ""});
-  } else if (!in_relation_ && std::regex_match(line, part, function)) {
+  } else if (!in_relation_ && !(part = function.whole(line)).empty()) {
     define(part[1], part[2], without_state(part[3]));
   }
 }
@@ -115,17 +115,17 @@ void Rtl::define(const std::string& name, const std::string& sort, const std::st
 }
 
 std::vector<std::size_t> Rtl::pieces(const std::string& wire) const {
-  static const std::regex word(
+  static const Pattern word(
       R"(\(concat |\(= \(\(_ extract 0 0\) |\) #b1\)|\(ite | #b1 #b0\)|\|[^|]*\|| |\)+)");
   std::vector<std::size_t> found;
   const auto of = wires_.find(fmt::format("|{}_n {}|", top_, wire));
   if (of == wires_.end()) return {};
   const std::string& body = of->second.body;
   std::size_t read = 0;
-  for (std::sregex_iterator i(body.begin(), body.end(), word), end; i != end; ++i) {
-    read += static_cast<std::size_t>(i->length());
-    if (!i->str().starts_with('|')) continue;
-    const std::string seen = asynchronous_reset_ ? without_reset(i->str()) : i->str();
+  for (const Pattern::Parts& part : word.all(body)) {
+    read += part[0].size();
+    if (!part[0].starts_with('|')) continue;
+    const std::string seen = asynchronous_reset_ ? without_reset(part[0]) : part[0];
     const auto symbol =
         std::find_if(free_.begin(), free_.end(), [&](const Free& f) { return f.symbol == seen; });
     if (symbol == free_.end()) return {};
@@ -139,12 +139,13 @@ std::vector<std::size_t> Rtl::pieces(const std::string& wire) const {
 // that and a constant, by the input.
 std::string Rtl::without_reset(const std::string& symbol) const {
   // An input that is nothing but a condition is a Bool.
-  static const std::regex choice(
+  static const Pattern choice(
       R"(\(ite (?:\|[^|]*\||\(= \(\(_ extract 0 0\) \|[^|]*\|\) #b1\)) (\S+) (\S+)\))");
   const auto of = wires_.find(symbol);
-  std::smatch part;
-  if (of == wires_.end() || !std::regex_match(of->second.body, part, choice)) return symbol;
-  const std::string yes = part[1], no = part[2];
+  if (of == wires_.end()) return symbol;
+  const Pattern::Parts part = choice.whole(of->second.body);
+  if (part.empty()) return symbol;
+  const std::string &yes = part[1], &no = part[2];
   const auto is_constant = [](const std::string& term) {
     return term.starts_with("#b") || term == "true" || term == "false";
   };
@@ -154,8 +155,8 @@ std::string Rtl::without_reset(const std::string& symbol) const {
 }
 
 std::string on_next_clock(const std::string& text) {
-  static const std::regex symbol(R"(\|([^|]*)\|)");
-  return std::regex_replace(text, symbol, "|$1'|");
+  static const Pattern symbol(R"(\|([^|]*)\|)");
+  return symbol.replaced(text, "|$1'|");
 }
 
 Expression on_next_clock(const Expression& term) {

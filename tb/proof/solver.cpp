@@ -1,10 +1,10 @@
 #include "tb/proof/solver.h"
 
-#include <regex>
 #include <sstream>
 #include <vector>
 
 #include "tb/support/output_file.h"
+#include "tb/support/pattern.h"
 #include "tb/support/process.h"
 
 namespace cosim::proof {
@@ -13,12 +13,10 @@ namespace {
 constexpr int kMissing = 127;
 
 std::map<std::string, std::string> values_in(const std::string& text) {
-  static const std::regex pair(
+  static const Pattern pair(
       R"(\((\|[^|]*\||[^\s()]+)\s+(#[bx][0-9a-f]+|true|false|\d+|\(- \d+\))\))");
   std::map<std::string, std::string> values;
-  for (std::sregex_iterator i(text.begin(), text.end(), pair), end; i != end; ++i) {
-    values[(*i)[1]] = (*i)[2];
-  }
+  for (const Pattern::Parts& part : pair.all(text)) values[part[1]] = part[2];
   return values;
 }
 

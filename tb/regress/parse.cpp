@@ -4,11 +4,10 @@
 
 #include <set>
 
+#include "tb/support/json.h"
 #include "tb/support/words.h"
 
 namespace cosim::regress {
-
-using Json = nlohmann::ordered_json;
 
 Json parse(const std::string& text, std::vector<std::string>& errors) {
   std::vector<std::set<std::string>> open;  // the keys so far of the objects that are open

@@ -8,13 +8,12 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-namespace cosim::regress {
+#include "tb/support/json.h"
 
-using Json = nlohmann::ordered_json;
+namespace cosim::regress {
 
 /// Of plans, of runs' folders and of reports.
 inline constexpr int format = 1;

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "model/core/input_error.h"
+#include "tb/support/json.h"
 #include "tb/support/replace_file.h"
 #include "tb/support/words.h"
 
@@ -157,10 +158,9 @@ void write_report(const RunFolder& run, const Results& results, const Report& re
                    {"hosts", hosts},
                    {"twice", results.twice},
                    {"torn", results.torn}};
-  replace_file((run.path() / "times.json").string(), times.dump(1) + '\n');
+  replace_file((run.path() / "times.json").string(), json_text(times, 1) + '\n');
   replace_file((run.path() / "report.txt").string(), report.text);
-  replace_file((run.path() / "report.json").string(),
-               report.json.dump(1, ' ', false, Json::error_handler_t::replace) + '\n');
+  replace_file((run.path() / "report.json").string(), json_text(report.json, 1) + '\n');
 }
 
 }  // namespace cosim::regress

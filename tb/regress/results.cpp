@@ -12,6 +12,7 @@
 #include <fstream>
 
 #include "model/core/input_error.h"
+#include "tb/support/json.h"
 #include "tb/support/words.h"
 
 namespace cosim::regress {
@@ -51,7 +52,7 @@ bool write_all(int file, const std::string& text) {
 }
 
 std::optional<Line> line_of(const std::string& text) {
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = json_if(text);
   if (!json.is_object()) return std::nullopt;
   try {
     Line line;
@@ -79,7 +80,7 @@ void append(const fs::path& path, const Line& line) {
   } else {
     json["error"] = line.error;
   }
-  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+  std::string text = json_text(json) + '\n';
   const Descriptor file(open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
   // Several programs of one host write the same file. Where nothing can be locked, a mixed line is
   // a torn one.

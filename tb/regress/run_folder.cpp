@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "model/core/input_error.h"
+#include "tb/support/json.h"
 #include "tb/support/parallel.h"
 #include "tb/support/read_file.h"
 #include "tb/support/replace_file.h"
@@ -139,14 +140,14 @@ RunFolder RunFolder::make(const fs::path& folder, Plan plan, const Kinds& kinds,
   });
 
   copy_program(run.program());
-  const std::string text = regress::to_json(run.plan_).dump(1) + '\n';
+  const std::string text = json_text(regress::to_json(run.plan_), 1) + '\n';
   replace_file((run.path_ / "plan.json").string(), text);
   const Json json{{"format", format},
                   {"program", program_text()},
                   {"plan", hash_of(text)},
                   {"shards", shards},
                   {"works", to_json(run.works_)}};
-  replace_file((run.path_ / "run.json").string(), json.dump(1) + '\n');
+  replace_file((run.path_ / "run.json").string(), json_text(json, 1) + '\n');
   made.keep();
   return {run.path_, kinds};
 }
@@ -156,7 +157,7 @@ RunFolder::RunFolder(const fs::path& folder, const Kinds& kinds)
   if (!path_.has_filename()) path_ = path_.parent_path();
   const std::string name = (path_ / "run.json").string();
   if (!fs::exists(name)) throw InputError(path_.string() + ": is no folder of a regression");
-  const Json json = Json::parse(read_file(name), nullptr, false);
+  const Json json = json_if(read_file(name));
   const auto none = [&] { return InputError(name + ": is not that of a regression"); };
   if (!json.is_object()) throw none();
   if (json.value("format", 0) != format) throw InputError(name + ": is of another format");
@@ -174,7 +175,7 @@ RunFolder::RunFolder(const fs::path& folder, const Kinds& kinds)
     if (!errors.empty()) throw InputError(errors.front());
     works_ = works_from(json.at("works"));
     shards_ = cut(sizes(works_), json.at("shards").get<std::uint64_t>());
-    identity_ = program_text() + hash_of(text + json.at("shards").dump());
+    identity_ = program_text() + hash_of(text + json_text(json.at("shards")));
   } catch (const Json::exception&) {
     throw none();
   }

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <cctype>
-#include <nlohmann/json.hpp>
 
 #include "model/core/input_error.h"
 #include "tb/bench/stimulus_text.h"
@@ -11,6 +10,7 @@
 #include "tb/report/report.h"
 #include "tb/report/shrink.h"
 #include "tb/support/draft.h"
+#include "tb/support/json.h"
 #include "tb/support/output_file.h"
 #include "tb/support/words.h"
 
@@ -97,13 +97,13 @@ Failure leave_failure(const AnyBench& bench, const std::string& what, const Mism
         {"The smallest stimulus that still fails", failure.smallest, smallest_wave, smallest_text}},
        commands_after(failure)});
   draft.write("report.html", failure.page);
-  nlohmann::ordered_json more;
+  Json more;
   more["format"] = format;
   more["replay"] = failure.replay;
   more["smallest_case"] = smallest.what;
   more[fmt::format("smallest_{}s", bench.row())] = smallest.stimulus.clocks.size();
   write_report((draft.folder() / "report.json").string(),
-               report_json({outcome}, stimulus.power_up, more.dump()));
+               report_json({outcome}, stimulus.power_up, json_text(more)));
   draft.finish();
   return failure;
 }

@@ -3,18 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "tb/support/finite.h"
+#include "tb/support/json.h"
 #include "tb/support/output_file.h"
 #include "tb/support/show.h"
 #include "tb/support/words.h"
 
 namespace cosim {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json signal_names(const AnyBench& bench) {
   Json names = Json::array();
@@ -221,16 +219,16 @@ std::string report_json(const std::vector<Outcome>& outcomes, std::uint64_t seed
     }
   }
   top["seed"] = seed;
-  top.update(Json::parse(extra));
+  top.update(json_of(extra));
   top["runs"] = std::move(runs);
   check_finite(top);
-  return top.dump(2, ' ', false, Json::error_handler_t::replace);
+  return json_text(top, 2);
 }
 
 std::string run_json(const Outcome& outcome) {
   const Json run = run_object(outcome);
   check_finite(run);
-  return run.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return json_text(run);
 }
 
 void write_report(const std::string& path, const std::string& text) {

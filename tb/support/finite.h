@@ -13,12 +13,12 @@ inline double finite(double figure) {
 }
 
 /// Checks every figure in a JSON value, in which a figure that is not finite has become null.
-template <class Json>
-void check_finite(const Json& json) {
+template <class Value>
+void check_finite(const Value& json) {
   if (json.is_null()) throw std::logic_error("a figure is not finite");
   if (json.is_number_float()) finite(json.template get<double>());
   if (!json.is_structured()) return;
-  for (const Json& one : json) check_finite(one);
+  for (const Value& one : json) check_finite(one);
 }
 
 }  // namespace cosim

@@ -5,7 +5,6 @@
 #include <fmt/core.h>
 
 #include <cstdio>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -33,7 +32,7 @@ class OutputFile {
   template <class... Values>
   void line(fmt::format_string<Values...> format, Values&&... values) {
     if (file_ == nullptr) return;
-    fmt::format_to(std::back_inserter(buffer_), format, std::forward<Values>(values)...);
+    buffer_ += fmt::format(format, std::forward<Values>(values)...);
     buffer_.push_back('\n');
     if (buffer_.size() > std::size_t{1} << 16) flush();
   }

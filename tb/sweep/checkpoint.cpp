@@ -7,12 +7,12 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
 
 #include "model/core/input_error.h"
 #include "tb/support/finite.h"
+#include "tb/support/json.h"
 #include "tb/support/read_file.h"
 #include "tb/support/replace_file.h"
 
@@ -23,9 +23,9 @@ namespace {
 constexpr std::uintmax_t most_bytes = std::uintmax_t{4} << 20;
 
 // The work of a checkpoint, short enough for an error.
-std::string shown(const Checkpoint::Json& work) {
+std::string shown(const Json& work) {
   constexpr std::size_t longest = 400;
-  const std::string text = work.dump(-1, ' ', true);  // ASCII: can be cut anywhere
+  const std::string text = json_ascii(work);  // ASCII: can be cut anywhere
   return text.size() <= longest ? text : text.substr(0, longest) + "...";
 }
 
@@ -59,12 +59,12 @@ Checkpoint::Checkpoint(std::string path, std::string work) : path_(std::move(pat
   }
 }
 
-Checkpoint::Json Checkpoint::state() const {
+Json Checkpoint::state() const {
   if (path_.empty() || !std::filesystem::exists(path_)) return {};
   if (std::filesystem::file_size(path_) > most_bytes) {
     throw InputError(path_ + ": no checkpoint: larger than 4 MiB");
   }
-  const Json file = Json::parse(read_file(path_), nullptr, false);
+  const Json file = json_if(read_file(path_));
   if (!file.is_object() || !file.contains("work") || !file.contains("state")) {
     throw InputError(path_ + ": no checkpoint");
   }
@@ -78,7 +78,7 @@ Checkpoint::Json Checkpoint::state() const {
 void Checkpoint::save(const Json& state) {
   if (path_.empty()) return;
   check_finite(state);
-  replace_file(path_, Json{{"work", work_}, {"state", state}}.dump() + '\n');
+  replace_file(path_, json_text(Json{{"work", work_}, {"state", state}}) + '\n');
   saved_ = std::chrono::steady_clock::now();
 }
 

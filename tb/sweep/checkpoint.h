@@ -4,8 +4,9 @@
 
 #include <chrono>
 #include <cstdint>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
+
+#include "tb/support/json_fwd.h"
 
 namespace cosim {
 
@@ -14,8 +15,6 @@ std::uint64_t program_hash();
 
 class Checkpoint {
  public:
-  using Json = nlohmann::json;
-
   /// `work` says what the work is and what its result depends on; the program itself is added. An
   /// empty path keeps nothing. InputError if the path is not that of a file.
   Checkpoint(std::string path, std::string work);

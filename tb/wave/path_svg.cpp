@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <set>
 
 #include "tb/wave/svg.h"
@@ -79,7 +78,7 @@ SvgPath without_rest(SvgPath path) {
 
 template <class... Values>
 void put(std::string& out, fmt::format_string<Values...> format, Values&&... values) {
-  fmt::format_to(std::back_inserter(out), format, std::forward<Values>(values)...);
+  out += fmt::format(format, std::forward<Values>(values)...);
 }
 
 }  // namespace

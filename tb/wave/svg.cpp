@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 
 #include "tb/support/markup.h"
 
@@ -114,7 +113,7 @@ class Drawing {
  private:
   template <class... Values>
   void put(fmt::format_string<Values...> format, Values&&... values) {
-    fmt::format_to(std::back_inserter(out_), format, std::forward<Values>(values)...);
+    out_ += fmt::format(format, std::forward<Values>(values)...);
   }
   int x(std::size_t clock) const { return static_cast<int>(clock) * clock_; }
   std::size_t marked() const { return *clocks_.mismatch - clocks_.first; }

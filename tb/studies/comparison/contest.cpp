@@ -3,7 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+
+#include "tb/support/json.h"
 
 namespace cosim::compare {
 namespace {
@@ -30,10 +31,10 @@ std::string to_text(const std::vector<Entry>& entries) {
 }
 
 std::string to_json(const std::vector<Entry>& entries) {
-  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  Json all = Json::array();
   for (const Entry& e : entries) {
     const Figures& f = e.figures;
-    nlohmann::ordered_json one;
+    Json one;
     one["algorithm"] = e.name;
     if (e.bench != nullptr) one["machine"] = e.bench->title();
     one["paths"] = f.paths;
@@ -46,7 +47,7 @@ std::string to_json(const std::vector<Entry>& entries) {
     one["combinations"] = f.combinations_used();
     all.push_back(std::move(one));
   }
-  return all.dump();
+  return json_text(all);
 }
 
 }  // namespace cosim::compare

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "model/circular/oracle.h"
 #include "model/core/input_error.h"
@@ -23,6 +22,7 @@
 #include "tb/studies/toolpath/cli/curves.h"
 #include "tb/studies/toolpath/cli/path_command.h"
 #include "tb/studies/toolpath/path_run.h"
+#include "tb/support/json.h"
 #include "tb/support/output_file.h"
 #include "tb/support/read_file.h"
 #include "tb/support/words.h"
@@ -50,7 +50,7 @@ std::vector<Outcome> outcomes_of(const AnyBench& lines, const AnyBench& arcs,
 
 std::string figures(const std::string& file, double scale, const toolpath::Program& program,
                     const toolpath::Plan& plan, const PathResult& result) {
-  nlohmann::ordered_json json;
+  Json json;
   json["file"] = file;
   json["steps_per_mm"] = scale;
   json["segments"] = plan.segments.size();
@@ -62,7 +62,7 @@ std::string figures(const std::string& file, double scale, const toolpath::Progr
   json["machine_error"] = result.max_deviation();
   json["quantisation_error"] = plan.largest_quantisation;
   json["largest_closing"] = plan.largest_closing;
-  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  return json_text(json);
 }
 
 // A wave for each machine that had work.

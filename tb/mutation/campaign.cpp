@@ -16,7 +16,16 @@ NLOHMANN_JSON_SERIALIZE_ENUM(End, {{End::open, "open"},
                                    {End::killed, "killed"},
                                    {End::equivalent, "equivalent"},
                                    {End::survived, "survived"}})
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Outcome, end, stimulus, clock, signal)
+
+void to_json(Json& json, const Outcome& o) {
+  json = {{"end", o.end}, {"stimulus", o.stimulus}, {"clock", o.clock}, {"signal", o.signal}};
+}
+void from_json(const Json& json, Outcome& o) {
+  json.at("end").get_to(o.end);
+  json.at("stimulus").get_to(o.stimulus);
+  json.at("clock").get_to(o.clock);
+  json.at("signal").get_to(o.signal);
+}
 
 namespace {
 

@@ -17,8 +17,6 @@
 namespace cosim {
 namespace {
 
-using Json = Checkpoint::Json;
-
 class CheckpointIn : public testing::Test {
  protected:
   void SetUp() override {

@@ -40,11 +40,11 @@ INSTANTIATE_TEST_SUITE_P(Linear, RandomLines, testing::ValuesIn(benches_of<Desig
                          test::name_of_shape<Param>);
 
 // The longest line there is, to the last of its 2^N words, and so the whole range of counter 4 and
-// of multiplier 6. Where that is too many words, a line of the first 2^25.
+// of multiplier 6. Where that is too many words, a line of the first 2^23.
 class LongestLine : public testing::TestWithParam<Param> {};
 TEST_P(LongestLine, Matches) {
   const Params p = GetParam()->params();
-  constexpr int kMostBits = 25;
+  constexpr int kMostBits = 23;
   const Word longest = p.n <= kMostBits ? ones(p.m) : ones(kMostBits + p.gamma());
   const Code every_bit = static_cast<Code>(ones(p.m));
   const Code every_other = every_bit & 0x5555'5555;

@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "model/core/input_error.h"
-#include "taken_names.h"
 #include "tb/cli/commands.h"
+#include "tb/cli/taken.h"
 #include "tb/support/draft.h"
 #include "tb/support/read_file.h"
 #include "tb/support/words.h"
@@ -33,8 +33,9 @@ void require_name(const std::string& name) {
     throw InputError(fmt::format("NAME: {} is not small letters, digits and _, a letter first",
                                  in_quotes(name)));
   }
-  for (const TakenName& t : taken_names) {
-    if (name == t.name) throw InputError(fmt::format("NAME: {} {}", name, t.why));
+  if (is_cpp_word(name)) throw InputError(fmt::format("NAME: {} is a word of C++", name));
+  if (const std::string header = taken_by(name); !header.empty()) {
+    throw InputError(fmt::format("NAME: {} is the harness's own, in {}", name, header));
   }
   if (fs::exists(name)) throw InputError(name + ": exists");
 }

@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "tb/cli/new.h"
+#include "tb/cli/taken.h"
 
 namespace cosim::cli {
 namespace {
@@ -52,13 +53,14 @@ std::string field_of(const std::string& path) {
   for (char& c : name) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
   }
-  return name;
+  return is_cpp_word(name) ? name + '_' : name;
 }
 
 std::string text_of(const FoundSize& size) {
   if (size.parameter.empty()) return std::to_string(size.number);
-  if (size.more == 0) return "p." + size.parameter;
-  return fmt::format("p.{} {} {}", size.parameter, size.more < 0 ? '-' : '+', std::abs(size.more));
+  const std::string name = field_of(size.parameter);
+  if (size.more == 0) return "p." + name;
+  return fmt::format("p.{} {} {}", name, size.more < 0 ? '-' : '+', std::abs(size.more));
 }
 
 std::string table_of(const std::string& name, const std::vector<NewRow>& rows) {
@@ -70,7 +72,7 @@ std::string table_of(const std::string& name, const std::vector<NewRow>& rows) {
 std::string params_of(const Found& found) {
   std::string members;
   for (const FoundParameter& p : found.parameters) {
-    members += fmt::format("  int {} = {};\n", p.name, p.value);
+    members += fmt::format("  int {} = {};\n", field_of(p.name), p.value);
   }
   return "struct Params {\n" + members + "};\n";
 }
@@ -78,7 +80,7 @@ std::string params_of(const Found& found) {
 std::string parameters_of(const Found& found) {
   std::string pairs;
   for (const FoundParameter& p : found.parameters) {
-    pairs += fmt::format("{}{{\"{}\", p.{}}}", pairs.empty() ? "" : ", ", p.name, p.name);
+    pairs += fmt::format("{}{{\"{}\", p.{}}}", pairs.empty() ? "" : ", ", p.name, field_of(p.name));
   }
   if (pairs.empty()) return "";
   return fmt::format(

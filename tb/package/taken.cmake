@@ -2,28 +2,31 @@
 # harness's headers declare things too. Those stand at the start of a line. What a model may have beside
 # its step is looked up there too, as NAME(p, ...).
 include_guard(GLOBAL)
-cmake_path(SET COSIM_HEADERS NORMALIZE ${CMAKE_CURRENT_LIST_DIR}/../..)
 
-# The words of C++20.
-set(COSIM_CPP_WORDS
-  alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t char32_t char8_t
-  class co_await co_return co_yield compl concept const const_cast consteval constexpr constinit
-  continue decltype default delete do double dynamic_cast else enum explicit export extern false float
-  for friend goto if inline int long mutable namespace new noexcept not not_eq nullptr operator or or_eq
-  private protected public register reinterpret_cast requires return short signed sizeof static
-  static_assert static_cast struct switch template this thread_local throw true try typedef typeid
-  typename union unsigned using virtual void volatile wchar_t while xor xor_eq)
+# cosim_cpp_words(VARIABLE): the words of C++20.
+function(cosim_cpp_words variable)
+  set(${variable}
+    alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t char32_t char8_t
+    class co_await co_return co_yield compl concept const const_cast consteval constexpr constinit
+    continue decltype default delete do double dynamic_cast else enum explicit export extern false float
+    for friend goto if inline int long mutable namespace new noexcept not not_eq nullptr operator or or_eq
+    private protected public register reinterpret_cast requires return short signed sizeof static
+    static_assert static_cast struct switch template this thread_local throw true try typedef typeid
+    typename union unsigned using virtual void volatile wchar_t while xor xor_eq
+    PARENT_SCOPE)
+endfunction()
 
-# cosim_taken_names(VARIABLE): a list of "NAME WHY", why it is taken.
+# cosim_taken_names(VARIABLE): a list of "NAME HEADER".
 function(cosim_taken_names variable)
+  cmake_path(SET root NORMALIZE ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../..)
   get_property(all GLOBAL PROPERTY COSIM_TAKEN_NAMES)
   if(NOT all)
     # Those of libraries, which are looked up there as well.
     set(all "std <cstdint>" "fmt <fmt/core.h>" "nlohmann <nlohmann/json.hpp>")
-    file(GLOB headers RELATIVE ${COSIM_HEADERS}
-      ${COSIM_HEADERS}/model/core/*.h ${COSIM_HEADERS}/tb/*/*.h)
+    file(GLOB headers RELATIVE ${root}
+      ${root}/model/core/*.h ${root}/tb/*/*.h)
     foreach(header IN LISTS headers)
-      file(STRINGS ${COSIM_HEADERS}/${header} lines
+      file(STRINGS ${root}/${header} lines
         REGEX "^[a-zA-Z]|^}  // namespace | [a-z_]+[(]p_?, [a-z_]+[,)]")
       list(FILTER lines EXCLUDE REGEX "^template <.*>$|^ *//")
       list(TRANSFORM lines REPLACE "(alignas|decltype)[(][a-z0-9]*[)]" "")
@@ -53,10 +56,6 @@ function(cosim_taken_names variable)
       endforeach()
     endforeach()
     list(REMOVE_DUPLICATES all)
-    list(TRANSFORM all REPLACE "^([^ ]+) (.*)$" "\\1 is the harness's own, in \\2")
-    foreach(word IN LISTS COSIM_CPP_WORDS)
-      list(APPEND all "${word} is a word of C++")
-    endforeach()
     set_property(GLOBAL PROPERTY COSIM_TAKEN_NAMES "${all}")
   endif()
   set(${variable} "${all}" PARENT_SCOPE)

@@ -76,7 +76,6 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{"sweep linear --random 0", "--random"},
         Bad{"sweep linear --random 5 --jobs 0", "--jobs"},
         Bad{"sweep linear --hostile 5 --lanes 128", "--lanes"},
-        Bad{"sweep dda --random 5 --lanes 64", "--lanes"},
         Bad{"sweep circular --exhaustive --width 16", "--exhaustive"}),
     [](const auto& test) { return "N" + std::to_string(test.index); });
 

@@ -205,6 +205,12 @@ rtl 'wire x = !other; always @(posedge clk or posedge x) if (x) q <= 0; else q <
 "$program" new made made.v > said
 grep -q 'clear() { return {.other = 0}; }' made/made.h
 rm -r made
+# A word of C++ is no name of a field.
+rtl 'always @(posedge clk) begin q <= d; r <= other; end'
+sed -i 's/\bother\b/delete/g' made.v
+"$program" new made made.v > said
+grep -qF 'FIELD(delete_, 1, flag.at("delete"), "", "")' made/made.h
+rm -r made
 rtl 'reg mem[1:4]; always @(posedge clk) begin mem[w[2:0]] <= d; q <= mem[w[6:4]]; end'
 "$program" new made made.v > said
 grep -qF 'FIELD(mem, 1, flag.array<4>().unreset(), "", "")' made/made.h

@@ -23,7 +23,7 @@ CMAKE
   tr -s ' \n' ' ' < said
 }
 fails() {
-  cat said
+  head -20 said
   echo "not so: $*"
   exit 1
 }
@@ -53,7 +53,8 @@ done
 cat > names.cmake << CMAKE
 include($sources/tb/package/taken.cmake)
 cosim_taken_names(taken)
-foreach(name IN LISTS taken)
+cosim_cpp_words(words)
+foreach(name IN LISTS taken words)
   message("\${name}")
 endforeach()
 CMAKE

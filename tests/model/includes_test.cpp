@@ -1,7 +1,9 @@
 // Arrows between the folders point one way: a model knows no other one, and the harness none at
 // all.
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -71,6 +73,22 @@ TEST(Includes, PointOneWay) {
     EXPECT_TRUE(may_include(one.substr(0, space), one.substr(space + 1))) << one;
   }
   EXPECT_GT(seen, 300U);
+}
+
+// What a model states is found by its name: a file that has the design without it proves something
+// else.
+TEST(Includes, OfADesignBringWhatIsStatedOfIt) {
+  const auto all = includes({"model"});
+  std::size_t stated = 0;
+  for (const auto& entry : fs::directory_iterator(project_root() / "model")) {
+    const fs::path design = entry.path().filename();
+    if (design == "core" || !fs::exists(entry.path() / "stated.h")) continue;
+    ++stated;
+    const std::string needed =
+        fmt::format("model/{0}/machine.h model/{0}/stated.h", design.string());
+    EXPECT_NE(std::find(all.begin(), all.end(), needed), all.end()) << needed;
+  }
+  EXPECT_GT(stated, 0U);
 }
 
 TEST(Includes, AreToldApart) {

@@ -8,8 +8,8 @@ set -euo pipefail
 
 program=$1
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-command -v yosys > /dev/null || { echo "no yosys: nothing runs in lanes" && exit 77; }
-[[ -d $root/rtl/dda ]] || { echo "no DDA, whose sweeps are long enough to be cut" && exit 77; }
+command -v yosys > /dev/null || { echo "skipped: no yosys" && exit 77; }
+[[ -d $root/rtl/dda ]] || { echo "skipped: not here: the DDA, whose sweeps are long enough to be cut" && exit 77; }
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 fails() {

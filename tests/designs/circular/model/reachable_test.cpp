@@ -1,7 +1,6 @@
 // Every number of the state comes back from its code.
 #include "tests/support/reachable.h"
 
-#include "model/circular/stated.h"
 #include "tests/designs/circular/shapes.h"
 
 namespace cosim::circular {

@@ -212,6 +212,15 @@ TEST(Dda, SweptAndKilledGoesOn) {
   EXPECT_GT(cases_kept(folder), done);
 }
 
+TEST(Dda, WithEveryKindOfJobDoesNotRunInLanes) {
+  const Ended said = cosim({"sweep", "dda", "--random", "5", "--lanes", "64"});
+  EXPECT_EQ(said.status, 2);
+  EXPECT_EQ(said.err.find("cosim: dda W=6, random lines, arcs and conics: its jobs are driven one "
+                          "case at a time only: --lanes 0"),
+            0U)
+      << said.err;
+}
+
 TEST(Dda, TakesNoMoreMemoryForMoreCases) { expect_no_more_memory({"dda", "--width", "6"}); }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // Every number of the state comes back from its code.
 #include "tests/support/reachable.h"
 
-#include "model/dda/stated.h"
 #include "tests/designs/dda/shapes.h"
 
 namespace cosim::dda {

@@ -1,7 +1,6 @@
 // Every number of the state comes back from its code.
 #include "tests/support/reachable.h"
 
-#include "model/linear/stated.h"
 #include "tests/designs/linear/shapes.h"
 
 namespace cosim::linear {

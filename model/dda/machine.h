@@ -244,6 +244,6 @@ struct Design {
 
 }  // namespace cosim::dda
 
-// Beside the step, found by its name: whoever has the design has this too, or a template of both would
-// be another one where it is missing.
+// Beside the step, found by its name: whoever has the design has this too. Else a template of both
+// would be another one where it is missing.
 #include "model/dda/stated.h"

@@ -227,6 +227,6 @@ struct Design {
 
 }  // namespace cosim::linear
 
-// Beside the step, found by its name: whoever has the design has this too, or a template of both would
-// be another one where it is missing.
+// Beside the step, found by its name: whoever has the design has this too. Else a template of both
+// would be another one where it is missing.
 #include "model/linear/stated.h"

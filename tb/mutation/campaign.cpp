@@ -1,6 +1,7 @@
 #include "tb/mutation/campaign.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <exception>
 #include <mutex>
@@ -12,11 +13,16 @@
 namespace cosim::mutation {
 
 using End = Outcome::End;
-NLOHMANN_JSON_SERIALIZE_ENUM(End, {{End::open, "open"},
-                                   {End::killed, "killed"},
-                                   {End::equivalent, "equivalent"},
-                                   {End::survived, "survived"}})
 
+// In the order of Outcome::End.
+constexpr std::array kEnds = {"open", "killed", "equivalent", "survived"};
+
+void to_json(Json& json, End end) { json = kEnds[static_cast<std::size_t>(end)]; }
+void from_json(const Json& json, End& end) {
+  const auto* const found = std::find(kEnds.begin(), kEnds.end(), json.get<std::string>());
+  if (found == kEnds.end()) throw InputError("");
+  end = static_cast<End>(found - kEnds.begin());
+}
 void to_json(Json& json, const Outcome& o) {
   json = {{"end", o.end}, {"stimulus", o.stimulus}, {"clock", o.clock}, {"signal", o.signal}};
 }

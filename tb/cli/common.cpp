@@ -53,8 +53,12 @@ void add_failures(const Command& command, Common& common, bool kept) {
 
 void add_wave(const Command& command, Common& common, const std::string& file) {
   command.text("--wave", common.wave, "FILE.fst", file);
+  add_html(command, common, "the wave");
+}
+
+void add_html(const Command& command, Common& common, const std::string& more) {
   command.text("--html", common.html, "FILE.html",
-               "Write the verdict and the wave as a page for a browser");
+               "Write the verdict and " + more + " as a page for a browser");
 }
 
 void add_window(const Command& command, Common& common) {

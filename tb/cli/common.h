@@ -37,6 +37,8 @@ void add_csv(const Command& command, Common& common, const std::string& rows);
 void add_failures(const Command& command, Common& common, bool kept = true);
 /// --wave, whose help is `file`, and --html.
 void add_wave(const Command& command, Common& common, const std::string& file);
+/// --html, whose page has the verdict and `more`.
+void add_html(const Command& command, Common& common, const std::string& more);
 /// --wave-before and --wave-after.
 void add_window(const Command& command, Common& common);
 /// --plot.

@@ -67,6 +67,28 @@ TEST(Page, OfARunShowsItsWordsAndPath) {
   EXPECT_FALSE(has(page, "class=\"mark\""));
 }
 
+TEST(Page, OfASweepHasItsFiguresAndItsFailure) {
+  const Folder folder;
+  const Arguments all{"sweep",      "linear",
+                      "--random",   "20",
+                      "--m",        "32",
+                      "--n",        "26",
+                      "--failures", folder.path("kept"),
+                      "--html",     folder.path("x.html")};
+  const Ended matches = cosim(all);
+  ASSERT_EQ(matches.status, 0) << matches.err;
+  const std::string page = folder.text("x.html");
+  expect_alone(page);
+  for (const char* text : {">match<", ">linear M=32 N=26<", ">random lines<",
+                           "compared: 9 registers and 4 outputs on each of "}) {
+    EXPECT_TRUE(has(page, text)) << text;
+  }
+  const Ended differs = faulty(all);
+  ASSERT_EQ(differs.status, 1) << differs.err;
+  const fs::path kept = fs::directory_iterator(folder.path("kept"))->path().filename();
+  EXPECT_EQ(folder.text("x.html"), folder.text("kept/" + kept.string() + "/report.html"));
+}
+
 TEST(Page, OfAPathHasAWaveAMachine) {
   const Folder folder;
   const std::string program = folder.write("p.ngc", "G21 G90 G1 X1 Y0.5 F1\nG2 X2 Y-0.5 I0 J-1\n");

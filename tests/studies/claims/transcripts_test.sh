@@ -74,7 +74,7 @@ finds() {
 all() {
   local page work
   for page; do
-    work=$(mktemp -d "$folder/work.XXX")
+    work=$(mktemp -d -p "$folder")
     ln -s "$root/tests" "$work/tests"
     page=$(realpath "$page")
     (cd "$work" && finds "$page")

@@ -1,14 +1,12 @@
 #include "tb/cli/on_demand.h"
 
-#include <fcntl.h>
 #include <fmt/core.h>
-#include <sys/file.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "model/core/input_error.h"
+#include "tb/support/file_lock.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
 #include "tb/support/replace_file.h"
@@ -17,22 +15,6 @@ namespace cosim::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-// For two commands at once: ninja does not look whether another one is at work.
-class Lock {
- public:
-  explicit Lock(const std::string& path)
-      : file_(open(path.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
-    if (file_ < 0) throw InputError(path + ": cannot be written");
-    flock(file_, LOCK_EX);
-  }
-  ~Lock() { close(file_); }
-  Lock(const Lock&) = delete;
-  Lock& operator=(const Lock&) = delete;
-
- private:
-  int file_;
-};
 
 }  // namespace
 
@@ -54,7 +36,8 @@ void build(const Registry& registry, const OnDemand& program) {
   if (!fs::exists(fs::path(folder) / "CMakeCache.txt")) {
     throw InputError(fmt::format("{}: there is no build folder any more", folder));
   }
-  const Lock lock((fs::path(folder) / ".on-demand").string());
+  // ninja does not look whether another one is at work.
+  const FileLock lock(fs::path(folder) / ".on-demand", FileLock::Held::kWait);
   const Ended ended =
       cosim::run_program({registry.cmake(), "--build", folder, "--target", program.target});
   if (ended.status == 0) return;

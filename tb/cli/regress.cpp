@@ -11,9 +11,9 @@
 #include "tb/cli/number.h"
 #include "tb/cli/regress_kinds.h"
 #include "tb/cli/regress_show.h"
-#include "tb/regress/lock.h"
 #include "tb/regress/slurm.h"
 #include "tb/regress/worker.h"
+#include "tb/support/file_lock.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/json.h"
 #include "tb/support/parallel.h"
@@ -94,7 +94,7 @@ int conclude_run(const RunFolder& run, const regress::Kinds& kinds, const regres
 }
 
 int carry_out(const RunFolder& run, const RegressOptions& o, const regress::Kinds& kinds) {
-  const regress::Lock lock(run.path() / "lock");
+  const FileLock lock(run.path() / "lock", FileLock::Held::kRefuse);
   RegressProgress progress;
   const regress::Tell tell = [&](const regress::Tally& tally) { progress.show(tally); };
   try {

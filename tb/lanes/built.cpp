@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "model/core/input_error.h"
+#include "tb/support/file_lock.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
 
@@ -58,10 +59,9 @@ void compile(const fs::path& library, int lanes, const std::string& source) {
     throw InputError(fmt::format("lanes: {} fails: {}", COSIM_COMPILER,
                                  ended.text.substr(0, ended.text.find('\n'))));
   }
-  // Beside it first: another process may load it at any time.
+  // Beside it first: an interrupt leaves no half library.
   const fs::path beside = fmt::format("{}.{}", library.string(), getpid());
   std::error_code error;
-  fs::create_directories(library.parent_path(), error);
   fs::copy_file(made, beside, fs::copy_options::overwrite_existing, error);
   if (!error) fs::rename(beside, library, error);
   if (error) throw InputError(fmt::format("{}: {}", library.string(), error.message()));
@@ -103,7 +103,15 @@ std::string tools() {
 std::unique_ptr<Built> built(const fs::path& folder, const std::string& key, int lanes,
                              const std::function<std::string()>& source) {
   const fs::path library = folder / (name_of(key + vectors_of(lanes)) + ".so");
-  if (!fs::exists(library)) compile(library, lanes, source());
+  if (!fs::exists(library)) {
+    const std::string text = source();  // what is refused leaves nothing
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) throw InputError(fmt::format("{}: {}", folder.string(), error.message()));
+    // Who asks for it meanwhile waits, and compiles nothing.
+    const FileLock lock(library.string() + ".lock", FileLock::Held::kWait);
+    if (!fs::exists(library)) compile(library, lanes, text);
+  }
   return std::make_unique<Built>(library);
 }
 

@@ -1,4 +1,4 @@
-#include "tb/regress/lock.h"
+#include "tb/support/file_lock.h"
 
 #include <fcntl.h>
 #include <fmt/core.h>
@@ -10,18 +10,23 @@
 
 #include "model/core/input_error.h"
 
-namespace cosim::regress {
+namespace cosim {
 
-Lock::Lock(const std::filesystem::path& file)
+FileLock::FileLock(const std::filesystem::path& file, Held held)
     : file_(open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0666)) {
   if (file_ < 0) {
     throw InputError(fmt::format("{}: cannot write: {}", file.string(), std::strerror(errno)));
   }
-  if (flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+  int failed = 0;
+  do {
+    failed = flock(file_, held == Held::kWait ? LOCK_EX : LOCK_EX | LOCK_NB);
+  } while (failed != 0 && errno == EINTR);
+  // A file system without locks: as if nobody else were there.
+  if (failed == 0 || errno != EWOULDBLOCK) return;
   close(file_);
   throw InputError(file.parent_path().string() + ": another program runs it");
 }
 
-Lock::~Lock() { close(file_); }
+FileLock::~FileLock() { close(file_); }
 
-}  // namespace cosim::regress
+}  // namespace cosim

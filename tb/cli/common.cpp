@@ -70,7 +70,8 @@ void add_window(const Command& command, Common& common) {
 
 void add_plot(const Command& command, Common& common) {
   command.text("--plot", common.plot, "FILE",
-               "Draw the path over the curve, and how far each step is off it: .svg or .png");
+               "Draw the path over the curve, and how far each step is off it: .svg or .png;\n"
+               "a page of --html has it too");
 }
 
 void add_drawing(const Command& command, Common& common, const std::string& rows) {

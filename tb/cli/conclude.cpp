@@ -6,22 +6,10 @@
 
 #include "model/core/input_error.h"
 #include "tb/report/failure.h"
-#include "tb/report/page.h"
 #include "tb/support/output_file.h"
 #include "tb/support/words.h"
 
 namespace cosim::cli {
-
-std::string drawn(const Result& result) {
-  std::string text;
-  for (const Measure& measure : result.checked.measures) {
-    if (result.mismatch && measure.sum != Measure::Sum::total) continue;
-    text += (text.empty() ? "" : ", ") + to_text(measure);
-  }
-  if (text.empty()) text = count(result.clocks, "clock");
-  return text + (result.mismatch ? " before the first difference" : "");
-}
-
 namespace {
 
 // The verdict holds even if the failure cannot be kept. The page of what is kept, or "".
@@ -43,25 +31,20 @@ std::string keep_failure(const std::vector<Outcome>& outcomes, const Common& com
   return "";
 }
 
-std::string page_of(const std::vector<Outcome>& outcomes, const Pictures& pictures) {
-  Page page{outcomes};
-  for (const WavePicture& picture : pictures) {
-    page.parts.push_back({pictures.size() > 1 ? "The wave of " + picture.title : "The wave"});
-    page.parts.back().picture = picture;
-  }
-  return page_text(page);
-}
-
 }  // namespace
 
 int conclude(const std::vector<Outcome>& outcomes, const Common& common, const std::string& extra,
-             const Pictures& pictures) {
+             Looks looks, const std::string& title) {
   fmt::print("{}{}", comparison_text(outcomes), verdict_text(outcomes));
   write_report(common.report.value_or(""), report_json(outcomes, common.seed(), extra));
   const std::string kept = keep_failure(outcomes, common);
   if (common.html) {
+    if (common.plot) {
+      looks.push_back({"The path over the curve"});
+      looks.back().image = *common.plot;
+    }
     OutputFile file(*common.html);
-    file.text(kept.empty() ? page_of(outcomes, pictures) : kept);
+    file.text(kept.empty() ? page_text({outcomes, std::move(looks), {}, title}) : kept);
     file.close();
     fmt::print("page: {}\n", one_line(*common.html));
   }

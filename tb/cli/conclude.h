@@ -11,10 +11,6 @@
 
 namespace cosim::cli {
 
-/// What the check measured: "27 steps, largest deviation 1 step". If it measured nothing, the
-/// number of clocks. With a mismatch only the totals, for the jobs were not drawn to their ends.
-std::string drawn(const Result& result);
-
 /// The outcome of one run of one job that `check` has watched.
 template <class Check>
 Outcome outcome_of(const AnyBench& bench, const std::string& work, Run run, Check& check) {
@@ -25,9 +21,10 @@ Outcome outcome_of(const AnyBench& bench, const std::string& work, Run run, Chec
 
 /// Prints what was compared and the verdict, then writes the report where one is asked for
 /// (`extra`: more of its keys, a JSON object), then keeps the first mismatch in a folder, then
-/// writes the page where one is asked for, with the pictures: of what is kept in a folder the page
-/// of that. 0 where all matched, else 1.
+/// writes the page where one is asked for: of what is kept in a folder the page of that, else
+/// of what there is to look at, and of the picture of --plot; `title` is that of several outcomes
+/// or none. 0 where all matched, else 1.
 int conclude(const std::vector<Outcome>& outcomes, const Common& common,
-             const std::string& extra = "{}", const Pictures& pictures = {});
+             const std::string& extra = "{}", Looks looks = {}, const std::string& title = "");
 
 }  // namespace cosim::cli

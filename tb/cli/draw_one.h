@@ -82,11 +82,11 @@ int draw_one(const OneRun<Design>& one) {
   Run run = session->draw({&one.job, 1}, observers);
   watch.finish();
   if (common.plot) draw_plot(*common.plot, {one.work, {one.ideal(path.marks)}, {path}});
-  const Pictures pictures = draw_wave(common, bench, one.work, *session, run.mismatch);
+  const Looks looks = draw_wave(common, bench, one.work, *session, run.mismatch);
   csv.close();
   const Outcome outcome = outcome_of(bench, one.work, std::move(run), one.check);
-  fmt::print("drawn: {}\n", drawn(outcome.result));
-  return conclude({outcome}, common, "{}", pictures);
+  fmt::print("drawn: {}\n", measured_text(outcome.result));
+  return conclude({outcome}, common, "{}", looks);
 }
 
 }  // namespace cosim::cli

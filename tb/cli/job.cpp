@@ -91,7 +91,7 @@ int run(const JobOptions& o) {
   check_outputs(o.common, "", {bench});
   const std::string work = bench->describe(jobs);
   fmt::print("{}: {}\n", bench->title(), work);
-  const Pictures pictures = draw_wave(o.common, *bench, stimulus, work);
+  const Looks looks = draw_wave(o.common, *bench, stimulus, work);
   JobsRun ran = bench->run_jobs(jobs, power_up);
   Outcome outcome{bench, work, {}};
   outcome.result.cases = 1;
@@ -100,7 +100,7 @@ int run(const JobOptions& o) {
   outcome.result.checked.error = std::move(ran.error);
   outcome.result.mismatch = std::move(ran.run.mismatch);
   outcome.result.failed = work;
-  return conclude({outcome}, o.common, "{}", pictures);
+  return conclude({outcome}, o.common, "{}", looks);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ int run(const ReplayOptions& o) {
   const std::string work = stimulus.origin.empty() ? file : stimulus.origin;
   fmt::print("{}: {}, {}\n", bench->title(), one_line(file),
              count(stimulus.clocks.size(), bench->row()));
-  const Pictures pictures = draw_wave(o.common, *bench, stimulus, work);
+  const Looks looks = draw_wave(o.common, *bench, stimulus, work);
   Run run = bench->replay(stimulus);
   Outcome outcome{bench, file, {}};
   outcome.result.cases = 1;
@@ -42,7 +42,7 @@ int run(const ReplayOptions& o) {
   outcome.result.left_out = std::move(run.left_out);
   outcome.result.mismatch = std::move(run.mismatch);
   outcome.result.failed = work;
-  return conclude({outcome}, o.common, "{}", pictures);
+  return conclude({outcome}, o.common, "{}", looks);
 }
 
 }  // namespace

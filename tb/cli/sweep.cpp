@@ -84,12 +84,6 @@ std::vector<std::pair<const AnyBench*, Sweep>> planned(const SweepOptions& o,
   return all;
 }
 
-// Hostile clocks are no jobs: the oracle has nothing to count.
-std::string swept(const Result& r) {
-  if (r.checked.jobs == 0) return count(r.clocks, "clock");
-  return count(r.cases, "case") + ", " + drawn(r);
-}
-
 // The same sweep, but it ends after the present case when it is interrupted, and it counts the
 // cases that matched.
 Sweep interruptible(const Sweep& sweep, std::atomic<std::uint64_t>& matched) {
@@ -151,7 +145,7 @@ int run(const SweepOptions& o) {
       return stopped(interrupted, progress, text, outcomes, sweeps.size());
     }
     const Result& result = outcomes.back().result;
-    progress.finish(fmt::format("{}: {}", title, swept(result)));
+    progress.finish(fmt::format("{}: {}", title, swept_text(result)));
     if (!result.match()) break;
     resume.keep(result);
   }
@@ -176,7 +170,7 @@ void add_options(const Command& design, SweepOptions& o) {
               "auto: as many as the processor can, as hostile clocks do in a long run");
   design.text("--jobs", o.jobs, "J", "Threads, 1 to 1024; default one a core");
   add_failures(design, o.common);
-  add_html(design, o.common, "the first failure");
+  add_html(design, o.common, "the figures, or the first failure,");
   design.text("--checkpoint", o.common.checkpoint, "FILE",
               "Keep progress in FILE and continue from it if it exists");
   add_common(design, o.common);

@@ -6,13 +6,15 @@
 
 #include "tb/report/page_style.h"
 #include "tb/support/markup.h"
+#include "tb/support/read_file.h"
 #include "tb/support/words.h"
 
 namespace cosim {
 namespace {
 
 constexpr std::size_t most_page_lines = 300,
-                      most_page_text = 40'000;  // of a text that is shown whole
+                      most_page_text = 40'000,  // of a text that is shown whole
+    most_page = 950'000;                        // bytes, up to the end of an image
 
 // Stands in a page once, before its waves.
 constexpr const char* hatching =
@@ -37,6 +39,17 @@ std::string cut(const std::string& text) {
 
 std::string block(const std::string& text, const char* kind = "") {
   return fmt::format("<pre{}>{}</pre>\n", kind, cut(text));
+}
+
+std::string title_of(const Page& page) {
+  if (!page.title.empty()) return page.title;
+  std::string text;
+  for (const Outcome& o : page.outcomes) {
+    const std::string name = o.bench->design();
+    if (&o == &page.outcomes.front()) text = page.outcomes.size() > 1 ? name : o.bench->title();
+    if (text != name && page.outcomes.size() > 1) text = "several designs";
+  }
+  return text;
 }
 
 std::string paragraphs(const std::string& lines) {
@@ -66,15 +79,35 @@ std::string shown(const WavePicture& p) {
   return text + ".";
 }
 
+// What ran, and what was measured of it.
+std::string matched(const Page& page) {
+  if (page.outcomes.size() == 1 && page.title.empty()) {
+    const Outcome& o = page.outcomes.front();
+    return fmt::format("<h1>{}</h1>\n<p>{}: {}</p>\n", markup(o.bench->title()), markup(o.work),
+                       markup(swept_text(o.result)));
+  }
+  std::string text = fmt::format("<h1>{}</h1>\n", markup(title_of(page)));
+  if (page.outcomes.empty()) return text;
+  text += "<div class=\"wide\"><table>\n";
+  for (const Outcome& o : page.outcomes) {
+    text += fmt::format("<tr><td class=\"one\">{}</td><td>{}</td><td>{}</td></tr>\n",
+                        markup(o.bench->title()), markup(o.work), markup(swept_text(o.result)));
+  }
+  return text + "</table></div>\n";
+}
+
 std::string head(const Page& page) {
   const bool match = all_match(page.outcomes);
-  std::string text = fmt::format("<span class=\"verdict {}\">{}</span>\n", match ? "good" : "bad",
-                                 match ? "match" : "MISMATCH");
+  std::string text = fmt::format("<span class=\"verdict {}\">{}</span>\n",
+                                 page.outcomes.empty() ? "none"
+                                 : match               ? "good"
+                                                       : "bad",
+                                 verdict_of(page.outcomes));
+  if (match) text += matched(page);
   for (const Outcome& o : page.outcomes) {
-    if (!match && o.result.match()) continue;
-    text += fmt::format("<h1>{}</h1>\n<p>{}</p>\n", markup(o.bench->title()),
-                        markup(match ? o.work : o.result.failed));
-    if (match) continue;
+    if (o.result.match()) continue;
+    text +=
+        fmt::format("<h1>{}</h1>\n<p>{}</p>\n", markup(o.bench->title()), markup(o.result.failed));
     text += o.result.mismatch
                 ? block(difference_text(*o.result.mismatch), " class=\"first\"")
                 : block("RTL and model agree, and both are wrong: " + o.result.checked.error + '\n',
@@ -97,10 +130,39 @@ std::string legend(const WavePicture& p) {
   return text.empty() ? "" : "<p class=\"soft\">" + text + "</p>\n";
 }
 
-std::string part_text(const Page::Part& part) {
+std::string base64(const std::string& bytes) {
+  constexpr std::string_view digits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t at = 0; at < bytes.size(); at += 3) {
+    std::uint32_t three = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      three = three << 8 | (at + i < bytes.size() ? static_cast<unsigned char>(bytes[at + i]) : 0U);
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      text += at + i <= bytes.size() ? digits[three >> (18 - 6 * i) & 63] : '=';
+    }
+  }
+  return text;
+}
+
+// A picture in the page itself, of which there is so much before.
+std::string image_text(const std::string& file, std::size_t before) {
+  const std::string bytes = read_file(file);
+  if (before + bytes.size() / 3 * 4 > most_page) {
+    return fmt::format("<p>Left out: {}, {} kB are too much for a page.</p>\n", markup(file),
+                       bytes.size() / 1000);
+  }
+  return fmt::format("<div class=\"wide\"><img alt=\"{}\" src=\"data:image/{};base64,{}\"></div>\n",
+                     markup(file), file.ends_with(".svg") ? "svg+xml" : "png", base64(bytes));
+}
+
+std::string part_text(const Page::Part& part, std::size_t before) {
   const WavePicture& p = part.picture;
-  std::string text = fmt::format("<h2>{}</h2>\n{}<p>{}</p>\n{}", markup(part.heading),
-                                 paragraphs(part.text), shown(p), p.wave + legend(p));
+  std::string text = fmt::format("<h2>{}</h2>\n{}", markup(part.heading), paragraphs(part.text));
+  if (!part.table.empty()) text += block(part.table);
+  if (!part.image.empty()) text += image_text(part.image, before + text.size());
+  if (!p.wave.empty()) text += fmt::format("<p>{}</p>\n{}", shown(p), p.wave + legend(p));
   if (!part.stimulus.empty()) {
     text += "<details open><summary>Its stimulus</summary>" + block(part.stimulus) + "</details>\n";
   }
@@ -133,7 +195,9 @@ std::string framed(const std::string& title, const std::string& body) {
 std::string page_text(const Page& page) {
   std::string body = hatching + head(page);
   for (const Page::Part& part : page.parts) {
-    if (!part.picture.wave.empty()) body += part_text(part);
+    if (!part.picture.wave.empty() || !part.table.empty() || !part.image.empty()) {
+      body += part_text(part, body.size());
+    }
   }
   for (const Page::Part& part : page.parts) {
     if (part.picture.path.empty()) continue;
@@ -152,11 +216,7 @@ std::string page_text(const Page& page) {
     body += "<details><summary>The clocks around the difference as a table</summary>" +
             block(table_text(*o.result.mismatch)) + "</details>\n";
   }
-  const Outcome* first = page.outcomes.empty() ? nullptr : &page.outcomes.front();
-  return framed(
-      fmt::format("{}{}{}", all_match(page.outcomes) ? "match" : "MISMATCH",
-                  first != nullptr ? ": " : "", first != nullptr ? first->bench->title() : ""),
-      body);
+  return framed(fmt::format("{}: {}", verdict_of(page.outcomes), title_of(page)), body);
 }
 
 }  // namespace cosim

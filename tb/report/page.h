@@ -11,12 +11,14 @@
 namespace cosim {
 
 struct Page {
-  /// A run to look at.
+  /// Something to look at.
   struct Part {
     std::string heading;
-    std::string text{};  ///< lines
-    WavePicture picture{};
+    std::string text{};      ///< lines
+    WavePicture picture{};   ///< of a run, or of none
     std::string stimulus{};  ///< its file, or ""
+    std::string table{};     ///< lines whose columns stand below each other, or ""
+    std::string image{};     ///< the name of a file, .png or .svg, that goes into the page, or ""
   };
   /// What one may do next.
   struct Command {
@@ -25,11 +27,13 @@ struct Page {
   };
 
   std::vector<Outcome> outcomes;
-  std::vector<Part> parts{};  ///< those that show no clock are left out
+  std::vector<Part> parts{};  ///< those that show nothing are left out
   std::vector<Command> commands{};
+  std::string title{};  ///< of what has more outcomes than one, or none
 };
 
-/// The file. What is too long for it is cut, and it says so.
+/// The file. What is too long for it is cut, and it says so. InputError where an image cannot be
+/// read.
 std::string page_text(const Page& page);
 
 }  // namespace cosim

@@ -128,6 +128,26 @@ Result sum_of(const std::vector<Outcome>& outcomes, const std::string& looked) {
 
 }  // namespace
 
+std::string verdict_of(const std::vector<Outcome>& outcomes) {
+  return outcomes.empty() ? "nothing compared" : all_match(outcomes) ? "match" : "MISMATCH";
+}
+
+std::string measured_text(const Result& result) {
+  std::string text;
+  for (const Measure& measure : result.checked.measures) {
+    if (result.mismatch && measure.sum != Measure::Sum::total) continue;
+    text += (text.empty() ? "" : ", ") + to_text(measure);
+  }
+  if (text.empty()) text = count(result.clocks, "clock");
+  return text + (result.mismatch ? " before the first difference" : "");
+}
+
+// Hostile clocks are no jobs: the oracle has nothing to count.
+std::string swept_text(const Result& result) {
+  if (result.checked.jobs == 0) return count(result.clocks, "clock");
+  return count(result.cases, "case") + ", " + measured_text(result);
+}
+
 bool all_match(const std::vector<Outcome>& outcomes) {
   return std::all_of(outcomes.begin(), outcomes.end(),
                      [](const Outcome& o) { return o.result.match(); });
@@ -177,7 +197,7 @@ std::string verdict_text(const std::vector<Outcome>& outcomes) {
       text += fmt::format("RTL and model agree, and both are wrong: {}\n", o.result.checked.error);
     }
   }
-  return text + fmt::format("verdict: {}\n", all_match(outcomes) ? "match" : "MISMATCH");
+  return text + fmt::format("verdict: {}\n", verdict_of(outcomes));
 }
 
 std::string report_json(const std::vector<Outcome>& outcomes, std::uint64_t seed,

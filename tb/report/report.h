@@ -19,13 +19,22 @@ struct Outcome {
 
 bool all_match(const std::vector<Outcome>& outcomes);
 
+/// "match", "MISMATCH", or over none "nothing compared".
+std::string verdict_of(const std::vector<Outcome>& outcomes);
+
+/// What the check measured: "27 steps, largest deviation 1 step". If it measured nothing, the
+/// number of clocks. With a mismatch only the totals, for the jobs were not drawn to their ends.
+std::string measured_text(const Result& result);
+
+/// The same after the number of cases, where they are jobs.
+std::string swept_text(const Result& result);
+
 /// "9 registers and 4 outputs"
 std::string compared_signals(const AnyBench& bench);
 
 /// What was compared and over how many clocks, one line a design, with its name if there are
-/// several, a line on registers that are not compared, one for each thing that is
-/// assumed of its inputs, and one for each
-/// field that was not compared on every clock. Lines end in '\n', here and
+/// several, a line on registers that are not compared, one for each thing that is assumed of its
+/// inputs, and one for each field that was not compared on every clock. Lines end in '\n', here and
 /// below.
 std::string comparison_text(const std::vector<Outcome>& outcomes);
 

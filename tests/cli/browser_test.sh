@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # browser_test.sh PROGRAM FAULTY PICTURES: opens pages in a headless Chromium, each in light and dark
-# and on a narrow window: that of a run, of a failure (FAULTY has faulty benches), and the one that
-# scripts/report gathers. Nothing may be said on the console, the page must not be wider than the
-# window, all its figures must be drawn, and the clock of a difference must be in sight. The pictures
-# go to the folder PICTURES.
+# and on a narrow window: that of a run with its path, of sweeps, of a failure (FAULTY has faulty
+# benches), and the one that scripts/report gathers. Nothing may be said on the console, the page must
+# not be wider than the window, all its figures must be drawn, and the clock of a difference must be
+# in sight. The pictures go to the folder PICTURES.
 # Status: 0 so it is; 1 not; 77, saying so, without Chromium.
 set -euo pipefail
 program=$1 faulty=$2 pictures=$3
@@ -16,7 +16,10 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 mkdir -p "$pictures"
 
-"$program" arc --radius 12 --html "$folder/run.html" > "$folder/log"
+plot=()
+command -v gnuplot > "$folder/log" && plot=(--plot "$folder/run.png")
+"$program" arc --radius 12 --html "$folder/run.html" "${plot[@]}" > "$folder/log"
+"$program" sweep linear --random 20 --html "$folder/sweeps.html" > "$folder/log"
 "$faulty" line --major 3000 --minor 700 --failures "$folder/kept" > "$folder/log" && exit 1
 cp "$folder"/kept/*/report.html "$folder/failure.html"
 COSIM_FAILURES=$folder/kept "$root/scripts/report" --to "$folder/all.html" > "$folder/log"
@@ -25,7 +28,7 @@ COSIM_FAILURES=$folder/kept "$root/scripts/report" --to "$folder/all.html" > "$f
 # drawn, and whether what is marked in the first of them is in sight.
 look='<script>
   const sees = box => box.width > 0 && box.left >= 0 && box.right <= innerWidth
-  const figures = [...document.querySelectorAll(".wave, svg.path, table, pre")]
+  const figures = [...document.querySelectorAll(".wave, svg.path, table, pre, img")]
   const marks = [...document.querySelectorAll(".mark")].slice(0, 1)
   console.log("LOOK fits", document.documentElement.scrollWidth <= innerWidth,
     "light", getComputedStyle(document.body).backgroundColor === "rgb(255, 255, 255)",
@@ -53,11 +56,11 @@ opened() {
   [[ -s $pictures/$name.$kind.png ]] || wrong "$name, $kind: no picture"
 }
 
-for name in run failure all; do
+for name in run sweeps failure all; do
   { cat "$folder/$name.html" && echo "$look"; } > "$folder/$name.look.html"
   opened "$name" light 1280
   opened "$name" dark 1280 --blink-settings=preferredColorScheme=0
   opened "$name" narrow 420
 done
-((status)) || echo "9 pictures in $pictures"
+((status)) || echo "12 pictures in $pictures"
 exit "$status"

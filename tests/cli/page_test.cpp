@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/cli/folder.h"
 #include "tests/cli/program.h"
@@ -20,8 +21,12 @@ void expect_alone(const std::string& page) {
   EXPECT_TRUE(page.starts_with("<!DOCTYPE html>"));
   EXPECT_TRUE(page.ends_with("</html>\n"));
   EXPECT_LT(page.size(), 1'000'000U);
-  for (const char* other : {"<script", "http:", "https:", "src=", "@import", "url(h", "onload"}) {
+  for (const char* other : {"<script", "http:", "https:", "@import", "url(h", "onload"}) {
     EXPECT_FALSE(has(page, other)) << other;
+  }
+  const std::string source = " src=\"";
+  for (auto at = page.find(source); at != std::string::npos; at = page.find(source, at + 1)) {
+    EXPECT_EQ(page.substr(at + source.size(), 11), "data:image/");
   }
 }
 
@@ -79,7 +84,7 @@ TEST(Page, OfASweepHasItsFiguresAndItsFailure) {
   ASSERT_EQ(matches.status, 0) << matches.err;
   const std::string page = folder.text("x.html");
   expect_alone(page);
-  for (const char* text : {">match<", ">linear M=32 N=26<", ">random lines<",
+  for (const char* text : {">match<", ">linear M=32 N=26<", ">random lines: 20 cases, ",
                            "compared: 9 registers and 4 outputs on each of "}) {
     EXPECT_TRUE(has(page, text)) << text;
   }
@@ -87,6 +92,26 @@ TEST(Page, OfASweepHasItsFiguresAndItsFailure) {
   ASSERT_EQ(differs.status, 1) << differs.err;
   const fs::path kept = fs::directory_iterator(folder.path("kept"))->path().filename();
   EXPECT_EQ(folder.text("x.html"), folder.text("kept/" + kept.string() + "/report.html"));
+}
+
+TEST(Page, OfSweepsHasALineForEach) {
+  const Folder folder;
+  const Ended e = cosim({"sweep", "circular", "--random", "20", "--html", folder.path("x.html")});
+  ASSERT_EQ(e.status, 0) << e.err;
+  const std::string page = folder.text("x.html");
+  expect_alone(page);
+  EXPECT_TRUE(has(page, "<h1>circular</h1>"));
+  std::size_t lines = 0;
+  std::istringstream out(e.out);
+  for (std::string line; std::getline(out, line);) {
+    const std::size_t name = line.find(", random arcs: ");
+    if (name == std::string::npos) continue;
+    ++lines;
+    const std::size_t figures = line.find(": ", name) + 2;
+    EXPECT_TRUE(has(page, line.substr(0, name))) << line;
+    EXPECT_TRUE(has(page, line.substr(figures, line.rfind(" (") - figures))) << line;
+  }
+  EXPECT_GT(lines, 1U);
 }
 
 TEST(Page, OfAPathHasAWaveAMachine) {

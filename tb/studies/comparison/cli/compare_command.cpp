@@ -105,11 +105,11 @@ Series& series_of(Plot& plot, const std::string& name) {
   return at != plot.series.end() ? *at : plot.series.emplace_back(Series{name, {}});
 }
 
-// Draws into the picture, where there is one.
+// Draws into the picture, where there is one. The table goes to `looks`, too.
 template <class W>
 std::vector<Entry> contest(const char* what, const Choice<W>& choice,
                            const compare::Machines& machines, const compare::Batch<W>& batch,
-                           Plot* plot) {
+                           Plot* plot, Looks& looks) {
   std::vector<Entry> entries;
   for (const auto* algorithm : choice.some) {
     compare::PointsSink sink;
@@ -121,7 +121,9 @@ std::vector<Entry> contest(const char* what, const Choice<W>& choice,
     entries.push_back(entry_of(*algorithm, machines, batch.works, sink));
   }
   if (!entries.empty()) {
-    fmt::print("\n{}\n{}{}", count(batch.works.size(), what), to_text(entries), choice.left_out);
+    looks.push_back({count(batch.works.size(), what), choice.left_out});
+    looks.back().table = to_text(entries);
+    fmt::print("\n{}\n{}{}", looks.back().heading, looks.back().table, choice.left_out);
   }
   return entries;
 }
@@ -174,8 +176,9 @@ int run(const CompareOptions& o) {
   Plot plot{text, {}, {}};
   Plot* const drawn = o.common.plot ? &plot : nullptr;
   fmt::print("{}\n", text);
-  std::vector<Entry> entries = contest("line", by_line, machines, work.lines, drawn);
-  std::vector<Entry> arcs = contest("arc", by_arc, machines, work.arcs, drawn);
+  Looks looks;
+  std::vector<Entry> entries = contest("line", by_line, machines, work.lines, drawn, looks);
+  std::vector<Entry> arcs = contest("arc", by_arc, machines, work.arcs, drawn, looks);
   if (drawn != nullptr) {
     plot.ideal = curves_of(work);
     if (!entries.empty() && !arcs.empty()) name_parts(plot, entries, arcs);
@@ -192,10 +195,8 @@ int run(const CompareOptions& o) {
   }
   fmt::print("\n");
   const std::string figures = "{\"algorithms\":" + to_json(entries) + "}";
-  if (!outcomes.empty()) return conclude(outcomes, o.common, figures);
-  fmt::print("no machine was asked for: nothing runs in lockstep\n");
-  if (o.common.report) write_report(*o.common.report, report_json({}, seed, figures));
-  return 0;
+  if (outcomes.empty()) fmt::print("no machine was asked for: nothing runs in lockstep\n");
+  return conclude(outcomes, o.common, figures, std::move(looks), text);
 }
 
 }  // namespace
@@ -207,6 +208,7 @@ void add_compare(const Command& program) {
   o->work.add(command);
   command.text("--algorithms", o->algorithms, "LIST", "Only these, with commas between them");
   add_plot(command, o->common);
+  add_html(command, o->common, "the figures");
   add_failures(command, o->common);
   add_common(command, o->common);
   command.footer(

@@ -66,10 +66,10 @@ std::string figures(const std::string& file, double scale, const toolpath::Progr
 }
 
 // A wave for each machine that had work.
-Pictures draw_waves(const Common& common, const AnyBench& lines, const AnyBench& arcs,
-                    const PathRun& path, const PathResult& result) {
+Looks draw_waves(const Common& common, const AnyBench& lines, const AnyBench& arcs,
+                 const PathRun& path, const PathResult& result) {
   const std::string work = "path";
-  Pictures all;
+  Looks all;
   const auto add = [&](const AnyBench& bench, const auto& session, const Result& r) {
     if (r.cases == 0) return;
     for (auto& one : draw_wave(common, bench, work, session, r.mismatch, bench.design())) {
@@ -169,20 +169,19 @@ int run(const PathOptions& o) {
         progress.at(++steps);
       });
   progress.clear();
-  const Pictures pictures = draw_waves(o.common, lines, arcs, path, result);
+  Looks looks = draw_waves(o.common, lines, arcs, path, result);
 
+  const std::string title = fmt::format("{} at {} steps/mm", one_line(file), scale);
   const std::vector<Outcome> outcomes = outcomes_of(lines, arcs, result);
   if (o.common.plot) {
     for (const Outcome& one : outcomes) {
       series.name += (series.name.empty() ? "" : ", ") + one.bench->title();
     }
-    draw_plot(*o.common.plot, {fmt::format("{} at {} steps/mm", one_line(file), scale),
-                               curves_of(pieces::work_of(plan)),
-                               {series}});
+    draw_plot(*o.common.plot, {title, curves_of(pieces::work_of(plan)), {series}});
   }
   csv.close();
   for (const Outcome& one : outcomes) {
-    fmt::print("{}: {}, {}\n", one.bench->title(), one.work, drawn(one.result));
+    fmt::print("{}: {}, {}\n", one.bench->title(), one.work, measured_text(one.result));
   }
   fmt::print("path: {}, ends at ({}, {})\n", count(result.steps, "step"), result.end.x,
              result.end.y);
@@ -192,7 +191,8 @@ int run(const PathOptions& o) {
     fmt::print(", arcs closed by lines of at most {}", count(closing, "step"));
   }
   fmt::print("\n");
-  return conclude(outcomes, o.common, figures(file, scale, program, plan, result), pictures);
+  return conclude(outcomes, o.common, figures(file, scale, program, plan, result), std::move(looks),
+                  title);
 }
 
 }  // namespace

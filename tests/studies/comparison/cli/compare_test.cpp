@@ -34,6 +34,40 @@ std::map<std::string, json> compared(Arguments arguments) {
   return all;
 }
 
+TEST(Compare, PageHasTheFiguresThatArePrinted) {
+  const Folder folder;
+  const auto page_of = [&](Arguments more, const std::string& verdict) {
+    const Arguments all{"compare", "--line", "27,9", "--html", folder.path("x.html")};
+    more.insert(more.begin(), all.begin(), all.end());
+    const Ended e = cosim(more);
+    EXPECT_EQ(e.status, 0) << e.err;
+    const std::string page = folder.text("x.html");
+    EXPECT_NE(page.find(">" + verdict + "</span>\n<h1>BP = 27, MP = 9</h1>"), std::string::npos);
+    const std::size_t table = e.out.find("         "), end = e.out.find("\n\n", table);
+    EXPECT_NE(page.find("<pre>" + e.out.substr(table, end + 1 - table) + "</pre>"),
+              std::string::npos)
+        << e.out;
+    return page;
+  };
+  page_of({}, "match");
+  page_of({"--algorithms", "bresenham"}, "nothing compared");
+}
+
+// The picture of --plot stands in the page itself.
+TEST(Compare, PageHasThePlot) {
+  if (!can_plot()) GTEST_SKIP() << "no gnuplot";
+  const Folder folder;
+  const Ended e = cosim({"compare", "--line", "27,9", "--html", folder.path("x.html"), "--plot",
+                         folder.path("p.png")});
+  ASSERT_EQ(e.status, 0) << e.err;
+  const std::string page = folder.text("x.html"), begin = "src=\"data:image/png;base64,";
+  const std::size_t at = page.find(begin) + begin.size();
+  const std::string coded = folder.write("coded", page.substr(at, page.find('"', at) - at));
+  const std::string decode = "base64 -d " + coded + " > " + folder.path("decoded");
+  ASSERT_EQ(std::system(decode.c_str()), 0);
+  EXPECT_EQ(folder.text("decoded"), folder.text("p.png"));
+}
+
 // The printed line: Table 3's minor steps are on 2 6 8 10 14 18 22 24 26.
 TEST(Compare, OfThePrintedLine) {
   const auto all = compared({"--line", "27,9"});
@@ -150,8 +184,9 @@ TEST(Compare, RefusesWhatItCannotCompare) {
 }
 
 TEST(Compare, HasAHelpThatNamesEveryOption) {
-  expect_in(help({"compare"}), {"FILE", "--steps-per-mm S", "--line BP,MP", "--arc R",
-                                "--algorithms LIST", "--report FILE"});
+  expect_in(help({"compare"}),
+            {"FILE", "--steps-per-mm S", "--line BP,MP", "--arc R", "--algorithms LIST",
+             "--plot FILE", "--html FILE.html", "--report FILE"});
 }
 
 // Two algorithms of each machine.

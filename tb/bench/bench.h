@@ -98,6 +98,8 @@ class AnyBench {
   virtual Clearing clearing() const { return {}; }
   /// Runs them before `watch`, as far as it wants. InputError where RTL and model differ.
   virtual void watch_hostile(const HostileCase& /*c*/, const Watch& /*watch*/) const {}
+  /// Runs a stimulus that starts from a clear, likewise.
+  virtual void watch_stimulus(const Stimulus& /*s*/, const Watch& /*watch*/) const {}
 
   /// The fields of a job, of a design that declares its jobs by a table (job.h); else empty.
   virtual std::vector<JobField> job_fields() const { return {}; }

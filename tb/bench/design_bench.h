@@ -107,6 +107,9 @@ class DesignBench : public Bench<Design> {
   void watch_hostile(const HostileCase& c, const Watch& watch) const override {
     follow(HostileStimulus<Design>(params(), c), c.power_up(), watch);
   }
+  void watch_stimulus(const Stimulus& s, const Watch& watch) const override {
+    follow(Rows<Design>(params(), s), s.power_up, watch);
+  }
   void watch_drawn(std::span<const Job> jobs, std::uint32_t power_up,
                    const Watch& watch) const override {
     follow(Host(params(), jobs), power_up, watch);

@@ -1,6 +1,6 @@
-// What mutants are attacked with: the printed examples, hostile clocks, whole jobs at random, long
-// ones. A design says in tb/designs/NAME/mutation/jobs.h what its jobs are; hostile clocks need
-// nothing.
+// What mutants are attacked with: the printed examples, hostile clocks, whole jobs at random, jobs
+// with a pin that is nearly 0 or nearly full, long ones. A design says in
+// tb/designs/NAME/mutation/jobs.h what its jobs are; hostile clocks need nothing.
 #pragma once
 
 #include <fmt/core.h>
@@ -65,6 +65,56 @@ inline Case declared(const AnyBench& bench, std::uint64_t i) {
           power_up};
 }
 
+/// Words that are nearly 0 or nearly full: a single bit, and all but one, of a signed pin also
+/// without its sign.
+inline std::vector<Word> nearly(const Field& pin) {
+  std::vector<Word> words;
+  for (int bit = 0; bit < pin.width; ++bit) {
+    const Word one = shift_left(1, bit);
+    words.insert(words.end(), {one, one ^ ones(pin.width)});
+    if (is_signed(pin) && bit < pin.width - 1) words.push_back(one ^ ones(pin.width - 1));
+  }
+  return words;
+}
+
+/// The first clocks of random jobs with one wide pin held at such a word, each in its turn: a gate
+/// that looks whether a word is 0 or full is told from one that looks at one bit less, and hostile
+/// clocks seldom have a machine at work on it.
+template <class Design>
+Stimulus disturbed(const Bench<Design>& bench, const typename Jobs<Design>::List& jobs,
+                   std::uint64_t number) {
+  constexpr std::uint64_t clocks = 64;
+  Stimulus s = recorded<Design>(bench.params(), HostOf<Design>(bench.params(), jobs),
+                                static_cast<std::uint32_t>(number), clocks);
+  std::vector<std::pair<std::size_t, Word>> turns;
+  const std::vector<Field> pins = bench.inputs();
+  for (std::size_t pin = 0; pin < pins.size(); ++pin) {
+    if (pins[pin].width < 2) continue;
+    for (const Word word : nearly(pins[pin])) turns.emplace_back(pin, word);
+  }
+  if (turns.empty()) return s;
+  const auto [pin, word] = turns[number % turns.size()];
+  for (auto& row : s.clocks) row[pin] = word;
+  return s;
+}
+
+/// The same as a case. Of a design with rules for its inputs there is none.
+template <class Design>
+void add_disturbed(std::vector<Case>& all, const Bench<Design>& bench, std::uint64_t first,
+                   std::uint64_t last) {
+  if (!bench.assumed().empty()) return;
+  for (std::uint64_t i = first; i < last; ++i) {
+    const auto jobs = Jobs<Design>::random(bench.params(), campaign_seed, i);
+    if (jobs.empty()) return;
+    all.push_back({fmt::format("random job {}, disturbed", i),
+                   [&bench, jobs, i] { return bench.replay(disturbed(bench, jobs, i)); },
+                   [&bench, jobs, i](const Watch& watch) {
+                     bench.watch_stimulus(disturbed(bench, jobs, i), watch);
+                   },
+                   static_cast<std::uint32_t>(i)});
+  }
+}
+
 /// Cases first .. last - 1 of hostile clocks and of random jobs, by turns.
 template <class Design>
 void add_cases(std::vector<Case>& all, const Bench<Design>& bench, std::uint64_t first,
@@ -80,6 +130,7 @@ void add_cases(std::vector<Case>& all, const Bench<Design>& bench, std::uint64_t
 }
 
 constexpr std::uint64_t quick_cases = 12;
+constexpr std::uint64_t quick_disturbed = 200;
 constexpr std::uint64_t thorough_cases = 3000;
 
 /// All of them, on `bench`, which must outlive them.
@@ -91,6 +142,7 @@ Cases cases_of(const Bench<Design>& bench) {
     cases.all.push_back(drawing(bench, "printed example", std::move(printed), 0));
   }
   add_cases(cases.all, bench, 0, quick_cases);
+  add_disturbed(cases.all, bench, 0, quick_disturbed);
   cases.quick = cases.all.size();
   for (std::uint64_t i = 0; i < long_jobs; ++i) {
     auto jobs = Jobs<Design>::longest(bench.params(), campaign_seed, i);
@@ -98,6 +150,11 @@ Cases cases_of(const Bench<Design>& bench) {
     cases.all.push_back(drawing(bench, fmt::format("long job {}", i), std::move(jobs), i));
   }
   add_cases(cases.all, bench, quick_cases, thorough_cases);
+  add_disturbed(cases.all, bench, quick_disturbed, thorough_cases);
+  if (auto jobs = Jobs<Design>::longest(bench.params(), campaign_seed, 0); !jobs.empty()) {
+    cases.all.push_back(drawing(bench, "the longest job", std::move(jobs), 0));
+    cases.all.back().most_clocks = std::uint64_t{1} << 27;
+  }
   return cases;
 }
 

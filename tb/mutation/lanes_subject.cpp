@@ -12,8 +12,6 @@ namespace {
 
 // A run of yosys plants so many: more take it longer than twice the time.
 constexpr std::size_t planted_at_once = 2 * nets::plane_lanes;
-// A run is cut there. What counts up longer is for the provers.
-constexpr std::uint64_t most_clocks = std::uint64_t{1} << 18;
 
 // Some mutants case by case, each lane with one that no case has killed so far.
 class Attack {
@@ -69,7 +67,7 @@ class Attack {
         mutant = 0;
         --open;
       }
-      return open > 0 && ++clock < most_clocks;
+      return open > 0 && ++clock < c.most_clocks;
     });
   }
 

@@ -48,8 +48,8 @@ std::string tools();
 
 /// The library in `folder` that was made of the same `key`; else compiles what source() gives, for
 /// so many lanes, and keeps it. Where this processor has vectors of this width, it runs on any that
-/// has them. Of two processes that ask at once, one
-/// compiles and the other waits. InputError where there is no compiler or it fails.
+/// has them. Of two processes that ask at once, one compiles and the other waits. InputError where
+/// there is no compiler or it fails.
 std::unique_ptr<Built> built(const std::filesystem::path& folder, const std::string& key, int lanes,
                              const std::function<std::string()>& source);
 

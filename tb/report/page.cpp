@@ -12,9 +12,8 @@
 namespace cosim {
 namespace {
 
-constexpr std::size_t most_page_lines = 300,
-                      most_page_text = 40'000,  // of a text that is shown whole
-    most_page = 950'000;                        // bytes, up to the end of an image
+constexpr std::size_t most_page_lines = 300, most_page_text = 40'000;  // of a text shown whole
+constexpr std::size_t most_page = 950'000;  // bytes, up to the end of an image
 
 // Stands in a page once, before its waves.
 constexpr const char* hatching =

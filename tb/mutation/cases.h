@@ -103,13 +103,15 @@ template <class Design>
 void add_disturbed(std::vector<Case>& all, const Bench<Design>& bench, std::uint64_t first,
                    std::uint64_t last) {
   if (!bench.assumed().empty()) return;
+  const auto jobs = [&bench](std::uint64_t i) {
+    return Jobs<Design>::random(bench.params(), campaign_seed, i);
+  };
+  if (jobs(first).empty()) return;
   for (std::uint64_t i = first; i < last; ++i) {
-    const auto jobs = Jobs<Design>::random(bench.params(), campaign_seed, i);
-    if (jobs.empty()) return;
     all.push_back({fmt::format("random job {}, disturbed", i),
-                   [&bench, jobs, i] { return bench.replay(disturbed(bench, jobs, i)); },
+                   [&bench, jobs, i] { return bench.replay(disturbed(bench, jobs(i), i)); },
                    [&bench, jobs, i](const Watch& watch) {
-                     bench.watch_stimulus(disturbed(bench, jobs, i), watch);
+                     bench.watch_stimulus(disturbed(bench, jobs(i), i), watch);
                    },
                    static_cast<std::uint32_t>(i)});
   }

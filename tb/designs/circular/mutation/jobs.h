@@ -1,6 +1,9 @@
 // Arcs for mutants of the circular machine.
 #pragma once
 
+#include <algorithm>
+
+#include "model/circular/oracle.h"
 #include "tb/designs/circular/sweeps.h"
 #include "tb/mutation/cases.h"
 
@@ -15,10 +18,29 @@ struct Jobs<circular::Design> {
   static List random(const circular::Params& p, std::uint64_t seed, std::uint64_t i) {
     return {circular::random_arc(p, seed, i)};
   }
-  /// Quarter circles as large as there are.
+  /// The first steps of arcs that change their sector near (2^k, 2^k), each k in its turn: there
+  /// counter 7 holds a single bit, or nearly, while it is corrected. Then a quarter circle as large
+  /// as there is.
   static List longest(const circular::Params& p, std::uint64_t, std::uint64_t i) {
-    const std::int64_t r = ones(p.width) - static_cast<std::int64_t>(i);
-    return {{{r, 0}, static_cast<std::uint64_t>(r) * static_cast<std::uint64_t>(r), {}}};
+    const std::int64_t most = ones(p.width);
+    List arcs;
+    for (int digit = static_cast<int>(i); digit < p.width; digit += long_jobs) {
+      const std::int64_t power = shift_left(1, digit);
+      for (std::int64_t x = power + 1; x <= power + 4; ++x) {
+        for (std::int64_t y = std::max<std::int64_t>(power - 2, 0); y <= power + 1; ++y) {
+          const std::uint64_t radius2 = square(x) + square(y);
+          if (circular::nearest_root(radius2) <= most) arcs.push_back({{x, y}, radius2, 8});
+        }
+      }
+    }
+    const std::int64_t r = most - static_cast<std::int64_t>(i);
+    arcs.push_back({{r, 0}, square(r), {}});
+    return arcs;
+  }
+
+ private:
+  static std::uint64_t square(std::int64_t v) {
+    return static_cast<std::uint64_t>(v) * static_cast<std::uint64_t>(v);
   }
 };
 

@@ -58,7 +58,7 @@ void add_wave(const Command& command, Common& common, const std::string& file) {
 
 void add_html(const Command& command, Common& common, const std::string& more) {
   command.text("--html", common.html, "FILE.html",
-               "Write the verdict and " + more + " as a page for a browser");
+               "A page for a browser: the verdict and " + more);
 }
 
 void add_window(const Command& command, Common& common) {

@@ -170,7 +170,7 @@ void add_options(const Command& design, SweepOptions& o) {
               "auto: as many as the processor can, as hostile clocks do in a long run");
   design.text("--jobs", o.jobs, "J", "Threads, 1 to 1024; default one a core");
   add_failures(design, o.common);
-  add_html(design, o.common, "the figures, or the first failure,");
+  add_html(design, o.common, "the figures or the first failure");
   design.text("--checkpoint", o.common.checkpoint, "FILE",
               "Keep progress in FILE and continue from it if it exists");
   add_common(design, o.common);

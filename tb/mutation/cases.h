@@ -131,6 +131,18 @@ void add_cases(std::vector<Case>& all, const Bench<Design>& bench, std::uint64_t
   }
 }
 
+/// Long jobs, cut after so many clocks.
+template <class Design>
+void add_longest(std::vector<Case>& all, const Bench<Design>& bench, const char* how_far,
+                 std::uint64_t most_clocks) {
+  for (std::uint64_t i = 0; i < long_jobs; ++i) {
+    auto jobs = Jobs<Design>::longest(bench.params(), campaign_seed, i);
+    if (jobs.empty()) return;
+    all.push_back(drawing(bench, fmt::format("long job {}{}", i, how_far), std::move(jobs), i));
+    all.back().most_clocks = most_clocks;
+  }
+}
+
 constexpr std::uint64_t quick_cases = 12;
 constexpr std::uint64_t quick_disturbed = 200;
 constexpr std::uint64_t thorough_cases = 3000;
@@ -146,17 +158,10 @@ Cases cases_of(const Bench<Design>& bench) {
   add_cases(cases.all, bench, 0, quick_cases);
   add_disturbed(cases.all, bench, 0, quick_disturbed);
   cases.quick = cases.all.size();
-  for (std::uint64_t i = 0; i < long_jobs; ++i) {
-    auto jobs = Jobs<Design>::longest(bench.params(), campaign_seed, i);
-    if (jobs.empty()) break;
-    cases.all.push_back(drawing(bench, fmt::format("long job {}", i), std::move(jobs), i));
-  }
+  add_longest(cases.all, bench, "", Case{}.most_clocks);
   add_cases(cases.all, bench, quick_cases, thorough_cases);
   add_disturbed(cases.all, bench, quick_disturbed, thorough_cases);
-  if (auto jobs = Jobs<Design>::longest(bench.params(), campaign_seed, 0); !jobs.empty()) {
-    cases.all.push_back(drawing(bench, "the longest job", std::move(jobs), 0));
-    cases.all.back().most_clocks = std::uint64_t{1} << 27;
-  }
+  add_longest(cases.all, bench, ", to its end", std::uint64_t{1} << 26);
   return cases;
 }
 

@@ -17,12 +17,20 @@ struct Jobs<linear::Design> {
   static List random(const linear::Params& p, std::uint64_t seed, std::uint64_t i) {
     return {linear::random_line(p, seed, i)};
   }
-  /// Nearly as long as there are, so that the deepest carries of the counters run; the codes at
-  /// random but for their last bits, which choose among the rarest steps.
-  static List longest(const linear::Params& p, std::uint64_t seed, std::uint64_t i) {
-    Random random = Random::for_case(seed, i);
-    const linear::Code code = random.next() & static_cast<linear::Code>(ones(p.m));
-    return {{{ones(p.m) - static_cast<Word>(i), i == 0 ? linear::Code{1} : code}, {}}};
+  /// Nearly as long as there are, so that the deepest carries of the counters run. The codes tell
+  /// every digit of the code from every other, in both directions: its lowest digit alone, all
+  /// digits, and for each digit of a digit's number those where it is 1, then those where it is 0.
+  static List longest(const linear::Params& p, std::uint64_t, std::uint64_t i) {
+    linear::Code code = i == 0 ? 1 : ~linear::Code{0};
+    if (i > 1) {
+      code = 0;
+      for (std::uint64_t digit = 0; digit < 64; ++digit) {
+        const std::uint64_t of_number = digit >> (i / 2 - 1) & 1;
+        code |= static_cast<linear::Code>(of_number ^ (i & 1)) << digit;
+      }
+    }
+    code &= static_cast<linear::Code>(ones(p.m));
+    return {{{ones(p.m) - static_cast<Word>(i), code}, {}}};
   }
 };
 

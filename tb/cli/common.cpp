@@ -57,8 +57,7 @@ void add_wave(const Command& command, Common& common, const std::string& file) {
 }
 
 void add_html(const Command& command, Common& common, const std::string& more) {
-  command.text("--html", common.html, "FILE.html",
-               "A page for a browser: the verdict and " + more);
+  command.text("--html", common.html, "FILE.html", "A page for a browser: the verdict and " + more);
 }
 
 void add_window(const Command& command, Common& common) {

@@ -40,7 +40,7 @@ ends() {
 
 cd "$tree"
 ends 0 scripts/report
-has '0 failed, 0 passed, 5 not run'
+has '0 failed, 0 passed, 6 not run'
 has '<code>scripts/never</code>'
 
 ends 0 scripts/good 'two words'
@@ -51,7 +51,7 @@ mkdir -p failures/first-case
 printf 'first, a case\nfirst difference: clock 7, x\n' > failures/first-case/report.txt
 touch failures/first-case/report.html
 ends 0 scripts/report
-has '2 failed, 1 passed, 2 not run'
+has '2 failed, 1 passed, 3 not run'
 has 'Good &lt;one&gt;'
 has 'got 1: two words &lt;&amp;&gt;'
 has 'inside'
@@ -71,11 +71,29 @@ ends 0 scripts/report
 has '<b class="old">Older than the sources</b>: 3, to be run again.'
 has '1 file since, tb/changed.cpp last'
 
+# The newest regression that ended, from what is in its folder.
+mkdir -p regressions/{old,new,running}
+for run in regressions/*; do echo '{}' > "$run/plan.json"; done
+printf 'old: all run\nverdict: fail\n' > regressions/old/report.txt
+touch -d '10 minutes ago' regressions/old/*
+touch -d '2 minutes ago' regressions/new/plan.json
+printf 'new: 2 tasks, all run\nverdict: pass\n' > regressions/new/report.txt
+ends 0 scripts/report
+has '2 failed, 2 passed, 2 not run'
+has 'Regression new</a>'
+has 'new: 2 tasks, all run'
+grep -qE '<td class="one">1[12][0-9] s</td>' build/report/index.html || fails "what it took"
+mv regressions/new/report.txt regressions/new/.part
+ends 0 scripts/report
+has '3 failed, 1 passed, 2 not run'
+has 'Regression old</a>'
+mv regressions/new/.part regressions/new/report.txt
+
 # The same with what is run again, and what fails then comes first.
 script good "Good <one>" 'exit 1'
 ends 1 scripts/good
 ends 0 scripts/report
-has '3 failed, 0 passed, 2 not run'
+has '3 failed, 1 passed, 2 not run'
 has_not 'two words'
 ends 2 scripts/report --no
 echo "as expected"

@@ -30,12 +30,14 @@ look='<script>
   const sees = box => box.width > 0 && box.left >= 0 && box.right <= innerWidth
   const figures = [...document.querySelectorAll(".wave, svg.path, table, pre, img")]
   const marks = [...document.querySelectorAll(".mark")].slice(0, 1)
-  console.log("LOOK fits", document.documentElement.scrollWidth <= innerWidth,
+  addEventListener("load", () => console.log(
+    "LOOK fits", document.documentElement.scrollWidth <= innerWidth,
     "light", getComputedStyle(document.body).backgroundColor === "rgb(255, 255, 255)",
     "drawn", figures.length > 0 && figures.every(
-      f => !f.checkVisibility() || f.getBoundingClientRect().height > 20),
+      f => !f.checkVisibility() || f.getBoundingClientRect().height > 20) &&
+      [...document.images].every(i => i.naturalWidth > 20),
     "inside", [...document.querySelectorAll(".wave text")].every(t => t.getBBox().width > 0),
-    "marked", marks.every(m => sees(m.getBoundingClientRect())), marks.length)
+    "marked", marks.every(m => sees(m.getBoundingClientRect())), marks.length))
 </script>'
 
 status=0

@@ -82,7 +82,7 @@ struct Increment {
 
   /// The number by which a step up changes something, for the step that there is.
   constexpr V times(V by) const {
-    return select(is_set(up), by, V(0)) - select(is_set(down), by, V(0));
+    return select(is_set(up), by, select(is_set(down), V(0) - by, V(0)));
   }
 };
 

@@ -55,7 +55,8 @@ constexpr Verdict<Walked, V> walked(const Params& p, const Walk<V>& job, const O
 
   const Condition<V> ended =
       (counted & (w.left_x == V(0)) & (w.left_y == V(0))) | (is_set(t.counted) & (w.left == V(0)));
-  const Condition<V> shifts = !(w.shifts == V(0)), moves = !ended & !shifts;
+  const Condition<V> draws = busy & !ended, shifts = draws & !(w.shifts == V(0));
+  const Condition<V> moves = draws & !shifts;
   const V to_x = w.sum_x + w.rate_x;
   const V x = select(moves & !(counted & (w.left_x == V(0))), shift_right(to_x, p.width), V(0));
   const V turned_y = w.rate_y + times(x, two_a), turned_x = w.rate_x - times(x, b);
@@ -64,9 +65,9 @@ constexpr Verdict<Walked, V> walked(const Params& p, const Walk<V>& job, const O
   const auto size = [](const V& step) { return select(step < V(0), V(0) - step, step); };
 
   Walked<V> n = w;
-  n.shifts = select(shifts & !ended, w.shifts - V(1), w.shifts);
-  n.left = select(w.left == V(0), V(0), w.left - V(1));
-  n.over = flag<V>(ended);
+  n.shifts = w.shifts - flag<V>(shifts);
+  n.left = w.left - flag<V>(busy & !(w.left == V(0)));
+  n.over = select(busy, flag<V>(ended), w.over);
   n.sum_x = select(moves, low_bits(to_x, p.width), w.sum_x);
   n.sum_y = select(moves, low_bits(to_y, p.width), w.sum_y);
   n.rate_x = select(shifts, w.rate_x + w.rate_x, turned_x - times(y, two_c));
@@ -85,7 +86,7 @@ constexpr Verdict<Walked, V> walked(const Params& p, const Walk<V>& job, const O
   const Condition<V> right = (seen.x_up - seen.x_down == x) & (seen.y_up - seen.y_down == y) &
                              (code(seen.code_x) == w.x) & (code(seen.code_y) == w.y);
   const Condition<V> wrong = (busy & !right) | (over & !is_set(w.over));
-  return {select(busy, n, w), wrong};
+  return {n, wrong};
 }
 
 }  // namespace cosim::dda

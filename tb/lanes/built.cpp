@@ -53,8 +53,9 @@ void compile(const fs::path& library, int lanes, const std::string& source) {
   const Scratch scratch;
   const fs::path file = scratch.path() / "lanes.cpp", made = scratch.path() / "lanes.so";
   std::ofstream(file) << source;
-  const Ended ended = run_program({COSIM_COMPILER, "-std=c++17", "-O2", vectors_of(lanes), "-w",
-                                   "-fPIC", "-shared", "-o", made.string(), file.string()});
+  const Ended ended =
+      run_program({COSIM_COMPILER, "-std=c++17", "-O2", "-fno-tree-reassoc", vectors_of(lanes),
+                   "-w", "-fPIC", "-shared", "-o", made.string(), file.string()});
   if (ended.status != 0) {
     throw InputError(fmt::format("lanes: {} fails: {}", COSIM_COMPILER,
                                  ended.text.substr(0, ended.text.find('\n'))));

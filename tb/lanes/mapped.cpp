@@ -2,13 +2,25 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <fstream>
+#include <utility>
+#include <vector>
 
 #include "model/core/input_error.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
 
 namespace cosim::lanes {
+namespace {
+
+// How many instructions it is at least: a cell of one input is none.
+std::size_t size_of(const nets::Cells& cells) {
+  return static_cast<std::size_t>(std::count_if(cells.tables.begin(), cells.tables.end(),
+                                                [](const auto& t) { return t.of.size() > 1; }));
+}
+
+}  // namespace
 
 nets::Cells mapped(const std::string& name, const nets::Graph& graph,
                    const std::vector<nets::Bit>& inputs, const std::vector<nets::Bit>& outputs) {
@@ -18,19 +30,29 @@ nets::Cells mapped(const std::string& name, const nets::Graph& graph,
     return all;
   };
   const Scratch scratch;
-  const auto given = scratch.path() / "given.blif", made = scratch.path() / "made.blif";
-  std::ofstream(given) << to_blif(name, graph, ports("i", inputs), ports("o", outputs));
-  const Ended ended = run_program(
-      {"yosys-abc", "-q",
-       fmt::format("read_blif {}; strash; dc2; dc2; dch; if -a -K 3; mfs2 -a; write_blif {}",
-                   given.string(), made.string())});
+  const auto file = [&](const std::string& of) {
+    return (scratch.path() / (of + ".blif")).string();
+  };
+  std::ofstream(file("given")) << to_blif(name, graph, ports("i", inputs), ports("o", outputs));
+  // Which way needs fewest cells depends on the netlist.
+  const std::string map = "if -a -K 3; mfs2 -a; ", again = "strash; dch; " + map;
+  const std::string read = "read_blif " + file("given") + "; strash; ";
+  const std::vector<std::string> all{file("0"), file("1"), file("2")};
+  const Ended ended = run_program({"yosys-abc", "-q",
+                                   read + "ifraig; " + map + again + again + "write_blif " +
+                                       all[0] + "; " + again + "write_blif " + all[1] + "; " +
+                                       read + "dc2; " + again + again + "write_blif " + all[2]});
   if (ended.status == 127) {
     throw InputError("lanes: need yosys-abc, which comes with yosys; --lanes 0 does without");
   }
-  if (ended.status != 0 || !std::filesystem::exists(made)) {
+  if (ended.status != 0 || !std::filesystem::exists(all.back())) {
     throw InputError(fmt::format("{}: yosys-abc fails: {}", name, ended.text));
   }
-  nets::Cells cells = nets::read_blif(read_file(made.string()), name);
+  nets::Cells cells = nets::read_blif(read_file(all.front()), name);
+  for (const std::string& made : all) {
+    nets::Cells other = nets::read_blif(read_file(made), name);
+    if (size_of(other) < size_of(cells)) cells = std::move(other);
+  }
   if (cells.inputs.size() != inputs.size() || cells.outputs.size() != outputs.size()) {
     throw InputError(name + ": yosys-abc made another netlist");
   }

@@ -3,20 +3,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "model/core/input_error.h"
+#include "tb/lanes/schedule.h"
 
 namespace cosim::lanes {
-namespace {
-
-std::string name_of(Value v) {
-  if (v == zero) return "Z";
-  if (v == one) return "O";
-  return fmt::format("v{}", v);
-}
-
-}  // namespace
-
 Value Straight::plane(std::size_t i) {
   const auto [at, is_new] = planes_.try_emplace(i, cells_.size());
   if (is_new) cells_.push_back({0, {}, i, true});
@@ -61,142 +54,173 @@ void Straight::compare(Value a, Value b, Value when) {
   if (a != b) comparisons_.push_back({a, b, when});
 }
 
-// How many values are alive at most while a value is made, the one that needs most made first.
-std::vector<std::size_t> Straight::needs() const {
-  std::vector<std::size_t> all(cells_.size(), 1);
-  for (Value v = 2; v < cells_.size(); ++v) {
-    if (cells_[v].is_plane) continue;
-    std::array<std::size_t, 3> of{};
-    for (std::size_t i = 0; i < of.size(); ++i) of[i] = all[cells_[v].of[i]];
-    std::sort(of.begin(), of.end());
-    all[v] = std::max({of[2], of[1] + 1, of[0] + 2});
+namespace {
+
+// The same table with the input at `place` and the last one in each other's place.
+std::uint8_t with_last(std::uint8_t table, std::size_t place) {
+  std::uint8_t turned = 0;
+  for (std::size_t row = 0; row < 8; ++row) {
+    const std::size_t near = row >> place & 1, far = row >> 2 & 1;
+    const std::size_t from =
+        (row & ~(std::size_t{4} | std::size_t{1} << place)) | near << 2 | far << place;
+    turned = static_cast<std::uint8_t>(turned | (table >> from & 1U) << row);
   }
-  return all;
+  return turned;
 }
 
-// What is needed, each behind what it reads; what one root needs close together, so that few values
-// are alive at a time.
-std::vector<Value> Straight::order() const {
-  const std::vector<std::size_t> need = needs();
-  std::vector<Value> ordered;
-  std::vector<bool> done(cells_.size());
-  done[zero] = done[one] = true;
-  const auto visit = [&](Value root) {
-    std::vector<Value> stack{root};
-    while (!stack.empty()) {
-      const Value v = stack.back();
-      const Cell& c = cells_[v];
-      Value next = zero;
-      for (const Value i : c.of) {
-        if (!done[i] && (next == zero || need[i] > need[next])) next = i;
+}  // namespace
+
+/// Its statements, and their words.
+class Straight::Writer {
+ public:
+  explicit Writer(const Straight& code)
+      : code_(code), values_(code.cells_.size()), is_needed_(values_), readers_(values_) {
+    need();
+    for (Value v = 2; v < values_; ++v) {
+      if (is_needed_[v] && !code.cells_[v].is_plane)
+        add({code.cells_[v].of.begin(), code.cells_[v].of.end()}, v, {Kind::cell, v});
+    }
+    for (std::size_t i = 0; i < code.comparisons_.size(); ++i) {
+      const Comparison& c = code.comparisons_[i];
+      add({c.a, c.b, c.when}, Statement::none, {Kind::comparison, i});
+    }
+    for (std::size_t i = 0; i < code.counts_.size(); ++i) {
+      add({code.counts_[i].value}, Statement::none, {Kind::count, i});
+    }
+    for (std::size_t i = 0; i < code.stores_.size(); ++i) {
+      // A plane that goes to another is taken first, so that two can change places.
+      Value value = code.stores_[i].value;
+      if (code.cells_[value].is_plane) {
+        taken_.push_back(value);
+        add({value}, values_ + taken_.size() - 1, {Kind::take, taken_.size() - 1});
+        value = values_ + taken_.size() - 1;
       }
-      if (done[v]) {
-        stack.pop_back();
-      } else if (next != zero) {
-        stack.push_back(next);
-      } else {
-        done[v] = true;
-        ordered.push_back(v);
-        stack.pop_back();
+      add({value}, Statement::none, {Kind::store, i});
+    }
+    for (std::size_t s = 0; s < kinds_.size(); ++s) {
+      if (kinds_[s].first != Kind::store) continue;
+      const auto held = code.planes_.find(code.stores_[kinds_[s].second].number);
+      if (held != code.planes_.end()) statements_[s].after = readers_[held->second];
+    }
+  }
+
+  std::string text(std::size_t registers) {
+    const Schedule schedule = scheduled(statements_, values_ + taken_.size(), registers);
+    left_.assign(values_ + taken_.size(), 0);
+    for (const Statement& s : statements_) {
+      for (const std::size_t v : s.reads) ++left_[v];
+    }
+    loaded_.assign(left_.size(), 0);
+    std::string all = fmt::format("  V t[{}];\n", std::max<std::size_t>(schedule.places, 1));
+    for (const Move& move : schedule.moves) {
+      switch (move.what) {
+        case Move::What::run:
+          all += "  " + line(move.of) + '\n';
+          for (const std::size_t v : statements_[move.of].reads) --left_[v];
+          leaving_.clear();
+          break;
+        case Move::What::load: {
+          const std::string from = move.place == Statement::none
+                                       ? fmt::format("m[{}]", code_.cells_[move.of].plane)
+                                       : fmt::format("t[{}]", move.place);
+          ++loaded_[move.of];
+          all += fmt::format("  FORGET;\n  const V {} = {};\n", name(move.of), from);
+          break;
+        }
+        case Move::What::leave:
+          leaving_.insert(move.of);
+          if (move.place != Statement::none) {
+            all += fmt::format("  t[{}] = {};\n", move.place, name(move.of));
+          }
       }
     }
-  };
-  for (const Comparison& c : comparisons_) {
-    for (const Value v : {c.a, c.b, c.when}) visit(v);
+    return all;
   }
-  for (const Use& u : counts_) visit(u.value);
-  for (const Use& u : stores_) visit(u.value);
-  return ordered;
-}
 
-std::size_t Straight::cells() const {
-  const auto all = order();
-  return static_cast<std::size_t>(
-      std::count_if(all.begin(), all.end(), [&](Value v) { return !cells_[v].is_plane; }));
-}
+ private:
+  enum class Kind { cell, take, comparison, count, store };
 
-// The same cell with an input in the last place that is not needed any more: an instruction of
-// three inputs puts its result in place of that one.
-template <class IsFree>
-Straight::Cell Straight::with_last(const Cell& c, IsFree is_free) {
-  for (std::size_t place : {1U, 0U}) {
-    if (is_free(c.of[2]) || !is_free(c.of[place])) continue;
-    Cell turned = c;
-    std::swap(turned.of[place], turned.of[2]);
-    turned.table = 0;
-    for (std::size_t row = 0; row < 8; ++row) {
-      const std::size_t near = row >> place & 1, far = row >> 2 & 1;
-      const std::size_t from =
-          (row & ~(std::size_t{4} | std::size_t{1} << place)) | near << 2 | far << place;
-      turned.table = static_cast<std::uint8_t>(turned.table | (c.table >> from & 1U) << row);
+  // The cells that what is compared, counted and stored comes from.
+  void need() {
+    const auto all = [&](Value v) { is_needed_[v] = true; };
+    for (const Comparison& c : code_.comparisons_) {
+      for (const Value v : {c.a, c.b, c.when}) all(v);
     }
-    return turned;
-  }
-  return c;
-}
-
-std::string Straight::text() const {
-  const std::vector<Value> ordered = order();
-  std::vector<std::size_t> position(cells_.size(), 0);
-  for (std::size_t i = 0; i < ordered.size(); ++i) position[ordered[i]] = i;
-  // Something becomes of a value as soon as it is there: a comparison at once, a store when what
-  // the plane held is no longer read.
-  std::vector<std::vector<std::string>> then(ordered.size() + 1);
-  const auto behind = [&](Value v) { return v > one ? position[v] + 1 : 0; };
-  std::map<std::size_t, std::size_t> last_read;  // by plane
-  const auto reads = [&](Value v, std::size_t at) {
-    if (cells_[v].is_plane) last_read[cells_[v].plane] = std::max(last_read[cells_[v].plane], at);
-  };
-  for (std::size_t i = 0; i < ordered.size(); ++i) {
-    for (const Value v : cells_[ordered[i]].of) reads(v, i + 1);
-  }
-  for (const Comparison& c : comparisons_) {
-    const std::size_t at = std::max({behind(c.a), behind(c.b), behind(c.when)});
-    for (const Value v : {c.a, c.b, c.when}) reads(v, at);
-    then[at].push_back(
-        c.when == one ? fmt::format("differ = T<0xf6>({}, {}, differ);", name_of(c.a), name_of(c.b))
-                      : fmt::format("differ |= ({} ^ {}) & {};", name_of(c.a), name_of(c.b),
-                                    name_of(c.when)));
-  }
-  for (const Use& u : counts_) {
-    const std::size_t at = behind(u.value);
-    reads(u.value, at);
-    then[at].push_back(
-        fmt::format("left_out[{}] += count(active & ~{});", u.number, name_of(u.value)));
-  }
-  for (const Use& u : stores_) reads(u.value, behind(u.value));
-  for (const Use& u : stores_) {
-    const auto held = last_read.find(u.number);
-    const std::size_t at = std::max(behind(u.value), held == last_read.end() ? 0 : held->second);
-    then[at].push_back(fmt::format("m[{}] = {};", u.number, name_of(u.value)));
-  }
-
-  std::vector<std::size_t> last_use(cells_.size(), 0);
-  for (std::size_t i = 0; i < ordered.size(); ++i) {
-    for (const Value v : cells_[ordered[i]].of) last_use[v] = i + 1;
-  }
-  for (const Comparison& c : comparisons_) {
-    for (const Value v : {c.a, c.b, c.when}) last_use[v] = ordered.size() + 1;
-  }
-  for (const auto* uses : {&counts_, &stores_}) {
-    for (const Use& u : *uses) last_use[u.value] = ordered.size() + 1;
-  }
-
-  std::string text;
-  for (std::size_t i = 0; i <= ordered.size(); ++i) {
-    for (const std::string& line : then[i]) text += "  " + line + '\n';
-    if (i == ordered.size()) break;
-    const Value v = ordered[i];
-    const Cell& c = cells_[v];
-    if (c.is_plane) {
-      text += fmt::format("  const V v{} = m[{}];\n", v, c.plane);
-      continue;
+    for (const Use& u : code_.counts_) all(u.value);
+    for (const Use& u : code_.stores_) all(u.value);
+    for (Value v = values_; v-- > 2;) {
+      if (!is_needed_[v]) continue;
+      for (const Value of : code_.cells_[v].of) all(of);
     }
-    const Cell turned = with_last(c, [&](Value of) { return last_use[of] == i + 1; });
-    text += fmt::format("  const V v{} = T<0x{:02x}>({}, {}, {});\n", v, turned.table,
-                        name_of(turned.of[0]), name_of(turned.of[1]), name_of(turned.of[2]));
   }
-  return text;
-}
+
+  void add(const std::vector<Value>& reads, std::size_t gives,
+           const std::pair<Kind, std::size_t>& kind) {
+    Statement s{{}, gives};
+    for (const Value v : reads) {
+      const bool is_new = std::find(s.reads.begin(), s.reads.end(), v) == s.reads.end();
+      if (v > one && is_new) s.reads.push_back(v);
+    }
+    for (const Value v : s.reads) {
+      if (v < values_ && code_.cells_[v].is_plane) readers_[v].push_back(statements_.size());
+    }
+    statements_.push_back(std::move(s));
+    kinds_.push_back(kind);
+  }
+
+  std::string name(Value v) const {
+    if (v == zero) return "Z";
+    if (v == one) return "O";
+    return loaded_[v] == 0 ? fmt::format("v{}", v) : fmt::format("v{}_{}", v, loaded_[v]);
+  }
+
+  std::string line(std::size_t s) const {
+    const auto [kind, i] = kinds_[s];
+    switch (kind) {
+      case Kind::cell:
+        return cell(i);
+      case Kind::take:
+        return fmt::format("const V v{} = {};", values_ + i, name(taken_[i]));
+      case Kind::comparison: {
+        const auto& [a, b, when] = code_.comparisons_[i];
+        return when == one ? fmt::format("differ = T<0xf6>({}, {}, differ);", name(a), name(b))
+                           : fmt::format("differ |= ({} ^ {}) & {};", name(a), name(b), name(when));
+      }
+      case Kind::count:
+        return fmt::format("left_out[{}] += count(active & ~{});", code_.counts_[i].number,
+                           name(code_.counts_[i].value));
+      case Kind::store:
+        break;
+    }
+    const Use& u = code_.stores_[i];
+    const auto& reads = statements_[s].reads;
+    return fmt::format("m[{}] = {};", u.number, name(reads.empty() ? u.value : reads.front()));
+  }
+  // An instruction of three inputs puts its result in place of the last: best one that no register
+  // has to hold any more.
+  bool is_free(Value v) const { return v > one && (left_[v] == 1 || leaving_.count(v) != 0); }
+  std::string cell(Value v) const {
+    auto [table, of, plane, is_plane] = code_.cells_[v];
+    for (const std::size_t place : {1U, 0U}) {
+      if (is_free(of[2]) || !is_free(of[place])) continue;
+      std::swap(of[place], of[2]);
+      table = with_last(table, place);
+    }
+    return fmt::format("const V v{} = T<0x{:02x}>({}, {}, {});", v, table, name(of[0]), name(of[1]),
+                       name(of[2]));
+  }
+
+  const Straight& code_;
+  const std::size_t values_;
+  std::vector<bool> is_needed_;
+  std::vector<std::vector<std::size_t>> readers_;  // of a plane's value: statements
+  std::vector<Value> taken_;                       // values behind values_: of these planes
+  std::vector<Statement> statements_;
+  std::vector<std::pair<Kind, std::size_t>> kinds_;  // of each, and which of its kind
+  std::vector<std::size_t> left_, loaded_;  // by value: reads to come, and how often it was loaded
+  std::set<Value> leaving_;                 // behind the next statement
+};
+
+std::string Straight::text(std::size_t registers) const { return Writer(*this).text(registers); }
 
 }  // namespace cosim::lanes

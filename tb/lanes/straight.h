@@ -35,10 +35,9 @@ class Straight {
   /// Counter number i counts the lanes at work in which the value does not hold.
   void count_without(std::size_t i, Value value) { counts_.push_back({i, value}); }
 
-  /// The body of a function: V *const m is the memory. `differ` becomes the lanes that differ.
-  std::string text() const;
-  /// How many cells that is.
-  std::size_t cells() const;
+  /// The body of a function, for a processor of so many registers: V *const m is the memory.
+  /// `differ` becomes the lanes that differ.
+  std::string text(std::size_t registers) const;
 
  private:
   struct Cell {
@@ -47,8 +46,6 @@ class Straight {
     std::size_t plane = 0;
     bool is_plane = false;
   };
-  template <class IsFree>
-  static Cell with_last(const Cell& c, IsFree is_free);
   struct Use {
     std::size_t number;
     Value value;
@@ -56,8 +53,7 @@ class Straight {
   struct Comparison {
     Value a, b, when;
   };
-  std::vector<std::size_t> needs() const;
-  std::vector<Value> order() const;
+  class Writer;
 
   // The first two are the constants.
   std::vector<Cell> cells_ = std::vector<Cell>(2);

@@ -97,22 +97,28 @@ static inline bool any(V v) {
   return all != 0;
 }
 static const V Z = V{}, O = ~V{};
+// What is loaded behind it is loaded there: the compiler does not hold it in a register from before.
+#define FORGET asm volatile("" : "+m"(t) : : "memory")
 )";
 
-std::string function(const char* name, const Straight& body) {
+// Of the registers that a value fits into, less what a cell needs beside its inputs.
+std::size_t registers(int lanes) { return lanes == 512 ? 30 : lanes == 256 ? 13 : 11; }
+
+std::string function(const char* name, const Straight& body, int lanes) {
   return fmt::format(
       "__attribute__((noinline)) static V {}(V* const m, [[maybe_unused]] const V active,\n"
       "    [[maybe_unused]] std::uint64_t* const left_out) {{\n  V differ = V{{}};\n{}  return "
       "differ & active;\n}}\n",
-      name, body.text());
+      name, body.text(registers(lanes)));
 }
 
 }  // namespace
 
 std::string to_text(const Code& code, int lanes) {
   return fmt::format("#define COSIM_LANES {}\n{}{}{}{}{}", lanes, prelude,
-                     function("stretch", code.stretch), function("clear", code.clear),
-                     function("take_over", code.take_over), function("clock", code.clock)) +
+                     function("stretch", code.stretch, lanes), function("clear", code.clear, lanes),
+                     function("take_over", code.take_over, lanes),
+                     function("clock", code.clock, lanes)) +
          fmt::format(R"(extern "C" {{
 extern const int cosim_lanes;
 extern const char cosim_lanes_layout[];

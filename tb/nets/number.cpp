@@ -14,26 +14,37 @@ Graph& graph_of(const A& a, const B& b) {
   return a.graph() != nullptr ? *a.graph() : *b.graph();
 }
 
-// a + b + carry of so many bits, where b may be turned over first.
-std::vector<Bit> sum(Graph& graph, const Number& a, const Number& b, bool b_turned, int width) {
+int longer(const Number& a, const Number& b) { return std::max(a.width(), b.width()); }
+
+// Of -v - 1, or of -v where it stands for a number that is taken away.
+Number::Open turned(Number::Open v) {
+  for (Bit& bit : v.bits) bit = !bit;
+  v.carry = !v.carry;
+  return v;
+}
+
+// a + b.
+Number sum(Graph& graph, const Number& a, const Number::Open& b) {
+  const int width = std::max(a.width(), static_cast<int>(b.bits.size())) + 1;
   std::vector<Bit> bits;
-  Bit carry = b_turned ? yes : no;
-  for (int i = 0; i < width; ++i) {
-    const Bit x = a.at(i), y = b_turned ? !b.at(i) : b.at(i);
-    const Bit odd = graph.differ(x, y);
+  Bit carry = b.carry;
+  for (int i = 0; i < std::min(width, kWord); ++i) {
+    const Bit x = a.at(i), y = b.at(i), odd = graph.differ(x, y);
     bits.push_back(graph.differ(odd, carry));
     carry = graph.choice(odd, carry, x);
   }
-  return bits;
+  return Number::signed_code(graph, std::move(bits));
 }
 
-int longer(const Number& a, const Number& b) { return std::max(a.width(), b.width()); }
-
 template <class Of>
-Number bit_by_bit(Graph& graph, int width, Of of) {
+std::vector<Bit> bits_of(int width, Of of) {
   std::vector<Bit> bits;
   for (int i = 0; i < width; ++i) bits.push_back(of(i));
-  return Number::signed_code(graph, std::move(bits));
+  return bits;
+}
+template <class Of>
+Number bit_by_bit(Graph& graph, int width, Of of) {
+  return Number::signed_code(graph, bits_of(width, of));
 }
 
 // Whether a number is none of 0 .. 63.
@@ -82,6 +93,14 @@ Bit Number::at(int i) const {
   return i < width() ? bits_[static_cast<std::size_t>(i)] : bits_.back();
 }
 
+Bit Number::Open::at(int i) const {
+  return bits[std::min(static_cast<std::size_t>(i), bits.size() - 1)];
+}
+Number Number::with_open(Open open) && {
+  open_ = std::move(open);
+  return std::move(*this);
+}
+
 std::vector<Bit> Number::code(int width) const {
   std::vector<Bit> bits;
   for (int i = 0; i < width; ++i) bits.push_back(at(i));
@@ -99,13 +118,12 @@ std::optional<Word> Number::known() const {
 
 Number operator+(const Number& a, const Number& b) {
   if (a.known() && b.known()) return Number(cosim::add(*a.known(), *b.known()));
-  Graph& graph = graph_of(a, b);
-  return Number::signed_code(graph, sum(graph, a, b, false, std::min(longer(a, b) + 1, kWord)));
+  return b.has_open() ? sum(graph_of(a, b), a, b.open()) : sum(graph_of(a, b), b, a.open());
 }
 Number operator-(const Number& a, const Number& b) {
   if (a.known() && b.known()) return Number(cosim::subtract(*a.known(), *b.known()));
-  Graph& graph = graph_of(a, b);
-  return Number::signed_code(graph, sum(graph, a, b, true, std::min(longer(a, b) + 1, kWord)));
+  Number difference = sum(graph_of(a, b), a, turned(b.open()));
+  return a.known() == 0 ? std::move(difference).with_open(turned(b.open())) : difference;
 }
 // The last bit of a two's complement code counts less than nothing.
 Number operator*(const Number& a, const Number& b) {
@@ -166,7 +184,15 @@ Truth bit(const Number& v, int i) {
 }
 Number shift_left(const Number& v, int n) {
   if (v.known()) return Number(cosim::shift_left(*v.known(), n));
-  return bit_by_bit(*v.graph(), v.width() + n, [&](int i) { return i < n ? no : v.at(i - n); });
+  const auto up = [n](const auto& code, Bit below) {
+    return [&code, below, n](int i) { return i < n ? below : code.at(i - n); };
+  };
+  Number shifted = bit_by_bit(*v.graph(), v.width() + n, up(v, no));
+  if (!v.has_open()) return shifted;
+  // Below are as many ones as carry it to its place.
+  const Number::Open open = v.open();
+  const int width = static_cast<int>(open.bits.size()) + n;
+  return std::move(shifted).with_open({bits_of(width, up(open, open.carry)), open.carry});
 }
 Number shift_right(const Number& v, int n) {
   if (v.known()) return Number(cosim::shift_right(*v.known(), n));
@@ -189,8 +215,15 @@ Number shift_right(const Number& v, const Number& n) {
 Number select(const Truth& c, const Number& a, const Number& b) {
   if (c.known()) return *c.known() ? a : b;
   Graph& graph = *c.graph();
-  return bit_by_bit(graph, longer(a, b),
-                    [&](int i) { return graph.choice(c.bit(), a.at(i), b.at(i)); });
+  const auto one_of = [&](const auto& x, const auto& y) {
+    return [&](int i) { return graph.choice(c.bit(), x.at(i), y.at(i)); };
+  };
+  Number chosen = bit_by_bit(graph, longer(a, b), one_of(a, b));
+  if (!a.has_open() && !b.has_open()) return chosen;
+  const Number::Open x = a.open(), y = b.open();
+  const int width = static_cast<int>(std::max(x.bits.size(), y.bits.size()));
+  return std::move(chosen).with_open(
+      {bits_of(width, one_of(x, y)), graph.choice(c.bit(), x.carry, y.carry)});
 }
 
 }  // namespace cosim::nets

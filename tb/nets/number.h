@@ -54,11 +54,24 @@ class Number {
   std::optional<Word> known() const;
   Graph* graph() const { return graph_; }
 
+  /// The same number as a code in two's complement and 1 more where `carry` holds. What was negated
+  /// has one without a carry through all bits, so that a sum that takes it has no more than its
+  /// own.
+  struct Open {
+    std::vector<Bit> bits;
+    Bit carry = no;
+    Bit at(int i) const;  ///< as of a Number
+  };
+  Open open() const { return open_.value_or(Open{bits_, no}); }
+  bool has_open() const { return open_.has_value(); }
+  Number with_open(Open open) &&;
+
  private:
   Number(Graph* graph, std::vector<Bit> bits);
 
   Graph* graph_ = nullptr;
   std::vector<Bit> bits_;
+  std::optional<Open> open_;
 };
 
 Number operator+(const Number& a, const Number& b);

@@ -135,5 +135,29 @@ TEST(Number, HasNoMoreBitsThanItNeeds) {
   EXPECT_EQ(Number(-1).width(), 1);
 }
 
+// How many gates a number comes to.
+std::size_t gates_of(const Graph& graph, const Number& number) {
+  std::vector<bool> needed(graph.gates().size());
+  for (const Bit bit : number.code(number.width())) needed[bit.gate()] = true;
+  std::size_t count = 0;
+  for (std::size_t i = needed.size(); i-- > 0;) {
+    const Graph::Made& g = graph.gates()[i];
+    if (!needed[i] || g.kind == Gate::constant || g.kind == Gate::input) continue;
+    ++count;
+    for (const Bit bit : {g.a, g.b, g.c}) needed[bit.gate()] = true;
+  }
+  return count;
+}
+
+// The carry of the negation is that of the sum.
+TEST(Number, ThatWasNegatedIsAddedLikeAnyOther) {
+  Free free(9, true, true);
+  const Truth turns = bit(free.y, 0);
+  const auto plain = gates_of(free.graph, free.x + select(turns, Number(-1) - free.y, free.y));
+  EXPECT_LE(gates_of(free.graph, free.x + select(turns, Number(0) - free.y, free.y)), plain + 3);
+  EXPECT_EQ(gates_of(free.graph, free.x + (Number(0) - free.y)),
+            gates_of(free.graph, free.x - free.y));
+}
+
 }  // namespace
 }  // namespace cosim::nets

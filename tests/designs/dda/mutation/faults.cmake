@@ -5,8 +5,7 @@ fault("A number of W bits is written as a signed one" dda/machine.h
 fault("A register of W bits takes W + 1" dda/machine.h
   [[low_bits(code, field.width)]] [[code]])
 fault("A step down changes a rate as one up does" dda/machine.h
-  [[select(is_set(up), by, V(0)) - select(is_set(down), by, V(0))]]
-  [[select(is_set(up), by, V(0)) + select(is_set(down), by, V(0))]])
+  [[select(is_set(down), V(0) - by, V(0))]] [[select(is_set(down), by, V(0))]])
 fault("A sum of 2^W is no carry" dda/machine.h
   [[!(sum < V(shift_left(1, p.width)))]] [[sum > V(shift_left(1, p.width))]])
 fault("A sum of 0 is a borrow" dda/machine.h

@@ -34,14 +34,13 @@ nets::Cells mapped(const std::string& name, const nets::Graph& graph,
     return (scratch.path() / (of + ".blif")).string();
   };
   std::ofstream(file("given")) << to_blif(name, graph, ports("i", inputs), ports("o", outputs));
-  // Which way needs fewest cells depends on the netlist.
-  const std::string map = "if -a -K 3; mfs2 -a; ", again = "strash; dch; " + map;
-  const std::string read = "read_blif " + file("given") + "; strash; ";
-  const std::vector<std::string> all{file("0"), file("1"), file("2")};
-  const Ended ended = run_program({"yosys-abc", "-q",
-                                   read + "ifraig; " + map + again + again + "write_blif " +
-                                       all[0] + "; " + again + "write_blif " + all[1] + "; " +
-                                       read + "dc2; " + again + again + "write_blif " + all[2]});
+  // Which of two ways needs fewer cells depends on the netlist. mfs2 takes most of the time.
+  const std::string read = "read_blif " + file("given") + "; strash; ", map = "if -a -K 3; ";
+  const std::string again = "strash; dch; " + map, ends = again + "mfs2 -a; write_blif ";
+  const std::vector<std::string> all{file("0"), file("1")};
+  const Ended ended = run_program(
+      {"yosys-abc", "-q",
+       read + "ifraig; " + map + again + ends + all[0] + "; " + read + "dc2; " + ends + all[1]});
   if (ended.status == 127) {
     throw InputError("lanes: need yosys-abc, which comes with yosys; --lanes 0 does without");
   }

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t none = Statement::none;
 
 // The longer an order of ends is changed at random, the less it gains.
-constexpr int tries = 1500;
+constexpr int tries = 1000;
 
 /// Orders of the statements, each from one of their ends: what an end needs is run close together,
 /// and an end as soon as it can be.

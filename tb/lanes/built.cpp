@@ -53,6 +53,7 @@ void compile(const fs::path& library, int lanes, const std::string& source) {
   const Scratch scratch;
   const fs::path file = scratch.path() / "lanes.cpp", made = scratch.path() / "lanes.so";
   std::ofstream(file) << source;
+  // The statements stand in the order in which they need least memory: it is left to them.
   const Ended ended =
       run_program({COSIM_COMPILER, "-std=c++17", "-O2", "-fno-tree-reassoc", vectors_of(lanes),
                    "-w", "-fPIC", "-shared", "-o", made.string(), file.string()});

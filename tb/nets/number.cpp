@@ -16,7 +16,7 @@ Graph& graph_of(const A& a, const B& b) {
 
 int longer(const Number& a, const Number& b) { return std::max(a.width(), b.width()); }
 
-// Of -v - 1, or of -v where it stands for a number that is taken away.
+// -v: its code turned over, and the other carry.
 Number::Open turned(Number::Open v) {
   for (Bit& bit : v.bits) bit = !bit;
   v.carry = !v.carry;

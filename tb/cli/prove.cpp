@@ -4,24 +4,14 @@
 
 #include <algorithm>
 #include <memory>
-#include <sstream>
 
 #include "model/core/input_error.h"
 #include "tb/cli/commands.h"
 #include "tb/cli/number.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/parallel.h"
-#include "tb/support/words.h"
 
 namespace cosim::cli {
-
-std::string listed(const std::vector<proof::Engine>& engines) {
-  std::string text;
-  for (std::size_t i = 0; i < engines.size(); ++i) {
-    text += (i == 0 ? "" : i + 1 == engines.size() ? " and " : ", ") + to_text(engines[i]);
-  }
-  return text;
-}
 
 void say_limit(int limit) {
   fmt::print("an engine was stopped after {} s of processor time; give it more: --limit {}\n",
@@ -30,25 +20,12 @@ void say_limit(int limit) {
 
 namespace {
 
-// --engines A,B,C; those that the work has nothing for are refused.
+// Those that the work has nothing for are refused.
 std::vector<proof::Engine> engines_of(const ProveOptions& o) {
   std::vector<proof::Engine> all = proof::all_engines();
   // A theorem on integers without end is no question about nets, and each is asked both.
   if (o.theorems) std::erase(all, proof::Engine::cec);
-  if (!o.engines) return all;
-  std::vector<proof::Engine> chosen;
-  std::istringstream words(*o.engines);
-  for (std::string word; std::getline(words, word, ',');) {
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](proof::Engine e) { return to_text(e) == word; });
-    if (found == all.end() || std::count(chosen.begin(), chosen.end(), *found) != 0) {
-      throw InputError(
-          fmt::format("--engines {}: takes {}, each once", in_quotes(*o.engines), listed(all)));
-    }
-    chosen.push_back(*found);
-  }
-  if (chosen.empty()) throw InputError("--engines: needs one");
-  return chosen;
+  return o.engines ? proof::engines_of(*o.engines, all) : all;
 }
 
 int run(const ProveOptions& o) {

@@ -39,7 +39,5 @@ int prove_mutants(const ProveOptions& o, const proof::Asking& asking);
 void keep_scripts(const std::string& folder, const std::string& title, const proof::Claim& claim);
 /// Says how to give an engine more time, as a last line.
 void say_limit(int limit);
-/// "cec, z3 and cvc5"
-std::string listed(const std::vector<proof::Engine>& engines);
 
 }  // namespace cosim::cli

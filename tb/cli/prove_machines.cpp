@@ -143,9 +143,9 @@ int prove_machines(const ProveOptions& o, const proof::Asking& asking) {
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   if (explain_first) explain_first();
   fmt::print("{} of {} proved, {}, in {:.1f} s\n", proved, count(claims.size(), "claim"),
-             asking.engines.size() == 1   ? "by " + listed(asking.engines) + " alone"
-             : asking.engines.size() == 2 ? "each by " + listed(asking.engines)
-                                          : "each by two of " + listed(asking.engines),
+             asking.engines.size() == 1   ? "by " + proof::listed(asking.engines) + " alone"
+             : asking.engines.size() == 2 ? "each by " + proof::listed(asking.engines)
+                                          : "each by two of " + proof::listed(asking.engines),
              took.count());
   if (proof::timed_out(decisions)) say_limit(asking.limit);
   return proved == claims.size() ? 0 : 1;

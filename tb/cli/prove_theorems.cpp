@@ -37,7 +37,7 @@ int prove_theorems(const ProveOptions& o, const proof::Asking& asking) {
     proved += claim.proved && premises.proved ? 1 : 0;
   }
   fmt::print("{} of {} proved by {}\n", proved, count(theorems.size(), "theorem"),
-             listed(asking.engines));
+             proof::listed(asking.engines));
   if (proof::timed_out(decisions)) say_limit(asking.limit);
   return proved == theorems.size() ? 0 : 1;
 }

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <memory>
@@ -68,24 +67,11 @@ Prover nobody() {
 
 struct Options {
   std::string results, failures = "failures", prover = "scripts/prove";
+  std::optional<std::string> engines;
   bool unproved = false, about = false;
   unsigned threads = cosim::cores();
-  std::vector<std::string> engines;
   Part part;
 };
-
-std::vector<proof::Engine> engines_of(const std::vector<std::string>& names) {
-  std::vector<proof::Engine> all;
-  for (const std::string& name : names) {
-    const auto is = [&](proof::Engine e) { return to_text(e) == name; };
-    const auto at = std::find_if(kEngines.begin(), kEngines.end(), is);
-    if (at == kEngines.end() || std::count(all.begin(), all.end(), *at) != 0) {
-      throw InputError("--engines " + name + ": takes cec, cvc5 and z3, each once");
-    }
-    all.push_back(*at);
-  }
-  return all.empty() ? kEngines : all;
-}
 
 int run(const Subject& subject, const Options& o) {
   if (o.about) {
@@ -93,7 +79,7 @@ int run(const Subject& subject, const Options& o) {
     return 0;
   }
   if (o.results.empty()) throw InputError("RESULTS is required");
-  const auto which = engines_of(o.engines);
+  const auto which = o.engines ? proof::engines_of(*o.engines) : kEngines;
   std::string work = fmt::format("{} mutants of {}, {} from {}", subject.mutants().size(),
                                  subject.bench().title(), o.part.count, o.part.first);
   for (const proof::Engine e : which) work += ", " + to_text(e);
@@ -128,7 +114,6 @@ int main_of(const Subject& subject, int argc, char** argv) {
   app.add_option("--engines", o.engines,
                  "Which prove, in this order; default cec,cvc5,z3, of which two have to agree; one "
                  "alone decides by itself")
-      ->delimiter(',')
       ->type_name("A,B,C");
   app.add_option("--prover", o.prover, "How a survivor's folder calls what proves");
   app.add_option("--failures", o.failures, "Where a survivor leaves its folder");

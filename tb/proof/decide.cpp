@@ -3,9 +3,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <sstream>
 
+#include "model/core/input_error.h"
 #include "tb/proof/abc.h"
 #include "tb/support/parallel.h"
+#include "tb/support/words.h"
 
 namespace cosim::proof {
 namespace {
@@ -77,6 +80,30 @@ std::string to_text(Engine engine) {
 }
 
 std::vector<Engine> all_engines() { return {Engine::cec, Engine::z3, Engine::cvc5}; }
+
+std::string listed(const std::vector<Engine>& engines) {
+  std::string text;
+  for (std::size_t i = 0; i < engines.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == engines.size() ? " and " : ", ") + to_text(engines[i]);
+  }
+  return text;
+}
+
+std::vector<Engine> engines_of(const std::string& list, const std::vector<Engine>& all) {
+  std::vector<Engine> chosen;
+  std::istringstream words(list);
+  for (std::string word; std::getline(words, word, ',');) {
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](Engine e) { return to_text(e) == word; });
+    if (found == all.end() || std::count(chosen.begin(), chosen.end(), *found) != 0) {
+      throw InputError(
+          fmt::format("--engines {}: takes {}, each once", in_quotes(list), listed(all)));
+    }
+    chosen.push_back(*found);
+  }
+  if (chosen.empty()) throw InputError("--engines: needs one");
+  return chosen;
+}
 
 bool can_ask(Engine engine, const Claim& claim) {
   return engine == Engine::cec ? claim.nets != nullptr : !claim.queries.empty();

@@ -17,6 +17,12 @@ enum class Engine {
 std::string to_text(Engine engine);
 /// All of them, the quickest first.
 std::vector<Engine> all_engines();
+/// "cec, z3 and cvc5".
+std::string listed(const std::vector<Engine>& engines);
+/// Those that `list`, the value of --engines, names in its order: A,B,C. Throws InputError where it
+/// names none, one twice, or one that is not among `all`.
+std::vector<Engine> engines_of(const std::string& list,
+                               const std::vector<Engine>& all = all_engines());
 /// Whether there is something of the claim that the engine reads.
 bool can_ask(Engine engine, const Claim& claim);
 

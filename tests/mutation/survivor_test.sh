@@ -2,12 +2,19 @@
 # survivor_test.sh PROGRAM COSIM
 #
 # A mutant that no stimulus kills and no proof shows to be the same machine has survived: status 1, and
-# a folder that describes it and from which it can be proved.
+# a folder that describes it and from which it can be proved. Before that, engines that there are not
+# are refused: status 2, and nothing is written.
 # Status: 0 so, 1 not, 77 where a solver is not installed.
 set -euo pipefail
 
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
+status=0
+"$1" "$folder/results.json" --engines cec,nobody 2> "$folder/said" || status=$?
+((status == 2)) && grep -qx -- "--engines 'cec,nobody': takes .*" "$folder/said" ||
+  { echo "status $status of an engine that there is not" && exit 1; }
+[[ ! -e $folder/results.json && ! -e $folder/results.json.part ]]
+
 status=0
 "$1" "$folder/results.json" --unproved --failures "$folder/failures" > "$folder/said" || status=$?
 ((status == 1)) || { echo "status $status with survivors" && exit 1; }

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "model/core/input_error.h"
+
 namespace cosim::proof {
 namespace {
 
@@ -19,6 +21,29 @@ const Claim claim{"a claim", Answer::unsat, {{{"the question"}, ""}}, {}};
 
 Decision decision(Answer cvc5, Answer z3) {
   return judged(claim, {{Engine::cvc5, {answer(cvc5)}}, {Engine::z3, {answer(z3)}}});
+}
+
+std::string refusal(const std::string& list, const std::vector<Engine>& all = all_engines()) {
+  try {
+    return "taken: " + listed(engines_of(list, all));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+TEST(Engines, AreTakenInTheirOrder) {
+  EXPECT_EQ(engines_of("cvc5,cec"), (std::vector{Engine::cvc5, Engine::cec}));
+  EXPECT_EQ(engines_of("z3"), std::vector{Engine::z3});
+}
+
+TEST(Engines, AreRefusedTwiceUnknownOrWhereThereIsNone) {
+  const std::string takes = ": takes cec, z3 and cvc5, each once";
+  EXPECT_EQ(refusal("cec,z3,cec"), "--engines 'cec,z3,cec'" + takes);
+  EXPECT_EQ(refusal("cec,abc"), "--engines 'cec,abc'" + takes);
+  EXPECT_EQ(refusal("cec,,z3"), "--engines 'cec,,z3'" + takes);
+  EXPECT_EQ(refusal(""), "--engines: needs one");
+  EXPECT_EQ(refusal("cec", {Engine::z3, Engine::cvc5}),
+            "--engines 'cec': takes z3 and cvc5, each once");
 }
 
 TEST(Decision, IsAProofWhereTwoAgree) {

@@ -18,19 +18,26 @@ struct Jobs<dda::Design> {
   static List random(const dda::Params& p, std::uint64_t seed, std::uint64_t i) {
     return {dda::random_job(p, seed, i)};
   }
-  /// Lines as long as there are, so that the steps left go through all their digits; and the first
-  /// clocks of lines down and to the left whose rate is full but for one digit, each in its turn:
-  /// what such a rate is taken for shows there.
+  /// The first clocks of lines that show each digit of a word, each in its turn: of those down and to
+  /// the left whose rate is full but for the digit, what such a rate is taken for; of those with
+  /// the digit alone as the steps left, whether steps are left. Behind them a line as long as there
+  /// is, so that the steps left go through all their digits: nothing comes behind it in time.
   static List longest(const dda::Params& p, std::uint64_t, std::uint64_t i) {
-    const std::int64_t most = ones(p.width) - static_cast<std::int64_t>(i);
-    List lines{dda::line(p, {most, -most}, {})};
-    for (int digit = static_cast<int>(i); digit < p.width - 1; digit += long_jobs) {
-      const std::int64_t nearly = shift_left(1, p.width - 1) - shift_left(1, digit);
-      for (const dda::Point to : {dda::Point{1, -nearly}, dda::Point{-nearly, 1}}) {
-        lines.push_back(dda::line(p, to, {}));
-        lines.back().clocks = 4 * p.width;
-      }
+    List lines;
+    const auto begin = [&](const dda::Point& to) {
+      lines.push_back(dda::line(p, to, {}));
+      lines.back().clocks = 4 * p.width;
+    };
+    for (int digit = static_cast<int>(i); digit < p.width; digit += long_jobs) {
+      const std::int64_t alone = shift_left(1, digit);
+      begin({alone, alone});
+      if (digit == p.width - 1) continue;
+      const std::int64_t nearly = shift_left(1, p.width - 1) - alone;
+      begin({1, -nearly});
+      begin({-nearly, 1});
     }
+    const std::int64_t most = ones(p.width) - static_cast<std::int64_t>(i);
+    lines.push_back(dda::line(p, {most, -most}, {}));
     return lines;
   }
 };

@@ -18,8 +18,8 @@ struct Jobs<dda::Design> {
   static List random(const dda::Params& p, std::uint64_t seed, std::uint64_t i) {
     return {dda::random_job(p, seed, i)};
   }
-  /// The first clocks of lines that show each digit of a word, each in its turn: of those down and to
-  /// the left whose rate is full but for the digit, what such a rate is taken for; of those with
+  /// The first clocks of lines that show each digit of a word, each in its turn: of those down and
+  /// to the left whose rate is full but for the digit, what such a rate is taken for; of those with
   /// the digit alone as the steps left, whether steps are left. Behind them a line as long as there
   /// is, so that the steps left go through all their digits: nothing comes behind it in time.
   static List longest(const dda::Params& p, std::uint64_t, std::uint64_t i) {

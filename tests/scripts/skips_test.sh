@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # scripts/test names each test that was skipped, with its reason, and fails if the scripts should have
-# prevented the reason. Status: 0 so, 1 not.
+# prevented the reason; and says how many long tests it left out. Status: 0 so, 1 not.
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
@@ -8,11 +8,12 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 failures=0
 
-# expect STATUS LINES TESTS: scripts/test on these tests of ctest ends so and has these lines.
+# expect STATUS LINES TESTS [ARGUMENT]...: scripts/test on these tests of ctest ends so and has these
+# lines.
 expect() {
   local expected=$1 line output status=0
   printf '%s\n' 'add_test(passes "true")' "$3" > "$folder/CTestTestfile.cmake"
-  output=$("$root/scripts/test" --built "$folder" 2>&1) || status=$?
+  output=$("$root/scripts/test" "${@:4}" --built "$folder" 2>&1) || status=$?
   ((status == expected)) || { echo "status $status for $expected" && failures=1; }
   while IFS= read -r line; do
     grep -qxF -- "$line" <<< "$output" || { echo "does not say: $line" && failures=1; }
@@ -35,4 +36,10 @@ expect 0 "one: not here: a folder" \
 expect 1 "one: needs z3" 'add_test(one "printf" "a/b.cpp:61: Skipped\nneeds z3\n\n[  SKIPPED ] one\n")'"$google"
 expect 0 "one: not here: a folder" \
   'add_test(one "printf" "a/b.cpp:61: Skipped\nnot here: a folder\n\n[  SKIPPED ] one\n")'"$google"
+
+# Two of these three are long.
+long='add_test(NetlistProof "false")
+add_test(KilledSweep.GoesOn "false")'
+expect 0 $'1 passed, 0 failed, 0 skipped\n== Left to scripts/test --all: 2 long tests' "$long"
+expect 1 "1 passed, 2 failed, 0 skipped" "$long" --all
 echo "as expected"

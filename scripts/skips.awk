@@ -1,7 +1,7 @@
 # awk -f skips.awk JUNIT: a line for each test that ctest skipped, "NAME: REASON", in its own words.
 # A reason that begins with "not here: " is something that the set-up of the tests does not bring: a
-# folder or a right that only the user can give, or a browser, for which only CI asks. All others, and a
-# test without a reason, were to be prevented.
+# folder or a right that only the user can give. All others, and a test without a reason, were to be
+# prevented.
 # Status: 0 none but those that begin so, 1 others.
 
 function text(xml) {

@@ -22,10 +22,15 @@ void add_files(Words& words, const proof::Source& source) {
   for (const auto& file : source.files) words.push_back(file.string());
 }
 
+// A parameter's value as both take it: a text in quotes.
+std::string given(const Parameter& p) {
+  return p.text != nullptr ? fmt::format("\"{}\"", p.text) : to_text(p);
+}
+
 Words verilator(const proof::Source& source) {
   Words words{"verilator", "--lint-only", "-Wall", "--top-module", source.top};
   for (const Parameter& p : source.parameters) {
-    words.push_back(fmt::format("-G{}={}", p.name, p.value));
+    words.push_back(fmt::format("-G{}={}", p.name, given(p)));
   }
   add_files(words, source);
   return words;
@@ -34,7 +39,7 @@ Words verilator(const proof::Source& source) {
 Words iverilog(const proof::Source& source, const Scratch& scratch) {
   Words words{"iverilog", "-Wall", "-g2012", "-s", source.top, "-o", scratch.path() / "vvp"};
   for (const Parameter& p : source.parameters) {
-    words.push_back(fmt::format("-P{}.{}={}", source.top, p.name, p.value));
+    words.push_back(fmt::format("-P{}.{}={}", source.top, p.name, given(p)));
   }
   add_files(words, source);
   return words;

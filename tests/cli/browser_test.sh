@@ -9,7 +9,7 @@ set -euo pipefail
 program=$1 faulty=$2 pictures=$3
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 browser=$(command -v chromium-headless-shell || command -v chromium) || {
-  echo "skipped: not here: no Chromium; scripts/setup page brings one, 100 MB of packages"
+  echo "skipped: no Chromium; scripts/setup page brings one"
   exit 77
 }
 folder=$(mktemp -d)

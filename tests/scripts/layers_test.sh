@@ -1,11 +1,22 @@
 #!/usr/bin/env bash
-# The harness names no design: no line of its files holds the name of one in rtl/shipped.txt as a word,
-# or the word for what the shipped ones are. First on a small tree with such lines, then on the project.
+# The harness names no design: no line of its files has the name of one in rtl/shipped.txt where it names
+# a design: as a scope, a folder, a file, a class of Verilator, a text in quotes, beside a parameter or
+# as the argument of a command. In prose the word may be a word: "a linear search". First on a small tree
+# with such lines, then on the project.
 # Status: 0 so it is, 1 not, with FILE:LINE:TEXT of each find.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
+
+# pattern NAMES: an expression of lines that name one of NAMES, a|b|c.
+pattern() {
+  local begins='(^|[^[:alnum:]_])' ends='([^[:alnum:]_]|$)'
+  local commands='list|sweep|replay|prove|mutate|lint|cover|without|designs'
+  printf '%s|' "$begins($1)(::|/|_[a-z]|\.(v|h|cpp|cmake|txt)|[\"'>]| [A-Z]+=)" \
+    "[/\"'<]($1)$ends" "${begins}V($1)"
+  printf '%s' "$begins($commands) ($1)$ends"
+}
 
 # finds TREE: the lines that name a design. Tests of the harness run on some design, so of tests/ only
 # the build and what serves every design are searched.
@@ -22,7 +33,7 @@ finds() {
     find "${folders[@]}" -type f -print
     find tests -type f \( -name CMakeLists.txt -o -name '*.cmake' -o -name '*.in' \) -print
   } | grep -vE '^(tb|tests)/(designs|studies)/' | LC_ALL=C sort -u |
-    xargs grep -nHiE "(^|[^[:alpha:]]|\bV)($names)([^[:alpha:]]|\$)|interpolat" || true
+    xargs grep -nHE "$(pattern "$names")" || true
 }
 
 tree=$folder/tree
@@ -30,17 +41,18 @@ mkdir -p "$tree"/{rtl,scripts,model/{core,first},tb/{cli,designs/first,studies/b
 cd "$tree"
 printf '# A comment.\nfirst W=4\nsecond W=4\nfirst W=8\n' > rtl/shipped.txt
 printf 'one\nVfirst_ of the RTL\n' > tb/cli/x.cpp
-echo 'seconds, firstly, theFirst, vsecondary' > tb/cli/allowed.cpp
-echo '# by SECOND' | tee scripts/run tests/cli/x_test.cpp > tests/CMakeLists.txt
+echo 'seconds, firstly, theFirst, vsecondary; the first of all, by second' > tb/cli/allowed.cpp
+echo 'cosim sweep second' | tee scripts/run tests/cli/x_test.cpp > tests/CMakeLists.txt
 echo '#include "model/first/x.h"' | tee model/first/x.h tb/designs/first/x.h tb/studies/both/x.h \
   tests/designs/CMakeLists.txt > model/core/x.h
-echo '// An interpolator.' > tb/cli/y.cpp
+printf '%s\n' 'using first::Design;' '"second W=4"' 'prove(second);' > tb/cli/y.cpp
 diff - <(finds "$tree") <<- 'END'
 	model/core/x.h:1:#include "model/first/x.h"
-	scripts/run:1:# by SECOND
+	scripts/run:1:cosim sweep second
 	tb/cli/x.cpp:2:Vfirst_ of the RTL
-	tb/cli/y.cpp:1:// An interpolator.
-	tests/CMakeLists.txt:1:# by SECOND
+	tb/cli/y.cpp:1:using first::Design;
+	tb/cli/y.cpp:2:"second W=4"
+	tests/CMakeLists.txt:1:cosim sweep second
 END
 
 found=$(finds "$root")

@@ -16,3 +16,7 @@ if [[ $solvers ]]; then
   [[ -d ${refuted[0]} ]] || fails "a refuted claim leaves a folder"
   ends 1 replay "${refuted[0]}"
 fi
+# A text is a text for the linters too: with another value the RTL does not elaborate.
+ends 1 lint lfsr FAULT=0 # Verilator has words about widths
+says_like "iverilog -Wall +clean"
+says_not no_such_mode

@@ -11,4 +11,7 @@ module lfsr #(parameter FAULT = 0, parameter [7:0] TAPS = 8'h01, parameter MODE 
   always @(posedge clk)
     if (en) bits <= shifted ^ {7'b0, FAULT != 0 && bits == 8'h3C};
     else if (MODE == "FILL") bits <= {bits[6:0], 1'b1};
+  if (MODE != "FILL" && MODE != "HOLD") begin : g_refused
+    no_such_mode refused ();
+  end
 endmodule

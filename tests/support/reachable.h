@@ -6,6 +6,7 @@
 
 #include "tb/stimulus/hostile.h"
 #include "tests/support/model_machine.h"
+#include "tests/support/shape.h"
 
 namespace cosim::test {
 
@@ -27,31 +28,35 @@ void expect_stated(const Params& p, const State& s) {
   }
 }
 
-/// Hostile clocks on the model: all that it shows fits its fields. `recovered(params, state)`
-/// expects that every number of the state comes back from its code in the registers.
-template <class Shape, class Recovered>
+/// Hostile clocks on the model in each of its shapes: all that it shows fits its fields.
+/// `recovered(params, state)` expects that every number of the state comes back from its code in
+/// the registers.
+template <class Design, class Recovered>
 void expect_states_fit_the_registers(Recovered recovered) {
-  using Design = typename Shape::Design;
   constexpr std::uint64_t kCases = 200, kClocks = 1000;
-  std::uint64_t clocks = 0, busy = 0;
-  for (std::uint64_t i = 0; i < kCases; ++i) {
-    HostileStimulus<Design> hostile(Shape::params, {11, i, kClocks});
-    ModelMachine<Design> machine(Shape::params);
-    typename Design::template Inputs<Word> in;
-    typename Design::template Outputs<Word> seen{};
-    for (; hostile.next(in, seen); ++clocks) {
-      expect_fits(in, Shape::params);
-      seen = machine.clock(in);
-      expect_fits(seen, Shape::params);
-      expect_fits(machine.registers(), Shape::params);
-      recovered(Shape::params, machine.state);
-      expect_stated(Shape::params, machine.state);
-      if (testing::Test::HasFatalFailure()) FAIL() << "case " << i << " clock " << clocks % kClocks;
-      busy += to_words(seen)[0] != 0;  // busy, running
+  for_each_shape<Design>([&](const typename Design::Params& p) {
+    std::uint64_t clocks = 0, busy = 0;
+    for (std::uint64_t i = 0; i < kCases; ++i) {
+      HostileStimulus<Design> hostile(p, {11, i, kClocks});
+      ModelMachine<Design> machine(p);
+      typename Design::template Inputs<Word> in;
+      typename Design::template Outputs<Word> seen{};
+      for (; hostile.next(in, seen); ++clocks) {
+        expect_fits(in, p);
+        seen = machine.clock(in);
+        expect_fits(seen, p);
+        expect_fits(machine.registers(), p);
+        recovered(p, machine.state);
+        expect_stated(p, machine.state);
+        if (testing::Test::HasFatalFailure()) {
+          FAIL() << "case " << i << " clock " << clocks % kClocks;
+        }
+        busy += to_words(seen)[0] != 0;  // busy, running
+      }
     }
-  }
-  EXPECT_EQ(clocks, kCases * kClocks);
-  EXPECT_GT(busy, clocks / 200);  // the machine was at work, too
+    EXPECT_EQ(clocks, kCases * kClocks);
+    EXPECT_GT(busy, clocks / 200);  // the machine was at work, too
+  });
 }
 
 }  // namespace cosim::test

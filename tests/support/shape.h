@@ -1,42 +1,33 @@
 // The shapes that a model is tested in: those the project ships and the corners of the parameters.
-// A design has them in its shapes.h as TestedShapes; shapes.h has those of all designs.
 #pragma once
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 
 #include "model/core/fields.h"
 
 namespace cosim::test {
 
-template <class D, typename D::Params P>
-struct Shape {
-  using Design = D;
-  static constexpr typename D::Params params = P;
-};
+/// Of a design, which has them in its shapes.h.
+template <class Design>
+inline constexpr std::array<typename Design::Params, 0> tested_shapes{};
 
-/// Several lists of types as one.
-template <class...>
-struct Joined;
-template <class... A>
-struct Joined<testing::Types<A...>> {
-  using Types = testing::Types<A...>;
-};
-template <class... A, class... B, class... More>
-struct Joined<testing::Types<A...>, testing::Types<B...>, More...>
-    : Joined<testing::Types<A..., B...>, More...> {};
-
-/// "linearM5N2"
-struct ShapeNames {
-  template <class S>
-  static std::string GetName(int) {
-    std::string name = S::Design::name;
-    for (const Parameter& p : S::Design::parameters(S::params)) {
+/// Calls check(params) for each of them until one fails; a failure says which. Not a type for each
+/// shape: a check is compiled once for a design.
+template <class Design, class Check>
+void for_each_shape(Check check) {
+  static_assert(!tested_shapes<Design>.empty(), "the design's shapes.h is included");
+  for (const typename Design::Params& params : tested_shapes<Design>) {
+    std::string name = Design::name;
+    for (const Parameter& p : Design::parameters(params)) {
       name += p.name + std::to_string(p.value);
     }
-    return name;
+    SCOPED_TRACE(name);
+    check(params);
+    if (testing::Test::HasFatalFailure()) return;
   }
-};
+}
 
 }  // namespace cosim::test

@@ -4,12 +4,10 @@
 #include "model/circular/machine.h"
 #include "tests/support/shape.h"
 
-namespace cosim::circular {
+namespace cosim::test {
 
-using TestedShapes =
-    testing::Types<test::Shape<Design, Params{2}>, test::Shape<Design, Params{4}>,
-                   test::Shape<Design, Params{8}>, test::Shape<Design, Params{12}>,
-                   test::Shape<Design, Params{16}>, test::Shape<Design, Params{24}>,
-                   test::Shape<Design, Params{32}>>;
+template <>
+inline constexpr auto tested_shapes<circular::Design> =
+    std::to_array<circular::Params>({{2}, {4}, {8}, {12}, {16}, {24}, {32}});
 
-}  // namespace cosim::circular
+}  // namespace cosim::test

@@ -4,10 +4,10 @@
 #include "model/dda/machine.h"
 #include "tests/support/shape.h"
 
-namespace cosim::dda {
+namespace cosim::test {
 
-using TestedShapes = testing::Types<test::Shape<Design, Params{2}>, test::Shape<Design, Params{6}>,
-                                    test::Shape<Design, Params{8}>, test::Shape<Design, Params{16}>,
-                                    test::Shape<Design, Params{32}>>;
+template <>
+inline constexpr auto tested_shapes<dda::Design> =
+    std::to_array<dda::Params>({{2}, {6}, {8}, {16}, {32}});
 
-}  // namespace cosim::dda
+}  // namespace cosim::test

@@ -4,13 +4,10 @@
 #include "model/linear/machine.h"
 #include "tests/support/shape.h"
 
-namespace cosim::linear {
+namespace cosim::test {
 
-using TestedShapes =
-    testing::Types<test::Shape<Design, Params{2, 1}>, test::Shape<Design, Params{5, 2}>,
-                   test::Shape<Design, Params{6, 3}>, test::Shape<Design, Params{7, 1}>,
-                   test::Shape<Design, Params{8, 5}>, test::Shape<Design, Params{16, 12}>,
-                   test::Shape<Design, Params{16, 13}>, test::Shape<Design, Params{24, 21}>,
-                   test::Shape<Design, Params{32, 26}>, test::Shape<Design, Params{32, 31}>>;
+template <>
+inline constexpr auto tested_shapes<linear::Design> = std::to_array<linear::Params>(
+    {{2, 1}, {5, 2}, {6, 3}, {7, 1}, {8, 5}, {16, 12}, {16, 13}, {24, 21}, {32, 26}, {32, 31}});
 
-}  // namespace cosim::linear
+}  // namespace cosim::test

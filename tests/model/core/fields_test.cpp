@@ -54,13 +54,12 @@ TEST(Record, IsSelectedAsAWhole) {
   EXPECT_EQ(to_words(select(false, a, b)), to_words(b));
 }
 
-template <class S>
+template <class Design>
 class Tables : public testing::Test {};
-TYPED_TEST_SUITE(Tables, Shapes, ShapeNames);
+TYPED_TEST_SUITE(Tables, Designs, DesignNames);
 
 // Words hold every field, and a name means one thing within a design's pins or registers.
 TYPED_TEST(Tables, AreSound) {
-  using Design = typename TypeParam::Design;
   const auto check = [](const auto& fields, std::set<std::string>& names) {
     for (const Field& f : fields) {
       EXPECT_GE(f.width, 1) << f.name;
@@ -72,10 +71,12 @@ TYPED_TEST(Tables, AreSound) {
       EXPECT_TRUE(names.insert(f.name).second) << f.name << " twice";
     }
   };
-  std::set<std::string> pins, registers;
-  check(Design::template Inputs<Word>::fields(TypeParam::params), pins);
-  check(Design::template Outputs<Word>::fields(TypeParam::params), pins);
-  check(Design::template Registers<Word>::fields(TypeParam::params), registers);
+  for_each_shape<TypeParam>([&](const auto& p) {
+    std::set<std::string> pins, registers;
+    check(TypeParam::template Inputs<Word>::fields(p), pins);
+    check(TypeParam::template Outputs<Word>::fields(p), pins);
+    check(TypeParam::template Registers<Word>::fields(p), registers);
+  });
 }
 
 }  // namespace

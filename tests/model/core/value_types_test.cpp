@@ -47,19 +47,15 @@ To converted(const From& from, Convert convert) {
 
 constexpr std::uint64_t kClocks = 20'000;
 
-template <class S>
-HostileStimulus<typename S::Design> stimulus(std::uint64_t index) {
-  return {S::params, HostileCase{7, index, kClocks}};
+template <class Design>
+HostileStimulus<Design> stimulus(const typename Design::Params& p, std::uint64_t index) {
+  return {p, HostileCase{7, index, kClocks}};
 }
 
-template <class S>
-class ValueTypes : public testing::Test {};
-TYPED_TEST_SUITE(ValueTypes, Shapes, ShapeNames);
-
-TYPED_TEST(ValueTypes, StrictStepsAsWordsDo) {
-  using Design = typename TypeParam::Design;
-  auto hostile = stimulus<TypeParam>(0);
-  ModelMachine<Design> machine(TypeParam::params);
+template <class Design>
+void expect_strict_steps(const typename Design::Params& p) {
+  auto hostile = stimulus<Design>(p, 0);
+  ModelMachine<Design> machine(p);
   auto state = Design::template cleared<Strict>();
   const auto words = [](const auto& record) {
     std::array<Word, std::decay_t<decltype(record)>::size> w{};
@@ -73,8 +69,8 @@ TYPED_TEST(ValueTypes, StrictStepsAsWordsDo) {
   for (; hostile.next(in, seen); ++clocks) {
     const auto strict_in =
         converted<typename Design::template Inputs<Strict>>(in, [](Word w) { return Strict(w); });
-    const auto step = Design::next(TypeParam::params, state, strict_in);
-    ASSERT_EQ(words(Design::registers(TypeParam::params, state)), register_words(machine));
+    const auto step = Design::next(p, state, strict_in);
+    ASSERT_EQ(words(Design::registers(p, state)), register_words(machine));
     seen = machine.clock(in);
     ASSERT_EQ(words(step.outputs), to_words(seen)) << "clock " << clocks;
     ASSERT_EQ(words(step.state), to_words(machine.state)) << "clock " << clocks;
@@ -83,12 +79,12 @@ TYPED_TEST(ValueTypes, StrictStepsAsWordsDo) {
   EXPECT_EQ(clocks, kClocks);
 }
 
-TYPED_TEST(ValueTypes, EightLanesStepAsEightMachines) {
-  using Design = typename TypeParam::Design;
+template <class Design>
+void expect_lanes_step(const typename Design::Params& p) {
   using Inputs = typename Design::template Inputs<Word>;
   std::vector<HostileStimulus<Design>> hostile;
-  std::vector<ModelMachine<Design>> machines(kLanes, ModelMachine<Design>(TypeParam::params));
-  for (std::size_t i = 0; i < kLanes; ++i) hostile.push_back(stimulus<TypeParam>(i + 1));
+  std::vector<ModelMachine<Design>> machines(kLanes, ModelMachine<Design>(p));
+  for (std::size_t i = 0; i < kLanes; ++i) hostile.push_back(stimulus<Design>(p, i + 1));
 
   auto state = Design::template cleared<Lanes>();
   const auto words_of_lane = [](const auto& record, std::size_t i) {
@@ -108,8 +104,8 @@ TYPED_TEST(ValueTypes, EightLanesStepAsEightMachines) {
       lanes_in.*(decltype(lanes_in)::members()[m]) =
           Lanes(each_lane([&](std::size_t i) { return in[i].*member; }));
     });
-    const auto step = Design::next(TypeParam::params, state, lanes_in);
-    const auto registers = Design::registers(TypeParam::params, state);
+    const auto step = Design::next(p, state, lanes_in);
+    const auto registers = Design::registers(p, state);
     for (std::size_t i = 0; i < kLanes; ++i) {
       ASSERT_EQ(words_of_lane(registers, i), register_words(machines[i]));
       const auto seen = machines[i].clock(in[i]);
@@ -119,6 +115,17 @@ TYPED_TEST(ValueTypes, EightLanesStepAsEightMachines) {
     state = step.state;
   }
   EXPECT_EQ(clocks, kClocks);
+}
+
+template <class Design>
+class ValueTypes : public testing::Test {};
+TYPED_TEST_SUITE(ValueTypes, Designs, DesignNames);
+
+TYPED_TEST(ValueTypes, StrictStepsAsWordsDo) {
+  for_each_shape<TypeParam>(expect_strict_steps<TypeParam>);
+}
+TYPED_TEST(ValueTypes, EightLanesStepAsEightMachines) {
+  for_each_shape<TypeParam>(expect_lanes_step<TypeParam>);
 }
 
 }  // namespace

@@ -21,21 +21,17 @@ Runs stepped(const nets::DrawStep& step, const std::vector<nets::Bit>& wanted, c
   return bits;
 }
 
-template <class S>
-class DrawOf : public testing::Test {};
-TYPED_TEST_SUITE(DrawOf, Shapes, ShapeNames);
-
-TYPED_TEST(DrawOf, IsTheStimulusOfEachCase) {
-  using Design = typename TypeParam::Design;
+template <class Design>
+void expect_drawn(const typename Design::Params& p) {
   using Inputs = typename Design::template Inputs<Word>;
   constexpr std::uint64_t seed = 3, first = 1000, clocks = 2 * HostileCase::stretch + 50;
-  const auto fields = Inputs::fields(TypeParam::params);
-  const nets::Draw draw = nets::draw_of<Design>(TypeParam::params);
+  const auto fields = Inputs::fields(p);
+  const nets::Draw draw = nets::draw_of<Design>(p);
   Runs held(draw.clock.held.size());
   std::vector<HostileStimulus<Design>> alone;
   for (std::uint64_t lane = 0; lane < 64; ++lane) {
     const HostileCase c{seed, first + lane, clocks};
-    alone.emplace_back(TypeParam::params, c);
+    alone.emplace_back(p, c);
     std::size_t at = 0;
     c.seeds(draw.seeds, [&](std::uint64_t word) {
       for (int b = 0; b < 64; ++b) held[at++] |= (word >> b & 1) << lane;
@@ -59,6 +55,12 @@ TYPED_TEST(DrawOf, IsTheStimulusOfEachCase) {
     }
   }
 }
+
+template <class Design>
+class DrawOf : public testing::Test {};
+TYPED_TEST_SUITE(DrawOf, Designs, DesignNames);
+
+TYPED_TEST(DrawOf, IsTheStimulusOfEachCase) { for_each_shape<TypeParam>(expect_drawn<TypeParam>); }
 
 }  // namespace
 }  // namespace cosim::test

@@ -14,92 +14,104 @@
 namespace cosim::test {
 namespace {
 
-template <class S>
-using InputsOf = typename S::Design::template Inputs<Word>;
-template <class S>
-using Stream = std::vector<Words<InputsOf<S>>>;
+template <class Design>
+using InputsOf = typename Design::template Inputs<Word>;
+template <class Design>
+using Stream = std::vector<Words<InputsOf<Design>>>;
 
-template <class S>
-Stream<S> stream(const HostileCase& c) {
-  Stream<S> all;
-  HostileStimulus<typename S::Design> hostile(S::params, c);
-  for (InputsOf<S> in; hostile.next(in, {});) all.push_back(to_words(in));
+template <class Design>
+Stream<Design> stream(const typename Design::Params& p, const HostileCase& c) {
+  Stream<Design> all;
+  HostileStimulus<Design> hostile(p, c);
+  for (InputsOf<Design> in; hostile.next(in, {});) all.push_back(to_words(in));
   return all;
 }
 
-template <class S>
+template <class Design>
 class HostileStimulusOf : public testing::Test {};
-TYPED_TEST_SUITE(HostileStimulusOf, Shapes, ShapeNames);
+TYPED_TEST_SUITE(HostileStimulusOf, Designs, DesignNames);
 
 TYPED_TEST(HostileStimulusOf, ACaseIsAlwaysTheSame) {
-  EXPECT_EQ(stream<TypeParam>({9, 4, 3000}), stream<TypeParam>({9, 4, 3000}));
+  for_each_shape<TypeParam>([](const auto& p) {
+    EXPECT_EQ(stream<TypeParam>(p, {9, 4, 3000}), stream<TypeParam>(p, {9, 4, 3000}));
+  });
 }
 
 TYPED_TEST(HostileStimulusOf, OtherCasesAndSeedsAreOthers) {
-  std::set<Stream<TypeParam>> streams;
-  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    for (std::uint64_t index = 0; index < 25; ++index) {
-      streams.insert(stream<TypeParam>({seed, index, 300}));
+  for_each_shape<TypeParam>([](const auto& p) {
+    std::set<Stream<TypeParam>> streams;
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+      for (std::uint64_t index = 0; index < 25; ++index) {
+        streams.insert(stream<TypeParam>(p, {seed, index, 300}));
+      }
     }
-  }
-  EXPECT_EQ(streams.size(), 100U);
+    EXPECT_EQ(streams.size(), 100U);
+  });
 }
 
 TYPED_TEST(HostileStimulusOf, AShorterCaseIsTheBeginningOfALonger) {
-  Stream<TypeParam> longer = stream<TypeParam>({9, 4, 3000});
-  longer.resize(700);
-  EXPECT_EQ(stream<TypeParam>({9, 4, 700}), longer);
+  for_each_shape<TypeParam>([](const auto& p) {
+    Stream<TypeParam> longer = stream<TypeParam>(p, {9, 4, 3000});
+    longer.resize(700);
+    EXPECT_EQ(stream<TypeParam>(p, {9, 4, 700}), longer);
+  });
 }
 
 TYPED_TEST(HostileStimulusOf, HasTheClocksAsked) {
-  for (const std::uint64_t clocks : {0U, 1U, 255U, 256U, 1000U}) {
-    EXPECT_EQ(stream<TypeParam>({1, 0, clocks}).size(), clocks);
-  }
+  for_each_shape<TypeParam>([](const auto& p) {
+    for (const std::uint64_t clocks : {0U, 1U, 255U, 256U, 1000U}) {
+      EXPECT_EQ(stream<TypeParam>(p, {1, 0, clocks}).size(), clocks);
+    }
+  });
 }
 
 // Both levels of every pin; of a bus, every bit at both, and its ends.
 TYPED_TEST(HostileStimulusOf, MovesEveryBitOfEveryPin) {
-  const auto fields = InputsOf<TypeParam>::fields(TypeParam::params);
-  Words<InputsOf<TypeParam>> high{}, low{};
-  std::vector<std::set<Word>> seen(fields.size());
-  for (std::uint64_t index = 0; index < 50; ++index) {
-    for (const auto& in : stream<TypeParam>({1, index, 1000})) {
-      for (std::size_t i = 0; i < in.size(); ++i) {
-        ASSERT_EQ(in[i], low_bits(in[i], fields[i].width)) << fields[i].name;
-        high[i] |= in[i];
-        low[i] |= low_bits(~in[i], fields[i].width);
-        seen[i].insert(in[i]);
+  for_each_shape<TypeParam>([](const auto& p) {
+    const auto fields = InputsOf<TypeParam>::fields(p);
+    Words<InputsOf<TypeParam>> high{}, low{};
+    std::vector<std::set<Word>> seen(fields.size());
+    for (std::uint64_t index = 0; index < 50; ++index) {
+      for (const auto& in : stream<TypeParam>(p, {1, index, 1000})) {
+        for (std::size_t i = 0; i < in.size(); ++i) {
+          ASSERT_EQ(in[i], low_bits(in[i], fields[i].width)) << fields[i].name;
+          high[i] |= in[i];
+          low[i] |= low_bits(~in[i], fields[i].width);
+          seen[i].insert(in[i]);
+        }
       }
     }
-  }
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    EXPECT_EQ(high[i], ones(fields[i].width)) << fields[i].name;
-    EXPECT_EQ(low[i], ones(fields[i].width)) << fields[i].name;
-    EXPECT_EQ(seen[i].count(0), 1U) << fields[i].name;
-    EXPECT_EQ(seen[i].count(ones(fields[i].width)), 1U) << fields[i].name;
-  }
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      EXPECT_EQ(high[i], ones(fields[i].width)) << fields[i].name;
+      EXPECT_EQ(low[i], ones(fields[i].width)) << fields[i].name;
+      EXPECT_EQ(seen[i].count(0), 1U) << fields[i].name;
+      EXPECT_EQ(seen[i].count(ones(fields[i].width)), 1U) << fields[i].name;
+    }
+  });
 }
 
 // In some stretches work goes on for long, in others the machine is hardly let go.
 TYPED_TEST(HostileStimulusOf, LetsTheMachineWorkAndDisturbsIt) {
-  using Design = typename TypeParam::Design;
-  int longest = 0, begun = 0;
-  for (std::uint64_t index = 0; index < 400; ++index) {
-    ModelMachine<Design> machine(TypeParam::params);
-    int run = 0;
-    HostileStimulus<Design> hostile(TypeParam::params, {1, index, 1000});
-    typename Design::template Inputs<Word> in;
-    for (typename Design::template Outputs<Word> o{}; hostile.next(in, o);) {
-      o = machine.clock(in);
-      run = to_words(o)[0] != 0 ? run + 1 : 0;  // busy, running
-      begun += run == 1;
-      longest = std::max(longest, run);
+  for_each_shape<TypeParam>([](const auto& p) {
+    int longest = 0, begun = 0;
+    for (std::uint64_t index = 0; index < 400; ++index) {
+      ModelMachine<TypeParam> machine(p);
+      int run = 0;
+      HostileStimulus<TypeParam> hostile(p, {1, index, 1000});
+      InputsOf<TypeParam> in;
+      for (typename TypeParam::template Outputs<Word> o{}; hostile.next(in, o);) {
+        o = machine.clock(in);
+        run = to_words(o)[0] != 0 ? run + 1 : 0;  // busy, running
+        begun += run == 1;
+        longest = std::max(longest, run);
+      }
     }
-  }
-  EXPECT_GT(begun, 2000);  // 5 in a case
-  // As long as the shape allows: 2^n words of a line, of an arc as many steps as its width counts.
-  const int bits = Design::parameters(TypeParam::params).back().value;
-  EXPECT_GE(longest, std::min(shift_left(1, bits), Word{40}));
+    EXPECT_GT(begun, 2000);  // 5 in a case
+    // As long as the shape allows: 2^n words of a line, of an arc as many steps as its width
+    // counts.
+    const int bits = TypeParam::parameters(p).back().value;
+    EXPECT_GE(longest, std::min(shift_left(1, bits), Word{40}));
+  });
 }
 
 }  // namespace

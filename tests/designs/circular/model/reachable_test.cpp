@@ -16,11 +16,8 @@ void expect_recovered(const Params& p, const State<Word>& s) {
   ASSERT_NE(r.ct8, ones(p.width + 1));
 }
 
-template <class S>
-class CircularReachable : public testing::Test {};
-TYPED_TEST_SUITE(CircularReachable, TestedShapes, test::ShapeNames);
-TYPED_TEST(CircularReachable, StatesFitTheRegisters) {
-  test::expect_states_fit_the_registers<TypeParam>(expect_recovered);
+TEST(CircularReachable, StatesFitTheRegisters) {
+  test::expect_states_fit_the_registers<Design>(expect_recovered);
 }
 
 }  // namespace

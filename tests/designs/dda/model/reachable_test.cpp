@@ -15,11 +15,8 @@ void expect_recovered(const Params& p, const State<Word>& s) {
   }
 }
 
-template <class S>
-class DdaReachable : public testing::Test {};
-TYPED_TEST_SUITE(DdaReachable, TestedShapes, test::ShapeNames);
-TYPED_TEST(DdaReachable, StatesFitTheRegisters) {
-  test::expect_states_fit_the_registers<TypeParam>(expect_recovered);
+TEST(DdaReachable, StatesFitTheRegisters) {
+  test::expect_states_fit_the_registers<Design>(expect_recovered);
 }
 
 }  // namespace

@@ -18,11 +18,8 @@ void expect_recovered(const Params& p, const State<Word>& s) {
   }
 }
 
-template <class S>
-class LinearReachable : public testing::Test {};
-TYPED_TEST_SUITE(LinearReachable, TestedShapes, test::ShapeNames);
-TYPED_TEST(LinearReachable, StatesFitTheRegisters) {
-  test::expect_states_fit_the_registers<TypeParam>(expect_recovered);
+TEST(LinearReachable, StatesFitTheRegisters) {
+  test::expect_states_fit_the_registers<Design>(expect_recovered);
 }
 
 }  // namespace

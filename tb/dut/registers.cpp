@@ -3,9 +3,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <span>
 #include <sstream>
 
 #include "model/core/input_error.h"
+#include "tb/support/place.h"
 
 namespace cosim {
 namespace {
@@ -31,47 +33,121 @@ bool matches(std::string_view pattern, std::string_view name) {
   return false;
 }
 
-// Whether a field is the net or a part of it: an element of an array, some of its bits.
-bool names(const Field& field, std::string_view net) {
-  const std::string_view at = field.net;
-  return at == net || (at.starts_with(net) && at.substr(net.size()).starts_with('['));
+// A net that has a register's value from its bit `low` up.
+struct Carrier {
+  std::string name;
+  RtlNet net;
+  int low = 0;
+};
+struct Register {
+  std::string name;
+  RtlNet net;  // words < 0: no table can have it
+  // By bit, the words of a memory one behind the other: holds a state, and is in no field so far.
+  std::vector<bool> open;
+  std::vector<Carrier> carriers;  // itself, then others
+};
+
+Register register_of(const std::vector<std::string>& words) {
+  Register r{words.at(0), {std::stoi(words.at(1)), std::stoi(words.at(2))}, {}, {}};
+  r.carriers.push_back({r.name, r.net, 0});
+  r.open.resize(static_cast<std::size_t>(r.net.width) *
+                static_cast<std::size_t>(std::max(r.net.words, 1)));
+  std::istringstream ranges(words.at(3));
+  for (std::string range; std::getline(ranges, range, ',');) {
+    const auto high = std::stoul(range), low = std::stoul(range.substr(range.find(':') + 1));
+    for (auto bit = low; bit <= high; ++bit) r.open.at(bit) = true;
+  }
+  for (std::size_t i = 4; i + 3 < words.size(); i += 4) {
+    r.carriers.push_back(
+        {words[i], {std::stoi(words[i + 1]), std::stoi(words[i + 2])}, std::stoi(words[i + 3])});
+  }
+  return r;
+}
+
+// What a row of a table has of a register is no longer open.
+void close(Register& r, std::span<const Field> row, const std::string& title) {
+  if (row.front().width == 0) return;
+  const std::string path = net_path(row.front().net).path;
+  for (const Carrier& c : r.carriers) {
+    if (c.name != path || c.net.words != r.net.words) continue;
+    const std::string what = fmt::format("{}: register {}", title, row.front().net);
+    if (r.net.words < 0) {
+      throw InputError(what + ": a memory of more dimensions than one can only be in unobserved");
+    }
+    const auto places = places_in(c.net, row, what);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const int from = std::max(places[i].word, 0) * c.net.width + places[i].low - c.low;
+      const int end = std::min(from + row[i].width, static_cast<int>(r.open.size()));
+      for (int bit = std::max(from, 0); bit < end; ++bit) {
+        r.open[static_cast<std::size_t>(bit)] = false;
+      }
+    }
+  }
+}
+
+// What is open of a register: its name, or parts of it as "a[7:4]", words as "store[3:1]", bits of a
+// word as "store[2][1:0]", the lowest first.
+std::vector<std::string> left_of(const Register& r) {
+  const auto width = static_cast<std::size_t>(r.net.width), size = r.open.size();
+  if (std::find(r.open.begin(), r.open.end(), false) == r.open.end()) return {r.name};
+  const auto range = [](std::size_t low, std::size_t end) {
+    return end - low == 1 ? fmt::format("[{}]", low) : fmt::format("[{}:{}]", end - 1, low);
+  };
+  // The first from `at` on that is open or is not.
+  const auto next = [&](std::size_t at, bool open, std::size_t end) {
+    while (at < end && r.open[at] != open) ++at;
+    return at;
+  };
+  std::vector<std::string> parts;
+  for (std::size_t at = next(0, true, size); at < size; at = next(at, true, size)) {
+    const std::size_t end = next(at, false, size);
+    if (r.net.words <= 0) {
+      parts.push_back(r.name + range(at, end));
+      at = end;
+    } else if (at % width == 0 && end - at >= width) {
+      parts.push_back(r.name + range(at / width, end / width));
+      at = end / width * width;
+    } else {
+      const std::size_t word = at / width, stop = std::min(end, (word + 1) * width);
+      parts.push_back(r.name + range(word, word + 1) + range(at % width, stop - word * width));
+      at = stop;
+    }
+  }
+  return parts;
 }
 
 }  // namespace
 
 std::vector<std::string> unobserved_registers(const RtlText& text, const std::vector<Field>& fields,
                                               const std::vector<std::string>& patterns) {
+  const auto rows = rows_of(fields);
   std::vector<std::string> unobserved;
   std::vector<bool> used(patterns.size());
-  for (const auto& nets : lines_of(text.registers)) {
-    const bool in_table = std::any_of(fields.begin(), fields.end(), [&](const Field& f) {
-      return std::any_of(nets.begin(), nets.end(),
-                         [&](const std::string& net) { return names(f, net); });
-    });
-    if (in_table) continue;
-    // Verilator does not show it, and no table can have it.
-    const std::string& front = nets.front();
-    const bool deep = front.ends_with("[][]");
-    const std::string register_name = front.substr(0, front.size() - (deep ? 4 : 0));
-    bool allowed = false;
-    for (std::size_t i = 0; i < patterns.size(); ++i) {
-      if (!matches(patterns[i], register_name)) continue;
-      allowed = used[i] = true;
+  for (const auto& words : lines_of(text.registers)) {
+    Register r = register_of(words);
+    for (const auto& row : rows) close(r, row, text.title);
+    if (std::find(r.open.begin(), r.open.end(), true) == r.open.end()) continue;
+    for (const std::string& part : left_of(r)) {
+      bool allowed = false;
+      for (std::size_t i = 0; i < patterns.size(); ++i) {
+        if (!matches(patterns[i], r.name) && !matches(patterns[i], part)) continue;
+        allowed = used[i] = true;
+      }
+      if (!allowed && r.net.words < 0) {
+        throw InputError(fmt::format(
+            "{}: register {}: a memory of more dimensions than one can only be in unobserved",
+            text.title, r.name));
+      }
+      if (!allowed) {
+        throw InputError(fmt::format(
+            "{}: the RTL has a register {} that no table names and that is not in unobserved",
+            text.title, part));
+      }
+      unobserved.push_back(part);
     }
-    if (!allowed && deep) {
-      throw InputError(fmt::format(
-          "{}: register {}: a memory of more dimensions than one can only be in unobserved",
-          text.title, register_name));
-    }
-    if (!allowed) {
-      throw InputError(fmt::format(
-          "{}: the RTL has a register {} that no table names and that is not in unobserved",
-          text.title, register_name));
-    }
-    unobserved.push_back(register_name);
   }
   const auto unused = std::find(used.begin(), used.end(), false);
-  if (unused != used.end() && !text.registers.empty()) {
+  if (unused != used.end()) {
     throw InputError(
         fmt::format("{}: unobserved has {}, and the RTL has no such register beside the tables",
                     text.title, patterns[static_cast<std::size_t>(unused - used.begin())]));

@@ -13,7 +13,7 @@ namespace cosim {
 /// The registers and asynchronous resets as rtl.pl prints them, without the first word.
 struct RtlText {
   std::string title;           ///< of the shape, for errors
-  std::string_view registers;  ///< lines "PATH ALIAS..."; empty where they are not known
+  std::string_view registers;  ///< lines "PATH WIDTH WORDS BITS [NET WIDTH WORDS LOW]..."
   std::string_view resets;     ///< lines "NAME" or "low NAME"
 };
 
@@ -23,9 +23,10 @@ struct ResetPin {
   bool in_clear = false;
 };
 
-/// The registers that no field names and that a pattern allows, by their paths. A * in a pattern
-/// stands for anything. InputError where there is a register that neither names, and where a
-/// pattern names none.
+/// The registers of which some bit holds a state, is in no field and is allowed by a pattern, by
+/// their paths, with those bits where fields have others: "count[7:4]", "store[3:1]" of a memory. A
+/// pattern is such a path, with bits or without; a * in it stands for anything. InputError where
+/// there is a bit that neither a field nor a pattern names, and where a pattern names none.
 std::vector<std::string> unobserved_registers(const RtlText& text, const std::vector<Field>& fields,
                                               const std::vector<std::string>& patterns);
 

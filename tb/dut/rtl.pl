@@ -4,10 +4,17 @@
 # Reads the tree of a design that `verilator --xml-only` wrote and what `verilator --lint-only` said of
 # it. On standard output, a line each:
 #
-#   register NAME...   a register, by its path below the top, and the nets that carry its value;
-#                      NAME[][] is a memory of several dimensions
+#   register NAME WIDTH WORDS BITS [NET WIDTH WORDS LOW]...
+#                      a register, by its path below the top, its bits, those of a word of a memory,
+#                      and its words, 0 where it is no memory, -1 where no table can have it; those of
+#                      its bits that hold a state, "7:4,0:0", the words of a memory one behind the
+#                      other; and the nets that carry its value, from their bit LOW up
 #   reset NAME         an input that resets some of them asynchronously, "low NAME" where it is low
 #   loop NAME          a net that may be in a combinational loop
+#
+# A bit holds a state where a clock writes it with <=, or with = and it is read before that on some
+# way through the process, or elsewhere. A loop is taken to write all that it writes at an index that
+# changes.
 #
 # What a design cannot have, a second clock, a falling edge, a latch, a bidirectional port, ends it
 # with status 1 and one line, which names the net.
@@ -49,173 +56,382 @@ sub all_of {
     return map { ($_->{tag} eq $tag ? $_ : (), all_of($_, $tag)) } @{$node->{in}};
 }
 
-my %files = map { $_->{has}{id} => $_->{has}{filename} } all_of($root, 'file');
-my %modules = map { $_->{has}{name} => $_ } all_of($root, 'module');
+my %modules = map { $_->{has}{name} => $_ } map { all_of($root, $_) } qw(module iface);
+my @packages = all_of($root, 'package');
 my ($top) = grep { $_->{has}{topModule} } values %modules;
 refuse('Verilator names no top module') if !$top;
 
-# The types by their numbers; that of a memory is an array of words, one of several dimensions an array
-# of arrays, be they packed or not.
+# Types, by their numbers.
 my %types = map { $_->{has}{id} => $_ } map { @{$_->{in}} } all_of($root, 'typetable');
 sub type_of {
-    my $type = $types{$_[0] // ''} // {tag => '', has => {}};
-    return $type->{tag} eq 'refdtype' ? type_of($type->{has}{sub_dtype_id}) : $type;
+    my $type = $types{$_[0] // ''} // {tag => '', has => {}, in => []};
+    return $type if $type->{tag} !~ /^(?:ref|const|enum|member)dtype$/ || !$type->{has}{sub_dtype_id};
+    return type_of($type->{has}{sub_dtype_id});
 }
-sub is_deep {
-    my $type = type_of($_[0]->{has}{dtype_id});
-    return $type->{tag} eq 'unpackarraydtype' && type_of($type->{has}{sub_dtype_id})->{tag} =~ /array/;
-}
-
-# The nets that an expression on the left of an assignment is: of a part of a net the net.
-sub targets {
+# The number of a node, undef where it is no constant.
+sub constant {
     my ($node) = @_;
-    return ($node->{has}{name}) if $node->{tag} eq 'varref';
-    my @in = @{$node->{in}};
-    return map { targets($_) } $node->{tag} =~ /^concat/ ? @in : @in[0 .. ($#in < 0 ? -1 : 0)];
+    return if !$node || $node->{tag} ne 'const' || $node->{has}{name} !~ /&apos;s?h([0-9a-f]{1,8})$/;
+    my $value = hex $1;
+    return $value >= 2**31 && $node->{has}{name} =~ /^32&apos;s/ ? $value - 2**32 : $value;
+}
+sub elements {
+    my ($range) = grep { $_->{tag} eq 'range' } @{$_[0]{in}};
+    my ($left, $right) = map { constant($_) } @{$range->{in}};
+    return defined $right ? abs($left - $right) + 1 : 1;
+}
+# All bits of a type.
+sub size_of {
+    my $type = type_of($_[0]);
+    my $has = $type->{has};
+    return abs($has->{left} - $has->{right}) + 1 if defined $has->{left};
+    return elements($type) * size_of($has->{sub_dtype_id}) if $type->{tag} =~ /^(?:un)?packarray/;
+    my @members = map { size_of($_->{has}{sub_dtype_id} // $_->{has}{id}) } @{$type->{in} // []};
+    return (sort { $a <=> $b } @members)[-1] // 1 if $type->{tag} eq 'uniondtype';
+    my $sum = 0;
+    $sum += $_ for @members;
+    return $sum || (($has->{name} // '') eq 'double' ? 64 : 1);
+}
+# The width of a net or of a word of a memory, and its words; a memory of several dimensions is an array
+# of arrays, be they packed or not.
+sub shape_of {
+    my $type = type_of($_[0]);
+    return (size_of($_[0]), 0) if $type->{tag} =~ /^(?:basic|packarray|struct|union)/;
+    my $word = $type->{has}{sub_dtype_id};
+    return (size_of($_[0]), -1) if $type->{tag} ne 'unpackarraydtype' || type_of($word)->{tag} =~ /array/;
+    return (size_of($word), elements($type));
 }
 
-my %carries;     # net => nets that have its value, by paths
+# Bits of a net, as a string of them.
+sub bits { return pack 'b*', '0' x $_[0] . '1' x $_[1] }
+sub without { return $_[0] ^ ($_[0] & $_[1]) }
+
+my %info;        # net => its width, words and all its bits
+my %by_name;     # name => all nets of that name
+my %packaged;    # name => variables of packages
+my %in_package;  # name => tasks of packages
+my %alias;       # a port that is an interface => the interface
+my %carries;     # net => [net that has its value, from which of its bits on]..., by paths
 my %inverts;     # net => nets that have its inverse
-my @processes;   # clocked: path, scope, edges, what it writes
-my %exposed;     # nets that are read before they are written, somewhere
-my @latches;
-my %deep;        # memories of several dimensions
+my @processes;   # clocked: edges, what it writes
+my %exposed;     # net => bits that are read before they are written, somewhere
 
-sub carry {
-    my ($from, $to) = @_;
-    push @{$carries{$from}}, $to;
+sub declare {
+    my ($node, $path) = @_;
+    for my $in (@{$node->{in}}) {
+        my ($tag, $name) = ($in->{tag}, $in->{has}{name});
+        if ($tag eq 'var') {
+            next if $in->{has}{param} || $in->{has}{localparam};
+            my ($width, $words) = shape_of($in->{has}{dtype_id});
+            my $net = $path . $name;
+            $info{$net} = {width => $width, words => $words, bits => $width * ($words > 0 ? $words : 1)};
+            push @{$by_name{$name}}, $net;
+            push @{$packaged{$name}}, $net if $node->{tag} eq 'package';
+        } elsif ($tag eq 'instance') {
+            declare($modules{$in->{has}{defName}}, "$path$name.") if $modules{$in->{has}{defName}};
+        } else {
+            my $named = $tag =~ /^(?:begin|task|func)$/ && defined $name;
+            declare($in, $path . ($named ? "$name." : ''));
+        }
+    }
+    return;
 }
-# Where the value is the inverse of one net.
-sub invert {
-    my ($value, $to, $resolve) = @_;
-    my ($of) = $value->{tag} eq 'not' ? @{$value->{in}} : ();
-    my $from = $of && $of->{tag} eq 'varref' && $resolve->($of->{has}{name});
-    push @{$inverts{$from}}, $to if $from;
+
+# What the names in a scope are: nets by their paths, tasks with their scopes.
+sub scope_in {
+    my ($node, $path, $around) = @_;
+    my $scope = {path => $path, nets => {%{$around->{nets} // {}}}, tasks => {%{$around->{tasks} // {}}}};
+    for my $in (@{$node->{in}}) {
+        my ($tag, $name) = ($in->{tag}, $in->{has}{name});
+        $scope->{nets}{$name} = $path . $name if $tag eq 'var' && $info{$path . $name};
+        $scope->{tasks}{$name} = [$in, $scope] if $tag =~ /^(?:task|func)$/;
+    }
+    return $scope;
+}
+# The nets that a reference may be: one, unless its name alone tells.
+sub nets_of {
+    my ($node, $scope) = @_;
+    my ($name, $dotted) = ($node->{has}{name}, $node->{has}{dotted} // '');
+    return grep { defined } $scope->{nets}{$name}, @{$packaged{$name} // []} if $dotted eq '';
+    for (my $path = $scope->{path}; ; $path =~ s/[^.]*\.$// or last) {
+        my $in = $path . $dotted;
+        $in = $alias{$in} while $alias{$in};
+        return "$in.$name" if $info{"$in.$name"};
+        last if $path eq '';
+    }
+    return @{$by_name{$name} // []};
+}
+sub net_of { return (nets_of(@_))[0] }
+
+# The parts of nets that an expression is, [reference, low, bits, whether they are just these]; the
+# others that it has are put into the list.
+sub places {
+    my ($node, $others) = @_;
+    my ($tag, @in) = ($node->{tag}, @{$node->{in}});
+    return [$node, 0, size_of($node->{has}{dtype_id}), 1] if $tag =~ /^varx?ref$/;
+    return map { places($_, $others) } @in if $tag =~ /^concat/;
+    my ($from, @at) = @in;
+    return if !$from;
+    push @$others, @at;
+    my @from = places($from, $others);
+    for my $place (@from) {
+        my $is_one = $tag =~ /^(?:sel|arraysel)$/ && @from == 1 && $place->[3];
+        my $low = constant($at[0]);
+        my $bits = $tag eq 'sel' ? constant($at[1]) : size_of($node->{has}{dtype_id});
+        if ($is_one && defined $low && defined $bits) {
+            $place->[1] += $low * ($tag eq 'sel' ? 1 : $bits);
+            $place->[2] = $bits;
+        } else {
+            $place->[3] = 0;
+        }
+    }
+    return @from;
+}
+
+# What is written on each of some ways through a process. A way that has been left writes anything.
+sub meet {
+    my @ways = grep { !$_->{left} } @_;
+    my ($first, @more) = @ways ? @ways : {left => 1};
+    my %all = %$first;
+    for my $way (@more) {
+        $all{$_} &= $way->{$_} // '' for keys %all;
+    }
+    return \%all;
+}
+
+sub read_net {
+    my ($net, $bits, $p) = @_;
+    return if $p->{sure}{left};
+    my $open = without($bits, $p->{sure}{$net} // '');
+    $exposed{$net} = ($exposed{$net} // '') | $open;
+    return;
+}
+sub write_place {
+    my ($place, $delayed, $scope, $p) = @_;
+    my ($node, $low, $count, $exact) = @$place;
+    my @nets = nets_of($node, $scope);
+    for my $net (@nets) {
+        my $bits = bits($low, $count);
+        $p->{written}{$net} = ($p->{written}{$net} // '') | $bits;
+        if ($delayed) {
+            $p->{later}{$net} = ($p->{later}{$net} // '') | $bits;
+        } elsif (@nets == 1 && ($exact || $p->{loops})) {
+            $p->{sure}{$net} = ($p->{sure}{$net} // '') | $bits;
+        }
+    }
+    return;
 }
 
 # Reads and writes of a process in their order; a task is what is in it.
-sub read_process {
-    my ($node, $resolve, $p, $tasks) = @_;
-    my $tag = $node->{tag};
-    return if $tag eq 'sentree' || $tag eq 'var';
-    if ($tag eq 'begin') {
-        my %own = map { $_->{has}{name} => 1 } grep { $_->{tag} eq 'var' } @{$node->{in}};
-        my $outer = $resolve;
-        $resolve = sub { $own{$_[0]} ? undef : $outer->($_[0]) } if %own;
-    }
-    if ($tag =~ /^assign/ && @{$node->{in}} > 1) {
-        my ($value, $target, @more) = @{$node->{in}};
-        read_process($_, $resolve, $p, $tasks) for $value, @more;
-        # An index on the left is read, and so are no others of its nets.
-        my %written = map { $_ => 1 } targets($target);
-        read_process($_, $resolve, $p, $tasks)
-          for grep { !$written{$_->{has}{name}} } all_of($target, 'varref');
-        for my $name (keys %written) {
-            my $net = $resolve->($name) // next;
-            $p->{written}{$net} //= 1;
-            $p->{later}{$net} = 1 if $tag eq 'assigndly';
+sub follow {
+    my ($node, $scope, $p) = @_;
+    my ($tag, @in) = ($node->{tag}, @{$node->{in}});
+    return if $tag =~ /^(?:sentree|var)$/;
+    if ($tag =~ /^assign/ && @in > 1) {
+        my ($value, $target, @more) = @in;
+        my @others;
+        my @to = places($target, \@others);
+        follow($_, $scope, $p) for $value, @more, @others;
+        write_place($_, $tag eq 'assigndly', $scope, $p) for @to;
+    } elsif ($tag =~ /^(?:varx?ref|sel|arraysel)$/) {
+        my @others;
+        my @from = is_part($node) ? places($node, \@others) : ();
+        @others = @in if !@from;
+        follow($_, $scope, $p) for @others;
+        for my $place (@from) {
+            read_net($_, bits(@$place[1, 2]), $p) for nets_of($place->[0], $scope);
         }
-        return;
+    } elsif ($tag =~ /^(?:if|case)$/) {
+        my ($value, @ways) = @in;
+        follow($value, $scope, $p);
+        my $before = $p->{sure};
+        my $is_full = $tag eq 'if' ? @ways > 1 : is_full($value, @ways);
+        my @after = $is_full ? () : $before;
+        for my $way (@ways) {
+            $p->{sure} = {%$before};
+            follow($way, $scope, $p);
+            push @after, $p->{sure};
+        }
+        $p->{sure} = meet(@after);
+    } elsif ($tag eq 'while') {
+        ++$p->{loops};
+        follow($_, $scope, $p) for @in;
+        --$p->{loops};
+    } elsif ($tag eq 'jumpblock') {
+        my $outer = $p->{jumps};
+        $p->{jumps} = [];
+        follow($_, $scope, $p) for @in;
+        push @$outer, @{$p->{jumps}};  # which block it leaves is not told
+        $p->{sure} = meet($p->{sure}, @{$p->{jumps}});
+        $p->{jumps} = $outer;
+    } elsif ($tag eq 'jumpgo') {
+        push @{$p->{jumps}}, $p->{sure};
+        $p->{sure} = {left => 1};
+    } elsif ($tag =~ /^(?:task|func)ref$/) {
+        call($node, $scope, $p);
+    } elsif ($tag eq 'begin') {
+        my $name = $node->{has}{name};
+        my $inner = defined $name ? scope_in($node, "$scope->{path}$name.", $scope) : $scope;
+        follow($_, $inner, $p) for @in;
+    } else {
+        follow($_, $scope, $p) for @in;
     }
-    if ($tag eq 'varref') {
-        my $net = $resolve->($node->{has}{name}) // return;
-        $exposed{$net} = 1 if !$p->{written}{$net} || $p->{later}{$net};
-        return;
+    return;
+}
+# Whether it is some bits of a net, and of nothing else.
+sub is_part {
+    my ($node) = @_;
+    return 1 if $node->{tag} =~ /^varx?ref$/;
+    return $node->{tag} =~ /^(?:sel|arraysel|structsel)$/ && is_part($node->{in}[0]);
+}
+# Whether the ways of a case are all that there are.
+sub is_full {
+    my ($value, @items) = @_;
+    $value = $value->{in}[0] while $value->{tag} eq 'extend';
+    my $is_statement = qr/^(?:begin|assign\w*|if|case|while|jump\w+|taskref|display|stop|finish)$/;
+    my %values;
+    for my $item (@items) {
+        my @in = @{$item->{in}};
+        return 1 if !@in || $in[0]{tag} =~ $is_statement;  # the default
+        $values{constant($_) // ''} = 1 for grep { $_->{tag} eq 'const' } @in;
     }
-    my $task = $tag =~ /^(?:task|func)ref$/ && $tasks->{$node->{has}{name}};
-    if ($task && !$p->{in}{$node->{has}{name}}++) {
-        my %own = map { $_->{has}{name} => 1 } all_of($task, 'var');
-        read_process($_, sub { $own{$_[0]} ? undef : $resolve->($_[0]) }, $p, $tasks)
-          for @{$task->{in}};
+    delete $values{''};
+    return keys %values == 2**size_of($value->{has}{dtype_id});
+}
+# The arguments are read and given, what is in it follows, and what it gives is written.
+sub call {
+    my ($node, $scope, $p) = @_;
+    my $name = $node->{has}{name};
+    my ($task, $home) = @{$scope->{tasks}{$name} // $in_package{$name} // []};
+    my @ports = grep { $_->{tag} eq 'var' && $_->{has}{dir} } $task ? @{$task->{in}} : ();
+    shift @ports if $task && $task->{tag} eq 'func';
+    my $inner = $task && scope_in($task, "$home->{path}$name.", $home);
+    my @given;
+    for my $arg (map { $_->{tag} eq 'arg' ? @{$_->{in}} : () } @{$node->{in}}) {
+        my $port = shift @ports;
+        my $way = $port ? $port->{has}{dir} : 'inout';
+        follow($arg, $scope, $p) if $way ne 'output';
+        push @given, $arg if $way ne 'input';
+        write_place([$port, 0, size_of($port->{has}{dtype_id}), 1], 0, $inner, $p) if $way eq 'input';
     }
-    read_process($_, $resolve, $p, $tasks) for @{$node->{in}};
+    if ($task && !$p->{in}{$name}) {
+        local $p->{in}{$name} = 1;
+        follow($_, $inner, $p) for @{$task->{in}};
+    }
+    for my $arg (@given) {
+        write_place($_, 0, $scope, $p) for grep { $_->[0]{tag} =~ /^varx?ref$/ } places($arg, []);
+    }
     return;
 }
 
-# What is in one instance of a module. `nets` are those of the scopes around, by name.
+sub carry {
+    my ($from, $to, $low) = @_;
+    push @{$carries{$from}}, [$to, $low];
+}
+# Where the value is the inverse of one net.
+sub invert {
+    my ($value, $to, $scope) = @_;
+    my ($of) = $value->{tag} eq 'not' ? @{$value->{in}} : ();
+    my $from = $of && $of->{tag} =~ /^varx?ref$/ && net_of($of, $scope);
+    push @{$inverts{$from}}, $to if $from;
+}
+sub expose {
+    my ($net) = @_;
+    $exposed{$net} = bits(0, $info{$net}{bits}) if $info{$net};
+}
+
+# What is in one instance of a module.
 sub walk {
-    my ($node, $path, $around, $tasks) = @_;
-    my %nets = %$around;
-    my %here = %$tasks;
-    for my $in (@{$node->{in}}) {
-        $nets{$in->{has}{name}} = $path . $in->{has}{name} if $in->{tag} eq 'var';
-        $deep{$path . $in->{has}{name}} = '[][]' if $in->{tag} eq 'var' && is_deep($in);
-        $here{$in->{has}{name}} = $in if $in->{tag} =~ /^(?:task|func)$/;
-    }
-    my $resolve = sub { $nets{$_[0]} };
+    my ($node, $path, $around) = @_;
+    my $scope = scope_in($node, $path, $around);
     for my $in (@{$node->{in}}) {
         my ($tag, $name) = ($in->{tag}, $in->{has}{name});
         if ($tag eq 'begin') {
-            walk($in, $path . (defined $name ? "$name." : ''), \%nets, \%here);
+            walk($in, $path . (defined $name ? "$name." : ''), $scope);
         } elsif ($tag eq 'instance') {
             my $module = $modules{$in->{has}{defName}} or next;
             my $below = "$path$name.";
-            for my $port (@{$in->{in}}) {
-                my ($value) = @{$port->{in}} or next;
-                my $inner = $below . $port->{has}{name};
-                my ($net) = $value->{tag} eq 'varref' ? $resolve->($value->{has}{name}) : ();
-                if ($port->{has}{direction} ne 'out') {
-                    read_process($value, $resolve, {}, \%here);
-                    carry($net, $inner) if defined $net;
-                    invert($value, $inner, $resolve);
-                } elsif (defined $net) {
-                    carry($inner, $net);
-                }
-            }
-            walk($module, $below, {}, {});
+            connect_port($_, $below . $_->{has}{name}, $scope) for grep { @{$_->{in}} } @{$in->{in}};
+            walk($module, $below, {});
         } elsif ($tag eq 'contassign') {
             my ($value, $target) = @{$in->{in}};
-            read_process($value, $resolve, {}, \%here);
-            next if $target->{tag} ne 'varref';
-            my $to = $resolve->($target->{has}{name}) // next;
-            invert($value, $to, $resolve);
+            follow($value, $scope, {});
+            next if $target->{tag} !~ /^varx?ref$/;
+            my $to = net_of($target, $scope) // next;
+            invert($value, $to, $scope);
             my @parts = $value;
             @parts = map { $_->{tag} eq 'concat' ? @{$_->{in}} : $_ } @parts
               while grep { $_->{tag} eq 'concat' } @parts;
-            next if grep { $_->{tag} ne 'varref' } @parts;
-            carry($_, $to) for grep { defined } map { $resolve->($_->{has}{name}) } @parts;
-        } elsif ($tag =~ /^always/) {
-            my %process;
-            my @edges = grep { ($_->{has}{edgeType} // '') =~ /^(?:POS|NEG|BOTH)/ }
-              map { @{$_->{in}} } grep { $_->{tag} eq 'sentree' } @{$in->{in}};
-            read_process($_, $resolve, \%process, \%here) for @{$in->{in}};
-            my ($file, $line, $column) = split /,/, $in->{has}{loc} // '';
-            if (!@edges && is_latch($file, $line, $column)) {
-                push @latches, keys %{$process{written}};
+            my $low = 0;
+            for my $part (reverse @parts) {
+                my $from = $part->{tag} =~ /^varx?ref$/ ? net_of($part, $scope) : undef;
+                carry($from, $to, $low) if defined $from;
+                $low += size_of($part->{has}{dtype_id});
             }
-            push @processes, {%process, edges => [
-                map { [$_->{has}{edgeType}, map { $resolve->($_) // $_ } targets($_)] } @edges]}
-              if @edges;
+        } elsif ($tag =~ /^(?:always|initial)/) {
+            my %process = (written => {}, sure => {}, jumps => []);
+            my @edges = grep { ($_->{has}{edgeType} // '') =~ /^(?:POS|NEG|BOTH)/ } all_of($in, 'senitem');
+            next if !@edges && $tag =~ /^initial/;
+            follow($_, $scope, \%process) for @{$in->{in}};
+            next if !@edges;
+            $process{edges} = [map { edge($_, $scope) } @edges];
+            push @processes, \%process;
         }
     }
     return;
 }
-
-# A latch that is meant to be one has no warning.
-sub is_latch {
-    my ($file, $line, $column) = @_;
-    return if !defined $column || !open my $source, '<', $files{$file} // '';
-    my @lines = <$source>;
-    return substr($lines[$line - 1] // '', $column - 1) =~ /^always_latch\b/;
+sub edge {
+    my ($item, $scope) = @_;
+    return map { [$item->{has}{edgeType}, net_of($_->[0], $scope) // $_->[0]{has}{name}] }
+      grep { $_->[0]{tag} =~ /^varx?ref$/ } map { places($_, []) } @{$item->{in}};
+}
+sub connect_port {
+    my ($port, $inner, $scope) = @_;
+    my ($value) = @{$port->{in}};
+    my $is_net = $value->{tag} =~ /^varx?ref$/;
+    my $way = $port->{has}{direction};
+    if (!defined $way) {  # an interface
+        $alias{$inner} = $scope->{path} . ($value->{has}{name} // '') =~ s/__Viftop$//r;
+        return;
+    }
+    my $net = $is_net ? net_of($value, $scope) : undef;
+    if ($way ne 'out') {
+        follow($value, $scope, {});
+        carry($net, $inner, 0) if defined $net;
+        invert($value, $inner, $scope);
+    } else {
+        expose($inner);
+        carry($inner, $net, 0) if defined $net;
+    }
 }
 
-walk($top, '', {}, {});
+for my $package (@packages) {
+    my $path = $package->{has}{name} . '.';
+    declare($package, $path);
+    my $scope = scope_in($package, $path, {});
+    $in_package{$_} = $scope->{tasks}{$_} for keys %{$scope->{tasks}};
+}
+declare($top, '');
+walk($top, '', {});
 
 my %inputs;
 for my $port (grep { $_->{tag} eq 'var' && $_->{has}{dir} } @{$top->{in}}) {
     my ($name, $way) = @{$port->{has}}{qw(name dir)};
     refuse("$name: a port of both directions") if $way eq 'inout';
     $inputs{$name} = 1 if $way eq 'input';
-    $exposed{$name} = 1;
+    expose($name);
 }
 refuse("$clock: the RTL has no such input, which is to be its clock") if !$inputs{$clock};
 
-# All nets that carry the value of one.
+# All nets that carry the value of one: from which of its bits on.
 sub carriers {
-    my @left = @_;
+    my @left = [$_[0], 0];
     my %seen;
-    while (defined(my $net = shift @left)) {
-        push @left, @{$carries{$net} // []} if !$seen{$net}++;
+    while (my $next = shift @left) {
+        my ($net, $low) = @$next;
+        next if exists $seen{$net};
+        $seen{$net} = $low;
+        push @left, map { [$_->[0], $low + $_->[1]] } @{$carries{$net} // []};
     }
     return \%seen;
 }
@@ -226,7 +442,7 @@ sub reached {
     while (my $next = shift @left) {
         my ($net, $odd) = @$next;
         next if $seen{"$odd $net"}++;
-        push @left, map { [$_, $odd] } @{$carries{$net} // []};
+        push @left, map { [$_->[0], $odd] } @{$carries{$net} // []};
         push @left, map { [$_, 1 - $odd] } @{$inverts{$net} // []};
     }
     return \%seen;
@@ -241,9 +457,14 @@ sub input_of {
 
 my (%registers, %resets);
 for my $p (@processes) {
-    my @held = grep { $p->{later}{$_} || $exposed{$_} || carries_to_output($_) }
-      sort keys %{$p->{written} // {}};
-    my $named = $held[0] // next;
+    my %held;
+    for my $net (grep { $info{$_} } keys %{$p->{written}}) {
+        my $bits = $p->{written}{$net};
+        my $read = carries_to_output($net) ? $bits : $exposed{$net} // '';
+        my $state = ($bits & $read) | ($p->{later}{$net} // '');
+        $held{$net} = $state if $state =~ /[^\0]/;
+    }
+    my $named = (sort keys %held)[0] // next;
     my @others;
     my $clocks = 0;
     for my $edge (@{$p->{edges}}) {
@@ -269,24 +490,33 @@ for my $p (@processes) {
         my $is_low = ($way eq 'NEG' xor $input eq '');
         $resets{($is_low ? 'low ' : '') . ($input || $inverse)} = 1;
     }
-    $registers{$_} = 1 for @held;
+    $registers{$_} = ($registers{$_} // '') | $held{$_} for keys %held;
 }
 
 sub carries_to_output {
     my ($net) = @_;
-    return scalar grep { $exposed{$_} } keys %{carriers($net)};
+    return scalar grep { $_ ne $net && $exposed{$_} } keys %{carriers($net)};
 }
 
 my $warnings = text_of($warnings_file);
 my $top_name = $top->{has}{name};
 sub below_top { return $_[0] =~ s/^\Q$top_name\E\.//r =~ s/__DOT__/./gr }
-push @latches, map { below_top($_) } $warnings =~ /^%Warning-LATCH: .*Latch inferred for signal '([^']+)'/mg;
+my @latches = map { below_top($_) } $warnings =~ /^%Warning-LATCH: .*Latch inferred for signal '([^']+)'/mg;
 refuse((sort @latches)[0] . ': a latch') if @latches;
 
+
+sub ranges {
+    my $text = unpack 'b*', $_[0];
+    my @ranges;
+    unshift @ranges, ($+[0] - 1) . ":$-[0]" while $text =~ /1+/g;
+    return join ',', @ranges;
+}
+sub shape_text { return "$info{$_[0]}{width} $info{$_[0]}{words}" }
 for my $register (sort keys %registers) {
     my $carriers = carriers($register);
-    delete $carriers->{$register};
-    print join(' ', 'register', $register . ($deep{$register} // ''), sort keys %$carriers), "\n";
+    my @nets = map { "$_ " . shape_text($_) . " $carriers->{$_}" }
+      grep { $_ ne $register && $info{$_} } sort keys %$carriers;
+    print join(' ', 'register', $register, shape_text($register), ranges($registers{$register}), @nets), "\n";
 }
 print "reset $_\n" for sort keys %resets;
 print "loop ", below_top($_), "\n"

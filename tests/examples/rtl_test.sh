@@ -104,7 +104,7 @@ module made(input wire clk, rst_n, input wire [3:0] d, output wire [3:0] q, outp
   assign q = sum ^ store[0] ^ kept ^ {2'b0, count} ^ {3'b0, both[1].bit_of ^ top};
 endmodule
 RTL
-found 'both[0].bit_of\nboth[1].bit_of\ncount\nkept\nlast\none.held one.out top\nstore\nsum|low rst_n'
+found 'both[0].bit_of 1 0 0:0\nboth[1].bit_of 1 0 0:0\ncount 2 0 1:0\nkept 4 0 3:0\nlast 1 0 0:0\none.held 1 0 0:0 one.out 1 0 0 top 1 0 0\nstore 4 4 15:0\nsum 4 0 3:0|low rst_n'
 
 # A reset behind inverters is that of the input.
 cat > made.sv << 'RTL'
@@ -117,13 +117,59 @@ module made(input wire clk, rst_n, d, output wire q, output reg r, s);
   always @(posedge clk or negedge again) if (!again) s <= 0; else s <= d;
 endmodule
 RTL
-found 'one.q q\nr\ns|low rst_n'
+found 'one.q 1 0 0:0 q 1 0 0\nr 1 0 0:0\ns 1 0 0:0|low rst_n'
 
 # A memory of several dimensions is marked.
 rtl 'reg [3:0] one[0:3], two[0:1][1:3]; reg [1:0][3:0] net, of_nets[0:1];
      always @(posedge clk) begin one[w[1:0]] <= w[3:0]; two[d][w[1:0]] <= w[3:0]; net <= w;
        of_nets[d] <= w; q <= ^{one[0], two[0][1], net, of_nets[0]}; end'
-found 'net\nof_nets[][]\none\nq\ntwo[][]|'
+found 'net 8 0 7:0\nof_nets 16 -1 15:0\none 4 4 15:0\nq 1 0 0:0\ntwo 24 -1 23:0|'
+
+# Registers in every kind of place. A variable that each way through a process writes before it reads it
+# is none; one that only some ways write is.
+cat > made.sv << 'RTL'
+interface bus(input logic c); logic [3:0] held; logic [7:0] own; modport m(output held, input c);
+  always_ff @(posedge c) own[3:0] <= held; endinterface
+package pk; logic [3:0] seen; function automatic [3:0] half(input [3:0] v);
+  logic [3:0] t; t = v >> 1; return t; endfunction endpackage
+module part(bus.m b, input logic d); always_ff @(posedge b.c) b.held <= {3'b0, d}; endmodule
+module made(input wire clk, input wire [1:0] s, input wire [3:0] d, output reg [3:0] q);
+  bus port(.c(clk)); part one(.b(port), .d(d[0]));
+  typedef struct packed {logic [2:0] x; logic y;} pair;
+  pair both; reg [3:0] memory[1:3]; reg [7:4] high; reg [0:3] up; reg [3:0] sum, some, each, way, next;
+  always @(posedge clk) begin : named
+    reg [3:0] dead; integer i;
+    dead <= d; both.x <= d[2:0]; memory[2] <= d; memory[3][1:0] <= d[1:0]; high[5] <= d[0]; up[0] <= d[0];
+    pk::seen <= d;
+    for (i = 0; i < 4; i = i + 1) sum[i] = d[i];
+    if (d[0]) some = d;
+    if (d[1]) each = d; else each = 4'd1;
+    case (s) 0: way = d; 1, 2: way = 4'd2; default: way = 4'd3; endcase
+    case (s) 0, 1: next = d; 2: next = 4'd2; 3: next = 4'd3; endcase
+    if (s == 2) begin : deep reg [1:0] kept; kept = kept + 1; end
+    q <= sum ^ some ^ each ^ way ^ next ^ pk::half(d);
+  end
+endmodule
+RTL
+found 'both 4 0 3:1\nhigh 4 0 1:1\nmemory 4 3 9:4\nnamed.dead 4 0 3:0\nnamed.deep.kept 2 0 1:0\npk.seen 4 0 3:0\nport.held 4 0 3:0\nport.own 8 0 3:0\nq 4 0 3:0\nsome 4 0 3:0\nup 4 0 3:3|'
+
+# A latch is found where the RTL turns its warning off, too.
+rtl 'reg l; /* verilator lint_off LATCH */ always @* if (other) l = d;
+     /* verilator lint_on LATCH */ always @(posedge clk) q <= l;'
+refused "made: l: a latch"
+rtl '`define HELD always_latch
+     `HELD if (other) r = d; always @(posedge clk) q <= r;'
+refused "made: r: a latch"
+
+# Without what Verilator says of the RTL nothing goes on.
+cat > verilator_new << 'END'
+#!/bin/sh
+echo "%Error: Invalid option: --xml-only"
+exit 1
+END
+chmod +x verilator_new
+! said=$(cmake -DVERILATOR_BIN="$folder/verilator_new" -P read.cmake 2>&1) || fails "it needs the tree"
+[[ $said == *"made: this Verilator has no --xml-only"* ]] || fails "it says what is missing"
 
 # A shape, for Verilator, yosys and C++.
 said=$(cmake "-DSHAPE=W=8 MASK=8'h1F K=4'b1_01 MODE=FAST" -P read.cmake 2>&1)

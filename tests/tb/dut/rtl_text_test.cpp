@@ -1,4 +1,5 @@
 // What the RTL's text says of registers and resets, against what a design says.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -11,10 +12,12 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-Field field(const char* net) {
+Field field(const char* net, int width = 4) {
   Field f{};
   f.name = net;
   f.net = net;
+  f.width = width;
+  f.index = -1;
   return f;
 }
 
@@ -28,50 +31,89 @@ std::string said(const std::function<void()>& run) {
 }
 
 // `store` is a memory; sub.held goes by the name `top` as well.
-const RtlText text{"made W=4", "count\nstore\nsub.held sub.out top\ndebug.a\ndebug.b.c", ""};
+const RtlText text{"made W=4",
+                   "count 4 0 3:0\nstore 4 4 15:0\nsub.held 4 0 3:0 sub.out 4 0 0 top 8 0 2\n"
+                   "debug.a 1 0 0:0\ndebug.b.c 2 0 1:0",
+                   ""};
+const Field store[] = {field("store[0]"), field("store[1]"), field("store[2]"), field("store[3]")};
 
 TEST(Unobserved, IsWhatPatternsAllowAndNoFieldNames) {
-  EXPECT_EQ(
-      unobserved_registers(text, {field("count"), field("store[3]"), field("top")}, {"debug.*"}),
-      (Names{"debug.a", "debug.b.c"}));
-  EXPECT_EQ(
-      unobserved_registers(text, {field("count"), field("top")}, {"*.a", "st*re", "debug.b.c"}),
-      (Names{"store", "debug.a", "debug.b.c"}));
+  EXPECT_EQ(unobserved_registers(
+                text, {field("count"), store[0], store[1], store[2], store[3], field("top[5:2]")},
+                {"debug.*"}),
+            (Names{"debug.a", "debug.b.c"}));
+  EXPECT_EQ(unobserved_registers(text, {field("count"), field("top", 8)},
+                                 {"*.a", "st*re", "debug.b.c"}),
+            (Names{"store", "debug.a", "debug.b.c"}));
+}
+
+// What is said where the tables have these fields, and debug.* is in unobserved.
+std::string refused(const std::vector<Field>& fields) {
+  return said([&] { unobserved_registers(text, fields, {"debug.*"}); });
+}
+std::string escapes(const std::string& part) {
+  return "made W=4: the RTL has a register " + part +
+         " that no table names and that is not in unobserved";
 }
 
 TEST(Unobserved, EveryOtherRegisterIsRefused) {
-  EXPECT_EQ(said([] {
-              unobserved_registers(text, {field("count"), field("store")}, {"debug.*"});
+  EXPECT_EQ(refused({field("count"), store[0], store[1], store[2], store[3]}), escapes("sub.held"));
+}
+
+TEST(Unobserved, SoIsEveryOtherBit) {
+  const Field held = field("sub.held");
+  const auto all_but = [&](std::vector<Field> fields) {
+    fields.insert(fields.end(), {store[0], store[1], store[2], store[3], held});
+    return refused(fields);
+  };
+  EXPECT_EQ(all_but({field("count[2:0]", 3)}), escapes("count[3]"));
+  EXPECT_EQ(all_but({field("count[3:2]", 2)}), escapes("count[1:0]"));
+  EXPECT_EQ(all_but({field("count[3]", 1), field("count[0]", 1)}), escapes("count[2:1]"));
+  EXPECT_EQ(all_but({field("count[3:2]", 2), field("count[1:0]", 2)}), "");
+  EXPECT_EQ(refused({field("count"), held, store[0]}), escapes("store[3:1]"));
+  EXPECT_EQ(refused({field("count"), held, store[0], store[1], store[3], field("store[2][3:1]", 3)}),
+            escapes("store[2][0]"));
+  EXPECT_EQ(refused({field("count"), store[0], store[1], store[2], store[3], field("top[4:2]", 3)}),
+            escapes("sub.held[3]"));
+}
+
+TEST(Unobserved, MayBeSomeBits) {
+  const std::vector<Field> some{field("count[1:0]", 2), store[1], store[2], field("sub.out")};
+  EXPECT_EQ(unobserved_registers(text, some, {"debug.*", "count[3:2]", "store"}),
+            (Names{"count[3:2]", "store[0]", "store[3]", "debug.a", "debug.b.c"}));
+  EXPECT_EQ(said([&] {
+              unobserved_registers(text, some, {"debug.*", "count[3:2]", "store[0]"});
             }),
-            "made W=4: the RTL has a register sub.held that no table names and that is not in "
-            "unobserved");
+            escapes("store[3]"));
+}
+
+TEST(Unobserved, BitsThatHoldNoStateNeedNoField) {
+  const RtlText part{"made", "mixed 8 0 7:4,0:0", ""};
+  EXPECT_EQ(unobserved_registers(part, {field("mixed[7:4]"), field("mixed[0]", 1)}, {}), Names{});
+  EXPECT_EQ(unobserved_registers(part, {field("mixed[7:4]")}, {"mixed"}), Names{"mixed[0]"});
 }
 
 TEST(Unobserved, SoIsAMemoryOfSeveralDimensions) {
-  const RtlText deep{"made", "count\ngrid[][]", ""};
+  const RtlText deep{"made", "count 4 0 3:0\ngrid 64 -1 63:0", ""};
   EXPECT_EQ(unobserved_registers(deep, {field("count")}, {"grid"}), Names{"grid"});
-  for (const char* net : {"grid", "grid[2]"}) {
-    EXPECT_EQ(
-        said([&] {
-          unobserved_registers(deep, {field("count"), field(net)}, {});
-        }),
-        "made: register grid: a memory of more dimensions than one can only be in unobserved");
+  for (const std::vector<Field>& fields :
+       {std::vector<Field>{field("count")}, {field("count"), field("grid")}}) {
+    EXPECT_THAT(said([&] { unobserved_registers(deep, fields, {}); }),
+                testing::EndsWith(
+                    "register grid: a memory of more dimensions than one can only be in unobserved"));
   }
 }
 
 TEST(Unobserved, APatternThatNamesNothingIsRefused) {
-  const std::vector<Field> fields{field("count"), field("store"), field("top")};
-  for (const char* pattern : {"debug", "debug.x*", "count", "*.d"}) {
+  const std::vector<Field> fields{field("count"), store[0], store[1],
+                                  store[2],       store[3], field("top", 8)};
+  for (const char* pattern : {"debug", "debug.x*", "count", "count[1:0]", "*.d"}) {
     EXPECT_EQ(said([&] {
                 unobserved_registers(text, fields, {"debug.*", pattern});
               }),
               std::string("made W=4: unobserved has ") + pattern +
                   ", and the RTL has no such register beside the tables");
   }
-}
-
-TEST(Unobserved, NothingIsKnownWithoutTheText) {
-  EXPECT_EQ(unobserved_registers({"made", "", ""}, {}, {"debug.*"}), Names{});
 }
 
 TEST(Resets, AreThoseThatTheDesignNames) {

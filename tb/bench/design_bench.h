@@ -237,7 +237,7 @@ class DesignBench : public Bench<Design> {
   template <class Source>
   Mismatch examined(const Source& source, std::uint64_t clock, std::uint32_t power_up) const {
     AnyLockstep<Design> again(start(power_up));
-    Mismatch mismatch = examine(again, source, clock, Window{});
+    Mismatch mismatch = examine(again, source, clock, Window{}, this->title());
     mismatch.bench = this;
     mismatch.stimulus.power_up = power_up;
     return mismatch;

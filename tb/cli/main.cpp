@@ -90,6 +90,8 @@ int main(int argc, char** argv) {
     status = refuse(std::ferror(stdout) == 0 ? error.code().message() : no_output);
   } catch (const std::exception& error) {
     status = refuse(std::string("internal error: ") + error.what());
+  } catch (...) {  // by a model or its check
+    status = refuse("internal error: something was thrown that is no std::exception");
   }
   if (status == 0 && cosim::cli::was_left_out()) status = bad_input;
   if (status != bad_input && (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)) {

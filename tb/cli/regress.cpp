@@ -77,17 +77,18 @@ std::vector<std::string> sbatch_options(const RegressOptions& o) {
 }
 
 std::string resume_line(const RunFolder& run) {
-  return fmt::format("go on with: {} regress --resume {}\n", run.program().string(),
-                     run.path().string());
+  return fmt::format("go on with: {} regress --resume {}\n", one_line(run.program().string()),
+                     one_line(run.path().string()));
 }
 
 // Ends a run whose shards are over, for now.
 int conclude_run(const RunFolder& run, const regress::Kinds& kinds, const regress::Errors& errors) {
-  const auto results = regress::read_results(run.path() / "results", run.shards().size());
+  const auto results =
+      regress::read_results(run.path() / "results", run.identity(), run.shards().size());
   const regress::Report report = regress::report(run, kinds, results);
   write_report(run, results, report);
   for (const std::string& line : lines_of(errors)) complain(line);
-  fmt::print("{}report: {}\n", report.text, (run.path() / "report.json").string());
+  fmt::print("{}report: {}\n", report.text, one_line((run.path() / "report.json").string()));
   if (report.holds) return 0;
   if (report.json["verdict"] == "unfinished") fmt::print("{}", resume_line(run));
   return report.json["failures"].empty() ? 2 : 1;
@@ -105,7 +106,8 @@ int carry_out(const RunFolder& run, const RegressOptions& o, const regress::Kind
     return conclude_run(run, kinds, errors);
   } catch (const Interrupted& interrupted) {
     progress.clear();
-    const auto results = regress::read_results(run.path() / "results", run.shards().size());
+    const auto results =
+        regress::read_results(run.path() / "results", run.identity(), run.shards().size());
     fmt::print("interrupted: {} of {} done\n{}", results.finished(),
                count(run.shards().size(), "shard"), resume_line(run));
     return 128 + interrupted.signal;
@@ -128,7 +130,7 @@ int new_run(const RegressOptions& o, const regress::Kinds& kinds) {
   const RunFolder run =
       RunFolder::make(folder, std::move(plan), kinds, plan_folder, shards, o.slurm);
   fmt::print("{}: seed {}, {} in {}\n", run.plan().name, run.plan().seed,
-             count(run.shards().size(), "shard"), run.path().string());
+             count(run.shards().size(), "shard"), one_line(run.path().string()));
   std::fflush(stdout);
   return carry_out(run, o, kinds);
 }

@@ -232,7 +232,6 @@ class Cases {
           bench_.title(), failed.index, failed.lane, built_.lanes, failed.clock,
           one.mismatch ? fmt::format("on clock {}", one.mismatch->clock) : "nowhere"));
     }
-    one.failed += fmt::format(", found in lane {} of {}", failed.lane, built_.lanes);
     one.cases = 1;
     add(sum, std::move(one));
     return sum;

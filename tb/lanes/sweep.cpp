@@ -129,7 +129,6 @@ class Hostile {
           again.mismatch ? fmt::format("on clock {}", again.mismatch->clock) : "nowhere"));
     }
     Result one = hostile_result(bench_, c, std::move(again));
-    one.failed += fmt::format(", found in lane {} of {}", differs.lane, built_.lanes);
     one.cases = 1;
     add(sum, std::move(one));
     return sum;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "model/core/input_error.h"
 #include "tb/support/show.h"
 
 namespace cosim {
@@ -103,5 +104,11 @@ std::string table_text(const Mismatch& m) {
 }
 
 std::string to_text(const Mismatch& m) { return difference_text(m) + table_text(m); }
+
+void refuse_unsteady(const std::string& title) {
+  throw InputError(title +
+                   ": a failing case passes when it runs again, or fails otherwise: does its model "
+                   "or its RTL depend on something outside the case?");
+}
 
 }  // namespace cosim

@@ -78,4 +78,7 @@ std::string table_text(const Mismatch& mismatch);
 /// Both.
 std::string to_text(const Mismatch& mismatch);
 
+/// Throws the InputError of a case that failed and does not fail so when it runs again.
+[[noreturn]] void refuse_unsteady(const std::string& title);
+
 }  // namespace cosim

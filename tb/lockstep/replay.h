@@ -97,7 +97,7 @@ Run replayed(const DutMaker<Design>& maker, const Stimulus& s, Window window) {
   if (const auto clock = came.differs) {
     result.clocks = *clock + 1;
     const auto again = started(maker, s);
-    result.mismatch = examine(*again, Rows<Design>(maker.params, s), *clock, window);
+    result.mismatch = examine(*again, Rows<Design>(maker.params, s), *clock, window, s.machine);
     result.mismatch->stimulus = s;
   }
   return result;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "tb/dut/dut.h"
@@ -61,9 +62,11 @@ inline constexpr std::uint64_t most_kept = 1U << 20;
 
 /// Runs a failing case again: clocks `lockstep`, which has just started, through `source` until
 /// `window.after` clocks past `clock`, the first that differs. Keeps every signal of the window,
-/// and the inputs of the longer range that a wave shows.
+/// and the inputs of the longer range that a wave shows. InputError, which names `title`, where
+/// they do not differ on that clock now, or sooner.
 template <class Design, class Source>
-Mismatch examine(AnyLockstep<Design>& lockstep, Source source, std::uint64_t clock, Window window) {
+Mismatch examine(AnyLockstep<Design>& lockstep, Source source, std::uint64_t clock, Window window,
+                 const std::string& title) {
   const auto& p = lockstep.dut().params;
   Mismatch m;
   m.clock = clock;
@@ -83,7 +86,8 @@ Mismatch examine(AnyLockstep<Design>& lockstep, Source source, std::uint64_t clo
     }
     if (!next_inputs<Design>(source, p, lockstep.state(), in, lockstep.expected().outputs)) break;
     Compared<Design> actual;
-    lockstep.clock(in, [&](const auto&, const auto& rtl) { actual = rtl; });
+    const bool same = lockstep.clock(in, [&](const auto&, const auto& rtl) { actual = rtl; });
+    if (c <= clock && same != (c < clock)) refuse_unsteady(title);
     if (c == clock && lockstep.dut().said() != nullptr) {
       m.finding = lockstep.dut().said()->line_of_report();
     }

@@ -21,7 +21,8 @@ class Pool {
         options_(options),
         ends_(ends_at_failure(run, kinds)),
         over_(run.works().size()) {
-    const Results results = read_results(run.path() / "results", run.shards().size());
+    const Results results =
+        read_results(run.path() / "results", run.identity(), run.shards().size());
     wanted_ = missing(run, results, ends_);
     tally_ = tally_of(run, results);
     tally_.errors = 0;

@@ -72,6 +72,13 @@ const Key* find(const std::vector<Key>& keys, const std::string& name) {
   return found == keys.end() ? nullptr : &*found;
 }
 
+// The same of a name, which is shown on the terminal and in reports as it is.
+std::string wrong_in_name(const Json& value) {
+  if (!value.is_string() || value.get<std::string>().empty()) return "needs a text";
+  const auto name = value.get<std::string>();
+  return one_line(name) == name ? "" : "needs printable characters on one line";
+}
+
 // The kind whose name is a key of the task; null where there is not one.
 const Keys* kind_of(const Json& task, const std::vector<Keys>& kinds, const std::string& place,
                     const Complaints& complaints) {
@@ -104,7 +111,9 @@ void read_task(const Json& json, const std::vector<Keys>& kinds, const Complaint
     const Key* key = common != nullptr ? common : find(kind->keys, name);
     if (key == nullptr) {
       complaints.add(place, fmt::format("no such key of \"{}\"", kind->kind));
-    } else if (const std::string wrong = wrong_in(*key, value); !wrong.empty()) {
+    } else if (const std::string wrong =
+                   name == "name" ? wrong_in_name(value) : wrong_in(*key, value);
+               !wrong.empty()) {
       complaints.add(place, wrong);
     } else if (common == nullptr) {
       task.values[name] = value;
@@ -168,7 +177,9 @@ Plan read_plan(const std::string& text, const std::string& path, const std::vect
   for (const auto& [name, value] : json.items()) {
     const Key* key = find(top, name);
     if (name == "tasks") continue;
-    const std::string wrong = key == nullptr ? "no such key" : wrong_in(*key, value);
+    const std::string wrong = key == nullptr   ? "no such key"
+                              : name == "name" ? wrong_in_name(value)
+                                               : wrong_in(*key, value);
     if (!wrong.empty()) complaints.add(name, wrong);
   }
   if (json.contains("name") && json["name"].is_string()) plan.name = json["name"];

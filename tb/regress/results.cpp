@@ -12,6 +12,7 @@
 #include <fstream>
 
 #include "model/core/input_error.h"
+#include "tb/support/hash.h"
 #include "tb/support/json.h"
 #include "tb/support/words.h"
 
@@ -51,10 +52,18 @@ bool write_all(int file, const std::string& text) {
   return true;
 }
 
-std::optional<Line> line_of(const std::string& text) {
-  const Json json = json_if(text);
+// Of a line without its hash.
+std::string hash_of_line(const std::string& run, const Json& json) {
+  return hash_of(run + json_text(json));
+}
+
+std::optional<Line> line_of(const std::string& run, const std::string& text) {
+  Json json = json_if(text);
   if (!json.is_object()) return std::nullopt;
   try {
+    const auto hash = json.at("hash").get<std::string>();
+    json.erase("hash");
+    if (hash != hash_of_line(run, json)) return std::nullopt;
     Line line;
     line.shard = json.at("shard").get<std::uint64_t>();
     line.host = json.at("host").get<std::string>();
@@ -73,13 +82,14 @@ std::optional<Line> line_of(const std::string& text) {
 
 }  // namespace
 
-void append(const fs::path& path, const Line& line) {
+void append(const fs::path& path, const std::string& run, const Line& line) {
   Json json{{"shard", line.shard}, {"host", line.host}, {"seconds", line.seconds}};
   if (line.error.empty()) {
     json["result"] = line.result;
   } else {
     json["error"] = line.error;
   }
+  json["hash"] = hash_of_line(run, json);
   std::string text = json_text(json) + '\n';
   const Descriptor file(open(path.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
   // Several programs of one host write the same file. Where nothing can be locked, a mixed line is
@@ -100,7 +110,7 @@ bool Results::failed(std::uint64_t shard) const {
   return done[shard] && done[shard]->result.contains("failed");
 }
 
-Results read_results(const fs::path& folder, std::uint64_t shards) {
+Results read_results(const fs::path& folder, const std::string& run, std::uint64_t shards) {
   Results results;
   results.done.resize(shards);
   std::vector<fs::path> files;
@@ -110,7 +120,7 @@ Results read_results(const fs::path& folder, std::uint64_t shards) {
     std::ifstream file(path, std::ios::binary);
     if (!file) throw InputError(path.string() + ": cannot be read");
     for (std::string text; std::getline(file, text);) {
-      std::optional<Line> line = line_of(text);
+      std::optional<Line> line = line_of(run, text);
       // Without its '\n' even a whole line may be that of another number.
       if (!line || file.eof() || line->shard >= shards) {
         ++results.torn;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "model/core/input_error.h"
+#include "tb/support/hash.h"
 #include "tb/support/json.h"
 #include "tb/support/parallel.h"
 #include "tb/support/read_file.h"
@@ -17,13 +18,6 @@ namespace cosim::regress {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Of a short text.
-std::string hash_of(const std::string& text) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-  return fmt::format("{:016x}", hash);
-}
 
 std::string program_text() { return fmt::format("{:016x}", program_hash()); }
 
@@ -142,11 +136,12 @@ RunFolder RunFolder::make(const fs::path& folder, Plan plan, const Kinds& kinds,
   copy_program(run.program());
   const std::string text = json_text(regress::to_json(run.plan_), 1) + '\n';
   replace_file((run.path_ / "plan.json").string(), text);
-  const Json json{{"format", format},
-                  {"program", program_text()},
-                  {"plan", hash_of(text)},
-                  {"shards", shards},
-                  {"works", to_json(run.works_)}};
+  Json json{{"format", format},
+            {"program", program_text()},
+            {"plan", hash_of(text)},
+            {"shards", shards},
+            {"works", to_json(run.works_)}};
+  json["hash"] = hash_of(json_text(json));
   replace_file((run.path_ / "run.json").string(), json_text(json, 1) + '\n');
   made.keep();
   return {run.path_, kinds};
@@ -157,10 +152,12 @@ RunFolder::RunFolder(const fs::path& folder, const Kinds& kinds)
   if (!path_.has_filename()) path_ = path_.parent_path();
   const std::string name = (path_ / "run.json").string();
   if (!fs::exists(name)) throw InputError(path_.string() + ": is no folder of a regression");
-  const Json json = json_if(read_file(name));
+  Json json = json_if(read_file(name));
   const auto none = [&] { return InputError(name + ": is not that of a regression"); };
   if (!json.is_object()) throw none();
-  if (json.value("format", 0) != format) throw InputError(name + ": is of another format");
+  if (!json.contains("format") || json["format"] != format) {
+    throw InputError(name + ": is of another format");
+  }
   try {
     const std::string text = read_file((path_ / "plan.json").string());
     if (json.at("program") != program_text()) {
@@ -170,12 +167,15 @@ RunFolder::RunFolder(const fs::path& folder, const Kinds& kinds)
     if (json.at("plan") != hash_of(text)) {
       throw InputError(path_.string() + ": its plan.json was changed");
     }
+    // Behind it every value is as it was written: of its type and in its range.
+    identity_ = json.at("hash").get<std::string>();
+    json.erase("hash");
+    if (identity_ != hash_of(json_text(json))) throw InputError(name + ": was changed");
     std::vector<std::string> errors;
     plan_ = read_plan(text, (path_ / "plan.json").string(), keys_of(kinds), 0, errors);
     if (!errors.empty()) throw InputError(errors.front());
     works_ = works_from(json.at("works"));
     shards_ = cut(sizes(works_), json.at("shards").get<std::uint64_t>());
-    identity_ = program_text() + hash_of(text + json_text(json.at("shards")));
   } catch (const Json::exception&) {
     throw none();
   }

@@ -38,8 +38,8 @@ class RunFolder {
                         const std::filesystem::path& plan_folder, std::uint64_t shards,
                         bool elsewhere);
 
-  /// That of a run that was made. InputError where it is none, where its plan has been changed, and
-  /// where this is another program than that of the run.
+  /// That of a run that was made. InputError where it is none, where its plan or run.json has been
+  /// changed, and where this is another program than that of the run.
   RunFolder(const std::filesystem::path& folder, const Kinds& kinds);
 
   const std::filesystem::path& path() const { return path_; }
@@ -54,7 +54,7 @@ class RunFolder {
   /// Works, made anew: those of one task.
   Works works_of(std::size_t task, const Kinds& kinds) const;
 
-  /// The hash of program and plan, a word: what a checkpoint is of.
+  /// The hash of program, plan and works, a word: what checkpoints and results are of.
   const std::string& identity() const { return identity_; }
 
  private:

@@ -181,7 +181,7 @@ Errors run_slurm(const RunFolder& run, const Kinds& kinds, const SlurmOptions& o
   const fs::path folder = run.path() / "results";
   const std::uint64_t shards = run.shards().size();
   const std::vector<bool> ends = ends_at_failure(run, kinds);
-  Results results = read_results(folder, shards);
+  Results results = read_results(folder, run.identity(), shards);
   Submission submission(run, options);
   Jobs jobs = submission.before();
   if (jobs.empty() || !in_queue(jobs).there) {
@@ -191,7 +191,7 @@ Errors run_slurm(const RunFolder& run, const Kinds& kinds, const SlurmOptions& o
   }
   try {
     for (Queue queue = in_queue(jobs); queue.there; queue = in_queue(jobs)) {
-      results = read_results(folder, shards);
+      results = read_results(folder, run.identity(), shards);
       Tally tally = tally_of(run, results);
       tally.running = std::min(queue.running, tally.shards - tally.done - tally.errors);
       options.tell(tally);
@@ -205,7 +205,7 @@ Errors run_slurm(const RunFolder& run, const Kinds& kinds, const SlurmOptions& o
     submission.give_up(jobs);
     throw;
   }
-  results = read_results(folder, shards);
+  results = read_results(folder, run.identity(), shards);
   options.tell(tally_of(run, results));
   return errors_of(run, results, missing(run, results, ends));
 }
@@ -220,7 +220,7 @@ int run_array_task(const RunFolder& run, const Kinds& kinds, const std::string& 
   if (!file) throw InputError(fmt::format("{}: no line for task {}", list, number));
   const std::string restart = variable("SLURM_RESTART_COUNT");
   const std::uint64_t shards = run.shards().size();
-  const Results results = read_results(run.path() / "results", shards);
+  const Results results = read_results(run.path() / "results", run.identity(), shards);
   Shards wanted = shards_in(line, shards, list);
   std::erase_if(wanted, [&](std::uint64_t s) { return results.done[s].has_value(); });
   try {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tb/regress/plan.h"
+#include "tb/support/words.h"
 #include "tb/sweep/checkpoint.h"
 
 namespace cosim::regress {
@@ -29,7 +30,9 @@ struct Place {
 /// number, the task and the program alone, and not from the units that it is run with.
 class Work {
  public:
-  Work(std::string title, std::uint64_t units) : title_(std::move(title)), units_(units) {}
+  /// What of `title` is not printable becomes "?".
+  Work(std::string title, std::uint64_t units)
+      : title_(one_line(std::move(title))), units_(units) {}
   virtual ~Work() = default;
   Work(const Work&) = delete;
   Work& operator=(const Work&) = delete;

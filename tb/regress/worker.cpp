@@ -53,7 +53,7 @@ int run_shard(const RunFolder& run, const Work& work, std::uint64_t number,
     complain(line.error);
   }
   line.seconds = std::chrono::duration<double>(Time::now() - began).count();
-  append(results, line);
+  append(results, run.identity(), line);
   if (!line.error.empty()) return 2;
   std::error_code ignored;
   fs::remove(kept, ignored);

@@ -12,6 +12,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/support/finite.h"
+#include "tb/support/hash.h"
 #include "tb/support/json.h"
 #include "tb/support/read_file.h"
 #include "tb/support/replace_file.h"
@@ -72,13 +73,18 @@ Json Checkpoint::state() const {
     throw InputError(fmt::format("{}: a checkpoint of other work or of another build: {}", path_,
                                  shown(file["work"])));
   }
+  if (!file.contains("hash") || file["hash"] != hash_of(json_text(file["state"]))) {
+    throw InputError(path_ + ": no checkpoint: it was changed");
+  }
   return file["state"];
 }
 
 void Checkpoint::save(const Json& state) {
   if (path_.empty()) return;
   check_finite(state);
-  replace_file(path_, json_text(Json{{"work", work_}, {"state", state}}) + '\n');
+  replace_file(path_, json_text(Json{
+                          {"work", work_}, {"hash", hash_of(json_text(state))}, {"state", state}}) +
+                          '\n');
   saved_ = std::chrono::steady_clock::now();
 }
 

@@ -1,5 +1,7 @@
 // Benches with the model in the RTL's place, right at the smallest width and wrong at the largest
 // from one clock on: so that the program has a mismatch to show.
+#include <cstdlib>
+
 #include "model/circular/host.h"
 #include "model/linear/host.h"
 #include "tb/bench/bench.h"
@@ -15,7 +17,9 @@ class FaultyAdapter : public test::ModelAdapter<D, P> {
   using Registers = typename D::template Registers<Word>;
 
  public:
-  using Base::Base;
+  explicit FaultyAdapter(std::uint32_t power_up) : Base(power_up) {
+    if (std::getenv("COSIM_FAULTY_THROWS") != nullptr) throw 7;
+  }
   void eval(bool clk) {
     edges_ += clk ? 1 : 0;
     Base::eval(clk);

@@ -59,6 +59,16 @@ TEST_F(Regression, WhoseProgramFailsOrIsNotThereSaysSo) {
   EXPECT_EQ(json["tasks"][2]["works"][0]["verdict"], "unfinished");
 }
 
+TEST_F(Regression, WhoseModelThrowsNoExceptionSaysSoInALine) {
+  setenv("COSIM_FAULTY_THROWS", "1", 1);
+  const Ended alone = faulty({"sweep", "linear", "--m", "32", "--n", "26", "--random", "3"});
+  unsetenv("COSIM_FAULTY_THROWS");
+  EXPECT_EQ(alone.status, 2);
+  EXPECT_EQ(lines(alone.err),
+            std::vector<std::string>{
+                "cosim: internal error: something was thrown that is no std::exception"});
+}
+
 // As libFuzzer ends: the line that counts is not the last one.
 TEST_F(Regression, NamesWhatFuzzingFinds) {
   std::filesystem::permissions(
@@ -98,6 +108,11 @@ TEST_F(Regression, OfABadPlanIsRefusedWhole) {
                  {"'seed': stands twice in an object"});
   expect_refused(folder_, R"({"format": 1, "more": 1})",
                  {"more: no such key", "name: is needed", "tasks: needs a list of tasks"});
+  const std::string line = "needs printable characters on one line";
+  expect_refused(folder_,
+                 R"({"format": 1, "name": "\u001b[2J", "tasks": [
+                     {"name": "a\nverdict: pass", "run": ["true"]}]})",
+                 {"name: " + line, "tasks[0].name: " + line});
   expect_refused(folder_, head + "]}", {"tasks: needs a list of tasks"});
   expect_refused(folder_, head + R"({"name": "a", "sweep": "linear", "hostile": 0},
                 {"name": "a", "sweep": "linear", "prove": "linear"},

@@ -107,6 +107,60 @@ TEST_F(WholeRegression, IsThatOfOneProgramAndOnePlan) {
   EXPECT_NE(changed.err.find("its plan.json was changed"), std::string::npos) << changed.err;
 }
 
+// Every value of run.json, replaced by those of each other kind, or gone.
+TEST_F(WholeRegression, IsOfARunJsonThatNobodyChanged) {
+  const Json whole = Json::parse(folder_.text("one/run.json"));
+  const std::vector<Json> others{Json(),
+                                 true,
+                                 7,
+                                 -1,
+                                 ~std::uint64_t{0},
+                                 1e300,
+                                 "x",
+                                 Json::array(),
+                                 Json::object(),
+                                 Json::array({Json::object()})};
+  const auto refused = [&](const std::string& text) {
+    folder_.write("one/run.json", text);
+    const Ended e = cosim(resumed("one"));
+    EXPECT_EQ(e.status, 2) << text;
+    EXPECT_EQ(lines(e.err).size(), 1U) << e.err << text;
+    EXPECT_EQ(e.err.find("internal error"), std::string::npos) << e.err << text;
+    EXPECT_NE(e.err.find("one"), std::string::npos) << e.err;
+  };
+  const Json flat = whole.flatten();
+  for (const auto& place : flat.items()) {
+    for (const Json& other : others) {
+      Json changed = whole;
+      changed[Json::json_pointer(place.key())] = other;
+      if (changed != whole) refused(changed.dump());
+    }
+  }
+  for (const auto& place : whole.items()) {
+    Json changed = whole;
+    changed.erase(place.key());
+    refused(changed.dump());
+  }
+  for (const char* text : {"", "[]", "7", "{", "{}"}) refused(text);
+  Json fewer = whole;
+  fewer["works"].erase(0);
+  refused(fewer.dump());
+  fewer["works"] = Json::array();
+  refused(fewer.dump());
+}
+
+TEST_F(WholeRegression, RunsAgainAResultThatWasChanged) {
+  const std::string name = "one/" + results_of("one");
+  std::string text = folder_.text(name);
+  const std::size_t at = text.find("\"cases\":400");
+  ASSERT_NE(at, std::string::npos) << text;
+  text.replace(at, 11, "\"cases\":500");
+  folder_.write(name, text);
+  EXPECT_EQ(cosim(resumed("one")).status, 0);
+  EXPECT_EQ(report("one"), expected_);
+  EXPECT_EQ(times("one")["torn"], 1);
+}
+
 // What needs other programs: the solvers, and one that attacks mutants.
 TEST_F(Regression, OfProofsAndMutantsIsTheSameHoweverItIsCut) {
   if (!test::can_prove()) GTEST_SKIP() << "needs yosys, cvc5 and z3";

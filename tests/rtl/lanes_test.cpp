@@ -46,8 +46,7 @@ TYPED_TEST(InLanes, FaultsAreFoundWhereLockstepFindsThem) {
       EXPECT_EQ(together.mismatch->expected, alone.mismatch->expected);
       EXPECT_EQ(together.mismatch->actual, alone.mismatch->actual);
       EXPECT_EQ(together.mismatch->stimulus.clocks, alone.mismatch->stimulus.clocks);
-      EXPECT_EQ(together.failed, alone.failed + ", found in lane " +
-                                     std::to_string((alone.cases - 1) % 64) + " of 64");
+      EXPECT_EQ(together.failed, alone.failed);
     }
   }
   EXPECT_GE(faults, 1);

@@ -72,6 +72,47 @@ TEST(Replay, OfASessionIsTheSession) {
   EXPECT_EQ(s.clocks[1][data], 0b01010);
 }
 
+// Differs in one instance of all: not when the case runs again.
+template <class D, typename D::Params P>
+class OnceFaulty : public ModelAdapter<D, P> {
+  using Base = ModelAdapter<D, P>;
+  using Registers = typename D::template Registers<Word>;
+
+ public:
+  explicit OnceFaulty(std::uint32_t power_up) : Base(power_up), wrong_(instances_++ == 0) {}
+  Registers registers() const {
+    auto words = to_words(Base::registers());
+    if (wrong_) words[0] ^= 1;
+    return from_words<Registers>(words);
+  }
+
+ private:
+  static inline int instances_ = 0;
+  bool wrong_;
+};
+
+// What `run` throws, where it is what a case says that does not fail again.
+template <class RunIt>
+void expect_unsteady(RunIt run) {
+  try {
+    run();
+    ADD_FAILURE() << "nothing was thrown";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("passes when it runs again"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(Replay, OfACaseThatPassesWhenItRunsAgainIsRefused) {
+  using D = circular::Design;
+  const AdapterBench<OnceFaulty<D, circular::Params{4}>> hostile_one;
+  expect_unsteady([&] { hostile_one.run_hostile({1, 0, 100}); });
+  const AdapterBench<OnceFaulty<D, circular::Params{5}>> replayed_one;
+  const auto& b = replayed_one;
+  const Stimulus s{b.title(), "", 1, {}, {b.rest(), b.rest()}};
+  expect_unsteady([&] { b.replay(s); });
+}
+
 TEST(Replay, OfAModelCannotStartFromAState) {
   const auto& bench = model_bench<circular::Design, circular::Params{4}>();
   Stimulus s{bench.title(), "", 1, bench.cleared(), {bench.rest()}};

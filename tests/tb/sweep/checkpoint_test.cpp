@@ -57,6 +57,28 @@ TEST_F(CheckpointIn, IsOfItsWorkAlone) {
   EXPECT_EQ(Checkpoint(path_, "work").state(), 1);
 }
 
+// Whatever is put in its place.
+TEST_F(CheckpointIn, IsNoneWhereItWasChanged) {
+  Checkpoint(path_, "work").save({{"cases", 3}, {"left_out", {1, 2}}});
+  const Json whole = Json::parse(read_file(path_));
+  const auto refused = [&](const Json& changed) {
+    replace_file(path_, changed.dump());
+    EXPECT_THROW(Checkpoint(path_, "work").state(), InputError) << changed;
+  };
+  for (const char* key : {"work", "hash", "state"}) {
+    Json changed = whole;
+    changed.erase(key);
+    refused(changed);
+    for (const Json& other : {Json(), Json(7), Json("x"), Json::array(), Json::object()}) {
+      changed[key] = other;
+      refused(changed);
+    }
+  }
+  Json longer = whole;
+  longer["state"]["left_out"] = std::vector<int>(100'000);
+  refused(longer);
+}
+
 TEST_F(CheckpointIn, IsDueAfterAWhileAndNeverWithoutAFile) {
   Checkpoint none("", "work"), kept(path_, "work");
   std::this_thread::sleep_for(std::chrono::milliseconds(150));

@@ -37,7 +37,9 @@ function(cosim_read_rtl prefix what top clock folder)
     COMMAND ${verilator} --lint-only -Wwarn-LATCH -Wwarn-UNOPTFLAT --timing ${folder}/plain.sv
     OUTPUT_VARIABLE said ERROR_VARIABLE said)
   file(WRITE ${folder}/warnings.txt "${said}")
-  execute_process(COMMAND ${COSIM_PERL} ${reader} ${folder}/tree.xml ${folder}/warnings.txt ${clock}
+  cosim_read_netlist(netlist ${folder} "${R_YOSYS}")
+  execute_process(
+    COMMAND ${COSIM_PERL} ${reader} ${folder}/tree.xml ${folder}/warnings.txt ${clock} ${netlist}
     RESULT_VARIABLE status OUTPUT_VARIABLE found ERROR_VARIABLE error)
   if(status)
     string(STRIP "${error}" error)
@@ -60,6 +62,26 @@ function(cosim_read_rtl prefix what top clock folder)
   list(JOIN resets "\\n" resets)
   set(${prefix}_registers "${registers}" PARENT_SCOPE)
   set(${prefix}_resets "${resets}" PARENT_SCOPE)
+endfunction()
+
+# What yosys, where there is one and it reads the RTL, says that the RTL holds: sets the variable to the
+# file that rtl_yosys.pl made, or to nothing.
+function(cosim_read_netlist variable folder commands)
+  set(${variable} "" PARENT_SCOPE)
+  get_property(reader GLOBAL PROPERTY COSIM_RTL_READER)
+  string(REGEX REPLACE "[.]pl$" "_yosys.pl" reader ${reader})
+  find_program(COSIM_YOSYS yosys)
+  if(NOT COSIM_YOSYS OR NOT commands)
+    return()
+  endif()
+  execute_process(
+    COMMAND ${COSIM_YOSYS} -q -p "${commands}; proc; flatten; write_json \"${folder}/netlist.json\""
+    RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
+  if(status EQUAL 0)
+    execute_process(COMMAND ${COSIM_PERL} ${reader} ${folder}/netlist.json
+      OUTPUT_FILE ${folder}/netlist.txt COMMAND_ERROR_IS_FATAL ANY)
+    set(${variable} ${folder}/netlist.txt PARENT_SCOPE)
+  endif()
 endfunction()
 
 # Verilator takes nets for whole and sees a loop in any carry chain; yosys looks at each bit. Sets the

@@ -1,8 +1,8 @@
 #!/usr/bin/env perl
-# rtl.pl TREE.xml WARNINGS CLOCK
+# rtl.pl TREE.xml WARNINGS CLOCK [NETLIST]
 #
 # Reads the tree of a design that `verilator --xml-only` wrote and what `verilator --lint-only` said of
-# it. On standard output, a line each:
+# it, and what rtl_yosys.pl found. On standard output, a line each:
 #
 #   register NAME WIDTH WORDS BITS [NET WIDTH WORDS LOW]...
 #                      a register, by its path below the top, its bits, those of a word of a memory,
@@ -14,14 +14,14 @@
 #
 # A bit holds a state where a clock writes it with <=, or with = and it is read before that on some
 # way through the process, or elsewhere. A loop is taken to write all that it writes at an index that
-# changes.
+# changes; yosys, where it reads the RTL, tells where that is not so.
 #
 # What a design cannot have, a second clock, a falling edge, a latch, a bidirectional port, ends it
 # with status 1 and one line, which names the net.
 use strict;
 use warnings;
 
-my ($tree_file, $warnings_file, $clock) = @ARGV;
+my ($tree_file, $warnings_file, $clock, $netlist_file) = @ARGV;
 
 sub text_of {
     my ($name) = @_;
@@ -80,6 +80,10 @@ sub elements {
     my ($left, $right) = map { constant($_) } @{$range->{in}};
     return defined $right ? abs($left - $right) + 1 : 1;
 }
+sub first_of {
+    my ($range) = grep { $_->{tag} eq 'range' } @{$_[0]{in}};
+    return (sort { $a <=> $b } map { constant($_) // 0 } @{$range->{in}})[0] // 0;
+}
 # All bits of a type.
 sub size_of {
     my $type = type_of($_[0]);
@@ -124,7 +128,8 @@ sub declare {
             next if $in->{has}{param} || $in->{has}{localparam};
             my ($width, $words) = shape_of($in->{has}{dtype_id});
             my $net = $path . $name;
-            $info{$net} = {width => $width, words => $words, bits => $width * ($words > 0 ? $words : 1)};
+            $info{$net} = {width => $width, words => $words, bits => $width * ($words > 0 ? $words : 1),
+                first => $words > 0 ? first_of(type_of($in->{has}{dtype_id})) : 0};
             push @{$by_name{$name}}, $net;
             push @{$packaged{$name}}, $net if $node->{tag} eq 'package';
         } elsif ($tag eq 'instance') {
@@ -502,6 +507,36 @@ my $warnings = text_of($warnings_file);
 my $top_name = $top->{has}{name};
 sub below_top { return $_[0] =~ s/^\Q$top_name\E\.//r =~ s/__DOT__/./gr }
 my @latches = map { below_top($_) } $warnings =~ /^%Warning-LATCH: .*Latch inferred for signal '([^']+)'/mg;
+
+# What yosys found besides.
+sub hold {
+    my ($net, $low, $count) = @_;
+    $registers{$net} = ($registers{$net} // '') | bits($low, $count);
+}
+# The net of the tree and its bit that a name of yosys is.
+sub place_of {
+    my ($name, $bit, $width) = $_[0] =~ /^(.*):(\d+):(\d+)$/;
+    return [$name, $bit] if $info{$name} && $info{$name}{bits} == $width;
+    return if $name !~ /^(.*)\[(\d+)\]$/ || !$info{$1} || $info{$1}{words} <= 0 || $info{$1}{width} != $width;
+    return [$1, ($2 - $info{$1}{first}) * $width + $bit];
+}
+for my $line (defined $netlist_file ? split /\n/, text_of($netlist_file) : ()) {
+    my ($what, @names) = split / /, $line;
+    if ($what eq 'memory') {
+        hold($names[0], 0, $info{$names[0]}{bits}) if $info{$names[0]} && !$registers{$names[0]};
+        next;
+    }
+    my @places = grep { $_ } map { place_of($_) } @names;
+    my $name = $places[0] ? $places[0][0] : $names[0] =~ s/:\d+:\d+$//r;
+    push @latches, $name if $what eq 'latch';
+    next if $what eq 'latch' || grep { vec($registers{$_->[0]} // '', $_->[1], 1) } @places;
+    if (!@places) {
+        my ($bit, $width) = $names[0] =~ /:(\d+):(\d+)$/;
+        $info{$name} //= {width => $width, words => 0, bits => $width, first => 0};
+        @places = [$name, $bit];
+    }
+    hold(@{$places[0]}, 1);
+}
 refuse((sort @latches)[0] . ': a latch') if @latches;
 
 

@@ -75,8 +75,21 @@ if command -v yosys > /dev/null; then
   refused "made: y: a combinational loop"
   rtl 'wire y$, z$; assign y$ = z$ ^ d; assign z$ = y$ & w[0]; always @(posedge clk) q <= y$;'
   refused ": a combinational loop"
+  # What yosys finds beside Verilator: a loop that writes at an index that is not its own, and a latch of
+  # some bits. What no output depends on is no state because yosys has a flip-flop for it.
+  rtl 'reg [3:0] held, some; integer i;
+       always @(posedge clk) begin for (i = 0; i < 2; i = i + 1) held[w[1:0]] = d;
+         if (other) begin some = w[3:0]; r <= ^some; end
+         q <= ^held; end'
+  found 'held 4 0 3:0\nq 1 0 0:0\nr 1 0 0:0|'
+  rtl 'reg [3:0] store[1:2]; reg [3:0] sum; integer i;
+       always @(posedge clk) begin for (i = 0; i < 2; i = i + 1) store[1 + w[0]] = w[3:0];
+         sum = store[1] ^ store[2]; q <= ^sum; end'
+  found 'q 1 0 0:0\nstore 4 2 7:0|'
+  rtl 'reg [1:0] l; always @* begin l[0] = d; if (other) l[1] = d; end always @(posedge clk) q <= ^l;'
+  refused "made: l: a latch"
 else
-  echo "no yosys: no loop is looked for"
+  echo "no yosys: no loop is looked for, and nothing found beside Verilator"
 fi
 
 # A carry chain is no loop. What a clock only works with is no register; a word of an array, a part of a

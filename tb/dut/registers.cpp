@@ -85,8 +85,8 @@ void close(Register& r, std::span<const Field> row, const std::string& title) {
   }
 }
 
-// What is open of a register: its name, or parts of it as "a[7:4]", words as "store[3:1]", bits of a
-// word as "store[2][1:0]", the lowest first.
+// What is open of a register: its name, or parts of it as "a[7:4]", words as "store[3:1]", bits of
+// a word as "store[2][1:0]", the lowest first.
 std::vector<std::string> left_of(const Register& r) {
   const auto width = static_cast<std::size_t>(r.net.width), size = r.open.size();
   if (std::find(r.open.begin(), r.open.end(), false) == r.open.end()) return {r.name};

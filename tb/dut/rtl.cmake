@@ -28,6 +28,7 @@ function(cosim_read_rtl prefix what top clock folder)
     message(FATAL_ERROR "${what}: Verilator cannot read it: ${error}")
   endif()
   # What it warns of, be it told in the RTL not to; a latch that is meant to be one is one too.
+  list(FILTER R_FILES EXCLUDE REGEX "[.]vlt$")
   execute_process(COMMAND ${verilator} -E ${R_FILES}
     OUTPUT_FILE ${folder}/plain.sv ERROR_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
   execute_process(COMMAND ${COSIM_PERL} -pi
@@ -35,7 +36,11 @@ function(cosim_read_rtl prefix what top clock folder)
     ${folder}/plain.sv COMMAND_ERROR_IS_FATAL ANY)
   execute_process(
     COMMAND ${verilator} --lint-only -Wwarn-LATCH -Wwarn-UNOPTFLAT --timing ${folder}/plain.sv
-    OUTPUT_VARIABLE said ERROR_VARIABLE said)
+    RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
+  if(status)
+    string(REGEX MATCH "%Error[^\n]*" error "${said}")
+    message(FATAL_ERROR "${what}: Verilator cannot lint it: ${error}")
+  endif()
   file(WRITE ${folder}/warnings.txt "${said}")
   cosim_read_netlist(netlist ${folder} "${R_YOSYS}")
   execute_process(

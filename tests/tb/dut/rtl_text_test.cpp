@@ -42,9 +42,9 @@ TEST(Unobserved, IsWhatPatternsAllowAndNoFieldNames) {
                 text, {field("count"), store[0], store[1], store[2], store[3], field("top[5:2]")},
                 {"debug.*"}),
             (Names{"debug.a", "debug.b.c"}));
-  EXPECT_EQ(unobserved_registers(text, {field("count"), field("top", 8)},
-                                 {"*.a", "st*re", "debug.b.c"}),
-            (Names{"store", "debug.a", "debug.b.c"}));
+  EXPECT_EQ(
+      unobserved_registers(text, {field("count"), field("top", 8)}, {"*.a", "st*re", "debug.b.c"}),
+      (Names{"store", "debug.a", "debug.b.c"}));
 }
 
 // What is said where the tables have these fields, and debug.* is in unobserved.
@@ -71,8 +71,9 @@ TEST(Unobserved, SoIsEveryOtherBit) {
   EXPECT_EQ(all_but({field("count[3]", 1), field("count[0]", 1)}), escapes("count[2:1]"));
   EXPECT_EQ(all_but({field("count[3:2]", 2), field("count[1:0]", 2)}), "");
   EXPECT_EQ(refused({field("count"), held, store[0]}), escapes("store[3:1]"));
-  EXPECT_EQ(refused({field("count"), held, store[0], store[1], store[3], field("store[2][3:1]", 3)}),
-            escapes("store[2][0]"));
+  EXPECT_EQ(
+      refused({field("count"), held, store[0], store[1], store[3], field("store[2][3:1]", 3)}),
+      escapes("store[2][0]"));
   EXPECT_EQ(refused({field("count"), store[0], store[1], store[2], store[3], field("top[4:2]", 3)}),
             escapes("sub.held[3]"));
 }
@@ -98,9 +99,10 @@ TEST(Unobserved, SoIsAMemoryOfSeveralDimensions) {
   EXPECT_EQ(unobserved_registers(deep, {field("count")}, {"grid"}), Names{"grid"});
   for (const std::vector<Field>& fields :
        {std::vector<Field>{field("count")}, {field("count"), field("grid")}}) {
-    EXPECT_THAT(said([&] { unobserved_registers(deep, fields, {}); }),
-                testing::EndsWith(
-                    "register grid: a memory of more dimensions than one can only be in unobserved"));
+    EXPECT_THAT(
+        said([&] { unobserved_registers(deep, fields, {}); }),
+        testing::EndsWith(
+            "register grid: a memory of more dimensions than one can only be in unobserved"));
   }
 }
 

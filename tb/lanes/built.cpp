@@ -10,8 +10,10 @@
 
 #include "model/core/input_error.h"
 #include "tb/support/file_lock.h"
+#include "tb/support/leftover.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
+#include "tb/support/replace_file.h"
 
 namespace cosim::lanes {
 namespace {
@@ -62,10 +64,10 @@ void compile(const fs::path& library, int lanes, const std::string& source) {
                                  ended.text.substr(0, ended.text.find('\n'))));
   }
   // Beside it first: an interrupt leaves no half library.
-  const fs::path beside = fmt::format("{}.{}", library.string(), getpid());
+  const Leftover half(beside(library.string()));
   std::error_code error;
-  fs::copy_file(made, beside, fs::copy_options::overwrite_existing, error);
-  if (!error) fs::rename(beside, library, error);
+  fs::copy_file(made, half.path(), error);
+  if (!error) fs::rename(half.path(), library, error);
   if (error) throw InputError(fmt::format("{}: {}", library.string(), error.message()));
 }
 

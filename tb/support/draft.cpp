@@ -1,19 +1,15 @@
 #include "tb/support/draft.h"
 
 #include <fmt/core.h>
-#include <unistd.h>
-
-#include <atomic>
 
 #include "model/core/input_error.h"
 #include "tb/support/output_file.h"
+#include "tb/support/replace_file.h"
 
 namespace cosim {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::atomic<unsigned> drafts = 0;
 
 bool in_the_way(const std::error_code& error) {
   return error == std::errc::directory_not_empty || error == std::errc::file_exists ||
@@ -24,11 +20,14 @@ bool in_the_way(const std::error_code& error) {
 
 Draft::Draft(const fs::path& root, const std::string& name)
     : target_(root / name),
-      folder_(root / fmt::format(".{}.{}.{}", name, getpid(), drafts++)),
+      folder_(beside((root / ("." + name)).string())),
       half_(folder_.string()),
       old_(folder_.string() + ".old") {
   std::error_code error;
-  fs::create_directories(folder_, error);
+  fs::create_directories(root, error);
+  if (!error && !fs::create_directory(folder_, error) && !error) {
+    error = std::make_error_code(std::errc::file_exists);
+  }
   if (error) fail(error);
 }
 

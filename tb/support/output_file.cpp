@@ -15,7 +15,7 @@ OutputFile::OutputFile(const std::string& path) : path_(path) {
     file_ = std::fopen(path_.c_str(), "w");
   } else {
     half_.emplace(beside(place_));
-    const int number = open_beside(place_);
+    const int number = open_beside(place_, half_->path());
     file_ = number < 0 ? nullptr : fdopen(number, "w");
   }
   if (file_ == nullptr) fail();

@@ -2,11 +2,13 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <climits>
+#include <cstdint>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -43,10 +45,16 @@ std::string replaceable(const std::string& path) {
   return access(place.parent_path().c_str(), W_OK) == 0 ? place.string() : "";
 }
 
-std::string beside(const std::string& path) { return path + ".cosim-new"; }
+std::string beside(const std::string& path) {
+  std::uint64_t number = 0;
+  if (getrandom(&number, sizeof number, 0) != sizeof number) {
+    throw InputError(fmt::format("{}: no random name: {}", path, std::strerror(errno)));
+  }
+  return fmt::format("{}.{:016x}.cosim-new", path, number);
+}
 
-int open_beside(const std::string& path) {
-  const int file = open(beside(path).c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+int open_beside(const std::string& path, const std::string& name) {
+  const int file = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   struct stat old {};
   // Where the rights cannot be given, the file is still the one that was asked for.
   if (file >= 0 && stat(path.c_str(), &old) == 0 && fchmod(file, old.st_mode & 07777) != 0) {
@@ -57,7 +65,7 @@ int open_beside(const std::string& path) {
 
 void replace_file(const std::string& path, const std::string& text) {
   Leftover half(beside(path));
-  const int number = open_beside(path);
+  const int number = open_beside(path, half.path());
   const File file(number < 0 ? nullptr : fdopen(number, "w"));
   if (!file || !write_all(file.get(), text) ||
       std::rename(half.path().c_str(), path.c_str()) != 0) {

@@ -10,16 +10,16 @@ namespace cosim {
 /// and files of /proc, and if no file can be made in its folder.
 std::string replaceable(const std::string& path);
 
-/// The name under which the replacement of a file is written.
+/// A name under which the replacement of a file is written: FILE.NUMBER.cosim-new with another
+/// random number each time, so that nothing has that name.
 std::string beside(const std::string& path);
 
-/// Opens that file, empty and with the rights of the file it replaces, and returns its descriptor;
-/// -1 and errno on failure.
-int open_beside(const std::string& path);
+/// Makes the file of that name, with the rights of the file `path` that it replaces, and returns
+/// its descriptor; -1 and errno on failure, also where something has that name.
+int open_beside(const std::string& path, const std::string& name);
 
-/// Writes `text` to a file of its own, `path` with ".cosim-new" added, and renames it to
-/// `path`, which is a regular file or does not exist. InputError if that fails; then the old file
-/// stays.
+/// Writes `text` to a file of its own, and renames it to `path`, which is a regular file or does
+/// not exist. InputError if that fails; then the old file stays.
 void replace_file(const std::string& path, const std::string& text);
 
 }  // namespace cosim

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 #include <gtkwave/fstapi.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
@@ -32,7 +33,12 @@ void check_room(const std::string& path) {
 Fst::Fst(const std::string& path)
     : path_(path), half_(beside(path)), hierarchy_(half_.path() + ".hier") {
   check_room(path);
-  writer_ = fstWriterCreate(half_.path().c_str(), 1);
+  // The writer opens whatever has that name: made first, it is nobody else's.
+  const int made = open_beside(path, half_.path());
+  if (made >= 0) {
+    ::close(made);
+    writer_ = fstWriterCreate(half_.path().c_str(), 1);
+  }
   if (writer_ == nullptr) {
     throw InputError(fmt::format("{}: cannot write: {}", path, std::strerror(errno)));
   }

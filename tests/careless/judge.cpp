@@ -33,8 +33,8 @@ class Asked {
   }
 
   bool names(std::string path, bool folder) const {
-    // The one signal that nobody can take.
-    if (killed_ && path.ends_with(".cosim-new")) path.resize(path.size() - 10);
+    // The one signal that nobody can take: FILE.NUMBER.cosim-new is left.
+    if (killed_ && path.ends_with(".cosim-new")) path.resize(path.size() - 27);
     if (killed_ && (path.starts_with("tmp/") || path.ends_with(".hier"))) return true;
     if (std::find(paths_.begin(), paths_.end(), path) != paths_.end()) return true;
     for (const std::string& stem : stems_) {

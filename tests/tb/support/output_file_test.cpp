@@ -10,6 +10,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/report/report.h"
+#include "tb/support/replace_file.h"
 
 namespace cosim {
 namespace {
@@ -80,7 +81,33 @@ TEST_F(OutputFileOf, TheOldTextStandsUntilTheNewIsWhole) {
   EXPECT_EQ(text(path("a")), "old");
   { OutputFile(path("b")).text("half"); }
   EXPECT_FALSE(fs::exists(path("b")));
-  EXPECT_FALSE(fs::exists(path("a.cosim-new")) || fs::exists(path("b.cosim-new")));
+  EXPECT_EQ(std::distance(fs::directory_iterator(path("")), {}), 1);
+}
+
+// The name that every half file had once: what is there belongs to somebody.
+TEST_F(OutputFileOf, FilesOfTheUserStay) {
+  std::ofstream(path("mine")) << "mine";
+  std::ofstream(path("b.cosim-new")) << "mine too";
+  fs::create_symlink(path("mine"), path("a.cosim-new"));
+  for (const char* name : {"a", "b"}) {
+    OutputFile file(path(name));
+    file.line("new");
+    file.close();
+    replace_file(path(name), "newer");
+    EXPECT_EQ(text(path(name)), "newer");
+  }
+  EXPECT_EQ(text(path("mine")), "mine");
+  EXPECT_EQ(text(path("b.cosim-new")), "mine too");
+  EXPECT_TRUE(fs::is_symlink(path("a.cosim-new")));
+}
+
+// Even one that guesses the name: nothing is written through a link.
+TEST_F(OutputFileOf, ALinkOfThatNameIsNotFollowed) {
+  std::ofstream(path("mine")) << "mine";
+  fs::create_symlink(path("mine"), path("half"));
+  EXPECT_EQ(open_beside(path("a"), path("half")), -1);
+  EXPECT_EQ(text(path("mine")), "mine");
+  EXPECT_NE(beside("a"), beside("a"));
 }
 
 TEST_F(OutputFileOf, NoPathWritesNothing) {

@@ -174,7 +174,9 @@ TEST(Dda, ThatGrowsTooLongLosesNothing) {
   EXPECT_EQ(ended.status, 2);
   EXPECT_EQ(ended.err, "cosim: --plot: a path of more than 999999 steps is too long to draw\n");
   EXPECT_EQ(folder.text("csv"), "kept\n");
-  EXPECT_FALSE(folder.holds("csv.cosim-new"));
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path(""))) {
+    EXPECT_NE(entry.path().extension(), ".cosim-new") << entry.path();
+  }
 }
 
 // What would be too long to draw is refused before it runs.

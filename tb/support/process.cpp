@@ -13,6 +13,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <sstream>
 #include <system_error>
 
 #include "model/core/input_error.h"
@@ -27,22 +28,120 @@ constexpr int kPatience = 20;
 // How soon a signal to this program is heeded, which may come to any of its threads.
 constexpr int kMilliseconds = 50;
 
-// In the child of a program with threads: nothing here may take memory.
-[[noreturn]] void become(char* const* argv, int out, int limit, pid_t parent) {
+// What runs below a program of several threads: nothing here may take memory.
+struct Start {
+  char* const* argv;
+  char* const* environment;
+  char* const* clean;  // removes the program's temporary files
+  int out, limit;
+  pid_t parent;
+  sigset_t signals;  // as they were blocked before
+};
+
+[[noreturn]] void become(const Start& start, pid_t guard) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(127);
+  if (getppid() != guard) _exit(127);
   rlimit now{};
-  if (limit > 0 && getrlimit(RLIMIT_CPU, &now) == 0) {
+  if (start.limit > 0 && getrlimit(RLIMIT_CPU, &now) == 0) {
     // Where both are the same it is killed, and cannot make anything else of it as of SIGXCPU.
-    const rlim_t seconds = std::min(static_cast<rlim_t>(limit), now.rlim_max);
+    const rlim_t seconds = std::min(static_cast<rlim_t>(start.limit), now.rlim_max);
     const rlimit wanted{seconds, seconds};
     setrlimit(RLIMIT_CPU, &wanted);
   }
-  dup2(open("/dev/null", O_RDONLY), STDIN_FILENO);
-  dup2(out, STDOUT_FILENO);
-  dup2(out, STDERR_FILENO);
-  execvp(argv[0], argv);
+  sigprocmask(SIG_SETMASK, &start.signals, nullptr);
+  execvpe(start.argv[0], start.argv, start.environment);
   _exit(127);
+}
+
+// Kills the children of this process, and theirs, which become its own as their parents end.
+void end_children() {
+  char list[4096];
+  do {
+    const int file = open("/proc/thread-self/children", O_RDONLY | O_CLOEXEC);
+    const ssize_t size = file < 0 ? 0 : ::read(file, list, sizeof list);
+    close(file);
+    pid_t one = 0;
+    for (ssize_t i = 0; i < size; ++i) {
+      if (list[i] >= '0' && list[i] <= '9') {
+        one = 10 * one + (list[i] - '0');
+      } else {
+        // The last number may be cut off: it comes again.
+        if (one > 1) kill(one, SIGKILL);
+        one = 0;
+      }
+    }
+  } while (waitpid(-1, nullptr, 0) > 0 || errno == EINTR);
+}
+
+// Stands between this program and the other one: adopts what that leaves, and ends it all with
+// either of them, however they end. Gives the other one's status as its own.
+[[noreturn]] void guard(const Start& start) {
+  setpgid(0, 0);  // what a terminal sends to this program is handed on by it
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
+  std::signal(SIGCHLD, SIG_DFL);
+  dup2(open("/dev/null", O_RDWR), STDIN_FILENO);
+  dup2(start.out, STDOUT_FILENO);
+  dup2(start.out, STDERR_FILENO);
+  // Nobody is to wait for the end of a file, or for a lock, because of it.
+  close_range(STDERR_FILENO + 1, ~0U, 0);
+  const pid_t self = getpid();
+  const pid_t child = fork();
+  if (child == 0) become(start, self);
+  dup2(STDIN_FILENO, STDOUT_FILENO);
+  dup2(STDIN_FILENO, STDERR_FILENO);
+
+  sigset_t awaited;
+  sigemptyset(&awaited);
+  sigaddset(&awaited, SIGCHLD);
+  sigaddset(&awaited, SIGTERM);
+  int status = 0;
+  bool ended = child < 0;
+  while (!ended && getppid() == start.parent) {
+    if (sigwaitinfo(&awaited, nullptr) == SIGTERM) break;
+    for (pid_t one = 0; !ended && (one = waitpid(-1, &status, WNOHANG)) > 0;) ended = one == child;
+  }
+  if (!ended) {
+    kill(child, SIGKILL);
+    while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  }
+  end_children();
+  if (getppid() != start.parent) execvp(start.clean[0], start.clean);
+  _exit(child < 0 ? 127 : WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status));
+}
+
+std::vector<char*> pointers(const std::vector<std::string>& words) {
+  std::vector<char*> list;
+  for (const std::string& w : words) list.push_back(const_cast<char*>(w.c_str()));
+  list.push_back(nullptr);
+  return list;
+}
+
+std::vector<std::string> environment_with(const std::string& folder) {
+  std::vector<std::string> list;
+  for (char** one = environ; *one != nullptr; ++one) {
+    if (std::strncmp(*one, "TMPDIR=", 7) != 0) list.emplace_back(*one);
+  }
+  list.push_back("TMPDIR=" + folder);
+  return list;
+}
+
+pid_t begin(const std::vector<std::string>& words, const std::string& folder, int out, int limit) {
+  const std::vector<std::string> environment = environment_with(folder);
+  const std::vector<std::string> removal{"rm", "-rf", "--", folder};
+  const std::vector<char*> argv = pointers(words), variables = pointers(environment),
+                           clean = pointers(removal);
+  Start start{argv.data(), variables.data(), clean.data(), out, limit, getpid(), {}};
+  // None may come to the guard before it waits for them.
+  sigset_t every;
+  sigfillset(&every);
+  pthread_sigmask(SIG_SETMASK, &every, &start.signals);
+  const pid_t child = fork();
+  if (child == 0) guard(start);
+  const int error = errno;
+  pthread_sigmask(SIG_SETMASK, &start.signals, nullptr);
+  errno = error;
+  return child;
 }
 
 // Takes down what a program prints, to its end; false where it is to be ended before that.
@@ -67,21 +166,18 @@ double seconds(const timeval& t) {
 Ended run_program(const std::vector<std::string>& words, int limit) {
   const InterruptGuard interrupts;
   InterruptGuard::check();
-  std::vector<char*> argv;
-  for (const std::string& w : words) argv.push_back(const_cast<char*>(w.c_str()));
-  argv.push_back(nullptr);
+  const Scratch scratch;
   int ends[2] = {-1, -1};
-  const pid_t parent = getpid();
-  const pid_t child = pipe2(ends, O_CLOEXEC) == 0 ? fork() : -1;
+  const pid_t child =
+      pipe2(ends, O_CLOEXEC) == 0 ? begin(words, scratch.path(), ends[1], limit) : -1;
   if (child < 0) throw InputError(words.front() + ": cannot be run: " + std::strerror(errno));
-  if (child == 0) become(argv.data(), ends[1], limit, parent);
   close(ends[1]);
 
   Ended ended;
   const auto patience = limit == 0 ? Clock::time_point::max()
                                    : Clock::now() + std::chrono::seconds(1LL * kPatience * limit);
   const bool to_its_end = read_all(ends[0], ended.text, patience);
-  if (!to_its_end) kill(child, SIGKILL);
+  if (!to_its_end) kill(child, SIGTERM);
   close(ends[0]);
   int status = 0;
   rusage used{};
@@ -94,6 +190,15 @@ Ended run_program(const std::vector<std::string>& words, int limit) {
   const bool out_of_time = ended.status == 128 + SIGKILL && ended.seconds > 0.5 * limit;
   ended.timed_out = !to_its_end || (limit > 0 && out_of_time);
   return ended;
+}
+
+bool is_installed(const std::string& program) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "" : path);
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    if (access(((folder.empty() ? "." : folder) + '/' + program).c_str(), X_OK) == 0) return true;
+  }
+  return false;
 }
 
 Scratch::Scratch() {

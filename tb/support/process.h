@@ -1,4 +1,5 @@
-// Other programs, run to their end. None outlives this one.
+// Other programs, run to their end. None outlives this one, nor do those that it starts, even where
+// this one is killed.
 #pragma once
 
 #include <filesystem>
@@ -18,9 +19,13 @@ struct Ended {
 
 /// Runs a program, found as a shell finds it, with nothing to read. After `limit` seconds of
 /// processor time it is stopped; 0 is no limit. A program that only waits is stopped after many
-/// times the limit. When interrupted (interrupt.h) the program is stopped and Interrupted is
+/// times the limit. What it leaves running when it ends is ended; TMPDIR is a folder of its own,
+/// removed with it. When interrupted (interrupt.h) the program is stopped and Interrupted is
 /// thrown.
 Ended run_program(const std::vector<std::string>& words, int limit = 0);
+
+/// Whether a shell would find the program; it is not run.
+bool is_installed(const std::string& program);
 
 /// A folder for temporary files, removed with this object, also after a signal that interrupts.
 class Scratch {

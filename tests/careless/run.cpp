@@ -90,7 +90,7 @@ bool ends_within(pid_t child, milliseconds time, int& status, rusage& used) {
 
 // Children of a child that is gone have become ours. A killed one takes a moment.
 int count_left() {
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < 6000; ++i) {
     const pid_t one = waitpid(-1, nullptr, WNOHANG);
     if (one < 0) return 0;
     if (one == 0) std::this_thread::sleep_for(milliseconds(10));

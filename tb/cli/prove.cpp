@@ -10,6 +10,7 @@
 #include "tb/cli/number.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/parallel.h"
+#include "tb/support/process.h"
 
 namespace cosim::cli {
 
@@ -20,12 +21,22 @@ void say_limit(int limit) {
 
 namespace {
 
-// Those that the work has nothing for are refused.
+// Those that the work has nothing for are refused, and where one is missing that is needed.
 std::vector<proof::Engine> engines_of(const ProveOptions& o) {
   std::vector<proof::Engine> all = proof::all_engines();
   // A theorem on integers without end is no question about nets, and each is asked both.
   if (o.theorems) std::erase(all, proof::Engine::cec);
-  return o.engines ? proof::engines_of(*o.engines, all) : all;
+  if (o.engines) all = proof::engines_of(*o.engines, all);
+  const std::size_t needed = o.engines ? all.size() : 2;
+  std::vector<proof::Engine> there, missing;
+  for (const proof::Engine e : all) {
+    (is_installed(proof::program_of(e)) ? there : missing).push_back(e);
+  }
+  if (there.size() >= needed) return there;
+  throw InputError(
+      fmt::format("prove: needs {}, not installed: {}",
+                  needed < all.size() ? "two of " + proof::listed(all) : proof::listed(all),
+                  proof::listed(missing)));
 }
 
 int run(const ProveOptions& o) {

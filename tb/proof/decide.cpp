@@ -79,6 +79,10 @@ std::string to_text(Engine engine) {
   return "";
 }
 
+std::string program_of(Engine engine) {
+  return engine == Engine::cec ? "yosys-abc" : to_text(engine);
+}
+
 std::vector<Engine> all_engines() { return {Engine::cec, Engine::z3, Engine::cvc5}; }
 
 std::string listed(const std::vector<Engine>& engines) {

@@ -15,6 +15,8 @@ enum class Engine {
   z3,    ///< on its scripts
 };
 std::string to_text(Engine engine);
+/// The program that is run.
+std::string program_of(Engine engine);
 /// All of them, the quickest first.
 std::vector<Engine> all_engines();
 /// "cec, z3 and cvc5".

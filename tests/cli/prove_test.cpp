@@ -49,6 +49,25 @@ TEST_F(Prove, AMachine) {
   EXPECT_EQ(unsatisfiable, 1);
 }
 
+// PATH has an empty folder.
+TEST(ProveWithoutEngines, SaysSoInALine) {
+  const Folder folder;
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", folder.path("").c_str(), 1);
+  for (const Arguments& more :
+       {Arguments{}, Arguments{"--theorems"}, Arguments{"--engines", "z3"}}) {
+    Arguments arguments{"prove", "circular"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Ended ended = cosim(arguments);
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_EQ(ended.out, "");
+    EXPECT_EQ(lines(ended.err).size(), 1U) << ended.err;
+    EXPECT_NE(ended.err.find("prove: needs "), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("z3"), std::string::npos) << ended.err;
+  }
+  setenv("PATH", path.c_str(), 1);
+}
+
 TEST_F(Prove, TheTheoremsOfADesign) {
   const Ended ended = cosim({"prove", "--theorems", "circular"});
   EXPECT_EQ(ended.status, 0) << ended.err;

@@ -132,13 +132,21 @@ Ended faulty(const Arguments& arguments) { return run(COSIM_FAULTY_PROGRAM, argu
 
 Ended variant(const Arguments& arguments) { return run(COSIM_VARIANT_PROGRAM, arguments, {}); }
 
+bool has_terminals() {
+  int ends[2];
+  if (openpty(&ends[0], &ends[1], nullptr, nullptr, nullptr) != 0) return false;
+  close(ends[0]);
+  close(ends[1]);
+  return true;
+}
+
 Ended cosim_on_terminal(const Arguments& arguments, unsigned short columns) {
   winsize size{};
   size.ws_row = 24;
   size.ws_col = columns;
   int terminal = -1;
   const pid_t child = forkpty(&terminal, nullptr, nullptr, &size);
-  if (child < 0) throw std::runtime_error("forkpty");
+  if (child < 0) throw std::runtime_error("no pseudo-terminal after all");
   if (child == 0) become(COSIM_PROGRAM, arguments);
   Ended ended;
   std::string part(4096, '\0');

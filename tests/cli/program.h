@@ -52,6 +52,9 @@ Ended faulty(const Arguments& arguments);
 /// The one whose bench is the variant of the RTL that $COSIM_VARIANT names (variant_benches.cpp).
 Ended variant(const Arguments& arguments);
 
+/// Whether this system gives a test a terminal; a bare chroot does not.
+bool has_terminals();
+
 /// The program on a terminal of so many columns. Ended::out is all that the terminal was sent.
 Ended cosim_on_terminal(const Arguments& arguments, unsigned short columns);
 

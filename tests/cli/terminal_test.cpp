@@ -33,6 +33,7 @@ std::vector<std::string> drawn(const std::string& sent) {
 }
 
 TEST(Terminal, ShowsABar) {
+  if (!has_terminals()) GTEST_SKIP() << "no pseudo-terminal can be had here";
   const Ended ended = cosim_on_terminal(kSweep, 200);
   EXPECT_EQ(ended.status, 0);
   int bars = 0, whole = 0;
@@ -51,6 +52,7 @@ TEST(Terminal, ShowsABar) {
 
 // A single run that takes more than a moment; it leaves nothing of it.
 TEST(Terminal, ShowsABarOfOneLongRun) {
+  if (!has_terminals()) GTEST_SKIP() << "no pseudo-terminal can be had here";
   const Ended ended = cosim_on_terminal({"arc", "--radius", "30000000"}, 200);
   EXPECT_EQ(ended.status, 0);
   const std::vector<std::string> all = drawn(ended.out);
@@ -74,6 +76,7 @@ TEST(Terminal, SaysHowLargeACsvWillBe) {
 
 // The bar is gone once the sweep is over: in its place stands the plain line.
 TEST(Terminal, IsLeftWithPlainLines) {
+  if (!has_terminals()) GTEST_SKIP() << "no pseudo-terminal can be had here";
   const Ended ended = cosim_on_terminal(kSweep, 200);
   std::string screen;
   for (const std::string& line : lines(ended.out)) {  // each ends in \r\n
@@ -88,6 +91,7 @@ TEST(Terminal, IsLeftWithPlainLines) {
 }
 
 TEST(Terminal, ThatIsNarrowHasABarThatFits) {
+  if (!has_terminals()) GTEST_SKIP() << "no pseudo-terminal can be had here";
   const Ended ended = cosim_on_terminal(kSweep, 40);
   EXPECT_EQ(ended.status, 0);
   bool bar = false;

@@ -11,9 +11,15 @@ namespace {
 
 void expect_stopped(int signal) {
   const Folder folder;
-  const Ended e = cosim_signalled({"sweep", "linear", "--hostile", "400000000000", "--m", "5",
-                                   "--n", "2", "--failures", folder.path("failures")},
-                                  signal, 700);
+  // On a slow machine nothing is done yet, which it says too: then it gets more time.
+  Ended e;
+  int after = 700;
+  do {
+    e = cosim_signalled({"sweep", "linear", "--hostile", "400000000000", "--m", "5", "--n", "2",
+                         "--failures", folder.path("failures")},
+                        signal, after);
+    after *= 2;
+  } while (after < 600'000 && e.out.find("; 0 of") != std::string::npos);
   EXPECT_EQ(e.status, 128 + signal);
   EXPECT_EQ(e.err, "");
   const std::vector<std::string> all = lines(e.out);
@@ -21,7 +27,7 @@ void expect_stopped(int signal) {
   EXPECT_NE(all[0].find("linear M=5 N=2, any value on any pin on any clock: not finished; "),
             std::string::npos);
   EXPECT_NE(all[0].find(" of 400000000 cases matched"), std::string::npos);
-  EXPECT_EQ(all[0].find("; 0 of"), std::string::npos) << "nothing done in 0.7 s";
+  EXPECT_EQ(all[0].find("; 0 of"), std::string::npos);
   EXPECT_EQ(all[1], "interrupted: 0 of 1 sweep finished");
   EXPECT_FALSE(folder.holds("failures"));
 }
@@ -53,7 +59,7 @@ TEST(InterruptedRun, LeavesNoHalfFile) {
     const Folder folder;
     folder.write("csv", "kept\n");
     const Ended e = cosim_signalled({"arc", "--radius", "4294967295", "--csv", folder.path("csv")},
-                                    signal, 400);
+                                    signal, [&] { return folder.names().size() > 1; });
     EXPECT_EQ(e.status, 128 + signal);
     EXPECT_EQ(e.err, "");
     EXPECT_EQ(folder.text("csv"), "kept\n");
@@ -65,12 +71,10 @@ TEST(InterruptedRun, LeavesNoHalfWave) {
   const Folder folder;
   const Arguments wave{"line", "--major", "100000000",         "--minor",
                        "3",    "--wave",  folder.path("w.fst")};
-  // The run itself takes some tenths of a second, the wave many seconds.
-  for (const int after : {300, 1000, 2000}) {
-    const Ended e = cosim_signalled(wave, SIGTERM, after);
-    ASSERT_EQ(e.status, 128 + SIGTERM) << "it ended within " << after << " ms";
-    EXPECT_EQ(folder.names(), std::vector<std::string>{});
-  }
+  // The wave takes many seconds from its first file on.
+  const Ended e = cosim_signalled(wave, SIGTERM, [&] { return !folder.names().empty(); });
+  EXPECT_EQ(e.status, 128 + SIGTERM);
+  EXPECT_EQ(folder.names(), std::vector<std::string>{});
 }
 
 }  // namespace

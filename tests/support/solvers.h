@@ -5,13 +5,14 @@
 
 namespace cosim::test {
 
-/// For one answer, in seconds of the solver's own processor time.
-constexpr int kLimit = 60;
+/// For one answer, in seconds of the solver's own processor time: only against one that never ends,
+/// for how fast the machine is decides nothing.
+constexpr int kLimit = 3600;
 
 /// Whether the engines, and yosys where RTL is read, are installed.
 inline bool can_prove() {
   for (const char* program : {"yosys", "yosys-abc", "cvc5", "z3"}) {
-    if (run_program({program, "-h"}).status == 127) return false;
+    if (!is_installed(program)) return false;
   }
   return true;
 }

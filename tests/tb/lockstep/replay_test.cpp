@@ -110,7 +110,7 @@ TEST(Replay, OfACaseThatPassesWhenItRunsAgainIsRefused) {
   const AdapterBench<OnceFaulty<D, circular::Params{5}>> replayed_one;
   const auto& b = replayed_one;
   const Stimulus s{b.title(), "", 1, {}, {b.rest(), b.rest()}};
-  expect_unsteady([&] { b.replay(s); });
+  expect_unsteady([&] { b.replay(s, Window{}); });
 }
 
 TEST(Replay, OfAModelCannotStartFromAState) {

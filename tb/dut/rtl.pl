@@ -356,7 +356,7 @@ sub walk {
         } elsif ($tag eq 'instance') {
             my $module = $modules{$in->{has}{defName}} or next;
             my $below = "$path$name.";
-            connect_port($_, $below . $_->{has}{name}, $scope) for grep { @{$_->{in}} } @{$in->{in}};
+            connect_port($_, $below . port_name($_, $module), $scope) for grep { @{$_->{in}} } @{$in->{in}};
             walk($module, $below, {});
         } elsif ($tag eq 'contassign') {
             my ($value, $target) = @{$in->{in}};
@@ -389,6 +389,22 @@ sub edge {
     my ($item, $scope) = @_;
     return map { [$item->{has}{edgeType}, net_of($_->[0], $scope) // $_->[0]{has}{name}] }
       grep { $_->[0]{tag} =~ /^varx?ref$/ } map { places($_, []) } @{$item->{in}};
+}
+# The name of a port, that may be given by its place.
+sub port_name {
+    my ($port, $module) = @_;
+    return $port->{has}{name} if $port->{has}{name} !~ /^__pinNumber(\d+)$/;
+    my $place = $1;
+    my @vars = grep { $_->{tag} eq 'var' } @{$module->{in}};
+    my %by_place = map { $_->{has}{pinIndex} => $_ } grep { $_->{has}{pinIndex} } @vars;
+    # Of an interface the place is not told: it has the next that is free.
+    my $next = 1;
+    for my $var (grep { ($_->{has}{vartype} // '') eq 'ifaceref' } @vars) {
+        next if $var->{has}{name} =~ /__Viftop$/;
+        ++$next while $by_place{$next};
+        $by_place{$next} = $var;
+    }
+    return $by_place{$place} ? $by_place{$place}{has}{name} : '';
 }
 sub connect_port {
     my ($port, $inner, $scope) = @_;

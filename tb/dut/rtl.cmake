@@ -31,6 +31,13 @@ function(cosim_read_rtl prefix what top clock folder)
   list(FILTER R_FILES EXCLUDE REGEX "[.]vlt$")
   execute_process(COMMAND ${verilator} -E ${R_FILES}
     OUTPUT_FILE ${folder}/plain.sv ERROR_VARIABLE said COMMAND_ERROR_IS_FATAL ANY)
+  # RTL that has changed, included files too, is read again before it is built.
+  file(STRINGS ${folder}/plain.sv read REGEX "^`line [0-9]+ \"/")
+  list(TRANSFORM read REPLACE "^`line [0-9]+ \"(.*)\".*$" "\\1")
+  list(REMOVE_DUPLICATES read)
+  if(NOT CMAKE_SCRIPT_MODE_FILE)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${read})
+  endif()
   execute_process(COMMAND ${COSIM_PERL} -pi
     -e "s{/\\*\\s*verilator lint_off\\b.*?\\*/}{}g; s{\\balways_latch\\b}{always @*}g"
     ${folder}/plain.sv COMMAND_ERROR_IS_FATAL ANY)

@@ -41,8 +41,8 @@ place() {
       state "g_${n}[0].r" $w 0 $bits && state "g_${n}[1].r" $w 0 $bits ;;
     6) outside+="module m_$n(input clk, input [7:0] d); reg [$last:0] r; $clocked r$part endmodule " &&
       inside+="m_$n i_$n(clk, d);" && state "i_$n.r" $w 0 $bits ;;
-    7) inside+="reg [$last:0] $n[0:2]; $clocked $n[s] <= d;" && state "$n" $w 3 "$((3 * w - 1)):0" ;;
-    8) inside+="reg [$last:0] $n[2:0]; $clocked $n[$word]$part" &&
+    7) inside+="reg [$last:0] ${n}[0:2]; $clocked ${n}[s] <= d;" && state "$n" $w 3 "$((3 * w - 1)):0" ;;
+    8) inside+="reg [$last:0] ${n}[2:0]; $clocked ${n}[$word]$part" &&
       state "$n" $w 3 "$((word * w + high)):$((word * w + low))" ;;
     9) inside+="struct packed {logic a; logic [$last:0] b; logic [1:0] c;} $n; $clocked $n.b$part" &&
       state "$n" $((w + 3)) 0 "$((high + 2)):$((low + 2))" ;;
@@ -58,13 +58,13 @@ place() {
     14) inside+="reg [$last:0] $n; $clocked $n = $n + 1;" && state "$n" $w 0 "$last:0" ;;
     15) inside+="reg [$last:0] $n, r_$n; $clocked begin if (s[0]) $n = d; r_$n <= $n; end" &&
       state "$n" $w 0 "$last:0" && state "r_$n" $w 0 "$last:0" ;;
-    16) inside+="reg [0:$last] $n; $clocked $n[$((last - high)):$((last - low))] <= d[$high:$low];" &&
+    16) inside+="reg [0:$last] $n; $clocked ${n}[$((last - high)):$((last - low))] <= d[$high:$low];" &&
       state "$n" $w 0 $bits ;;
     17) inside+="reg [$last:0] $n, r_$n; always @* if (s[0]) $n = d; else $n = ~d;
         $clocked begin : b_$n integer i; for (i = 0; i < $w; i = i + 1) r_${n}[i] <= ${n}[i]; end" &&
       state "r_$n" $w 0 "$last:0" ;;
     18) inside+="reg [$last:0] $n, r_$n; $clocked begin if (s[0]) $n = d; else $n = 1;
-        case (s) 0, 3: $n = $n + 1; default: $n[0] = 0; endcase r_$n <= $n; end" &&
+        case (s) 0, 3: $n = $n + 1; default: ${n}[0] = 0; endcase r_$n <= $n; end" &&
       state "r_$n" $w 0 "$last:0" ;;
   esac
   inside+=$'\n'

@@ -1,0 +1,147 @@
+# The tree of a design that `verilator --xml-only` wrote, the first argument of rtl.pl: its modules, the
+# types and the nets that it has, by their paths below the top.
+use strict;
+use warnings;
+
+sub text_of {
+    my ($name) = @_;
+    open my $file, '<', $name or die "$name: $!\n";
+    local $/;
+    my $text = <$file>;
+    return $text;
+}
+
+sub refuse {
+    print STDERR "$_[0]\n";
+    exit 1;
+}
+
+# The tree: a node has its tag, its attributes and the nodes in it.
+my $root = {tag => '', in => []};
+{
+    my @open = ($root);
+    my $text = text_of($ARGV[0]);
+    while ($text =~ m{<(/?)(\w+)((?:\s+[\w:]+="[^"]*")*)\s*(/?)>}g) {
+        my ($end, $tag, $attributes, $empty) = ($1, $2, $3, $4);
+        if ($end) { pop @open; next }
+        my %has = $attributes =~ /([\w:]+)="([^"]*)"/g;
+        my $node = {tag => $tag, has => \%has, in => []};
+        push @{$open[-1]{in}}, $node;
+        push @open, $node if !$empty;
+    }
+}
+
+sub all_of {
+    my ($node, $tag) = @_;
+    return map { ($_->{tag} eq $tag ? $_ : (), all_of($_, $tag)) } @{$node->{in}};
+}
+
+our %modules = map { $_->{has}{name} => $_ } map { all_of($root, $_) } qw(module iface);
+our @packages = all_of($root, 'package');
+our ($top) = grep { $_->{has}{topModule} } values %modules;
+refuse('Verilator names no top module') if !$top;
+
+# Types, by their numbers.
+our %types = map { $_->{has}{id} => $_ } map { @{$_->{in}} } all_of($root, 'typetable');
+sub type_of {
+    my $type = $types{$_[0] // ''} // {tag => '', has => {}, in => []};
+    return $type if $type->{tag} !~ /^(?:ref|const|enum|member)dtype$/ || !$type->{has}{sub_dtype_id};
+    return type_of($type->{has}{sub_dtype_id});
+}
+# The number of a node, undef where it is no constant.
+sub constant {
+    my ($node) = @_;
+    return if !$node || $node->{tag} ne 'const' || $node->{has}{name} !~ /&apos;s?h([0-9a-f]{1,8})$/;
+    my $value = hex $1;
+    return $value >= 2**31 && $node->{has}{name} =~ /^32&apos;s/ ? $value - 2**32 : $value;
+}
+sub elements {
+    my ($range) = grep { $_->{tag} eq 'range' } @{$_[0]{in}};
+    my ($left, $right) = map { constant($_) } @{$range->{in}};
+    return defined $right ? abs($left - $right) + 1 : 1;
+}
+sub first_of {
+    my ($range) = grep { $_->{tag} eq 'range' } @{$_[0]{in}};
+    return (sort { $a <=> $b } map { constant($_) // 0 } @{$range->{in}})[0] // 0;
+}
+# All bits of a type.
+sub size_of {
+    my $type = type_of($_[0]);
+    my $has = $type->{has};
+    return abs($has->{left} - $has->{right}) + 1 if defined $has->{left};
+    return elements($type) * size_of($has->{sub_dtype_id}) if $type->{tag} =~ /^(?:un)?packarray/;
+    my @members = map { size_of($_->{has}{sub_dtype_id} // $_->{has}{id}) } @{$type->{in} // []};
+    return (sort { $a <=> $b } @members)[-1] // 1 if $type->{tag} eq 'uniondtype';
+    my $sum = 0;
+    $sum += $_ for @members;
+    return $sum || (($has->{name} // '') eq 'double' ? 64 : 1);
+}
+# The width of a net or of a word of a memory, and its words; a memory of several dimensions is an array
+# of arrays, be they packed or not.
+sub shape_of {
+    my $type = type_of($_[0]);
+    return (size_of($_[0]), 0) if $type->{tag} =~ /^(?:basic|packarray|struct|union)/;
+    my $word = $type->{has}{sub_dtype_id};
+    return (size_of($_[0]), -1) if $type->{tag} ne 'unpackarraydtype' || type_of($word)->{tag} =~ /array/;
+    return (size_of($word), elements($type));
+}
+
+# Bits of a net, as a string of them.
+sub bits { return pack 'b*', '0' x $_[0] . '1' x $_[1] }
+sub without { return $_[0] ^ ($_[0] & $_[1]) }
+
+our %info;        # net => its width, words and all its bits
+our %by_name;     # name => all nets of that name
+our %packaged;    # name => variables of packages
+our %in_package;  # name => tasks of packages
+our %alias;       # a port that is an interface => the interface
+
+sub declare {
+    my ($node, $path) = @_;
+    for my $in (@{$node->{in}}) {
+        my ($tag, $name) = ($in->{tag}, $in->{has}{name});
+        if ($tag eq 'var') {
+            next if $in->{has}{param} || $in->{has}{localparam};
+            my ($width, $words) = shape_of($in->{has}{dtype_id});
+            my $net = $path . $name;
+            $info{$net} = {width => $width, words => $words, bits => $width * ($words > 0 ? $words : 1),
+                first => $words > 0 ? first_of(type_of($in->{has}{dtype_id})) : 0};
+            push @{$by_name{$name}}, $net;
+            push @{$packaged{$name}}, $net if $node->{tag} eq 'package';
+        } elsif ($tag eq 'instance') {
+            declare($modules{$in->{has}{defName}}, "$path$name.") if $modules{$in->{has}{defName}};
+        } else {
+            my $named = $tag =~ /^(?:begin|task|func)$/ && defined $name;
+            declare($in, $path . ($named ? "$name." : ''));
+        }
+    }
+    return;
+}
+
+# What the names in a scope are: nets by their paths, tasks with their scopes.
+sub scope_in {
+    my ($node, $path, $around) = @_;
+    my $scope = {path => $path, nets => {%{$around->{nets} // {}}}, tasks => {%{$around->{tasks} // {}}}};
+    for my $in (@{$node->{in}}) {
+        my ($tag, $name) = ($in->{tag}, $in->{has}{name});
+        $scope->{nets}{$name} = $path . $name if $tag eq 'var' && $info{$path . $name};
+        $scope->{tasks}{$name} = [$in, $scope] if $tag =~ /^(?:task|func)$/;
+    }
+    return $scope;
+}
+# The nets that a reference may be: one, unless its name alone tells.
+sub nets_of {
+    my ($node, $scope) = @_;
+    my ($name, $dotted) = ($node->{has}{name}, $node->{has}{dotted} // '');
+    return grep { defined } $scope->{nets}{$name}, @{$packaged{$name} // []} if $dotted eq '';
+    for (my $path = $scope->{path}; ; $path =~ s/[^.]*\.$// or last) {
+        my $in = $path . $dotted;
+        $in = $alias{$in} while $alias{$in};
+        return "$in.$name" if $info{"$in.$name"};
+        last if $path eq '';
+    }
+    return @{$by_name{$name} // []};
+}
+sub net_of { return (nets_of(@_))[0] }
+
+1;

@@ -10,11 +10,11 @@ namespace {
 std::string g(int tenths) { return code_name('G', tenths); }
 std::string letter_of(const Token& word) { return std::string(1, word.letter); }
 
-void refuse_axes(const Block& block, std::string_view name) {
+void refuse_axes(const Block& block, std::string_view name, bool motion_mode) {
   const Token* axis = block.first_of(axes);
   if (!axis) return;
   const int non_modal = block.code(Group::non_modal);
-  if (non_modal == 40)
+  if (non_modal == 40 && (motion_mode || block.first_of("YZABCVW")))
     fail(name, axis->place, letter_of(*axis) + " beside G4 is either a move or a time");
   const bool reset = non_modal == 921 || non_modal == 922;
   for (const int code :
@@ -74,11 +74,11 @@ void refuse_arguments(const Block& block, std::string_view name) {
 
 }  // namespace
 
-void check_conditions(const Block& block, std::string_view name) {
+void check_conditions(const Block& block, std::string_view name, bool motion_mode) {
   refuse_arguments(block, name);
   refuse_splines(block, name);
   refuse_coordinate_systems(block, name);
-  refuse_axes(block, name);
+  refuse_axes(block, name, motion_mode);
 }
 
 }  // namespace cosim::toolpath

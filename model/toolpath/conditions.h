@@ -19,6 +19,8 @@ namespace cosim::toolpath {
 ///    whole number, H beside G15 that of G43;
 ///  - G70 and G71 with P, Q, U, W or D: turning cycles;
 ///  - K other than 0, or without an arc; E without G187, L without G10.
-void check_conditions(const Block& block, std::string_view name);
+///
+/// With no motion mode active X or U beside G4 can only be a time.
+void check_conditions(const Block& block, std::string_view name, bool motion_mode);
 
 }  // namespace cosim::toolpath

@@ -74,8 +74,8 @@ class Reader {
 
 void Reader::execute(const Block& block) {
   ++program_.blocks;
-  check_conditions(block, program_.name);
   set_modes(block);
+  check_conditions(block, program_.name, motion_mode_ != no_motion_mode);
   if (leaves_xy(block)) return;
   check_moves(block);
   move_other_axes(block);
@@ -112,6 +112,8 @@ bool Reader::leaves_xy(const Block& block) {
     case 920:
       set_offsets(block);
       return true;
+    case 40:  // axis words beside it are a time, unless they were refused
+      return block.first_of(axes) && !block.first_of("IJKR");
     default:
       return false;
   }

@@ -59,8 +59,9 @@ inline constexpr std::size_t max_motions = 1'000'000;
 ///  - The end may be off the circle about the centre by the tolerance: 0.005 mm (0.0005 inch under
 ///    G20) or, where it is more, a thousandth of the radius up to 0.5 mm. The same holds for a
 ///    chord longer than 2 |R|, which is then taken as the diameter. Beyond it is an error.
-///  - A Z word in an arc (a helix) and other axes in any motion are counted, not drawn. Their words
-///    beside G4 are an error: controls disagree on whether it is a move or a time.
+///  - A Z word in an arc (a helix) and other axes in any motion are counted, not drawn. Axis
+///    words beside G4 are an error: controls disagree on whether it is a move or a time. X or U is
+///    a time where no motion mode holds.
 ///  - G28 and G30 with axis words that are not X or Y, and G53 without X and Y, move the other axes
 ///    to the machine's places; with X or Y, and G28 without axis words, they are errors. G91 beside
 ///    G28 holds on, G53 ends with its block.

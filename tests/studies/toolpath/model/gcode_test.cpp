@@ -78,6 +78,15 @@ TEST(Gcode, WordsThatLeaveThePathAlone) {
   EXPECT_EQ(p.lines, 18u);
 }
 
+// Where no motion mode holds X is no move.
+TEST(Gcode, XBesideG4IsATimeBeforeAnyMotion) {
+  const Program p = read("G4 X8\nG04 U2 G20\nG1 X1\n");
+  ASSERT_EQ(p.motions.size(), 1u);
+  EXPECT_EQ(p.motions[0].start, (PointMm{0, 0}));
+  EXPECT_EQ(p.motions[0].end, (PointMm{25.4, 0}));
+  EXPECT_EQ(p.other_axis_moves, 0u);
+}
+
 // The line with which many programs begin, and a mode that it leaves.
 TEST(Gcode, G80EndsNoMotion) {
   const Program p = read("G0 G17 G40 G49 G80 G90 X5\nG1 X6\nG80\nY7\n");

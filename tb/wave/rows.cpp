@@ -11,6 +11,13 @@ std::string with_source(const Bus& b) {
   return *b.field.source == '\0' ? b.name : fmt::format("{} ({})", b.name, b.field.source);
 }
 
+// " (WHAT)" where a name is followed by that of a printed source.
+std::string heading(const char* name, const char* what, const std::vector<Bus>& buses) {
+  const bool named =
+      std::any_of(buses.begin(), buses.end(), [](const Bus& b) { return *b.field.source != '\0'; });
+  return named ? fmt::format("{} ({})", name, what) : name;
+}
+
 class Groups {
  public:
   Groups(const WaveShape& shape, const std::string& differs)
@@ -23,7 +30,11 @@ class Groups {
       add_parts();
     }
     if (shape.registers > 0) {
-      open("Registers (block of the source)");
+      open(heading(
+          "Registers", "block of the source",
+          {compared_.begin(), std::find_if(compared_.begin(), compared_.end(), [&](const Bus& b) {
+             return b.first >= shape_.registers;
+           })}));
       for (std::size_t i = 0; i < compared_.size() && is_register(i); ++i) add_compared(i);
     }
     all_.push_back({"Expected, actual, mismatch", false, {}});
@@ -74,7 +85,7 @@ class Groups {
     }
   }
   void add_pins() {
-    open("Pins (of the source)");
+    open(heading("Pins", "of the source", inputs_));
     for (std::size_t i = 0; i < inputs_.size(); ++i) add_input(i);
     for (std::size_t i = 0; i < compared_.size(); ++i) {
       if (!is_register(i)) add_compared(i);

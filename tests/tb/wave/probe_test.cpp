@@ -129,6 +129,9 @@ TEST_F(ProbesOf, ADesignWithoutAViewAreNone) {
   const std::string path = draw(bench);
   EXPECT_EQ(files(), (std::vector<std::string>{"x.fst", "x.gtkw"}));
   EXPECT_NE(text("x.gtkw").find("cosim.actual.held[1:0]"), std::string::npos);
+  // Nor is a source named where the tables name none.
+  EXPECT_NE(text("x.gtkw").find("-Pins\n"), std::string::npos);
+  EXPECT_NE(text("x.gtkw").find("-Registers\n"), std::string::npos);
   if (!test::can_read_waves()) GTEST_SKIP() << "there is no fst2vcd";
   EXPECT_EQ(test::Vcd(path).at("cosim.actual.held", 20), "11");
 }

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "tb/proof/yosys.h"
 #include "tb/support/json.h"
 #include "tb/support/process.h"
+#include "tb/support/quoted.h"
 #include "tb/support/read_file.h"
 
 namespace cosim::cli {
@@ -31,9 +31,9 @@ Netlist netlist_of(const std::vector<std::string>& files, const std::string& top
   const std::string json = (scratch.path() / "found.json").string();
   std::string commands = "read_verilog -sv";
   for (const std::string& f : files) {
-    commands += " \"" + std::filesystem::absolute(f).string() + '"';
+    commands += " " + file_for_yosys(f);
   }
-  const std::string which = top.empty() ? "-auto-top" : "-top " + top;
+  const std::string which = top.empty() ? "-auto-top" : "-top " + word_for_yosys(top);
   commands += fmt::format("; hierarchy -check {}{}; proc; flatten; write_json \"{}\"", which,
                           parameters, json);
   proof::run_yosys(commands, "new");

@@ -51,7 +51,9 @@ int run(const NewOptions& o) {
   const std::vector<std::string> files(o.words.begin() + 1, o.words.end());
   std::vector<std::string> texts;
   for (const std::string& f : files) texts.push_back(read_file(f));
+  require_files(name, files, texts);
   const Found found = files.empty() ? Found{} : found_in(files, !o.stream);
+  if (!files.empty()) require_names(found);
 
   Draft project(fs::current_path(), name);
   const FirstDesign first = files.empty() ? first_design(name, model) : FirstDesign{};

@@ -23,8 +23,15 @@ struct NewRow {
 
 /// "uart" as "UART".
 std::string upper(std::string text);
-/// A net's name as one of C++: "fifo.count" as "fifo_count".
+/// A net's name as one of C++: "fifo.count" as "fifo_count"; one that C++ or the records need for
+/// themselves ends in _.
 std::string field_of(const std::string& path);
+/// InputError, one line, for files that a project cannot hold: two of one name, one of a name that
+/// it has itself or that CMake would not take, one with a byte-order mark.
+void require_files(const std::string& name, const std::vector<std::string>& files,
+                   const std::vector<std::string>& texts);
+/// The same for names in the RTL that are none in C++, or would be the same one.
+void require_names(const Found& found);
 /// "p.WIDTH + 1", or the number alone.
 std::string text_of(const FoundSize& size);
 /// #define NAME and the rows behind it.

@@ -4,6 +4,7 @@
 
 #include "first_designs.h"
 #include "tb/cli/new.h"
+#include "tb/support/quoted.h"
 
 namespace cosim::cli {
 namespace {
@@ -52,9 +53,9 @@ FirstDesign first_design(const std::string& name, NewModel model) {
 std::string design_of(const std::string& name, const Found& f,
                       const std::vector<std::string>& sources, NewModel model) {
   std::string text = name + " SOURCES";
-  for (const std::string& s : sources) text += ' ' + s;
-  if (f.top != name) text += " TOP " + f.top;
-  if (f.clock != "clk") text += " CLOCK " + f.clock;
+  for (const std::string& s : sources) text += ' ' + for_cmake(s);
+  if (f.top != name) text += " TOP " + for_cmake(f.top);
+  if (f.clock != "clk") text += " CLOCK " + for_cmake(f.clock);
   text += fmt::format(" MODEL {}.h", name);
   std::string shape;
   for (const FoundParameter& p : f.parameters) {

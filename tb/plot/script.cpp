@@ -8,16 +8,10 @@
 
 #include "tb/plot/layout.h"
 #include "tb/plot/thin.h"
+#include "tb/support/quoted.h"
 
 namespace cosim {
 namespace {
-
-// A string of gnuplot, which a single quote ends.
-std::string literal(const std::string& text) {
-  std::string safe = "'";
-  for (const char c : text) safe += c == '\'' ? "''" : std::string(1, c);
-  return safe + "'";
-}
 
 // Whether single points of the grid can be told apart; then they are joined as they were drawn.
 bool shows_steps(const Layout& all) { return all.pixels_a_step() >= 6; }
@@ -103,7 +97,7 @@ void write_path(std::ostream& out, const Plot& plot, const Layout& all, int pane
   const double between = tic(all.x1 - all.x0, all.path.width / 40.0);
   out << margins(all, all.in(panel, all.path))
       << fmt::format("set title {}\n",
-                     literal(title_of(plot.series[static_cast<std::size_t>(panel)])))
+                     for_gnuplot(title_of(plot.series[static_cast<std::size_t>(panel)])))
       << fmt::format("set xrange [{:.6f}:{:.6f}]\nset yrange [{:.6f}:{:.6f}]\n", all.x0, all.x1,
                      all.y0, all.y1)
       << fmt::format("unset xlabel\nset xtics {0}\nset ytics {0}\n", between);
@@ -146,12 +140,12 @@ void write_script(std::ostream& out, const std::string& path, const Plot& plot) 
   out << fmt::format("set terminal {} size {},{} font 'DejaVu Sans,10' noenhanced\n",
                      path.ends_with(".svg") ? "svg background 'white'" : "pngcairo", all.width,
                      all.height)
-      << fmt::format("set output {}\n", literal(path));
+      << fmt::format("set output {}\n", for_gnuplot(path));
   write_data(out, plot, all);
   // One scale of colours for all pictures: half a step and a step are what one looks for.
   out << "set multiplot\n"
-      << fmt::format("set label 1 {} at screen 0.5,{:.6f} center font ',12'\n", literal(plot.title),
-                     1 - 18 / high)
+      << fmt::format("set label 1 {} at screen 0.5,{:.6f} center font ',12'\n",
+                     for_gnuplot(plot.title), 1 - 18 / high)
       << fmt::format(
              "set label 2 'paths over the curve; below them the distance of each point from it, "
              "in steps{}' at screen 0.5,{:.6f} center\n",

@@ -11,6 +11,7 @@
 #include "tb/proof/located.h"
 #include "tb/proof/mutant_nets.h"
 #include "tb/support/process.h"
+#include "tb/support/quoted.h"
 #include "tb/support/read_file.h"
 
 namespace cosim::proof {
@@ -181,10 +182,10 @@ Mutants::Mutants(const MachineFormula& machine, const fs::path& verilog,
   }
   // Before prep for registers that nothing reads, after it for those it makes of memories.
   std::string commands = fmt::format(
-      "read_verilog \"{0}\"; setattr -set keep 1 {2}; prep -flatten -nomem -top {1}; "
+      "read_verilog {0}; setattr -set keep 1 {2}; prep -flatten -nomem -top {1}; "
       "memory_collect; memory_map; rename -top machine; setattr -set keep 1 {2}; "
       "async2sync; dffunmap; setundef -anyseq; ",
-      fs::absolute(verilog).string(), machine.design, kept);
+      file_for_yosys(verilog), machine.design, kept);
   std::vector<unsigned> all{0};
   all.insert(all.end(), numbers.begin(), numbers.end());
   for (const unsigned k : all) {

@@ -3,9 +3,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cctype>
+#include <string_view>
 
 #include "model/core/input_error.h"
+#include "tb/support/output_file.h"
 #include "tb/support/process.h"
+#include "tb/support/quoted.h"
 
 namespace cosim::proof {
 namespace {
@@ -20,29 +24,33 @@ std::string as_constant(const Source& source, const Parameter& p) {
 }  // namespace
 
 std::string kept_net(const std::string& name) {
-  std::string pattern;  // in which a bracket stands for itself
-  for (const char c : name) pattern += c == '[' ? std::string("\\[") : std::string(1, c);
+  std::string pattern = name;  // what a pattern or a command takes otherwise stands for any
+  for (char& c : pattern) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    if (!plain && std::string_view("_$.").find(c) == std::string_view::npos) c = '?';
+  }
   return fmt::format(" w:{0} w:{0}\\[*", pattern);
 }
 
 std::string read_commands(const Source& source) {
   std::string options;
   for (const fs::path& folder : source.include_dirs)
-    options += fmt::format(" -I{}", folder.string());
-  for (const std::string& define : source.defines) options += " -D" + define;
+    options += " " + word_for_yosys("-I" + folder.string());
+  for (const std::string& define : source.defines) options += " " + word_for_yosys("-D" + define);
   std::string commands;
   for (const fs::path& file : source.files) {
     const bool is_system_verilog = file.extension() == ".sv" || file.extension() == ".svh";
-    commands += fmt::format("read_verilog{}{} \"{}\"; ", is_system_verilog ? " -sv" : "", options,
-                            file.string());
+    commands += fmt::format("read_verilog{}{} {}; ", is_system_verilog ? " -sv" : "", options,
+                            file_for_yosys(file));
   }
   return commands;
 }
 
 std::string commands_to_elaborate(const Source& source) {
-  std::string commands = read_commands(source) + "hierarchy -check -top " + source.top;
+  std::string commands =
+      read_commands(source) + "hierarchy -check -top " + word_for_yosys(source.top);
   for (const Parameter& p : source.parameters) {
-    commands += fmt::format(" -chparam {} {}", p.name, as_constant(source, p));
+    commands += fmt::format(" -chparam {} {}", p.name, word_for_yosys(as_constant(source, p)));
   }
   return commands;
 }

@@ -220,6 +220,40 @@ refused "new: mem: a memory that no clock writes" made made.v
 rtl 'always @* q = d;'
 refused "new: made has no register" made made.v
 refused "new: made has no register" made made.v --stream
+# Names that are commands, or more than names, to what reads them.
+rtl 'always @(posedge clk) q <= d;'
+for hostile in 'x"; exec -- touch pwned; log "a.v' 'a b.v' 'a;b.v' 'a)b.v' 'a$ENV{HOME}.v'; do
+  [[ -e $hostile ]] || cp made.v "$hostile"
+  refused "new: '$hostile': the name of a file in a project has letters, digits and _ . + - alone" \
+    made "$hostile"
+done
+[[ ! -e pwned ]] || { echo "the name of a file was run" && exit 1; }
+mkdir -p other 'y"; exec -- touch pwned; log "'
+cp made.v other/made.v
+refused "new: 'made.v' and 'other/made.v': two files of one name" made made.v other/made.v
+cp made.v 'y"; exec -- touch pwned; log "/made.v'
+refused "'y\"; exec -- touch pwned; log \"/made.v': yosys cannot be given that name" \
+  made 'y"; exec -- touch pwned; log "/made.v'
+[[ ! -e pwned ]] || { echo "the name of a folder was run" && exit 1; }
+for own in made.h CMakeLists.txt README.md; do
+  cp made.v "other/$own"
+  refused "new: 'other/$own': the project has its own $own" made "other/$own"
+done
+printf '\xEF\xBB\xBF' | cat - made.v > other/bom.v
+refused "new: 'other/bom.v': begins with a byte-order mark, which is no Verilog" made other/bom.v
+rtl 'reg \q"x ; always @(posedge clk) begin \q"x <= d; q <= \q"x ; end'
+refused "new: 'q\"x': an escaped name is not supported" made made.v
+# A file whose name is a pattern to yosys is not another file; a field of any name compiles.
+mkdir '[o]' o
+cp made.v o/made.v
+printf 'module made(input wire clk, V, p, Inputs, select, size, linux, EOF, index_a, a,\n' > '[o]/made.v'
+printf '  output reg Table, FIELD);\nalways @(posedge clk) begin Table <= V ^ p ^ Inputs ^ select;\n' >> '[o]/made.v'
+printf 'FIELD <= size ^ linux ^ EOF ^ index_a ^ a; end\nendmodule\n' >> '[o]/made.v'
+"$program" new made '[o]/made.v' > said
+printf '#include "made/made.h"\nint main() { return cosim::made::Inputs<cosim::Word>{}.V_ != 0; }\n' |
+  "${CXX:-c++}" -std=gnu++20 -Wall -Wextra -Werror -fsyntax-only -I . -I "$sources" -x c++ -
+rm -r made
+rtl 'always @(posedge clk) q <= d;'
 refused "--plain: does not go with --stream" made --plain --stream
 rtl 'always @(posedge clk) q <= d;'
 refused "new: made: no stream goes in: it has no input whose name ends in valid or vld, and not both start and done" \

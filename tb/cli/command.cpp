@@ -136,6 +136,11 @@ void Command::text(const std::string& name, Text& value, const std::string& type
   app_->add_option_function<std::string>(name, take, help)->type_name(type);
 }
 
+void Command::texts(const std::string& name, std::vector<std::string>& values,
+                    const std::string& type, const std::string& help) const {
+  app_->add_option(name, values, help)->type_name(type);
+}
+
 void Command::argument(const std::string& name, Text& value, const std::string& help,
                        bool needed) const {
   const auto take = [&value](const std::string& text) { value = text; };

@@ -18,6 +18,7 @@ void add_wave_command(const Command& program);
 void add_mutate(const Command& program, const Registry& registry);
 void add_cover(const Command& program, const Registry& registry);
 void add_regress(const Command& program, const Registry& registry);
+void add_equiv(const Command& program);
 void add_new(const Command& program);
 
 }  // namespace cosim::cli

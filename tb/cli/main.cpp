@@ -55,7 +55,10 @@ int run(int argc, char** argv) {
         program.footer("Exit status: 0 match, 1 mismatch, 2 bad input.\n" + cosim::program_name() +
                        " COMMAND --help explains a command and its options.");
         const cosim::cli::Registry& registry = cosim::cli::registry();
-        if (cosim::benches().empty()) return cosim::cli::add_new(program);  // that of the package
+        if (cosim::benches().empty()) {  // the program of the package
+          cosim::cli::add_equiv(program);
+          return cosim::cli::add_new(program);
+        }
         cosim::cli::add_list(program);
         for (const auto& add : registry.commands()) add(program);
         cosim::cli::add_examples(program, registry);
@@ -68,6 +71,7 @@ int run(int argc, char** argv) {
         cosim::cli::add_cover(program, registry);
         cosim::cli::add_regress(program, registry);
         cosim::cli::add_lint(program);
+        cosim::cli::add_equiv(program);
         cosim::cli::add_new(program);
       });
 }

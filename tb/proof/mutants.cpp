@@ -10,6 +10,7 @@
 
 #include "tb/proof/located.h"
 #include "tb/proof/mutant_nets.h"
+#include "tb/support/place.h"
 #include "tb/support/process.h"
 #include "tb/support/quoted.h"
 #include "tb/support/read_file.h"

@@ -145,10 +145,12 @@ pid_t begin(const std::vector<std::string>& words, const std::string& folder, in
 }
 
 // Takes down what a program prints, to its end; false where it is to be ended before that.
-bool read_all(int from, std::string& text, Clock::time_point patience) {
+bool read_all(int from, std::string& text, Clock::time_point patience,
+              const std::atomic<bool>* no_more) {
   std::string part(1 << 16, '\0');
   pollfd waiting{from, POLLIN, 0};
-  while (InterruptGuard::signal() == 0 && Clock::now() < patience) {
+  while (InterruptGuard::signal() == 0 && Clock::now() < patience &&
+         (no_more == nullptr || !*no_more)) {
     if (poll(&waiting, 1, kMilliseconds) <= 0) continue;
     const ssize_t n = ::read(from, part.data(), part.size());
     if (n == 0 || (n < 0 && errno != EINTR)) return true;
@@ -163,7 +165,8 @@ double seconds(const timeval& t) {
 
 }  // namespace
 
-Ended run_program(const std::vector<std::string>& words, int limit) {
+Ended run_program(const std::vector<std::string>& words, int limit,
+                  const std::atomic<bool>* no_more) {
   const InterruptGuard interrupts;
   InterruptGuard::check();
   const Scratch scratch;
@@ -176,7 +179,7 @@ Ended run_program(const std::vector<std::string>& words, int limit) {
   Ended ended;
   const auto patience = limit == 0 ? Clock::time_point::max()
                                    : Clock::now() + std::chrono::seconds(1LL * kPatience * limit);
-  const bool to_its_end = read_all(ends[0], ended.text, patience);
+  const bool to_its_end = read_all(ends[0], ended.text, patience, no_more);
   if (!to_its_end) kill(child, SIGTERM);
   close(ends[0]);
   int status = 0;

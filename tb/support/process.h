@@ -2,6 +2,7 @@
 // this one is killed.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -19,10 +20,11 @@ struct Ended {
 
 /// Runs a program, found as a shell finds it, with nothing to read. After `limit` seconds of
 /// processor time it is stopped; 0 is no limit. A program that only waits is stopped after many
-/// times the limit. What it leaves running when it ends is ended; TMPDIR is a folder of its own,
-/// removed with it. When interrupted (interrupt.h) the program is stopped and Interrupted is
-/// thrown.
-Ended run_program(const std::vector<std::string>& words, int limit = 0);
+/// times the limit, and as at its limit when `no_more` becomes true. What it leaves running when it
+/// ends is ended; TMPDIR is a folder of its own, removed with it. When interrupted (interrupt.h)
+/// the program is stopped and Interrupted is thrown.
+Ended run_program(const std::vector<std::string>& words, int limit = 0,
+                  const std::atomic<bool>* no_more = nullptr);
 
 /// Whether a shell would find the program; it is not run.
 bool is_installed(const std::string& program);

@@ -1,0 +1,232 @@
+#include "tb/equiv/product.h"
+
+#include <algorithm>
+
+#include "tb/support/random.h"
+
+namespace cosim::equiv {
+namespace {
+
+using proof::Aig;
+using Lit = Aig::Lit;
+using Lits = std::vector<Lit>;
+
+// How often the old RTL is there, each time with other values for x.
+constexpr int kCopies = 6;
+
+// One copy of a side in the graph.
+struct Copy {
+  Lits state, own;  ///< what its gates see of a register, and the latch that holds it
+};
+
+class Builder {
+ public:
+  Builder(const Question& q, Registers registers, Unknown unknown)
+      : q_(q), one_(registers == Registers::one), any_(unknown == Unknown::any) {}
+
+  Product made() {
+    first_ = one_ ? 0 : graph_.latch(true);
+    if (!one_) graph_.next(first_, 0);
+    Lit resets = 0;
+    if (!one_) {
+      for (int i = 0; i < q_.reset_clocks; ++i) {
+        const Lit before = resets;
+        resets = graph_.latch(true);
+        graph_.next(resets, before);
+      }
+    }
+    resets_ = resets;
+    // The names of the old RTL's registers, and what each begins as.
+    for (std::size_t i = 0; i < q_.gold.registers.size(); ++i) {
+      if (!q_.gold.registers[i].name.first.empty()) gold_at_[q_.gold.registers[i].name] = i;
+    }
+    for (const Register& r : q_.gate.registers) {
+      if (!r.name.first.empty()) gate_names_[r.name] = &r;
+    }
+    Lits gate_unknown(q_.gate.unknowns);
+    for (Lit& lit : gate_unknown) lit = graph_.input();
+    const bool as_many = q_.gold.unknowns == q_.gate.unknowns;
+
+    const int copies = any_ ? kCopies : 1;
+    std::vector<Copy> golds;
+    std::vector<Side::Made> made_golds;
+    for (int c = 0; c < copies; ++c) {
+      Lits unknown(q_.gold.unknowns);
+      for (std::size_t i = 0; i < unknown.size(); ++i) {
+        unknown[i] = any_ ? filler(c, i) : as_many ? gate_unknown[i] : 0;
+      }
+      golds.push_back(gold_copy(c));
+      made_golds.push_back(make(q_.gold, golds.back(), unknown, false));
+    }
+    const Copy gate = gate_copy(golds.front());
+    const Side::Made made_gate = make(q_.gate, gate, gate_unknown, true);
+
+    Lit bad = 0;
+    for (const auto& [name, gold] : made_golds.front().outputs) {
+      bad = graph_.either(bad, differ(name, made_golds, made_gate));
+    }
+    if (one_) {
+      for (const auto& [i, j] : pairs_) {
+        bad = graph_.either(bad, graph_.differ(made_golds[0].next[i], made_gate.next[j]));
+      }
+    }
+    product_.bad = graph_.both(bad, Aig::inverted(settling()));
+    product_.matched = pairs_.size();
+    product_.graph = graph_;
+    return product_;
+  }
+
+ private:
+  // The value that a copy gives the i-th bit of an x.
+  static Lit filler(int copy, std::size_t i) {
+    if (copy < 2) return static_cast<Lit>(copy);
+    // By chance, so that what depends on several bits is seen to.
+    return static_cast<Lit>(Random::for_case(static_cast<std::uint64_t>(copy), i).next() >> 63U);
+  }
+
+  bool any_in_both(const Register& gold) const {
+    const auto partner = gate_names_.find(gold.name);
+    return partner != gate_names_.end() && partner->second->any;
+  }
+
+  Lit starting(Lit first, Lit latch) { return graph_.choose(first_, first, latch); }
+
+  Copy gold_copy(int c) {
+    Copy copy;
+    std::size_t alone = 0;
+    for (const Register& r : q_.gold.registers) {
+      const Lit latch = one_ ? graph_.input() : graph_.latch(r.first);
+      copy.own.push_back(latch);
+      if (!r.any || one_) {
+        copy.state.push_back(latch);
+        product_.alone_any = product_.alone_any || (r.any && !any_in_both(r));
+        continue;
+      }
+      if (any_in_both(r)) {
+        const auto [at, is_new] = shared_.try_emplace(r.name, 0);
+        if (is_new) at->second = graph_.input();
+        copy.state.push_back(starting(at->second, latch));
+      } else {
+        product_.alone_any = true;
+        copy.state.push_back(starting(any_ ? filler(c, alone++) : graph_.input(), latch));
+      }
+    }
+    return copy;
+  }
+
+  Copy gate_copy(const Copy& gold) {
+    Copy copy;
+    for (std::size_t j = 0; j < q_.gate.registers.size(); ++j) {
+      const Register& r = q_.gate.registers[j];
+      const auto partner = gold_at_.find(r.name);
+      if (partner != gold_at_.end()) {
+        const Register& other = q_.gold.registers[partner->second];
+        if (other.any == r.any && (r.any || other.first == r.first)) {
+          pairs_.emplace_back(partner->second, j);
+          if (one_) {
+            copy.own.push_back(gold.own[partner->second]);
+            copy.state.push_back(gold.state[partner->second]);
+            continue;
+          }
+        }
+      }
+      const Lit latch = one_ ? graph_.input() : graph_.latch(r.first);
+      copy.own.push_back(latch);
+      if (!r.any || one_) {
+        copy.state.push_back(latch);
+        continue;
+      }
+      const auto shared = shared_.find(r.name);
+      copy.state.push_back(
+          starting(shared == shared_.end() ? graph_.input() : shared->second, latch));
+    }
+    return copy;
+  }
+
+  Side::Made make(const Side& side, const Copy& copy, const Lits& unknown, bool is_gate) {
+    const auto input = [&](const Name& name) {
+      std::string port = name.first;
+      if (port == q_.gold.clock || port == q_.gate.clock) return Lit{0};
+      if (is_gate) {
+        for (const auto& [old_name, new_name] : q_.renamed) {
+          if (new_name == port) port = old_name;
+        }
+      }
+      if (const auto tied = q_.tied.find(port); tied != q_.tied.end()) {
+        return static_cast<Lit>((static_cast<unsigned>(tied->second) >> name.second) & 1U);
+      }
+      const auto [at, is_new] = product_.inputs.try_emplace({port, name.second}, 0);
+      if (is_new) {
+        at->second = graph_.input();
+        product_.widths[port] = side.inputs.at(name.first);
+        if (port == q_.reset) {
+          at->second = q_.reset_active ? graph_.either(at->second, resets_)
+                                       : graph_.both(at->second, Aig::inverted(resets_));
+        }
+      }
+      return at->second;
+    };
+    Side::Made made = side.make(graph_, input, unknown, copy.state);
+    if (!one_) {
+      for (std::size_t i = 0; i < made.next.size(); ++i) graph_.next(copy.own[i], made.next[i]);
+    }
+    return made;
+  }
+
+  // While it resets, and until the first outputs of the new RTL can have come.
+  Lit settling() {
+    Lit all = resets_;
+    Lit last = resets_;
+    for (int i = 0; i < q_.latency; ++i) {
+      last = delayed(last, true);
+      all = graph_.either(all, last);
+    }
+    return all;
+  }
+
+  Lit delayed(Lit lit, bool first = false) {
+    const Lit latch = graph_.latch(first);
+    graph_.next(latch, lit);
+    return latch;
+  }
+
+  // An output of both, where both have it and it is to be compared.
+  Lit differ(const Name& name, const std::vector<Side::Made>& golds, const Side::Made& gate) {
+    if (std::find(q_.ignored.begin(), q_.ignored.end(), name.first) != q_.ignored.end()) return 0;
+    const auto renamed = q_.renamed.find(name.first);
+    const auto other = gate.outputs.find(
+        {renamed == q_.renamed.end() ? name.first : renamed->second, name.second});
+    if (other == gate.outputs.end()) return 0;
+    Lit gold = golds.front().outputs.at(name);
+    Lit unknown = 0;
+    for (const Side::Made& copy : golds) {
+      unknown = graph_.either(unknown, graph_.differ(gold, copy.outputs.at(name)));
+    }
+    for (int i = 0; i < q_.latency; ++i) {
+      gold = delayed(gold);
+      unknown = delayed(unknown);
+    }
+    product_.gold[name] = gold;
+    product_.gate[name] = other->second;
+    product_.any[name] = unknown;
+    return graph_.both(graph_.differ(gold, other->second), Aig::inverted(unknown));
+  }
+
+  const Question& q_;
+  bool one_, any_;
+  Aig graph_;
+  Lit first_ = 0, resets_ = 0;
+  std::map<Name, std::size_t> gold_at_;
+  std::map<Name, const Register*> gate_names_;
+  std::map<Name, Lit> shared_;  ///< what registers of that name begin as in both
+  std::vector<std::pair<std::size_t, std::size_t>> pairs_;
+  Product product_;
+};
+
+}  // namespace
+
+Product product_of(const Question& question, Registers registers, Unknown unknown) {
+  return Builder(question, registers, unknown).made();
+}
+
+}  // namespace cosim::equiv

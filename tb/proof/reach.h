@@ -1,0 +1,30 @@
+// Can this ever happen, from reset? Asked of yosys-abc, whose engines run side by side.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tb/proof/aig.h"
+
+namespace cosim::proof {
+
+enum class Ever {
+  never,  ///< proved for every clock
+  yes,    ///< it does, and `inputs` make it so
+  open,   ///< not in the first `clocks` clocks; nothing is known of later ones
+};
+
+struct Reached {
+  Ever ever = Ever::open;
+  std::string by;  ///< the engines that decided: "scorr and pdr"; "dsat; iprove": either by itself
+  std::vector<std::vector<bool>> inputs;  ///< of yes: a row a clock; `bad` is 1 on the last one
+  bool least = false;                     ///< of yes: no shorter stimulus does it
+  int clocks = 0;                         ///< of open
+};
+
+/// Whether `bad` is ever 1, where the registers begin as the graph says and the inputs are any. A
+/// stimulus has been tried on the graph, so that yes holds whatever the engine says. About
+/// `seconds` of processor time are given to each engine. InputError where there is no yosys-abc.
+Reached reach(const Aig& graph, Aig::Lit bad, int seconds);
+
+}  // namespace cosim::proof

@@ -19,7 +19,7 @@ namespace {
 constexpr int kNoProgram = 127;
 constexpr int kConflicts = 100000;  // of a SAT solver in a second, about
 constexpr std::size_t kBounded = 1;
-constexpr std::size_t kClocks = 20000, kSteps = 200'000'000;  // of random stimuli
+constexpr std::size_t kClocks = 20000, kSteps = 20'000'000;  // of random stimuli
 
 // The rows of inputs in a file of write_cex, cut behind the first clock on which bad is 1; none
 // where it is not.
@@ -72,6 +72,12 @@ Reached reach(const Aig& graph, Aig::Lit bad, int seconds) {
                                        {"bmc3", "bmc3 -T "},
                                        {"scorr and dprove", "scorr; dprove -T "}}
                  : std::vector<Engine>{{"dsat", "ifraig; dsat -C "}, {"iprove", "iprove -C "}};
+  // What lies deep is found by chance sooner than by search, which then only looks for less.
+  std::vector<std::vector<bool>> chance;
+  if (sequential) {
+    chance = graph.tried(bad, std::min(kClocks, kSteps / (graph.gates() + 1)));
+    if (!chance.empty()) seconds = 1;
+  }
   for (int round = 0, limit = std::min(seconds, 1); limit > 0; ++round) {
     std::vector<Ended> ended(engines.size());
     std::atomic<bool> decided = false;
@@ -79,7 +85,7 @@ Reached reach(const Aig& graph, Aig::Lit bad, int seconds) {
       return (scratch.path() / fmt::format("found{}.{}", round, i)).string();
     };
     in_parallel(engines.size(), 2, [&](std::uint64_t i) {
-      if (decided) return true;
+      if (decided || (!chance.empty() && i != kBounded)) return true;
       const std::string work =
           engines[i].commands + std::to_string(sequential ? limit : kConflicts * limit);
       ended[i] = run_program(
@@ -106,17 +112,12 @@ Reached reach(const Aig& graph, Aig::Lit bad, int seconds) {
       const auto rows = tried(graph, bad, found(i));
       if (!rows.empty()) return Reached{Ever::yes, engines[i].name, rows, i == 1 || !sequential, 0};
     }
-    // What lies deep is found by chance sooner than by search.
-    if (round == 0 && sequential) {
-      const std::size_t clocks = std::min(kClocks, kSteps / (graph.gates() + 1));
-      const auto rows = graph.tried(bad, clocks);
-      if (!rows.empty()) return Reached{Ever::yes, "random stimuli", rows, false, 0};
-    }
     static const Pattern reaches(R"(No output failed in ([0-9]+) frames)");
     for (const auto& part : reaches.all(ended[1].text)) reached.clocks = std::stoi(part[1]);
     seconds -= limit;
     limit = std::min(8 * limit, seconds);
   }
+  if (!chance.empty()) return Reached{Ever::yes, "random stimuli", chance, false, 0};
   return reached;
 }
 

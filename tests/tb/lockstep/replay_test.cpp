@@ -108,7 +108,7 @@ TEST(Replay, OfACaseThatPassesWhenItRunsAgainIsRefused) {
   const AdapterBench<OnceFaulty<D, circular::Params{4}>> hostile_one;
   expect_unsteady([&] { hostile_one.run_hostile({1, 0, 100}); });
   const AdapterBench<OnceFaulty<D, circular::Params{5}>> replayed_one;
-  const auto& b = replayed_one;
+  const AnyBench& b = replayed_one;
   const Stimulus s{b.title(), "", 1, {}, {b.rest(), b.rest()}};
   expect_unsteady([&] { b.replay(s, Window{}); });
 }

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <sstream>
 
 #include "model/core/input_error.h"
 #include "tb/support/place.h"
@@ -32,7 +34,10 @@ void leave_out(const std::string& line) {
 
 bool was_left_out() { return something_was_left_out; }
 
-std::vector<const AnyBench*> chosen_benches(const std::vector<std::string>& words) {
+std::vector<const AnyBench*> chosen_benches(const std::vector<std::string>& given) {
+  // A line of `list` may be one word of the shell, in quotes.
+  std::istringstream line(fmt::format("{}", fmt::join(given, " ")));
+  const std::vector<std::string> words{std::istream_iterator<std::string>(line), {}};
   std::vector<const AnyBench*> found;
   if (words.empty()) {
     for (const Unusable& design : unusable()) leave_out(design.why);

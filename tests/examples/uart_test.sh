@@ -60,7 +60,7 @@ says "clean"
 
 # Without a proof what is not killed survives: with its cell and its line, and with a folder.
 if command -v yosys > /dev/null; then
-  ends 1 mutate uart D=4 --mutants 60 --unproved --list --failures failures --report all.json
+  ends 1 mutate "uart D=4" --mutants 60 --unproved --list --failures failures --report all.json
   read -r killed survived < <(sed -nE \
     's/^uart D=4: 60 mutants: ([0-9]+) killed, 0 proved equal, ([0-9]+) survived$/\1 \2/p' said)
   ((survived > 0 && killed + survived == 60)) || fails "each is killed or survives, and some do"

@@ -2,6 +2,7 @@
 # What the scripts that run yosys share; sourced after lib.sh.
 #   rtl                             the folder of the designs and of shipped.txt
 #   check_shape DESIGN NAME=VALUE...  ends with status 2 where that is no design and its parameters
+#   file_for_yosys FILE             the name in quotation marks; ends with status 2 where none hold it
 #   read_rtl DESIGN NAME=VALUE...   yosys commands: the RTL at these parameters, the top's name kept
 #   synthesis generic|ice40 DESIGN  yosys commands: from there to the netlist
 #   each_shape COMMAND              runs COMMAND DESIGN NAME=VALUE... for each line of standard input,
@@ -24,10 +25,19 @@ check_shape() {
   done
 }
 
+file_for_yosys() {
+  [[ $1 != *[\"[:cntrl:]]* ]] || die "yosys cannot be given the name $1"
+  local name=$1 special
+  for special in \\ '*' '?' '['; do name=${name//"$special"/\\"$special"}; done
+  echo "\"$name\""
+}
+
 read_rtl() {
   local top=$1 && shift
   local parameters=("${@/#/-chparam }")
-  echo "read_verilog $rtl/$top/*.v; hierarchy -check -top $top ${parameters[*]/=/ };" \
+  local file
+  for file in "$rtl/$top"/*.v; do echo "read_verilog $(file_for_yosys "$file");"; done
+  echo "hierarchy -check -top $top ${parameters[*]/=/ };" \
     "rename -top $top;"
 }
 

@@ -59,7 +59,11 @@ struct Engine {
 
 Reached reach(const Aig& graph, Aig::Lit bad, int seconds) {
   Reached reached;
-  if (bad == 0) return Reached{Ever::never, "the same gates", {}, false, 0};
+  if (bad == 0) {
+    reached.ever = Ever::never;
+    reached.by = "the same gates";
+    return reached;
+  }
   const Scratch scratch;
   const std::string aiger = (scratch.path() / "asked.aig").string();
   OutputFile file(aiger);
@@ -106,7 +110,11 @@ Reached reach(const Aig& graph, Aig::Lit bad, int seconds) {
     for (std::size_t i = 0; i < engines.size(); ++i) {
       if (says_never(ended[i].text)) by += (by.empty() ? "" : "; ") + engines[i].name;
     }
-    if (!by.empty()) return Reached{Ever::never, by, {}, false, 0};
+    if (!by.empty()) {
+      reached.ever = Ever::never;
+      reached.by = by;
+      return reached;
+    }
     for (const std::size_t i : {1U, 0U, 2U}) {
       if (i >= engines.size()) continue;
       const auto rows = tried(graph, bad, found(i));

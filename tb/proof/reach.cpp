@@ -71,11 +71,12 @@ Reached reach(const Aig& graph, Aig::Lit bad, int seconds) {
   file.close();
   // Without registers it is a question of logic alone.
   const bool sequential = graph.latches() > 0;
-  const std::vector<Engine> engines =
-      sequential ? std::vector<Engine>{{"scorr and pdr", "scorr; pdr -T "},
-                                       {"bmc3", "bmc3 -T "},
-                                       {"scorr and dprove", "scorr; dprove -T "}}
-                 : std::vector<Engine>{{"dsat", "ifraig; dsat -C "}, {"iprove", "iprove -C "}};
+  std::vector<Engine> engines{{"dsat", "ifraig; dsat -C "}, {"iprove", "iprove -C "}};
+  if (sequential) {
+    engines = {{"scorr and pdr", "scorr; pdr -T "},
+               {"bmc3", "bmc3 -T "},
+               {"scorr and dprove", "scorr; dprove -T "}};
+  }
   // What lies deep is found by chance sooner than by search, which then only looks for less.
   std::vector<std::vector<bool>> chance;
   if (sequential) {

@@ -222,6 +222,7 @@ refused "new: made has no register" made made.v
 refused "new: made has no register" made made.v --stream
 # Names that are commands, or more than names, to what reads them.
 rtl 'always @(posedge clk) q <= d;'
+# shellcheck disable=SC2016  # a name, not a variable
 for hostile in 'x"; exec -- touch pwned; log "a.v' 'a b.v' 'a;b.v' 'a)b.v' 'a$ENV{HOME}.v'; do
   [[ -e $hostile ]] || cp made.v "$hostile"
   refused "new: '$hostile': the name of a file in a project has letters, digits and _ . + - alone" \

@@ -81,7 +81,7 @@ TEST_F(KilledSweep, StartsFromWhatTheCheckpointSays) {
   ASSERT_NO_FATAL_FAILURE(run_until_kept());
   auto file = nlohmann::json::parse(folder_.text("state"));
   file["state"][0]["clocks"] = file["state"][0]["clocks"].get<std::uint64_t>() + 7;
-  folder_.write("state", file.dump());
+  folder_.write("state", sealed(file));
   EXPECT_EQ(cosim(kept()).status, 0);
   const auto report = nlohmann::json::parse(folder_.text("report"));
   EXPECT_EQ(report["runs"][0]["clocks"], kClocks + 7);
@@ -99,7 +99,7 @@ TEST_F(KilledSweep, GoesOnWithWhatTheCheckMeasured) {
   }
   const std::string state = folder_.text("state");
   const auto run_from = [&](const nlohmann::json& file) {
-    folder_.write("state", file.dump());
+    folder_.write("state", sealed(file));
     const Ended ended = cosim(measured);
     EXPECT_EQ(ended.status, 0) << ended.err;
     EXPECT_NE(ended.out.find(" steps, largest deviation "), std::string::npos) << ended.out;
@@ -116,7 +116,7 @@ TEST_F(KilledSweep, GoesOnWithWhatTheCheckMeasured) {
   EXPECT_EQ(changed["max_deviation"], 12345.5);
   for (const char* none : {"-1", "\"1\"", "null"}) {
     measures[0]["value"] = nlohmann::json::parse(none);
-    folder_.write("state", file.dump());
+    folder_.write("state", sealed(file));
     const Ended refused = cosim(measured);
     EXPECT_EQ(refused.status, 2);
     EXPECT_NE(refused.err.find(": no checkpoint of these sweeps"), std::string::npos)
@@ -151,9 +151,17 @@ TEST_F(KilledSweep, RefusesCountsThatCannotBe) {
   const std::string too_many = std::to_string(kClocks / 1000 + 1);
   for (const std::string& cases : {too_many, "-1"s, "1e300"s, "\"1\""s, "null"s}) {
     file["state"][0]["cases"] = nlohmann::json::parse(cases);
-    folder_.write("state", file.dump());
+    folder_.write("state", sealed(file));
     expect_refusal(cosim(kept()), folder_.path("state") + ": no checkpoint of these sweeps");
   }
+}
+
+TEST_F(KilledSweep, RefusesACheckpointThatWasChanged) {
+  ASSERT_NO_FATAL_FAILURE(run_until_kept());
+  auto file = nlohmann::json::parse(folder_.text("state"));
+  file["state"][0]["clocks"] = file["state"][0]["clocks"].get<std::uint64_t>() + 7;
+  folder_.write("state", file.dump());
+  expect_refusal(cosim(kept()), folder_.path("state") + ": no checkpoint: it was changed");
 }
 
 TEST_F(KilledSweep, RefusesWhatIsNoCheckpoint) {

@@ -38,6 +38,7 @@ InputError model/core/input_error.h
 proof tb/proof/abc.h
 Stream model/core/stream.h
 stall_width tb/stream/shape.h
+refuse_unsteady tb/lockstep/mismatch.h
 registers model/core/design.h
 fmt <fmt/core.h>
 NAMES

@@ -42,15 +42,8 @@ std::pair<std::string, std::string> halves(const std::string& option, const std:
   return {text.substr(0, at), text.substr(at + 1)};
 }
 
-int whole(const std::string& option, const std::string& text, int low, int high) {
-  const bool digits = !text.empty() && text.size() < 10 &&
-                      text.find_first_not_of("0123456789") == std::string::npos;
-  const int value = digits ? std::stoi(text) : -1;
-  if (value < low || value > high) {
-    throw InputError(fmt::format("{}: {} is not a whole number from {} to {}", option,
-                                 in_quotes(text), low, high));
-  }
-  return value;
+int number(const std::string& option, const std::string& text, unsigned low, unsigned high) {
+  return static_cast<int>(whole(option, text, low, high));
 }
 
 // The files as they were in a revision, in `folder`; those that it lacks are left out.
@@ -102,12 +95,13 @@ void find_reset(const EquivOptions& o, equiv::Question& q) {
                                           "rst_i", "i_rst", "wb_rst_i", "i_reset"};
   static const std::set<std::string> low{"rst_n", "reset_n", "rstn",   "resetn",
                                          "nrst",  "aresetn", "rst_ni", "i_rst_n"};
-  q.reset_clocks = o.reset_clocks ? whole("--reset-clocks", *o.reset_clocks, 0, 1000) : 3;
+  q.reset_clocks = o.reset_clocks ? number("--reset-clocks", *o.reset_clocks, 0, 1000) : 3;
   if (o.reset) {
     const std::size_t at = o.reset->find('=');
     q.reset = o.reset->substr(0, at);
-    q.reset_active = at == std::string::npos ? !low.contains(q.reset)
-                                             : whole("--reset", o.reset->substr(at + 1), 0, 1) == 1;
+    q.reset_active = at == std::string::npos
+                         ? !low.contains(q.reset)
+                         : number("--reset", o.reset->substr(at + 1), 0, 1) == 1;
     if (!q.gold.inputs.contains(q.reset) || q.gold.inputs.at(q.reset) != 1) {
       throw InputError(fmt::format("--reset: {} is no input of one bit", in_quotes(q.reset)));
     }
@@ -230,14 +224,14 @@ int run(const EquivOptions& o) {
   }
   if (gold.empty()) throw InputError("--gold: is needed, or --rev");
   if (gate.empty()) throw InputError("--gate: is needed");
-  const int seconds = o.seconds ? whole("--seconds", *o.seconds, 1, 1000000) : 300;
+  const int seconds = o.seconds ? number("--seconds", *o.seconds, 1, 1000000) : 300;
   const equiv::Side old = side(o, gold, o.gold_top, "the old RTL", seconds);
   equiv::Question q{
-      old, side(o, gate, o.gate_top, "the new RTL", seconds),       {},     true, 3, {}, {},
-      {},  o.latency ? whole("--latency", *o.latency, 0, 1000) : 0, seconds};
+      old, side(o, gate, o.gate_top, "the new RTL", seconds),        {},     true, 3, {}, {},
+      {},  o.latency ? number("--latency", *o.latency, 0, 1000) : 0, seconds};
   for (const std::string& text : o.tied) {
     const auto [pin, value] = halves("--tie", text, "PIN=VALUE");
-    q.tied[pin] = whole("--tie", value, 0, 999999999);
+    q.tied[pin] = number("--tie", value, 0, 999999999);
   }
   q.ignored = o.ignored;
   for (const std::string& text : o.renamed) q.renamed.insert(halves("--map", text, "OLD=NEW"));

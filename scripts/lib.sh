@@ -14,6 +14,9 @@ set -euo pipefail
 arguments=("$@") # the caller's
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
+# Tools of others cannot be given every name of a folder: abc of yosys takes none with a space.
+[[ ${TMPDIR-} != *[!A-Za-z0-9_./+=,@%-]* ]] || export TMPDIR=/tmp
+
 say() { printf '== %s\n' "$*" >&2; }
 
 die() {

@@ -104,15 +104,10 @@ template <class Record>
 using Words = std::array<Word, Record::size>;
 
 /// Calls visit(member, i) for each field's pointer to member, in the order of the table; i is the
-/// number of its first cell.
+/// number of its first cell, a constant by its type.
 template <class Record, class Visit>
 constexpr void for_each_member(Visit visit) {
-  [&]<std::size_t... I>(std::index_sequence<I...>) {
-    (visit(std::get<I>(Record::members()),
-           std::integral_constant<std::size_t, Record::first_cell(I)>::value),
-     ...);
-  }
-  (std::make_index_sequence<std::tuple_size_v<decltype(Record::members())>>{});
+  Record::each_member(visit);
 }
 
 namespace detail {

@@ -23,7 +23,6 @@
 #include <array>
 #include <cstddef>
 #include <string>
-#include <tuple>
 #include <type_traits>
 
 #include "model/core/array.h"
@@ -126,21 +125,26 @@ constexpr auto field(const char* name, int width, const Notation<N>& n, const ch
   }
 }
 
-/// All cells of a table, of what field() gives for each row.
-template <std::size_t Size, class... Rows>
-constexpr std::array<Field, Size> cells(const std::tuple<Rows...>& rows) {
-  std::array<Field, Size> all{};
-  std::size_t at = 0;
-  const auto add = [&](const auto& row) {
-    if constexpr (std::is_same_v<std::decay_t<decltype(row)>, Field>) {
-      all[at++] = row;
-    } else {
-      for (const Field& cell : row) all[at++] = cell;
-    }
-  };
-  std::apply([&](const auto&... row) { (add(row), ...); }, rows);
-  return all;
-}
+/// All cells of a table, of what field() gives for each row. No tuple: one of two hundred rows
+/// takes a compiler a minute.
+template <std::size_t Size>
+class Cells {
+ public:
+  template <class... Rows>
+  constexpr explicit Cells(const Rows&... rows) {
+    (add(rows), ...);
+  }
+  constexpr const std::array<Field, Size>& all() const { return all_; }
+
+ private:
+  constexpr void add(const Field& cell) { all_[at_++] = cell; }
+  template <std::size_t N>
+  constexpr void add(const std::array<Field, N>& row) {
+    for (const Field& cell : row) add(cell);
+  }
+  std::array<Field, Size> all_{};
+  std::size_t at_ = 0;
+};
 
 /// Makes the elements that a shape does not have 0.
 template <class V, class N>
@@ -164,7 +168,8 @@ constexpr void trim(Array<V, N>& array, const Notation<N>& n, int width) {
 #define COSIM_INDEX(name, width, format, source, meaning) \
   index_##name,                                           \
       final_index_##name = index_##name + ::cosim::row::more_cells(Table::capacity_##name),
-#define COSIM_FIRST(name, width, format, source, meaning) index_##name,
+#define COSIM_VISIT(name, width, format, source, meaning) \
+  visit(&Self::name, std::integral_constant<std::size_t, index_##name>());
 #define COSIM_POINTER(name, width, format, source, meaning) &Self::name,
 #define COSIM_TRIM(name, width, format, source, meaning) \
   ::cosim::row::trim(r.name, ::cosim::row::format, width);
@@ -193,20 +198,18 @@ constexpr void trim(Array<V, N>& array, const Notation<N>& n, int width) {
     enum Index : std::size_t { TABLE(COSIM_INDEX) index_end };                                 \
     static constexpr std::size_t size = index_end; /* cells */                                 \
     static constexpr bool has_arrays = Table::sum != 0;                                        \
-    static constexpr auto members() {                                                          \
+    static constexpr auto members() { /* of a table without arrays */                          \
       using Self = Record;                                                                     \
-      if constexpr (has_arrays) {                                                              \
-        return std::tuple{TABLE(COSIM_POINTER)};                                               \
-      } else {                                                                                 \
-        return std::array<V Self::*, size>{TABLE(COSIM_POINTER)};                              \
-      }                                                                                        \
+      return std::array<V Self::*, size>{TABLE(COSIM_POINTER)};                                \
     }                                                                                          \
-    static constexpr std::size_t first_cell(std::size_t member) {                              \
-      return std::array<std::size_t, size + 1>{TABLE(COSIM_FIRST) index_end}[member];          \
+    template <class Visit>                                                                     \
+    static constexpr void each_member([[maybe_unused]] Visit& visit) {                         \
+      using Self [[maybe_unused]] = Record;                                                    \
+      TABLE(COSIM_VISIT)                                                                       \
     }                                                                                          \
     static constexpr std::array<Field, size> fields([[maybe_unused]] const Params& p) {        \
       if constexpr (has_arrays) {                                                              \
-        return ::cosim::row::cells<size>(std::tuple{TABLE(ROW)});                              \
+        return ::cosim::row::Cells<size>{TABLE(ROW)}.all();                                    \
       } else {                                                                                 \
         return {TABLE(ROW)};                                                                   \
       }                                                                                        \

@@ -80,4 +80,7 @@ inline constexpr Bin<Design> bins[] = {
     {"reset while running", [](when::At m) { return !when::idle(m) && m.in.rst == 1; }},
 };
 
+/// What tb/dut/counts.h finds them by.
+constexpr const auto& declared_bins(const Design*) { return bins; }
+
 }  // namespace cosim::dda

@@ -138,12 +138,14 @@ void add_cover(const Command& program, const Registry& registry) {
   command.text("--random", o->random, "JOBS",
                "How many random jobs, where the design declares some; default 1000");
   add_common(command, o->common);
-  command.footer(
+  command.footer(fmt::format(
       "Lines, toggles of each bit and cover statements are counted by Verilator, over all "
       "instances\n"
       "and shapes of a design; not what stands between '// verilator coverage_off' and\n"
       "'// verilator coverage_on'. The program with counters is built when first asked for.\n"
-      "Exit status: 0 all reached, 1 something was not, 2 bad input.");
+      "Exit status: 0 all reached, 1 something was not, 2 bad input.\n"
+      "Example: {} cover {} --hostile 10000",
+      program_name(), benches().front()->built_as()));
   command.action([o, &registry] { return run(*o, registry); });
 }
 

@@ -17,6 +17,7 @@
 #include "tb/support/interrupt.h"
 #include "tb/support/json.h"
 #include "tb/support/output_file.h"
+#include "tb/support/parallel.h"
 #include "tb/support/process.h"
 #include "tb/support/words.h"
 
@@ -29,7 +30,8 @@ using Words = std::vector<std::string>;
 
 struct EquivOptions {
   Words gold, gate, files, cells, parameters, include_dirs, defines, tied, ignored, renamed;
-  Text rev, top, gold_top, gate_top, seconds, reset, reset_clocks, latency, report;
+  Text rev, top, gold_top, gate_top, seconds, jobs, reset, reset_clocks, latency, report;
+  bool netlists = false;
   Common common;
 };
 
@@ -46,8 +48,14 @@ int number(const std::string& option, const std::string& text, unsigned low, uns
   return static_cast<int>(whole(option, text, low, high));
 }
 
-// The files as they were in a revision, in `folder`; those that it lacks are left out.
-Words files_of(const std::string& rev, const Words& files, const fs::path& folder) {
+// What a revision has.
+struct Revision {
+  Words files;      ///< those that it lacks are left out
+  fs::path folder;  ///< its version of the working directory
+};
+
+// The files as they were in a revision, in `folder`.
+Revision revision(const std::string& rev, const Words& files, const fs::path& folder) {
   const auto git = [](Words words) {
     words.insert(words.begin(), "git");
     Ended ended = cosim::run_program(words);
@@ -74,11 +82,12 @@ Words files_of(const std::string& rev, const Words& files, const fs::path& folde
   if (old.empty()) {
     throw InputError(fmt::format("--rev: {} has none of the files", in_quotes(rev)));
   }
-  return old;
+  const fs::path here = folder / fs::current_path().lexically_relative(fs::canonical(root.text));
+  return {old, fs::is_directory(here) ? here : folder};
 }
 
 equiv::Side side(const EquivOptions& o, const Words& files, const Text& own_top, const char* what,
-                 int seconds) {
+                 const fs::path& folder, const equiv::Budget& budget) {
   equiv::Files all;
   for (const Words* part : {&files, &o.cells})
     all.files.insert(all.files.end(), part->begin(), part->end());
@@ -87,7 +96,8 @@ equiv::Side side(const EquivOptions& o, const Words& files, const Text& own_top,
   all.parameters = o.parameters;
   all.include_dirs.assign(o.include_dirs.begin(), o.include_dirs.end());
   all.defines = o.defines;
-  return {all, what, seconds};
+  all.folder = folder;
+  return {all, what, budget};
 }
 
 void find_reset(const EquivOptions& o, equiv::Question& q) {
@@ -153,24 +163,28 @@ Json json_of_answer(const std::string& top, const equiv::Question& q, const equi
   return {{"top", top},
           {"verdict", verdict},
           {"by", a.by},
+          {"replayed", a.replayed},
           {"assumed", assumed(q)},
           {"registers_by_name", a.matched},
           {"stimulus", clocks},
           {"least", a.least},
           {"differing", a.differing},
+          {"left", a.left},
           {"equal_clocks", a.compared}};
 }
 
 int conclude(const EquivOptions& o, const std::string& top, const equiv::Question& q,
-             const equiv::Answer& a) {
+             const equiv::Answer& a, std::optional<OutputFile>& report) {
   const Json json = json_of_answer(top, q, a);
   fmt::print("{}\n", assumed(q));
   int status = 0;
   if (a.verdict == equiv::Verdict::equal) {
     fmt::print("{}: equal for ever, by {}\n", top, a.by);
   } else if (a.verdict == equiv::Verdict::undecided) {
-    fmt::print("{}: undecided: equal for the first {}\n", top,
-               count(static_cast<std::uint64_t>(a.compared), "clock"));
+    const std::string first =
+        "equal for the first " + count(static_cast<std::uint64_t>(a.compared), "clock");
+    fmt::print("{}: undecided: {}{}\n", top, a.compared > 0 || a.left.empty() ? first + "; " : "",
+               a.left.empty() ? "more is not known" : a.left);
     status = 3;
   } else {
     const equiv::Row& last = a.clocks.back();
@@ -179,8 +193,8 @@ int conclude(const EquivOptions& o, const std::string& top, const equiv::Questio
       list += fmt::format("{} {} is {}, was {}", list.empty() ? "" : ",", port, last.gate.at(port),
                           last.gold.at(port));
     }
-    fmt::print("{}: different on clock {}{}:{}; replayed on the netlists\n", top, a.clocks.size(),
-               a.least ? ", the first that can be" : "", list);
+    fmt::print("{}: different on clock {}{}:{}; replayed {}\n", top, a.clocks.size(),
+               a.least ? ", the first that can be" : "", list, a.replayed);
     Draft folder(o.common.failures_folder(), top + "-equiv");
     folder.write("report.json", json_text(json, 2) + "\n");
     std::string csv = "clock";
@@ -198,10 +212,9 @@ int conclude(const EquivOptions& o, const std::string& top, const equiv::Questio
     fmt::print("kept in {}\n", folder.target().string());
     status = 1;
   }
-  if (o.report) {
-    OutputFile report(*o.report);
-    report.text(json_text(json, 2) + "\n");
-    report.close();
+  if (report) {
+    report->text(json_text(json, 2) + "\n");
+    report->close();
   }
   return status;
 }
@@ -210,6 +223,7 @@ int run(const EquivOptions& o) {
   const InterruptGuard interrupts;
   const Scratch scratch;
   Words gold = o.gold, gate = o.gate;
+  fs::path gold_folder = ".";
   if (o.rev) {
     if (!gold.empty() || !gate.empty())
       throw InputError("--rev: does not go with --gold or --gate");
@@ -218,17 +232,37 @@ int run(const EquivOptions& o) {
     for (const std::string& file : gate) {
       if (!fs::exists(file)) throw InputError(file + ": No such file or directory");
     }
-    gold = files_of(*o.rev, gate, scratch.path());
+    Revision old = revision(*o.rev, gate, scratch.path());
+    gold = std::move(old.files);
+    gold_folder = std::move(old.folder);
   } else if (!o.files.empty()) {
     throw InputError(fmt::format("equiv: takes no {} without --rev", in_quotes(o.files.front())));
   }
   if (gold.empty()) throw InputError("--gold: is needed, or --rev");
   if (gate.empty()) throw InputError("--gate: is needed");
   const int seconds = o.seconds ? number("--seconds", *o.seconds, 1, 1000000) : 300;
-  const equiv::Side old = side(o, gold, o.gold_top, "the old RTL", seconds);
-  equiv::Question q{
-      old, side(o, gate, o.gate_top, "the new RTL", seconds),        {},     true, 3, {}, {},
-      {},  o.latency ? number("--latency", *o.latency, 0, 1000) : 0, seconds};
+  const unsigned jobs =
+      o.jobs ? static_cast<unsigned>(number("--jobs", *o.jobs, 1, 1024)) : std::max(2U, cores());
+  // A report that cannot be written is no answer to wait for.
+  std::optional<OutputFile> report;
+  if (o.report) report.emplace(*o.report);
+  const equiv::Budget budget(seconds);
+  const std::string top = o.top ? *o.top : *o.gate_top;
+  std::optional<equiv::Side> old, now;
+  try {
+    in_parallel(2, jobs, [&](std::uint64_t i) {
+      if (i == 0) old = side(o, gold, o.gold_top, "the old RTL", gold_folder, budget);
+      if (i == 1) now = side(o, gate, o.gate_top, "the new RTL", ".", budget);
+      return true;
+    });
+  } catch (const equiv::OutOfTime&) {
+    fmt::print("{}: undecided: yosys does not read it in {} s (--seconds)\n", top, seconds);
+    return 3;
+  }
+  equiv::Question q{*old,   *now, {},
+                    true,   3,    {},
+                    {},     {},   o.latency ? number("--latency", *o.latency, 0, 1000) : 0,
+                    budget, jobs};
   for (const std::string& text : o.tied) {
     const auto [pin, value] = halves("--tie", text, "PIN=VALUE");
     q.tied[pin] = number("--tie", value, 0, 999999999);
@@ -236,7 +270,9 @@ int run(const EquivOptions& o) {
   q.ignored = o.ignored;
   for (const std::string& text : o.renamed) q.renamed.insert(halves("--map", text, "OLD=NEW"));
   find_reset(o, q);
-  return conclude(o, o.top ? *o.top : *o.gate_top, q, equiv::compare(q));
+  q.verilator = !o.netlists;
+  const equiv::Answer answer = equiv::compare(q);
+  return conclude(o, top, q, answer, report);
 }
 
 }  // namespace
@@ -262,7 +298,10 @@ void add_equiv(const Command& program) {
   command.texts("--ignore", o->ignored, "PIN", "An output that is not compared");
   command.texts("--map", o->renamed, "OLD=NEW", "A port of another name in the new RTL");
   command.text("--latency", o->latency, "N", "The new outputs come N clocks later");
-  command.text("--seconds", o->seconds, "N", "For each engine; default 300");
+  command.flag("--netlists", o->netlists,
+               "A difference is replayed on the netlists alone, not in Verilator: quicker");
+  command.text("--seconds", o->seconds, "N", "For all of it, reading included; default 300");
+  command.text("--jobs", o->jobs, "J", "Engines at a time; default one a core");
   command.text("--report", o->report, "FILE", "The result as JSON");
   add_failures(command, o->common);
   command.footer(

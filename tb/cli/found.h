@@ -1,7 +1,10 @@
-// What yosys finds in RTL that somebody brings: its ports, parameters and registers.
+// What Verilator and yosys find in RTL that somebody brings: its ports, parameters and registers.
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace cosim::cli {
@@ -9,37 +12,56 @@ namespace cosim::cli {
 /// A number with the parameters' defaults.
 struct FoundSize {
   int number = 1;
-  /// The parameter that it follows, and what is to be added to it; empty where it follows none.
-  std::string parameter = {};
-  int more = 0;
+  std::string text = {};  ///< how it follows parameters, in C++: "p.WIDTH + 1"; empty: not
 };
 
 /// A port, a register or a memory.
 struct FoundNet {
-  std::string name;              ///< of a register its path below the top
-  FoundSize width;               ///< bits, of a memory those of a word
-  FoundSize words = {0, {}, 0};  ///< of a memory; 0: none
-  bool is_reset = true;          ///< false of a memory that is only written at an address
+  std::string name;        ///< of a register its path below the top
+  FoundSize width;         ///< bits, of a memory those of a word
+  FoundSize words = {0};   ///< of a memory; 0: none; -1: of more dimensions than one
+  bool is_reset = true;    ///< false of a register to which no reset gives a constant
+  std::string value = {};  ///< that constant, in hexadecimal; empty: 0
+  /// The bits that hold a state, high and low; empty: all.
+  std::vector<std::pair<int, int>> bits = {};
 };
 
 struct FoundParameter {
   std::string name;
-  int value = 0;  ///< its default
+  std::string value;     ///< its default, or what --param gives it
+  bool is_text = false;  ///< it is no number
+};
+
+/// An input that resets registers.
+struct FoundReset {
+  std::string name;
+  bool active_low = false;
+  /// What it gives by itself, where there are several: registers and constants.
+  std::vector<std::pair<std::string, std::string>> values = {};
 };
 
 struct Found {
   std::string top;
-  std::string clock;
-  std::string reset;  ///< the input that is thought to be it, by its name; empty where none is
-  bool active_low = false;
-  bool asynchronous = false;  ///< that input resets registers without waiting for the clock
+  std::string clock;               ///< empty where there is no register
+  std::vector<FoundReset> resets;  ///< all that are asynchronous, or one that is thought to be one
+  bool asynchronous = false;       ///< they reset without waiting for the clock
   std::vector<FoundNet> inputs, outputs, registers;  ///< inputs without the clock
-  std::vector<FoundParameter> parameters;            ///< those that are whole numbers
+  std::vector<FoundParameter> parameters;  ///< of the top: whole numbers that follow no other
+  bool is_yosys = true;                    ///< yosys, where it is installed, reads it in 40 s
 };
 
-/// Reads the files. InputError, one line, where yosys cannot, where there is no clock or a second
-/// one, and for what a design cannot have: a latch, a bidirectional port, a register without a
-/// name. Without `registers` none are looked for.
-Found found_in(const std::vector<std::string>& files, bool registers = true);
+/// Where the files are, and what is to be said of them.
+struct RtlQuestion {
+  std::filesystem::path folder;      ///< of all files
+  std::vector<std::string> files;    ///< by their names in it, which need no quotes
+  std::vector<std::string> options;  ///< -I and -D of Verilator and yosys
+  std::string top;
+  std::string clock, reset;                ///< pins; empty: to be found
+  std::vector<FoundParameter> parameters;  ///< those that are given
+};
+
+/// Reads the files. InputError, one line, where Verilator cannot, and for what a design cannot
+/// have: a second clock, a latch, a bidirectional port. `said`: is told what takes long.
+Found found_in(const RtlQuestion& question);
 
 }  // namespace cosim::cli

@@ -13,6 +13,7 @@
 #include "tb/cli/outputs.h"
 #include "tb/report/report.h"
 #include "tb/support/json.h"
+#include "tb/support/json_at.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
 #include "tb/support/words.h"
@@ -38,13 +39,12 @@ void need_tools(bool unproved) {
 }
 
 // "killed, hostile clocks, case 3, clock 17, signal count"
-std::string end_of(const Json& mutant) {
-  const std::string end = mutant.at("end");
+std::string end_of(const JsonAt& mutant) {
+  const std::string end = mutant.at("end").text();
   if (end == "equivalent") return "proved equal";
   if (end != "killed") return end;
-  return fmt::format("killed by {}, clock {}, {}", mutant.at("stimulus").get<std::string>(),
-                     mutant.at("clock").get<std::uint64_t>(),
-                     mutant.at("signal").get<std::string>());
+  return fmt::format("killed by {}, clock {}, {}", mutant.at("stimulus").text(),
+                     mutant.at("clock").whole(), mutant.at("signal").text());
 }
 
 // Plants, attacks and prints; the results.
@@ -67,20 +67,18 @@ Json attacked(const MutateOptions& o, const Registry& registry, const AnyBench& 
   if (ended.status != 0 && ended.status != 1) {
     throw InputError(ended.text.substr(0, ended.text.find('\n')));
   }
-  Json outcome = json_of(read_file(results));
+  const JsonAt outcome(results, read_file(results));
   fmt::print("{}: {}: {} killed, {} proved equal, {} survived\n", bench.built_as(),
-             count(outcome.at("mutants").get<std::uint64_t>(), "mutant"),
-             outcome.at("killed").get<std::uint64_t>(),
-             outcome.at("equivalent").get<std::uint64_t>(),
-             outcome.at("survived").get<std::uint64_t>());
+             count(outcome.at("mutants").whole(), "mutant"), outcome.at("killed").whole(),
+             outcome.at("equivalent").whole(), outcome.at("survived").whole());
   if (o.list) {
-    for (const Json& mutant : outcome.at("outcomes")) {
-      fmt::print("  {}: {}: {}\n", mutant.at("mutant").get<std::uint64_t>(),
-                 mutant.at("what").get<std::string>(), end_of(mutant));
+    for (const JsonAt& mutant : outcome.at("outcomes").list()) {
+      fmt::print("  {}: {}: {}\n", mutant.at("mutant").whole(), mutant.at("what").text(),
+                 end_of(mutant));
     }
   }
   fmt::print("{}", ended.text);
-  return outcome;
+  return outcome.json();
 }
 
 int run(const MutateOptions& o, const Registry& registry) {
@@ -115,8 +113,10 @@ void add_mutate(const Command& program, const Registry& registry) {
                "Where a survivor leaves its folder; default $COSIM_FAILURES or failures");
   command.text("--report", o->common.report, "FILE", "Write what became of each as JSON");
   command.footer(
-      "Needs yosys, which plants them, a compiler, and cvc5 and z3 for the proofs.\n"
-      "Exit status: 0 none survived, 1 some did, 2 bad input.");
+      fmt::format("Needs yosys, which plants them, a compiler, and cvc5 and z3 for the proofs.\n"
+                  "Exit status: 0 none survived, 1 some did, 2 bad input.\n"
+                  "Example: {} mutate {} --mutants 20",
+                  program_name(), benches().front()->built_as()));
   command.action([o, &registry] { return run(*o, registry); });
 }
 

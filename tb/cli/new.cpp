@@ -8,9 +8,10 @@
 
 #include "model/core/input_error.h"
 #include "tb/cli/commands.h"
+#include "tb/cli/new_sources.h"
 #include "tb/cli/taken.h"
 #include "tb/support/draft.h"
-#include "tb/support/read_file.h"
+#include "tb/support/pattern.h"
 #include "tb/support/words.h"
 
 namespace cosim::cli {
@@ -19,8 +20,10 @@ namespace {
 namespace fs = std::filesystem;
 
 struct NewOptions {
-  std::vector<std::string> words;  ///< the name, then the files
+  std::vector<std::string> words;  ///< the name, then files and folders
   bool plain = false, stream = false;
+  Text top, clock, reset;
+  std::vector<std::string> includes, libraries, defines, parameters;
 };
 
 // The folder's name is that of a namespace, too.
@@ -40,6 +43,84 @@ void require_name(const std::string& name) {
   if (fs::exists(name)) throw InputError(name + ": exists");
 }
 
+// A pin, a module: a name of Verilog.
+std::string name_in(const std::string& option, const Text& value) {
+  if (!value) return "";
+  static const Pattern name("[A-Za-z_][A-Za-z0-9_$]*");
+  if (name.whole(*value).empty()) {
+    throw InputError(fmt::format("{}: {} is no name in Verilog", option, in_quotes(*value)));
+  }
+  return *value;
+}
+
+std::vector<FoundParameter> parameters_in(const std::vector<std::string>& words) {
+  static const Pattern parameter("([A-Za-z_][A-Za-z0-9_$]*)=(.+)"), number("-?[0-9]{1,9}"),
+      constant("[0-9]*'[sS]?[bodhBODH][0-9a-fA-F_]+"), text("[A-Za-z0-9_.:+-]+");
+  std::vector<FoundParameter> all;
+  for (const std::string& word : words) {
+    const auto parts = parameter.whole(word);
+    const bool is_number = !parts.empty() && !number.whole(parts[2]).empty();
+    if (!is_number && !parts.empty() && !constant.whole(parts[2]).empty()) {
+      throw InputError(fmt::format("--param: {}: a whole number or a word, no constant with a base",
+                                   in_quotes(word)));
+    }
+    if (parts.empty() || (!is_number && text.whole(parts[2]).empty())) {
+      throw InputError(fmt::format("--param: {} is not NAME=VALUE", in_quotes(word)));
+    }
+    all.push_back({parts[1], parts[2], !is_number});
+  }
+  return all;
+}
+
+// The words that Verilator and yosys are given.
+std::vector<std::string> options_of(const NewOptions& o, bool has_headers) {
+  static const Pattern define(R"([A-Za-z_][A-Za-z0-9_$]*(=[A-Za-z0-9_.:+'-]*)?)");
+  std::vector<std::string> options;
+  if (has_headers) options.emplace_back("-Iinclude");
+  for (const std::string& d : o.defines) {
+    if (define.whole(d).empty()) {
+      throw InputError(fmt::format("--define: {} is not NAME or NAME=VALUE", in_quotes(d)));
+    }
+    options.push_back("-D" + d);
+  }
+  return options;
+}
+
+// Copies what the design needs, and reads it there: by those names every program can be given them.
+struct BegunProject {
+  Found found;
+  std::vector<std::string> sources;
+  bool has_headers = false;
+};
+BegunProject begin_project(const NewOptions& o, const Draft& project) {
+  const std::string& name = o.words.front();
+  const std::vector<std::string> given(o.words.begin() + 1, o.words.end());
+  RtlQuestion question;
+  question.folder = project.folder();
+  question.clock = name_in("--clock", o.clock);
+  question.reset = name_in("--reset", o.reset);
+  question.parameters = parameters_in(o.parameters);
+  const Sources rtl = sources_of({name, given, o.libraries, o.includes, name_in("--top", o.top)});
+  require_files(name, rtl);
+  BegunProject begun;
+  begun.has_headers = !rtl.headers.empty();
+  for (const SourceFile& file : rtl.files) {
+    begun.sources.push_back(file.name);
+    project.write(file.name, file.text);
+  }
+  for (const SourceFile& header : rtl.headers) {
+    const fs::path to = fs::path("include") / header.name;
+    fs::create_directories((project.folder() / to).parent_path());
+    project.write(to.string(), header.text);
+  }
+  question.files = begun.sources;
+  question.options = options_of(o, begun.has_headers);
+  question.top = rtl.top;
+  begun.found = found_in(question);
+  require_names(begun.found);
+  return begun;
+}
+
 int run(const NewOptions& o) {
   if (o.words.empty()) throw InputError("NAME: is needed");
   if (o.plain && o.stream) throw InputError("--plain: does not go with --stream");
@@ -48,42 +129,42 @@ int run(const NewOptions& o) {
                                    : NewModel::generic;
   const std::string& name = o.words.front();
   require_name(name);
-  const std::vector<std::string> files(o.words.begin() + 1, o.words.end());
-  std::vector<std::string> texts;
-  for (const std::string& f : files) texts.push_back(read_file(f));
-  require_files(name, files, texts);
-  const Found found = files.empty() ? Found{} : found_in(files, !o.stream);
-  if (!files.empty()) require_names(found);
+  const bool has_rtl = o.words.size() > 1 || !o.libraries.empty();
 
   Draft project(fs::current_path(), name);
-  const FirstDesign first = files.empty() ? first_design(name, model) : FirstDesign{};
+  const FirstDesign first = has_rtl ? FirstDesign{} : first_design(name, model);
   std::string design = first.call;
+  BegunProject rtl;
   BegunModel begun;
-  if (files.empty()) {
-    project.write(name + ".v", first.rtl);
-    project.write(name + ".h", first.model);
-  } else {
-    std::vector<std::string> sources;
-    for (std::size_t i = 0; i < files.size(); ++i) {
-      sources.push_back(fs::path(files[i]).filename().string());
-      project.write(sources.back(), texts[i]);
+  if (has_rtl) {
+    rtl = begin_project(o, project);
+    const Found& found = rtl.found;
+    if (o.stream && found.clock.empty()) {
+      throw InputError("new: " + found.top + " has no register: nothing of it is a stream");
     }
     begun = o.stream ? stream_model(name, found) : lockstep_model(name, found, o.plain);
     project.write(name + ".h", begun.text);
-    design = design_of(name, found, sources, model);
+    design = design_of(name, found, rtl.sources, model, rtl.has_headers, o.defines);
+  } else {
+    project.write(name + ".v", first.rtl);
+    project.write(name + ".h", first.model);
   }
   project.write("CMakeLists.txt", cmake_of(name, design));
   project.write("README.md", readme_of(name, model));
   fs::create_directories(project.folder() / ".github/workflows");
   project.write(".github/workflows/ci.yml", ci_of());
   project.finish();
-  if (files.empty()) {
+  if (!has_rtl) {
     fmt::print("{}/: {}; README.md has its two commands\n", name, first.what);
     return 0;
   }
+  const Found& found = rtl.found;
   fmt::print("{}/: {}, {}, {}; README.md has its two commands\n", name,
              count(found.inputs.size(), "input"), count(found.outputs.size(), "output"),
              o.stream ? "as streams" : count(found.registers.size(), "register"));
+  if (!found.is_yosys && model == NewModel::generic) {
+    begun.left.emplace_back("yosys cannot read the RTL, or not in 40 s: nothing is proved of it");
+  }
   for (const std::string& left : begun.left) fmt::print("{0}/{0}.h: {1}\n", name, left);
   return 0;
 }
@@ -95,13 +176,28 @@ void add_new(const Command& program) {
   const Command command = program.sub("new", "A project for a design of your own, in a new folder");
   command.arguments("NAME FILE...", o->words,
                     "The name of the folder and the design; then its Verilog files, whose ports,\n"
-                    "parameters and registers become the model's tables. Without a file: a small\n"
-                    "design that passes");
+                    "parameters and registers become the model's tables. A folder in place of\n"
+                    "files: what the top needs of those in it. Without a file: a small design\n"
+                    "that passes");
   command.flag("--plain", o->plain,
                "The model's step in any C++, on machine integers: nothing is proved of it");
   command.flag("--stream", o->stream,
                "A model without clocks: what comes out of the ports *_valid for what goes in");
-  command.footer(fmt::format("Example: {} new adder adder.v", program_name()));
+  command.text("--top", o->top, "NAME",
+               "The top module, where files have several that could be it");
+  command.text("--clock", o->clock, "PIN", "Its clock, where that is not to be found");
+  command.text("--reset", o->reset, "PIN",
+               "Its reset at the clock, where its name does not say it");
+  command.texts("--param", o->parameters, "NAME=VALUE",
+                "Parameters of the top, numbers or words: the shape that is built");
+  command.texts("--include", o->includes, "DIR", "Folders with the headers that `include names");
+  command.texts("--define", o->defines, "NAME[=VALUE]", "Macros of the preprocessor");
+  command.texts("-y", o->libraries, "DIR",
+                "Folders with further modules, of which those needed are taken");
+  command.footer(
+      fmt::format("Example: {} new adder adder.v\n"
+                  "         {} new fifo rtl/ --top axis_fifo --param DEPTH=16",
+                  program_name(), program_name()));
   command.action([o] { return run(*o); });
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tb/cli/found.h"
+#include "tb/cli/new_sources.h"
 
 namespace cosim::cli {
 
@@ -19,6 +20,9 @@ struct NewRow {
   std::string field;  ///< its name in the model
   FoundNet net;
   bool elsewhere = false;  ///< where the RTL has it does not follow from that name
+  std::string bits = {};   ///< "[7:4]", where it is only these of the net
+
+  std::string at() const { return net.name + bits; }
 };
 
 /// "uart" as "UART".
@@ -28,9 +32,8 @@ std::string upper(std::string text);
 std::string field_of(const std::string& path);
 /// InputError, one line, for files that a project cannot hold: two of one name, one of a name that
 /// it has itself or that CMake would not take, one with a byte-order mark.
-void require_files(const std::string& name, const std::vector<std::string>& files,
-                   const std::vector<std::string>& texts);
-/// The same for names in the RTL that are none in C++, or would be the same one.
+void require_files(const std::string& name, const Sources& sources);
+/// The same for names in the RTL that cannot be written in a table.
 void require_names(const Found& found);
 /// "p.WIDTH + 1", or the number alone.
 std::string text_of(const FoundSize& size);
@@ -60,7 +63,8 @@ FirstDesign first_design(const std::string& name, NewModel model);
 
 /// The words of cosim_add_design() for RTL that was read.
 std::string design_of(const std::string& name, const Found& found,
-                      const std::vector<std::string>& sources, NewModel model);
+                      const std::vector<std::string>& sources, NewModel model, bool has_headers,
+                      const std::vector<std::string>& defines);
 std::string cmake_of(const std::string& name, const std::string& design);
 std::string readme_of(const std::string& name, NewModel model);
 std::string ci_of();

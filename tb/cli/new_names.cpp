@@ -12,54 +12,52 @@
 
 namespace cosim::cli {
 
-void require_files(const std::string& name, const std::vector<std::string>& files,
-                   const std::vector<std::string>& texts) {
-  static const Pattern plain("[A-Za-z0-9_][A-Za-z0-9_.+-]*");
-  const std::set<std::string> own{name + ".h", "CMakeLists.txt", "README.md"};
+void require_files(const std::string& name, const Sources& sources) {
+  static const Pattern plain("[A-Za-z0-9_][A-Za-z0-9_.+-]*"),
+      path("([A-Za-z0-9_][A-Za-z0-9_.+-]*/?)+");
+  const std::set<std::string> own{name + ".h", "CMakeLists.txt", "README.md", "include"};
   std::map<std::string, std::string> seen;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    const std::string& file = files[i];
-    const std::string base = std::filesystem::path(file).filename().string();
-    if (plain.whole(base).empty()) {
+  const auto quoted = [](const SourceFile& file) { return in_quotes(file.from.string()); };
+  for (const SourceFile& file : sources.files) {
+    if (plain.whole(file.name).empty()) {
       throw InputError(fmt::format(
           "new: {}: the name of a file in a project has letters, digits and _ . + - alone",
-          in_quotes(file)));
+          quoted(file)));
     }
-    if (own.contains(base)) {
-      throw InputError(fmt::format("new: {}: the project has its own {}", in_quotes(file), base));
+    if (own.contains(file.name)) {
+      throw InputError(fmt::format("new: {}: the project has its own {}", quoted(file), file.name));
     }
-    const auto [other, is_new] = seen.try_emplace(base, file);
+    const auto [other, is_new] = seen.try_emplace(file.name, file.from.string());
     if (!is_new) {
       throw InputError(fmt::format("new: {} and {}: two files of one name",
-                                   in_quotes(other->second), in_quotes(file)));
+                                   in_quotes(other->second), quoted(file)));
     }
-    if (texts[i].starts_with("\xEF\xBB\xBF")) {
-      throw InputError(fmt::format("new: {}: begins with a byte-order mark, which is no Verilog",
-                                   in_quotes(file)));
+    if (file.text.starts_with("\xEF\xBB\xBF")) {
+      throw InputError(
+          fmt::format("new: {}: begins with a byte-order mark, which is no Verilog", quoted(file)));
+    }
+  }
+  for (const SourceFile& file : sources.headers) {
+    if (path.whole(file.name).empty()) {
+      throw InputError(fmt::format(
+          "new: {}: the name of a header in a project has letters, digits and _ . + - / alone",
+          in_quotes(file.name)));
     }
   }
 }
 
 void require_names(const Found& found) {
   static const Pattern plain(
-      R"([A-Za-z_][A-Za-z0-9_$]*(\[\d+\])?(\.[A-Za-z_][A-Za-z0-9_$]*(\[\d+\])?)*)");
+      R"([A-Za-z_][A-Za-z0-9_$]*(\[\d+\])*(\.[A-Za-z_][A-Za-z0-9_$]*(\[\d+\])*)*)");
   const auto require = [](const std::string& of) {
     if (plain.whole(of).empty()) {
       throw InputError(fmt::format("new: {}: an escaped name is not supported", in_quotes(of)));
     }
   };
   require(found.top);
-  require(found.clock);
+  if (!found.clock.empty()) require(found.clock);
   for (const auto* nets : {&found.inputs, &found.outputs, &found.registers}) {
-    std::map<std::string, std::string> fields;
-    for (const FoundNet& net : *nets) {
-      require(net.name);
-      const auto [other, is_new] = fields.try_emplace(field_of(net.name), net.name);
-      if (!is_new) {
-        throw InputError(fmt::format("new: {} and {}: both would be the field {}", other->second,
-                                     net.name, other->first));
-      }
-    }
+    for (const FoundNet& net : *nets) require(net.name);
   }
   std::set<std::string> fields;
   for (const FoundParameter& p : found.parameters) {

@@ -51,18 +51,28 @@ FirstDesign first_design(const std::string& name, NewModel model) {
 }
 
 std::string design_of(const std::string& name, const Found& f,
-                      const std::vector<std::string>& sources, NewModel model) {
+                      const std::vector<std::string>& sources, NewModel model, bool has_headers,
+                      const std::vector<std::string>& defines) {
   std::string text = name + " SOURCES";
   for (const std::string& s : sources) text += ' ' + for_cmake(s);
   if (f.top != name) text += " TOP " + for_cmake(f.top);
-  if (f.clock != "clk") text += " CLOCK " + for_cmake(f.clock);
+  if (has_headers) text += " INCLUDE_DIRS include";
+  if (!defines.empty()) {
+    text += " DEFINES";
+    for (const std::string& d : defines) text += ' ' + for_cmake(d);
+  }
+  if (f.clock.empty()) {
+    text += " COMBINATIONAL";
+  } else if (f.clock != "clk") {
+    text += " CLOCK " + for_cmake(f.clock);
+  }
   text += fmt::format(" MODEL {}.h", name);
   std::string shape;
   for (const FoundParameter& p : f.parameters) {
     shape += fmt::format("{}{}={}", shape.empty() ? "" : " ", p.name, p.value);
   }
   if (!shape.empty()) text += fmt::format(" SHAPES \"{}\"", shape);
-  return model == NewModel::generic ? text : text + " UNPROVED";
+  return model == NewModel::generic && f.is_yosys ? text : text + " UNPROVED";
 }
 
 std::string cmake_of(const std::string& name, const std::string& design) {

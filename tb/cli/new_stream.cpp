@@ -93,13 +93,18 @@ std::vector<FoundStream> streams_of(const Found& f) {
   return streams;
 }
 
+bool is_reset(const Found& f, const std::string& port) {
+  return std::any_of(f.resets.begin(), f.resets.end(),
+                     [&](const FoundReset& r) { return r.name == port; });
+}
+
 // Gives each port to the stream of its direction with the longest prefix; those left are returned.
 std::vector<FoundNet> share_out(std::vector<FoundStream>& streams, const Found& f, bool goes_in) {
   std::vector<FoundNet> left;
   for (const FoundNet& port : goes_in ? f.inputs : f.outputs) {
     const std::string stem = stem_of(port.name);
     FoundStream* owner = nullptr;
-    bool is_handshake = port.name == f.reset;
+    bool is_handshake = is_reset(f, port.name);
     for (FoundStream& s : streams) {
       for (const std::string* other : {&s.valid, &s.ready, &s.credit, &s.done}) {
         is_handshake |= port.name == *other;
@@ -141,11 +146,11 @@ std::string text_of(const FoundStream& s) {
 std::string pins_of(const Found& f, const std::vector<FoundNet>& tied,
                     const std::vector<FoundNet>& unread) {
   std::vector<std::string> pins;
-  if (!f.reset.empty()) {
-    pins.push_back(fmt::format("pin::reset{}(\"{}\")", f.active_low ? "_low" : "", f.reset));
+  for (const FoundReset& r : f.resets) {
+    pins.push_back(fmt::format("pin::reset{}(\"{}\")", r.active_low ? "_low" : "", r.name));
   }
   const auto width = [](const FoundNet& n) {
-    const bool is_bit = n.width.number == 1 && n.width.parameter.empty();
+    const bool is_bit = n.width.number == 1 && n.width.text.empty();
     return is_bit ? "" : ", " + text_of(n.width);
   };
   for (const FoundNet& n : tied)
@@ -176,7 +181,7 @@ BegunModel stream_model(const std::string& name, const Found& f) {
 
   BegunModel model;
   model.left.push_back("run() is to be written");
-  if (f.reset.empty()) model.left.push_back("pins() is to name the reset");
+  if (f.resets.empty()) model.left.push_back("pins() is to name the reset");
   for (const FoundNet& n : tied) {
     model.left.push_back(n.name + " is tied to 0; what belongs to a transaction is a field of it");
   }

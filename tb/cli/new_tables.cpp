@@ -22,7 +22,7 @@ int part_of(const FoundNet& memory) {
 std::string text_of(const NewRow& row) {
   const FoundNet& net = row.net;
   const int width = net.width.number, words = net.words.number;
-  std::string format = width == 1 && net.width.parameter.empty() ? "flag" : "bits";
+  std::string format = width == 1 && net.width.text.empty() ? "flag" : "bits";
   std::string shown = text_of(net.width);
   if (words == 0 && width > 64) {
     format += fmt::format(".words<{}>()", (width + 63) / 64);
@@ -32,11 +32,11 @@ std::string text_of(const NewRow& row) {
       shown = std::to_string(part);
       format += fmt::format(".array<{}>()", words * (width / part));
     } else {
-      const bool fixed = net.words.parameter.empty();
+      const bool fixed = net.words.text.empty();
       format += fmt::format(".array<{}>({})", words, fixed ? "" : text_of(net.words));
     }
   }
-  if (row.elsewhere) format += fmt::format(".at(\"{}\")", net.name);
+  if (row.elsewhere) format += fmt::format(".at(\"{}\")", row.at());
   if (!net.is_reset) format += ".unreset()";
   return fmt::format("FIELD({}, {}, {}, \"\", \"\")", row.field, shown, format);
 }
@@ -45,12 +45,13 @@ std::string text_of(const NewRow& row) {
 // and of GNU compilers.
 bool is_of_records(const std::string& name) {
   static const std::set<std::string> all{
-      "V",          "p",        "Inputs",     "Outputs",  "State",    "Table",         "Index",
-      "size",       "Self",     "members",    "fields",   "trim",     "select",        "index_end",
-      "Record",     "Params",   "has_arrays", "FIELD",    "Word",     "std",           "cosim",
-      "first_cell", "EOF",      "NULL",       "BUFSIZ",   "errno",    "assert",        "stdin",
-      "stdout",     "stderr",   "linux",      "unix",     "i386",     "select_record", "Condition",
-      "Field",      "RAND_MAX", "CHAR_BIT",   "offsetof", "INFINITY", "NAN",           "SIZE_MAX"};
+      "V",           "p",      "Inputs",     "Outputs",  "State",    "Table",    "Index",
+      "size",        "Self",   "members",    "fields",   "trim",     "select",   "index_end",
+      "Record",      "Params", "has_arrays", "FIELD",    "Word",     "std",      "cosim",
+      "each_member", "Visit",  "EOF",        "NULL",     "BUFSIZ",   "errno",    "assert",
+      "stdin",       "stdout", "stderr",     "linux",    "unix",     "i386",     "select_record",
+      "Condition",   "Field",  "RAND_MAX",   "CHAR_BIT", "offsetof", "INFINITY", "NAN",
+      "SIZE_MAX"};
   const bool is_index = name.starts_with("index_") || name.starts_with("final_index_");
   return is_index || all.contains(name);
 }
@@ -68,14 +69,12 @@ std::string field_of(const std::string& path) {
   for (char& c : name) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
   }
+  if (std::isdigit(static_cast<unsigned char>(name.front())) != 0) name = '_' + name;
   return is_cpp_word(name) || is_of_records(name) ? name + '_' : name;
 }
 
 std::string text_of(const FoundSize& size) {
-  if (size.parameter.empty()) return std::to_string(size.number);
-  const std::string name = field_of(size.parameter);
-  if (size.more == 0) return "p." + name;
-  return fmt::format("p.{} {} {}", name, size.more < 0 ? '-' : '+', std::abs(size.more));
+  return size.text.empty() ? std::to_string(size.number) : size.text;
 }
 
 std::string table_of(const std::string& name, const std::vector<NewRow>& rows) {
@@ -87,7 +86,8 @@ std::string table_of(const std::string& name, const std::vector<NewRow>& rows) {
 std::string params_of(const Found& found) {
   std::string members;
   for (const FoundParameter& p : found.parameters) {
-    members += fmt::format("  int {} = {};\n", field_of(p.name), p.value);
+    members += p.is_text ? fmt::format("  const char* {} = \"{}\";\n", field_of(p.name), p.value)
+                         : fmt::format("  int {} = {};\n", field_of(p.name), p.value);
   }
   return "struct Params {\n" + members + "};\n";
 }

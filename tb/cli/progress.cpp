@@ -44,6 +44,18 @@ void ProgressLine::finish(const std::string& text) {
   std::fflush(stdout);
 }
 
+StateLine::StateLine() : terminal_(isatty(STDOUT_FILENO) == 1) {}
+
+StateLine::~StateLine() {
+  if (terminal_) fmt::print("\r\x1b[K");
+}
+
+void StateLine::show(const std::string& text) const {
+  if (!terminal_) return;
+  fmt::print("\r{}\x1b[K", text.substr(0, columns()));
+  std::fflush(stdout);
+}
+
 RunProgress::RunProgress(std::string title, std::uint64_t total, bool wanted)
     : line_(std::move(title)),
       total_(total),

@@ -25,6 +25,19 @@ class ProgressLine {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// One line that tells how things stand, on a terminal alone; removed with this object.
+class StateLine {
+ public:
+  StateLine();
+  ~StateLine();
+  StateLine(const StateLine&) = delete;
+  StateLine& operator=(const StateLine&) = delete;
+  void show(const std::string& text) const;
+
+ private:
+  bool terminal_;
+};
+
 /// How far one long run is: the same bar, shown after a moment and removed at the end.
 class RunProgress {
  public:

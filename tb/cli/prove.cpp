@@ -11,6 +11,7 @@
 #include "tb/support/interrupt.h"
 #include "tb/support/parallel.h"
 #include "tb/support/process.h"
+#include "tb/support/words.h"
 
 namespace cosim::cli {
 

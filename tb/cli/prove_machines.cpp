@@ -11,6 +11,7 @@
 #include "model/core/input_error.h"
 #include "tb/bench/stimulus_text.h"
 #include "tb/cli/chosen.h"
+#include "tb/cli/progress.h"
 #include "tb/cli/prove.h"
 #include "tb/cli/refuted.h"
 #include "tb/proof/explain.h"
@@ -84,6 +85,26 @@ void explain(const ProveOptions& o, const ProveSubject& subject, const Claim& cl
       kept.string());
 }
 
+// On a terminal a line tells which claim was settled last, and how many are.
+std::vector<Decision> decided(const std::vector<Claimed>& subjects,
+                              const std::vector<const Claim*>& claims,
+                              const proof::Asking& asking) {
+  std::vector<std::string> names;
+  for (const Claimed& s : subjects) {
+    for (const Claim& c : s.claims) names.push_back(s.subject.title + ", " + c.what);
+  }
+  StateLine line;
+  std::size_t known = 0;
+  const auto say = [&](const std::string& last) {
+    line.show(fmt::format("{} of {} {}", known, count(claims.size(), "claim"), last));
+  };
+  say("");
+  return proof::decide(claims, asking, [&](std::size_t i) {
+    ++known;
+    say("decided; last: " + names[i]);
+  });
+}
+
 }  // namespace
 
 int prove_machines(const ProveOptions& o, const proof::Asking& asking) {
@@ -116,7 +137,7 @@ int prove_machines(const ProveOptions& o, const proof::Asking& asking) {
       if (o.scripts) keep_scripts(*o.scripts, s.subject.title, c);
     }
   }
-  const std::vector<Decision> decisions = proof::decide(claims, asking);
+  const std::vector<Decision> decisions = decided(subjects, claims, asking);
 
   std::string heading;
   for (const Engine e : asking.engines) heading += fmt::format("{:>4} s  ", to_text(e));

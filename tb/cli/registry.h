@@ -63,11 +63,14 @@ class Registry {
     cmake_ = std::move(cmake);
     build_ = std::move(folder);
   }
+  /// The program that attacks mutants of any shape in lockstep, and one for each of streams.
+  void attacks(OnDemand program) { attacks_ = std::move(program); }
   void mutants(OnDemand program) { mutants_.push_back(std::move(program)); }
   void cover(OnDemand program) { covers_.push_back(std::move(program)); }
 
   const std::string& cmake() const { return cmake_; }
   const std::string& build_folder() const { return build_; }
+  const OnDemand& attacks() const { return attacks_; }
   const std::vector<OnDemand>& mutants() const { return mutants_; }
   const std::vector<OnDemand>& covers() const { return covers_; }
   const std::vector<std::function<void(const Command&)>>& commands() const { return commands_; }
@@ -80,6 +83,7 @@ class Registry {
   std::vector<DesignSweeps> sweeps_;
   std::vector<Example> examples_;
   std::string cmake_, build_;
+  OnDemand attacks_;
   std::vector<OnDemand> mutants_, covers_;
 };
 
@@ -91,7 +95,7 @@ auto for_bench_of(F f) {
   };
 }
 
-/// All that was built. Made by CMake, from registry.cpp.in.
+/// All that was built. Made by CMake, from program.cpp.in.
 const Registry& registry();
 
 }  // namespace cosim::cli

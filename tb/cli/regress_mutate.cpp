@@ -9,6 +9,7 @@
 #include "tb/cli/mutants_built.h"
 #include "tb/cli/regress_kinds.h"
 #include "tb/support/json.h"
+#include "tb/support/json_at.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
 #include "tb/support/words.h"
@@ -51,22 +52,27 @@ class MutateWork final : public regress::Work {
                                    "1"};
     if (unproved_) words.emplace_back("--unproved");
     const Ended ended = attack_with(words);
-    const auto all = json_of(read_file(results.string()));
-    Json json{{"outcomes", all.at("outcomes")}};
-    for (const Json& one : all.at("outcomes")) {
-      if (one.at("end") == "survived") json["failed"].push_back(survivor(one, ended.text, place));
+    const JsonAt all(results.string(), read_file(results.string()));
+    const JsonAt outcomes = all.at("outcomes");
+    Json json{{"outcomes", outcomes.json()}};
+    for (const JsonAt& one : outcomes.list(last - first, last - first)) {
+      if (one.at("end").text() == "survived") {
+        json["failed"].push_back(survivor(one, ended.text, place));
+      }
     }
     fs::remove(results);
     return json;
   }
 
-  Json merged(const std::vector<Json>& results) const override {
+  Json merged(const std::vector<regress::Part>& parts) const override {
     Json outcomes = Json::array();
     std::map<std::string, std::uint64_t> ends{{"killed", 0}, {"equivalent", 0}, {"survived", 0}};
-    for (const Json& part : results) {
-      for (const Json& one : part.at("outcomes")) {
-        ++ends[one.at("end").get<std::string>()];
-        outcomes.push_back(one);
+    for (const regress::Part& part : parts) {
+      for (const JsonAt& one : part.result.at("outcomes").list(part.units(), part.units())) {
+        const JsonAt end = one.at("end");
+        if (!ends.contains(end.text())) end.fail("is no end of a mutant");
+        ++ends[end.text()];
+        outcomes.push_back(one.json());
       }
     }
     return {{"mutants", outcomes.size()},
@@ -78,10 +84,9 @@ class MutateWork final : public regress::Work {
 
  private:
   // The program says where it left the folder.
-  static Json survivor(const Json& mutant, const std::string& said, const regress::Place& place) {
-    const std::string what = mutant.at("what").get<std::string>();
-    Json json{
-        {"what", fmt::format("mutant {} survived: {}", mutant.at("mutant").get<unsigned>(), what)}};
+  static Json survivor(const JsonAt& mutant, const std::string& said, const regress::Place& place) {
+    const std::string what = mutant.at("what").text();
+    Json json{{"what", fmt::format("mutant {} survived: {}", mutant.at("mutant").whole(), what)}};
     std::istringstream lines(said);
     const std::string begin = fmt::format("survived: {}, kept in: ", what);
     for (std::string line; std::getline(lines, line);) {
@@ -146,7 +151,6 @@ class MutateKind final : public regress::Kind {
       }
       return programs;
     }
-    if (registry_.mutants().empty()) throw InputError("needs \"programs\"");
     std::vector<std::string> programs;
     for (const AnyBench* bench : chosen_shapes(words_of(task.text("mutate")))) {
       programs.push_back(built_mutants(registry_, *bench, task.number("mutants", 100)));

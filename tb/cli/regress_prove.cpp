@@ -31,16 +31,27 @@ Json as_json(const proof::Claim& claim) {
           {"terms", claim.terms}};
 }
 
-proof::Claim claim_from(const Json& json) {
+proof::Claim claim_from(const JsonAt& json) {
   proof::Claim claim;
-  claim.what = json.at("what").get<std::string>();
-  claim.wanted = json.at("sat").get<bool>() ? proof::Answer::sat : proof::Answer::unsat;
-  for (const Json& q : json.at("queries")) {
-    claim.queries.push_back({q.at("asks").get<std::vector<std::string>>(),
-                             q.at("script").get<std::string>(), q.at("eager").get<bool>()});
+  claim.what = json.at("what").text();
+  claim.wanted = json.at("sat").yes() ? proof::Answer::sat : proof::Answer::unsat;
+  for (const JsonAt& q : json.at("queries").list()) {
+    claim.queries.push_back({q.at("asks").texts(), q.at("script").text(), q.at("eager").yes()});
   }
-  claim.terms = json.at("terms").get<std::vector<std::string>>();
+  claim.terms = json.at("terms").texts();
   return claim;
+}
+
+// Of a checkpoint.
+Json decided_from(const JsonAt& json) {
+  Json one{{"what", json.at("what").text()}, {"verdict", json.at("verdict").text()}};
+  if (const auto failed = json.find("failed")) {
+    one["failed"]["what"] = failed->at("what").text();
+    for (const char* key : {"folder", "command"}) {
+      if (const auto text = failed->find(key)) one["failed"][key] = text->text();
+    }
+  }
+  return one;
 }
 
 // A solver that is not there is no finding of the proof.
@@ -70,18 +81,20 @@ class ProveWork final : public regress::Work {
   }
 
   Json run(std::uint64_t first, std::uint64_t last, const regress::Place& place) const override {
-    const auto claims = json_of(read_file(place.prepared.string()));
-    Json decided(place.checkpoint.state());
-    if (decided.is_null()) decided = Json::array();
-    Json failed = Json::array();
+    const std::string file = place.prepared.string();
+    const auto claims = JsonAt(file, read_file(file)).list(units());
     // That RTL asserts something is not known before yosys reads it: the last unit has that claim
     // too.
     const std::uint64_t end = last == units() ? claims.size() : last;
+    Json decided = Json::array();
+    if (const auto state = place.checkpoint.state()) {
+      for (const JsonAt& one : state->list(0, end - first)) decided.push_back(decided_from(one));
+    }
     for (std::uint64_t i = first + decided.size(); i < end; ++i) {
-      decided.push_back(decide_one(claim_from(claims.at(i)), place));
+      decided.push_back(decide_one(claim_from(claims[i]), place));
       place.checkpoint.save(decided);
     }
-    Json all = Json::array();
+    Json all = Json::array(), failed = Json::array();
     for (const Json& one : decided) {
       all.push_back({{"what", one.at("what")}, {"verdict", one.at("verdict")}});
       if (one.contains("failed")) failed.push_back(one["failed"]);
@@ -91,10 +104,13 @@ class ProveWork final : public regress::Work {
     return json;
   }
 
-  Json merged(const std::vector<Json>& results) const override {
+  Json merged(const std::vector<regress::Part>& parts) const override {
     Json claims = Json::array();
-    for (const Json& one : results) {
-      for (const Json& claim : one.at("claims")) claims.push_back(claim);
+    for (const regress::Part& part : parts) {
+      const std::size_t more = part.last == units() ? 1 : 0;
+      for (const JsonAt& one : part.result.at("claims").list(part.units(), part.units() + more)) {
+        claims.push_back({{"what", one.at("what").text()}, {"verdict", one.at("verdict").text()}});
+      }
     }
     return {{"claims", claims}};
   }

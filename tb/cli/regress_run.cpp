@@ -71,7 +71,7 @@ class FuzzWork final : public regress::Work {
     return json;
   }
 
-  Json merged(const std::vector<Json>&) const override { return {{"seconds", seconds_}}; }
+  Json merged(const std::vector<regress::Part>&) const override { return {{"seconds", seconds_}}; }
 
  private:
   std::string target_, corpus_;
@@ -122,7 +122,9 @@ class RunWork final : public regress::Work {
     return json;
   }
 
-  Json merged(const std::vector<Json>& results) const override { return results.front(); }
+  Json merged(const std::vector<regress::Part>& parts) const override {
+    return {{"status", parts.front().result.at("status").whole(0, 255)}};
+  }
 
  private:
   std::vector<std::string> words_;

@@ -39,7 +39,7 @@ class SweepWork final : public regress::Work {
     prepare_lanes(bench_, sweep_, clocks_, lanes_, elsewhere, prepared);
   }
   Json run(std::uint64_t first, std::uint64_t last, const regress::Place& place) const override;
-  Json merged(const std::vector<Json>& results) const override;
+  Json merged(const std::vector<regress::Part>& parts) const override;
 
  private:
   Json kept(const Result& result, const regress::Place& place) const;
@@ -68,8 +68,9 @@ Json SweepWork::run(std::uint64_t first, std::uint64_t last, const regress::Plac
   }
   Resume resume;
   resume.done.cases = first;
-  if (const auto state = place.checkpoint.state(); !state.is_null()) {
-    resume.done = result_from(state);
+  if (const auto state = place.checkpoint.state()) {
+    state->at("cases").whole(first, last);
+    resume.done = result_from(*state, bench_);
   }
   Result done = resume.done;
   auto saved = std::chrono::steady_clock::now();
@@ -110,12 +111,13 @@ Json SweepWork::kept(const Result& result, const regress::Place& place) const {
           {"command", "replay " + folder}};
 }
 
-Json SweepWork::merged(const std::vector<Json>& results) const {
+Json SweepWork::merged(const std::vector<regress::Part>& parts) const {
   Result sum;
   std::optional<Json> mismatch;
-  for (const Json& one : results) {
-    add(sum, result_from(one));
-    if (one.contains("mismatch")) mismatch = one["mismatch"];
+  for (const regress::Part& part : parts) {
+    part.result.at("cases").whole(part.failed ? 1 : part.units(), part.units());
+    add(sum, result_from(part.result, bench_));
+    if (const auto one = part.result.find("mismatch")) mismatch = one->json();
   }
   auto json = json_of(run_json({&bench_, sweep_.name, sum}));
   json["cases"] = sum.cases;

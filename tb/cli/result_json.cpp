@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "model/core/input_error.h"
 #include "tb/support/json.h"
 
 namespace cosim::cli {
@@ -21,22 +20,20 @@ Json to_json(const Measure& m) {
   return j;
 }
 
-void get_count(const Json& j, const char* name, std::uint64_t& count) {
-  if (!j.at(name).is_number_unsigned()) throw InputError(std::string(name) + ": no count");
-  j.at(name).get_to(count);
-}
-
-Measure measure_from_json(const Json& j) {
+Measure measure_from(const JsonAt& j) {
+  // Many of them can be added up.
+  constexpr double most = 1e300;
   Measure m;
-  j.at("name").get_to(m.name);
-  if (j.at("sum") != total && j.at("sum") != largest) throw InputError("sum: no rule");
-  m.sum = j.at("sum") == total ? Measure::Sum::total : Measure::Sum::largest;
-  j.at("title").get_to(m.title);
-  j.at("unit").get_to(m.unit);
-  if (const Json& value = j.at("value"); value.is_number_float()) {
-    m.value = value.get<double>();
+  m.name = j.at("name").text();
+  const JsonAt sum = j.at("sum");
+  if (sum.text() != total && sum.text() != largest) sum.fail("names no sum");
+  m.sum = sum.text() == total ? Measure::Sum::total : Measure::Sum::largest;
+  m.title = j.at("title").text();
+  m.unit = j.at("unit").text();
+  if (const JsonAt value = j.at("value"); value.json().is_number_float()) {
+    m.value = value.number(-most, most);
   } else {
-    get_count(j, "value", m.value.emplace<std::uint64_t>());
+    m.value = value.whole();
   }
   return m;
 }
@@ -53,16 +50,21 @@ Json to_json(const Result& r) {
           {"left_out", r.left_out}};
 }
 
-Result result_from(const Json& j) {
+Result result_from(const JsonAt& j, const AnyBench& bench) {
   Result r;
-  get_count(j, "cases", r.cases);
-  get_count(j, "clocks", r.clocks);
-  get_count(j, "jobs", r.checked.jobs);
-  for (const Json& one : j.at("left_out")) {
-    if (!one.is_number_unsigned()) throw InputError("left_out: no count");
-    r.left_out.push_back(one.get<std::uint64_t>());
+  r.cases = j.at("cases").whole();
+  r.clocks = j.at("clocks").whole();
+  r.checked.jobs = j.at("jobs").whole();
+  const JsonAt left_out = j.at("left_out");
+  if (!left_out.list().empty()) {
+    const std::size_t signals = bench.compared().size();
+    for (const JsonAt& one : left_out.list(signals, signals)) r.left_out.push_back(one.whole());
   }
-  for (const Json& one : j.at("measures")) r.checked.measures.push_back(measure_from_json(one));
+  for (const JsonAt& one : j.at("measures").list()) {
+    Checked with;
+    with.measures.push_back(measure_from(one));
+    add(r.checked, with);
+  }
   return r;
 }
 

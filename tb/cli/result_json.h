@@ -1,7 +1,8 @@
 // Results of sweeps as JSON, for what goes on later or elsewhere.
 #pragma once
 
-#include "tb/support/json_fwd.h"
+#include "tb/bench/bench.h"
+#include "tb/support/json_at.h"
 #include "tb/sweep/result.h"
 
 namespace cosim::cli {
@@ -9,7 +10,7 @@ namespace cosim::cli {
 /// All but the first failure.
 Json to_json(const Result& result);
 
-/// From that. InputError, or an exception of the library, where it is none.
-Result result_from(const Json& json);
+/// From that, of cases on this bench. InputError where it is none.
+Result result_from(const JsonAt& json, const AnyBench& bench);
 
 }  // namespace cosim::cli

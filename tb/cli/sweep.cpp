@@ -131,7 +131,7 @@ int run(const SweepOptions& o) {
   for (const auto& [bench, sweep] : sweeps) {
     const std::string title = fmt::format("{}, {}", bench->title(), sweep.name);
     ProgressLine progress(title);
-    const Resume resume = checkpoint.resume(outcomes.size(), sweep.cases);
+    const Resume resume = checkpoint.resume(*bench, sweep.cases);
     std::atomic<std::uint64_t> matched{0};
     try {
       const std::uint64_t clocks = o.hostile ? whole("--hostile", *o.hostile, 1, most) : 0;

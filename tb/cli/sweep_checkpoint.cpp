@@ -1,28 +1,22 @@
 #include "tb/cli/sweep_checkpoint.h"
 
-#include <exception>
-
-#include "model/core/input_error.h"
 #include "tb/cli/result_json.h"
 #include "tb/support/json.h"
 
 namespace cosim::cli {
 
 SweepCheckpoint::SweepCheckpoint(const std::string& path, const std::string& work)
-    : path_(path), checkpoint_(path, work) {
-  const Json state = checkpoint_.state();
-  try {
-    for (const Json& one : state) done_.push_back(result_from(one));
-  } catch (const std::exception&) {
-    fail();
-  }
+    : checkpoint_(path, work) {
+  if (const auto state = checkpoint_.state()) kept_ = state->list();
 }
 
-void SweepCheckpoint::fail() const { throw InputError(path_ + ": no checkpoint of these sweeps"); }
-
-Resume SweepCheckpoint::resume(std::size_t i, std::uint64_t cases) {
-  if (done_.size() <= i) done_.resize(i + 1);
-  if (done_[i].cases > cases) fail();
+Resume SweepCheckpoint::resume(const AnyBench& bench, std::uint64_t cases) {
+  const std::size_t i = done_.size();
+  done_.emplace_back();
+  if (i < kept_.size()) {
+    kept_[i].at("cases").whole(0, cases);
+    done_[i] = result_from(kept_[i], bench);
+  }
   const auto keep = [this, i](const Result& done) {
     done_[i] = done;
     if (!checkpoint_.due()) return;

@@ -1,11 +1,11 @@
 // The checkpoint of a command's sweeps, which run one after the other.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "tb/bench/bench.h"
 #include "tb/sweep/checkpoint.h"
 #include "tb/sweep/sweep.h"
 
@@ -17,18 +17,16 @@ class SweepCheckpoint {
   /// file is no checkpoint of this work.
   SweepCheckpoint(const std::string& path, const std::string& work);
 
-  /// Where sweep number i continues, and how it saves its state; must not outlive this. InputError
-  /// if the file claims more finished cases than the sweep has.
-  Resume resume(std::size_t i, std::uint64_t cases);
+  /// Where the next sweep, of so many cases on this bench, continues, and how it saves its state;
+  /// must not outlive this. InputError where the file has no such state of it.
+  Resume resume(const AnyBench& bench, std::uint64_t cases);
   /// Removes the file. To be called when the report is written.
   void done() { checkpoint_.done(); }
 
  private:
-  [[noreturn]] void fail() const;
-
-  std::string path_;
   Checkpoint checkpoint_;
-  std::vector<Result> done_;  // a sweep each
+  std::vector<JsonAt> kept_;  // of the file, a sweep each
+  std::vector<Result> done_;  // of those that were begun
 };
 
 }  // namespace cosim::cli

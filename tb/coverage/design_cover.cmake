@@ -15,6 +15,7 @@ function(cosim_shape_cover)
       --assert --vpi --public-flat-rw
       --coverage-line --coverage-toggle --coverage-user --coverage-max-width 65536 ${rtl}
     COMMAND bash -c [[printf '#include "%s"\n' verilated/*.cpp > counted.cpp]]
+    COMMAND ${CMAKE_COMMAND} -DOUTPUT=${COVERED}_ports.h -P ${root}/tb/dut/ports.cmake verilated/${COVERED}.h
     WORKING_DIRECTORY ${FOLDER} DEPENDS ${rtl} ${included} VERBATIM
     COMMENT "Counters for ${TITLE}")
   configure_file(${root}/tb/coverage/named_cover_of.cpp.in ${FOLDER}/cover_of.cpp @ONLY)

@@ -19,10 +19,6 @@ namespace cosim {
 
 /// The signals of the instance in `context`; those named `clock` carry the clock.
 std::vector<Signal> signals_of(VerilatedContext& context, const std::string& clock);
-/// Sets the register `net`: where that is a path, the one there; where it is a name, every net of
-/// that name in the hierarchy, the register and the wires that carry it. std::logic_error if there
-/// is none.
-void load_register(VerilatedContext& context, const std::string& net, Word value);
 
 /// Owns one instance of a Verilated class. Its registers power up at random from `power_up`, so
 /// that a register that no reset reaches shows. `is_reset`: its inputs can reset it for sure.
@@ -42,23 +38,8 @@ class VerilatedInstance {
   std::vector<Signal> signals(const std::string& clock = "clk") const {
     return signals_of(machine_->context(), clock);
   }
-#ifndef COSIM_NETLIST  // there a register is a wire from flip-flops that are cells
-  /// Sets the register of the field `name` before the first eval; only in such a class.
-  void load(const Field& field, Word value) {
-    load_register(machine_->context(), field.net, value);
-  }
-#endif
 
  protected:
-  template <class Pin>
-  static void set(Pin& pin, Word value) {
-    pin = static_cast<Pin>(value);
-  }
-  template <class Pin>
-  static Word get(const Pin& pin) {
-    return static_cast<Word>(pin);
-  }
-
   VerilatedContext& context() { return machine_->context(); }
   Top& top() { return *top_; }
   const Top& top() const { return *top_; }

@@ -48,12 +48,14 @@ void leave(const std::string& design, const std::vector<Count>& counts);
 template <class Adapter, class Params, class Before, class In, class Step>
 auto bins_of([[maybe_unused]] const Params& p, [[maybe_unused]] const Before& before,
              [[maybe_unused]] const In& in, [[maybe_unused]] const Step& step) {
-  if constexpr (requires { Adapter::bins; }) {
+  using Design = typename Adapter::Design;
+  if constexpr (requires { declared_bins(static_cast<const Design*>(nullptr)); }) {
+    constexpr const auto& bins = declared_bins(static_cast<const Design*>(nullptr));
     return [&]<std::size_t... I>(std::index_sequence<I...>) {
-      const Moment<typename Adapter::Design> m{p, before, in, step.outputs, step.state};
-      return std::array{Stated<Word>{Adapter::bins[I].name, Adapter::bins[I].hit(m)}...};
+      const Moment<Design> m{p, before, in, step.outputs, step.state};
+      return std::array{Stated<Word>{bins[I].name, bins[I].hit(m)}...};
     }
-    (std::make_index_sequence<std::size(Adapter::bins)>());
+    (std::make_index_sequence<std::size(bins)>());
   } else if constexpr (cases_are_bins) {
     return cases_of<Word>(p, before, in);
   } else {

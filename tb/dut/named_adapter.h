@@ -1,13 +1,15 @@
-// The adapter of a design whose nets have any name and lie anywhere in the hierarchy: each field is
-// found by its net when an instance is made. For a class Verilated with --vpi --public-flat-rw.
+// The adapter of a Verilated class: the ports are its members, and the registers, which have any
+// name and lie anywhere in the hierarchy, are in its table of public nets. Where each field lies is
+// found when the first instance is made: Verilator keeps all nets of an instance in one object, so
+// that a net lies at the same place in each.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -17,6 +19,7 @@
 #include "model/core/design.h"
 #include "model/core/reset.h"
 #include "tb/dut/adapter.h"
+#include "tb/dut/port_net.h"
 #include "tb/dut/said.h"
 
 namespace cosim {
@@ -69,26 +72,102 @@ struct Net {
 /// What a design says of its pins.
 struct Ports {
   std::string title;  ///< of the shape, for errors
-  const char* clock;  ///< the pin's name
+  const char* clock;  ///< the pin's name, "" where there is none
   std::vector<Field> inputs, outputs;
   const char* extra = "";  ///< an input that no table names, or ""
 };
 
-/// The cells of the pins of the top module in the order of `ports`: inputs, then outputs, then the
-/// clock. InputError if a port of the RTL, or a bit of one, is in neither table, if one in a table
-/// is no such port, and if a width differs.
-std::vector<Net> find_ports(VerilatedContext& context, const Ports& ports);
-/// The cells of the design's registers and memories. InputError if there is no net of that path and
-/// width.
+/// The cells of the pins in the order of `ports`: inputs, then outputs, then the clock, one that
+/// lies nowhere where there is none. InputError if a port of the RTL, or a bit of one, is in
+/// neither table, if one in a table is no such port, and if a width differs.
+std::vector<Net> find_ports(const std::vector<PortNet>& of_rtl, const Ports& ports);
+/// The cells of the design's registers and memories; of a net that carries a register's value, as
+/// `text` says, which is of rtl.pl, those of the register. InputError if there is no net of that
+/// path and width.
 std::vector<Net> find_registers(VerilatedContext& context, const std::string& title,
-                                std::span<const Field> cells);
+                                std::span<const Field> cells, std::string_view text = "");
 
-/// `Trait` has Design, params, and the names of the shape and of the clock: title, clock.
-template <class Top, class Trait>
+/// Where the cells of a record lie in an instance of Top, from its first byte on. The compiler
+/// knows it of those that known_nets has; the others are parts of nets, words of memories, or in a
+/// class whose whole hierarchy is open.
+template <class Top, class Record, const auto& fields, bool are_ports>
+class CellPlaces {
+ public:
+  /// Those that `nets` has of the instance that begins at `base`. std::logic_error where it has one
+  /// elsewhere than the compiler knows.
+  CellPlaces(const std::byte* base, const Net* nets) {
+    for (std::size_t i = 0; i < Record::size; ++i) {
+      nets_[i] = nets[i];
+      if (nets_[i].data != nullptr) at_[i] = static_cast<std::byte*>(nets_[i].data) - base;
+      if (known[i] >= 0 && known[i] != at_[i]) {
+        throw std::logic_error(std::string(fields[i].net) + " is not where its class has it");
+      }
+    }
+  }
+
+  Record read(std::byte* base) const {
+    Record r;
+    for_each_member<Record>([&](auto member, auto first) {
+      if constexpr (elements<decltype(member)> != 0) {
+        for (int i = 0; i < elements<decltype(member)>; ++i) {
+          (r.*member)[i] = net(base, first + static_cast<std::size_t>(i)).get();
+        }
+      } else if constexpr (known[first] >= 0) {
+        r.*member = static_cast<Word>(number<decltype(first)::value>(base));
+      } else {
+        r.*member = net(base, first).get();
+      }
+    });
+    return r;
+  }
+  void write(std::byte* base, const Record& r) const {
+    for_each_member<Record>([&](auto member, auto first) {
+      if constexpr (elements<decltype(member)> != 0) {
+        for (int i = 0; i < elements<decltype(member)>; ++i) {
+          net(base, first + static_cast<std::size_t>(i)).set((r.*member)[i]);
+        }
+      } else if constexpr (known[first] >= 0) {
+        auto& to = number<decltype(first)::value>(base);
+        to = static_cast<std::remove_reference_t<decltype(to)>>(r.*member);
+      } else {
+        net(base, first).set(r.*member);
+      }
+    });
+  }
+  /// The cell of that number in the instance.
+  Net net(std::byte* base, std::size_t cell) const {
+    Net n = nets_[cell];
+    if (n.data != nullptr) n.data = base + at_[cell];
+    return n;
+  }
+
+ private:
+  template <class Member>
+  static constexpr int elements = detail::elements_at<Record, Member>;
+
+  // By cell; -1: not known.
+  static constexpr auto known = known_places<Top>(fields, are_ports);
+  // What Verilator keeps a net in, by its width.
+  template <std::size_t cell>
+  static auto& number(std::byte* base) {
+    constexpr int width = fields[cell].width;
+    using Number = std::conditional_t<
+        width <= 8, std::uint8_t,
+        std::conditional_t<width <= 16, std::uint16_t,
+                           std::conditional_t<width <= 32, std::uint32_t, std::uint64_t>>>;
+    return *reinterpret_cast<Number*>(base + known[cell]);
+  }
+
+  std::array<Net, Record::size> nets_{};  // of the instance that was looked at
+  std::array<std::ptrdiff_t, Record::size> at_{};
+};
+
+/// `Trait` has Design, params, and the names of the shape and of the clock: title, clock ("": it
+/// has none). `loads`: registers can be set, in a class Verilated with --vpi --public-flat-rw; then
+/// Trait has the text of rtl.pl besides: registers.
+template <class Top, class Trait, bool loads = false>
 class NamedAdapter : public VerilatedInstance<Top, has_clear<typename Trait::Design>> {
   using Base = VerilatedInstance<Top, has_clear<typename Trait::Design>>;
-  template <class Record>
-  using Nets = std::array<Net, Record::size>;
 
  public:
   using Design = typename Trait::Design;
@@ -97,34 +176,28 @@ class NamedAdapter : public VerilatedInstance<Top, has_clear<typename Trait::Des
   using Registers = typename Design::template Registers<Word>;
   static constexpr typename Design::Params params = Trait::params;
 
-  explicit NamedAdapter(std::uint32_t power_up) : Base(power_up) {
-    const auto in = Inputs::fields(params);
-    const auto out = Outputs::fields(params);
-    Ports ports{Trait::title, Trait::clock, {in.begin(), in.end()}, {out.begin(), out.end()}};
-    if constexpr (requires { Trait::extra_input; }) ports.extra = Trait::extra_input;
-    const auto nets = find_ports(this->context(), ports);
-    for (std::size_t i = 0; i < in.size(); ++i) inputs_[i] = nets[i];
-    for (std::size_t i = 0; i < out.size(); ++i) outputs_[i] = nets[in.size() + i];
-    clock_ = nets.back();
-    const auto held = Registers::fields(params);
-    const auto registers = find_registers(this->context(), Trait::title, held);
-    std::copy(registers.begin(), registers.end(), registers_.begin());
-  }
+  explicit NamedAdapter(std::uint32_t power_up) : Base(power_up) {}
 
   /// Sets a register's net. Behind the first eval, which sets initial values; to be followed by
   /// another one.
-  void load(const Field& field, Word value) {
-    if (!settled_) eval(false);
-    const auto held = Registers::fields(params);
+  template <bool can = loads>
+  std::enable_if_t<can> load(const Field& field, Word value) {
+    if (sources_.empty()) {
+      eval(false);
+      sources_ = find_registers(this->context(), Trait::title, held, Trait::registers);
+    }
     for (std::size_t i = 0; i < held.size(); ++i) {
       if (held[i].index == field.index && std::string_view(held[i].name) == field.name) {
-        registers_[i].set(value);
+        sources_[i].set(value);
       }
     }
   }
-  void eval(bool clk) {
-    settled_ = true;
-    clock_.set(clk ? 1 : 0);
+  void eval([[maybe_unused]] bool clk) {
+    if constexpr (has_clock) {
+      constexpr std::ptrdiff_t known = known_place<Top>(Trait::clock, true, 1);
+      const std::ptrdiff_t clock = known >= 0 ? known : places_.clock;
+      *reinterpret_cast<std::uint8_t*>(base_ + clock) = clk ? 1 : 0;
+    }
     this->top().eval();
     if (rtl_said) [[unlikely]]
       hear();
@@ -134,30 +207,49 @@ class NamedAdapter : public VerilatedInstance<Top, has_clear<typename Trait::Des
     said_.reset();
     Base::begin();
   }
-  void drive(const Inputs& in) {
-    for_each_cell<Inputs>([&](auto cell, std::size_t i) { inputs_[i].set(cell(in)); });
-  }
+  void drive(const Inputs& in) { places_.inputs.write(base_, in); }
   std::vector<Signal> signals() const { return Base::signals(Trait::clock); }
-  Outputs outputs() const { return read<Outputs>(outputs_); }
-  Registers registers() const { return read<Registers>(registers_); }
+  Outputs outputs() const { return places_.outputs.read(base_); }
+  Registers registers() const { return places_.registers.read(base_); }
 
  private:
+  static constexpr bool has_clock = *Trait::clock != '\0';
+  static constexpr auto driven = Inputs::fields(params);
+  static constexpr auto seen = Outputs::fields(params);
+  static constexpr auto held = Registers::fields(params);
+
+  struct Places {
+    CellPlaces<Top, Inputs, driven, true> inputs;
+    CellPlaces<Top, Outputs, seen, true> outputs;
+    CellPlaces<Top, Registers, held, false> registers;
+    std::ptrdiff_t clock;
+  };
+  static std::byte* base_of(Top& top) { return reinterpret_cast<std::byte*>(top.rootp); }
+  static Places find(Top& top, VerilatedContext& context) {
+    const std::byte* base = base_of(top);
+    Ports given{
+        Trait::title, Trait::clock, {driven.begin(), driven.end()}, {seen.begin(), seen.end()}};
+    if constexpr (requires { Trait::extra_input; }) given.extra = Trait::extra_input;
+    const auto ports = find_ports(ports_of(top), given);
+    const auto registers = find_registers(context, Trait::title, held);
+    return {{base, ports.data()},
+            {base, ports.data() + driven.size()},
+            {base, registers.data()},
+            has_clock ? static_cast<std::byte*>(ports.back().data) - base : 0};
+  }
+  static const Places& places(Top& top, VerilatedContext& context) {
+    static const Places all = find(top, context);
+    return all;
+  }
+
   [[gnu::noinline, gnu::cold]] void hear() {
     RtlSaid now = take_said();
     if (!said_) said_ = std::move(now);
   }
-  template <class Record>
-  static Record read(const Nets<Record>& nets) {
-    Record r;
-    for_each_cell<Record>([&](auto cell, std::size_t i) { cell(r) = nets[i].get(); });
-    return r;
-  }
 
-  Nets<Inputs> inputs_;
-  Nets<Outputs> outputs_;
-  Nets<Registers> registers_;
-  Net clock_;
-  bool settled_ = false;
+  const Places& places_ = places(this->top(), this->context());
+  std::byte* base_ = base_of(this->top());
+  std::vector<Net> sources_;  // what is loaded, once something is
   std::optional<RtlSaid> said_;
 };
 

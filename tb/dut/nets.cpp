@@ -1,10 +1,12 @@
-// Finds the nets of a Verilated class by name, and compares its ports with a design's tables.
+// Finds the registers of a Verilated class by name, and compares its ports with a design's tables.
 #include <fmt/core.h>
+#include <fmt/format.h>
 #include <verilated_syms.h>
 
 #include <algorithm>
 #include <cstring>
 #include <map>
+#include <sstream>
 #include <utility>
 
 #include "model/core/input_error.h"
@@ -37,25 +39,36 @@ RtlNet found_net(const VerilatedVar& var) {
   return {width, var.udims() == 0 ? 0 : var.unpacked().elements()};
 }
 
+// What the RTL has, and where an instance has it.
+struct Found {
+  void* data;
+  int each;  // bytes of a word
+  RtlNet net;
+};
+
+Found found(const VerilatedVar& var) {
+  return {var.datap(), static_cast<int>(var.entSize()), found_net(var)};
+}
+
 // Words of a memory lie one behind the other, in the order of their numbers.
-Net net_at(const VerilatedVar& var, const Place& place, int width) {
-  const auto each = static_cast<int>(var.entSize());
-  auto* data = static_cast<unsigned char*>(var.datap()) + std::max(place.word, 0) * each;
-  const bool whole = place.low == 0 && width == found_net(var).width && each <= 8;
-  return {data, whole ? each : 0, place.low, width};
+Net net_at(const Found& found, const Place& place, int width) {
+  auto* data = static_cast<unsigned char*>(found.data) + std::max(place.word, 0) * found.each;
+  const bool whole = place.low == 0 && width == found.net.width && found.each <= 8;
+  return {data, whole ? found.each : 0, place.low, width};
 }
 
 [[noreturn]] void refuse(const std::string& title, const std::string& why) {
   throw InputError(title + ": " + why);
 }
 
-// The path of the top module. Beside it stands the class's own scope, which has the pins.
-constexpr const char* pins = "TOP.TOP";
+// The path of the top module, of which a class may show no net, but one of what is in it. Beside it
+// stands the class's own scope, which has the pins.
 std::string top_of(VerilatedContext& context) {
+  constexpr std::string_view above = "TOP.";
   for (const auto& [path, scope] : *context.scopeNameMap()) {
     const std::string name = path;
-    if (name != pins && name.starts_with("TOP.") && name.find('.', 4) == std::string::npos) {
-      return name;
+    if (name != "TOP.TOP" && name.starts_with(above)) {
+      return name.substr(0, name.find('.', above.size()));
     }
   }
   return "TOP";
@@ -68,18 +81,49 @@ const VerilatedVar* var_in(const VerilatedScope* scope, const std::string& name)
 }
 
 // A register: a net or a memory, or in RTL that a tool has written a net for each word of a memory.
-std::vector<const VerilatedVar*> vars_of(const VerilatedScope* scope, const std::string& name) {
-  if (const VerilatedVar* whole = var_in(scope, name)) return {whole};
-  std::vector<const VerilatedVar*> words;
-  while (const VerilatedVar* word = var_in(scope, fmt::format("{}[{}]", name, words.size()))) {
-    words.push_back(word);
+struct Vars {
+  std::vector<const VerilatedVar*> all;
+  bool is_split = false;
+};
+Vars vars_of(const VerilatedScope* scope, const std::string& name) {
+  if (const VerilatedVar* whole = var_in(scope, name)) return {{whole}};
+  Vars words{{}, true};
+  while (const VerilatedVar* word = var_in(scope, fmt::format("{}[{}]", name, words.all.size()))) {
+    words.all.push_back(word);
   }
   return words;
 }
 
-// Whether the top module has a net of that name, dots and all: RTL that was flattened.
-bool is_flat(VerilatedContext& context, const std::string& net) {
-  return !vars_of(scope_of(context, top_of(context)), net).empty();
+// The register at a path. In RTL that was flattened the top module has a net of that name, dots and
+// all.
+Vars vars_at(VerilatedContext& context, const std::string& net) {
+  const std::string top = top_of(context);
+  const Vars flat = vars_of(scope_of(context, top), net);
+  const std::size_t dot = net.rfind('.');
+  if (!flat.all.empty() || dot == std::string::npos) return flat;
+  return vars_of(scope_of(context, top + '.' + net.substr(0, dot)), net.substr(dot + 1));
+}
+
+// What some bits of a net are a copy of: bits of a register, by the text of rtl.pl, or themselves.
+struct Origin {
+  std::string net;
+  int low;
+};
+Origin origin_of(const std::string& net, int low, int width, std::string_view text) {
+  std::istringstream lines{std::string(text)};
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string source, skipped, carrier;
+    int bits = 0, first = 0;
+    words >> source >> bits >> skipped >> skipped;
+    if (source == net) break;
+    while (words >> carrier >> skipped >> skipped >> first) {
+      if (carrier == net && first <= low && low + width <= first + bits) {
+        return {source, low - first};
+      }
+    }
+  }
+  return {net, low};
 }
 
 // How many cells behind `row` the shape does not have.
@@ -119,39 +163,37 @@ void Net::set_bits(Word value) const {
   }
 }
 
-std::vector<Net> find_ports(VerilatedContext& context, const Ports& ports) {
-  const VerilatedScope* scope = scope_of(context, pins);
-  if (scope == nullptr || scope->varsp() == nullptr) {
-    refuse(ports.title, "its class does not show its ports");
-  }
+std::vector<Net> find_ports(const std::vector<PortNet>& of_rtl, const Ports& ports) {
   struct Port {
-    const VerilatedVar* var;
+    const PortNet* net;
     std::vector<bool> taken;  // by bit
   };
   std::map<std::string, Port> all;
-  for (const auto& [name, var] : *scope->varsp()) {
-    const RtlNet net = found_net(var);
-    const int bits = net.width * std::max(net.words, 1);
-    all[name] = {&var, std::vector<bool>(static_cast<std::size_t>(bits))};
+  for (const PortNet& p : of_rtl) {
+    const int bits = p.width * std::max(p.words, 1);
+    all[p.name] = {&p, std::vector<bool>(static_cast<std::size_t>(bits))};
   }
   all.erase(ports.extra);
 
   std::vector<Net> nets;
-  const auto take = [&](const char* what, std::span<const Field> cells, int direction) {
+  const auto take = [&](const char* what, std::span<const Field> cells, bool goes_in) {
     const std::string path = net_path(cells.front().net).path;
     const auto found = all.find(path);
     if (found == all.end()) {
       refuse(ports.title, fmt::format("{} {}: the RTL has no such port", what, path));
     }
-    auto& [var, taken] = found->second;
-    if ((var->vldir() & VLVD_INOUT) != direction) {
+    auto& [port, taken] = found->second;
+    if (port->is_input != goes_in) {
       refuse(ports.title, fmt::format("{} {}: in the RTL it is no {}", what, path, what));
     }
-    const RtlNet net = found_net(*var);
+    if (port->words < 0) {
+      refuse(ports.title, fmt::format("{} {}: an array of arrays", what, path));
+    }
+    const RtlNet net{port->width, port->words};
     const auto places =
         places_in(net, cells, fmt::format("{}: {}", ports.title, named(what, cells.front())));
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      nets.push_back(net_at(*var, places[i], cells[i].width));
+      nets.push_back(net_at({port->data, port->each, net}, places[i], cells[i].width));
       for (int bit = 0; bit < cells[i].width; ++bit) {
         const int at = std::max(places[i].word, 0) * net.width + places[i].low + bit;
         if (taken[static_cast<std::size_t>(at)]) {
@@ -161,60 +203,68 @@ std::vector<Net> find_ports(VerilatedContext& context, const Ports& ports) {
       }
     }
   };
-  const auto take_all = [&](const char* what, const std::vector<Field>& table, int direction) {
+  const auto take_all = [&](const char* what, const std::vector<Field>& table, bool goes_in) {
     for (const auto& row : rows_of(table)) {
-      take(what, row, direction);
+      take(what, row, goes_in);
       nets.resize(nets.size() + absent_after(table, row));
     }
   };
-  take_all("input", ports.inputs, VLVD_IN);
-  take_all("output", ports.outputs, VLVD_OUT);
-  const Field clock{ports.clock, 1, Format::flag, "", "", 0, ports.clock};
-  take("clock", {&clock, 1}, VLVD_IN);
+  take_all("input", ports.inputs, true);
+  take_all("output", ports.outputs, false);
+  if (*ports.clock == '\0') {
+    nets.emplace_back();
+  } else {
+    const Field clock{ports.clock, 1, Format::flag, "", "", 0, ports.clock};
+    take("clock", {&clock, 1}, true);
+  }
+  std::vector<std::string> unnamed;
   for (const auto& [name, port] : all) {
-    const char* way = (port.var->vldir() & VLVD_INOUT) == VLVD_IN ? "input" : "output";
+    const char* way = port.net->is_input ? "input" : "output";
     const auto open = std::find(port.taken.begin(), port.taken.end(), false);
     if (open == port.taken.end()) continue;
     if (std::find(port.taken.begin(), port.taken.end(), true) == port.taken.end()) {
-      refuse(ports.title, fmt::format("the RTL has an {} {} that no table names", way, name));
+      unnamed.push_back(fmt::format("an {} {}", way, name));
+      continue;
     }
     refuse(ports.title,
            fmt::format("{} {}: no field has its bit {}", way, name, open - port.taken.begin()));
+  }
+  if (!unnamed.empty()) {
+    refuse(ports.title,
+           fmt::format("the RTL has {} that no table names", fmt::join(unnamed, ", ")));
   }
   return nets;
 }
 
 std::vector<Net> find_registers(VerilatedContext& context, const std::string& title,
-                                std::span<const Field> cells) {
+                                std::span<const Field> cells, std::string_view text) {
   std::vector<Net> nets;
+  std::vector<std::string> absent;
   for (const auto& row : rows_of(cells)) {
     const std::string net = net_path(row.front().net).path;
-    const std::size_t dot = is_flat(context, net) ? std::string::npos : net.rfind('.');
-    std::string path = top_of(context);
-    if (dot != std::string::npos) path += '.' + net.substr(0, dot);
-    const VerilatedScope* scope = scope_of(context, path);
-    if (scope == nullptr || scope->varsp() == nullptr) {
-      refuse(title,
-             fmt::format("register {}: the RTL has no instance {}", net, net.substr(0, dot)));
-    }
-    const std::string name = dot == std::string::npos ? net : net.substr(dot + 1);
-    const auto vars = vars_of(scope, name);
-    if (vars.empty()) refuse(title, fmt::format("register {}: the RTL has no such net", net));
-    const VerilatedVar& var = *vars.front();
     const std::string what = fmt::format("{}: {}", title, named("register", row.front()));
-    RtlNet found = found_net(var);
-    if (var_in(scope, name) == nullptr) found.words = static_cast<int>(vars.size());
-    const auto places = places_in(found, row, what);
+    const auto [vars, is_split] = vars_at(context, net);
+    if (vars.empty()) {
+      absent.push_back(fmt::format("register {}: the RTL has no such net", net));
+      continue;
+    }
+    RtlNet there = found_net(*vars.front());
+    if (is_split) there.words = static_cast<int>(vars.size());
+    const auto places = places_in(there, row, what);
     for (std::size_t i = 0; i < row.size(); ++i) {
-      if (vars.size() == 1) {
-        nets.push_back(net_at(var, places[i], row[i].width));
-      } else {
+      if (is_split) {
         const auto word = static_cast<std::size_t>(places[i].word);
-        nets.push_back(net_at(*vars[word], {-1, places[i].low}, row[i].width));
+        nets.push_back(net_at(found(*vars[word]), {-1, places[i].low}, row[i].width));
+        continue;
       }
+      const Origin origin = origin_of(net, places[i].low, row[i].width, text);
+      const auto from = origin.net == net ? vars : vars_at(context, origin.net).all;
+      if (from.empty()) refuse(title, fmt::format("register {}: is not shown", origin.net));
+      nets.push_back(net_at(found(*from.front()), {places[i].word, origin.low}, row[i].width));
     }
     nets.resize(nets.size() + absent_after(cells, row));
   }
+  if (!absent.empty()) refuse(title, fmt::format("{}", fmt::join(absent, "; ")));
   return nets;
 }
 

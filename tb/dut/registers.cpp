@@ -1,6 +1,7 @@
 #include "tb/dut/registers.h"
 
 #include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <span>
@@ -121,7 +122,7 @@ std::vector<std::string> left_of(const Register& r) {
 std::vector<std::string> unobserved_registers(const RtlText& text, const std::vector<Field>& fields,
                                               const std::vector<std::string>& patterns) {
   const auto rows = rows_of(fields);
-  std::vector<std::string> unobserved;
+  std::vector<std::string> unobserved, missing;
   std::vector<bool> used(patterns.size());
   for (const auto& words : lines_of(text.registers)) {
     Register r = register_of(words);
@@ -138,13 +139,18 @@ std::vector<std::string> unobserved_registers(const RtlText& text, const std::ve
             "{}: register {}: a memory of more dimensions than one can only be in unobserved",
             text.title, r.name));
       }
-      if (!allowed) {
-        throw InputError(fmt::format(
-            "{}: the RTL has a register {} that no table names and that is not in unobserved",
-            text.title, part));
-      }
-      unobserved.push_back(part);
+      (allowed ? unobserved : missing).push_back(part);
     }
+  }
+  if (missing.size() == 1) {
+    throw InputError(fmt::format(
+        "{}: the RTL has a register {} that no table names and that is not in unobserved",
+        text.title, missing.front()));
+  }
+  if (!missing.empty()) {
+    throw InputError(fmt::format(
+        "{}: the RTL has registers that no table names and that are not in unobserved: {}",
+        text.title, fmt::join(missing, ", ")));
   }
   const auto unused = std::find(used.begin(), used.end(), false);
   if (unused != used.end()) {

@@ -57,10 +57,14 @@ function(cosim_read_rtl prefix what top clock folder)
     string(STRIP "${error}" error)
     message(FATAL_ERROR "${what}: ${error}")
   endif()
+  file(WRITE ${folder}/found.txt "${found}")
 
   string(REGEX MATCHALL "(^|\n)loop [^\n]*" loops "${found}")
   if(loops)
     list(TRANSFORM loops REPLACE "^\n?loop " "")
+    if(NOT netlist)
+      set(R_YOSYS "")
+    endif()
     cosim_find_loop(loop "${loops}" ${folder}/loop.txt "${R_YOSYS}")
     if(loop)
       message(FATAL_ERROR "${what}: ${loop}: a combinational loop")
@@ -76,19 +80,26 @@ function(cosim_read_rtl prefix what top clock folder)
   set(${prefix}_resets "${resets}" PARENT_SCOPE)
 endfunction()
 
-# What yosys, where there is one and it reads the RTL, says that the RTL holds: sets the variable to the
+# Sets COSIM_RUN_YOSYS, which runs yosys without the history that it keeps in the user's home.
+macro(cosim_find_yosys)
+  find_program(COSIM_YOSYS yosys)
+  set(COSIM_RUN_YOSYS ${CMAKE_COMMAND} -E env --unset=HOME --unset=XDG_STATE_HOME ${COSIM_YOSYS})
+endmacro()
+
+# What yosys, where there is one and it reads the RTL in 40 s, says that the RTL holds: sets the variable to the
 # file that rtl_yosys.pl made, or to nothing.
 function(cosim_read_netlist variable folder commands)
   set(${variable} "" PARENT_SCOPE)
   get_property(reader GLOBAL PROPERTY COSIM_RTL_READER)
   string(REGEX REPLACE "[.]pl$" "_yosys.pl" reader ${reader})
-  find_program(COSIM_YOSYS yosys)
+  cosim_find_yosys()
   if(NOT COSIM_YOSYS OR NOT commands)
     return()
   endif()
+  # The file is no word of a command, which a folder of any name would not be.
   execute_process(
-    COMMAND ${COSIM_YOSYS} -q -p "${commands}; proc; flatten; write_json \"${folder}/netlist.json\""
-    RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
+    COMMAND ${COSIM_RUN_YOSYS} -q -p "${commands}; proc; flatten" -b json -o ${folder}/netlist.json
+    TIMEOUT 40 RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
   if(status EQUAL 0)
     execute_process(COMMAND ${COSIM_PERL} ${reader} ${folder}/netlist.json
       OUTPUT_FILE ${folder}/netlist.txt COMMAND_ERROR_IS_FATAL ANY)
@@ -96,17 +107,36 @@ function(cosim_read_netlist variable folder commands)
   endif()
 endfunction()
 
+# cosim_words_for_tools(WHAT WORD...): an error where a WORD, a top module, a clock, a definition or a
+# folder, is no word to yosys, which takes it as it stands and would read a command in it.
+function(cosim_words_for_tools what)
+  foreach(word IN LISTS ARGN)
+    if(word MATCHES "[ \t\r\n\";]|^#")
+      message(FATAL_ERROR "${what}: yosys cannot be given the name '${word}'")
+    endif()
+  endforeach()
+endfunction()
+
 # Verilator takes nets for whole and sees a loop in any carry chain; yosys looks at each bit. Sets the
 # variable to a net of a loop, or to nothing.
 function(cosim_find_loop variable candidates file commands)
   set(${variable} "" PARENT_SCOPE)
   list(GET candidates 0 first)
-  find_program(COSIM_YOSYS yosys)
-  if(COSIM_YOSYS)
+  cosim_find_yosys()
+  if(COSIM_YOSYS AND commands)
     file(REMOVE ${file})
+    # yosys takes no quotation for it: one with odd characters goes by its name in its folder.
+    set(place)
+    set(name ${file})
+    if(NOT file MATCHES "^[A-Za-z0-9_./+-]+$")
+      cmake_path(GET file PARENT_PATH folder)
+      cmake_path(GET file FILENAME name)
+      set(place WORKING_DIRECTORY ${folder})
+    endif()
     execute_process(
-      COMMAND ${COSIM_YOSYS} -q -p
-        "${commands}; proc; flatten; opt_clean; techmap; opt_clean; scc -select; select -write ${file} %"
+      COMMAND ${COSIM_RUN_YOSYS} -q -p
+        "${commands}; proc; flatten; opt_clean; techmap; opt_clean; scc -select; select -write ${name} %"
+      ${place}
       RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
     if(status EQUAL 0)
       if(EXISTS ${file})

@@ -1,5 +1,5 @@
 #!/usr/bin/env perl
-# rtl.pl TREE.xml WARNINGS CLOCK [NETLIST]
+# rtl.pl TREE.xml WARNINGS CLOCK[:RESET] [NETLIST]
 #
 # Reads the tree of a design that `verilator --xml-only` wrote and what `verilator --lint-only` said of
 # it, and what rtl_yosys.pl found. On standard output, a line each:
@@ -11,6 +11,16 @@
 #                      other; and the nets that carry its value, from their bit LOW up
 #   reset NAME         an input that resets some of them asynchronously, "low NAME" where it is low
 #   loop NAME          a net that may be in a combinational loop
+#   clock NAME         the clock
+#   synchronous NAME   where none is asynchronous, the input that gives most of them a constant at the
+#                      clock, "low NAME" likewise: RESET, or one that is called so
+#   given RESET NAME HEX
+#                      where there are several resets, the constant that one gives a register
+#   value NAME HEX     the constant that all resets together, or where there is none an initial block,
+#                      give a register; no line of one that has none
+#
+# CLOCK is the name of an input; "-" where there is to be no register at all; "?" where the clock is
+# to be found: then there is no line clock where there is no register.
 #
 # A bit holds a state where a clock writes it with <=, or with = and it is read before that on some
 # way through the process, or elsewhere. A loop is taken to write all that it writes at an index that
@@ -23,13 +33,16 @@ use warnings;
 use FindBin;
 require "$FindBin::Bin/rtl_tree.pl";
 require "$FindBin::Bin/rtl_process.pl";
+require "$FindBin::Bin/rtl_reset.pl";
 
 our (%modules, @packages, $top, %info, %in_package, %alias, %exposed);
-my (undef, $warnings_file, $clock, $netlist_file) = @ARGV;
+my (undef, $warnings_file, $pins, $netlist_file) = @ARGV;
+my ($clock, $wanted_reset) = split /:/, $pins;
 
 my %carries;     # net => [net that has its value, from which of its bits on]..., by paths
 my %inverts;     # net => nets that have its inverse
 my @processes;   # clocked: edges, what it writes
+my @initial;
 
 sub carry {
     my ($from, $to, $low) = @_;
@@ -78,10 +91,14 @@ sub walk {
         } elsif ($tag =~ /^(?:always|initial)/) {
             my %process = (written => {}, sure => {}, jumps => []);
             my @edges = grep { ($_->{has}{edgeType} // '') =~ /^(?:POS|NEG|BOTH)/ } all_of($in, 'senitem');
+            push @initial, {body => $in, scope => $scope} if !@edges && $tag =~ /^initial/;
             next if !@edges && $tag =~ /^initial/;
             follow($_, $scope, \%process) for @{$in->{in}};
             next if !@edges;
             $process{edges} = [map { edge($_, $scope) } @edges];
+            $process{tested} = [map { nets_of($_, $scope) } tested($in)];
+            $process{body} = $in;
+            $process{scope} = $scope;
             push @processes, \%process;
         }
     }
@@ -91,6 +108,11 @@ sub edge {
     my ($item, $scope) = @_;
     return map { [$item->{has}{edgeType}, net_of($_->[0], $scope) // $_->[0]{has}{name}] }
       grep { $_->[0]{tag} =~ /^varx?ref$/ } map { places($_, []) } @{$item->{in}};
+}
+# What a process reads or writes, beside its edges.
+sub tested {
+    my @body = grep { $_->{tag} ne 'sentree' } @{$_[0]{in}};
+    return grep { $_->{tag} =~ /^varx?ref$/ } map { $_, all_of($_, 'varref'), all_of($_, 'varxref') } @body;
 }
 # The name of a port, that may be given by its place.
 sub port_name {
@@ -137,14 +159,15 @@ for my $package (@packages) {
 declare($top, '');
 walk($top, '', {});
 
-my %inputs;
+our %inputs;
 for my $port (grep { $_->{tag} eq 'var' && $_->{has}{dir} } @{$top->{in}}) {
     my ($name, $way) = @{$port->{has}}{qw(name dir)};
     refuse("$name: a port of both directions") if $way eq 'inout';
     $inputs{$name} = 1 if $way eq 'input';
     expose($name);
 }
-refuse("$clock: the RTL has no such input, which is to be its clock") if !$inputs{$clock};
+refuse("$clock: the RTL has no such input, which is to be its clock")
+  if $clock !~ /^[-?]$/ && !$inputs{$clock};
 
 # All nets that carry the value of one: from which of its bits on.
 sub carriers {
@@ -170,7 +193,7 @@ sub reached {
     }
     return \%seen;
 }
-my %reached = map { $_ => reached($_) } keys %inputs;
+our %reached = map { $_ => reached($_) } keys %inputs;
 # The input that a net is, or its inverse is; '' where it is made of something else.
 sub input_of {
     my ($net, $odd) = @_;
@@ -179,7 +202,8 @@ sub input_of {
 }
 
 my (%registers, %resets);
-for my $p (@processes) {
+sub held_by {
+    my ($p) = @_;
     my %held;
     for my $net (grep { $info{$_} } keys %{$p->{written}}) {
         my $bits = $p->{written}{$net};
@@ -187,7 +211,15 @@ for my $p (@processes) {
         my $state = ($bits & $read) | ($p->{later}{$net} // '');
         $held{$net} = $state if $state =~ /[^\0]/;
     }
-    my $named = (sort keys %held)[0] // next;
+    return \%held;
+}
+for my $p (@processes) { $p->{held} = held_by($p) }
+@processes = grep { %{$_->{held}} } @processes;
+$clock = found_clock() if $clock eq '?';
+for my $p (@processes) {
+    my %held = %{$p->{held}};
+    my $named = (sort keys %held)[0];
+    refuse("$named: a register, and the design is to be combinational") if $clock eq '-';
     my @others;
     my $clocks = 0;
     for my $edge (@{$p->{edges}}) {
@@ -216,6 +248,32 @@ for my $p (@processes) {
     $registers{$_} = ($registers{$_} // '') | $held{$_} for keys %held;
 }
 
+# The input on whose edges registers change: of a process with one edge that one, and of several the
+# one that it does not read, for a reset it does.
+sub found_clock {
+    my (%clocks, @open);
+    for my $p (@processes) {
+        my @nets = map { $_->[1] } @{$p->{edges}};
+        my %tested = map { $_ => 1 } @{$p->{tested}};
+        my @left = grep { !$tested{$_} } @nets;
+        @left = @nets if @left != 1;
+        my $named = (sort keys %{$p->{held}})[0];
+        push @open, [$named, @left] if @left != 1;
+        next if @left != 1;
+        my $input = input_of($left[0], 0);
+        refuse("$named: its clock is $left[0], which is no input") if $input eq '';
+        $clocks{$input} = 1;
+    }
+    for my $open (@open) {
+        my ($named, @nets) = @$open;
+        refuse("$named: a register on the edges of " . join(' and ', @nets) . ': --clock says which is its clock')
+          if !grep { $clocks{input_of($_, 0)} } @nets;
+    }
+    my @clocks = sort keys %clocks;
+    refuse("$clocks[0] and $clocks[1]: two clocks") if @clocks > 1;
+    return $clocks[0] // '-';
+}
+
 sub carries_to_output {
     my ($net) = @_;
     return scalar grep { $_ ne $net && $exposed{$_} } keys %{carriers($net)};
@@ -225,6 +283,8 @@ my $warnings = text_of($warnings_file);
 my $top_name = $top->{has}{name};
 sub below_top { return $_[0] =~ s/^\Q$top_name\E\.//r =~ s/__DOT__/./gr }
 my @latches = map { below_top($_) } $warnings =~ /^%Warning-LATCH: .*Latch inferred for signal '([^']+)'/mg;
+# The variable of a loop, which is always written before it is read, holds nothing.
+@latches = grep { !$info{$_} || ($exposed{$_} // '') =~ /[^\0]/ || carries_to_output($_) } @latches;
 
 # What yosys found besides.
 sub hold {
@@ -272,5 +332,8 @@ for my $register (sort keys %registers) {
     print join(' ', 'register', $register, shape_text($register), ranges($registers{$register}), @nets), "\n";
 }
 print "reset $_\n" for sort keys %resets;
+print "clock $clock\n" if $clock ne '-';
+
+tell_resets($wanted_reset, [keys %resets], [sort keys %registers], \@processes, \@initial);
 print "loop ", below_top($_), "\n"
   for $warnings =~ /^%Warning-UNOPTFLAT: [^']*'([^']+)'/mg;

@@ -53,7 +53,8 @@ print "memory $_\n" for sort keys %memories;
 for my $cell (values %{$top->{cells}}) {
     my ($kind) = $cell->{type} =~ /^\$.*(ff|latch|sr)/ or next;
     my ($q, $d) = map { $cell->{connections}{$_} // [] } qw(Q D);
-    for my $i (grep { $live{$q->[$_]} && $names{$q->[$_]} } 0 .. $#$q) {
+    # A constant, "0", "1" or "x", that is driven besides is no place where one holds anything.
+    for my $i (grep { $q->[$_] !~ /^[01xz]$/ && $live{$q->[$_]} && $names{$q->[$_]} } 0 .. $#$q) {
         # What takes the same number on every clock, as the variable of a loop, holds nothing.
         next if $cell->{type} eq '$dff' && $d->[$i] =~ /^[01x]$/;
         print join(' ', $kind eq 'latch' ? 'latch' : 'held', @{$names{$q->[$i]}}), "\n";

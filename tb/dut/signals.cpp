@@ -69,22 +69,4 @@ std::vector<Signal> signals_of(VerilatedContext& context, const std::string& clo
   return signals;
 }
 
-void load_register(VerilatedContext& context, const std::string& net, Word value) {
-  const std::size_t dot = net.rfind('.');
-  const std::string name = dot == std::string::npos ? net : net.substr(dot + 1);
-  const std::string below = dot == std::string::npos ? "" : '.' + net.substr(0, dot);
-  bool found = false;
-  for (const auto& [path, scope] : *context.scopeNameMap()) {
-    if (scope->varsp() == nullptr || !std::string_view(path).ends_with(below)) continue;
-    const auto var = scope->varsp()->find(name.c_str());
-    if (var == scope->varsp()->end()) continue;
-    auto* bytes = static_cast<unsigned char*>(var->second.datap());
-    for (std::size_t i = 0; i < var->second.entSize(); ++i) {
-      bytes[i] = static_cast<unsigned char>(i < sizeof value ? value >> (8 * i) : 0);
-    }
-    found = true;
-  }
-  if (!found) throw std::logic_error("no register " + net);
-}
-
 }  // namespace cosim

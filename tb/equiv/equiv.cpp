@@ -7,7 +7,10 @@
 
 #include "model/core/input_error.h"
 #include "tb/equiv/product.h"
+#include "tb/equiv/replay.h"
+#include "tb/equiv/unknown.h"
 #include "tb/proof/reach.h"
+#include "tb/support/parallel.h"
 
 namespace cosim::equiv {
 namespace {
@@ -71,7 +74,7 @@ std::string word(const std::vector<bool>& values, const Widths& ports, const std
 
 // The clocks of a stimulus as words of ports.
 void show(const Question& q, const Product& product, const proof::Reached& reached,
-          Answer& answer) {
+          const std::set<Name>& open, Answer& answer) {
   std::vector<proof::Aig::Lit> watched;
   const auto watch = [&](const std::map<Name, proof::Aig::Lit>& bits) {
     std::map<Name, std::size_t> at;
@@ -95,7 +98,7 @@ void show(const Question& q, const Product& product, const proof::Reached& reach
       row.gate[port] = word(values, q.gold.outputs, port, gate);
       for (int bit = 0; bit < width; ++bit) {
         const auto at = any.find({port, bit});
-        if (at != any.end() && values[at->second]) {
+        if (open.contains({port, bit}) || (at != any.end() && values[at->second])) {
           row.gold[port][static_cast<std::size_t>(width - 1 - bit)] = '-';
         }
       }
@@ -114,41 +117,141 @@ void show(const Question& q, const Product& product, const proof::Reached& reach
   }
 }
 
-}  // namespace
-
-Answer compare(const Question& q) {
-  require_ports(q);
-  Answer answer;
-  // The registers that both have by name are equal nearly always: then one clock from any state is
-  // all of the question.
-  const Product cut = product_of(q, Registers::one, Unknown::same);
-  answer.matched = cut.matched;
-  if (q.latency == 0) {
-    const proof::Reached step = proof::reach(cut.graph, cut.bad, std::min(q.seconds, 10));
-    if (step.ever == proof::Ever::never) {
-      answer.verdict = Verdict::equal;
-      answer.by = cut.matched == 0 ? step.by : "registers by name, " + step.by;
-      return answer;
+// The memories of both that can be one; none where that is not so of all. One without initial
+// values begins as any, which is the same in both only where its name is.
+Pairs memory_pairs(const Question& q) {
+  const auto &olds = q.gold.memories, &news = q.gate.memories;
+  if (olds.size() != news.size()) return {};
+  Pairs pairs;
+  std::vector<bool> taken(news.size());
+  const auto take = [&](std::size_t i, const auto& fits) {
+    for (std::size_t j = 0; j < news.size(); ++j) {
+      if (taken[j] || olds[i].shape != news[j].shape || !fits(news[j])) continue;
+      taken[j] = true;
+      pairs.emplace_back(i, j);
+      return true;
     }
+    return false;
+  };
+  for (std::size_t i = 0; i < olds.size(); ++i) {
+    const bool found = take(i, [&](const Memory& m) { return m.name == olds[i].name; }) ||
+                       take(i, [&](const Memory& m) { return !m.any; });
+    if (!found) return {};
   }
-  const bool old_unknown = q.gold.unknowns > 0 || cut.alone_any;
-  for (const Unknown unknown : {Unknown::same, Unknown::any}) {
-    if (unknown == Unknown::any && !old_unknown) break;
-    const Product product = product_of(q, Registers::two, unknown);
-    const proof::Reached reached = proof::reach(product.graph, product.bad, q.seconds);
+  return pairs;
+}
+
+void make_gates(Question& q, Memories how) {
+  in_parallel(2, q.jobs, [&](std::uint64_t i) {
+    (i == 0 ? q.gold : q.gate).make_gates(how, q.budget);
+    return true;
+  });
+}
+
+proof::Reached reach(const Question& q, const Product& product, int part = 1) {
+  return proof::reach(product.graph, product.bad, std::max(1, q.budget.left() / part), q.jobs);
+}
+
+// Whether the registers of the same name, and what else there is of inputs, make both equal; of
+// outputs that come later nothing is known so.
+bool is_equal_by_names(const Question& q, const Pairs& memories, Answer& answer) {
+  constexpr int soon = 10;
+  const Product cut = product_of(q, Registers::one, {}, memories);
+  answer.matched = cut.matched;
+  if (q.latency > 0) return false;
+  const auto step = proof::reach(cut.graph, cut.bad, std::min(q.budget.left(), soon), q.jobs);
+  if (step.ever != proof::Ever::never) return false;
+  answer.verdict = Verdict::equal;
+  answer.by = std::string(cut.matched == 0 ? "" : "registers by name, ") + step.by;
+  return true;
+}
+
+// With the memories of both as one: equal, or nothing is known.
+bool is_equal_by_memories(const Question& q, const Pairs& memories, Answer& answer) {
+  if (!is_equal_by_names(q, memories, answer)) {
+    constexpr int part = 3;  // of the time; the rest is for what comes after
+    const auto reached = reach(q, product_of(q, Registers::two, {}, memories), part);
+    if (reached.ever != proof::Ever::never) return false;
+    answer.verdict = Verdict::equal;
     answer.by = reached.by;
+  }
+  answer.by = "memories that get the same, " + answer.by;
+  return true;
+}
+
+// The old RTL's x as any value. Some values are tried; a stimulus that tells the RTLs apart with
+// these is one only if no others make the old RTL do what the new one does, and else these are
+// tried as well (refinement by counterexamples).
+void compare_with_any(const Question& q, Answer& answer) {
+  constexpr int rounds = 12;
+  Unknown unknown{first_fillers(unknown_bits(q))};
+  for (int round = 0; round < rounds; ++round) {
+    const Product product = product_of(q, Registers::two, unknown, {});
+    const proof::Reached reached = reach(q, product);
     answer.compared = std::max(0, reached.clocks - q.reset_clocks);
+    if (reached.ever == proof::Ever::open) return;
+    answer.by = reached.by;
     if (reached.ever == proof::Ever::never) {
       answer.verdict = Verdict::equal;
-      return answer;
+      return;
     }
-    const bool last = unknown == Unknown::any || !old_unknown;
-    if (reached.ever == proof::Ever::yes && last) {
+    const Certain certain = certain_of(q, product, reached);
+    if (certain.any) {
       answer.verdict = Verdict::different;
-      answer.least = reached.least;
-      show(q, product, reached, answer);
-      return answer;
+      answer.least = reached.least && round == 0;
+      show(q, product, reached, certain.open, answer);
+      return;
     }
+    if (certain.others.empty()) break;
+    constexpr std::size_t copies = 24;  // of the old RTL
+    if (unknown.fillers.size() + certain.others.size() > copies) break;
+    for (const Filler& other : certain.others) unknown.fillers.push_back(other);
+  }
+  answer.left = "what the old RTL leaves x may be more than was tried";
+}
+
+void compare_all(Question& q, Answer& answer) {
+  const Pairs memories = memory_pairs(q);
+  if (!memories.empty()) {
+    make_gates(q, Memories::cut);
+    if (is_equal_by_memories(q, memories, answer)) return;
+  }
+  make_gates(q, Memories::registers);
+  // The registers that both have by name are equal nearly always: then one clock from any state is
+  // all of the question.
+  if (is_equal_by_names(q, {}, answer)) return;
+  const Product product = product_of(q, Registers::two, {}, {});
+  const proof::Reached reached = reach(q, product);
+  answer.compared = std::max(0, reached.clocks - q.reset_clocks);
+  if (reached.ever == proof::Ever::open) return;
+  answer.by = reached.by;
+  if (reached.ever == proof::Ever::never) {
+    answer.verdict = Verdict::equal;
+  } else if (q.gold.unknowns > 0 || product.alone_any) {
+    compare_with_any(q, answer);
+  } else {
+    answer.verdict = Verdict::different;
+    answer.least = reached.least;
+    show(q, product, reached, {}, answer);
+  }
+}
+
+}  // namespace
+
+Answer compare(Question& q) {
+  require_ports(q);
+  Answer answer;
+  try {
+    compare_all(q, answer);
+  } catch (const OutOfTime&) {
+    answer.left = "the time is over";
+  }
+  if (answer.verdict != Verdict::different) return answer;
+  const Replay replay = replayed(q, answer);
+  answer.replayed = replay.how;
+  if (replay.refuted) {
+    answer.verdict = Verdict::undecided;
+    answer.left = "the netlists differ, but not the RTL in Verilator";
   }
   return answer;
 }

@@ -23,7 +23,9 @@ struct Question {
   std::vector<std::string> ignored;            ///< outputs that are not compared
   std::map<std::string, std::string> renamed;  ///< ports of the old RTL as the new one calls them
   int latency = 0;  ///< the outputs of the new RTL come so many clocks later
-  int seconds = 300;
+  Budget budget{300};
+  unsigned jobs = 2;      ///< engines at a time, >= 1
+  bool verilator = true;  ///< a difference is replayed in Verilator
 };
 
 enum class Verdict { equal, different, undecided };
@@ -37,14 +39,18 @@ struct Row {
 struct Answer {
   Verdict verdict = Verdict::undecided;
   std::string by;           ///< what decided
+  std::string replayed;     ///< of different: "in Verilator", or on what else, and why
   std::vector<Row> clocks;  ///< of different: the stimulus, the last row tells them apart
   std::vector<std::string> differing;  ///< of different: the outputs
   bool least = false;                  ///< of different: no shorter stimulus tells them apart
   int compared = 0;                    ///< of undecided: equal for so many clocks
+  std::string left;                    ///< of undecided: what is left
   std::size_t matched = 0;             ///< registers that both have by name
 };
 
-/// InputError where the ports do not agree; it lists them and says what to write.
-Answer compare(const Question& question);
+/// Makes the gates of both sides, and compares them; a difference is replayed in Verilator.
+/// InputError where the ports do not agree, before anything long; it lists them and says what to
+/// write.
+Answer compare(Question& question);
 
 }  // namespace cosim::equiv

@@ -1,8 +1,7 @@
 #include "tb/equiv/product.h"
 
 #include <algorithm>
-
-#include "tb/support/random.h"
+#include <stdexcept>
 
 namespace cosim::equiv {
 namespace {
@@ -11,9 +10,6 @@ using proof::Aig;
 using Lit = Aig::Lit;
 using Lits = std::vector<Lit>;
 
-// How often the old RTL is there, each time with other values for x.
-constexpr int kCopies = 6;
-
 // One copy of a side in the graph.
 struct Copy {
   Lits state, own;  ///< what its gates see of a register, and the latch that holds it
@@ -21,8 +17,12 @@ struct Copy {
 
 class Builder {
  public:
-  Builder(const Question& q, Registers registers, Unknown unknown)
-      : q_(q), one_(registers == Registers::one), any_(unknown == Unknown::any) {}
+  Builder(const Question& q, Registers registers, const Unknown& unknown, const Pairs& memories)
+      : q_(q),
+        one_(registers == Registers::one),
+        any_(!unknown.fillers.empty()),
+        fillers_(unknown.fillers),
+        memories_(memories) {}
 
   Product made() {
     first_ = one_ ? 0 : graph_.latch(true);
@@ -47,10 +47,10 @@ class Builder {
     for (Lit& lit : gate_unknown) lit = graph_.input();
     const bool as_many = q_.gold.unknowns == q_.gate.unknowns;
 
-    const int copies = any_ ? kCopies : 1;
+    const std::size_t copies = any_ ? fillers_.size() : 1;
     std::vector<Copy> golds;
     std::vector<Side::Made> made_golds;
-    for (int c = 0; c < copies; ++c) {
+    for (std::size_t c = 0; c < copies; ++c) {
       Lits unknown(q_.gold.unknowns);
       for (std::size_t i = 0; i < unknown.size(); ++i) {
         unknown[i] = any_ ? filler(c, i) : as_many ? gate_unknown[i] : 0;
@@ -63,25 +63,47 @@ class Builder {
 
     Lit bad = 0;
     for (const auto& [name, gold] : made_golds.front().outputs) {
-      bad = graph_.either(bad, differ(name, made_golds, made_gate));
+      if (q_.gold.outputs.contains(name.first)) {
+        bad = graph_.either(bad, differ(name, made_golds, made_gate));
+      }
+    }
+    Lit strays = 0;
+    for (const auto& [i, j] : memories_) {
+      for (const Side::Made& gold : made_golds) {
+        strays = graph_.either(strays, strays_of(i, gold, j, made_gate));
+      }
     }
     if (one_) {
       for (const auto& [i, j] : pairs_) {
         bad = graph_.either(bad, graph_.differ(made_golds[0].next[i], made_gate.next[j]));
       }
     }
-    product_.bad = graph_.both(bad, Aig::inverted(settling()));
+    // What is in a memory has to be the same before there is an output too.
+    product_.bad = graph_.either(strays, graph_.both(bad, Aig::inverted(settling())));
     product_.matched = pairs_.size();
+    product_.beginnings = shared_;
     product_.graph = graph_;
     return product_;
   }
 
  private:
-  // The value that a copy gives the i-th bit of an x.
-  static Lit filler(int copy, std::size_t i) {
-    if (copy < 2) return static_cast<Lit>(copy);
-    // By chance, so that what depends on several bits is seen to.
-    return static_cast<Lit>(Random::for_case(static_cast<std::uint64_t>(copy), i).next() >> 63U);
+  // The value that a copy gives the i-th bit of an x: of a clock or, `at_first`, of the first.
+  Lit filler(std::size_t copy, std::size_t i, bool at_first = false) {
+    const Filler& rows = fillers_[copy];
+    if (at_first || rows.size() == 1) return rows.front()[i] ? 1 : 0;
+    Lit value = 0, before = 0;
+    for (std::size_t t = 0; t + 1 < rows.size(); ++t) {
+      if (rows[t][i]) value = graph_.either(value, clock(t));
+      before = graph_.either(before, clock(t));
+    }
+    return rows.back()[i] ? graph_.either(value, Aig::inverted(before)) : value;
+  }
+
+  // Whether it is clock t.
+  Lit clock(std::size_t t) {
+    if (clocks_.empty()) clocks_.push_back(first_);
+    while (clocks_.size() <= t) clocks_.push_back(delayed(clocks_.back()));
+    return clocks_[t];
   }
 
   bool any_in_both(const Register& gold) const {
@@ -91,9 +113,9 @@ class Builder {
 
   Lit starting(Lit first, Lit latch) { return graph_.choose(first_, first, latch); }
 
-  Copy gold_copy(int c) {
+  Copy gold_copy(std::size_t c) {
     Copy copy;
-    std::size_t alone = 0;
+    std::size_t alone = q_.gold.unknowns;
     for (const Register& r : q_.gold.registers) {
       const Lit latch = one_ ? graph_.input() : graph_.latch(r.first);
       copy.own.push_back(latch);
@@ -108,7 +130,7 @@ class Builder {
         copy.state.push_back(starting(at->second, latch));
       } else {
         product_.alone_any = true;
-        copy.state.push_back(starting(any_ ? filler(c, alone++) : graph_.input(), latch));
+        copy.state.push_back(starting(any_ ? filler(c, alone++, true) : graph_.input(), latch));
       }
     }
     return copy;
@@ -146,6 +168,11 @@ class Builder {
   Side::Made make(const Side& side, const Copy& copy, const Lits& unknown, bool is_gate) {
     const auto input = [&](const Name& name) {
       std::string port = name.first;
+      if (const auto pins = read_pins(is_gate); pins.contains(port)) {
+        const auto [at, is_new] = reads_.try_emplace({pins.at(port), name.second}, 0);
+        if (is_new) at->second = graph_.input();
+        return at->second;
+      }
       if (port == q_.gold.clock || port == q_.gate.clock) return Lit{0};
       if (is_gate) {
         for (const auto& [old_name, new_name] : q_.renamed) {
@@ -173,6 +200,43 @@ class Builder {
     return made;
   }
 
+  // The pins of a side that have what memories read, and those of the old RTL that are the same.
+  std::map<std::string, std::string> read_pins(bool is_gate) const {
+    std::map<std::string, std::string> pins;
+    for (const auto& [i, j] : memories_) {
+      pins[memory_port(is_gate ? j : i, "RD_DATA")] = memory_port(i, "RD_DATA");
+    }
+    return pins;
+  }
+
+  // Whether another word is written, or another address read.
+  Lit strays_of(std::size_t i, const Side::Made& gold, std::size_t j, const Side::Made& gate) {
+    const Memory& memory = q_.gold.memories[i];
+    const auto of = [](const Side::Made& made, std::size_t m, const char* port, int bit) {
+      return made.outputs.at({memory_port(m, port), bit});
+    };
+    const auto other = [&](const char* port, int bit) {
+      return graph_.differ(of(gold, i, port, bit), of(gate, j, port, bit));
+    };
+    Lit any = 0;
+    for (int bit = 0; bit < memory.reads * memory.address; ++bit) {
+      any = graph_.either(any, other("RD_ADDR", bit));
+    }
+    for (int w = 0; w < memory.writes; ++w) {
+      Lit written = 0;
+      for (int bit = w * memory.width; bit < (w + 1) * memory.width; ++bit) {
+        const Lit enable = of(gold, i, "WR_EN", bit);
+        written = graph_.either(written, enable);
+        any = graph_.either(any, other("WR_EN", bit));
+        any = graph_.either(any, graph_.both(enable, other("WR_DATA", bit)));
+      }
+      for (int bit = w * memory.address; bit < (w + 1) * memory.address; ++bit) {
+        any = graph_.either(any, graph_.both(written, other("WR_ADDR", bit)));
+      }
+    }
+    return any;
+  }
+
   // While it resets, and until the first outputs of the new RTL can have come.
   Lit settling() {
     Lit all = resets_;
@@ -196,7 +260,7 @@ class Builder {
     const auto renamed = q_.renamed.find(name.first);
     const auto other = gate.outputs.find(
         {renamed == q_.renamed.end() ? name.first : renamed->second, name.second});
-    if (other == gate.outputs.end()) return 0;
+    if (other == gate.outputs.end()) throw std::logic_error("no output " + name.first);
     Lit gold = golds.front().outputs.at(name);
     Lit unknown = 0;
     for (const Side::Made& copy : golds) {
@@ -214,10 +278,14 @@ class Builder {
 
   const Question& q_;
   bool one_, any_;
+  const std::vector<Filler>& fillers_;
+  const Pairs& memories_;
   Aig graph_;
   Lit first_ = 0, resets_ = 0;
   std::map<Name, std::size_t> gold_at_;
   std::map<Name, const Register*> gate_names_;
+  Lits clocks_;
+  std::map<Name, Lit> reads_;   ///< what memories read, by the old RTL's pins
   std::map<Name, Lit> shared_;  ///< what registers of that name begin as in both
   std::vector<std::pair<std::size_t, std::size_t>> pairs_;
   Product product_;
@@ -225,8 +293,13 @@ class Builder {
 
 }  // namespace
 
-Product product_of(const Question& question, Registers registers, Unknown unknown) {
-  return Builder(question, registers, unknown).made();
+Product product_of(const Question& question, Registers registers, const Unknown& unknown,
+                   const Pairs& memories) {
+  return Builder(question, registers, unknown, memories).made();
+}
+
+std::size_t unknown_bits(const Question& question) {
+  return question.gold.unknowns + question.gold.registers.size();
 }
 
 }  // namespace cosim::equiv

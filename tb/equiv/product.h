@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "tb/equiv/equiv.h"
 #include "tb/proof/aig.h"
@@ -15,6 +17,7 @@ struct Product {
   proof::Aig::Lit bad = 0;                     ///< an output differs
   std::map<Name, proof::Aig::Lit> inputs;      ///< as both get them
   std::map<std::string, int> widths;           ///< of the inputs
+  std::map<Name, proof::Aig::Lit> beginnings;  ///< of registers of that name, the same in both
   std::map<Name, proof::Aig::Lit> gold, gate;  ///< the outputs that are compared, by the old names
   std::map<Name, proof::Aig::Lit> any;         ///< the old RTL says x
   std::size_t matched = 0;                     ///< registers that both have by name
@@ -29,12 +32,25 @@ enum class Registers {
   one,
 };
 
+/// Memories of both that are one: of the old RTL and of the new. What they read is the same free
+/// value in both, and `bad` is also that another word is written, or another address read.
+using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
+/// The values of the old RTL's x bits, those of registers without an initial value behind them, a
+/// row a clock; 0 where there is none.
+using Filler = std::vector<std::vector<bool>>;
+
 /// What the old RTL's x is.
-enum class Unknown {
-  same,  ///< what the new RTL's is where they have as many, else 0: one of its values
-  any,   ///< all values: an output that depends on it is `any`
+struct Unknown {
+  /// Without any, what the new RTL's is where they have as many, else 0: one of its values. With
+  /// some, the old RTL is there once for each: an output that is another with one of them is `any`.
+  std::vector<Filler> fillers;
 };
 
-Product product_of(const Question& question, Registers registers, Unknown unknown);
+Product product_of(const Question& question, Registers registers, const Unknown& unknown,
+                   const Pairs& memories);
+
+/// How many bits a row of a filler has.
+std::size_t unknown_bits(const Question& question);
 
 }  // namespace cosim::equiv

@@ -4,11 +4,14 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "tb/equiv/budget.h"
 #include "tb/proof/aig.h"
+#include "tb/support/process.h"
 
 namespace cosim::equiv {
 
@@ -18,7 +21,8 @@ struct Files {
   std::string top;
   std::vector<std::string> parameters;  ///< "NAME=VALUE", as Verilog writes the value
   std::vector<std::filesystem::path> include_dirs;
-  std::vector<std::string> defines;  ///< "NAME" or "NAME=VALUE"
+  std::vector<std::string> defines;    ///< "NAME" or "NAME=VALUE"
+  std::filesystem::path folder = ".";  ///< from which $readmemh finds its files
 };
 
 /// A bit of a port, a net or a register: its hierarchical name, and which bit.
@@ -30,17 +34,39 @@ struct Register {
   bool first = false;  ///< what it is, if it has one
 };
 
+struct Memory {
+  std::string name;
+  std::string shape;           ///< equal texts: the same words, ports and initial contents
+  bool any = false;            ///< some of it has no initial value
+  int width = 0, address = 0;  ///< bits of a word and of an address
+  int reads = 0, writes = 0;   ///< ports
+};
+
+/// What is made of memories.
+enum class Memories {
+  /// What they read are inputs, what goes to them are outputs, as named by memory_port().
+  cut,
+  registers,
+};
+/// "RD_DATA", "RD_ADDR", "WR_EN", "WR_ADDR" or "WR_DATA" of one of Side::memories; of several
+/// ports the bits stand side by side, an enable for each bit of a word.
+std::string memory_port(std::size_t memory, const char* port);
+
 class Side {
  public:
-  /// Reads the files with yosys in at most `seconds`. A register that takes over at once what an
-  /// asynchronous reset gives is one of the clock and a multiplexer. InputError, one line that
-  /// begins with `what` or a file, where yosys cannot, and for a second clock, a clock that is no
-  /// input, a latch, a bidirectional port or a combinational loop.
-  Side(const Files& files, const std::string& what, int seconds);
+  /// Reads the files with yosys: ports, clock and memories. InputError, one line that begins with
+  /// `what` or a file, where yosys cannot, and for a second clock, a clock that is no input, a
+  /// latch, a bidirectional port or a combinational loop. OutOfTime.
+  Side(const Files& files, std::string what, const Budget& budget);
+  /// Makes gates of it, by which all else is known. A register that takes over at once what an
+  /// asynchronous reset gives is one of the clock and a multiplexer. InputError and OutOfTime.
+  void make_gates(Memories memories, const Budget& budget);
 
+  const Files& files() const { return files_; }
   std::map<std::string, int> inputs, outputs;  ///< ports and their widths
   std::string clock;                           ///< empty where there are no registers
   bool falling = false;                        ///< registers take over when it falls
+  std::vector<Memory> memories;
   std::vector<Register> registers;
   std::size_t unknowns = 0;  ///< bits that the RTL leaves x
 
@@ -57,14 +83,21 @@ class Side {
   struct Gate {
     unsigned out, a, b;
   };
+  std::string yosys(const std::string& script, const Budget& budget) const;
   void read(const std::string& aiger, const std::string& map);
   void read_constants(const std::string& json);
-  void ports(const std::string& json, const std::string& what);
+  void ports(const std::string& json);
+  void takes_over(const std::string& clock, bool falls);
+
+  Files files_;
+  std::string what_;
+  std::shared_ptr<const Scratch> scratch_;
 
   std::vector<unsigned> in_, state_, next_, out_;
   std::vector<Gate> gates_;
-  std::map<std::size_t, Name> in_names_, out_names_;
-  std::map<Name, proof::Aig::Lit> constants_;  ///< outputs that are 0 or 1
+  std::map<std::size_t, Name> in_names_;
+  std::multimap<std::size_t, Name> out_names_;  ///< several may be the same gate
+  std::map<Name, proof::Aig::Lit> constants_;   ///< outputs that are 0 or 1
 };
 
 /// InputError "OPTION: ..." where `name` is no name of Verilog.

@@ -10,6 +10,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/support/file_lock.h"
+#include "tb/support/hash.h"
 #include "tb/support/leftover.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
@@ -19,17 +20,6 @@ namespace cosim::lanes {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Two hashes of a text as one name.
-std::string name_of(const std::string& text) {
-  std::uint64_t a = 0xcbf29ce484222325ULL, b = 0x9e3779b97f4a7c15ULL;
-  for (const char c : text) {
-    a = (a ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-    b = (b + static_cast<unsigned char>(c)) * 0xbf58476d1ce4e5b9ULL;
-    b ^= b >> 29;
-  }
-  return fmt::format("{:016x}{:016x}", a, b);
-}
 
 // The first line that a program says of itself.
 std::string version(const std::string& program, const char* option) {
@@ -106,7 +96,7 @@ std::string tools() {
 
 std::unique_ptr<Built> built(const fs::path& folder, const std::string& key, int lanes,
                              const std::function<std::string()>& source) {
-  const fs::path library = folder / (name_of(key + vectors_of(lanes)) + ".so");
+  const fs::path library = folder / (hash_of(key + vectors_of(lanes)) + ".so");
   if (!fs::exists(library)) {
     const std::string text = source();  // what is refused leaves nothing
     std::error_code error;

@@ -1,17 +1,15 @@
-// The mutants of a shape that is built.
+// The mutants of a shape that is built, of a model in lockstep: attacked in lanes.
 #pragma once
 
-#include <memory>
-#include <string>
-
-#include "tb/mutation/lanes_subject.h"
+#include "tb/mutation/cases.h"
 
 namespace cosim::mutation {
 
-/// All that its design's jobs.h and hostile clocks give; made by CMake.
-Cases cases_of_built(const AnyBench& bench);
-
-/// At most `count` mutants of "NAME M=5 N=2". InputError where it is not built.
-std::unique_ptr<LanesSubject> built_subject(const std::string& title, unsigned count);
+/// main() of the program that CMake makes of all designs. `cases`: what each bench is attacked
+/// with.
+///   PROGRAM SHAPE COUNT [WORD...]          as main_of(), on at most COUNT mutants of "NAME M=5
+///   N=2" PROGRAM SHAPE COUNT --verilog FILE     writes RTL that has them PROGRAM SHAPE COUNT
+///   --draw N FOLDER    draws N of them that lanes kill, see drawn.h
+int main_of_built(Cases (*cases)(const AnyBench&), int argc, char** argv);
 
 }  // namespace cosim::mutation

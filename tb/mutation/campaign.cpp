@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <exception>
 #include <mutex>
 
 #include "model/core/input_error.h"
@@ -18,24 +17,22 @@ using End = Outcome::End;
 constexpr std::array kEnds = {"open", "killed", "equivalent", "survived"};
 
 void to_json(Json& json, End end) { json = kEnds[static_cast<std::size_t>(end)]; }
-void from_json(const Json& json, End& end) {
-  const auto* const found = std::find(kEnds.begin(), kEnds.end(), json.get<std::string>());
-  if (found == kEnds.end()) throw InputError("");
-  end = static_cast<End>(found - kEnds.begin());
-}
 void to_json(Json& json, const Outcome& o) {
   json = {{"end", o.end}, {"stimulus", o.stimulus}, {"clock", o.clock}, {"signal", o.signal}};
 }
-void from_json(const Json& json, Outcome& o) {
-  json.at("end").get_to(o.end);
-  json.at("stimulus").get_to(o.stimulus);
-  json.at("clock").get_to(o.clock);
-  json.at("signal").get_to(o.signal);
-}
-
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr double most_seconds = 1e9;
+
+Outcome outcome_from(const JsonAt& json) {
+  const JsonAt end = json.at("end");
+  const auto* const found = std::find(kEnds.begin(), kEnds.end(), end.text());
+  if (found == kEnds.end()) end.fail("is no end of a mutant");
+  return {static_cast<End>(found - kEnds.begin()), json.at("stimulus").text(),
+          json.at("clock").whole(), json.at("signal").text()};
+}
 
 /// The campaign as it goes on, in step with its checkpoint.
 class Course {
@@ -47,15 +44,11 @@ class Course {
     campaign_.first = part.first;
     campaign_.outcomes.resize(std::min<std::size_t>(part.count, all - part.first + 1));
     const auto state = checkpoint.state();
-    if (state.is_null()) return;
-    try {
-      campaign_.seconds = state.at("seconds").get<double>();
-      auto outcomes = state.at("outcomes").get<std::vector<Outcome>>();
-      if (outcomes.size() != campaign_.outcomes.size()) throw InputError("");
-      campaign_.outcomes = std::move(outcomes);
-    } catch (const std::exception&) {
-      throw InputError("the checkpoint is not one of these mutants");
-    }
+    if (!state) return;
+    campaign_.seconds = state->at("seconds").number(0, most_seconds);
+    const std::size_t mutants = campaign_.outcomes.size();
+    const auto outcomes = state->at("outcomes").list(mutants, mutants);
+    std::transform(outcomes.begin(), outcomes.end(), campaign_.outcomes.begin(), outcome_from);
   }
 
   /// Numbers of the mutants not yet decided.

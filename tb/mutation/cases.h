@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "tb/lockstep/replay.h"
 #include "tb/mutation/mutants.h"
 #include "tb/sweep/sweep.h"
 
@@ -30,6 +31,9 @@ struct Jobs {
 
 inline constexpr std::uint64_t campaign_seed = 1;
 inline constexpr std::uint64_t long_jobs = 16;
+inline constexpr std::uint64_t quick_cases = 12;
+inline constexpr std::uint64_t quick_disturbed = 200;
+inline constexpr std::uint64_t thorough_cases = 3000;
 
 /// Draws jobs on a new machine; the same jobs get the same power-up state.
 template <class Design>
@@ -117,6 +121,18 @@ void add_disturbed(std::vector<Case>& all, const Bench<Design>& bench, std::uint
   }
 }
 
+/// Cases of any bench in lockstep, which must outlive them: hostile clocks and, where its design
+/// declares jobs, random ones, by turns.
+inline Cases cases_of(const AnyBench& bench) {
+  Cases cases;
+  for (std::uint64_t i = 0; i < thorough_cases; ++i) {
+    if (i == quick_cases) cases.quick = cases.all.size();
+    cases.all.push_back(hostile(bench, i));
+    if (!bench.job_fields().empty()) cases.all.push_back(declared(bench, i));
+  }
+  return cases;
+}
+
 /// Cases first .. last - 1 of hostile clocks and of random jobs, by turns.
 template <class Design>
 void add_cases(std::vector<Case>& all, const Bench<Design>& bench, std::uint64_t first,
@@ -142,10 +158,6 @@ void add_longest(std::vector<Case>& all, const Bench<Design>& bench, const char*
     all.back().most_clocks = most_clocks;
   }
 }
-
-constexpr std::uint64_t quick_cases = 12;
-constexpr std::uint64_t quick_disturbed = 200;
-constexpr std::uint64_t thorough_cases = 3000;
 
 /// All of them, on `bench`, which must outlive them.
 template <class Design>

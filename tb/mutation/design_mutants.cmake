@@ -11,6 +11,8 @@ function(cosim_shape_mutants)
   add_custom_command(OUTPUT ${FOLDER}/mutants.cpp
     COMMAND bash ${root}/tb/mutation/plant.sh
       ${FOLDER} ${MUTANTS} ${TOP} ${FOLDER}/count.txt --vpi --public-flat-rw
+    COMMAND ${CMAKE_COMMAND} -DOUTPUT=${FOLDER}/${MUTANTS}_ports.h -P ${root}/tb/dut/ports.cmake
+      ${FOLDER}/verilated/${MUTANTS}.h
     WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}
     DEPENDS ${root}/tb/mutation/plant.sh ${root}/tb/mutation/verilate.sh ${given} ${rtl} ${included} VERBATIM
     COMMENT "Planting mutants in ${TITLE}")

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "tb/support/json.h"
+#include "tb/support/json_at.h"
 #include "tb/support/parallel.h"
 #include "tb/support/random.h"
 
@@ -48,33 +49,35 @@ void draw(const LanesSubject& subject, std::size_t count, const std::filesystem:
 }
 
 int check_drawn(const VerilatedSubject& subject, const std::filesystem::path& folder) {
-  const Json list = json_of(read_file((folder / "drawn.json").string()));
+  const std::string file = (folder / "drawn.json").string();
+  const std::vector<JsonAt> list = JsonAt(file, read_file(file)).list();
   const auto& cases = subject.cases().all;
   std::size_t same = 0, not_cleared = 0;
   std::mutex guard;
   in_parallel(list.size(), cores(), [&](std::uint64_t i) {
-    const Json& drawn = list[i];
-    const bool cleared = drawn.at("cleared");
-    const std::string stimulus = drawn.at("stimulus");
+    const JsonAt& drawn = list[i];
+    const bool cleared = drawn.at("cleared").yes();
+    const std::string stimulus = drawn.at("stimulus").text();
+    const auto mutant =
+        static_cast<unsigned>(drawn.at("mutant").whole(1, subject.mutants().size()));
+    const std::uint64_t clock = drawn.at("clock").whole();
+    const std::string signal = drawn.at("signal").text();
     const auto only =
         std::find_if(cases.begin(), cases.end(), [&](const Case& c) { return c.name == stimulus; });
     const auto first = static_cast<std::size_t>(only - cases.begin());
-    const Outcome o =
-        cleared && only != cases.end()
-            ? subject.attack(drawn.at("mutant").get<unsigned>(), first, first + 1)
-            : subject.attack(drawn.at("mutant").get<unsigned>(), 0, subject.cases().quick);
+    const Outcome o = cleared && only != cases.end()
+                          ? subject.attack(mutant, first, first + 1)
+                          : subject.attack(mutant, 0, subject.cases().quick);
     const bool killed = o.end == Outcome::End::killed;
-    const bool as_drawn = killed && o.stimulus == stimulus &&
-                          o.clock == drawn.at("clock").get<std::uint64_t>() &&
-                          o.signal == drawn.at("signal").get<std::string>();
+    const bool as_drawn =
+        killed && o.stimulus == stimulus && o.clock == clock && o.signal == signal;
     const std::lock_guard lock(guard);
     if (cleared && as_drawn) ++same;
     if (!cleared && killed) ++not_cleared;
     if (cleared ? !as_drawn : !killed) {
       fmt::print(
-          "mutant {}: {}: in lanes {}, clock {}, {}; in lockstep {}\n",
-          drawn.at("mutant").get<unsigned>(), drawn.at("what").get<std::string>(), stimulus,
-          drawn.at("clock").get<std::uint64_t>(), drawn.at("signal").get<std::string>(),
+          "mutant {}: {}: in lanes {}, clock {}, {}; in lockstep {}\n", mutant,
+          drawn.at("what").text(), stimulus, clock, signal,
           killed ? fmt::format("{}, clock {}, {}", o.stimulus, o.clock, o.signal) : "not killed");
     }
     return true;

@@ -10,26 +10,12 @@ set(here ${CMAKE_CURRENT_LIST_DIR})
 add_executable(mutants_table ${here}/table.cpp)
 target_link_libraries(mutants_table PRIVATE engine cold warnings)
 
-set(CASES_INCLUDES "")
-foreach(design IN LISTS COSIM_DESIGNS)
-  set(jobs tb/designs/${design}/mutation/jobs.h)
-  if(NOT EXISTS ${PROJECT_SOURCE_DIR}/${jobs})
-    set(jobs tb/designs/${design}/bench.h)
-  endif()
-  string(APPEND CASES_INCLUDES "#include \"${jobs}\"\n")
-endforeach()
-list(TRANSFORM COSIM_DESIGNS APPEND "::Design" OUTPUT_VARIABLE CASES_DESIGNS)
-list(JOIN CASES_DESIGNS ", " CASES_DESIGNS)
-configure_file(${here}/cases_of_built.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/cases_of_built.cpp @ONLY)
-add_executable(mutants ${here}/built.cpp ${CMAKE_CURRENT_BINARY_DIR}/cases_of_built.cpp)
-target_link_libraries(mutants PRIVATE mutation proof tb cold warnings)
-
 # A program for some mutants of a shape.
 function(add_mutants set count shape)
   string(REGEX REPLACE "[ =]" "" ID "${shape}")
   set(program ${CMAKE_CURRENT_BINARY_DIR}/mutants_${set}_${ID})
   file(GENERATE OUTPUT ${program}
-    CONTENT "#!/bin/sh\nexec '$<TARGET_FILE:mutants>' '${shape}' ${count} \"$@\"\n"
+    CONTENT "#!/bin/sh\nexec '$<TARGET_FILE:cosim_mutants>' '${shape}' ${count} \"$@\"\n"
     FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ
       WORLD_EXECUTE)
   set(${set}_programs ${${set}_programs} ${program} PARENT_SCOPE)
@@ -42,16 +28,13 @@ function(add_drawn shape count drawn)
   set(PREFIX Vdrawn_${ID})
   set(FOLDER ${CMAKE_CURRENT_BINARY_DIR}/drawn/${ID}_${drawn})
   string(REGEX REPLACE " .*" "" DESIGN "${shape}")
-  string(REGEX REPLACE "[A-Z]+=" "" PARAMETERS "${shape}")
-  string(REGEX REPLACE "^[^ ]* (.*)$" "\\1" PARAMETERS "${PARAMETERS}")
-  string(REPLACE " " ", " PARAMETERS "${PARAMETERS}")
-  cosim_nets_below(${DESIGN})
-  configure_file(${PROJECT_SOURCE_DIR}/tb/dut/registers.vlt.in ${FOLDER}/registers.vlt @ONLY)
   file(GLOB rtl CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/${DESIGN}/*.v)
   add_custom_command(OUTPUT ${FOLDER}/mutants.cpp
-    COMMAND mutants ${shape} ${count} --draw ${drawn} ${FOLDER}
-    COMMAND ${here}/verilate.sh ${FOLDER} ${PREFIX} ${DESIGN} registers.vlt
-    DEPENDS mutants ${here}/verilate.sh ${FOLDER}/registers.vlt ${rtl} VERBATIM
+    COMMAND cosim_mutants ${shape} ${count} --draw ${drawn} ${FOLDER}
+    COMMAND ${here}/verilate.sh ${FOLDER} ${PREFIX} ${DESIGN} --vpi --public-flat-rw
+    COMMAND ${CMAKE_COMMAND} -DOUTPUT=${FOLDER}/${PREFIX}_ports.h -P ${PROJECT_SOURCE_DIR}/tb/dut/ports.cmake
+      ${FOLDER}/verilated/${PREFIX}.h
+    DEPENDS cosim_mutants ${here}/verilate.sh ${rtl} VERBATIM
     COMMENT "Drawing mutants of ${shape}")
   configure_file(${here}/drawn_of.cpp.in ${FOLDER}/drawn_of.cpp @ONLY)
   set_source_files_properties(${FOLDER}/drawn_of.cpp PROPERTIES
@@ -62,7 +45,7 @@ function(add_drawn shape count drawn)
   # Run for a few thousand clocks a mutant: not compiled for speed.
   target_compile_options(${name} PRIVATE -O1)
   target_include_directories(${name} SYSTEM PRIVATE ${FOLDER} ${FOLDER}/verilated)
-  target_link_libraries(${name} PRIVATE mutation proof tb)
+  target_link_libraries(${name} PRIVATE mutation cosim_machines cosim_benches)
 endfunction()
 
 set(drawn_programs)
@@ -100,7 +83,7 @@ list(TRANSFORM programs REPLACE "(.+)" "$<TARGET_FILE:\\1>")
 list(JOIN programs "\n" programs)
 file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/drawn.txt CONTENT "${programs}\n")
 foreach(set slice full all)
-  add_custom_target(mutants_${set} DEPENDS mutants mutants_table)
+  add_custom_target(mutants_${set} DEPENDS cosim_mutants mutants_table)
   list(JOIN ${set}_programs "\n" programs)
   file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${set}.txt CONTENT "${programs}\n")
 endforeach()

@@ -46,7 +46,7 @@ class StreamSubject final : public VerilatedSubject {
   const Cases& cases() const override { return cases_; }
 
  private:
-  StreamBench<Top, Trait, MutantStreamDut<Top>> bench_;
+  StreamBench<Trait, MutantStreamDut<Top>> bench_;
   Cases cases_;
 };
 

@@ -13,12 +13,16 @@
 #   mutants.cpp  what Verilator makes of it, the class PREFIX, given the WORDs too
 set -euo pipefail
 
-folder=$(cd "$1" && pwd) prefix=$2 top=$3 count=$4
+folder=$(cd "$1" && pwd)
+[[ $folder != *[^A-Za-z0-9_./+=,@%~-]* ]] ||
+  { echo "plant.sh: $folder: yosys cannot be given that name" >&2 && exit 1; }
+prefix=$2 top=$3 count=$4
 [[ ! -f $count ]] || count=$(< "$count")
 words=("${@:5}")
 kept=''
 while IFS= read -r net; do
-  kept+=" w:${net##*.} w:${net##*.}[[]*" # of a memory that becomes registers, each
+  name=${net##*.}
+  kept+=" w:$name w:$name[[]* w:*.$name w:*.$name[[]*" # of a memory that becomes registers, each
 done < <([[ ! -f $folder/kept.txt ]] || cat "$folder/kept.txt")
 prepare="$(cat "$folder/read.ys")
   ${kept:+setattr -set keep 1 $kept}
@@ -28,7 +32,7 @@ prepare="$(cat "$folder/read.ys")
 export HOME=$folder # where yosys keeps a history
 yosys -q -p "$prepare; mutate -list $count -seed 1 -o $folder/all.txt" > "$folder/yosys.log" 2>&1 ||
   { cat "$folder/yosys.log" >&2 && exit 1; }
-sed -E "s/^mutate //; s/-module [^ ]+ //; s,$PWD/,,g" "$folder/all.txt" > "$folder/mutants.txt"
+perl -pe 's/^mutate //; s/-module \S+ //; s/\Q$ENV{PWD}\E\///g' "$folder/all.txt" > "$folder/mutants.txt"
 {
   echo "$prepare"
   awk '{ print $0, "-ctrl mutsel 16", NR }' "$folder/all.txt"

@@ -9,22 +9,24 @@
 #include <vector>
 
 #include "tb/support/json.h"
+#include "tb/support/json_at.h"
 #include "tb/support/read_file.h"
 #include "tb/support/replace_file.h"
 
 namespace {
 
 using cosim::Json;
+using cosim::JsonAt;
 
 struct Row {
   std::size_t mutants = 0, killed = 0, equivalent = 0, survived = 0;
   double seconds = 0;
 };
 
-std::string shape_of(const Json& results) {
+std::string shape_of(const JsonAt& results) {
   std::string text;
-  for (const auto& [name, value] : results.at("parameters").items()) {
-    text += fmt::format("{}{}={}", text.empty() ? "" : " ", name, value.get<int>());
+  for (const auto& [name, value] : results.at("parameters").json().items()) {
+    text += fmt::format("{}{}={}", text.empty() ? "" : " ", name, cosim::json_ascii(value));
   }
   return text;
 }
@@ -35,17 +37,18 @@ int run(const std::string& out, const std::vector<std::string>& paths) {
   std::map<std::string, Row> rows;
   std::size_t survived = 0;
   for (const std::string& path : paths) {
-    const Json& results = all.emplace_back(cosim::json_of(cosim::read_file(path)));
+    const JsonAt results(path, cosim::read_file(path));
+    all.push_back(results.json());
     const std::string name =
-        fmt::format("| {} | {} |", results.at("design").get<std::string>(), shape_of(results));
+        fmt::format("| {} | {} |", results.at("design").text(), shape_of(results));
     if (!rows.contains(name)) order.push_back(name);
     Row& row = rows[name];
-    row.mutants += results.at("mutants").get<std::size_t>();
-    row.killed += results.at("killed").get<std::size_t>();
-    row.equivalent += results.at("equivalent").get<std::size_t>();
-    row.survived += results.at("survived").get<std::size_t>();
-    row.seconds += results.at("seconds").get<double>();
-    survived += results.at("survived").get<std::size_t>();
+    row.mutants += results.at("mutants").whole();
+    row.killed += results.at("killed").whole();
+    row.equivalent += results.at("equivalent").whole();
+    row.survived += results.at("survived").whole();
+    row.seconds += results.at("seconds").number(0, 1e9);
+    survived += results.at("survived").whole();
   }
   fmt::print(
       "| design | parameters | mutants | killed | proved equivalent | survived | seconds |\n");

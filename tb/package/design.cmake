@@ -3,14 +3,20 @@
 #   cosim_add_design(NAME
 #     SOURCES file.v...            Verilog or SystemVerilog that Verilator reads
 #     [TOP module]                 the top module; default NAME
-#     [CLOCK port]                 its clock; default clk
+#     [CLOCK port | COMBINATIONAL] its clock; default clk; or it has no register
 #     [INCLUDE_DIRS folder...] [DEFINES name[=value]...]
 #     MODEL header...              what defines struct cosim::NAME::Design
 #     [SHAPES "W=8 M=8'h1F"...]    parameters of the top, one build each: numbers, constants, words
 #                                  (MODE=FAST is a text); none: as the RTL has them
+#     [NETLISTS file.v...]         one a shape, simulated in place of SOURCES; their registers are wires
+#     [LIBRARIES target...]        what the model needs besides its headers
 #     [UNPROVED])                  no proof: the model is plain, or yosys cannot read the RTL
 #
-#   cosim_add_program(TARGET)      a program with every command for all designs added so far
+#   cosim_add_program(TARGET       a program with every command for all designs added so far
+#     [SOURCES file.cpp...] [LIBRARIES target...]
+#     [REGISTER name...]           calls cosim::name::add_to(registry), tb/cli/registry.h: what they add
+#     [THEOREMS name...]           and cosim::name::theorems(), tb/proof/theorems.h
+#     [JOBS design=header...])     what more its mutants are attacked with, tb/mutation/cases.h
 #   cosim_add_tests(TARGET         CTest tests of its designs, each with its kind as its label:
 #     [HOSTILE clocks]             NAME.hostile, so many hostile clocks a shape (100000); NAME.proof,
 #                                  unless it is UNPROVED
@@ -25,9 +31,11 @@
 # combinational loop or a bidirectional port is refused, in a line that names the net.
 include_guard(GLOBAL)
 include(${CMAKE_CURRENT_LIST_DIR}/taken.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/../dut/ports.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../dut/rtl.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../dut/shape.cmake)
 set_property(GLOBAL PROPERTY COSIM_ROOT "${CMAKE_CURRENT_LIST_DIR}/../..")
+include(${CMAKE_CURRENT_LIST_DIR}/design_program.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../gtest/design_gtest.cmake)  # cosim_add_gtest(): tests by hand
 include(${CMAKE_CURRENT_LIST_DIR}/../mutation/design_mutants.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../coverage/design_cover.cmake)
@@ -60,7 +68,8 @@ function(cosim_add_design NAME)
   if(NOT VERILATOR_ROOT)
     find_package(verilator REQUIRED HINTS $ENV{VERILATOR_ROOT} /usr/share/verilator)
   endif()
-  cmake_parse_arguments(PARSE_ARGV 1 D "UNPROVED" "TOP;CLOCK" "SOURCES;INCLUDE_DIRS;DEFINES;MODEL;SHAPES")
+  cmake_parse_arguments(PARSE_ARGV 1 D "UNPROVED;COMBINATIONAL" "TOP;CLOCK"
+    "SOURCES;INCLUDE_DIRS;DEFINES;MODEL;SHAPES;NETLISTS;LIBRARIES")
   set(what "cosim_add_design(${NAME})")
   if(D_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "${what}: what is ${D_UNPARSED_ARGUMENTS}?")
@@ -89,21 +98,38 @@ function(cosim_add_design NAME)
   if(D_CLOCK)
     set(CLOCK ${D_CLOCK})
   endif()
+  set(reader_clock ${CLOCK})
+  if(D_COMBINATIONAL)
+    if(D_CLOCK)
+      message(FATAL_ERROR "${what}: COMBINATIONAL does not go with CLOCK")
+    endif()
+    set(CLOCK "")
+    set(reader_clock -)
+  endif()
   if(NOT D_SHAPES)
     set(D_SHAPES " ")
   endif()
+  list(LENGTH D_SHAPES shapes)
+  list(LENGTH D_NETLISTS netlists)
+  if(D_NETLISTS AND NOT shapes EQUAL netlists)
+    message(FATAL_ERROR "${what}: ${netlists} NETLISTS for ${shapes} SHAPES")
+  endif()
   cosim_files(rtl "${what}: SOURCES" ${D_SOURCES})
+  cosim_files(netlists "${what}: NETLISTS" ${D_NETLISTS})
   cosim_files(model "${what}: MODEL" ${D_MODEL})
   cosim_files(folders "${what}: INCLUDE_DIRS" ${D_INCLUDE_DIRS})
 
   set(MODEL_INCLUDES "")
+  set(model_text "")
   foreach(header IN LISTS model)
-    file(STRINGS ${header} jobs REGEX "^COSIM_JOB[(]")
-    if(jobs)
-      set_property(GLOBAL APPEND PROPERTY COSIM_WITH_JOBS ${NAME})
-    endif()
+    file(READ ${header} text)
+    string(APPEND model_text "${text}")
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${header})
     string(APPEND MODEL_INCLUDES "#include \"${header}\"\n")
   endforeach()
+  if(model_text MATCHES "\nCOSIM_JOB[(]")
+    set_property(GLOBAL APPEND PROPERTY COSIM_WITH_JOBS ${NAME})
+  endif()
   set(options)
   set(included)
   foreach(folder IN LISTS folders)
@@ -114,6 +140,7 @@ function(cosim_add_design NAME)
   foreach(define IN LISTS D_DEFINES)
     list(APPEND options -D${define})
   endforeach()
+  cosim_words_for_tools("${what}" ${TOP} ${CLOCK} ${D_DEFINES} ${folders})
   list(JOIN rtl "\" \"" for_yosys)
   list(JOIN options " " include_options)
   set(for_yosys "${include_options} \"${for_yosys}\"")
@@ -125,42 +152,112 @@ function(cosim_add_design NAME)
       set(${list} "\"${${list}}\"")
     endif()
   endforeach()
+  string(TOLOWER "${D_UNPROVED}" UNPROVED)  # true or false, for C++
 
   get_property(root GLOBAL PROPERTY COSIM_ROOT)
+  # For long runs: of the registers alone it is told where they are. And with the whole hierarchy open,
+  # for replays and waves: several times slower.
   cosim_verilated_library(${NAME}_verilated)
+  cosim_verilated_library(${NAME}_open)
+  target_compile_options(${NAME}_open PRIVATE -O1)
+  set(coverage)
+  if(COSIM_COVERAGE)
+    set(coverage COVERAGE)
+  endif()
+  set(SHAPES "")
+  set(VERILATED_INCLUDES "")
+  set(ADD_BENCHES "")
+  set(ADD_MACHINES "")
+  set(prefixes)
   foreach(shape IN LISTS D_SHAPES)
     cosim_shape(shape "${what}" "${shape}")
     string(REGEX REPLACE "[ =]" "" ID "${NAME}${shape}")
     string(MAKE_C_IDENTIFIER "${ID}" ID)
-    set(PREFIX V${ID})
+    string(LENGTH "${ID}" length)
+    if(length GREATER 100)  # names of files are made of it
+      string(SHA256 ID "${ID}")
+      string(SUBSTRING ${ID} 0 16 ID)
+      set(ID ${NAME}_${ID})
+    endif()
     string(STRIP "${NAME} ${shape_title}" TITLE)
-    set(PARAMETERS "${shape_values}")
-    set(CONSTANTS "${shape_constants}")
-    string(TOLOWER "${D_UNPROVED}" UNPROVED)  # true or false, for C++
     set(generics ${shape_generics})
-    cosim_read_rtl(rtl_of "cosim_add_design(${TITLE})" ${TOP} ${CLOCK}
+    cosim_read_rtl(rtl_of "cosim_add_design(${TITLE})" ${TOP} ${reader_clock}
       ${CMAKE_CURRENT_BINARY_DIR}/rtl_${ID} FILES ${rtl} OPTIONS ${generics} ${options}
       YOSYS "read_verilog -sv ${for_yosys}; hierarchy -check -top ${TOP}${shape_chparams}")
-    set(REGISTERS "${rtl_of_registers}")
-    set(RESETS "${rtl_of_resets}")
-    # Its whole hierarchy is open, for registers anywhere in it, for replays and for waves.
-    verilate(${NAME}_verilated PREFIX ${PREFIX} TOP_MODULE ${TOP} SOURCES ${rtl}
-      VERILATOR_ARGS ${generics} ${options} -Wno-fatal --x-initial unique --x-assign unique
-                     --assert --vpi --public-flat-rw)
-    configure_file(${root}/tb/package/named_bench_of.cpp.in
-      ${CMAKE_CURRENT_BINARY_DIR}/bench_${ID}.cpp @ONLY)
-    set_property(GLOBAL APPEND PROPERTY COSIM_BENCH_SOURCES
-      ${CMAKE_CURRENT_BINARY_DIR}/bench_${ID}.cpp)
-    set_property(GLOBAL APPEND PROPERTY COSIM_BENCHES ${ID})
+    set(verilated ${rtl})
+    set(verilated_options ${generics} ${options})
+    if(netlists)
+      list(POP_FRONT netlists verilated)
+      set(verilated_options)
+    endif()
+    list(APPEND verilated_options -Wno-fatal --x-initial unique --x-assign unique --assert --vpi)
+    cosim_control_file(control ${ID} "${rtl_of_registers}" "${model_text}")
+    verilate(${NAME}_verilated ${coverage} PREFIX V${ID} TOP_MODULE ${TOP}
+      SOURCES ${control} ${verilated} VERILATOR_ARGS ${verilated_options} -O3)
+    verilate(${NAME}_open PREFIX I${ID} TOP_MODULE ${TOP}
+      SOURCES ${verilated} VERILATOR_ARGS ${verilated_options} --public-flat-rw)
+    list(APPEND prefixes ${ID})
+    string(APPEND VERILATED_INCLUDES "#include \"V${ID}_ports.h\"\n#include \"I${ID}_ports.h\"\n")
+    string(APPEND SHAPES
+      "struct Trait_${ID} {\n"
+      "  using Design = ${NAME}::Design;\n"
+      "  static constexpr ${NAME}::Params params{${shape_values}};\n"
+      "  static constexpr const char* title = \"${TITLE}\";\n"
+      "  static constexpr const char* clock = \"${CLOCK}\";\n"
+      "  static constexpr const char* registers = \"${rtl_of_registers}\";\n"
+      "  static constexpr const char* resets = \"${rtl_of_resets}\";\n"
+      "};\n")
+    string(APPEND ADD_BENCHES "  add_benches(all, add_shape<V${ID}, I${ID}, Trait_${ID}>);\n")
+    string(APPEND ADD_MACHINES
+      "  all.push_back(proof::built_machine<Trait_${ID}>(\n"
+      "      {{${FILES}}, \"${TOP}\", {}, {}, {${FOLDERS}}, {${DEFINES}}, {${shape_constants}}}));\n")
     cosim_shape_mutants()
     cosim_shape_cover()
   endforeach()
-  cosim_without_runtime(${NAME}_verilated)
-  set_property(GLOBAL APPEND PROPERTY COSIM_VERILATED ${NAME}_verilated)
+  list(TRANSFORM prefixes PREPEND V OUTPUT_VARIABLE classes)
+  cosim_ports(${NAME}_verilated ${classes})
+  list(TRANSFORM prefixes PREPEND I OUTPUT_VARIABLE classes)
+  cosim_ports(${NAME}_open ${classes})
+  cosim_without_runtime(${NAME}_verilated ${NAME}_open)
+  # The lockstep of all shapes is one file, and what is proved of them another.
+  configure_file(${root}/tb/package/named_shapes.h.in ${CMAKE_CURRENT_BINARY_DIR}/${NAME}_shapes.h @ONLY)
+  foreach(kind benches machines)
+    set(source ${CMAKE_CURRENT_BINARY_DIR}/${NAME}_${kind}.cpp)
+    configure_file(${root}/tb/package/named_${kind}_of.cpp.in ${source} @ONLY)
+    set_property(GLOBAL APPEND PROPERTY COSIM_SOURCES_OF_${kind} ${source})
+  endforeach()
+  set_property(GLOBAL APPEND PROPERTY COSIM_VERILATED ${NAME}_verilated ${NAME}_open)
+  set_property(GLOBAL APPEND PROPERTY COSIM_LIBRARIES ${D_LIBRARIES})
   set_property(GLOBAL APPEND PROPERTY COSIM_DESIGNS ${NAME})
   if(D_UNPROVED)
     set_property(GLOBAL APPEND PROPERTY COSIM_UNPROVED ${NAME})
   endif()
+endfunction()
+
+# cosim_control_file(VARIABLE ID REGISTERS MODEL): what has Verilator keep the registers, by rtl.pl, and
+# what of the nets that carry their values the text of the model names.
+function(cosim_control_file variable id registers model)
+  string(REPLACE "\\n" ";" lines "${registers}")
+  set(names)
+  foreach(line IN LISTS lines)
+    string(REGEX MATCH "^([^ ]*)" register "${line}")
+    string(REGEX REPLACE "^.*[.]" "" register "${register}")
+    list(APPEND names "${register}")
+    string(REGEX REPLACE "^[^ ]* [^ ]* [^ ]* [^ ]*" "" rest "${line}")
+    string(REGEX MATCHALL " [^ ]+ [0-9-]+ [0-9-]+ [0-9]+" carriers "${rest}")
+    foreach(carrier IN LISTS carriers)
+      string(REGEX REPLACE "^ ([^ ]*[.])?([^ .]*) .*$" "\\2" carrier "${carrier}")
+      if(model MATCHES "[^A-Za-z0-9_]${carrier}[^A-Za-z0-9_]")
+        list(APPEND names "${carrier}")
+      endif()
+    endforeach()
+  endforeach()
+  list(REMOVE_DUPLICATES names)
+  list(TRANSFORM names REPLACE "^(.+)$" "public_flat_rd -module \"*\" -var \"\\1\"\n")
+  list(JOIN names "" names)
+  set(file ${CMAKE_CURRENT_BINARY_DIR}/V${id}.vlt)
+  file(CONFIGURE OUTPUT ${file} CONTENT "`verilator_config\n${names}" @ONLY)
+  set(${variable} ${file} PARENT_SCOPE)
 endfunction()
 
 # cosim_without_runtime(TARGET...): takes Verilator's own library, which verilate() puts into every
@@ -171,37 +268,6 @@ function(cosim_without_runtime)
     list(FILTER sources EXCLUDE REGEX "^${VERILATOR_ROOT}/include/")
     set_property(TARGET ${target} PROPERTY SOURCES ${sources})
   endforeach()
-endfunction()
-
-function(cosim_add_program TARGET)
-  get_property(root GLOBAL PROPERTY COSIM_ROOT)
-  get_property(sources GLOBAL PROPERTY COSIM_BENCH_SOURCES)
-  get_property(benches GLOBAL PROPERTY COSIM_BENCHES)
-  get_property(verilated GLOBAL PROPERTY COSIM_VERILATED)
-  if(NOT benches)
-    message(FATAL_ERROR "cosim_add_program(${TARGET}): no design was added before it")
-  endif()
-  set(DECLARATIONS "")
-  set(BENCHES "")
-  set(MACHINES "")
-  foreach(id IN LISTS benches)
-    string(APPEND DECLARATIONS
-      "void add_${id}(std::vector<std::unique_ptr<AnyBench>>& all);\nproof::BuiltMachine machine_${id}();\n")
-    string(APPEND BENCHES "    add_benches(all, add_${id});\n")
-    string(APPEND MACHINES "machine_${id}(), ")
-  endforeach()
-  get_property(on_demand GLOBAL PROPERTY COSIM_ON_DEMAND)
-  list(JOIN on_demand "" ON_DEMAND)
-  configure_file(${root}/tb/cli/program.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/${TARGET}.cpp @ONLY)
-  add_executable(${TARGET} ${CMAKE_CURRENT_BINARY_DIR}/${TARGET}.cpp ${sources})
-  set_target_properties(${TARGET} PROPERTIES UNITY_BUILD_CODE_AFTER_INCLUDE "#undef VL_PCH_INCLUDED")
-  foreach(library IN LISTS verilated)
-    get_target_property(folders ${library} INCLUDE_DIRECTORIES)
-    target_include_directories(${TARGET} SYSTEM PRIVATE ${folders})
-  endforeach()
-  target_compile_features(${TARGET} PRIVATE cxx_std_20)
-  target_link_libraries(${TARGET} PRIVATE
-    cosim::program cosim::prover cosim::stream cosim::dut cosim::harness ${verilated} cosim::runtime)
 endfunction()
 
 # The CTest test NAME.KIND, with KIND as its label.

@@ -13,8 +13,9 @@ function(cosim_on_demand KIND FILE)
   target_compile_features(${program} PRIVATE cxx_std_20)
   # Run for a few thousand clocks: not compiled for speed.
   target_compile_options(${program} PRIVATE -O1)
-  target_include_directories(${program} SYSTEM PRIVATE ${FOLDER} ${FOLDER}/verilated)
-  target_link_libraries(${program} PRIVATE ${ARGN} cosim::stream cosim::dut cosim::runtime)
+  target_include_directories(${program} SYSTEM PRIVATE
+    ${FOLDER} ${FOLDER}/verilated ${CMAKE_CURRENT_BINARY_DIR})
+  target_link_libraries(${program} PRIVATE ${ARGN} ${D_LIBRARIES} cosim::stream cosim::dut cosim::runtime)
   set_property(GLOBAL APPEND PROPERTY COSIM_ON_DEMAND
     "    registry.${KIND}({\"${TITLE}\", \"${program}\", \"${FOLDER}\"})\;\n")
 endfunction()

@@ -1,5 +1,5 @@
-// The benches of a shape whose nets are found by name: in lockstep where its model is a step, and
-// of streams where it is a function of streams.
+// The benches of a shape: in lockstep where its model is a step, and of streams where it is a
+// function of streams.
 #pragma once
 
 #include <memory>
@@ -13,20 +13,34 @@
 
 namespace cosim {
 
-/// Top: the Verilated class. Trait has Design, params, title and clock, and what the RTL's text
-/// says of its registers and resets. InputError where that does not fit a model in lockstep.
-template <class Top, class Trait>
+/// Top: the Verilated class, Open: that with its whole hierarchy open. Trait has Design, params,
+/// title and clock, and what the RTL's text says of its registers and resets. InputError where that
+/// does not fit a model in lockstep.
+template <class Top, class Open, class Trait>
 std::vector<std::unique_ptr<AnyBench>> named_benches() {
   using Design = typename Trait::Design;
   std::vector<std::unique_ptr<AnyBench>> all;
   if constexpr (!HasStreams<Design> || StepsOn<Design, Word>) {
-    auto bench = std::make_unique<AdapterBench<NamedAdapter<Top, Trait>>>();
+    auto bench =
+        std::make_unique<FastBench<NamedAdapter<Top, Trait>, NamedAdapter<Open, Trait, true>>>();
     bench->set_unobserved(
         require_registers<Design>({Trait::title, Trait::registers, Trait::resets}, Trait::params));
     all.push_back(std::move(bench));
   }
-  if constexpr (HasStreams<Design>) all.push_back(std::make_unique<StreamBench<Top, Trait>>());
+  if constexpr (HasStreams<Design>) {
+    all.push_back(
+        std::make_unique<StreamBench<Trait, VerilatedStreamDut<Top>, VerilatedStreamDut<Open>>>());
+  }
   return all;
+}
+
+/// Adds them to `all`. InputError where the model names another shape than Trait.
+template <class Top, class Open, class Trait>
+void add_shape(std::vector<std::unique_ptr<AnyBench>>& all) {
+  for (auto& bench : named_benches<Top, Open, Trait>()) {
+    require_shape(*bench, Trait::title);
+    all.push_back(std::move(bench));
+  }
 }
 
 }  // namespace cosim

@@ -56,7 +56,7 @@ std::vector<std::string> netlists(const NetQuestions& questions) {
   return all;
 }
 
-Solved solve(const NetQuestions& questions, int limit) {
+Solved solve(const NetQuestions& questions, int limit, const std::atomic<bool>* no_more) {
   const Scratch scratch;
   const auto in_scratch = [&](const char* name, std::size_t i) {
     return (scratch.path() / fmt::format("{}{}", name, i)).string();
@@ -72,7 +72,7 @@ Solved solve(const NetQuestions& questions, int limit) {
     commands += fmt::format("read_blif {}; strash; ifraig; dsat; write_cex -n {}; ",
                             in_scratch("asked", i), in_scratch("found", i));
   }
-  const Ended ended = run_program({"yosys-abc", "-s", "-q", commands}, limit);
+  const Ended ended = run_program({"yosys-abc", "-s", "-q", commands}, limit, no_more);
 
   Solved solved;
   solved.seconds = ended.seconds;
@@ -96,7 +96,8 @@ Solved solve(const NetQuestions& questions, int limit) {
     }
   }
   if (ended.timed_out) {
-    solved.answer = Answer::timed_out;
+    const bool is_stopped = no_more != nullptr && *no_more;
+    solved.answer = is_stopped ? Answer::stopped : Answer::timed_out;
   } else if (ended.status == kNoProgram) {
     solved.answer = Answer::missing;
   } else if (ended.status == 0 && solved.answers.size() == texts.size()) {

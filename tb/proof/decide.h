@@ -1,6 +1,8 @@
-// Claims put before the engines, several questions at a time. A claim is decided where two agree.
+// Claims put before the engines, several questions at a time. A claim is decided where two agree on
+// each of its questions.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -31,28 +33,33 @@ bool can_ask(Engine engine, const Claim& claim);
 /// What one engine says of a claim.
 struct Opinion {
   Engine engine = Engine::cec;
-  std::vector<Solved> solved{};  ///< by query, of nets one; empty where it was not asked
-  double seconds() const;        ///< of processor time
+  /// By query, of nets one; Answer::stopped where it was not asked. Empty: nothing was.
+  std::vector<Solved> solved{};
+  double seconds() const;  ///< of processor time
 };
 
 struct Decision {
   std::vector<Opinion> opinions;
-  bool proved =
-      false;  ///< as many engines as are needed answered all as wanted, and none otherwise
-  bool refuted = false;  ///< an engine gave an opposite answer, and none a wanted one
+  /// As many engines as are needed answered each question as wanted, and none otherwise.
+  bool proved = false;
+  bool refuted = false;  ///< an engine gave an opposite answer, and none contradicts it
   std::string verdict;   ///< "proved", "REFUTED", or why it is neither
 };
 
 struct Asking {
-  /// Asked in this order: two of them, and another where these are not of one mind. One alone
-  /// decides by itself.
+  /// Asked in this order: two of them, and another where these do not answer soon, or nothing else
+  /// is to be done. One alone decides by itself.
   std::vector<Engine> engines = all_engines();
   int limit = 300;    ///< seconds of processor time for one answer
   unsigned jobs = 1;  ///< questions at a time
+  int slice = 4;  ///< seconds of the first try of a question; each later one has four times more
 };
 
-/// Has the engines answer the claims. Results are in the order of the claims.
-std::vector<Decision> decide(const std::vector<const Claim*>& claims, const Asking& asking);
+/// Has the engines answer the claims. Results are in the order of the claims. `settled(i)` is
+/// called as soon as claim i is, one call at a time.
+std::vector<Decision> decide(
+    const std::vector<const Claim*>& claims, const Asking& asking,
+    const std::function<void(std::size_t)>& settled = [](std::size_t) {});
 
 /// Whether an engine reached its time limit, so that a longer one might help.
 bool timed_out(const std::vector<Decision>& decisions);

@@ -54,9 +54,7 @@ std::vector<std::vector<Opinion>> Judge::opinions_of_abc(
     const fs::path& verilog, const std::vector<unsigned>& numbers) const {
   Source source{{fs::absolute(verilog)}, machine_.design, {}};
   for (const Wire& w : machine_.registers) {
-    // In the flat module its name has a path in front.
-    const std::string path = net_path(w.field.net).path;
-    if (w.field.index <= 0) source.kept.push_back("*" + path.substr(path.rfind('.') + 1));
+    if (w.field.index <= 0) source.kept.push_back(net_path(w.field.net).path);
   }
   const MutantNets nets = nets_of_mutants(*model_, RtlNets(source), numbers);
   Solved solved;

@@ -1,13 +1,18 @@
 // The formulas and nets of every machine that is built.
 #pragma once
 
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/core/stream.h"
 #include "tb/nets/played.h"
 #include "tb/proof/machine.h"
 #include "tb/proof/rtl.h"
 
 namespace cosim::proof {
 
-/// A machine as a line of rtl/shipped.txt names it.
+/// A design at a shape.
 struct BuiltMachine {
   std::string title;
   /// How its model is made; null where no formula can be made of it.
@@ -25,37 +30,22 @@ inline const char* model_without_formula(const BuiltMachine& machine) {
                          : "a plain model, on machine integers alone";
 };
 
-/// How the formula and the nets of a design at its parameters are made, for BuiltMachine.
+/// That of a shape: Trait has Design, params and title. `source`: its RTL.
 template <class Trait>
-constexpr auto formula_of() -> MachineFormula (*)() {
+BuiltMachine built_machine(Source source) {
   using Design = typename Trait::Design;
+  BuiltMachine machine{Trait::title, nullptr, nullptr, std::move(source), HasStreams<Design>};
   if constexpr (StepsOn<Design, Bits>) {
-    return [] { return formula<Design>(Trait::params); };
-  } else {
-    return nullptr;
+    machine.formula = [] { return formula<Design>(Trait::params); };
   }
-}
-template <class Trait>
-constexpr auto nets_of() -> nets::Model (*)() {
-  using Design = typename Trait::Design;
   if constexpr (StepsOn<Design, nets::Number>) {
-    return [] { return nets::model_of<Design>(Trait::params); };
-  } else {
-    return nullptr;
+    machine.nets = [] { return nets::model_of<Design>(Trait::params); };
+    machine.played = [] { return nets::played_of<Design>(Trait::params); };
   }
+  return machine;
 }
 
-template <class Trait>
-constexpr auto played_of() -> nets::Played (*)() {
-  using Design = typename Trait::Design;
-  if constexpr (StepsOn<Design, nets::Number>) {
-    return [] { return nets::played_of<Design>(Trait::params); };
-  } else {
-    return nullptr;
-  }
-}
-
-/// All of them, in that file's order; made by CMake.
+/// All of them, in the order in which they were added; made by CMake.
 const std::vector<BuiltMachine>& built_machines();
 
 }  // namespace cosim::proof

@@ -14,7 +14,7 @@ namespace {
 using nets::Bit;
 using nets::no;
 using nets::yes;
-using Bits = std::vector<Bit>;
+using Row = std::vector<Bit>;
 using Known = MutantNets::Known;
 
 // The model, and the RTL with any of its mutants.
@@ -52,8 +52,8 @@ class Maker {
     const Step with = step_of(number);
     if (with.clocks != original_.clocks) return Known::other;
     Bit wrong = no;
-    const auto differ = [&](const std::vector<nets::Wire>& wires, const std::vector<Bits>& a,
-                            const std::vector<Bits>& b) {
+    const auto differ = [&](const std::vector<nets::Wire>& wires, const std::vector<Row>& a,
+                            const std::vector<Row>& b) {
       for (std::size_t i = 0; i < wires.size(); ++i) {
         wrong = graph().either(wrong, where_compared(wires[i], differs(a[i], b[i])));
       }
@@ -73,8 +73,8 @@ class Maker {
   // A clock of the RTL from the states that the model has.
   struct Step {
     Bit given = yes;  // that registers hold what the model's hold, where flip-flops are not they
-    std::vector<Bits> after, outputs;
-    Bits clocks;
+    std::vector<Row> after, outputs;
+    Row clocks;
   };
 
   nets::Graph& graph() { return q_.graph; }
@@ -83,7 +83,7 @@ class Maker {
     q_.inputs.push_back({fmt::format("free.{}", q_.inputs.size()), bit});
     return bit;
   }
-  Bit differs(const Bits& a, const Bits& b) {
+  Bit differs(const Row& a, const Row& b) {
     Bit any = no;
     for (std::size_t i = 0; i < a.size(); ++i) {
       any = graph().either(any, graph().differ(a[i], b[i]));
@@ -95,10 +95,10 @@ class Maker {
   }
 
   // By net: flip-flops hold `held`; inputs are the model's, or free.
-  Bits placed(unsigned number, const Bits& held, bool free_inputs,
-              const std::vector<nets::Wire>& clearing = {}) {
+  Row placed(unsigned number, const Row& held, bool free_inputs,
+             const std::vector<nets::Wire>& clearing = {}) {
     const nets::Cells& cells = rtl_.cells();
-    Bits given(cells.nets.size());
+    Row given(cells.nets.size());
     for (const auto* all : {&cells.inputs, &cells.free}) {
       for (const std::size_t net : *all) given[net] = anything_[net];
     }
@@ -107,7 +107,7 @@ class Maker {
     }
     for (std::size_t i = 0; i < inputs_.size(); ++i) {
       const nets::Wire& own = machine_.inputs[i];
-      const Bits* code = free_inputs ? nullptr : &own.code;
+      const Row* code = free_inputs ? nullptr : &own.code;
       for (const nets::Wire& w : clearing) {
         if (label_of(w.field) == label_of(own.field)) code = &w.code;
       }
@@ -118,20 +118,20 @@ class Maker {
     for (std::size_t i = 0; i < held.size(); ++i) given[cells.flip_flops[i].now] = held[i];
     return nets::placed(graph(), cells, std::move(given));
   }
-  Bits held_at_random() const {
-    Bits all;
+  Row held_at_random() const {
+    Row all;
     for (const auto& f : rtl_.cells().flip_flops) all.push_back(anything_[f.now]);
     return all;
   }
-  Bits next_of(const Bits& nets) const {
-    Bits all;
+  Row next_of(const Row& nets) const {
+    Row all;
     for (const auto& f : rtl_.cells().flip_flops) all.push_back(nets[f.next]);
     return all;
   }
-  static std::vector<Bits> in(const Bits& nets, const std::vector<std::vector<std::size_t>>& of) {
-    std::vector<Bits> all;
+  static std::vector<Row> in(const Row& nets, const std::vector<std::vector<std::size_t>>& of) {
+    std::vector<Row> all;
     for (const auto& wire : of) {
-      Bits bits;
+      Row bits;
       for (const std::size_t net : wire) bits.push_back(nets[net]);
       all.push_back(std::move(bits));
     }
@@ -140,8 +140,8 @@ class Maker {
 
   Step step_of(unsigned number) {
     Step step;
-    Bits held = held_at_random();
-    const Bits nets = placed(number, held, false);
+    Row held = held_at_random();
+    const Row nets = placed(number, held, false);
     // A net that is a flip-flop gives it its value; of any other that is assumed.
     for (std::size_t i = 0; i < registers_.size(); ++i) {
       const nets::Wire& w = machine_.registers[i];
@@ -151,7 +151,7 @@ class Maker {
         *own = w.when ? graph().choice(*w.when, w.code[b], *own) : w.code[b];
       }
     }
-    const Bits now = placed(number, held, false);
+    const Row now = placed(number, held, false);
     for (std::size_t i = 0; i < registers_.size(); ++i) {
       const nets::Wire& w = machine_.registers[i];
       for (std::size_t b = 0; b < registers_[i].size(); ++b) {
@@ -167,7 +167,7 @@ class Maker {
 
   // After a clock that clears, whatever the flip-flops held.
   Bit not_cleared(unsigned number) {
-    const Bits now = placed(number, held_at_random(), false, machine_.clearing);
+    const Row now = placed(number, held_at_random(), false, machine_.clearing);
     const auto after = in(placed(number, next_of(now), true), registers_);
     Bit wrong = no;
     for (std::size_t i = 0; i < after.size(); ++i) {
@@ -183,7 +183,7 @@ class Maker {
   NetQuestions q_;
   std::vector<std::vector<std::size_t>> inputs_, registers_, outputs_;
   std::vector<std::size_t> clocks_;  // of each flip-flop
-  Bits anything_;                    // by net, of inputs and flip-flops
+  Row anything_;                     // by net, of inputs and flip-flops
   Bit assumed_ = yes;
   Step original_;
 };

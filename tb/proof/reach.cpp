@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 
 #include "model/core/input_error.h"
@@ -51,13 +52,14 @@ bool says_never(const std::string& text) {
 
 bool says_yes(const std::string& text) { return text.find("Status = 0 ") != std::string::npos; }
 
-struct Engine {
+struct Search {
   std::string name, commands;  // the seconds follow
 };
 
 }  // namespace
 
-Reached reach(const Aig& graph, Aig::Lit bad, int seconds) {
+Reached reach(const Aig& graph, Aig::Lit bad, int seconds, unsigned jobs) {
+  const auto ends = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
   Reached reached;
   if (bad == 0) {
     reached.ever = Ever::never;
@@ -71,17 +73,16 @@ Reached reach(const Aig& graph, Aig::Lit bad, int seconds) {
   file.close();
   // Without registers it is a question of logic alone.
   const bool sequential = graph.latches() > 0;
-  std::vector<Engine> engines{{"dsat", "ifraig; dsat -C "}, {"iprove", "iprove -C "}};
+  std::vector<Search> engines{{"dsat", "ifraig; dsat -C "}, {"iprove", "iprove -C "}};
   if (sequential) {
     engines = {{"scorr and pdr", "scorr; pdr -T "},
                {"bmc3", "bmc3 -T "},
-               {"scorr and dprove", "scorr; dprove -T "}};
+               {"lcorr and dprove", "lcorr; dprove -T "}};
   }
   // What lies deep is found by chance sooner than by search, which then only looks for less.
   std::vector<std::vector<bool>> chance;
   if (sequential) {
     chance = graph.tried(bad, std::min(kClocks, kSteps / (graph.gates() + 1)));
-    if (!chance.empty()) seconds = 1;
   }
   for (int round = 0, limit = std::min(seconds, 1); limit > 0; ++round) {
     std::vector<Ended> ended(engines.size());
@@ -89,7 +90,7 @@ Reached reach(const Aig& graph, Aig::Lit bad, int seconds) {
     const auto found = [&](std::size_t i) {
       return (scratch.path() / fmt::format("found{}.{}", round, i)).string();
     };
-    in_parallel(engines.size(), 2, [&](std::uint64_t i) {
+    in_parallel(engines.size(), jobs, [&](std::uint64_t i) {
       if (decided || (!chance.empty() && i != kBounded)) return true;
       const std::string work =
           engines[i].commands + std::to_string(sequential ? limit : kConflicts * limit);
@@ -97,7 +98,7 @@ Reached reach(const Aig& graph, Aig::Lit bad, int seconds) {
           {"env", "-C", scratch.path().string(), "yosys-abc", "-s", "-q",
            fmt::format("read_aiger asked.aig; strash; {}; print_status; write_cex -n {}", work,
                        found(i))},
-          limit + limit / 2 + 2, &decided);
+          limit + 2, &decided);
       // Only the bounded search takes the clocks in order: what it finds is the least.
       const bool finds_least = i == kBounded || !sequential;
       if (sequential ? says_never(ended[i].text) : says_yes(ended[i].text)) decided = true;
@@ -123,8 +124,11 @@ Reached reach(const Aig& graph, Aig::Lit bad, int seconds) {
     }
     static const Pattern reaches(R"(No output failed in ([0-9]+) frames)");
     for (const auto& part : reaches.all(ended[1].text)) reached.clocks = std::stoi(part[1]);
-    seconds -= limit;
-    limit = std::min(8 * limit, seconds);
+    const std::chrono::duration<double> left = ends - std::chrono::steady_clock::now();
+    const auto at_a_time = std::min<std::size_t>(jobs, engines.size());
+    const double each =
+        left.count() * static_cast<double>(at_a_time) / static_cast<double>(engines.size());
+    limit = chance.empty() ? std::min(8 * limit, static_cast<int>(each)) : 0;
   }
   if (!chance.empty()) return Reached{Ever::yes, "random stimuli", chance, false, 0};
   return reached;

@@ -23,8 +23,8 @@ struct Reached {
 };
 
 /// Whether `bad` is ever 1, where the registers begin as the graph says and the inputs are any. A
-/// stimulus has been tried on the graph, so that yes holds whatever the engine says. About
-/// `seconds` of processor time are given to each engine. InputError where there is no yosys-abc.
-Reached reach(const Aig& graph, Aig::Lit bad, int seconds);
+/// stimulus has been tried on the graph, so that yes holds whatever the engine says. All takes
+/// about `seconds`, with `jobs` engines at a time. InputError where there is no yosys-abc.
+Reached reach(const Aig& graph, Aig::Lit bad, int seconds, unsigned jobs = 2);
 
 }  // namespace cosim::proof

@@ -22,7 +22,7 @@ std::map<std::string, std::string> values_in(const std::string& text) {
 
 // Runs a solver on a script, and adds up the processor time it took.
 Ended run(const Solver& solver, const std::string& script, int limit, const std::string& options,
-          double& seconds) {
+          double& seconds, const std::atomic<bool>* no_more = nullptr) {
   const Scratch scratch;
   const std::string name = (scratch.path() / "script.smt2").string();
   OutputFile file(name);
@@ -37,7 +37,7 @@ Ended run(const Solver& solver, const std::string& script, int limit, const std:
   }
   words.push_back(name);
 
-  Ended ended = run_program(words, limit);
+  Ended ended = run_program(words, limit, no_more);
   seconds += ended.seconds;
   return ended;
 }
@@ -56,6 +56,8 @@ std::string to_text(Answer answer) {
       return "timed out";
     case Answer::missing:
       return "missing";
+    case Answer::stopped:
+      return "stopped";
     case Answer::failed:
       return "failed";
   }
@@ -70,13 +72,16 @@ const std::vector<Solver>& solvers() {
   return list;
 }
 
-Solved solve(const Solver& solver, const std::string& script, int limit, bool eager) {
+Solved solve(const Solver& solver, const std::string& script, int limit, bool eager,
+             const std::atomic<bool>* no_more) {
   Solved solved;
   const bool twice = eager && !solver.harder.empty() && limit > kSoon;
-  Ended ended =
-      run(solver, script, twice ? kSoon : limit, eager ? solver.eager : "", solved.seconds);
-  if (twice && ended.timed_out) {
-    ended = run(solver, script, limit - kSoon, solver.eager + ' ' + solver.harder, solved.seconds);
+  const auto is_stopped = [&] { return no_more != nullptr && *no_more; };
+  Ended ended = run(solver, script, twice ? kSoon : limit, eager ? solver.eager : "",
+                    solved.seconds, no_more);
+  if (twice && ended.timed_out && !is_stopped()) {
+    ended = run(solver, script, limit - kSoon, solver.eager + ' ' + solver.harder, solved.seconds,
+                no_more);
   }
   std::istringstream lines(ended.text);
   for (std::string line; std::getline(lines, line);) {
@@ -91,7 +96,7 @@ Solved solve(const Solver& solver, const std::string& script, int limit, bool ea
     }
   }
   if (ended.timed_out) {
-    solved.answer = Answer::timed_out;
+    solved.answer = is_stopped() ? Answer::stopped : Answer::timed_out;
   } else if (ended.status == kMissing) {
     solved.answer = Answer::missing;
   } else if (ended.status == 0 && solved.said.empty() && !solved.answers.empty()) {

@@ -1,6 +1,7 @@
 // Solvers of SMT-LIB 2 scripts.
 #pragma once
 
+#include <atomic>
 #include <map>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@ enum class Answer {
   unknown,  ///< the solver gave up
   timed_out,
   missing,  ///< there is no such solver
+  stopped,  ///< others had answered before
   failed,   ///< the solver did not understand, or died
 };
 
@@ -45,7 +47,9 @@ struct Solved {
 };
 
 /// Has a solver answer the questions of a script, in `limit` seconds of processor time at the most.
-Solved solve(const Solver& solver, const std::string& script, int limit, bool eager = false);
+/// It is stopped when `no_more` becomes true.
+Solved solve(const Solver& solver, const std::string& script, int limit, bool eager = false,
+             const std::atomic<bool>* no_more = nullptr);
 
 /// What the terms are where the one question of a script is answered with "sat"; empty where not.
 std::map<std::string, std::string> values(const Solver& solver, const std::string& script,

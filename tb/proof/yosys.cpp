@@ -29,7 +29,7 @@ std::string kept_net(const std::string& name) {
     const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0;
     if (!plain && std::string_view("_$.").find(c) == std::string_view::npos) c = '?';
   }
-  return fmt::format(" w:{0} w:{0}\\[*", pattern);
+  return fmt::format(" w:{0} w:{0}\\[* w:*.{0} w:*.{0}\\[*", pattern);
 }
 
 std::string read_commands(const Source& source) {
@@ -55,14 +55,22 @@ std::string commands_to_elaborate(const Source& source) {
   return commands;
 }
 
+// As prep -flatten -nomem does it, but without removing a flip-flop whose next value is a constant
+// or that of another one: it is a register as any other.
 std::string flat_commands(const Source& source) {
+  constexpr const char* no_flip_flop = "t:* t:$*ff* %d";
   std::string kept = "w:*_q";
   for (const std::string& net : source.kept) kept += kept_net(net.substr(net.rfind('.') + 1));
   return commands_to_elaborate(source) +
          fmt::format(
-             "; rename -top {0}; setattr -set keep 1 {1}; prep -flatten -nomem; "
-             "memory_collect; memory_map; setattr -set keep 1 {1}",
-             source.top, kept);
+             "; rename -top {0}; setattr -set keep 1 {1}; proc; flatten; opt_expr -keepdc; "
+             "opt_clean; {2}; wreduce -keepdc {3}; {2}; {2}; memory_collect; memory_map; "
+             "setattr -set keep 1 {1}",
+             source.top, kept,
+             fmt::format("opt_merge {0}; opt_muxtree; opt_reduce; opt_merge {0}; opt_clean; "
+                         "opt_expr -keepdc",
+                         no_flip_flop),
+             no_flip_flop);
 }
 
 void run_yosys(const std::string& commands, const std::string& what) {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "tb/regress/parse.h"
+#include "tb/support/json.h"
 #include "tb/support/words.h"
 
 namespace cosim::regress {
@@ -164,7 +164,7 @@ Plan read_plan(const std::string& text, const std::string& path, const std::vect
   const Complaints complaints(path, errors);
   Plan plan;
   std::vector<std::string> wrong_json;
-  const Json json = parse(text, wrong_json);
+  const Json json = parse_json(text, wrong_json);
   for (const std::string& one : wrong_json) complaints.add("", one);
   if (json.is_null() && !wrong_json.empty()) return plan;
   if (!json.is_object() || !json.contains("format") || json["format"] != format) {

@@ -1,11 +1,7 @@
 #include "tb/regress/queue.h"
 
 #include <fmt/format.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <cerrno>
 #include <chrono>
 #include <sstream>
 #include <thread>
@@ -22,19 +18,6 @@ constexpr std::chrono::seconds moment(3);
 
 std::string first_line(const std::string& text) {
   return one_line(text.substr(0, text.find('\n')));
-}
-
-// Runs a program to its end even where this one is to end: run_program() would not begin it.
-bool run_all_the_same(const std::vector<std::string>& words) {
-  std::vector<char*> argv;
-  for (const std::string& w : words) argv.push_back(const_cast<char*>(w.c_str()));
-  argv.push_back(nullptr);
-  pid_t child = 0;
-  if (posix_spawnp(&child, argv[0], nullptr, nullptr, argv.data(), environ) != 0) return false;
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
 }
 
 }  // namespace
@@ -73,7 +56,7 @@ void cancel(const Jobs& jobs) {
   if (jobs.empty()) return;
   std::vector<std::string> words{"scancel", "--quiet"};
   words.insert(words.end(), jobs.begin(), jobs.end());
-  if (run_all_the_same(words)) return;
+  if (run_all_the_same(words).status == 0) return;
   complain(fmt::format("the jobs are not cancelled; do it with: scancel {}", fmt::join(jobs, " ")));
 }
 
@@ -82,7 +65,7 @@ void put_back(const std::string& job) {
   const std::string commands = fmt::format(
       "test \"$(squeue --noheader --jobs={0} --format=%T)\" != RUNNING || scontrol requeue {0}",
       job);
-  if (!run_all_the_same({"sh", "-c", commands})) complain("scontrol requeue failed");
+  if (run_all_the_same({"sh", "-c", commands}).status != 0) complain("scontrol requeue failed");
 }
 
 void wait_a_moment() {

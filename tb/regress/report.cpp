@@ -7,6 +7,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/support/json.h"
+#include "tb/support/json_at.h"
 #include "tb/support/replace_file.h"
 #include "tb/support/words.h"
 
@@ -23,6 +24,15 @@ std::vector<std::pair<std::uint64_t, std::uint64_t>> ranges(const RunFolder& run
     last = s + 1;
   }
   return all;
+}
+
+// What a part says of a failure.
+Json failure_of(const std::string& work, const JsonAt& said) {
+  Json failure{{"work", work}, {"what", one_line(said.at("what").text())}};
+  for (const char* key : {"folder", "command"}) {
+    if (const auto one = said.find(key)) failure[key] = one_line(one->text());
+  }
+  return failure;
 }
 
 // A line of a failure, and how to see it again.
@@ -80,24 +90,22 @@ class Putting {
   }
 
   Json one(const Task& task, const Work& work, std::size_t w) {
-    std::vector<Json> parts;
+    std::vector<Part> parts;
     std::size_t failures = 0;
     bool whole = true;
     const std::string title = fmt::format("{}: {}", task.name, work.title());
     for (auto [s, last] = ranges_[w]; s < last && whole; ++s) {
       if (!results_.done[s]) whole = false;
       if (!whole) break;
-      Json part = results_.done[s]->result;
-      if (part.contains("failed")) {
-        for (const Json& failed : part["failed"]) {
-          Json failure{{"work", title}};
-          failure.update(failed);
-          failures_.push_back(std::move(failure));
-          ++failures;
-        }
-        part.erase("failed");
+      const Shard& shard = run_.shards()[s];
+      const std::string place = fmt::format("{}: shard {}", (run_.path() / "results").string(), s);
+      const JsonAt all = JsonAt::of(place, results_.done[s]->result);
+      const auto failed = all.find("failed");
+      if (failed) {
+        for (const JsonAt& one : failed->list(1)) failures_.push_back(failure_of(title, one));
+        ++failures;
       }
-      parts.push_back(std::move(part));
+      parts.push_back({shard.first, shard.last, all, failed.has_value()});
       if (failures != 0 && work.ends_at_failure()) break;
     }
     holds_ = holds_ && whole && failures == 0;

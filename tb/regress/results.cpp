@@ -14,6 +14,7 @@
 #include "model/core/input_error.h"
 #include "tb/support/hash.h"
 #include "tb/support/json.h"
+#include "tb/support/json_at.h"
 #include "tb/support/words.h"
 
 namespace cosim::regress {
@@ -52,30 +53,34 @@ bool write_all(int file, const std::string& text) {
   return true;
 }
 
+constexpr double most_seconds = 1e9;
+
 // Of a line without its hash.
 std::string hash_of_line(const std::string& run, const Json& json) {
   return hash_of(run + json_text(json));
 }
 
-std::optional<Line> line_of(const std::string& run, const std::string& text) {
-  Json json = json_if(text);
-  if (!json.is_object()) return std::nullopt;
+// None where it is cut off or changed.
+std::optional<Line> line_of(const std::string& run, const std::string& path,
+                            const std::string& text) {
   try {
-    const auto hash = json.at("hash").get<std::string>();
+    const JsonAt all(path, text);
+    Json json = all.json();
+    const std::string hash = all.at("hash").text();
     json.erase("hash");
     if (hash != hash_of_line(run, json)) return std::nullopt;
     Line line;
-    line.shard = json.at("shard").get<std::uint64_t>();
-    line.host = json.at("host").get<std::string>();
-    line.seconds = json.at("seconds").get<double>();
-    if (json.contains("error")) {
-      line.error = json.at("error").get<std::string>();
+    line.shard = all.at("shard").whole();
+    line.host = all.at("host").text();
+    line.seconds = all.at("seconds").number(0, most_seconds);
+    if (const auto error = all.find("error")) {
+      line.error = error->text();
     } else {
-      line.result = json.at("result");
+      line.result = all.at("result").json();
       if (!line.result.is_object()) return std::nullopt;
     }
     return line;
-  } catch (const Json::exception&) {
+  } catch (const InputError&) {
     return std::nullopt;
   }
 }
@@ -120,7 +125,7 @@ Results read_results(const fs::path& folder, const std::string& run, std::uint64
     std::ifstream file(path, std::ios::binary);
     if (!file) throw InputError(path.string() + ": cannot be read");
     for (std::string text; std::getline(file, text);) {
-      std::optional<Line> line = line_of(run, text);
+      std::optional<Line> line = line_of(run, path.string(), text);
       // Without its '\n' even a whole line may be that of another number.
       if (!line || file.eof() || line->shard >= shards) {
         ++results.torn;

@@ -2,13 +2,14 @@
 
 #include <fmt/core.h>
 
-#include <exception>
+#include <algorithm>
 #include <system_error>
 #include <utility>
 
 #include "model/core/input_error.h"
 #include "tb/support/hash.h"
 #include "tb/support/json.h"
+#include "tb/support/json_at.h"
 #include "tb/support/parallel.h"
 #include "tb/support/read_file.h"
 #include "tb/support/replace_file.h"
@@ -18,8 +19,6 @@ namespace cosim::regress {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string program_text() { return fmt::format("{:016x}", program_hash()); }
 
 [[noreturn]] void cannot_write(const fs::path& path, const std::error_code& error) {
   throw InputError(fmt::format("{}: cannot write: {}", path.string(), error.message()));
@@ -64,14 +63,21 @@ Json to_json(const std::vector<Known>& works) {
   return all;
 }
 
-std::vector<Known> works_from(const Json& json) {
+// Every work of every task of the plan, in order.
+std::vector<Known> works_from(const JsonAt& json, const Plan& plan) {
+  constexpr double least_minutes = 1e-9, most_minutes = 1e9;
   std::vector<Known> works;
-  for (const Json& w : json) {
-    works.push_back({w.at("task").get<std::size_t>(),
-                     w.at("in_task").get<std::size_t>(),
-                     w.at("title").get<std::string>(),
-                     {w.at("units").get<std::uint64_t>(), w.at("minutes").get<double>()}});
+  for (const JsonAt& w : json.list(1)) {
+    const bool is_next = works.empty() || w.at("task").whole() != works.back().task;
+    const std::size_t task = works.empty() ? 0 : works.back().task + (is_next ? 1 : 0);
+    const std::size_t in_task = is_next ? 0 : works.back().in_task + 1;
+    works.push_back(
+        {w.at("task").whole(task, task),
+         w.at("in_task").whole(in_task, in_task),
+         w.at("title").text(),
+         {w.at("units").whole(1), w.at("minutes").number(least_minutes, most_minutes)}});
   }
+  if (works.back().task + 1 != plan.tasks.size()) json.fail("are not those of every task");
   return works;
 }
 
@@ -137,7 +143,7 @@ RunFolder RunFolder::make(const fs::path& folder, Plan plan, const Kinds& kinds,
   const std::string text = json_text(regress::to_json(run.plan_), 1) + '\n';
   replace_file((run.path_ / "plan.json").string(), text);
   Json json{{"format", format},
-            {"program", program_text()},
+            {"program", program_hash()},
             {"plan", hash_of(text)},
             {"shards", shards},
             {"works", to_json(run.works_)}};
@@ -152,33 +158,25 @@ RunFolder::RunFolder(const fs::path& folder, const Kinds& kinds)
   if (!path_.has_filename()) path_ = path_.parent_path();
   const std::string name = (path_ / "run.json").string();
   if (!fs::exists(name)) throw InputError(path_.string() + ": is no folder of a regression");
-  Json json = json_if(read_file(name));
-  const auto none = [&] { return InputError(name + ": is not that of a regression"); };
-  if (!json.is_object()) throw none();
-  if (!json.contains("format") || json["format"] != format) {
-    throw InputError(name + ": is of another format");
+  const JsonAt all(name, read_file(name));
+  all.at("format").whole(format, format);
+  const std::string text = read_file((path_ / "plan.json").string());
+  if (all.at("program").text() != program_hash()) {
+    throw InputError(fmt::format("{}: a run of another program or build: its own is {}",
+                                 path_.string(), program().string()));
   }
-  try {
-    const std::string text = read_file((path_ / "plan.json").string());
-    if (json.at("program") != program_text()) {
-      throw InputError(fmt::format("{}: a run of another program or build: its own is {}",
-                                   path_.string(), program().string()));
-    }
-    if (json.at("plan") != hash_of(text)) {
-      throw InputError(path_.string() + ": its plan.json was changed");
-    }
-    // Behind it every value is as it was written: of its type and in its range.
-    identity_ = json.at("hash").get<std::string>();
-    json.erase("hash");
-    if (identity_ != hash_of(json_text(json))) throw InputError(name + ": was changed");
-    std::vector<std::string> errors;
-    plan_ = read_plan(text, (path_ / "plan.json").string(), keys_of(kinds), 0, errors);
-    if (!errors.empty()) throw InputError(errors.front());
-    works_ = works_from(json.at("works"));
-    shards_ = cut(sizes(works_), json.at("shards").get<std::uint64_t>());
-  } catch (const Json::exception&) {
-    throw none();
+  if (all.at("plan").text() != hash_of(text)) {
+    throw InputError(path_.string() + ": its plan.json was changed");
   }
+  Json json = all.json();
+  json.erase("hash");
+  identity_ = all.at("hash").text();
+  if (identity_ != hash_of(json_text(json))) throw InputError(name + ": was changed");
+  std::vector<std::string> errors;
+  plan_ = read_plan(text, (path_ / "plan.json").string(), keys_of(kinds), 0, errors);
+  if (!errors.empty()) throw InputError(errors.front());
+  works_ = works_from(all.at("works"), plan_);
+  shards_ = cut(sizes(works_), all.at("shards").whole(1, most_shards));
 }
 
 fs::path RunFolder::program() const { return path_ / program_name(); }
@@ -194,7 +192,18 @@ double RunFolder::minutes(std::uint64_t shard) const {
 }
 
 Works RunFolder::works_of(std::size_t task, const Kinds& kinds) const {
-  return kind_of(kinds, plan_.tasks[task]).works(plan_.tasks[task], path_);
+  Works works = kind_of(kinds, plan_.tasks[task]).works(plan_.tasks[task], path_);
+  auto known = std::find_if(works_.begin(), works_.end(),
+                            [&](const Known& one) { return one.task == task; });
+  bool same = true;
+  for (const auto& work : works) {
+    same = same && known != works_.end() && known->task == task && known->title == work->title() &&
+           known->size.units == work->units();
+    if (same) ++known;
+  }
+  if (same && (known == works_.end() || known->task != task)) return works;
+  throw InputError(fmt::format("{}: task {} comes to other work on this host",
+                               (path_ / "run.json").string(), in_quotes(plan_.tasks[task].name)));
 }
 
 }  // namespace cosim::regress

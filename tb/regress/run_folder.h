@@ -51,7 +51,7 @@ class RunFolder {
   std::filesystem::path prepared(std::size_t work) const;
   /// What a shard is thought to take, in minutes.
   double minutes(std::uint64_t shard) const;
-  /// Works, made anew: those of one task.
+  /// Works, made anew: those of one task. InputError where they are not as the run knows them.
   Works works_of(std::size_t task, const Kinds& kinds) const;
 
   /// The hash of program, plan and works, a word: what checkpoints and results are of.

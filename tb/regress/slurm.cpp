@@ -14,6 +14,7 @@
 #include "tb/regress/queue.h"
 #include "tb/regress/worker.h"
 #include "tb/support/interrupt.h"
+#include "tb/support/quoted.h"
 #include "tb/support/read_file.h"
 #include "tb/support/replace_file.h"
 #include "tb/support/words.h"
@@ -27,12 +28,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t most_tasks = 1000;
 
 using Shards = std::vector<std::uint64_t>;
-
-std::string in_shell(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? "'\\''" : std::string(1, c);
-  return quoted + "'";
-}
 
 bool has_variable(const char* name) { return std::getenv(name) != nullptr; }
 
@@ -118,7 +113,7 @@ class Submission {
       words.push_back(fmt::format("--time={}", time_limit(run_, tasks)));
     }
     if (memory != 0) words.push_back(fmt::format("--mem={}M", memory));
-    job(script, "%A_%a", words, "--list " + in_shell(list.string()));
+    job(script, "%A_%a", words, "--list " + for_shell(list.string()));
   }
 
   void merging() {
@@ -141,7 +136,7 @@ class Submission {
     const std::string folder = run_.path().string();
     replace_file(script.string(),
                  fmt::format("#!/bin/sh\nexec {} regress --work {} {}\n",
-                             in_shell(run_.program().string()), in_shell(folder), what));
+                             for_shell(run_.program().string()), for_shell(folder), what));
     std::vector<std::string> words{"sbatch", "--parsable", "--open-mode=append",
                                    fmt::format("--output={}/logs/{}.txt", folder, log)};
     if (!has_variable("SBATCH_JOB_NAME")) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tb/regress/plan.h"
+#include "tb/support/json_at.h"
 #include "tb/support/words.h"
 #include "tb/sweep/checkpoint.h"
 
@@ -24,6 +25,15 @@ struct Place {
 
   /// Folders of failures stand in it.
   std::filesystem::path failures() const { return run / "failures"; }
+};
+
+/// What came of the units first to last - 1.
+struct Part {
+  std::uint64_t first = 0, last = 0;
+  JsonAt result;  ///< of Work::run
+  bool failed = false;
+
+  std::uint64_t units() const { return last - first; }
 };
 
 /// Cases of a sweep, mutants, claims: units 0 to units - 1. What comes of a unit follows from its
@@ -57,8 +67,9 @@ class Work {
   virtual Json run(std::uint64_t first, std::uint64_t last, const Place& place) const = 0;
 
   /// The results of all units in their order, put together: the same however they were cut. Behind
-  /// a failure the later ones are missing where ends_at_failure().
-  virtual Json merged(const std::vector<Json>& results) const = 0;
+  /// a failure the later ones are missing where ends_at_failure(). InputError where a result is not
+  /// of the units of its part.
+  virtual Json merged(const std::vector<Part>& parts) const = 0;
 
  private:
   std::string title_;

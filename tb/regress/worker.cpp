@@ -107,11 +107,8 @@ int run_shards(const RunFolder& run, const Kinds& kinds, const std::vector<std::
       tasks.clear();  // the shards come in the order of the tasks
       tasks.emplace(known.task, run.works_of(known.task, kinds));
     }
-    const Works& works = tasks.at(known.task);
-    if (known.in_task >= works.size() || works[known.in_task]->title() != known.title) {
-      throw InputError(fmt::format("shard {}: {}: is not so on this host", number, known.title));
-    }
-    status = std::max(status, run_shard(run, *works[known.in_task], number, results));
+    const Work& work = *tasks.at(known.task)[known.in_task];
+    status = std::max(status, run_shard(run, work, number, results));
   }
   return status;
 }

@@ -159,7 +159,7 @@ void AnyStreamBench::show(const Stimulus& stimulus, Window around, WaveSink& sin
   Ready ready(*this, stimulus);
   ready.refuse();
   const StreamResult first = ready.run(no_budget, false);
-  const auto machine = dut(stimulus.power_up);
+  const auto machine = open_dut(stimulus.power_up);
   WaveRecorder recorder(shape_, title(), *machine, first, around, sink);
   run_stream(shape_, *machine, ready.order(no_budget, false, &recorder));
   recorder.end();

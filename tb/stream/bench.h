@@ -46,6 +46,8 @@ class AnyStreamBench : public AnyBench {
   const StreamShape& shape() const { return shape_; }
   /// A new instance of the RTL.
   virtual std::unique_ptr<StreamDut> dut(std::uint32_t power_up) const = 0;
+  /// One that shows its whole hierarchy.
+  virtual std::unique_ptr<StreamDut> open_dut(std::uint32_t power_up) const = 0;
   /// What must come out of each stream. InputError where the model gives what no port can hold.
   virtual std::vector<Sequence> expected(const std::vector<Sequence>& given) const = 0;
   /// The sizes of that alone for the first so many transactions of each stream of `given`, which

@@ -37,7 +37,7 @@ class VerilatedStreamDut : public StreamDut, protected VerilatedInstance<Top, fa
   explicit VerilatedStreamDut(std::uint32_t power_up) : Base(power_up) {}
   std::vector<Net> nets(const Ports& ports) override {
     clock_ = ports.clock;
-    return find_ports(this->context(), ports);
+    return find_ports(ports_of(this->top()), ports);
   }
   void eval() override {
     said_.reset();

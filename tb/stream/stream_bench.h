@@ -39,9 +39,9 @@ constexpr auto as_tuple(T one) {
 
 }  // namespace detail
 
-/// Top: the Verilated class. Trait has Design, params, and the names of the shape and of the clock.
-/// Instance: what is made of it.
-template <class Top, class Trait, class Instance = VerilatedStreamDut<Top>>
+/// Trait has Design, params, and the names of the shape and of the clock. Instance is the RTL, and
+/// Open the same with its whole hierarchy open.
+template <class Trait, class Instance, class Open = Instance>
 class StreamBench final : public AnyStreamBench {
   using Design = typename Trait::Design;
   using In = decltype(detail::as_tuple(Design::in(Trait::params)));
@@ -82,6 +82,9 @@ class StreamBench final : public AnyStreamBench {
 
   std::unique_ptr<StreamDut> dut(std::uint32_t power_up) const override {
     return std::make_unique<Instance>(power_up);
+  }
+  std::unique_ptr<StreamDut> open_dut(std::uint32_t power_up) const override {
+    return std::make_unique<Open>(power_up);
   }
 
   std::vector<Sequence> expected(const std::vector<Sequence>& given) const override {

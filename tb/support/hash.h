@@ -1,4 +1,4 @@
-// A hash of text, against edits and mix-ups; not against who forges it.
+// The hash of what is kept, against edits and mix-ups; not against who forges it: 128 bits of XXH3.
 #pragma once
 
 #include <string>
@@ -6,7 +6,10 @@
 
 namespace cosim {
 
-/// 16 hexadecimal digits that follow from the bytes of `text` alone.
+/// 32 hexadecimal digits that follow from the bytes of `text` alone.
 std::string hash_of(std::string_view text);
+
+/// The same of the bytes of a file of any size. InputError where it cannot be read.
+std::string hash_of_file(const std::string& path);
 
 }  // namespace cosim

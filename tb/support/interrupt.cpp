@@ -1,5 +1,7 @@
 #include "tb/support/interrupt.h"
 
+#include <unistd.h>
+
 #include <atomic>
 #include <csignal>
 #include <mutex>
@@ -17,9 +19,14 @@ struct Taken {
   void (*before)(int);
 } all[] = {{SIGHUP, SIG_DFL}, {SIGINT, SIG_DFL}, {SIGQUIT, SIG_DFL}, {SIGTERM, SIG_DFL}};
 
-// The second one does what the first would have done without a guard.
+// Nobody has heeded the signal: it does what it would have done without a guard.
+void heed(int) { raise(came); }
+
+// The second one does what the first would have done without a guard; so does the first where it is
+// not heeded, as by a model that loops for ever.
 void take_down(int number) {
   came = number;
+  alarm(InterruptGuard::seconds);
   for (const Taken& t : all) {
     if (t.number == number) std::signal(number, t.before);
   }
@@ -31,6 +38,7 @@ InterruptGuard::InterruptGuard() {
   const std::scoped_lock lock(mutex);
   if (guards++ > 0) return;
   came = 0;
+  std::signal(SIGALRM, heed);
   for (Taken& t : all) {
     t.before = std::signal(t.number, take_down);
     // As a shell starts what runs in its background.
@@ -41,6 +49,7 @@ InterruptGuard::InterruptGuard() {
 InterruptGuard::~InterruptGuard() {
   const std::scoped_lock lock(mutex);
   if (--guards > 0) return;
+  alarm(0);
   for (const Taken& t : all) std::signal(t.number, t.before);
 }
 

@@ -9,9 +9,11 @@ struct Interrupted {
 };
 
 /// While a guard lives, SIGHUP, SIGINT, SIGQUIT and SIGTERM are only recorded; a second one ends
-/// the program.
+/// the program, and the first does where the guard still lives so many seconds later.
 class InterruptGuard {
  public:
+  static constexpr unsigned seconds = 10;
+
   InterruptGuard();
   ~InterruptGuard();
   InterruptGuard(const InterruptGuard&) = delete;

@@ -1,6 +1,7 @@
 #include "tb/support/process.h"
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -8,15 +9,21 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <mutex>
+#include <set>
 #include <sstream>
+#include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "model/core/input_error.h"
+#include "tb/support/words.h"
 
 namespace cosim {
 namespace {
@@ -32,7 +39,7 @@ constexpr int kMilliseconds = 50;
 struct Start {
   char* const* argv;
   char* const* environment;
-  char* const* clean;  // removes the program's temporary files
+  char* const* clean;  // removes temporary files
   int out, limit;
   pid_t parent;
   sigset_t signals;  // as they were blocked before
@@ -126,9 +133,23 @@ std::vector<std::string> environment_with(const std::string& folder) {
   return list;
 }
 
+// The folders for temporary files that there are, with the process that made each.
+std::mutex scratches_guard;
+std::set<std::pair<pid_t, std::string>> scratches;
+
+// What of this process is to go where it is killed.
+std::vector<std::string> removal_of_scratches() {
+  const std::lock_guard lock(scratches_guard);
+  std::vector<std::string> words{"rm", "-rf", "--"};
+  for (const auto& [process, path] : scratches) {
+    if (process == getpid()) words.push_back(path);
+  }
+  return words;
+}
+
 pid_t begin(const std::vector<std::string>& words, const std::string& folder, int out, int limit) {
   const std::vector<std::string> environment = environment_with(folder);
-  const std::vector<std::string> removal{"rm", "-rf", "--", folder};
+  const std::vector<std::string> removal = removal_of_scratches();
   const std::vector<char*> argv = pointers(words), variables = pointers(environment),
                            clean = pointers(removal);
   Start start{argv.data(), variables.data(), clean.data(), out, limit, getpid(), {}};
@@ -146,10 +167,10 @@ pid_t begin(const std::vector<std::string>& words, const std::string& folder, in
 
 // Takes down what a program prints, to its end; false where it is to be ended before that.
 bool read_all(int from, std::string& text, Clock::time_point patience,
-              const std::atomic<bool>* no_more) {
+              const std::atomic<bool>* no_more, bool heeds) {
   std::string part(1 << 16, '\0');
   pollfd waiting{from, POLLIN, 0};
-  while (InterruptGuard::signal() == 0 && Clock::now() < patience &&
+  while ((!heeds || InterruptGuard::signal() == 0) && Clock::now() < patience &&
          (no_more == nullptr || !*no_more)) {
     if (poll(&waiting, 1, kMilliseconds) <= 0) continue;
     const ssize_t n = ::read(from, part.data(), part.size());
@@ -159,16 +180,38 @@ bool read_all(int from, std::string& text, Clock::time_point patience,
   return false;
 }
 
+// Tools of others cannot be given every name of a folder: abc of yosys takes none with a space.
+std::string place_for_scratch() {
+  const char* folder = std::getenv("TMPDIR");
+  const std::string name = folder == nullptr || *folder == 0 ? "/tmp" : folder;
+  const bool is_plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 ||
+           std::string_view("/._-+=,@%").find(static_cast<char>(c)) != std::string_view::npos;
+  });
+  return is_plain ? std::filesystem::absolute(name).string() : "/tmp";
+}
+
+// A tool that finds none for its temporary files blames what it was given, or nothing.
+void need_room(const std::filesystem::path& folder) {
+  constexpr off_t room = 1 << 16;
+  const std::string file = folder / ".room";
+  const int probe = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  const int error = probe < 0 ? errno : posix_fallocate(probe, 0, room);
+  if (probe >= 0) close(probe);
+  unlink(file.c_str());
+  if (error != ENOSPC && error != EDQUOT) return;
+  throw InputError(fmt::format("{}: no room for temporary files: {}",
+                               one_line(folder.parent_path().string()), std::strerror(error)));
+}
+
 double seconds(const timeval& t) {
   return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
 }
 
-}  // namespace
-
-Ended run_program(const std::vector<std::string>& words, int limit,
-                  const std::atomic<bool>* no_more) {
+// `heeds`: the signals that interrupt this program.
+Ended run(const std::vector<std::string>& words, int limit, const std::atomic<bool>* no_more,
+          bool heeds) {
   const InterruptGuard interrupts;
-  InterruptGuard::check();
   const Scratch scratch;
   int ends[2] = {-1, -1};
   const pid_t child =
@@ -179,19 +222,42 @@ Ended run_program(const std::vector<std::string>& words, int limit,
   Ended ended;
   const auto patience = limit == 0 ? Clock::time_point::max()
                                    : Clock::now() + std::chrono::seconds(1LL * kPatience * limit);
-  const bool to_its_end = read_all(ends[0], ended.text, patience, no_more);
+  const bool to_its_end = read_all(ends[0], ended.text, patience, no_more, heeds);
   if (!to_its_end) kill(child, SIGTERM);
   close(ends[0]);
   int status = 0;
   rusage used{};
   while (wait4(child, &status, 0, &used) < 0 && errno == EINTR) {
   }
-  InterruptGuard::check();
+  if (heeds) InterruptGuard::check();
+  need_room(scratch.path());
   ended.status = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
   ended.seconds = seconds(used.ru_utime) + seconds(used.ru_stime);
   // The limit is kept in ticks of the clock, and may come a little early.
   const bool out_of_time = ended.status == 128 + SIGKILL && ended.seconds > 0.5 * limit;
   ended.timed_out = !to_its_end || (limit > 0 && out_of_time);
+  return ended;
+}
+
+}  // namespace
+
+Ended run_program(const std::vector<std::string>& words, int limit,
+                  const std::atomic<bool>* no_more) {
+  const InterruptGuard interrupts;
+  InterruptGuard::check();
+  return run(words, limit, no_more, true);
+}
+
+Ended run_all_the_same(const std::vector<std::string>& words) {
+  alarm(0);
+  Ended ended;
+  try {
+    ended = run(words, 0, nullptr, false);
+  } catch (const InputError& error) {
+    ended.status = 127;
+    ended.text = error.what();
+  }
+  if (InterruptGuard::signal() != 0) alarm(InterruptGuard::seconds);
   return ended;
 }
 
@@ -205,14 +271,29 @@ bool is_installed(const std::string& program) {
 }
 
 Scratch::Scratch() {
-  const char* folder = std::getenv("TMPDIR");
-  std::string name = std::string(folder != nullptr ? folder : "/tmp") + "/cosim.XXXXXX";
+  std::string name = place_for_scratch() + "/cosim.XXXXXX";
   if (mkdtemp(name.data()) == nullptr) {
-    throw InputError(name + ": cannot be made: " + std::strerror(errno));
+    throw InputError(fmt::format("{}: no folder for temporary files: {}",
+                                 one_line(place_for_scratch()), std::strerror(errno)));
   }
   path_ = name;
+  {
+    const std::lock_guard lock(scratches_guard);
+    scratches.emplace(getpid(), name);
+  }
+  try {
+    need_room(path_);
+  } catch (...) {
+    remove();
+    throw;
+  }
 }
-Scratch::~Scratch() {
+Scratch::~Scratch() { remove(); }
+void Scratch::remove() const {
+  {
+    const std::lock_guard lock(scratches_guard);
+    scratches.erase({getpid(), path_.string()});
+  }
   std::error_code ignored;
   std::filesystem::remove_all(path_, ignored);
 }

@@ -22,14 +22,22 @@ struct Ended {
 /// processor time it is stopped; 0 is no limit. A program that only waits is stopped after many
 /// times the limit, and as at its limit when `no_more` becomes true. What it leaves running when it
 /// ends is ended; TMPDIR is a folder of its own, removed with it. When interrupted (interrupt.h)
-/// the program is stopped and Interrupted is thrown.
+/// the program is stopped and Interrupted is thrown. InputError where no room is left for temporary
+/// files: what the program says then is of no use.
 Ended run_program(const std::vector<std::string>& words, int limit = 0,
                   const std::atomic<bool>* no_more = nullptr);
+
+/// The same without a limit, to its end even where this program is to end: what is left to be done
+/// then. Status 127 where it cannot be run.
+Ended run_all_the_same(const std::vector<std::string>& words);
 
 /// Whether a shell would find the program; it is not run.
 bool is_installed(const std::string& program);
 
-/// A folder for temporary files, removed with this object, also after a signal that interrupts.
+/// A folder for temporary files, removed with this object, also after a signal that interrupts, and
+/// where this program is killed while it runs another one. It lies in $TMPDIR, or in /tmp where
+/// there is none or where its name has a space or another character that tools cannot take.
+/// InputError where there is no room.
 class Scratch {
  public:
   Scratch();
@@ -39,6 +47,8 @@ class Scratch {
   const std::filesystem::path& path() const { return path_; }
 
  private:
+  void remove() const;
+
   InterruptGuard interrupts_;
   std::filesystem::path path_;
 };

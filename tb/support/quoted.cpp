@@ -54,6 +54,12 @@ std::string for_cmake(const std::string& text) {
   return '"' + escaped(text, "\\\"$") + '"';
 }
 
+std::string for_shell(const std::string& text) {
+  std::string safe = "'";
+  for (const char c : text) safe += c == '\'' ? "'\\''" : std::string(1, c);
+  return safe + "'";
+}
+
 std::string for_gnuplot(const std::string& text) {
   refuse(text, "gnuplot", "");
   std::string safe = "'";

@@ -20,6 +20,9 @@ std::string word_for_yosys(const std::string& word);
 /// one with a semicolon, which makes a list of it, or a control character.
 std::string for_cmake(const std::string& text);
 
+/// A word of a command of a shell.
+std::string for_shell(const std::string& text);
+
 /// A string of gnuplot. InputError for one with a control character.
 std::string for_gnuplot(const std::string& text);
 

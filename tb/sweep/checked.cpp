@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "model/core/input_error.h"
 #include "tb/support/words.h"
 
 namespace cosim {
@@ -25,7 +26,7 @@ struct Add {
 
 void add(Measure& sum, const Measure& one) {
   if (sum.sum != one.sum || sum.value.index() != one.value.index()) {
-    throw std::logic_error("the measure " + sum.name + " is taken in two ways");
+    throw InputError("the measure " + in_quotes(sum.name) + " is taken in two ways");
   }
   std::visit(Add{one}, sum.value);
 }

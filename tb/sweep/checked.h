@@ -37,7 +37,7 @@ struct Checked {
   double number(std::string_view name) const;
 };
 
-/// Adds the findings of two runs; the first error stays. std::logic_error if a measure of the same
+/// Adds the findings of two runs; the first error stays. InputError where a measure of the same
 /// name is combined in two ways.
 void add(Checked& sum, const Checked& one);
 

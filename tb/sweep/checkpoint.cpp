@@ -2,11 +2,8 @@
 
 #include <fmt/core.h>
 
-#include <array>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <system_error>
 #include <utility>
 
@@ -32,51 +29,35 @@ std::string shown(const Json& work) {
 
 }  // namespace
 
-// By words and in pieces, because with debug information the file has hundreds of MB.
-std::uint64_t program_hash() {
-  std::ifstream file("/proc/self/exe", std::ios::binary);
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
-  std::array<char, 1 << 16> piece;
-  do {
-    piece.fill(0);
-    file.read(piece.data(), piece.size());
-    for (std::size_t i = 0; i < piece.size(); i += sizeof hash) {
-      std::uint64_t word = 0;
-      std::memcpy(&word, piece.data() + i, sizeof word);
-      hash = (hash ^ word) * 0x9e3779b97f4a7c15ULL;
-      hash ^= hash >> 32;
-    }
-  } while (file);
-  if (!file.eof()) throw InputError("cannot read /proc/self/exe");
+const std::string& program_hash() {
+  static const std::string hash = hash_of_file("/proc/self/exe");
   return hash;
 }
 
 Checkpoint::Checkpoint(std::string path, std::string work) : path_(std::move(path)) {
   if (path_.empty()) return;
-  work_ = fmt::format("{}, program {:016x}", work, program_hash());
+  work_ = fmt::format("{}, program {}", work, program_hash());
   std::error_code none;
   if (std::filesystem::exists(path_, none) && !std::filesystem::is_regular_file(path_, none)) {
     throw InputError(path_ + ": no checkpoint: not a regular file");
   }
 }
 
-Json Checkpoint::state() const {
-  if (path_.empty() || !std::filesystem::exists(path_)) return {};
+std::optional<JsonAt> Checkpoint::state() const {
+  if (path_.empty() || !std::filesystem::exists(path_)) return std::nullopt;
   if (std::filesystem::file_size(path_) > most_bytes) {
     throw InputError(path_ + ": no checkpoint: larger than 4 MiB");
   }
-  const Json file = json_if(read_file(path_));
-  if (!file.is_object() || !file.contains("work") || !file.contains("state")) {
-    throw InputError(path_ + ": no checkpoint");
-  }
-  if (file["work"] != work_) {
+  const JsonAt file(path_ + ": no checkpoint", read_file(path_));
+  const JsonAt work = file.at("work"), state = file.at("state");
+  if (work.json() != work_) {
     throw InputError(fmt::format("{}: a checkpoint of other work or of another build: {}", path_,
-                                 shown(file["work"])));
+                                 shown(work.json())));
   }
-  if (!file.contains("hash") || file["hash"] != hash_of(json_text(file["state"]))) {
+  if (file.at("hash").text() != hash_of(json_text(state.json()))) {
     throw InputError(path_ + ": no checkpoint: it was changed");
   }
-  return file["state"];
+  return state;
 }
 
 void Checkpoint::save(const Json& state) {

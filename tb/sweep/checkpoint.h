@@ -3,15 +3,15 @@
 #pragma once
 
 #include <chrono>
-#include <cstdint>
+#include <optional>
 #include <string>
 
-#include "tb/support/json_fwd.h"
+#include "tb/support/json_at.h"
 
 namespace cosim {
 
 /// A hash of this program's file: another build may have other cases, or other RTL.
-std::uint64_t program_hash();
+const std::string& program_hash();
 
 class Checkpoint {
  public:
@@ -19,9 +19,9 @@ class Checkpoint {
   /// empty path keeps nothing. InputError if the path is not that of a file.
   Checkpoint(std::string path, std::string work);
 
-  /// The state last saved, null where there is none. InputError where the file is no checkpoint, or
-  /// one of other work or of another program.
-  Json state() const;
+  /// The state last saved, none where there is no file. InputError where the file is no checkpoint,
+  /// or one of other work or of another program.
+  std::optional<JsonAt> state() const;
   /// Replaces the state. InputError where it cannot be written.
   void save(const Json& state);
   /// Whether it is time to save: a moment after the last time; never if nothing is kept.

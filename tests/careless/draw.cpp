@@ -68,6 +68,48 @@ Texts small_words(const std::string& text) {
   return words;
 }
 
+// A name that yosys, gnuplot, CMake, a shell or a terminal would read as more than a name, where it
+// comes to them as it is.
+std::string hostile_name(Random& random) {
+  static const Texts pieces{"a",
+                            " ",
+                            "\"",
+                            "'",
+                            ";",
+                            "|",
+                            "&",
+                            "\\",
+                            "\n",
+                            "%s",
+                            "#",
+                            "*",
+                            "[",
+                            "]",
+                            "{}",
+                            "$1",
+                            "\x1b[2J",
+                            "-",
+                            "~",
+                            "<x",
+                            ">x",
+                            "\t",
+                            "!",
+                            ",",
+                            "=",
+                            "(",
+                            ")",
+                            "exec -- touch pwned",
+                            "$(touch pwned)",
+                            "`touch pwned`",
+                            "!touch pwned",
+                            "$ENV{HOME}",
+                            "system \"touch pwned\""};
+  std::string name;
+  const std::uint64_t count = 1 + random.below(5);
+  for (std::uint64_t i = 0; i < count; ++i) name += any(random, pieces);
+  return name;
+}
+
 std::string file(Random& random, const std::string& help) {
   static const Texts names{"a",
                            "b.csv",
@@ -93,7 +135,9 @@ std::string file(Random& random, const std::string& help) {
                            "/proc/self/cmdline",
                            std::string(300, 'l'),
                            std::string(250, 'm')};
-  std::string name = one_in(random, 5) ? any(random, input_names()) : any(random, names);
+  std::string name = one_in(random, 5)   ? any(random, input_names())
+                     : one_in(random, 4) ? hostile_name(random)
+                                         : any(random, names);
   for (const char* ending : {".svg", ".png", ".fst", ".html"}) {
     if (help.find(ending) != std::string::npos && one_in(random, ending[1] == 's' ? 3 : 2)) {
       return (one_in(random, 6) ? name : "p") + ending;

@@ -14,7 +14,7 @@ const std::vector<std::string>& input_names() {
   static const std::vector<std::string> all{
       "../in/good.ngc", "../in/good.ngc", "../in/good.stim", "../in/good.stim", "../in/empty",
       "../in/bytes",    "../in/folder",   "../in/pipe",      "../in/nowhere",   "../in/link",
-      "../in/json",     "../in/rtl",      "../in/none"};
+      "../in/json",     "../in/rtl",      "../in/none",      "../in/plan",      "../in/deep"};
   return all;
 }
 
@@ -32,6 +32,10 @@ Scratch::Scratch(const fs::path& root) {
   std::ofstream(in / "empty");
   std::ofstream(in / "bytes", std::ios::binary) << std::string("\0\xff\x01(\n%G1 X\x80", 12);
   std::ofstream(in / "json") << "{\"work\":\"other\",\"state\":[]}\n";
+  std::ofstream(in / "deep") << std::string(100'000, '[');
+  std::ofstream(in / "plan") << R"~({"format": 1, "name": "n", "tasks": [
+    {"name": "b", "run": ["true", "$(touch pwned)"]},
+    {"name": "c; touch pwned", "run": ["false"]}]})~";
   fs::create_symlink("nothing/here", in / "nowhere");
   fs::create_symlink("good.ngc", in / "link");
   if (mkfifo((in / "pipe").c_str(), 0600) != 0) throw std::runtime_error("no pipe");

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tb/support/hash.h"
 #include "tests/cli/folder.h"
 #include "tests/cli/program.h"
 
@@ -20,16 +20,10 @@ inline std::uint64_t cases_kept(const Folder& folder) {
   return sum;
 }
 
-/// A checkpoint whose hash is that of its state, 64 bits of FNV-1a: what was changed in it is taken
-/// for what the program kept.
+/// A checkpoint whose hash is that of its state: what was changed in it is taken for what the
+/// program kept.
 inline std::string sealed(nlohmann::json file) {
-  std::uint64_t hash = 0xcbf29ce484222325;
-  for (const char c : file["state"].dump()) {
-    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
-  }
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  file["hash"] = text;
+  file["hash"] = hash_of(file["state"].dump());
   return file.dump();
 }
 

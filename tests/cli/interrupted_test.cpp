@@ -35,8 +35,8 @@ TEST(InterruptedSweep, SaysWhatItHadFinished) { expect_stopped(SIGINT); }
 
 // Stopped in the second of several sweeps.
 TEST(InterruptedSweep, NamesThoseItHadFinished) {
-  const Ended e =
-      cosim_signalled({"sweep", "circular", "--hostile", "5000000"}, SIGINT, 60000, Until::a_line);
+  const Ended e = cosim_signalled({"sweep", "circular", "--hostile", "5000000"}, SIGINT, 600'000,
+                                  Until::a_line);
   EXPECT_EQ(e.status, 128 + SIGINT);
   const std::vector<std::string> all = lines(e.out);
   ASSERT_GE(all.size(), 3U) << e.out;
@@ -52,6 +52,17 @@ TEST(InterruptedSweep, NamesThoseItHadFinished) {
 }
 
 TEST(InterruptedSweep, EndsOnATerminateToo) { expect_stopped(SIGTERM); }
+
+// One signal is enough, also for a model that never comes back.
+TEST(InterruptedRun, EndsThoughTheModelLoopsForEver) {
+  const Folder folder;
+  setenv("COSIM_FAULTY_LOOPS", folder.path("loops").c_str(), 1);
+  const Ended e = faulty_signalled({"sweep", "linear", "--m", "32", "--n", "26", "--random", "3"},
+                                   SIGTERM, [&] { return folder.holds("loops"); });
+  unsetenv("COSIM_FAULTY_LOOPS");
+  EXPECT_EQ(e.status, 128 + SIGTERM) << e.err;
+  EXPECT_EQ(e.err, "");
+}
 
 // What is half written goes, what stood there stays.
 TEST(InterruptedRun, LeavesNoHalfFile) {

@@ -119,7 +119,9 @@ TEST_F(KilledSweep, GoesOnWithWhatTheCheckMeasured) {
     folder_.write("state", sealed(file));
     const Ended refused = cosim(measured);
     EXPECT_EQ(refused.status, 2);
-    EXPECT_NE(refused.err.find(": no checkpoint of these sweeps"), std::string::npos)
+    EXPECT_NE(refused.err.find("state: no checkpoint: state[0].measures[0].value is " +
+                               std::string(none)),
+              std::string::npos)
         << refused.err;
   }
 }
@@ -152,7 +154,7 @@ TEST_F(KilledSweep, RefusesCountsThatCannotBe) {
   for (const std::string& cases : {too_many, "-1"s, "1e300"s, "\"1\""s, "null"s}) {
     file["state"][0]["cases"] = nlohmann::json::parse(cases);
     folder_.write("state", sealed(file));
-    expect_refusal(cosim(kept()), folder_.path("state") + ": no checkpoint of these sweeps");
+    expect_refusal(cosim(kept()), folder_.path("state") + ": no checkpoint: state[0].cases is ");
   }
 }
 

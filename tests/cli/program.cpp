@@ -91,16 +91,24 @@ bool cosim_killed(const Arguments& arguments, int after) {
 
 namespace {
 
-Ended signalled(const Arguments& arguments, int signal, int after,
-                const std::function<bool(const Folder&)>& ready) {
+constexpr std::chrono::milliseconds step(5);
+
+Ended signalled(const char* program, const Arguments& arguments, int signal, int after,
+                const std::function<bool(const Folder&)>& ready, int patience = 0) {
   const Folder folder;
-  const pid_t child = start(COSIM_PROGRAM, arguments, folder.path("out"), folder.path("err"));
-  const std::chrono::milliseconds step(5);
+  const pid_t child = start(program, arguments, folder.path("out"), folder.path("err"));
   for (std::chrono::milliseconds waited{0}; waited.count() < after; waited += step) {
     if (ready(folder)) break;
     std::this_thread::sleep_for(step);
   }
   kill(child, signal);
+  siginfo_t end{};
+  for (std::chrono::milliseconds waited{0}; waited.count() < patience; waited += step) {
+    if (waitid(P_PID, static_cast<id_t>(child), &end, WEXITED | WNOHANG | WNOWAIT) != 0) break;
+    if (end.si_pid == child) break;
+    std::this_thread::sleep_for(step);
+  }
+  if (patience != 0 && end.si_pid != child) kill(child, SIGKILL);
   Ended ended;
   ended.status = status_of(child);
   ended.out = folder.text("out");
@@ -111,13 +119,20 @@ Ended signalled(const Arguments& arguments, int signal, int after,
 }  // namespace
 
 Ended cosim_signalled(const Arguments& arguments, int signal, int after, Until until) {
-  return signalled(arguments, signal, after, [until](const Folder& folder) {
+  return signalled(COSIM_PROGRAM, arguments, signal, after, [until](const Folder& folder) {
     return until == Until::a_line && folder.text("out").find('\n') != std::string::npos;
   });
 }
 
 Ended cosim_signalled(const Arguments& arguments, int signal, const std::function<bool()>& ready) {
-  return signalled(arguments, signal, 60'000, [&](const Folder&) { return ready(); });
+  return signalled(COSIM_PROGRAM, arguments, signal, 600'000,
+                   [&](const Folder&) { return ready(); });
+}
+
+Ended faulty_signalled(const Arguments& arguments, int signal, const std::function<bool()>& ready) {
+  return signalled(
+      COSIM_FAULTY_PROGRAM, arguments, signal, 600'000, [&](const Folder&) { return ready(); },
+      60'000);
 }
 
 Ended another_build(const Arguments& arguments) {

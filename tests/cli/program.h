@@ -40,8 +40,11 @@ enum class Until { the_time, a_line };
 Ended cosim_signalled(const Arguments& arguments, int signal, int after,
                       Until until = Until::the_time);
 
-/// The same as soon as `ready` says so, or after a minute.
+/// The same as soon as `ready` says so, or after ten minutes.
 Ended cosim_signalled(const Arguments& arguments, int signal, const std::function<bool()>& ready);
+
+/// The same of the faulty program, which is killed where the signal has not ended it in a minute.
+Ended faulty_signalled(const Arguments& arguments, int signal, const std::function<bool()>& ready);
 
 /// A copy of the program as shipped that differs from it in a byte, as another build does.
 Ended another_build(const Arguments& arguments);

@@ -46,8 +46,9 @@ constexpr const char* kTo32Bits = " is not a whole number from 0 to 4294967295";
 
 TEST(Refusal, OfCommands) {
   const std::string commands = names_of_commands();
-  EXPECT_TRUE(commands.starts_with("list, ") &&
-              commands.ends_with(", sweep, replay, wave, prove, regress, lint, equiv, new"));
+  EXPECT_TRUE(
+      commands.starts_with("list, ") &&
+      commands.ends_with(", sweep, replay, wave, prove, mutate, cover, regress, lint, equiv, new"));
   const std::string designs = names_of_commands({"sweep"});
   expect_unused({}, "a command is needed: " + commands);
   expect_unused({"draw"}, "no such command: 'draw'; there are " + commands);

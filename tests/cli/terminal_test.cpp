@@ -67,8 +67,8 @@ TEST(Terminal, ShowsABarOfOneLongRun) {
 TEST(Terminal, SaysHowLargeACsvWillBe) {
   const Folder folder;
   const std::string csv = folder.path("c");
-  const Ended large =
-      cosim_signalled({"arc", "--radius", "4294967295", "--csv", csv}, SIGTERM, 300);
+  const Ended large = cosim_signalled({"arc", "--radius", "4294967295", "--csv", csv}, SIGTERM,
+                                      600'000, Until::a_line);
   EXPECT_NE(large.out.find("csv: up to 231 GB, " + csv + "\n"), std::string::npos) << large.out;
   const Ended small = cosim({"line", "--major", "27", "--minor", "9", "--csv", csv});
   EXPECT_EQ(small.out.find("csv: "), std::string::npos);

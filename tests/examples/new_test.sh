@@ -47,7 +47,7 @@ diff - <(sed -n '/^#define\|^  FIELD\|^COSIM/p; /rest()\|clear()/p' pair/pair.h)
   FIELD(low, 3, bits, "", "")
 #define PAIR_STATE(FIELD) \
   FIELD(last, p.WIDTH, bits, "", "") \
-  FIELD(one_kept, 3, bits.at("one.kept"), "", "") \
+  FIELD(one_kept, 3, bits.at("one.kept").unreset(), "", "") \
   FIELD(sum, p.WIDTH + 1, bits, "", "")
 COSIM_RECORDS(PAIR, Params);
   static constexpr Inputs<Word> rest() { return {.resetn = 1}; }
@@ -100,6 +100,89 @@ diff - <(sed -n '/^  FIELD/p' store/store.h) << 'TABLES'
   FIELD(lines, 50, bits.array<8>().unreset(), "", "") \
   FIELD(words, p.W, bits.array<6>(p.D).unreset(), "", "")
 TABLES
+
+# A folder in place of files: what the top needs of it, packages before what uses them, headers as they
+# are named; parameters that follow others are no parameters of a shape; what a reset gives.
+mkdir -p tree/rtl/parts tree/rtl/include/defs tree/more
+cat > tree/rtl/whole.sv << 'RTL'
+`include "defs/sizes.svh"
+module whole import kinds::*; #(
+    parameter W = 16, parameter MODE = "SLOW", parameter D = 8, parameter KEEP = (W + 7) / 8, localparam A = $clog2(D)) (
+    input wire ck_i, input wire nreset, input wire [W-1:0] d, input wire [KEEP-1:0] keep,
+    output wire [A:0] level, output reg [`LANES*W-1:0] q);
+  kind_t kind;
+  integer i;
+  reg [3:0] least;
+  part #(.W(W)) p(.ck_i(ck_i), .d(d));
+  library_part l(.ck_i(ck_i), .d(d[0]));
+  assign level = {A + 1{kind == busy}};
+  always @* begin
+    least = 0;
+    if (d[0]) begin
+      i = 0;
+      for (i = 0; i < KEEP; i = i + 1) if (keep[i]) least = i;
+    end
+  end
+  always @(posedge ck_i) begin
+    q <= {`LANES{d}} ^ least;
+`ifdef SLOW
+    if (d[1]) q <= 0;
+`endif
+    if (!nreset) begin
+      kind <= idle;
+      q <= 'h2a;
+    end else if (d[0]) kind <= busy;
+  end
+endmodule
+RTL
+printf '`define LANES 2\n' > tree/rtl/include/defs/sizes.svh
+printf 'package kinds; typedef enum logic [1:0] {busy, idle = 2} kind_t; endpackage\n' > tree/rtl/zkinds.sv
+printf 'module part #(parameter W = 1)(input wire ck_i, input wire [W-1:0] d);
+reg [W-1:0] r; always @(posedge ck_i) r <= d; endmodule\n' > tree/rtl/parts/part.sv
+printf 'module library_part(input wire ck_i, d); reg r; always @(posedge ck_i) r <= d; endmodule\n' \
+  > tree/more/library_part.v
+printf 'module unneeded(input wire a; this is no Verilog\n' > tree/rtl/unneeded.v
+"$program" new tree1 tree/rtl -y tree/more --top whole --define SLOW > said
+diff - said << 'SAID'
+tree1/: 3 inputs, 2 outputs, 4 registers; README.md has its two commands
+tree1/tree1.h: next() is to be written
+tree1/tree1.h: yosys cannot read the RTL, or not in 40 s: nothing is proved of it
+SAID
+diff - <(sed -n '/^  int\|^  FIELD/p; /cleared()/,/}/p; /rest()/p' tree1/tree1.h) << 'TABLES'
+  int W = 16;
+  int D = 8;
+  FIELD(nreset, 1, flag, "", "") \
+  FIELD(d, p.W, bits, "", "") \
+  FIELD(keep, (p.W + 7) / 8, bits, "", "")
+  FIELD(level, detail::bits_for(p.D) + 1, bits, "", "") \
+  FIELD(q, p.W * 2, bits, "", "")
+  FIELD(kind, 2, bits, "", "") \
+  FIELD(l_r, 1, flag.at("l.r").unreset(), "", "") \
+  FIELD(p_r, p.W, bits.at("p.r").unreset(), "", "") \
+  FIELD(q, p.W * 2, bits, "", "")
+  static constexpr Inputs<Word> rest() { return {.nreset = 1}; }
+  static constexpr State<V> cleared() {
+    State<V> s;
+    s.kind = V(0x2);
+    s.q = V(0x2a);
+    return s;
+  }
+TABLES
+grep -qx 'cosim_add_design(tree1 SOURCES zkinds.sv whole.sv library_part.v part.sv TOP whole INCLUDE_DIRS include DEFINES SLOW CLOCK ck_i MODEL tree1.h SHAPES "W=16 D=8" UNPROVED)' \
+  tree1/CMakeLists.txt
+diff tree1/include/defs/sizes.svh tree/rtl/include/defs/sizes.svh
+# On a terminal a bar shows how far it is, and nothing of it is left.
+if command -v script > said; then
+  script -qec "'$program' new bar tree/rtl -y tree/more --top whole" shown < /dev/null > said
+  grep -q '100 % \[##############################\] whole: ' said
+  grep -q 'bar/: 3 inputs' said
+fi
+# Another shape, pins by name, a folder of headers elsewhere.
+mv tree/rtl/include tree/headers
+"$program" new tree2 tree/rtl tree/more/library_part.v --top whole --include tree/headers --param W=4 \
+  --clock ck_i --reset nreset > said
+grep -qF 'SHAPES "W=4 D=8" UNPROVED)' tree2/CMakeLists.txt
+grep -q '  int W = 4;' tree2/tree2.h
 
 # Streams. Without a file it is the filter of examples/, by another name.
 "$program" new flow --stream > said
@@ -184,8 +267,7 @@ refused "NAME: switch is a word of C++" switch
 refused "pair: exists" pair
 refused "none.v: no such file" made none.v
 rtl 'always @(posedge clk) q <= d'
-refused "new: yosys cannot read it: $folder/made.v:3: ERROR: syntax error, unexpected TOK_ENDMODULE" \
-  made made.v
+refused "new: Verilator cannot read it: %Error: made.v:3:1: syntax error, unexpected endmodule" made made.v
 rtl 'always @* if (other) q = d; always @(posedge clk) r <= q;'
 refused "new: q: a latch" made made.v
 rtl 'always @(posedge clk or posedge other) if (other) q <= 0; else q <= d;'
@@ -195,15 +277,38 @@ grep -qx '  static constexpr bool asynchronous_reset = true;' made/made.h
 rm -r made
 rtl 'always @(posedge clk or negedge other) if (!other) q <= 0; else q <= d;
      always @(posedge clk or posedge d) if (d) r <= 0; else r <= w[0];'
-refused "new: d and other: two asynchronous resets" made made.v
+"$program" new made made.v > said
+diff - <(sed -n '/^constexpr State/,/^}/p; /clear()\|rest()/p' made/made.h) << 'RESET'
+constexpr State<V> reset(const Params&, State<V> s, const Inputs<V>& in) {
+  s.r = select(is_set(in.d), V(0), s.r);
+  s.q = select(!is_set(in.other), V(0), s.q);
+  return s;
+}
+  static constexpr Inputs<Word> rest() { return {.other = 1}; }
+  static constexpr Inputs<Word> clear() { return {.d = 1, .other = 0}; }
+RESET
+rm -r made
 rtl 'wire x = d & other; always @(posedge clk or posedge x) if (x) q <= 0; else q <= d;'
-refused "new: x: an asynchronous reset that is no input" made made.v
+refused "new: q: an asynchronous reset by x, which is no input" made made.v
 rtl 'always @(posedge clk) q <= d; always @(posedge other) r <= d;'
 refused "new: clk and other: two clocks" made made.v
 rtl 'wire x = !other; always @(posedge clk or posedge x) if (x) q <= 0; else q <= d;
      always @(posedge clk or negedge other) if (!other) r <= 0; else r <= d;'
 "$program" new made made.v > said
 grep -q 'clear() { return {.other = 0}; }' made/made.h
+rm -r made
+# The variable of loops in several processes is no latch, and none that only some ways write, where each
+# writes it before it is read.
+rtl 'integer i; reg [3:0] a, b;
+     always @* begin r = 0; for (i = 0; i < 4; i = i + 1) a[i] = w[i]; end
+     always @* begin b = 0; if (d) for (i = 0; i < 4; i = i + 1) b[i] = a[i] && w[i + 4]; end
+     always @(posedge clk) q <= ^b;'
+"$program" new made made.v > said
+rm -r made
+rtl 'integer i, n; reg [3:0] a;
+     always @* begin a = 0; if (d) begin n = 0; for (i = 0; i < 4; i = i + 1) if (w[i]) n = i; a = n; end end
+     always @(posedge clk) q <= ^a;'
+"$program" new made made.v > said
 rm -r made
 # A word of C++ is no name of a field.
 rtl 'always @(posedge clk) begin q <= d; r <= other; end'
@@ -216,10 +321,13 @@ rtl 'reg mem[1:4]; always @(posedge clk) begin mem[w[2:0]] <= d; q <= mem[w[6:4]
 grep -qF 'FIELD(mem, 1, flag.array<4>().unreset(), "", "")' made/made.h
 rm -r made
 rtl '(* nomem2reg *) reg mem[0:3]; always @* if (other) mem[w[1:0]] = d; always @(posedge clk) q <= mem[w[5:4]];'
-refused "new: mem: a memory that no clock writes" made made.v
+refused "new: mem: a latch" made made.v
 rtl 'always @* q = d;'
-refused "new: made has no register" made made.v
-refused "new: made has no register" made made.v --stream
+refused "new: made has no register: nothing of it is a stream" made made.v --stream
+"$program" new made made.v > said
+grep -q ' COMBINATIONAL MODEL made.h)$' made/CMakeLists.txt
+grep -q '^#define MADE_STATE(FIELD)$' made/made.h
+rm -r made
 # Names that are commands, or more than names, to what reads them.
 rtl 'always @(posedge clk) q <= d;'
 # shellcheck disable=SC2016  # a name, not a variable
@@ -229,12 +337,13 @@ for hostile in 'x"; exec -- touch pwned; log "a.v' 'a b.v' 'a;b.v' 'a)b.v' 'a$EN
     made "$hostile"
 done
 [[ ! -e pwned ]] || { echo "the name of a file was run" && exit 1; }
-mkdir -p other 'y"; exec -- touch pwned; log "'
+mkdir -p other && printf '// none\n' > other/none.v
+mkdir -p 'y"; exec -- touch pwned; log "'
 cp made.v other/made.v
 refused "new: 'made.v' and 'other/made.v': two files of one name" made made.v other/made.v
 cp made.v 'y"; exec -- touch pwned; log "/made.v'
-refused "'y\"; exec -- touch pwned; log \"/made.v': yosys cannot be given that name" \
-  made 'y"; exec -- touch pwned; log "/made.v'
+"$program" new made 'y"; exec -- touch pwned; log "/made.v' > said
+rm -r made
 [[ ! -e pwned ]] || { echo "the name of a folder was run" && exit 1; }
 for own in made.h CMakeLists.txt README.md; do
   cp made.v "other/$own"
@@ -255,6 +364,17 @@ printf '#include "made/made.h"\nint main() { return cosim::made::Inputs<cosim::W
   "${CXX:-c++}" -std=gnu++20 -Wall -Wextra -Werror -fsyntax-only -I . -I "$sources" -x c++ -
 rm -r made
 rtl 'always @(posedge clk) q <= d;'
+refused "--top: no file has a module 'other'" made made.v --top other
+refused "--clock: 'a b' is no name in Verilog" made made.v --clock 'a b'
+refused "new: q: its clock is clk, and that of the design is d" made made.v --clock d
+refused "new: none: the RTL has no such input, which is to be its clock" made made.v --clock none
+refused "new: none: the RTL has no such input, which is to be its reset" made made.v --reset none
+refused "--include: 'none': no such folder" made made.v --include none
+refused "-y: 'none': no such folder" made made.v -y none
+refused "--param: 'W' is not NAME=VALUE" made made.v --param W
+refused "--define: '1' is not NAME or NAME=VALUE" made made.v --define 1
+refused "new: the top may be made or part: --top says which" another made.v part.v
+refused "new: no module in 'other/none.v'" made other/none.v
 refused "--plain: does not go with --stream" made --plain --stream
 rtl 'always @(posedge clk) q <= d;'
 refused "new: made: no stream goes in: it has no input whose name ends in valid or vld, and not both start and done" \

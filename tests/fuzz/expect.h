@@ -21,12 +21,16 @@ inline void expect(bool holds, const std::string& what) {
   std::abort();
 }
 
+/// How often a text was taken.
+inline int taken = 0;
+
 /// Whether `read` took the text. It may refuse it by an InputError of one line that begins with
 /// `name`, as what a person sees, and in no other way.
 template <class Read>
 bool accepted(const std::string& name, Read read) {
   try {
     read();
+    ++taken;
     return true;
   } catch (const InputError& error) {
     const std::string line = error.what();

@@ -99,7 +99,7 @@ TEST(Includes, AreToldApart) {
          {"model/dda/curve.h", "model/core/value.h", "model/plane/point.h"});
   expect(false, "model/dda/host.h",
          {"model/circular/arc.h", "model/toolpath/piece.h", "tb/support/show.h",
-          "tb/designs/dda/bench.h", "tests/support/root.h"});
+          "tb/designs/dda/check.h", "tests/support/root.h"});
   expect(true, "model/toolpath/walk.cpp", {"model/linear/oracle.h", "model/toolpath/plan.h"});
   expect(false, "model/core/fields.h", {"model/plane/point.h", "model/dda/host.h"});
   expect(true, "tb/proof/claims.h", {"model/core/fields.h", "tb/support/process.h"});

@@ -131,13 +131,13 @@ TEST_F(Regression, OfABadPlanIsRefusedWhole) {
       folder_,
       head + R"({"name": "a", "sweep": "linear"}, {"name": "b", "sweep": "lin", "random": 3},
                 {"name": "c", "sweep": "linear M=32", "exhaustive": true},
-                {"name": "d", "mutate": "linear"}, {"name": "e", "fuzz": "none"},
+                {"name": "d", "mutate": "lin"}, {"name": "e", "fuzz": "none"},
                 {"name": "f", "prove": "linear M=99"},
                 {"name": "g", "mutate": "linear", "programs": ["plan.json"]}]})",
       {"tasks[0]: needs one of \"exhaustive\", \"random\" and \"hostile\"",
        "tasks[1]: 'lin' is not built; see cosim list",
        "tasks[2]: exhaustive: too wide to try everything; take M <= 8, or more with \"lanes\"",
-       "tasks[3]: needs \"programs\"", "tasks[4]: fuzz: no such file: none",
+       "tasks[3]: 'lin' is not built; see cosim list", "tasks[4]: fuzz: no such file: none",
        "tasks[5]: 'linear M=99' is not built; see cosim list",
        "tasks[6]: plan.json: cannot be run"});
 }

@@ -4,6 +4,7 @@
 #include <random>
 #include <set>
 
+#include "tb/support/hash.h"
 #include "tests/regress/run.h"
 #include "tests/support/solvers.h"
 
@@ -159,6 +160,35 @@ TEST_F(WholeRegression, RunsAgainAResultThatWasChanged) {
   EXPECT_EQ(cosim(resumed("one")).status, 0);
   EXPECT_EQ(report("one"), expected_);
   EXPECT_EQ(times("one")["torn"], 1);
+}
+
+// Whoever changes what was to be done, or what was done, and mends the hashes too.
+TEST_F(Regression, IsOfTheUnitsThatThePlanComesTo) {
+  using Ordered = nlohmann::ordered_json;
+  plan(R"({"name": "a", "sweep": "linear M=5 N=2", "hostile": 5000})");
+  ASSERT_EQ(cosim(fresh("run", {"--shards", "1"})).status, 0);
+  const std::string run = folder_.text("run/run.json"), results = "run/" + results_of("run");
+  const auto sealed = [](Ordered json, const std::string& before) {
+    json.erase("hash");
+    json["hash"] = hash_of(before + json.dump());
+    return json.dump() + '\n';
+  };
+  const auto refused = [&](const std::string& line) {
+    const Ended e = cosim(resumed("run"));
+    EXPECT_EQ(e.status, 2) << e.out;
+    EXPECT_EQ(lines(e.err).size(), 1U) << e.err;
+    EXPECT_NE(e.err.find(line), std::string::npos) << e.err;
+  };
+  Ordered json = Ordered::parse(run);
+  json["works"][0]["units"] = 3;
+  folder_.write("run/run.json", sealed(json, ""));
+  refused("run/run.json: task 'a' comes to other work on this host");
+
+  folder_.write("run/run.json", run);
+  Ordered line = Ordered::parse(folder_.text(results));
+  line["result"]["cases"] = 3;
+  folder_.write(results, sealed(line, Ordered::parse(run)["hash"].get<std::string>()));
+  refused("run/results: shard 0: cases is 3, not 5");
 }
 
 // What needs other programs: the solvers, and one that attacks mutants.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tb/bench/design_bench.h"
+#include "tb/dut/named_adapter.h"
 #include "tests/rtl/variant.h"
 
 namespace cosim::test {

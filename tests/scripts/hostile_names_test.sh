@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # hostile_names_test.sh SOURCES
 #
-# A file whose name holds commands of yosys is written and read by that name, or refused; nothing in it
-# is run. SOURCES: the project's folder. Status: 0 so, 1 not, 77 where yosys is not installed.
+# A name that holds commands of yosys, gnuplot or a shell is taken for that name, or refused, wherever a
+# script or CMake gives it to one of them; nothing in it is run. SOURCES: the project's folder. Status: 0 so, 1 not, 77 where yosys is not installed.
+# shellcheck disable=SC2016  # what is in the names is to be run by nobody
 set -euo pipefail
 
 command -v yosys > /dev/null || { echo "skipped: no yosys" && exit 77; }
@@ -17,5 +18,56 @@ for name in 'a; exec -- touch pwned; log .v' 'a"; exec -- touch pwned; log ".v' 
     { cat said && exit 1; }
   grep -q "^module ${shape[0]}\b" "$name" || { echo "$name: no netlist" && exit 1; }
 done
+refused() {
+  local status=0 said=$1
+  shift
+  "$@" > out 2> said || status=$?
+  if ((status == 0)) || ! grep -qF -- "$said" said; then
+    cat out said && echo "not so: $* is refused" && exit 1
+  fi
+}
+
+# A line of shipped.txt goes to the linters.
+mkdir rtl
+for line in 'lin; exec -- touch pwned' 'lin W=$(touch${IFS}pwned)' 'lin W=4; exec -- touch pwned'; do
+  echo "$line" > rtl/shipped.txt
+  refused "no design and its parameters: $line" "$sources/scripts/lint" --rtl rtl
+done
+
+# A folder for temporary files; the picture that is drawn.
+mkdir -p tree/scripts $'tmp"; system "touch pwned'
+cp "$sources"/scripts/{picture,lib.sh} tree/scripts
+printf '#!/bin/sh\nprintf "block,a,b,x,y\\n0,0,0,1,2\\n0,0,0,3,4\\n" > "$6"\n' > tree/scripts/cosim
+chmod +x tree/scripts/cosim
+if command -v gnuplot > /dev/null; then
+  for name in $'p"; system "touch pwned' 'a b;!touch pwned' $'it\'s.png'; do
+    COSIM_RECORDED=yes TMPDIR=$PWD/$'tmp"; system "touch pwned' \
+      tree/scripts/picture in.ngc 10 "$name" > said 2>&1 || { cat said && exit 1; }
+    [[ -s $name ]] || { echo "$name: no picture" && exit 1; }
+  done
+fi
+
+# Where mutants are planted, and what CMake has of a design.
+mkdir $'a; exec -- touch pwned'
+refused "yosys cannot be given that name" bash "$sources/tb/mutation/plant.sh" \
+  $'a; exec -- touch pwned' V top 3
+for word in 'top; exec -- touch pwned' $'A="x' $'A\nexec' '#'; do
+  cat > words.cmake << END
+include($sources/tb/dut/rtl.cmake)
+cosim_words_for_tools(here [==[$word]==])
+END
+  refused "yosys cannot be given the name" cmake -P words.cmake
+done
+mkdir 'of a design'
+cp "$sources/rtl/${shape[0]}"/*.v 'of a design'
+cat > loop.cmake << END
+include($sources/tb/dut/rtl.cmake)
+file(GLOB rtl "$PWD/of a design/*.v")
+list(JOIN rtl "\" \"" rtl)
+cosim_find_loop(loop none "$PWD/of a design/loop.txt" "read_verilog \"\${rtl}\"; hierarchy -top ${shape[0]}")
+END
+cmake -P loop.cmake > said 2>&1
+[[ ! -s said && -e 'of a design/loop.txt' ]] ||
+  { cat said && echo "a folder's name with spaces: no loop is looked for" && exit 1; }
 [[ ! -e pwned ]] || { echo "the name of a file was run" && exit 1; }
-echo "written by their names"
+echo "taken for names, or refused"

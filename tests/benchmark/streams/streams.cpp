@@ -5,7 +5,7 @@
 
 #include <numeric>
 
-#include "VfirW12STAGES3.h"
+#include "VfirW12STAGES3_ports.h"
 #include "by_hand.h"
 #include "fir/fir.h"
 #include "tb/stream/draw.h"
@@ -21,7 +21,7 @@ struct Trait {
   static constexpr const char* title = "fir W=12 STAGES=3";
   static constexpr const char* clock = "clk";
 };
-using Bench = StreamBench<VfirW12STAGES3, Trait>;
+using Bench = StreamBench<Trait, VerilatedStreamDut<VfirW12STAGES3>>;
 
 const Bench& bench() {
   static const Bench one;

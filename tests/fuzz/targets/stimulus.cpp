@@ -4,17 +4,12 @@
 #include "model/circular/host.h"
 #include "model/linear/host.h"
 #include "tests/fuzz/expect.h"
-#include "tests/support/model_adapter.h"
+#include "tests/fuzz/machines.h"
 
 namespace cosim::fuzz {
 namespace {
 
 constexpr std::size_t most_clocks = 1000;  // of those run again
-
-template <class D, typename D::Params P>
-std::unique_ptr<AnyBench> bench() {
-  return std::make_unique<AdapterBench<test::ModelAdapter<D, P>>>();
-}
 
 const std::vector<std::unique_ptr<AnyBench>>& machines() {
   static const auto list = [] {

@@ -59,6 +59,12 @@ TEST(Unobserved, EveryOtherRegisterIsRefused) {
   EXPECT_EQ(refused({field("count"), store[0], store[1], store[2], store[3]}), escapes("sub.held"));
 }
 
+TEST(Unobserved, AllThatAreRefusedAreSaidAtOnce) {
+  EXPECT_EQ(refused({field("count[3:1]", 3)}),
+            "made W=4: the RTL has registers that no table names and that are not in unobserved: "
+            "count[0], store, sub.held");
+}
+
 TEST(Unobserved, SoIsEveryOtherBit) {
   const Field held = field("sub.held");
   const auto all_but = [&](std::vector<Field> fields) {

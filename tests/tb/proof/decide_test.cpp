@@ -3,7 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
 #include "model/core/input_error.h"
+#include "tb/support/process.h"
 
 namespace cosim::proof {
 namespace {
@@ -112,12 +117,63 @@ TEST(Decision, NeedsTwoOfThree) {
   EXPECT_EQ(judged(claim, {}).verdict, "UNDECIDED, 0 of 2: no engine can be asked");
 }
 
+// Of two questions z3 answers one and cvc5 the other, and cec both: each has two.
+TEST(Decision, NeedsTwoOfEachQuestion) {
+  Claim two{"two", Answer::unsat, {{{"first"}, ""}, {{"second"}, ""}}, {}};
+  NetQuestions nets;
+  nets.asked.push_back({"both", nets::no});
+  two.nets = std::make_shared<const NetQuestions>(nets);
+  const auto with = [&](Answer z3_second, Answer cvc5_second) {
+    return judged(two, {{Engine::cec, {answer(Answer::unsat)}},
+                        {Engine::z3, {answer(Answer::unsat), answer(z3_second)}},
+                        {Engine::cvc5, {answer(Answer::stopped), answer(cvc5_second)}}});
+  };
+  EXPECT_EQ(with(Answer::stopped, Answer::unsat).verdict, "proved");
+  EXPECT_EQ(with(Answer::timed_out, Answer::unsat).verdict, "proved, z3 timed out (second)");
+  EXPECT_FALSE(with(Answer::timed_out, Answer::timed_out).proved);
+  EXPECT_FALSE(with(Answer::timed_out, Answer::timed_out).refuted);
+  EXPECT_NE(with(Answer::stopped, Answer::sat).verdict.find("THE ENGINES DISAGREE"),
+            std::string::npos);
+}
+
+// An engine that never ends holds up no other: not where two threads wait for two engines, and not
+// where there is one thread.
+TEST(Decision, ComesFromTheOthersWhereAnEngineHangs) {
+  const Scratch bin;
+  const auto program = [&](const char* name, const std::string& does) {
+    const auto file = bin.path() / name;
+    std::ofstream(file) << "#!/bin/sh\n" << does << "\n";
+    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+  };
+  program("z3", "while :; do :; done");
+  program("cvc5", "echo unsat");
+  program("yosys-abc", "echo UNSATISFIABLE");
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", (bin.path().string() + ':' + path).c_str(), 1);
+  Claim no{"no", Answer::unsat, {{{"it"}, ""}}, {}};
+  NetQuestions nets;
+  nets.asked.push_back({"it", nets::no});
+  no.nets = std::make_shared<const NetQuestions>(nets);
+  constexpr int for_ever = 86400;
+  for (const unsigned jobs : {1U, 2U, 4U}) {
+    std::size_t settled = 0;
+    const auto all =
+        decide({&no, &no}, {all_engines(), for_ever, jobs, 1}, [&](std::size_t) { ++settled; });
+    EXPECT_EQ(settled, 2U);
+    for (const Decision& d : all) {
+      EXPECT_EQ(d.verdict, "proved");
+      EXPECT_EQ(d.opinions.size(), 2U);
+    }
+  }
+  setenv("PATH", path.c_str(), 1);
+}
+
 // Two are asked, and the third only where these are not of one mind.
 TEST(Decision, AsksTheThirdWhereTwoDoNotDo) {
   const Claim no{"no", Answer::unsat, {{{"it"}, kFalse}}, {}};
   const auto asked = [&](const std::vector<Engine>& engines, const Claim& of) {
     std::string names;
-    const Decision d = decide({&of}, {engines, 10, 2}).front();
+    const Decision d = decide({&of}, {engines, 10, 1}).front();
     for (const Opinion& o : d.opinions) names += to_text(o.engine) + ' ';
     return names;
   };

@@ -48,6 +48,8 @@ class Family : public testing::Test {
     const pid_t child = fork();
     if (child == 0) {
       try {
+        const Scratch own;
+        std::ofstream(folder_.path() / "own") << own.path().string() << '\n';
         run_program(command("wait"));
       } catch (...) {
       }
@@ -58,7 +60,8 @@ class Family : public testing::Test {
     waitpid(child, nullptr, 0);
     // Without the guard these wait for ever; ctest ends them.
     wait_for([&] { return is_gone("deep") && is_gone("orphan"); });
-    wait_for([&] { return !fs::exists(text("folder")); });
+    wait_for([&] { return !fs::exists(text("folder")) && !fs::exists(text("own")); });
+    EXPECT_TRUE(fs::exists(folder_.path())) << "this is another process's";
   }
 
   Scratch folder_;

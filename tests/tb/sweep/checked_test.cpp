@@ -52,10 +52,10 @@ TEST(Measures, OfOneNameAreTakenInOneWay) {
   Checked sum = found({turns(3)});
   Measure other = turns(4);
   other.sum = Measure::Sum::largest;
-  EXPECT_THROW(add(sum, found({other})), std::logic_error);
+  EXPECT_THROW(add(sum, found({other})), InputError);
   other = turns(4);
   other.value = 4.0;
-  EXPECT_THROW(add(sum, found({other})), std::logic_error);
+  EXPECT_THROW(add(sum, found({other})), InputError);
 }
 
 Result failing(const std::string& name, const std::string& error) {

@@ -2,13 +2,14 @@
 // does, and refuses tables that are not the RTL's.
 #include "tb/dut/named_adapter.h"
 
-#include <IcircularW4.h>
+#include <IcircularW4_ports.h>
 #include <gtest/gtest.h>
 
 #include <functional>
 
+#include "model/circular/host.h"
 #include "model/core/input_error.h"
-#include "tb/designs/circular/bench.h"
+#include "tb/bench/design_bench.h"
 
 namespace cosim::circular {
 namespace {
@@ -18,8 +19,9 @@ struct Trait {
   static constexpr Params params{4};
   static constexpr const char* title = "circular W=4";
   static constexpr const char* clock = "clk";
+  static constexpr const char* registers = "";
 };
-using Named = NamedAdapter<IcircularW4, Trait>;
+using Named = NamedAdapter<IcircularW4, Trait, true>;
 
 TEST(NamedAdapter, IsInLockstep) {
   const AdapterBench<Named> bench;
@@ -42,6 +44,7 @@ class Instance : public VerilatedInstance<IcircularW4> {
  public:
   Instance() : VerilatedInstance(1) {}
   using VerilatedInstance::context;
+  using VerilatedInstance::top;
 };
 
 Ports whole() {
@@ -56,7 +59,7 @@ std::string refusal(const std::function<void(Ports&)>& change) {
   Ports ports = whole();
   change(ports);
   try {
-    find_ports(instance.context(), ports);
+    find_ports(ports_of(instance.top()), ports);
   } catch (const InputError& error) {
     return error.what();
   }
@@ -99,11 +102,27 @@ std::string refusal_of_register(const char* net, int width) {
   return "none";
 }
 
+TEST(Register, AllThatAreNotThereAreSaidAtOnce) {
+  Instance instance;
+  const auto fields = Registers<Word>::fields(Trait::params);
+  Field some[] = {fields[0], fields[1]};
+  some[0].net = "none";
+  some[1].net = "other.one";
+  try {
+    find_registers(instance.context(), "circular W=4", some);
+    FAIL() << "they are found";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "circular W=4: register none: the RTL has no such net; register other.one: the "
+                 "RTL has no such net");
+  }
+}
+
 TEST(Register, IsFoundByItsPath) {
   EXPECT_EQ(refusal_of_register("t4_q", 1), "none");
   EXPECT_EQ(refusal_of_register("t5_q", 1), "circular W=4: register t5_q: the RTL has no such net");
   EXPECT_EQ(refusal_of_register("block1.f_q", 1),
-            "circular W=4: register block1.f_q: the RTL has no instance block1");
+            "circular W=4: register block1.f_q: the RTL has no such net");
   EXPECT_EQ(refusal_of_register("t4_q[0]", 1), "none");
   EXPECT_EQ(refusal_of_register("t4_q[1]", 1),
             "circular W=4: register t4_q[1]: the RTL has bits 0 to 0");

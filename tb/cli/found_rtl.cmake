@@ -1,0 +1,23 @@
+# What `cosim new` asks of RTL, in the folder that has it: cmake -P with
+#
+#   TOP, CLOCK     as rtl.pl has them
+#   SHAPE          parameters, as of cosim_add_design()
+#   FILES, OPTIONS of Verilator; YOSYS, its options for yosys
+#   WORK           where the answer is to be: shape.txt, found.txt, and error.txt, one line
+include(${CMAKE_CURRENT_LIST_DIR}/rtl.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/shape.cmake)
+function(message kind)
+  if(kind STREQUAL FATAL_ERROR)
+    string(JOIN "" text ${ARGN})
+    file(WRITE ${WORK}/error.txt "${text}")
+  endif()
+  _message(${kind} ${ARGN})
+endfunction()
+find_program(VERILATOR_BIN verilator HINTS $ENV{VERILATOR_ROOT}/bin)
+if(NOT VERILATOR_BIN)
+  message(FATAL_ERROR "needs verilator")
+endif()
+cosim_shape(shape new "${SHAPE}")
+list(JOIN FILES " " files)
+cosim_read_rtl(rtl new ${TOP} ${CLOCK} ${WORK} FILES ${FILES} OPTIONS ${shape_generics} ${OPTIONS}
+  YOSYS "read_verilog -sv ${YOSYS} ${files}; hierarchy -check -top ${TOP}${shape_chparams}")

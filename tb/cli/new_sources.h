@@ -1,0 +1,36 @@
+// The files that a design needs, of those that a person names or that lie in a folder.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace cosim::cli {
+
+/// What is typed behind `cosim new NAME`.
+struct GivenRtl {
+  std::string name;                         ///< of the design
+  std::vector<std::string> files = {};      ///< files and folders
+  std::vector<std::string> libraries = {};  ///< folders that have a module in a file of its name
+  std::vector<std::string> includes = {};   ///< folders of headers
+  std::string top = {};                     ///< "": to be found
+};
+
+/// A file of the project.
+struct SourceFile {
+  std::string name;            ///< in the project
+  std::filesystem::path from;  ///< as it was named or found
+  std::string text = {};
+};
+
+struct Sources {
+  std::string top;
+  /// Packages first, then the top and what it needs; files that were named are all there.
+  std::vector<SourceFile> files;
+  std::vector<SourceFile> headers;  ///< by the names that `include gives them
+};
+
+/// InputError, one line, where the top cannot be told and for a file that cannot be read.
+Sources sources_of(const GivenRtl& given);
+
+}  // namespace cosim::cli

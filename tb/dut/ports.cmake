@@ -1,0 +1,146 @@
+# The ports of Verilated classes as data, read from what Verilator declares them by. As a script:
+#
+#   cmake -DOUTPUT=FILE [-DOPEN=CONTROL] -P ports.cmake CLASS.h
+#
+# writes a header with ports_of(CLASS&), see tb/dut/port_net.h, and where there is a control file, which
+# opens some nets of the class, with known_nets<CLASS> of its ports and those nets.
+cmake_minimum_required(VERSION 3.25)
+include_guard(GLOBAL)
+set_property(GLOBAL PROPERTY COSIM_PORTS "${CMAKE_CURRENT_LIST_FILE}")
+
+# cosim_ports(LIBRARY PREFIX...): the header PREFIX_ports.h of each class that verilate() has put into the
+# library, in a folder that who links the library can include from. Where PREFIX.vlt is there, it is the
+# control file.
+function(cosim_ports library)
+  get_property(script GLOBAL PROPERTY COSIM_PORTS)
+  set(folder ${CMAKE_CURRENT_BINARY_DIR}/${library}_ports)
+  set(verilated ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${library}.dir)
+  set(written)
+  foreach(prefix IN LISTS ARGN)
+    set(control ${CMAKE_CURRENT_BINARY_DIR}/${prefix}.vlt)
+    if(NOT EXISTS ${control})
+      set(control)
+    endif()
+    add_custom_command(OUTPUT ${folder}/${prefix}_ports.h
+      COMMAND ${CMAKE_COMMAND} -DOUTPUT=${folder}/${prefix}_ports.h -DOPEN=${control} -P ${script}
+        ${verilated}/${prefix}.dir/${prefix}.h
+      DEPENDS ${script} ${control} ${verilated}/${prefix}.dir/${prefix}.cmake VERBATIM COMMENT "Ports of ${prefix}")
+    list(APPEND written ${folder}/${prefix}_ports.h)
+  endforeach()
+  add_custom_target(${library}_ports DEPENDS ${written})
+  add_dependencies(${library} ${library}_ports)
+  target_include_directories(${library} SYSTEM PUBLIC ${folder})
+endfunction()
+
+# The function of one class.
+function(cosim_write_ports header)
+  cmake_path(GET header STEM class)
+  file(READ ${header} text)
+  # VL_IN8(&name,7,0), VL_OUTW(&name,99,0,4), of an array VL_IN8((&name)[4],7,0)
+  string(REGEX MATCHALL "VL_(IN|OUT)[0-9W]*[(][^;]*[)]" declared "${text}")
+  set(ports "")
+  foreach(port IN LISTS declared)
+    string(REGEX MATCH
+      "^VL_(IN|OUT)[0-9W]*[(][(]*&([A-Za-z0-9_]+)[)]*([^,]*),([0-9]+),([0-9]+)" _ "${port}")
+    if(CMAKE_MATCH_1 STREQUAL "IN")
+      set(is_input true)
+    else()
+      set(is_input false)
+    endif()
+    set(member ${CMAKE_MATCH_2})
+    set(array "${CMAKE_MATCH_3}")
+    math(EXPR width "${CMAKE_MATCH_4} - ${CMAKE_MATCH_5} + 1")
+    set(words 0)
+    if("${array}" MATCHES "^[[]([0-9]+)[]]$")
+      set(words ${CMAKE_MATCH_1})
+    elseif(array)
+      set(words -1)
+    endif()
+    cosim_rtl_name(name ${member})
+    string(APPEND ports "      port_net(\"${name}\", ${is_input}, ${width}, ${words}, top.${member}),\n")
+  endforeach()
+  set(known "")
+  if(OPEN)
+    cosim_known_nets(known ${header} ${class})
+  endif()
+  file(WRITE ${OUTPUT} "// Made by ports.cmake.
+#pragma once
+
+#include <vector>
+
+#include \"${class}.h\"
+#include \"tb/dut/port_net.h\"
+${known}
+inline std::vector<cosim::PortNet> ports_of(${class}& top) {
+  using cosim::port_net;
+  return {
+${ports}  };
+}
+")
+endfunction()
+
+# A name as the RTL writes it: Verilator has another form for words of C++ and for odd characters.
+function(cosim_rtl_name variable member)
+  string(REGEX REPLACE "^__SYM__" "" name "${member}")
+  string(REPLACE "__DOT__" "." name "${name}")
+  string(REPLACE "__BRA__" "[" name "${name}")
+  string(REPLACE "__KET__" "]" name "${name}")
+  while(name MATCHES "__0([0-9A-Fa-f][0-9A-Fa-f])")
+    set(coded ${CMAKE_MATCH_0})
+    math(EXPR code "0x${CMAKE_MATCH_1}")
+    string(ASCII ${code} character)
+    string(REPLACE "${coded}" "${character}" name "${name}")
+  endwhile()
+  string(REGEX REPLACE "([\"\\\\])" "\\\\\\1" name "${name}")
+  set(${variable} "${name}" PARENT_SCOPE)
+endfunction()
+
+# The text of known_nets: the ports, and the nets that the control file opens, as the class's root has
+# them: "CData/*7:0*/ top__DOT__divider__DOT__count;".
+function(cosim_known_nets variable header class)
+  string(REGEX REPLACE "[.]h$" "___024root.h" root ${header})
+  file(READ ${root} text)
+  file(READ ${OPEN} open)
+  string(REGEX MATCHALL "-var \"[^\"]*\"" open "${open}")
+  list(TRANSFORM open REPLACE "^-var \"(.*)\"$" "\\1")
+  string(REGEX MATCHALL "VL_(IN|OUT)(8|16|64|)[(][A-Za-z0-9_]+,[0-9]+,[0-9]+[)]|[CSIQ]Data/[*][0-9]+:[0-9]+[*]/ [A-Za-z0-9_]+"
+    declared "${text}")
+  set(nets "")
+  set(count 0)
+  foreach(net IN LISTS declared)
+    set(is_port false)
+    if(net MATCHES "^VL_.*[(](.*),([0-9]+),([0-9]+)[)]$")
+      set(member ${CMAKE_MATCH_1})
+      math(EXPR width "${CMAKE_MATCH_2} - ${CMAKE_MATCH_3} + 1")
+      cosim_rtl_name(name ${member})
+      set(is_port true)
+    else()
+      string(REGEX MATCH "/[*]([0-9]+):([0-9]+)[*]/ (.*)$" _ "${net}")
+      set(member ${CMAKE_MATCH_3})
+      math(EXPR width "${CMAKE_MATCH_1} - ${CMAKE_MATCH_2} + 1")
+      cosim_rtl_name(name ${member})
+      if(NOT name MATCHES "^[^.]*[.](.*)$")
+        continue()
+      endif()
+      set(name "${CMAKE_MATCH_1}")
+      string(REGEX REPLACE "^.*[.]" "" last "${name}")
+      if(NOT last IN_LIST open)
+        continue()
+      endif()
+    endif()
+    math(EXPR count "${count} + 1")
+    string(APPEND nets
+      "    {\"${name}\", ${is_port}, ${width}, __builtin_offsetof(${class}___024root, ${member})},\n")
+  endforeach()
+  set(${variable} "#include \"${class}___024root.h\"
+
+template <>
+inline constexpr std::array<cosim::NetOffset, ${count}> cosim::known_nets<${class}>{{
+${nets}}};
+" PARENT_SCOPE)
+endfunction()
+
+if(CMAKE_SCRIPT_MODE_FILE STREQUAL CMAKE_CURRENT_LIST_FILE)
+  math(EXPR last "${CMAKE_ARGC} - 1")
+  cosim_write_ports("${CMAKE_ARGV${last}}")
+endif()

@@ -1,0 +1,88 @@
+# The program of all designs: their benches and what is proved of them as two libraries, the program with
+# every command, and one that attacks their mutants. See design.cmake for cosim_add_program().
+include_guard(GLOBAL)
+
+# cosim_list(TYPE): sets DECLARATIONS and CALLS, which add the designs added so far to a list `all`.
+function(cosim_list type)
+  get_property(designs GLOBAL PROPERTY COSIM_DESIGNS)
+  set(declarations "")
+  set(calls "")
+  foreach(name IN LISTS designs)
+    string(APPEND declarations "void add_${name}(std::vector<${type}>& all);\n")
+    string(APPEND calls "    add_${name}(all);\n")
+  endforeach()
+  set(DECLARATIONS "${declarations}" PARENT_SCOPE)
+  set(CALLS "${calls}" PARENT_SCOPE)
+endfunction()
+
+function(cosim_add_program TARGET)
+  get_property(designs GLOBAL PROPERTY COSIM_DESIGNS)
+  if(NOT designs)
+    message(FATAL_ERROR "cosim_add_program(${TARGET}): no design was added before it")
+  endif()
+  cosim_program(${TARGET} ${ARGN})
+endfunction()
+
+# The same, be there a design or not.
+function(cosim_program TARGET)
+  cmake_parse_arguments(PARSE_ARGV 1 P "" "" "SOURCES;LIBRARIES;REGISTER;THEOREMS;JOBS")
+  if(P_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "cosim_add_program(${TARGET}): what is ${P_UNPARSED_ARGUMENTS}?")
+  endif()
+  get_property(root GLOBAL PROPERTY COSIM_ROOT)
+  foreach(property SOURCES_OF_benches SOURCES_OF_machines VERILATED LIBRARIES ON_DEMAND)
+    get_property(${property} GLOBAL PROPERTY COSIM_${property})
+  endforeach()
+  list(REMOVE_DUPLICATES LIBRARIES)
+
+  # Two libraries, for programs of a user's own too: all benches, and what is proved of them.
+  cosim_list("std::unique_ptr<AnyBench>")
+  configure_file(${root}/tb/package/benches.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/${TARGET}_benches.cpp @ONLY)
+  add_library(${TARGET}_benches STATIC ${CMAKE_CURRENT_BINARY_DIR}/${TARGET}_benches.cpp ${SOURCES_OF_benches})
+  target_include_directories(${TARGET}_benches PUBLIC ${CMAKE_CURRENT_BINARY_DIR})
+  target_link_libraries(${TARGET}_benches PUBLIC
+    ${LIBRARIES} cosim::stream cosim::dut cosim::harness ${VERILATED} cosim::runtime)
+  cosim_list("proof::BuiltMachine")
+  set(THEOREMS "")
+  foreach(name IN LISTS P_THEOREMS)
+    string(APPEND DECLARATIONS
+      "}\nnamespace cosim::${name} {\nstd::vector<proof::Theorem> theorems();\n}\nnamespace cosim {\n")
+    string(APPEND THEOREMS "${name}::theorems(), ")
+  endforeach()
+  configure_file(${root}/tb/package/machines.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/${TARGET}_machines.cpp @ONLY)
+  add_library(${TARGET}_machines STATIC ${CMAKE_CURRENT_BINARY_DIR}/${TARGET}_machines.cpp ${SOURCES_OF_machines})
+  target_link_libraries(${TARGET}_machines PUBLIC ${P_LIBRARIES} ${LIBRARIES} cosim::prover PRIVATE cosim::once)
+
+  set(DECLARATIONS "")
+  set(CALLS "")
+  foreach(name IN LISTS P_REGISTER)
+    string(APPEND DECLARATIONS "namespace cosim::${name} {\nvoid add_to(cli::Registry& registry);\n}\n")
+    string(APPEND CALLS "    ${name}::add_to(registry);\n")
+  endforeach()
+  string(APPEND ON_DEMAND "    registry.attacks({\"\", \"${TARGET}_mutants\", \"${CMAKE_CURRENT_BINARY_DIR}\"})\;\n")
+  list(JOIN ON_DEMAND "" ON_DEMAND)
+  configure_file(${root}/tb/package/program.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/${TARGET}.cpp @ONLY)
+  add_executable(${TARGET} ${CMAKE_CURRENT_BINARY_DIR}/${TARGET}.cpp ${P_SOURCES})
+  target_link_libraries(${TARGET} PRIVATE
+    cosim::program ${TARGET}_machines ${TARGET}_benches cosim::once)
+  # Built when a command asks for it.
+  set(JOBS_INCLUDES "")
+  set(JOBS_DESIGNS)
+  foreach(job IN LISTS P_JOBS)
+    string(REGEX MATCH "^([^=]+)=(.+)$" _ "${job}")
+    string(APPEND JOBS_INCLUDES "#include \"${CMAKE_MATCH_2}\"\n")
+    list(APPEND JOBS_DESIGNS "cosim::${CMAKE_MATCH_1}::Design")
+  endforeach()
+  list(JOIN JOBS_DESIGNS ", " JOBS_DESIGNS)
+  configure_file(${root}/tb/package/mutants.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/${TARGET}_mutants.cpp @ONLY)
+  add_executable(${TARGET}_mutants EXCLUDE_FROM_ALL ${CMAKE_CURRENT_BINARY_DIR}/${TARGET}_mutants.cpp)
+  target_link_libraries(${TARGET}_mutants PRIVATE
+    cosim::mutation ${TARGET}_machines ${TARGET}_benches cosim::cold)
+  set_target_properties(${TARGET}_mutants PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
+  foreach(target ${TARGET} ${TARGET}_benches ${TARGET}_machines ${TARGET}_mutants)
+    target_compile_features(${target} PRIVATE cxx_std_20)
+    set_target_properties(${target} PROPERTIES
+      UNITY_BUILD_CODE_AFTER_INCLUDE "#undef VL_PCH_INCLUDED")
+  endforeach()
+  set_target_properties(${TARGET}_benches ${TARGET}_machines PROPERTIES UNITY_BUILD OFF)
+endfunction()

@@ -1,0 +1,48 @@
+// Lines of results with hashes that fit: what they say comes to the report, or is refused.
+#include <sstream>
+
+#include "model/linear/host.h"
+#include "tb/cli/result_json.h"
+#include "tb/report/report.h"
+#include "tests/fuzz/machines.h"
+#include "tests/fuzz/run.h"
+
+namespace cosim::fuzz {
+namespace {
+
+// As a sweep merges.
+Json merged(const std::vector<regress::Part>& parts) {
+  static const auto linear = bench<linear::Design, linear::Params{5, 2}>();
+  Result sum;
+  for (const regress::Part& part : parts) {
+    part.result.at("cases").whole(part.failed ? 1 : part.units(), part.units());
+    add(sum, cli::result_from(part.result, *linear));
+  }
+  return json_of(run_json({linear.get(), "work", sum}));
+}
+
+}  // namespace
+}  // namespace cosim::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace cosim;
+  static const fuzz::RunInAFolder folder(fuzz::merged);
+  static const regress::RunFolder run(folder.path(), folder.kinds());
+  std::istringstream lines(fuzz::text_of(data, size));
+  std::string all;
+  for (std::string line; std::getline(lines, line);) {
+    if (Json json = fuzz::object_of(line); !json.is_null()) {
+      json.erase("hash");
+      json["hash"] = hash_of(run.identity() + json_text(json));
+      line = json_text(json);
+    }
+    all += line + '\n';
+  }
+  fuzz::write(run.path() / "results" / "a.jsonl", all);
+  fuzz::accepted(run.path().string(), [&] {
+    const auto results =
+        regress::read_results(run.path() / "results", run.identity(), run.shards().size());
+    json_text(regress::report(run, folder.kinds(), results).json);
+  });
+  return 0;
+}

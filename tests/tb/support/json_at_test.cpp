@@ -1,0 +1,81 @@
+// What is read back and is not so is named with its file and its place.
+#include "tb/support/json_at.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "model/core/input_error.h"
+#include "tb/support/json.h"
+
+namespace cosim {
+namespace {
+
+std::string said(const std::function<void()>& read) {
+  try {
+    read();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "nothing";
+}
+
+const JsonAt plan("run.json", R"({"tasks": [{}, {"units": -1, "name": 7, "yes": 1.5}],
+                                  "none": null, "most": 18446744073709551615})");
+
+TEST(JsonAt, NamesTheFileAndThePlace) {
+  const JsonAt task = plan.at("tasks").list()[1];
+  EXPECT_EQ(said([&] { task.at("units").whole(1, 1000); }),
+            "run.json: tasks[1].units is -1, not a whole number from 1 to 1000");
+  EXPECT_EQ(said([&] { task.at("units").whole(3, 3); }), "run.json: tasks[1].units is -1, not 3");
+  EXPECT_EQ(said([&] { task.at("units").number(0, 2.5); }),
+            "run.json: tasks[1].units is -1, not a number from 0 to 2.5");
+  EXPECT_EQ(said([&] { task.at("name").text(); }), "run.json: tasks[1].name is 7, not a text");
+  EXPECT_EQ(said([&] { task.at("yes").yes(); }),
+            "run.json: tasks[1].yes is 1.5, not true or false");
+  EXPECT_EQ(said([&] { task.at("minutes"); }), "run.json: tasks[1] has no 'minutes'");
+  EXPECT_EQ(said([&] { plan.at("none").list(); }), "run.json: none is null, not a list");
+  EXPECT_EQ(said([&] { plan.at("tasks").list(3); }),
+            "run.json: tasks is a list of 2, not of 3 or more");
+  EXPECT_EQ(said([&] { plan.at("tasks").list(0, 1); }),
+            "run.json: tasks is a list of 2, not of at most 1");
+  EXPECT_EQ(said([&] { plan.at("tasks").list(5, 5); }), "run.json: tasks is a list of 2, not of 5");
+  EXPECT_EQ(said([&] { plan.at("tasks").at("x"); }),
+            "run.json: tasks is a list of 2, not an object");
+  EXPECT_EQ(said([&] { plan.text(); }), "run.json: it is an object, not a text");
+}
+
+TEST(JsonAt, GivesWhatIsThere) {
+  EXPECT_EQ(plan.at("most").whole(), ~std::uint64_t{0});
+  EXPECT_EQ(plan.at("tasks").list(2, 2).size(), 2U);
+  EXPECT_FALSE(plan.find("title"));
+  EXPECT_EQ(JsonAt("x", R"(["a", "b"])").texts(), (std::vector<std::string>{"a", "b"}));
+  EXPECT_TRUE(JsonAt("x", "true").yes());
+  EXPECT_EQ(JsonAt("x", "2").number(0, 2), 2);
+}
+
+TEST(JsonAt, RefusesWhatIsNoJson) {
+  const auto refused = [](const std::string& text) {
+    return said([&] { JsonAt("a.json", text); });
+  };
+  EXPECT_EQ(refused("{").find("a.json: no JSON: at line 1, column 2: "), 0U) << refused("{");
+  EXPECT_EQ(refused("1e999").find("a.json: no JSON: "), 0U) << refused("1e999");
+  EXPECT_EQ(refused(R"([{"a": 1, "a": 2}])"), "a.json: 'a': stands twice in an object");
+  const auto nested = [](int levels) {
+    const auto size = static_cast<std::size_t>(levels);
+    return std::string(size, '[') + std::string(size, ']');
+  };
+  EXPECT_EQ(refused(nested(most_json_levels)), "nothing");
+  EXPECT_EQ(refused(nested(most_json_levels + 1)), "a.json: no JSON of at most 100 levels");
+  EXPECT_EQ(refused(nested(1'000'000)), "a.json: no JSON of at most 100 levels");
+}
+
+// A terminal is shown no control character.
+TEST(JsonAt, IsOneLineOfPrintableText) {
+  const JsonAt hostile("a\n.json", R"({"\u001b[2J\n": "x\u001b"})");
+  const std::string line = said([&] { hostile.at("\x1b[2J\n").whole(); });
+  EXPECT_EQ(line.find_first_of("\x1b\n"), std::string::npos) << line;
+}
+
+}  // namespace
+}  // namespace cosim

@@ -61,6 +61,7 @@ void limit(int what, long most) {
   setenv("TMPDIR", (scratch.folder() / "tmp").c_str(), 1);
   setenv("HOME", (scratch.folder() / "home").c_str(), 1);
   unsetenv("COSIM_FAILURES");
+  setenv("CCACHE_DISABLE", "1", 1);  // a compiler's cache is its user's, and outlives a kill
   direct(one.out, STDOUT_FILENO, streams + ".out");
   direct(one.err, STDERR_FILENO, streams + ".err");
   if (one.in == Stream::file) {

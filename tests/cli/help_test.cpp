@@ -103,7 +103,10 @@ void expect_example_runs(const Arguments& command) {
     words.insert(words.end(), {"--rtl", (test::project_root() / "rtl").string()});
   }
   const Ended ended = cosim(words);
-  EXPECT_EQ(ended.status, 0) << ended.err << name_of(words);
+  // Of one shape few clocks do not reach every bit: that is a verdict too.
+  const bool covers = command.front() == "cover";
+  EXPECT_TRUE(ended.status == 0 || (covers && ended.status == 1)) << ended.err << name_of(words);
+  EXPECT_EQ(ended.err, "") << name_of(words);
 }
 
 TEST(Help, HasExamplesThatRun) {

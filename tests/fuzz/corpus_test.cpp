@@ -1,5 +1,5 @@
-// Every file of a target's corpus, seeds and former findings, through the function that libFuzzer
-// calls; and every file of JSON with each of its values changed.
+// Every file of each target's corpus, seeds and former findings, through what libFuzzer calls; and
+// every file of JSON with each of its values changed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,19 +19,22 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// The files of corpus/, a folder a target.
 std::vector<fs::path> corpus() {
-  std::vector<fs::path> files{fs::directory_iterator(COSIM_CORPUS), {}};
-  if (files.empty()) throw std::runtime_error(COSIM_CORPUS " is empty");
+  std::vector<fs::path> files;
+  for (const auto& [name, target] : targets()) {
+    const std::size_t before = files.size();
+    for (const auto& file : fs::directory_iterator(COSIM_CORPUS "/" + name)) files.push_back(file);
+    if (files.size() == before) throw std::runtime_error(name + " has no corpus");
+  }
   std::sort(files.begin(), files.end());
   return files;
 }
 
-void feed(const std::string& text) {
-  LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
-}
+std::string target_of(const fs::path& file) { return file.parent_path().filename(); }
 
 // Seconds of processor time; the least of some, for others are at work.
-double seconds_for(const std::string& text) {
+double seconds_for(Target feed, const std::string& text) {
   double least = 1e9;
   for (int i = 0; i < 3; ++i) {
     timespec before{}, after{};
@@ -113,6 +116,7 @@ void each_change(const Json& whole, const Json::json_pointer& at, const Changed&
 class Corpus : public testing::TestWithParam<fs::path> {
  protected:
   std::string text() const { return read_file(GetParam().string()); }
+  Target feed = targets().at(target_of(GetParam()));
 };
 
 TEST_P(Corpus, IsReadOrRefused) {
@@ -128,7 +132,8 @@ TEST_P(Corpus, RepeatedEightTimesTakesNotTheSquareOfTheTime) {
   while (all.size() < size) all += text() + (text().empty() ? "\n" : "");
   all.resize(size);
   constexpr double least = 1e-3;  // what is read in no time tells nothing
-  EXPECT_LT(seconds_for(all), 32 * std::max(least, seconds_for(all.substr(0, size / 8))));
+  EXPECT_LT(seconds_for(feed, all),
+            32 * std::max(least, seconds_for(feed, all.substr(0, size / 8))));
 }
 
 // Those of the files that are JSON.
@@ -148,7 +153,7 @@ TEST_P(JsonCorpus, IsReadOrRefusedWithAnyValueChanged) {
 }
 
 std::string name_of(const testing::TestParamInfo<fs::path>& info) {
-  std::string name = info.param.stem().string();
+  std::string name = target_of(info.param) + '_' + info.param.stem().string();
   for (char& c : name) c = std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
   return name;
 }

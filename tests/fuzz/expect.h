@@ -5,14 +5,37 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
 #include <string>
 
 #include "model/core/input_error.h"
 
-/// The function that libFuzzer calls with each of its inputs. Returns 0.
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+/// FUZZ_TARGET(name) { ... }: feeds `text` to the code. libFuzzer calls it with each of its inputs,
+/// the tests with each file of corpus/name/. In namespace cosim.
+#ifdef COSIM_FUZZ
+#define FUZZ_TARGET(name)                                                             \
+  static void name##_target(const std::string& text);                                 \
+  extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) { \
+    name##_target({reinterpret_cast<const char*>(data), size});                       \
+    return 0;                                                                         \
+  }                                                                                   \
+  static void name##_target([[maybe_unused]] const std::string& text)
+#else
+#define FUZZ_TARGET(name)                                                                \
+  static void name##_target(const std::string& text);                                    \
+  static const bool name##_added = fuzz::targets().emplace(#name, name##_target).second; \
+  static void name##_target([[maybe_unused]] const std::string& text)
+#endif
 
 namespace cosim::fuzz {
+
+using Target = void (*)(const std::string& text);
+
+/// The targets of this program, by their names.
+inline std::map<std::string, Target>& targets() {
+  static std::map<std::string, Target> all;
+  return all;
+}
 
 /// Ends the program where it does not hold: to libFuzzer a finding.
 inline void expect(bool holds, const std::string& what) {
@@ -38,10 +61,6 @@ bool accepted(const std::string& name, Read read) {
     expect(line.find('\n') == std::string::npos, "the error is one line: " + line);
     return false;
   }
-}
-
-inline std::string text_of(const std::uint8_t* data, std::size_t size) {
-  return {reinterpret_cast<const char*>(data), size};
 }
 
 }  // namespace cosim::fuzz

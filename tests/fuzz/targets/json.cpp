@@ -34,17 +34,15 @@ void check(const JsonAt& at) {
 }
 
 }  // namespace
-}  // namespace cosim::fuzz
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace cosim;
-  const std::string text = fuzz::text_of(data, size);
-  fuzz::accepted(fuzz::file, [&] {
-    const JsonAt all(fuzz::file, text);
-    fuzz::check(all);
+FUZZ_TARGET(json) {
+  accepted(file, [&] {
+    const JsonAt all(file, text);
+    check(all);
     std::vector<std::string> errors;
     const bool same = parse_json(json_text(all.json()), errors) == all.json() && errors.empty();
-    fuzz::expect(same, "it comes back from its text");
+    expect(same, "it comes back from its text");
   });
-  return 0;
 }
+
+}  // namespace cosim::fuzz

@@ -78,12 +78,11 @@ void check_positive(const std::string& text) {
 }
 
 }  // namespace
-}  // namespace cosim::fuzz
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string text = cosim::fuzz::text_of(data, size);
-  cosim::fuzz::check_whole(text);
-  cosim::fuzz::check_integers(text);
-  cosim::fuzz::check_positive(text);
-  return 0;
+FUZZ_TARGET(numbers) {
+  check_whole(text);
+  check_integers(text);
+  check_positive(text);
 }
+
+}  // namespace cosim::fuzz

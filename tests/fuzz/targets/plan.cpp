@@ -13,22 +13,21 @@ const std::vector<regress::Keys> kinds{
     {"run", {{"run", Type::words, ""}, {"quiet", Type::yes, ""}}}};
 
 }  // namespace
-}  // namespace cosim::fuzz
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace cosim;
+FUZZ_TARGET(plan) {
   const std::string name = "x.json";
   std::vector<std::string> errors;
-  const auto plan = regress::read_plan(fuzz::text_of(data, size), name, fuzz::kinds, 7, errors);
+  const auto plan = regress::read_plan(text, name, kinds, 7, errors);
   for (const std::string& line : errors) {
-    fuzz::accepted(name, [&] { throw InputError(line); });
+    accepted(name, [&] { throw InputError(line); });
   }
-  if (!errors.empty()) return 0;
-  fuzz::accepted(name, [&] {
-    const std::string text = json_text(regress::to_json(plan));
-    const auto again = regress::read_plan(text, name, fuzz::kinds, 9, errors);
-    fuzz::expect(errors.empty(), "what is kept of a plan is a plan");
-    fuzz::expect(json_text(regress::to_json(again)) == text, "it comes back");
+  if (!errors.empty()) return;
+  accepted(name, [&] {
+    const std::string kept = json_text(regress::to_json(plan));
+    const auto again = regress::read_plan(kept, name, kinds, 9, errors);
+    expect(errors.empty(), "what is kept of a plan is a plan");
+    expect(json_text(regress::to_json(again)) == kept, "it comes back");
   });
-  return 0;
 }
+
+}  // namespace cosim::fuzz

@@ -22,27 +22,26 @@ Json merged(const std::vector<regress::Part>& parts) {
 }
 
 }  // namespace
-}  // namespace cosim::fuzz
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace cosim;
-  static const fuzz::RunInAFolder folder(fuzz::merged);
+FUZZ_TARGET(results) {
+  static const RunInAFolder folder(merged);
   static const regress::RunFolder run(folder.path(), folder.kinds());
-  std::istringstream lines(fuzz::text_of(data, size));
+  std::istringstream lines(text);
   std::string all;
   for (std::string line; std::getline(lines, line);) {
-    if (Json json = fuzz::object_of(line); !json.is_null()) {
+    if (Json json = object_of(line); !json.is_null()) {
       json.erase("hash");
       json["hash"] = hash_of(run.identity() + json_text(json));
       line = json_text(json);
     }
     all += line + '\n';
   }
-  fuzz::write(run.path() / "results" / "a.jsonl", all);
-  fuzz::accepted(run.path().string(), [&] {
+  write(run.path() / "results" / "a.jsonl", all);
+  accepted(run.path().string(), [&] {
     const auto results =
         regress::read_results(run.path() / "results", run.identity(), run.shards().size());
     json_text(regress::report(run, folder.kinds(), results).json);
   });
-  return 0;
 }
+
+}  // namespace cosim::fuzz

@@ -35,14 +35,12 @@ void check(const Replay& read, const std::string& name) {
 }
 
 }  // namespace
-}  // namespace cosim::fuzz
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace cosim;
-  const std::string text = fuzz::text_of(data, size);
+FUZZ_TARGET(stimulus) {
   const std::string name = "x.stim";
   Replay read;
-  if (!fuzz::accepted(name, [&] { read = parse_stimulus(name, text, fuzz::machines()); })) return 0;
-  fuzz::check(read, name);
-  return 0;
+  if (!accepted(name, [&] { read = parse_stimulus(name, text, machines()); })) return;
+  check(read, name);
 }
+
+}  // namespace cosim::fuzz

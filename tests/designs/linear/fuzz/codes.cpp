@@ -3,19 +3,18 @@
 #include "tb/designs/linear/cli/code_option.h"
 #include "tests/fuzz/expect.h"
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace cosim;
-  const std::string text = fuzz::text_of(data, size);
+namespace cosim::fuzz {
+
+FUZZ_TARGET(codes) {
   for (const int m : {2, 5, 16, 32}) {
     const std::int64_t major = (std::int64_t{1} << m) - 1;
     cli::ChosenCode chosen;
-    if (!fuzz::accepted("--code: ",
-                        [&] { chosen = cli::choose_code(text, m, major, major / 3); })) {
+    if (!accepted("--code: ", [&] { chosen = cli::choose_code(text, m, major, major / 3); })) {
       continue;
     }
-    fuzz::expect(chosen.code >> m == 0, "the code fits the machine");
-    fuzz::expect(linear::minor_steps(m, major, chosen.code) == major / 3,
-                 "it gives the minor steps");
+    expect(chosen.code >> m == 0, "the code fits the machine");
+    expect(linear::minor_steps(m, major, chosen.code) == major / 3, "it gives the minor steps");
   }
-  return 0;
 }
+
+}  // namespace cosim::fuzz

@@ -38,18 +38,16 @@ void check(const toolpath::Plan& plan) {
 }
 
 }  // namespace
-}  // namespace cosim::fuzz
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace cosim;
-  const std::string text = fuzz::text_of(data, size);
+FUZZ_TARGET(gcode) {
   const std::string name = "p.ngc";
   toolpath::Program program;
-  if (!fuzz::accepted(name, [&] { program = toolpath::read_gcode(text, name); })) return 0;
-  fuzz::check(program);
+  if (!accepted(name, [&] { program = toolpath::read_gcode(text, name); })) return;
+  check(program);
   for (const double scale : {1.0, 80.0, 1e6}) {
     toolpath::Plan plan;
-    if (fuzz::accepted(name, [&] { plan = toolpath::plan(program, scale); })) fuzz::check(plan);
+    if (accepted(name, [&] { plan = toolpath::plan(program, scale); })) check(plan);
   }
-  return 0;
 }
+
+}  // namespace cosim::fuzz

@@ -86,10 +86,7 @@ class JobHost {
       if (!driver_) driver_.emplace(typename Design::Driver{p_, jobs_[job_]});
       in = rest_of<Design>();
       if (!driver_->next(in, seen)) continue;
-      if (++clocks_ > most_clocks) {
-        throw InputError("the driver of " + describe(p_, jobs_[job_]) + " has not ended after " +
-                         std::to_string(most_clocks) + " clocks");
-      }
+      if (++clocks_ > most_clocks) refuse_endless();
       return true;
     }
     return false;
@@ -125,6 +122,11 @@ class JobHost {
   std::size_t job() const { return job_; }
 
  private:
+  [[noreturn, gnu::cold, gnu::noinline]] void refuse_endless() const {
+    throw InputError("the driver of " + describe(p_, jobs_[job_]) + " has not ended after " +
+                     std::to_string(most_clocks) + " clocks");
+  }
+
   Params p_;
   std::span<const Job> jobs_;
   std::size_t job_ = 0;

@@ -166,8 +166,10 @@ class DesignBench : public Bench<Design> {
 
  protected:
   /// A new lockstep that has just been cleared.
-  virtual std::unique_ptr<Loop<Design>> loop(std::uint32_t power_up) const {
-    return std::make_unique<AdapterLoop<AnyAdapter<Design>>>(start(power_up));
+  virtual std::unique_ptr<Loop<Design>> loop(std::uint32_t power_up) const = 0;
+
+  typename AnyAdapter<Design>::PowerUp start(std::uint32_t power_up) const {
+    return {dut_, power_up};
   }
 
  private:
@@ -210,9 +212,6 @@ class DesignBench : public Bench<Design> {
     std::vector<Job> history_;  // to come to the same clock again
   };
 
-  typename AnyAdapter<Design>::PowerUp start(std::uint32_t power_up) const {
-    return {dut_, power_up};
-  }
   template <class Source>
   void follow(Source source, std::uint32_t power_up, const Watch& watch) const {
     const Cells<typename Design::template Registers<Word>> registers(dut_.params);
@@ -271,8 +270,15 @@ class DesignBench : public Bench<Design> {
 /// The bench of one adapter, for short runs.
 template <class Adapter>
 class AdapterBench final : public DesignBench<typename Adapter::Design> {
+  using Design = typename Adapter::Design;
+
  public:
-  AdapterBench() : DesignBench<typename Adapter::Design>(dut_maker<Adapter>()) {}
+  AdapterBench() : DesignBench<Design>(dut_maker<Adapter>()) {}
+
+ protected:
+  std::unique_ptr<Loop<Design>> loop(std::uint32_t power_up) const override {
+    return std::make_unique<AdapterLoop<AnyAdapter<Design>>>(this->start(power_up));
+  }
 };
 
 /// The same with loops compiled for this adapter, for long runs.

@@ -28,11 +28,11 @@ class AdapterLoop final : public Loop<typename Adapter::Design> {
   template <class PowerUp>
   explicit AdapterLoop(const PowerUp& power_up) : lockstep_(power_up) {}
   bool through(HostOf<Design>& host, Observer<Design>& observer, std::uint64_t& clocks) override {
-    return clock_through(lockstep_, host, clocks,
-                         [&](const auto& h, const auto& seen) { observer.clock(h.job(), seen); });
+    return clock_fast(lockstep_, host, clocks,
+                      [&](const auto& h, const auto& seen) { observer.clock(h.job(), seen); });
   }
   bool through(HostileStimulus<Design>& hostile, std::uint64_t& clocks) override {
-    return clock_through(lockstep_, hostile, clocks, [](const auto&, const auto&) {});
+    return clock_fast(lockstep_, hostile, clocks, [](const auto&, const auto&) {});
   }
   std::vector<std::uint64_t> left_out() const override { return lockstep_.meant().left_out(); }
 

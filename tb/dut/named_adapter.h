@@ -225,7 +225,7 @@ class NamedAdapter : public VerilatedInstance<Top, has_clear<typename Trait::Des
     std::ptrdiff_t clock;
   };
   static std::byte* base_of(Top& top) { return reinterpret_cast<std::byte*>(top.rootp); }
-  static Places find(Top& top, VerilatedContext& context) {
+  [[gnu::cold]] static Places find(Top& top, VerilatedContext& context) {
     const std::byte* base = base_of(top);
     Ports given{
         Trait::title, Trait::clock, {driven.begin(), driven.end()}, {seen.begin(), seen.end()}};

@@ -88,7 +88,7 @@ std::optional<std::uint64_t> differing_clock(const DutMaker<Design>& maker, cons
 
 /// Runs the stimulus and describes the first difference.
 template <class Design>
-Run replayed(const DutMaker<Design>& maker, const Stimulus& s, Window window) {
+[[gnu::cold]] Run replayed(const DutMaker<Design>& maker, const Stimulus& s, Window window) {
   Run result;
   result.clocks = s.clocks.size();
   Ran came = ran(maker, s);
@@ -106,8 +106,8 @@ Run replayed(const DutMaker<Design>& maker, const Stimulus& s, Window window) {
 /// The inputs that `source` gives when it sees the model in place of the RTL, as a stimulus of at
 /// most `clocks` clocks.
 template <class Design, class Source>
-Stimulus recorded(const typename Design::Params& p, Source source, std::uint32_t power_up,
-                  std::uint64_t clocks) {
+[[gnu::cold]] Stimulus recorded(const typename Design::Params& p, Source source,
+                                std::uint32_t power_up, std::uint64_t clocks) {
   Stimulus stimulus;
   stimulus.power_up = power_up;
   const Cells<typename Design::template Inputs<Word>> inputs(p);
@@ -125,8 +125,9 @@ Stimulus recorded(const typename Design::Params& p, Source source, std::uint32_t
 
 /// The smallest case found that fails as `jobs` do: fewer jobs, then smaller ones.
 template <class Design>
-SmallerCase smaller_case(const DutMaker<Design>& maker,
-                         std::vector<typename HostOf<Design>::Job> jobs, std::uint32_t power_up) {
+[[gnu::cold]] SmallerCase smaller_case(const DutMaker<Design>& maker,
+                                       std::vector<typename HostOf<Design>::Job> jobs,
+                                       std::uint32_t power_up) {
   using Host = HostOf<Design>;
   using Job = typename Host::Job;
   constexpr std::uint64_t most_clocks = 20'000'000;  // a second or two

@@ -11,7 +11,7 @@ namespace cosim {
 
 /// Gives the sink the clocks of `around` the stimulus's first difference, all where none differs.
 template <class Design>
-void record_wave(const DutMaker<Design>& maker, const Stimulus& stimulus, Window around,
+[[gnu::cold]] void record_wave(const DutMaker<Design>& maker, const Stimulus& stimulus, Window around,
                  const WaveShape& shape, WaveSink& sink) {
   WaveRange range;
   range.clocks = stimulus.clocks.size();

@@ -107,7 +107,7 @@ void lockstep(benchmark::State& state, const InputList<Adapter>& list) {
     auto left = source;
     std::uint64_t clocks = 0;
     const auto nothing = [](const auto&, const auto&) {};
-    if (!clock_through(both, left, clocks, nothing)) state.SkipWithError("they differ");
+    if (!clock_fast(both, left, clocks, nothing)) state.SkipWithError("they differ");
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(list.size()));
 }

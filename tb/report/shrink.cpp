@@ -19,9 +19,12 @@ class Shrinker {
 
   Stimulus run() {
     take(best_.clocks);
-    while (in_time() &&
-           (fewer_clocks() | other_rows() | calmer_pins() | lower_values() | next_values())) {
-      continue;
+    for (bool again = true; again && in_time();) {
+      again = fewer_clocks();
+      again |= other_rows();
+      again |= calmer_pins();
+      again |= lower_values();
+      again |= next_values();
     }
     return std::move(best_);
   }

@@ -17,7 +17,7 @@ int guards = 0;  // that live, on all threads
 struct Taken {
   int number;
   void (*before)(int);
-} all[] = {{SIGHUP, SIG_DFL}, {SIGINT, SIG_DFL}, {SIGQUIT, SIG_DFL}, {SIGTERM, SIG_DFL}};
+} handled[] = {{SIGHUP, SIG_DFL}, {SIGINT, SIG_DFL}, {SIGQUIT, SIG_DFL}, {SIGTERM, SIG_DFL}};
 
 // Nobody has heeded the signal: it does what it would have done without a guard.
 void heed(int) { raise(came); }
@@ -27,7 +27,7 @@ void heed(int) { raise(came); }
 void take_down(int number) {
   came = number;
   alarm(InterruptGuard::seconds);
-  for (const Taken& t : all) {
+  for (const Taken& t : handled) {
     if (t.number == number) std::signal(number, t.before);
   }
 }
@@ -39,7 +39,7 @@ InterruptGuard::InterruptGuard() {
   if (guards++ > 0) return;
   came = 0;
   std::signal(SIGALRM, heed);
-  for (Taken& t : all) {
+  for (Taken& t : handled) {
     t.before = std::signal(t.number, take_down);
     // As a shell starts what runs in its background.
     if (t.before == SIG_IGN) std::signal(t.number, SIG_IGN);
@@ -50,7 +50,7 @@ InterruptGuard::~InterruptGuard() {
   const std::scoped_lock lock(mutex);
   if (--guards > 0) return;
   alarm(0);
-  for (const Taken& t : all) std::signal(t.number, t.before);
+  for (const Taken& t : handled) std::signal(t.number, t.before);
 }
 
 int InterruptGuard::signal() { return came; }

@@ -6,6 +6,7 @@
 #   WORK           where the answer is to be: shape.txt, found.txt, and error.txt, one line
 include(${CMAKE_CURRENT_LIST_DIR}/rtl.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/shape.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/vhdl.cmake)
 function(message kind)
   if(kind STREQUAL FATAL_ERROR)
     string(JOIN "" text ${ARGN})
@@ -18,6 +19,7 @@ if(NOT VERILATOR_BIN)
   message(FATAL_ERROR "needs verilator")
 endif()
 cosim_shape(shape new "${SHAPE}")
-list(JOIN FILES " " files)
+cosim_verilog_of(FILES new ${TOP} ${WORK} "${shape_title}" ${FILES})
+list(JOIN FILES "\" \"" files)
 cosim_read_rtl(rtl new ${TOP} ${CLOCK} ${WORK} FILES ${FILES} OPTIONS ${shape_generics} ${OPTIONS}
-  YOSYS "read_verilog -sv ${YOSYS} ${files}; hierarchy -check -top ${TOP}${shape_chparams}")
+  YOSYS "read_verilog -sv ${YOSYS} \"${files}\"; hierarchy -check -top ${TOP}${shape_chparams}")

@@ -59,7 +59,20 @@ std::optional<FoundShape> shape_with(const RtlQuestion& question, const std::str
     words.push_back(fmt::format("-G{}={}", p.name, p.is_text ? '"' + p.value + '"' : p.value));
   }
   words.push_back(fmt::format("-G{}={}", other, value));
-  words.insert(words.end(), question.files.begin(), question.files.end());
+  const std::string made = (work / "vhdl.v").string();
+  std::vector<std::string> vhdl{
+      "env",        "-C", question.folder.string(), "perl", (reader / "vhdl.pl").string(),
+      question.top, made};
+  for (const FoundParameter& p : question.parameters) {
+    if (p.name != other) vhdl.push_back(p.name + '=' + p.value);
+  }
+  vhdl.push_back(fmt::format("{}={}", other, value));
+  const std::size_t none = vhdl.size();
+  for (const std::string& file : question.files) (is_vhdl(file) ? vhdl : words).push_back(file);
+  if (vhdl.size() != none) {
+    if (cosim::run_program(vhdl).status != 0) return std::nullopt;
+    words.push_back(made);
+  }
   if (cosim::run_program(words).status != 0) return std::nullopt;
   const Ended ended = cosim::run_program({"perl", (reader / "rtl_shape.pl").string(), tree});
   if (ended.status != 0) return std::nullopt;

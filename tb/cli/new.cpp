@@ -175,7 +175,7 @@ void add_new(const Command& program) {
   auto o = std::make_shared<NewOptions>();
   const Command command = program.sub("new", "A project for a design of your own, in a new folder");
   command.arguments("NAME FILE...", o->words,
-                    "The name of the folder and the design; then its Verilog files, whose ports,\n"
+                    "The name of the folder and the design; then its files of Verilog or VHDL, whose ports,\n"
                     "parameters and registers become the model's tables. A folder in place of\n"
                     "files: what the top needs of those in it. Without a file: a small design\n"
                     "that passes");

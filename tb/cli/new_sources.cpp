@@ -25,14 +25,14 @@ struct Candidate {
   std::map<std::string, fs::path> headers = {};
 };
 
-bool is_verilog(const fs::path& file) {
-  return file.extension() == ".v" || file.extension() == ".sv";
+bool is_rtl(const fs::path& file) {
+  return file.extension() == ".v" || file.extension() == ".sv" || is_vhdl(file);
 }
 
-std::vector<fs::path> verilog_in(const fs::path& folder, bool below) {
+std::vector<fs::path> rtl_in(const fs::path& folder, bool below) {
   std::vector<fs::path> all;
   const auto add = [&](const fs::directory_entry& entry) {
-    if (entry.is_regular_file() && is_verilog(entry.path())) all.push_back(entry.path());
+    if (entry.is_regular_file() && is_rtl(entry.path())) all.push_back(entry.path());
   };
   if (below) {
     for (const auto& entry : fs::recursive_directory_iterator(folder)) add(entry);
@@ -48,7 +48,7 @@ class Pool {
   explicit Pool(const GivenRtl& given) {
     for (const std::string& file : given.files) {
       if (fs::is_directory(file)) {
-        for (const fs::path& path : verilog_in(file, true)) add(path, false);
+        for (const fs::path& path : rtl_in(file, true)) add(path, false);
       } else {
         add(file, true);
       }
@@ -56,7 +56,7 @@ class Pool {
     for (const std::string& folder : given.libraries) {
       if (!fs::is_directory(folder))
         throw InputError("-y: " + in_quotes(folder) + ": no such folder");
-      for (const fs::path& path : verilog_in(folder, false)) add(path, false);
+      for (const fs::path& path : rtl_in(folder, false)) add(path, false);
     }
     // A module that two files have is taken from the one of its name.
     for (std::size_t i = 0; i < all.size(); ++i) {
@@ -78,7 +78,7 @@ class Pool {
  private:
   void add(const fs::path& path, bool is_named) {
     std::string text = read_file(path.string());
-    VerilogText words = verilog_words(text);
+    VerilogText words = is_vhdl(path) ? vhdl_words(text) : verilog_words(text);
     all.push_back({path, std::move(text), std::move(words), is_named});
   }
 };
@@ -184,6 +184,10 @@ void find_headers(Candidate& c, const std::vector<fs::path>& folders) {
 }
 
 }  // namespace
+
+bool is_vhdl(const fs::path& file) {
+  return file.extension() == ".vhd" || file.extension() == ".vhdl";
+}
 
 Sources sources_of(const GivenRtl& given) {
   for (const std::string& folder : given.includes) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <string>
 
 namespace cosim::cli {
 namespace {
@@ -95,6 +96,29 @@ VerilogText verilog_words(std::string_view text) {
     }
     before = word;
     word = next;
+  }
+  return found;
+}
+
+VerilogText vhdl_words(std::string_view text) {
+  std::string small;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text.substr(at, 2) == "--") at = std::min(text.find('\n', at), text.size() - 1);
+    small += static_cast<char>(std::tolower(static_cast<unsigned char>(text[at])));
+  }
+  VerilogText found;
+  found.units.emplace_back();
+  Lexer lexer(small);
+  // "entity x is", "use work.x", "entity work.x" and "x port map".
+  for (std::array<std::string_view, 4> w{"", "", "", lexer.next()}; !w[1].empty() || !w[3].empty();
+       w = {w[1], w[2], w[3], lexer.next()}) {
+    if ((w[1] == "entity" || w[1] == "package") && w[3] == "is") {
+      found.units.push_back({std::string(w[2]), w[1] == "package", w[1] == "entity"});
+    } else if ((w[0] == "use" || w[0] == "entity") && w[2] == ".") {
+      found.units.front().uses.emplace(w[3]);
+    } else if (w[3] == "map" && is_name(w[1])) {
+      found.units.front().uses.emplace(w[1]);
+    }
   }
   return found;
 }

@@ -1,4 +1,4 @@
-// What a text of Verilog declares and uses, told from its words: no parser, for it is only to find
+// What a text of Verilog or VHDL declares and uses, told from its words: no parser, for it is only to find
 // the files that a parser is to read.
 #pragma once
 
@@ -23,5 +23,7 @@ struct VerilogText {
 };
 
 VerilogText verilog_words(std::string_view text);
+/// The same of VHDL: an entity is a module. Names are in small letters.
+VerilogText vhdl_words(std::string_view text);
 
 }  // namespace cosim::cli

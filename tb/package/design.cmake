@@ -1,7 +1,8 @@
 # Designs, as a project adds them:
 #
 #   cosim_add_design(NAME
-#     SOURCES file.v...            Verilog or SystemVerilog that Verilator reads
+#     SOURCES file.v...            Verilog or SystemVerilog that Verilator reads; VHDL (.vhd, .vhdl), which
+#                                  GHDL turns into Verilog
 #     [TOP module]                 the top module; default NAME
 #     [CLOCK port | COMBINATIONAL] its clock; default clk; or it has no register
 #     [INCLUDE_DIRS folder...] [DEFINES name[=value]...]
@@ -34,6 +35,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/taken.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../dut/ports.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../dut/rtl.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../dut/shape.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/../dut/vhdl.cmake)
 set_property(GLOBAL PROPERTY COSIM_ROOT "${CMAKE_CURRENT_LIST_DIR}/../..")
 include(${CMAKE_CURRENT_LIST_DIR}/design_program.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../gtest/design_gtest.cmake)  # cosim_add_gtest(): tests by hand
@@ -114,7 +116,7 @@ function(cosim_add_design NAME)
   if(D_NETLISTS AND NOT shapes EQUAL netlists)
     message(FATAL_ERROR "${what}: ${netlists} NETLISTS for ${shapes} SHAPES")
   endif()
-  cosim_files(rtl "${what}: SOURCES" ${D_SOURCES})
+  cosim_files(sources "${what}: SOURCES" ${D_SOURCES})
   cosim_files(netlists "${what}: NETLISTS" ${D_NETLISTS})
   cosim_files(model "${what}: MODEL" ${D_MODEL})
   cosim_files(folders "${what}: INCLUDE_DIRS" ${D_INCLUDE_DIRS})
@@ -141,13 +143,10 @@ function(cosim_add_design NAME)
     list(APPEND options -D${define})
   endforeach()
   cosim_words_for_tools("${what}" ${TOP} ${CLOCK} ${D_DEFINES} ${folders})
-  list(JOIN rtl "\" \"" for_yosys)
   list(JOIN options " " include_options)
-  set(for_yosys "${include_options} \"${for_yosys}\"")
-  list(JOIN rtl "\", \"" FILES)
   list(JOIN folders "\", \"" FOLDERS)
   list(JOIN D_DEFINES "\", \"" DEFINES)
-  foreach(list FILES FOLDERS DEFINES)
+  foreach(list FOLDERS DEFINES)
     if(${list})
       set(${list} "\"${${list}}\"")
     endif()
@@ -181,6 +180,11 @@ function(cosim_add_design NAME)
     endif()
     string(STRIP "${NAME} ${shape_title}" TITLE)
     set(generics ${shape_generics})
+    cosim_verilog_of(rtl "cosim_add_design(${TITLE})" ${TOP} ${CMAKE_CURRENT_BINARY_DIR}/rtl_${ID}
+      "${shape_title}" ${sources})
+    list(JOIN rtl "\" \"" for_yosys)
+    set(for_yosys "${include_options} \"${for_yosys}\"")
+    list(JOIN rtl "\", \"" FILES)
     cosim_read_rtl(rtl_of "cosim_add_design(${TITLE})" ${TOP} ${reader_clock}
       ${CMAKE_CURRENT_BINARY_DIR}/rtl_${ID} FILES ${rtl} OPTIONS ${generics} ${options}
       YOSYS "read_verilog -sv ${for_yosys}; hierarchy -check -top ${TOP}${shape_chparams}")
@@ -210,7 +214,7 @@ function(cosim_add_design NAME)
     string(APPEND ADD_BENCHES "  add_benches(all, add_shape<V${ID}, I${ID}, Trait_${ID}>);\n")
     string(APPEND ADD_MACHINES
       "  all.push_back(proof::built_machine<Trait_${ID}>(\n"
-      "      {{${FILES}}, \"${TOP}\", {}, {}, {${FOLDERS}}, {${DEFINES}}, {${shape_constants}}}));\n")
+      "      {{\"${FILES}\"}, \"${TOP}\", {}, {}, {${FOLDERS}}, {${DEFINES}}, {${shape_constants}}}));\n")
     cosim_shape_mutants()
     cosim_shape_cover()
   endforeach()

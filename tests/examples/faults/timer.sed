@@ -1,0 +1,1 @@
+s/if count = 0 then/if count = 1 then/

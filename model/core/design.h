@@ -61,14 +61,18 @@ concept StepsOn = requires(const typename Design::Params& p,
   Design::next(p, s, in);
 };
 
-/// Inputs of a clock on which the design has nothing to do: rest(), or all 0.
+/// How many of the inputs are clocks: 0 where the design has one, which is no input, or none.
+template <class Design>
+inline constexpr int clocks_of = Design::template Inputs<Word>::Table::clocks;
+
+/// Inputs of a step on which the design has nothing to do: rest(), or all 0; every clock takes its
+/// edge.
 template <class Design>
 constexpr auto rest_of() {
-  if constexpr (requires { Design::rest(); }) {
-    return Design::rest();
-  } else {
-    return typename Design::template Inputs<Word>{};
-  }
+  typename Design::template Inputs<Word> rest{};
+  if constexpr (requires { Design::rest(); }) rest = Design::rest();
+  if constexpr (clocks_of<Design> != 0) decltype(rest)::Table::raise_clocks(rest);
+  return rest;
 }
 
 /// The state after a clear: cleared<V>(), or all 0.

@@ -27,6 +27,9 @@ enum class Format {
   ones_complement,  ///< a signed number
 };
 
+/// What an input of one bit says of a clock on a step: nothing, or whether it rises or falls.
+enum class Edge { none, rising, falling };
+
 /// A cell: a field, or an element of one that is an array.
 struct Field {
   const char* name;
@@ -34,12 +37,13 @@ struct Field {
   Format format;
   const char* source;  ///< pin or block number, "" where the source has none
   const char* meaning;
-  int fraction = 0;      ///< bits of a number after the binary point, 0 to 18
-  const char* net = "";  ///< where it is in the RTL: "count", or below the top, "fifo.count[3:0]"
-  bool unreset = false;  ///< a clear leaves it as it is: the model takes its value from the RTL
-  int index = -1;        ///< of an element, from 0; -1: no array
-  int low = 0;           ///< of an element: its first bit where the elements fill a net
-  bool is_word = false;  ///< of an element: it is a word of one wide number
+  int fraction = 0;        ///< bits of a number after the binary point, 0 to 18
+  const char* net = "";    ///< where it is in the RTL: "count", or below the top, "fifo.count[3:0]"
+  bool unreset = false;    ///< a clear leaves it as it is: the model takes its value from the RTL
+  int index = -1;          ///< of an element, from 0; -1: no array
+  int low = 0;             ///< of an element: its first bit where the elements fill a net
+  bool is_word = false;    ///< of an element: it is a word of one wide number
+  Edge edge = Edge::none;  ///< of an input that is a clock: where registers take it
 };
 
 /// The name for a person and in files: "count", of an element "store[3]", of a word of a wide

@@ -9,6 +9,9 @@
 // by unreset() if it is a register that no reset reaches; `source` is the number of the pin or
 // block in the source.
 //
+// An input that is a clock, one of several, has the format `rises`, or `falls` where registers take
+// its falling edge: 1 on a step on which it does, in a row of width 1.
+//
 // array<N>(n) makes it an array of n elements of `width` bits each, n <= N and n may use p:
 // the member is an Array<V, N>. In the RTL it is a memory, element i its word i, or a net whose
 // bits the elements fill from bit 0 up. words<N>() makes it one number of `width` bits in words of
@@ -38,6 +41,7 @@ namespace row {
 template <int N>
 struct Notation {
   static constexpr int capacity = N;
+  static constexpr Edge edge = Edge::none;
 
   Format format;
   int fraction = 0;
@@ -70,6 +74,15 @@ struct Notation {
     return {format, fraction, net, is_unreset, M, true};
   }
 };
+/// Of a clock.
+template <Edge e>
+struct ClockNotation : Notation<0> {
+  static constexpr Edge edge = e;
+
+  constexpr ClockNotation at(const char* path) const { return {Notation<0>::at(path)}; }
+};
+inline constexpr ClockNotation<Edge::rising> rises{{Format::flag}};
+inline constexpr ClockNotation<Edge::falling> falls{{Format::flag}};
 inline constexpr Notation<0> flag{Format::flag};
 inline constexpr Notation<0> bits{Format::bits};
 inline constexpr Notation<0> number{Format::number};
@@ -125,6 +138,22 @@ constexpr auto field(const char* name, int width, const Notation<N>& n, const ch
   }
 }
 
+template <Edge e>
+constexpr Field field(const char* name, int width, const ClockNotation<e>& n, const char* source,
+                      const char* meaning, const char* net) {
+  if (width != 1) throw InputError(std::string(name) + ": a clock has 1 bit");
+  const Notation<0>& plain = n;
+  Field clock = field(name, width, plain, source, meaning, net);
+  clock.edge = e;
+  return clock;
+}
+
+/// Makes a clock, a member of the notation N, take its edge.
+template <class N, class M>
+constexpr void raise([[maybe_unused]] M& member) {
+  if constexpr (N::edge != Edge::none) member = M(1);
+}
+
 /// All cells of a table, of what field() gives for each row. No tuple: one of two hundred rows
 /// takes a compiler a minute.
 template <std::size_t Size>
@@ -163,6 +192,10 @@ constexpr void trim(Array<V, N>& array, const Notation<N>& n, int width) {
 #define COSIM_CAPACITY(name, width, format, source, meaning) \
   capacity_##name = decltype(::cosim::row::format)::capacity,
 #define COSIM_PLUS(name, width, format, source, meaning) +capacity_##name
+#define COSIM_PLUS_CLOCK(name, width, format, source, meaning) \
+  +(decltype(::cosim::row::format)::edge != ::cosim::Edge::none)
+#define COSIM_RAISE(name, width, format, source, meaning) \
+  ::cosim::row::raise<decltype(::cosim::row::format)>(r.name);
 #define COSIM_MEMBER(name, width, format, source, meaning) \
   ::cosim::row::Member<V, Table::capacity_##name> name{};
 #define COSIM_INDEX(name, width, format, source, meaning) \
@@ -190,6 +223,12 @@ constexpr void trim(Array<V, N>& array, const Notation<N>& n, int width) {
   struct Record##Table {                                                                       \
     [[maybe_unused]] static const Params p;                                                    \
     enum Capacity : int { TABLE(COSIM_CAPACITY) sum = 0 TABLE(COSIM_PLUS) };                   \
+    enum Clocks : int { clocks = 0 TABLE(COSIM_PLUS_CLOCK) };                                  \
+    /* Every clock takes its edge. */                                                          \
+    template <class R>                                                                         \
+    static constexpr void raise_clocks([[maybe_unused]] R& r) {                                \
+      TABLE(COSIM_RAISE)                                                                       \
+    }                                                                                          \
   };                                                                                           \
   template <class V>                                                                           \
   struct Record {                                                                              \

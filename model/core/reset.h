@@ -16,6 +16,14 @@ inline constexpr bool has_clear = requires {
   Design::clear();
 };
 
+/// The inputs that clear the design: clear(), while every clock takes its edge.
+template <class Design>
+constexpr auto clear_of() {
+  auto clear = Design::clear();
+  if constexpr (clocks_of<Design> != 0) decltype(clear)::Table::raise_clocks(clear);
+  return clear;
+}
+
 /// How many clocks clear() is to be given: Design::clear_clocks, or 1.
 template <class Design>
 constexpr int clear_clocks_of() {
@@ -55,7 +63,7 @@ constexpr bool is_reset_asynchronous() {
 /// Whether the inputs reset the design: all pins that clear() sets otherwise than rest() does.
 template <class Design, class V>
 constexpr Condition<V> resets(const typename Design::template Inputs<V>& in) {
-  const auto clear = to_words(Design::clear()), rest = to_words(rest_of<Design>());
+  const auto clear = to_words(clear_of<Design>()), rest = to_words(rest_of<Design>());
   Condition<V> all = V(0) == V(0);
   for_each_cell<typename Design::template Inputs<V>>([&](auto cell, std::size_t i) {
     if (clear[i] != rest[i]) all = all & (cell(in) == V(clear[i]));

@@ -101,7 +101,7 @@ class DesignBench : public Bench<Design> {
     return std::make_unique<HostSession>(*this, power_up);
   }
   Clearing clearing() const override {
-    if constexpr (has_clear<Design>) return {words(Design::clear()), clear_clocks_of<Design>()};
+    if constexpr (has_clear<Design>) return {words(clear_of<Design>()), clear_clocks_of<Design>()};
     return {words(rest_of<Design>()), 0};
   }
   void watch_hostile(const HostileCase& c, const Watch& watch) const override {

@@ -82,6 +82,7 @@ proof::Source source_of(const AnyBench& bench) {
 std::vector<proof::Claim> claims_on(const proof::MachineFormula& machine, const nets::Model& nets,
                                     proof::Source source) {
   source.asynchronous_reset = !machine.seen.empty();
+  source.clocks_are_inputs = machine.clocks_are_inputs;
   source.parameters = machine.parameters;
   for (const proof::Wire& w : machine.registers) {
     if (w.field.index <= 0) source.kept.push_back(net_path(w.field.net).path);

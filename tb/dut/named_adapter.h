@@ -72,14 +72,16 @@ struct Net {
 /// What a design says of its pins.
 struct Ports {
   std::string title;  ///< of the shape, for errors
-  const char* clock;  ///< the pin's name, "" where there is none
+  const char* clock;  ///< the pin's name, "" where there is none, or several, which are inputs
   std::vector<Field> inputs, outputs;
-  const char* extra = "";  ///< an input that no table names, or ""
+  const char* extra = "";        ///< an input that no table names, or ""
+  std::string_view clocks = "";  ///< of several: lines "NAME" or "falling NAME"
 };
 
 /// The cells of the pins in the order of `ports`: inputs, then outputs, then the clock, one that
 /// lies nowhere where there is none. InputError if a port of the RTL, or a bit of one, is in
-/// neither table, if one in a table is no such port, and if a width differs.
+/// neither table, if one in a table is no such port, if a width differs, and if the inputs that are
+/// clocks are not `clocks`.
 std::vector<Net> find_ports(const std::vector<PortNet>& of_rtl, const Ports& ports);
 /// The cells of the design's registers and memories; of a net that carries a register's value, as
 /// `text` says, which is of rtl.pl, those of the register. InputError if there is no net of that
@@ -163,8 +165,8 @@ class CellPlaces {
 };
 
 /// `Trait` has Design, params, and the names of the shape and of the clock: title, clock ("": it
-/// has none). `loads`: registers can be set, in a class Verilated with --vpi --public-flat-rw; then
-/// Trait has the text of rtl.pl besides: registers.
+/// has none, or several, in clocks as Ports has them). `loads`: registers can be set, in a class
+/// Verilated with --vpi --public-flat-rw; then Trait has the text of rtl.pl besides: registers.
 template <class Top, class Trait, bool loads = false>
 class NamedAdapter : public VerilatedInstance<Top, has_clear<typename Trait::Design>> {
   using Base = VerilatedInstance<Top, has_clear<typename Trait::Design>>;
@@ -198,6 +200,10 @@ class NamedAdapter : public VerilatedInstance<Top, has_clear<typename Trait::Des
       const std::ptrdiff_t clock = known >= 0 ? known : places_.clock;
       *reinterpret_cast<std::uint8_t*>(base_ + clock) = clk ? 1 : 0;
     }
+    for_each_clock([&](auto member, auto cell) {
+      const bool falls = driven[cell].edge == Edge::falling;
+      places_.inputs.net(base_, cell).set((clk && given_.*member != 0) != falls ? 1 : 0);
+    });
     this->top().eval();
     if (rtl_said) [[unlikely]]
       hear();
@@ -207,8 +213,23 @@ class NamedAdapter : public VerilatedInstance<Top, has_clear<typename Trait::Des
     said_.reset();
     Base::begin();
   }
-  void drive(const Inputs& in) { places_.inputs.write(base_, in); }
-  std::vector<Signal> signals() const { return Base::signals(Trait::clock); }
+  /// Of several clocks the next eval() makes levels.
+  void drive(const Inputs& in) {
+    places_.inputs.write(base_, in);
+    if constexpr (clocks_of<Design> != 0) given_ = in;
+  }
+  std::vector<Signal> signals() const {
+    auto all = Base::signals(Trait::clock);
+    for_each_clock([&](auto member, auto cell) {
+      for (Signal& s : all) {
+        if (s.name != driven[cell].net) continue;
+        s.is_clock = true;
+        s.takes_edge = &(given_.*member);
+        s.falls = driven[cell].edge == Edge::falling;
+      }
+    });
+    return all;
+  }
   Outputs outputs() const { return places_.outputs.read(base_); }
   Registers registers() const { return places_.registers.read(base_); }
 
@@ -224,12 +245,22 @@ class NamedAdapter : public VerilatedInstance<Top, has_clear<typename Trait::Des
     CellPlaces<Top, Registers, held, false> registers;
     std::ptrdiff_t clock;
   };
+  // The member of each input that is a clock, and its number.
+  template <class Visit>
+  static constexpr void for_each_clock([[maybe_unused]] Visit visit) {
+    if constexpr (clocks_of<Design> != 0) {
+      for_each_member<Inputs>([&](auto member, auto cell) {
+        if constexpr (driven[decltype(cell)::value].edge != Edge::none) visit(member, cell);
+      });
+    }
+  }
   static std::byte* base_of(Top& top) { return reinterpret_cast<std::byte*>(top.rootp); }
   [[gnu::cold]] static Places find(Top& top, VerilatedContext& context) {
     const std::byte* base = base_of(top);
     Ports given{
         Trait::title, Trait::clock, {driven.begin(), driven.end()}, {seen.begin(), seen.end()}};
     if constexpr (requires { Trait::extra_input; }) given.extra = Trait::extra_input;
+    if constexpr (requires { Trait::clocks; }) given.clocks = Trait::clocks;
     const auto ports = find_ports(ports_of(top), given);
     const auto registers = find_registers(context, Trait::title, held);
     return {{base, ports.data()},
@@ -249,6 +280,7 @@ class NamedAdapter : public VerilatedInstance<Top, has_clear<typename Trait::Des
 
   const Places& places_ = places(this->top(), this->context());
   std::byte* base_ = base_of(this->top());
+  Inputs given_{};            // where there are several clocks
   std::vector<Net> sources_;  // what is loaded, once something is
   std::optional<RtlSaid> said_;
 };

@@ -139,6 +139,31 @@ std::string named(const char* what, const Field& field) {
   return fmt::format("{} {}", what, field.net);
 }
 
+// The inputs of a table that are clocks are those that the RTL's text has.
+void require_clocks(const Ports& ports) {
+  std::map<std::string, Edge> left;
+  std::istringstream lines{std::string(ports.clocks)};
+  for (std::string line; std::getline(lines, line);) {
+    const std::string_view mark = "falling ";
+    const bool falls = line.starts_with(mark);
+    left[falls ? line.substr(mark.size()) : line] = falls ? Edge::falling : Edge::rising;
+  }
+  for (const Field& f : ports.inputs) {
+    if (f.edge == Edge::none) continue;
+    const auto clock = left.find(f.net);
+    const char* format = f.edge == Edge::rising ? "rises" : "falls";
+    if (clock == left.end() || clock->second != f.edge) {
+      refuse(ports.title, fmt::format("input {}: its row says {}, and the RTL has no such clock",
+                                      f.net, format));
+    }
+    left.erase(clock);
+  }
+  for (const auto& [name, edge] : left) {
+    refuse(ports.title, fmt::format("{} is a clock: a row of the inputs is to say {} of it", name,
+                                    edge == Edge::rising ? "rises" : "falls"));
+  }
+}
+
 }  // namespace
 
 // At most nine bytes hold the bits of a cell.
@@ -175,6 +200,7 @@ std::vector<Net> find_ports(const std::vector<PortNet>& of_rtl, const Ports& por
   }
   all.erase(ports.extra);
 
+  require_clocks(ports);
   std::vector<Net> nets;
   const auto take = [&](const char* what, std::span<const Field> cells, bool goes_in) {
     const std::string path = net_path(cells.front().net).path;

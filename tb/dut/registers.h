@@ -49,7 +49,7 @@ std::vector<std::string> require_registers(const RtlText& text, const typename D
   std::vector<ResetPin> pins;
   if constexpr (has_clear<Design>) {
     const auto fields = Design::template Inputs<Word>::fields(p);
-    const auto clear = to_words(Design::clear()), rest = to_words(rest_of<Design>());
+    const auto clear = to_words(clear_of<Design>()), rest = to_words(rest_of<Design>());
     for (std::size_t i = 0; i < fields.size(); ++i) {
       if (clear[i] == rest[i]) continue;
       pins.push_back({fields[i].net, clear[i] != 0});

@@ -1,5 +1,5 @@
 #!/usr/bin/env perl
-# rtl.pl TREE.xml WARNINGS CLOCK[:RESET] [NETLIST]
+# rtl.pl TREE.xml WARNINGS CLOCK[,CLOCK]...[:RESET] [NETLIST]
 #
 # Reads the tree of a design that `verilator --xml-only` wrote and what `verilator --lint-only` said of
 # it, and what rtl_yosys.pl found. On standard output, a line each:
@@ -11,33 +11,40 @@
 #                      other; and the nets that carry its value, from their bit LOW up
 #   reset NAME         an input that resets some of them asynchronously, "low NAME" where it is low
 #   loop NAME          a net that may be in a combinational loop
-#   clock NAME         the clock
-#   synchronous NAME   where none is asynchronous, the input that gives most of them a constant at the
-#                      clock, "low NAME" likewise: RESET, or one that is called so
+#   clock NAME         a clock, "falling NAME" where registers change on that edge
+#   clocked REGISTER NAME
+#                      where there are several clocks, one that it changes on
+#   synchronous NAME   of a clock of which none is asynchronous, the input that gives most of its
+#                      registers a constant at the clock, "low NAME" likewise: RESET, or one that is
+#                      called so
 #   given RESET NAME HEX
 #                      where there are several resets, the constant that one gives a register
 #   value NAME HEX     the constant that all resets together, or where there is none an initial block,
 #                      give a register; no line of one that has none
 #
-# CLOCK is the name of an input; "-" where there is to be no register at all; "?" where the clock is
-# to be found: then there is no line clock where there is no register.
+# CLOCK is the name of an input; "-" where there is to be no register at all; "?" where the clocks are
+# to be found: then there is no line clock where there is no register. One without a comma has registers
+# on its rising edge alone.
 #
 # A bit holds a state where a clock writes it with <=, or with = and it is read before that on some
 # way through the process, or elsewhere. A loop is taken to write all that it writes at an index that
 # changes; yosys, where it reads the RTL, tells where that is not so.
 #
-# What a design cannot have, a second clock, a falling edge, a latch, a bidirectional port, ends it
-# with status 1 and one line, which names the net.
+# What a design cannot have, a clock that is no input, both edges of one, a latch, a bidirectional port,
+# ends it with status 1 and one line, which names the net.
 use strict;
 use warnings;
 use FindBin;
 require "$FindBin::Bin/rtl_tree.pl";
 require "$FindBin::Bin/rtl_process.pl";
+require "$FindBin::Bin/rtl_clock.pl";
 require "$FindBin::Bin/rtl_reset.pl";
 
 our (%modules, @packages, $top, %info, %in_package, %alias, %exposed);
 my (undef, $warnings_file, $pins, $netlist_file) = @ARGV;
-my ($clock, $wanted_reset) = split /:/, $pins;
+my ($clock_list, $wanted_reset) = split /:/, $pins;
+my @clocks = split /,/, $clock_list;
+my $is_one = $clock_list !~ /,/;
 
 my %carries;     # net => [net that has its value, from which of its bits on]..., by paths
 my %inverts;     # net => nets that have its inverse
@@ -75,7 +82,7 @@ sub walk {
             walk($module, $below, {});
         } elsif ($tag eq 'contassign') {
             my ($value, $target) = @{$in->{in}};
-            follow($value, $scope, {});
+            follow($value, $scope, {is_wire => scalar($value->{tag} =~ /^varx?ref$/)});
             next if $target->{tag} !~ /^varx?ref$/;
             my $to = net_of($target, $scope) // next;
             invert($value, $to, $scope);
@@ -141,7 +148,7 @@ sub connect_port {
     }
     my $net = $is_net ? net_of($value, $scope) : undef;
     if ($way ne 'out') {
-        follow($value, $scope, {});
+        follow($value, $scope, {is_wire => $is_net});
         carry($net, $inner, 0) if defined $net;
         invert($value, $inner, $scope);
     } else {
@@ -159,15 +166,17 @@ for my $package (@packages) {
 declare($top, '');
 walk($top, '', {});
 
-our %inputs;
+our (%inputs, %outputs);
 for my $port (grep { $_->{tag} eq 'var' && $_->{has}{dir} } @{$top->{in}}) {
     my ($name, $way) = @{$port->{has}}{qw(name dir)};
     refuse("$name: a port of both directions") if $way eq 'inout';
     $inputs{$name} = 1 if $way eq 'input';
+    $outputs{$name} = 1 if $way eq 'output';
     expose($name);
 }
-refuse("$clock: the RTL has no such input, which is to be its clock")
-  if $clock !~ /^[-?]$/ && !$inputs{$clock};
+for my $clock (grep { !/^[-?]$/ && !$inputs{$_} } @clocks) {
+    refuse("$clock: the RTL has no such input, which is to be its clock");
+}
 
 # All nets that carry the value of one: from which of its bits on.
 sub carriers {
@@ -215,28 +224,16 @@ sub held_by {
 }
 for my $p (@processes) { $p->{held} = held_by($p) }
 @processes = grep { %{$_->{held}} } @processes;
-$clock = found_clock() if $clock eq '?';
+@clocks = $pins =~ /^\?/ ? found_clocks(@processes) : $pins =~ /^-/ ? () : @clocks;
+refuse(one_held($processes[0]) . ': a register, and the design is to be combinational')
+  if @processes && !@clocks;
+my $way_of = give_clocks(\@clocks, $pins !~ /^\?/ && $is_one, @processes);
+require_plain($_) for @clocks > 1 || !$is_one ? @clocks : ();
 for my $p (@processes) {
     my %held = %{$p->{held}};
-    my $named = (sort keys %held)[0];
-    refuse("$named: a register, and the design is to be combinational") if $clock eq '-';
-    my @others;
-    my $clocks = 0;
-    for my $edge (@{$p->{edges}}) {
-        my ($way, $net) = @$edge;
-        if (input_of($net, 0) eq $clock) {
-            refuse("$named: a register on the falling edge of $clock") if $way ne 'POS';
-            ++$clocks;
-        } else {
-            push @others, [$way, $net];
-        }
-    }
+    my $named = one_held($p);
+    my @others = @{$p->{others}};
     my ($other) = @others;
-    if ($clocks != 1) {
-        my ($way, $net) = $other ? @$other : ('', $clock);
-        refuse("$named: a register on the falling edge of $net") if $way eq 'NEG' && @others == 1;
-        refuse("$named: its clock is $net, and that of the design is $clock");
-    }
     refuse("$named: an asynchronous set and reset, $others[0][1] and $others[1][1]") if @others > 1;
     if ($other) {
         my ($way, $net) = @$other;
@@ -246,32 +243,6 @@ for my $p (@processes) {
         $resets{($is_low ? 'low ' : '') . ($input || $inverse)} = 1;
     }
     $registers{$_} = ($registers{$_} // '') | $held{$_} for keys %held;
-}
-
-# The input on whose edges registers change: of a process with one edge that one, and of several the
-# one that it does not read, for a reset it does.
-sub found_clock {
-    my (%clocks, @open);
-    for my $p (@processes) {
-        my @nets = map { $_->[1] } @{$p->{edges}};
-        my %tested = map { $_ => 1 } @{$p->{tested}};
-        my @left = grep { !$tested{$_} } @nets;
-        @left = @nets if @left != 1;
-        my $named = (sort keys %{$p->{held}})[0];
-        push @open, [$named, @left] if @left != 1;
-        next if @left != 1;
-        my $input = input_of($left[0], 0);
-        refuse("$named: its clock is $left[0], which is no input") if $input eq '';
-        $clocks{$input} = 1;
-    }
-    for my $open (@open) {
-        my ($named, @nets) = @$open;
-        refuse("$named: a register on the edges of " . join(' and ', @nets) . ': --clock says which is its clock')
-          if !grep { $clocks{input_of($_, 0)} } @nets;
-    }
-    my @clocks = sort keys %clocks;
-    refuse("$clocks[0] and $clocks[1]: two clocks") if @clocks > 1;
-    return $clocks[0] // '-';
 }
 
 sub carries_to_output {
@@ -332,7 +303,11 @@ for my $register (sort keys %registers) {
     print join(' ', 'register', $register, shape_text($register), ranges($registers{$register}), @nets), "\n";
 }
 print "reset $_\n" for sort keys %resets;
-print "clock $clock\n" if $clock ne '-';
+my %is_falling = map { $_ => ($way_of->{$_} // 'POS') ne 'POS' } @clocks;
+print 'clock ', $is_falling{$_} ? 'falling ' : '', "$_\n" for @clocks;
+if (@clocks > 1) {
+    for my $p (@processes) { print "clocked $_ $p->{clock}\n" for sort keys %{$p->{held}} }
+}
 
 tell_resets($wanted_reset, [keys %resets], [sort keys %registers], \@processes, \@initial);
 print "loop ", below_top($_), "\n"

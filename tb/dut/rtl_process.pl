@@ -4,6 +4,7 @@ use warnings;
 
 our (%info, %in_package);
 our %exposed;     # net => bits that are read before they are written, somewhere
+our %valued;      # nets that something is worked out from, and that are not only carried on
 
 # The parts of nets that an expression is, [reference, low, bits, whether they are just these]; the
 # others that it has are put into the list.
@@ -43,6 +44,7 @@ sub meet {
 
 sub read_net {
     my ($net, $bits, $p) = @_;
+    $valued{$net} = 1 if !$p->{is_wire};
     return if $p->{sure}{left};
     my $open = without($bits, $p->{sure}{$net} // '');
     $exposed{$net} = ($exposed{$net} // '') | $open;

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "model/core/value.h"
+
 namespace cosim {
 
 struct Signal {
@@ -15,6 +17,10 @@ struct Signal {
   const unsigned char* bytes = nullptr;
   int word = -1;          ///< of a word of a memory its number; its name has it too
   bool is_clock = false;  ///< it is high from the beginning of a clock to its middle
+  /// Of one of several clocks: 0 on a step on which it does not take its edge. Null: it always
+  /// does.
+  const Word* takes_edge = nullptr;
+  bool falls = false;  ///< that is its falling edge: it is low for so long
 };
 
 }  // namespace cosim

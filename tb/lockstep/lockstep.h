@@ -79,7 +79,7 @@ class Lockstep {
   explicit Lockstep(const PowerUp& power_up)
       : dut_(power_up), state_(cleared_of<Design, Word>()), meant_(dut_.params) {
     if constexpr (has_clear<Design>) {
-      dut_.drive(Design::clear());
+      dut_.drive(clear_of<Design>());
       for (int i = 0; i < clear_clocks_of<Design>(); ++i) edge();
     } else {
       dut_.drive(rest_of<Design>());

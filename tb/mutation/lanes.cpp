@@ -51,7 +51,9 @@ PlantedNets::PlantedNets(const AnyBench& bench, proof::RtlNets nets)
   }
   std::unordered_map<std::string_view, std::size_t> numbers;
   for (std::size_t i = 0; i < nets_.cells().nets.size(); ++i) numbers[nets_.cells().nets[i]] = i;
-  for (const auto& f : nets_.cells().flip_flops) flip_flop_clocks_.push_back(numbers.at(f.clock));
+  for (const auto& f : nets_.cells().flip_flops) {
+    flip_flop_clocks_.push_back(f.clock.empty() ? every_step : numbers.at(f.clock));
+  }
 }
 
 std::vector<std::vector<std::size_t>> PlantedNets::nets_of(const char* kind,
@@ -167,6 +169,10 @@ void Lanes::find_edges(const std::vector<std::uint32_t>& low,
   const auto& flip_flops = rtl_.nets_.cells().flip_flops;
   for (std::size_t i = 0; i < flip_flops.size(); ++i) {
     const std::size_t net = rtl_.flip_flop_clocks_[i];
+    if (net == PlantedNets::every_step) {
+      edges_.push_back({Plane::all(true), Plane::all(false)});
+      continue;
+    }
     if (low[net] == none) {
       throw InputError(rtl_.bench_.title() + ": its RTL makes a clock of its own");
     }

@@ -32,7 +32,9 @@ class PlantedNets {
   std::vector<Field> compared_;
   std::vector<std::vector<std::size_t>> inputs_, wires_;  // of inputs, and of what is compared
   std::vector<std::size_t> mutsel_, clocks_;              // all other inputs are clocks
-  std::vector<std::size_t> flip_flop_clocks_;             // the net of each
+  // The net of each; of one of several clocks none, for it takes its next value on every step.
+  static constexpr std::size_t every_step = ~std::size_t{0};
+  std::vector<std::size_t> flip_flop_clocks_;
 };
 
 /// Up to nets::plane_lanes of them at work.

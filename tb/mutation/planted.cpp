@@ -5,12 +5,23 @@
 #include <sstream>
 #include <utility>
 
+#include "tb/proof/steps.h"
 #include "tb/support/output_file.h"
 #include "tb/support/pattern.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
 
 namespace cosim::mutation {
+namespace {
+
+// Whether a mutant is one of the clock pin of a flip-flop or a memory. That of one of several
+// clocks is an enable in the nets, and another edge in the RTL: none of those is planted.
+bool is_of_clock(const std::string& mutant) {
+  static const Pattern pin(R"(-port \\[A-Z_]*CLK )");
+  return !pin.all(mutant).empty();
+}
+
+}  // namespace
 
 Planted::Planted(proof::Source source, unsigned count) : source_(std::move(source)) {
   const Scratch scratch;
@@ -20,6 +31,7 @@ Planted::Planted(proof::Source source, unsigned count) : source_(std::move(sourc
   static const Pattern said(R"(^mutate |-module \S+ )");
   std::istringstream lines(read_file(list));
   for (std::string line; std::getline(lines, line);) {
+    if (source_.clocks_are_inputs && is_of_clock(line)) continue;
     commands_.push_back(line);
     std::string words = said.replaced(line, "");
     for (const auto& file : source_.files) {
@@ -61,10 +73,12 @@ proof::RtlNets Planted::nets(const std::vector<unsigned>& numbers) const {
   const std::string blif = (scratch.path() / "rtl.blif").string();
   const std::string wires = (scratch.path() / "rtl.wires").string();
   run(numbers,
-      fmt::format("memory_collect; memory_map; async2sync; setundef -undriven -anyseq; simplemap; "
-                  "techmap; dfflegalize -cell $_DFF_P_ 01 -cell $_DFF_N_ 01; setundef -zero; "
-                  "setundef -undriven -zero; write_blif {}; dump -o {} w:*",
-                  blif, wires));
+      fmt::format(
+          "memory_collect; memory_map{}; async2sync; setundef -undriven -anyseq; simplemap; "
+          "techmap; dfflegalize -cell $_DFF_P_ 01 -cell $_DFF_N_ 01; setundef "
+          "-zero; "
+          "setundef -undriven -zero; write_blif {}; dump -o {} w:*",
+          proof::step_commands(source_, scratch.path()), blif, wires));
   return {source_.top, read_file(blif), read_file(wires), source_.asynchronous_reset};
 }
 

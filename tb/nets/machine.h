@@ -50,8 +50,9 @@ struct MachineOf {
 
   std::string design;
   std::vector<Parameter> parameters;
-  std::vector<Wire> inputs;  ///< free
-  std::vector<Wire> state;   ///< free
+  bool clocks_are_inputs = false;  ///< there are several
+  std::vector<Wire> inputs;        ///< free
+  std::vector<Wire> state;         ///< free
   std::vector<Named>
       invariant;  ///< of the state before the clock: its fields are in range, and more
   std::vector<Named> invariant_after;  ///< the same of the state after it
@@ -173,6 +174,7 @@ MachineOf<V> machine_of(const typename Design::Params& p, FreeState free_state,
 
   MachineOf<V> m;
   m.design = Design::name;
+  m.clocks_are_inputs = clocks_of<Design> != 0;
   const auto parameters = parameters_of<Design>(p);
   m.parameters.assign(parameters.begin(), parameters.end());
   const auto in = detail::free_record<V, Inputs>(input_fields, free_input, m.inputs);
@@ -216,10 +218,11 @@ MachineOf<V> machine_of(const typename Design::Params& p, FreeState free_state,
   m.clear_clocks = clear_clocks_of<Design>();
   for (const char* pattern : unobserved_of<Design>()) m.unobserved.emplace_back(pattern);
   if constexpr (has_clear<Design>) {
-    const auto clear = to_words(Design::clear());
+    const auto clear = to_words(clear_of<Design>());
     const auto rest = to_words(rest_of<Design>());
     for (std::size_t i = 0; i < input_fields.size(); ++i) {
-      if (clear[i] == rest[i] || input_fields[i].width == 0) continue;
+      const bool is_given = clear[i] != rest[i] || input_fields[i].edge != Edge::none;
+      if (!is_given || input_fields[i].width == 0) continue;
       m.clearing.push_back({input_fields[i], V(clear[i]).code(input_fields[i].width)});
     }
   }

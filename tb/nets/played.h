@@ -37,7 +37,7 @@ Played played_of(const typename Design::Params& p) {
   };
   played.cleared = codes(cleared_of<Design, Word>(), State::fields(p));
   Inputs clear = rest_of<Design>();
-  if constexpr (has_clear<Design>) clear = Design::clear();
+  if constexpr (has_clear<Design>) clear = clear_of<Design>();
   played.clearing = codes(clear, Inputs::fields(p));
   played.is_of_registers = std::is_same_v<State, typename Design::template Registers<Word>>;
   return played;

@@ -4,7 +4,8 @@
 #     SOURCES file.v...            Verilog or SystemVerilog that Verilator reads; VHDL (.vhd, .vhdl), which
 #                                  GHDL turns into Verilog
 #     [TOP module]                 the top module; default NAME
-#     [CLOCK port | COMBINATIONAL] its clock; default clk; or it has no register
+#     [CLOCK port | CLOCKS port... | COMBINATIONAL]
+#                                  its clock; default clk; or several; or it has no register
 #     [INCLUDE_DIRS folder...] [DEFINES name[=value]...]
 #     MODEL header...              what defines struct cosim::NAME::Design
 #     [SHAPES "W=8 M=8'h1F"...]    parameters of the top, one build each: numbers, constants, words
@@ -28,8 +29,11 @@
 #                                  model must not differ on it
 #
 # The parameters of a shape are those of the model's Params, in its order: int, or const char* for a
-# text. Paths are relative to the folder that calls. RTL with a second clock, a falling edge, a latch, a
-# combinational loop or a bidirectional port is refused, in a line that names the net.
+# text. Paths are relative to the folder that calls. RTL with a clock that is no input, both edges of
+# one, a latch, a combinational loop or a bidirectional port is refused, in a line that names the net.
+#
+# One clock rises on each step and is no input of the model. Of several, or of one whose falling edge the
+# registers take, each is: a row of the inputs that says `rises` or `falls`, 1 on a step on which it does.
 include_guard(GLOBAL)
 include(${CMAKE_CURRENT_LIST_DIR}/taken.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../dut/ports.cmake)
@@ -71,7 +75,7 @@ function(cosim_add_design NAME)
     find_package(verilator REQUIRED HINTS $ENV{VERILATOR_ROOT} /usr/share/verilator)
   endif()
   cmake_parse_arguments(PARSE_ARGV 1 D "UNPROVED;COMBINATIONAL" "TOP;CLOCK"
-    "SOURCES;INCLUDE_DIRS;DEFINES;MODEL;SHAPES;NETLISTS;LIBRARIES")
+    "CLOCKS;SOURCES;INCLUDE_DIRS;DEFINES;MODEL;SHAPES;NETLISTS;LIBRARIES")
   set(what "cosim_add_design(${NAME})")
   if(D_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "${what}: what is ${D_UNPARSED_ARGUMENTS}?")
@@ -101,8 +105,16 @@ function(cosim_add_design NAME)
     set(CLOCK ${D_CLOCK})
   endif()
   set(reader_clock ${CLOCK})
-  if(D_COMBINATIONAL)
+  if(D_CLOCKS)
     if(D_CLOCK)
+      message(FATAL_ERROR "${what}: CLOCK does not go with CLOCKS")
+    endif()
+    set(CLOCK "")
+    list(JOIN D_CLOCKS "," reader_clock)
+    string(APPEND reader_clock ",")
+  endif()
+  if(D_COMBINATIONAL)
+    if(D_CLOCK OR D_CLOCKS)
       message(FATAL_ERROR "${what}: COMBINATIONAL does not go with CLOCK")
     endif()
     set(CLOCK "")
@@ -142,7 +154,7 @@ function(cosim_add_design NAME)
   foreach(define IN LISTS D_DEFINES)
     list(APPEND options -D${define})
   endforeach()
-  cosim_words_for_tools("${what}" ${TOP} ${CLOCK} ${D_DEFINES} ${folders})
+  cosim_words_for_tools("${what}" ${TOP} ${CLOCK} ${D_CLOCKS} ${D_DEFINES} ${folders})
   list(JOIN options " " include_options)
   list(JOIN folders "\", \"" FOLDERS)
   list(JOIN D_DEFINES "\", \"" DEFINES)
@@ -202,12 +214,16 @@ function(cosim_add_design NAME)
       SOURCES ${verilated} VERILATOR_ARGS ${verilated_options} --public-flat-rw)
     list(APPEND prefixes ${ID})
     string(APPEND VERILATED_INCLUDES "#include \"V${ID}_ports.h\"\n#include \"I${ID}_ports.h\"\n")
+    if(NOT D_CLOCKS)
+      set(rtl_of_clocks "")
+    endif()
     string(APPEND SHAPES
       "struct Trait_${ID} {\n"
       "  using Design = ${NAME}::Design;\n"
       "  static constexpr ${NAME}::Params params{${shape_values}};\n"
       "  static constexpr const char* title = \"${TITLE}\";\n"
       "  static constexpr const char* clock = \"${CLOCK}\";\n"
+      "  static constexpr const char* clocks = \"${rtl_of_clocks}\";\n"
       "  static constexpr const char* registers = \"${rtl_of_registers}\";\n"
       "  static constexpr const char* resets = \"${rtl_of_resets}\";\n"
       "};\n")

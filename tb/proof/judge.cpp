@@ -53,6 +53,7 @@ void Judge::require_reached() {
 std::vector<std::vector<Opinion>> Judge::opinions_of_abc(
     const fs::path& verilog, const std::vector<unsigned>& numbers) const {
   Source source{{fs::absolute(verilog)}, machine_.design, {}};
+  source.clocks_are_inputs = machine_.clocks_are_inputs;
   for (const Wire& w : machine_.registers) {
     if (w.field.index <= 0) source.kept.push_back(net_path(w.field.net).path);
   }

@@ -34,6 +34,7 @@ inline const char* model_without_formula(const BuiltMachine& machine) {
 template <class Trait>
 BuiltMachine built_machine(Source source) {
   using Design = typename Trait::Design;
+  source.clocks_are_inputs = clocks_of<Design> != 0;
   BuiltMachine machine{Trait::title, nullptr, nullptr, std::move(source), HasStreams<Design>};
   if constexpr (StepsOn<Design, Bits>) {
     machine.formula = [] { return formula<Design>(Trait::params); };

@@ -36,7 +36,9 @@ class Maker {
     std::map<std::string, std::size_t> numbers;
     const auto& cells = rtl.cells();
     for (std::size_t i = 0; i < cells.nets.size(); ++i) numbers[cells.nets[i]] = i;
-    for (const auto& f : cells.flip_flops) clocks_.push_back(numbers.at(f.clock));
+    for (const auto& f : cells.flip_flops) {
+      if (!f.clock.empty()) clocks_.push_back(numbers.at(f.clock));
+    }
     anything_.resize(cells.nets.size());
     for (const auto* all : {&cells.inputs, &cells.free}) {
       for (const std::size_t net : *all) anything_[net] = free_bit();

@@ -10,6 +10,7 @@
 
 #include "tb/proof/located.h"
 #include "tb/proof/mutant_nets.h"
+#include "tb/proof/steps.h"
 #include "tb/support/place.h"
 #include "tb/support/process.h"
 #include "tb/support/quoted.h"
@@ -181,12 +182,14 @@ Mutants::Mutants(const MachineFormula& machine, const fs::path& verilog,
   for (const Wire& w : machine.registers) {
     if (w.field.index <= 0) kept += kept_net(net_path(w.field.net).path);
   }
+  Source source;
+  source.clocks_are_inputs = machine.clocks_are_inputs;
   // Before prep for registers that nothing reads, after it for those it makes of memories.
   std::string commands = fmt::format(
       "read_verilog {0}; setattr -set keep 1 {2}; prep -flatten -nomem -top {1}; "
-      "memory_collect; memory_map; rename -top machine; setattr -set keep 1 {2}; "
+      "memory_collect; memory_map; rename -top machine; setattr -set keep 1 {2}{3}; "
       "async2sync; dffunmap; setundef -anyseq; ",
-      file_for_yosys(verilog), machine.design, kept);
+      file_for_yosys(verilog), machine.design, kept, step_commands(source, scratch.path()));
   std::vector<unsigned> all{0};
   all.insert(all.end(), numbers.begin(), numbers.end());
   for (const unsigned k : all) {

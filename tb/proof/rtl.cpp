@@ -8,6 +8,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/proof/first_word.h"
+#include "tb/proof/steps.h"
 #include "tb/support/pattern.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
@@ -46,8 +47,9 @@ std::string written_by_yosys(const Source& source) {
   const Scratch scratch;
   const fs::path file = scratch.path() / "rtl.smt2";
   // What is undefined is free in the formula.
-  run_yosys(flat_commands(source) + "; async2sync; " + commands_for_assertions() +
-                "; dffunmap; setundef -anyseq; write_smt2 -wires " + file.string(),
+  run_yosys(flat_commands(source) + step_commands(source, scratch.path()) + "; async2sync; " +
+                commands_for_assertions() + "; dffunmap; setundef -anyseq; write_smt2 -wires " +
+                file.string(),
             source.top);
   return read_file(file.string());
 }

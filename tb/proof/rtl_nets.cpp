@@ -7,6 +7,7 @@
 #include "model/core/input_error.h"
 #include "tb/nets/blif.h"
 #include "tb/proof/first_word.h"
+#include "tb/proof/steps.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
 
@@ -19,13 +20,13 @@ RtlNets::RtlNets(const Source& source)
         const std::string wires = (scratch.path() / "rtl.wires").string();
         // What is undefined in the RTL is free. What a gate leaves undefined, as a word that is not
         // there, is 0, as in the formulas.
-        run_yosys(
-            flat_commands(source) +
-                "; chformal -remove; async2sync; setundef -undriven -anyseq; techmap; dfflegalize "
-                "-cell $_DFF_P_ 01 -cell $_DFF_N_ 01; setundef -zero; opt_expr; "
-                "opt_clean; setundef -undriven -zero; " +
-                fmt::format("write_blif {}; dump -o {} w:*", blif, wires),
-            source.top);
+        run_yosys(flat_commands(source) + "; chformal -remove" +
+                      step_commands(source, scratch.path()) +
+                      "; async2sync; setundef -undriven -anyseq; techmap; dfflegalize "
+                      "-cell $_DFF_P_ 01 -cell $_DFF_N_ 01; setundef -zero; opt_expr; "
+                      "opt_clean; setundef -undriven -zero; " +
+                      fmt::format("write_blif {}; dump -o {} w:*", blif, wires),
+                  source.top);
         return RtlNets(source.top, read_file(blif), read_file(wires), source.asynchronous_reset);
       }()) {}
 

@@ -22,6 +22,8 @@ struct Source {
   /// Parameters that Verilog writes otherwise than as a plain number, as it does.
   std::map<std::string, std::string> constants = {};
   bool asynchronous_reset = false;  ///< as of Rtl's constructor
+  /// It has several clocks, inputs that say whether they take their edge.
+  bool clocks_are_inputs = false;
 };
 
 /// The RTL of `design`: the files of folder/design, or of the folder itself where there is no such

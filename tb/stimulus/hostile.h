@@ -44,7 +44,9 @@ struct HostileCase {
 /// they take another, any or, as often, a corner of the stretch: 0 or all ones, a small number or
 /// one turned over, a single bit or all but one; of a signed pin in half of the stretches without
 /// its sign, for the ends of the numbers that it counts up and down through are not those of its
-/// codes. So do arrays, each element and the whole.
+/// codes. So do arrays, each element and the whole. A clock, of several, takes its edge nearly
+/// always in one stretch, seldom in another, by turns or for some clocks on end in a third, or
+/// never.
 template <class Design>
 class HostileStimulus {
  public:

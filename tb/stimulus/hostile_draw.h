@@ -33,7 +33,7 @@ class HostileDraw {
     std::array<V, Plan::most_stretch_words> stretch_words;
     std::array<V, Inputs::size> rarity;  ///< a pin each: the bits that must be 0 for it to change
     std::array<V, Inputs::size> corner;  ///< a cell each: the bits that a corner value fills
-    std::array<V, Inputs::size> value;   ///< a cell each of a wide pin
+    std::array<V, Inputs::size> value;   ///< a cell each of a wide pin, and of a clock
   };
 
   /// Calls visit(value, width) for each value of `held` that the plan has, in a fixed order; the
@@ -45,6 +45,7 @@ class HostileDraw {
     for (std::size_t n = 0; n < plan.pin_count; ++n) {
       const auto& pin = plan.pins[n];
       visit(held.rarity[n], pin.rarity_width());
+      if (pin.is_clock) visit(held.value[pin.first], 1);
       if (!pin.is_wide) continue;
       for (std::size_t k = pin.first; k < pin.first + pin.cells; ++k) {
         if (plan.cells[k].width == 0) continue;
@@ -103,6 +104,9 @@ class HostileDraw {
       if (pin.is_wide) {
         change(plan, pin, changed, held);
         for_each_value(in.*member, [&](V& value) { value = held.value[k++]; });
+      } else if (pin.is_clock) {
+        held.value[k] = clocks(pin, changed, held);
+        for_each_value(in.*member, [&](V& value) { value = held.value[k]; });
       } else {
         for_each_value(in.*member,
                        [&](V& value) { value = select(changed, V(1 - pin.rest), V(pin.rest)); });
@@ -112,6 +116,16 @@ class HostileDraw {
   }
 
  private:
+  /// Whether a clock takes its edge: seldom or nearly always, for some clocks on end, or by turns.
+  static constexpr V clocks(const typename Plan::Pin& pin, const Condition<V>& changed,
+                            const Held& held) {
+    const auto is = [&](const RandomBits& b) { return bit(taken(held.stretch_words, b), 0); };
+    const V now = select(changed, V(1), V(0));
+    const V other = V(1) - now;
+    const V turned = select(changed, V(1) - held.value[pin.first], held.value[pin.first]);
+    return select(is(pin.toggles), turned, select(is(pin.is_slow), now, other));
+  }
+
   template <class Words>
   static constexpr V taken(const Words& words, const RandomBits& b) {
     return low_bits(shift_right(words[static_cast<std::size_t>(b.word)], b.low), b.width);

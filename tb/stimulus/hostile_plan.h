@@ -50,7 +50,7 @@ struct HostilePlan {
   using Inputs = typename Design::template Inputs<Word>;
 
   /// Words are at least half used, and a cell takes at most 64 + 3 + 5 bits of those of a clock and
-  /// 14 of those of a stretch.
+  /// 14 of those of a stretch; a clock takes 3 + 7.
   static constexpr std::size_t most_words = 3 * Inputs::size + 3;
   static constexpr std::size_t most_stretch_words = Inputs::size / 2 + 2;
 
@@ -62,6 +62,7 @@ struct HostilePlan {
     bool is_array = false;
     bool is_wide = false;     ///< it takes values, and is not only at rest or not
     bool is_quiet = false;    ///< it is among those that clear the design
+    bool is_clock = false;    ///< 1 where registers take its edge
     Word rest = 0;            ///< of one that is not wide
     RandomBits own;           ///< of a clock: 3 that must be 0 for it to change, or fewer of them
     std::size_t shared = 0;   ///< of a clock: which of `shared` must be, too, or
@@ -71,6 +72,8 @@ struct HostilePlan {
     RandomBits rarity;        ///< of a stretch: how many of these
     RandomBits kind, place;   ///< of a stretch: the corner
     RandomBits is_sign_free;  ///< of a stretch, of a signed pin: its first bit is in no corner
+    RandomBits is_slow;       ///< of a stretch, of a clock: its edge is what is rare
+    RandomBits toggles;       ///< of a stretch, of a clock: what is rare begins and ends its edges
     /// How many bits its rarity is held in: one stands for "never".
     constexpr int rarity_width() const { return is_quiet ? 6 : 5; }
   };
@@ -95,7 +98,7 @@ struct HostilePlan {
     RandomBitsLeft<most_stretch_words> stretch;
     quiet = stretch.take(1);
     Inputs clear = rest_of<Design>();
-    if constexpr (has_clear<Design>) clear = Design::clear();
+    if constexpr (has_clear<Design>) clear = clear_of<Design>();
     const auto cleared = to_words(clear), at_rest = to_words(rest_of<Design>());
     for (std::size_t i = 0; i < fields.size();) {
       Pin& pin = pins[pin_count++];
@@ -108,10 +111,15 @@ struct HostilePlan {
       } while (i < fields.size() && fields[i].index > 0);
       pin.cells = i - pin.first;
       pin.rest = at_rest[pin.first];
+      pin.is_clock = fields[pin.first].edge != Edge::none;
       pin.is_wide = is_array || fields[pin.first].width > 1;
       pin.is_array = is_array;
       take_event(pin, clock);
       pin.rarity = stretch.take(5);
+      if (pin.is_clock) {
+        pin.is_slow = stretch.take(1);
+        pin.toggles = stretch.take(1);
+      }
     }
     for (std::size_t n = 0; n < pin_count; ++n) {
       if (!pins[n].is_wide) continue;

@@ -121,7 +121,8 @@ void Wave::clock(const WaveClock& now) {
   for (std::size_t i = 0; i < rtl_.size(); ++i) {
     // The clock is drawn as it looks, not as it stands when the signals are read.
     if (rtl_[i].is_clock) {
-      fst.value(rtl_handles_[i], 1, 1);
+      const bool is_taken = rtl_[i].takes_edge == nullptr || *rtl_[i].takes_edge != 0;
+      fst.value(rtl_handles_[i], 1, is_taken != rtl_[i].falls ? 1 : 0);
     } else {
       fst.bytes(rtl_handles_[i], rtl_[i].width, rtl_[i].bytes);
     }
@@ -129,7 +130,7 @@ void Wave::clock(const WaveClock& now) {
   fst.time(now.clock * period + period / 2);
   fst.value(clk_, 1, 0);
   for (std::size_t i = 0; i < rtl_.size(); ++i) {
-    if (rtl_[i].is_clock) fst.value(rtl_handles_[i], 1, 0);
+    if (rtl_[i].is_clock) fst.value(rtl_handles_[i], 1, rtl_[i].falls ? 1 : 0);
   }
   end_ = (now.clock + 1) * period;
 }

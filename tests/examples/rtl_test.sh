@@ -18,8 +18,14 @@ if(SHAPE)
   cosim_shape(s shape "\${SHAPE}")
   message("\${s_title}|\${s_values}|\${s_generics}|\${s_chparams}|\${s_constants}")
 else()
-  cosim_read_rtl(r made made clk $folder/work FILES $folder/made.sv
+  if(NOT CLOCKS)
+    set(CLOCKS clk)
+  endif()
+  cosim_read_rtl(r made made \${CLOCKS} $folder/work FILES $folder/made.sv
     YOSYS "read_verilog -sv $folder/made.sv; hierarchy -check -top made")
+  if(CLOCKS MATCHES ",")
+    string(APPEND r_resets "|\${r_clocks}")
+  endif()
   message("\${r_registers}|\${r_resets}")
 endif()
 END
@@ -41,14 +47,14 @@ refused() {
 }
 # found TEXT: that was read.
 found() {
-  said=$(cmake -P read.cmake 2>&1) || fails "it is read"
+  said=$(cmake "${options[@]}" -P read.cmake 2>&1) || fails "it is read"
   [[ $said == "$1" ]] || fails "it finds $1"
 }
 
 rtl 'always @(posedge clk) q <= d; always @(posedge other) r <= d;'
 refused "made: r: its clock is other, and that of the design is clk"
 rtl 'wire gated = clk & d; always @(posedge gated) q <= d;'
-refused "made: q: its clock is gated, and that of the design is clk"
+refused "made: q: its clock is gated, which is no input"
 rtl 'always @(negedge clk) q <= d;'
 refused "made: q: a register on the falling edge of clk"
 rtl 'always @* if (other) q = d; always @(posedge clk) r <= q;'
@@ -119,6 +125,28 @@ module made(input wire clk, rst_n, input wire [3:0] d, output wire [3:0] q, outp
 endmodule
 RTL
 found 'both[0].bit_of 1 0 0:0\nboth[1].bit_of 1 0 0:0\ncount 2 0 1:0\nkept 4 0 3:0\nlast 1 0 0:0\none.held 1 0 0:0 one.out 1 0 0 top 1 0 0\nstore 4 4 15:0\nsum 4 0 3:0|low rst_n'
+
+# Several clocks, each on one edge; and one that is to be an input of the model.
+options=(-DCLOCKS=clk,other,)
+rtl 'always @(posedge clk) q <= d; always @(posedge other) r <= d;'
+found 'q 1 0 0:0\nr 1 0 0:0||clk\nother'
+rtl 'always @(posedge clk or posedge d) if (d) q <= 0; else q <= w[0]; always @(negedge other) r <= d;'
+found 'q 1 0 0:0\nr 1 0 0:0|d|clk\nfalling other'
+rtl 'always @(posedge clk) q <= d; always @(negedge clk) r <= d;'
+refused "made: r and q: registers on both edges of clk"
+rtl 'reg div; always @(posedge clk) div <= !div; always @(posedge div) q <= d; always @(posedge other) r <= d;'
+refused "made: q: its clock is div, which is no input"
+rtl 'always @(posedge d) q <= w[0]; always @(posedge other) r <= d;'
+refused "made: q: its clock is d, and those of the design are clk and other"
+rtl 'always @(posedge clk) q <= other; always @(posedge other) r <= d;'
+refused "made: other: a clock that is read as a value"
+printf 'module made(input wire clk, other, output wire c, output reg q); assign c = other;
+always @(posedge clk) q <= !q; endmodule\n' > made.sv
+refused "made: c: an output that is the clock other"
+options=(-DCLOCKS=clk,)
+rtl 'always @(negedge clk) q <= d;'
+found 'q 1 0 0:0||falling clk'
+options=()
 
 # A reset behind inverters is that of the input.
 cat > made.sv << 'RTL'

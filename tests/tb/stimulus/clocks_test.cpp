@@ -1,0 +1,58 @@
+// Several clocks in hostile stimulus: each set of them takes its edge, in all the ways that clocks
+// have.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "model/core/reset.h"
+#include "tb/stimulus/hostile.h"
+#include "tests/examples/designs/domains.h"
+
+namespace cosim::test {
+namespace {
+
+using domains::Design;
+using domains::Inputs;
+
+TEST(Clocks, AllTakeTheirEdgeWhereTheDesignRestsOrIsCleared) {
+  static_assert(clocks_of<Design> == 2);
+  EXPECT_EQ(to_words(rest_of<Design>()), (Words<Inputs<Word>>{1, 0, 0, 1, 1}));
+  EXPECT_EQ(to_words(clear_of<Design>()), (Words<Inputs<Word>>{1, 1, 0, 1, 0}));
+}
+
+TEST(Clocks, AreDrawnAsClocksRun) {
+  std::array<int, 4> sets{};  // of both, how often
+  int still = 0,
+      by_turns = 0;          // the longest rows: one stands still and the other does not; 0 1 0 1
+  int rare = 0, on_end = 0;  // stretches with few edges; the longest row of edges among others
+  for (std::uint64_t index = 0; index < 200; ++index) {
+    HostileStimulus<Design> hostile(domains::Params{}, {7, index, 1024});
+    int row = 0, turns = 0, edges = 0, together = 0, clock = 0;
+    Word last = 0;
+    for (Inputs<Word> in; hostile.next(in, {}); ++clock) {
+      ++sets[static_cast<std::size_t>(2 * in.a_clk + in.b_clk)];
+      row = in.a_clk == 0 ? row + static_cast<int>(in.b_clk) : 0;
+      turns = in.a_clk != last ? turns + 1 : 0;
+      if (in.a_clk == 0 && together < 100) on_end = std::max(on_end, together);
+      together = in.a_clk != 0 ? together + 1 : 0;
+      still = std::max(still, row);
+      by_turns = std::max(by_turns, turns);
+      last = in.a_clk;
+      edges += static_cast<int>(in.a_clk);
+      if (clock % 256 == 255) {
+        rare += edges > 0 && edges < 32 ? 1 : 0;
+        edges = 0;
+      }
+    }
+  }
+  for (const int each : sets) EXPECT_GT(each, 10000);
+  EXPECT_GT(still, 200);
+  EXPECT_GT(by_turns, 200);
+  EXPECT_GT(rare, 20);
+  EXPECT_GT(on_end, 20);
+}
+
+}  // namespace
+}  // namespace cosim::test

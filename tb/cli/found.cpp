@@ -33,13 +33,17 @@ std::vector<std::pair<int, int>> ranges_of(const std::string& text) {
 // The text of rtl.pl.
 void read_found(Found& found, const std::string& text) {
   std::map<std::string, std::string> values;
+  std::map<std::string, std::vector<std::string>> clocks;  // of registers
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     std::istringstream words(line);
     std::string what, name, bits;
     words >> what >> name;
     if (what == "clock") {
-      found.clock = name;
+      const bool falls = words >> bits && name == "falling";
+      found.clocks.push_back({falls ? bits : name, falls ? Edge::falling : Edge::rising});
+    } else if (what == "clocked") {
+      words >> clocks[name].emplace_back();
     } else if (what == "reset" || what == "synchronous") {
       FoundReset reset;
       reset.active_low = name == "low";
@@ -68,6 +72,7 @@ void read_found(Found& found, const std::string& text) {
     const auto value = values.find(net.name);
     net.is_reset = value != values.end();
     if (net.is_reset && value->second != "0") net.value = value->second;
+    net.clocks = clocks[net.name];
   }
 }
 
@@ -82,14 +87,29 @@ bool is_word(long value) {
 
 void read_shape(Found& found, const FoundShape& shape) {
   for (const auto& [way, net] : shape.ports) {
+    const std::string& name = net.name;
     if (way == "inout")
       throw InputError(fmt::format("new: {}: a port of both directions", net.name));
     if (net.words.number < 0) {
       throw InputError(
           fmt::format("new: {}: a port that is an array of more dimensions than one", net.name));
     }
-    if (net.name != found.clock) (way == "input" ? found.inputs : found.outputs).push_back(net);
+    const auto clock = std::find_if(found.clocks.begin(), found.clocks.end(),
+                                    [&](const FoundClock& c) { return c.name == name; });
+    if (clock == found.clocks.end()) {
+      (way == "input" ? found.inputs : found.outputs).push_back(net);
+    } else if (found.clocks_are_inputs()) {
+      found.inputs.push_back(net);
+      found.inputs.back().edge = clock->edge;
+    }
   }
+  // A record names its fields in their order.
+  const auto place = [&](const FoundReset& reset) {
+    return std::find_if(found.inputs.begin(), found.inputs.end(),
+                        [&](const FoundNet& net) { return net.name == reset.name; });
+  };
+  std::stable_sort(found.resets.begin(), found.resets.end(),
+                   [&](const FoundReset& a, const FoundReset& b) { return place(a) < place(b); });
 }
 
 // On a terminal, for as long as this lives.
@@ -119,10 +139,12 @@ Found found_in(const RtlQuestion& question) {
   for (const FoundParameter& p : question.parameters) {
     shape += fmt::format("{}{}={}", shape.empty() ? "" : " ", p.name, p.value);
   }
+  const auto& clocks = question.clocks;
+  std::string clock = clocks.empty() ? "?" : fmt::format("{}", fmt::join(clocks, ","));
+  if (clocks.size() > 1) clock += ',';
   const Ended ended = cosim::run_program(
       {"env", "-C", question.folder.string(), "cmake", "-DTOP=" + question.top,
-       fmt::format("-DCLOCK={}{}{}", question.clock.empty() ? "?" : question.clock,
-                   question.reset.empty() ? "" : ":", question.reset),
+       fmt::format("-DCLOCK={}{}{}", clock, question.reset.empty() ? "" : ":", question.reset),
        "-DSHAPE=" + shape, fmt::format("-DFILES={}", fmt::join(question.files, ";")),
        fmt::format("-DOPTIONS={}", fmt::join(question.options, ";")),
        fmt::format("-DYOSYS={}", fmt::join(question.options, " ")), "-DWORK=" + work.string(), "-P",

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "model/core/fields.h"
+
 namespace cosim::cli {
 
 /// A number with the parameters' defaults.
@@ -24,6 +26,13 @@ struct FoundNet {
   std::string value = {};  ///< that constant, in hexadecimal; empty: 0
   /// The bits that hold a state, high and low; empty: all.
   std::vector<std::pair<int, int>> bits = {};
+  Edge edge = Edge::none;                ///< of an input that is one of several clocks
+  std::vector<std::string> clocks = {};  ///< of a register those of several that it changes on
+};
+
+struct FoundClock {
+  std::string name;
+  Edge edge = Edge::rising;
 };
 
 struct FoundParameter {
@@ -42,12 +51,17 @@ struct FoundReset {
 
 struct Found {
   std::string top;
-  std::string clock;               ///< empty where there is no register
+  std::vector<FoundClock> clocks;  ///< none where there is no register
   std::vector<FoundReset> resets;  ///< all that are asynchronous, or one that is thought to be one
   bool asynchronous = false;       ///< they reset without waiting for the clock
-  std::vector<FoundNet> inputs, outputs, registers;  ///< inputs without the clock
+  std::vector<FoundNet> inputs, outputs, registers;  ///< inputs without the clock where it is one
   std::vector<FoundParameter> parameters;  ///< of the top: whole numbers that follow no other
   bool is_yosys = true;                    ///< yosys, where it is installed, reads it in 40 s
+
+  /// There are several, or registers change on the falling edge of the one: inputs of the model.
+  bool clocks_are_inputs() const {
+    return clocks.size() > 1 || (clocks.size() == 1 && clocks.front().edge == Edge::falling);
+  }
 };
 
 /// Where the files are, and what is to be said of them.
@@ -56,12 +70,13 @@ struct RtlQuestion {
   std::vector<std::string> files;    ///< by their names in it, which need no quotes
   std::vector<std::string> options;  ///< -I and -D of Verilator and yosys
   std::string top;
-  std::string clock, reset;                ///< pins; empty: to be found
+  std::vector<std::string> clocks;         ///< pins; none: to be found
+  std::string reset;                       ///< a pin; empty: to be found
   std::vector<FoundParameter> parameters;  ///< those that are given
 };
 
 /// Reads the files. InputError, one line, where Verilator cannot, and for what a design cannot
-/// have: a second clock, a latch, a bidirectional port. `said`: is told what takes long.
+/// have: a clock that is no input, a latch, a bidirectional port. `said`: is told what takes long.
 Found found_in(const RtlQuestion& question);
 
 }  // namespace cosim::cli

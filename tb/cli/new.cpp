@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <sstream>
 
 #include "model/core/input_error.h"
 #include "tb/cli/commands.h"
@@ -97,7 +98,10 @@ BegunProject begin_project(const NewOptions& o, const Draft& project) {
   const std::vector<std::string> given(o.words.begin() + 1, o.words.end());
   RtlQuestion question;
   question.folder = project.folder();
-  question.clock = name_in("--clock", o.clock);
+  std::istringstream clocks(o.clock.value_or(""));
+  for (std::string pin; std::getline(clocks, pin, ',');) {
+    question.clocks.push_back(name_in("--clock", pin));
+  }
   question.reset = name_in("--reset", o.reset);
   question.parameters = parameters_in(o.parameters);
   const Sources rtl = sources_of({name, given, o.libraries, o.includes, name_in("--top", o.top)});
@@ -139,8 +143,12 @@ int run(const NewOptions& o) {
   if (has_rtl) {
     rtl = begin_project(o, project);
     const Found& found = rtl.found;
-    if (o.stream && found.clock.empty()) {
+    if (o.stream && found.clocks.empty()) {
       throw InputError("new: " + found.top + " has no register: nothing of it is a stream");
+    }
+    if (o.stream && found.clocks_are_inputs()) {
+      throw InputError("new: --stream: of one clock, which rises; " + found.top +
+                       (found.clocks.size() > 1 ? " has several" : " has one that falls"));
     }
     begun = o.stream ? stream_model(name, found) : lockstep_model(name, found, o.plain);
     project.write(name + ".h", begun.text);
@@ -185,7 +193,8 @@ void add_new(const Command& program) {
                "A model without clocks: what comes out of the ports *_valid for what goes in");
   command.text("--top", o->top, "NAME",
                "The top module, where files have several that could be it");
-  command.text("--clock", o->clock, "PIN", "Its clock, where that is not to be found");
+  command.text("--clock", o->clock, "PIN[,PIN]",
+               "Its clock, or its clocks, where they are not to be found");
   command.text("--reset", o->reset, "PIN",
                "Its reset at the clock, where its name does not say it");
   command.texts("--param", o->parameters, "NAME=VALUE",

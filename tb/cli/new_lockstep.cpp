@@ -102,6 +102,47 @@ std::string cleared_of(const std::vector<NewRow>& rows) {
          values + "    return s;\n  }\n";
 }
 
+// A comment of some words, in lines of a usual length.
+std::string comment_of(const std::vector<std::string>& words) {
+  constexpr std::size_t most = 92;
+  std::string text, line = "  //";
+  for (const std::string& word : words) {
+    if (line.size() + word.size() > most) {
+      text += line + '\n';
+      line = "  //";
+    }
+    line += ' ' + word;
+  }
+  return text + line + '\n';
+}
+
+// What is to be written in a step. Of several clocks each has its part.
+std::string step_of(const Found& f, const std::vector<NewRow>& rows, bool plain) {
+  if (!f.clocks_are_inputs()) {
+    return "  // To be written: step.outputs of this clock, step.state after it.\n";
+  }
+  std::string text =
+      "  // To be written: step.outputs of this step, and of each clock what its edge makes of "
+      "s.\n";
+  for (const FoundClock& clock : f.clocks) {
+    std::vector<std::string> words{clock.name, clock.edge == Edge::rising ? "rises:" : "falls:"};
+    for (const NewRow& row : rows) {
+      const auto& of = row.net.clocks;
+      if (f.clocks.size() > 1 && std::find(of.begin(), of.end(), clock.name) == of.end()) continue;
+      words.push_back(row.field + ',');
+    }
+    words.back().back() = words.size() == 2 ? ':' : '.';
+    text += '\n' + comment_of(words);
+    const std::string pin = field_of(clock.name);
+    text += plain ? fmt::format("  if (in.{} != 0) {{\n  }}\n", pin)
+                  : fmt::format(
+                        "  State<V> on_{0} = step.state;\n"
+                        "  step.state = select(is_set(in.{0}), on_{0}, step.state);\n",
+                        pin);
+  }
+  return text;
+}
+
 // The state under each of several resets.
 std::string reset_of(const Found& f, const std::vector<NewRow>& rows, bool plain) {
   if (!f.asynchronous || f.resets.size() < 2) return "";
@@ -152,7 +193,7 @@ BegunModel lockstep_model(const std::string& name, const Found& f, bool plain) {
   }
   const std::vector<NewRow> rows = rows_of(in_table);
   model.left.insert(model.left.begin(), "next() is to be written");
-  if (f.resets.empty() && !f.clock.empty()) {
+  if (f.resets.empty() && !f.clocks.empty()) {
     model.left.push_back(
         "no reset is found: it begins at its initial values; --reset PIN names one");
   }
@@ -173,7 +214,7 @@ BegunModel lockstep_model(const std::string& name, const Found& f, bool plain) {
       "COSIM_RECORDS({5}, Params);\n\n"
       "{8}"
       "  Step<{9}> step{{s, {{}}}};\n"
-      "  // To be written: step.outputs of this clock, step.state after it.\n"
+      "{11}"
       "  return step;\n"
       "}}\n\n"
       "{10}"
@@ -186,7 +227,7 @@ BegunModel lockstep_model(const std::string& name, const Found& f, bool plain) {
       name, params_of(f), table_of(table + "_INPUTS", rows_of(f.inputs)),
       table_of(table + "_OUTPUTS", rows_of(f.outputs)), table_of(table + "_STATE", rows), table,
       clear_of(f) + cleared_of(rows) + more, parameters_of(f), step_head(plain),
-      plain ? "Word" : "V", reset_of(f, rows, plain));
+      plain ? "Word" : "V", reset_of(f, rows, plain), step_of(f, rows, plain));
   return model;
 }
 

@@ -55,7 +55,7 @@ void require_names(const Found& found) {
     }
   };
   require(found.top);
-  if (!found.clock.empty()) require(found.clock);
+  for (const FoundClock& clock : found.clocks) require(clock.name);
   for (const auto* nets : {&found.inputs, &found.outputs, &found.registers}) {
     for (const FoundNet& net : *nets) require(net.name);
   }

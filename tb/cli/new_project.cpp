@@ -61,10 +61,11 @@ std::string design_of(const std::string& name, const Found& f,
     text += " DEFINES";
     for (const std::string& d : defines) text += ' ' + for_cmake(d);
   }
-  if (f.clock.empty()) {
+  if (f.clocks.empty()) {
     text += " COMBINATIONAL";
-  } else if (f.clock != "clk") {
-    text += " CLOCK " + for_cmake(f.clock);
+  } else if (f.clocks_are_inputs() || f.clocks.front().name != "clk") {
+    text += f.clocks_are_inputs() ? " CLOCKS" : " CLOCK";
+    for (const FoundClock& clock : f.clocks) text += ' ' + for_cmake(clock.name);
   }
   text += fmt::format(" MODEL {}.h", name);
   std::string shape;

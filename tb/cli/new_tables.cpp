@@ -36,6 +36,7 @@ std::string text_of(const NewRow& row) {
       format += fmt::format(".array<{}>({})", words, fixed ? "" : text_of(net.words));
     }
   }
+  if (net.edge != Edge::none) format = net.edge == Edge::rising ? "rises" : "falls";
   if (row.elsewhere) format += fmt::format(".at(\"{}\")", row.at());
   if (!net.is_reset) format += ".unreset()";
   return fmt::format("FIELD({}, {}, {}, \"\", \"\")", row.field, shown, format);

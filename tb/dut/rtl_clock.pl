@@ -2,7 +2,7 @@
 use strict;
 use warnings;
 
-our (%inputs, %outputs, %valued);
+our (%info, %inputs, %outputs, %valued);
 
 # The input on whose edges a process's registers change, undef where that is not to be told: of one edge
 # that one, and of several the one that it does not read, for a reset it does.
@@ -65,6 +65,9 @@ sub give_clocks {
         refuse("$named and $first{$clock}: registers on both edges of $clock") if $way{$clock} ne $way;
         $p->{clock} = $clock;
         $p->{others} = \@others;
+    }
+    for my $clock (@$clocks) {
+        refuse("$clock: a clock of $info{$clock}{bits} bits") if $info{$clock}{bits} != 1;
     }
     return \%way;
 }

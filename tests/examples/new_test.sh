@@ -66,6 +66,50 @@ diff - <(grep '^>' changed) << 'PLAIN'
 PLAIN
 grep -q '^cosim_add_design(.* UNPROVED)$' plain/CMakeLists.txt
 
+# Two clocks, each with a reset of its own, at once and at the clock; and one that falls. The model compiles.
+cat > two.v << 'RTL'
+module two(input wire w_clk, w_rst_n, d, input wire a_clk, a_rst, output reg q, output reg [1:0] n);
+  reg held;
+  always @(posedge w_clk or negedge w_rst_n) if (!w_rst_n) held <= 1; else held <= d;
+  always @(posedge a_clk) begin
+    if (a_rst) n <= 0; else n <= n + held;
+    q <= held;
+  end
+endmodule
+RTL
+"$program" new two two.v > said
+diff - <(sed -n '/FIELD(w_clk/,/FIELD(a_rst/p; /Step<V> step/,/^}/p; /  s.held/p; /rest()\|clear()/p' two/two.h) \
+  << 'MODEL'
+  FIELD(w_clk, 1, rises, "", "") \
+  FIELD(w_rst_n, 1, flag, "", "") \
+  FIELD(d, 1, flag, "", "") \
+  FIELD(a_clk, 1, rises, "", "") \
+  FIELD(a_rst, 1, flag, "", "")
+  Step<V> step{s, {}};
+  // To be written: step.outputs of this step, and of each clock what its edge makes of s.
+
+  // a_clk rises: n, q.
+  State<V> on_a_clk = step.state;
+  step.state = select(is_set(in.a_clk), on_a_clk, step.state);
+
+  // w_clk rises: held.
+  State<V> on_w_clk = step.state;
+  step.state = select(is_set(in.w_clk), on_w_clk, step.state);
+  return step;
+}
+  s.held = select(!is_set(in.w_rst_n), V(0x1), s.held);
+  static constexpr Inputs<Word> rest() { return {.w_rst_n = 1}; }
+  static constexpr Inputs<Word> clear() { return {.w_rst_n = 0, .a_rst = 1}; }
+    s.held = V(0x1);
+MODEL
+grep -qx 'cosim_add_design(two SOURCES two.v CLOCKS a_clk w_clk MODEL two.h)' two/CMakeLists.txt
+printf 'module low(input wire ck, d, output reg q); always @(negedge ck) q <= d; endmodule\n' > low.v
+"$program" new low low.v --plain > said
+grep -qx 'cosim_add_design(low SOURCES low.v CLOCKS ck MODEL low.h UNPROVED)' low/CMakeLists.txt
+grep -qx '  // ck falls: q.' low/low.h
+printf '#include "%s"\n' {two/two,low/low}.h |
+  "${CXX:-c++}" -std=c++20 -Wall -Wextra -Werror -fsyntax-only -I . -I "$sources" -x c++ -
+
 # A port wider than a word; memories, of words that follow a parameter, of words of 100 bits, and one
 # that yosys makes registers of.
 cat > store.v << 'RTL'
@@ -280,18 +324,24 @@ rtl 'always @(posedge clk or negedge other) if (!other) q <= 0; else q <= d;
 "$program" new made made.v > said
 diff - <(sed -n '/^constexpr State/,/^}/p; /clear()\|rest()/p' made/made.h) << 'RESET'
 constexpr State<V> reset(const Params&, State<V> s, const Inputs<V>& in) {
-  s.r = select(is_set(in.d), V(0), s.r);
   s.q = select(!is_set(in.other), V(0), s.q);
+  s.r = select(is_set(in.d), V(0), s.r);
   return s;
 }
   static constexpr Inputs<Word> rest() { return {.other = 1}; }
-  static constexpr Inputs<Word> clear() { return {.d = 1, .other = 0}; }
+  static constexpr Inputs<Word> clear() { return {.other = 0, .d = 1}; }
 RESET
 rm -r made
 rtl 'wire x = d & other; always @(posedge clk or posedge x) if (x) q <= 0; else q <= d;'
 refused "new: q: an asynchronous reset by x, which is no input" made made.v
+rtl 'always @(posedge clk) q <= d; always @(negedge clk) r <= d;'
+refused "new: r and q: registers on both edges of clk" made made.v
+rtl 'reg half; always @(posedge clk) half <= !half; always @(posedge half) q <= d;'
+refused "new: q: its clock is half, which is no input" made made.v
+rtl 'wire gated = clk & d; always @(posedge gated) q <= w[0]; always @(posedge other) r <= w[1];'
+refused "new: q: its clock is gated, which is no input" made made.v
 rtl 'always @(posedge clk) q <= d; always @(posedge other) r <= d;'
-refused "new: clk and other: two clocks" made made.v
+refused "new: --stream: of one clock, which rises; made has several" made made.v --stream
 rtl 'wire x = !other; always @(posedge clk or posedge x) if (x) q <= 0; else q <= d;
      always @(posedge clk or negedge other) if (!other) r <= 0; else r <= d;'
 "$program" new made made.v > said
@@ -366,6 +416,7 @@ rm -r made
 rtl 'always @(posedge clk) q <= d;'
 refused "--top: no file has a module 'other'" made made.v --top other
 refused "--clock: 'a b' is no name in Verilog" made made.v --clock 'a b'
+refused "--clock: '' is no name in Verilog" made made.v --clock clk,,other
 refused "new: q: its clock is clk, and that of the design is d" made made.v --clock d
 refused "new: none: the RTL has no such input, which is to be its clock" made made.v --clock none
 refused "new: none: the RTL has no such input, which is to be its reset" made made.v --reset none

@@ -127,7 +127,7 @@ RTL
 found 'both[0].bit_of 1 0 0:0\nboth[1].bit_of 1 0 0:0\ncount 2 0 1:0\nkept 4 0 3:0\nlast 1 0 0:0\none.held 1 0 0:0 one.out 1 0 0 top 1 0 0\nstore 4 4 15:0\nsum 4 0 3:0|low rst_n'
 
 # Several clocks, each on one edge; and one that is to be an input of the model.
-options=(-DCLOCKS=clk,other,)
+options=('-DCLOCKS=clk,other,')
 rtl 'always @(posedge clk) q <= d; always @(posedge other) r <= d;'
 found 'q 1 0 0:0\nr 1 0 0:0||clk\nother'
 rtl 'always @(posedge clk or posedge d) if (d) q <= 0; else q <= w[0]; always @(negedge other) r <= d;'
@@ -143,7 +143,7 @@ refused "made: other: a clock that is read as a value"
 printf 'module made(input wire clk, other, output wire c, output reg q); assign c = other;
 always @(posedge clk) q <= !q; endmodule\n' > made.sv
 refused "made: c: an output that is the clock other"
-options=(-DCLOCKS=clk,)
+options=('-DCLOCKS=clk,')
 rtl 'always @(negedge clk) q <= d;'
 found 'q 1 0 0:0||falling clk'
 options=()

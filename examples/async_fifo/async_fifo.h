@@ -1,0 +1,110 @@
+// Golden model of async_fifo.v.
+#pragma once
+
+#include "model/core/design.h"
+#include "model/core/memory.h"
+
+namespace cosim::async_fifo {
+
+struct Params {
+  int width;  ///< bits of a word, 1 to 64
+  int bits;   ///< of a word's number in the queue, 2 to 4
+
+  constexpr int words() const { return 1 << bits; }
+  constexpr int count() const { return bits + 1; }
+};
+
+#define ASYNC_FIFO_INPUTS(FIELD)                   \
+  FIELD(rst_n, 1, flag, "", "0 empties it")        \
+  FIELD(w_clk, 1, rises, "", "the writer's clock") \
+  FIELD(w_valid, 1, flag, "", "there is a word")   \
+  FIELD(w_data, p.width, bits, "", "the word")     \
+  FIELD(r_clk, 1, rises, "", "the reader's clock") \
+  FIELD(r_ready, 1, flag, "", "a word can be taken")
+#define ASYNC_FIFO_OUTPUTS(FIELD)                         \
+  FIELD(w_ready, 1, flag, "", "there is room for a word") \
+  FIELD(r_valid, 1, flag, "", "there is a word")          \
+  FIELD(r_data, p.width, bits, "", "the oldest")
+#define ASYNC_FIFO_STATE(FIELD)                                             \
+  FIELD(w_count, p.count(), number, "", "words that went in")               \
+  FIELD(w_gray, p.count(), bits, "", "the same in Gray code")               \
+  FIELD(r_first, p.count(), bits, "", "r_gray, at the writer, a clock ago") \
+  FIELD(r_seen, p.count(), bits, "", "the same, two clocks ago")            \
+  FIELD(r_count, p.count(), number, "", "words that came out")              \
+  FIELD(r_gray, p.count(), bits, "", "the same in Gray code")               \
+  FIELD(w_first, p.count(), bits, "", "w_gray, at the reader, a clock ago") \
+  FIELD(w_seen, p.count(), bits, "", "the same, two clocks ago")            \
+  FIELD(store, p.width, bits.array<16>(p.words()).unreset(), "", "the words, in a circle")
+COSIM_RECORDS(ASYNC_FIFO, Params);
+
+template <class V>
+constexpr V gray_of(V count) {
+  return count ^ shift_right(count, 1);
+}
+/// Of at most 8 bits.
+template <class V>
+constexpr V count_of(V gray) {
+  for (const int n : {1, 2, 4}) gray = gray ^ shift_right(gray, n);
+  return gray;
+}
+
+template <class V>
+constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) {
+  const auto w_ready = !(s.w_gray == (s.r_seen ^ V(3 << (p.bits - 1))));
+  const auto r_valid = !(s.r_gray == s.w_seen);
+  const auto push = is_set(in.w_valid) & w_ready, pop = is_set(in.r_ready) & r_valid;
+  Step<V> step{s, {flag<V>(w_ready), flag<V>(r_valid), read(s.store, wrap(s.r_count, p.bits))}};
+
+  State<V> w = step.state;  // where w_clk rises
+  w.store = write_where(push, s.store, wrap(s.w_count, p.bits), in.w_data);
+  w.w_count = wrap(s.w_count + flag<V>(push), p.count());
+  w.w_gray = gray_of(w.w_count);
+  w.r_first = s.r_gray;
+  w.r_seen = s.r_first;
+  step.state = select(is_set(in.w_clk), w, step.state);
+
+  State<V> r = step.state;  // where r_clk rises
+  r.r_count = wrap(s.r_count + flag<V>(pop), p.count());
+  r.r_gray = gray_of(r.r_count);
+  r.w_first = s.w_gray;
+  r.w_seen = s.w_first;
+  step.state = select(is_set(in.r_clk), r, step.state);
+  return step;
+}
+
+/// What each side knows of the other is true of some clocks ago: no word is lost, and none comes
+/// twice.
+template <class V>
+constexpr std::array<Stated<V>, 5> invariant(const Params& p, const State<V>& s) {
+  const auto words = [&](V in, V out) { return wrap(in - out + V(2 * p.words()), p.count()); };
+  const V waiting = words(s.w_count, s.r_count);
+  const V r_first = count_of(s.r_first), r_seen = count_of(s.r_seen);
+  const V w_first = count_of(s.w_first), w_seen = count_of(s.w_seen);
+  const V free_later = words(s.r_count, r_first) + words(r_first, r_seen);
+  const V seen_later = words(s.w_count, w_first) + words(w_first, w_seen);
+  return {
+      {{"w_gray is w_count", s.w_gray == gray_of(s.w_count)},
+       {"r_gray is r_count", s.r_gray == gray_of(s.r_count)},
+       {"there are no more words than places", !(waiting > V(p.words()))},
+       {"the writer sees too many words, if it is wrong", !(waiting + free_later > V(p.words()))},
+       {"the reader sees too few words, if it is wrong", !(seen_later > waiting)}}};
+}
+
+/// What stands at the output of an empty queue means nothing.
+template <class V>
+constexpr auto compared(const Params&, const State<V>&, const Inputs<V>&, const Outputs<V>& out) {
+  return std::array{Stated<V>{"r_data", is_set(out.r_valid)}};
+}
+
+struct Design {
+  COSIM_DESIGN(async_fifo);
+  static constexpr const char* name = "async_fifo";
+  static constexpr Inputs<Word> rest() { return {.rst_n = 1}; }
+  static constexpr Inputs<Word> clear() { return {}; }
+  static constexpr bool asynchronous_reset = true;
+  static constexpr std::array<Parameter, 2> parameters(const Params& p) {
+    return {{{"WIDTH", p.width}, {"BITS", p.bits}}};
+  }
+};
+
+}  // namespace cosim::async_fifo

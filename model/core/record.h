@@ -37,11 +37,12 @@ namespace cosim {
 /// The formats by the names that a table's rows use.
 namespace row {
 
-/// N: the most elements of an array; 0 for a field that is none.
-template <int N>
+/// N: the most elements of an array; 0 for a field that is none. e: of a clock, where registers
+/// take it.
+template <int N, Edge e = Edge::none>
 struct Notation {
   static constexpr int capacity = N;
-  static constexpr Edge edge = Edge::none;
+  static constexpr Edge edge = e;
 
   Format format;
   int fraction = 0;
@@ -74,15 +75,8 @@ struct Notation {
     return {format, fraction, net, is_unreset, M, true};
   }
 };
-/// Of a clock.
-template <Edge e>
-struct ClockNotation : Notation<0> {
-  static constexpr Edge edge = e;
-
-  constexpr ClockNotation at(const char* path) const { return {Notation<0>::at(path)}; }
-};
-inline constexpr ClockNotation<Edge::rising> rises{{Format::flag}};
-inline constexpr ClockNotation<Edge::falling> falls{{Format::flag}};
+inline constexpr Notation<0, Edge::rising> rises{Format::flag};
+inline constexpr Notation<0, Edge::falling> falls{Format::flag};
 inline constexpr Notation<0> flag{Format::flag};
 inline constexpr Notation<0> bits{Format::bits};
 inline constexpr Notation<0> number{Format::number};
@@ -101,18 +95,20 @@ constexpr std::size_t more_cells(int capacity) {
 }
 
 /// How many elements of an array of N a shape has.
-template <int N>
-constexpr int elements(const Notation<N>& n, int width) {
+template <int N, Edge e>
+constexpr int elements(const Notation<N, e>& n, int width) {
   return n.is_split ? (width + word_width - 1) / word_width : n.count;
 }
 
 /// The field, or the cells of an array of N.
-template <int N>
-constexpr auto field(const char* name, int width, const Notation<N>& n, const char* source,
+template <int N, Edge e>
+constexpr auto field(const char* name, int width, const Notation<N, e>& n, const char* source,
                      const char* meaning, const char* net) {
-  const Field whole{
+  if (e != Edge::none && width != 1) throw InputError(std::string(name) + ": a clock has 1 bit");
+  Field whole{
       name,        width, n.format, source, meaning, n.fraction, n.net == nullptr ? net : n.net,
       n.is_unreset};
+  whole.edge = e;
   if constexpr (N == 0) {
     return whole;
   } else {
@@ -136,16 +132,6 @@ constexpr auto field(const char* name, int width, const Notation<N>& n, const ch
     }
     return cells;
   }
-}
-
-template <Edge e>
-constexpr Field field(const char* name, int width, const ClockNotation<e>& n, const char* source,
-                      const char* meaning, const char* net) {
-  if (width != 1) throw InputError(std::string(name) + ": a clock has 1 bit");
-  const Notation<0>& plain = n;
-  Field clock = field(name, width, plain, source, meaning, net);
-  clock.edge = e;
-  return clock;
 }
 
 /// Makes a clock, a member of the notation N, take its edge.

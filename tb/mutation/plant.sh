@@ -32,6 +32,8 @@ prepare="$(cat "$folder/read.ys")
 export HOME=$folder # where yosys keeps a history
 yosys -q -p "$prepare; mutate -list $count -seed 1 -o $folder/all.txt" > "$folder/yosys.log" 2>&1 ||
   { cat "$folder/yosys.log" >&2 && exit 1; }
+# A memory that is read without a clock is to have constants there.
+sed -i -E '/-port \\?RD_(EN|ARST|SRST) /d' "$folder/all.txt"
 perl -pe 's/^mutate //; s/-module \S+ //; s/\Q$ENV{PWD}\E\///g' "$folder/all.txt" > "$folder/mutants.txt"
 {
   echo "$prepare"

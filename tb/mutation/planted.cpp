@@ -14,12 +14,15 @@
 namespace cosim::mutation {
 namespace {
 
-// Whether a mutant is one of the clock pin of a flip-flop or a memory. That of one of several
-// clocks is an enable in the nets, and another edge in the RTL: none of those is planted.
-bool is_of_clock(const std::string& mutant) {
-  static const Pattern pin(R"(-port \\[A-Z_]*CLK )");
+// Whether a mutant is of such a pin of a flip-flop or a memory.
+bool is_of(const char* pins, const std::string& mutant) {
+  const Pattern pin(std::string(R"(-port \\?)") + pins + ' ');
   return !pin.all(mutant).empty();
 }
+// A memory that is read without a clock, which has these pins too, is to have constants there.
+constexpr const char* of_read_port = "RD_(EN|ARST|SRST)";
+// That of one of several clocks is an enable in the nets, and another edge in the RTL.
+constexpr const char* of_clock = "([A-Z]+_)?CLK";
 
 }  // namespace
 
@@ -31,7 +34,8 @@ Planted::Planted(proof::Source source, unsigned count) : source_(std::move(sourc
   static const Pattern said(R"(^mutate |-module \S+ )");
   std::istringstream lines(read_file(list));
   for (std::string line; std::getline(lines, line);) {
-    if (source_.clocks_are_inputs && is_of_clock(line)) continue;
+    if (is_of(of_read_port, line)) continue;
+    if (source_.clocks_are_inputs && is_of(of_clock, line)) continue;
     commands_.push_back(line);
     std::string words = said.replaced(line, "");
     for (const auto& file : source_.files) {

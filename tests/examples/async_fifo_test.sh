@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# async_fifo_test.sh PROGRAM
+#
+# All small faults of a small queue between two clocks are found, or proved to be none, those at the pins of
+# its memory too; none is of a clock pin. Status: 0 so, 1 not.
+set -euo pipefail
+
+given=$(realpath "$1")
+here=$(cd "$(dirname "$0")" && pwd)
+# shellcheck source=tests/support/program.sh
+source "$here/../support/program.sh"
+program=$given
+
+for tool in yosys cvc5 z3; do
+  command -v "$tool" > /dev/null || { echo "no $tool: no mutants" && exit 0; }
+done
+ends 0 mutate async_fifo WIDTH=1 BITS=2 --mutants 1500 --list
+says ", 0 survived"
+says "-port WR_EN"
+says_not "CLK"

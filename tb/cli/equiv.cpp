@@ -242,7 +242,7 @@ int run(const EquivOptions& o) {
   if (gate.empty()) throw InputError("--gate: is needed");
   const int seconds = o.seconds ? number("--seconds", *o.seconds, 1, 1000000) : 300;
   const unsigned jobs =
-      o.jobs ? static_cast<unsigned>(number("--jobs", *o.jobs, 1, 1024)) : std::max(2U, cores());
+      o.jobs ? static_cast<unsigned>(number("--jobs", *o.jobs, 1, 1024)) : std::max(4U, cores());
   // A report that cannot be written is no answer to wait for.
   std::optional<OutputFile> report;
   if (o.report) report.emplace(*o.report);
@@ -301,7 +301,8 @@ void add_equiv(const Command& program) {
   command.flag("--netlists", o->netlists,
                "A difference is replayed on the netlists alone, not in Verilator: quicker");
   command.text("--seconds", o->seconds, "N", "For all of it, reading included; default 300");
-  command.text("--jobs", o->jobs, "J", "Engines at a time; default one a core");
+  command.text("--jobs", o->jobs, "J",
+               "Engines at a time; default 4, or one a core where there are more");
   command.text("--report", o->report, "FILE", "The result as JSON");
   add_failures(command, o->common);
   command.footer(

@@ -1,7 +1,6 @@
-// How much time is left for a question.
+// How much time is left for a question, by the clock on the wall.
 #pragma once
 
-#include <algorithm>
 #include <chrono>
 
 namespace cosim::equiv {
@@ -10,16 +9,17 @@ struct OutOfTime {};
 
 class Budget {
  public:
+  using Clock = std::chrono::steady_clock;
+
   explicit Budget(int seconds) : ends_(Clock::now() + std::chrono::seconds(seconds)) {}
-  /// Whole seconds, >= 1. OutOfTime where none is left.
-  int left() const {
-    const double left = std::chrono::duration<double>(ends_ - Clock::now()).count();
-    if (left <= 0) throw OutOfTime();
-    return std::max(1, static_cast<int>(left));
+  /// When it is over.
+  Clock::time_point ends() const { return ends_; }
+  /// OutOfTime where none is left.
+  void check() const {
+    if (Clock::now() >= ends_) throw OutOfTime();
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
   Clock::time_point ends_;
 };
 

@@ -148,18 +148,25 @@ void make_gates(Question& q, Memories how) {
   });
 }
 
-proof::Reached reach(const Question& q, const Product& product, int part = 1) {
-  return proof::reach(product.graph, product.bad, std::max(1, q.budget.left() / part), q.jobs);
+// In this share of the time that is left, and no more than so many seconds.
+proof::Reached reach(const Question& q, const Product& product, double share = 1,
+                     std::chrono::seconds most = std::chrono::hours(24)) {
+  q.budget.check();
+  const auto now = Budget::Clock::now();
+  const std::chrono::duration<double> left = share * (q.budget.ends() - now);
+  const auto until = now + std::chrono::duration_cast<Budget::Clock::duration>(
+                               std::min<std::chrono::duration<double>>(left, most));
+  return proof::reach(product.graph, product.bad, until, q.jobs);
 }
 
 // Whether the registers of the same name, and what else there is of inputs, make both equal; of
 // outputs that come later nothing is known so.
 bool is_equal_by_names(const Question& q, const Pairs& memories, Answer& answer) {
-  constexpr int soon = 10;
+  constexpr std::chrono::seconds soon(10);
   const Product cut = product_of(q, Registers::one, {}, memories);
   answer.matched = cut.matched;
   if (q.latency > 0) return false;
-  const auto step = proof::reach(cut.graph, cut.bad, std::min(q.budget.left(), soon), q.jobs);
+  const auto step = reach(q, cut, 1, soon);
   if (step.ever != proof::Ever::never) return false;
   answer.verdict = Verdict::equal;
   answer.by = std::string(cut.matched == 0 ? "" : "registers by name, ") + step.by;
@@ -169,8 +176,9 @@ bool is_equal_by_names(const Question& q, const Pairs& memories, Answer& answer)
 // With the memories of both as one: equal, or nothing is known.
 bool is_equal_by_memories(const Question& q, const Pairs& memories, Answer& answer) {
   if (!is_equal_by_names(q, memories, answer)) {
-    constexpr int part = 3;  // of the time; the rest is for what comes after
-    const auto reached = reach(q, product_of(q, Registers::two, {}, memories), part);
+    // The rest is for what comes after; most of what is equal is so here, or it differs soon.
+    constexpr double share = 0.7;
+    const auto reached = reach(q, product_of(q, Registers::two, {}, memories), share);
     if (reached.ever != proof::Ever::never) return false;
     answer.verdict = Verdict::equal;
     answer.by = reached.by;
@@ -182,9 +190,10 @@ bool is_equal_by_memories(const Question& q, const Pairs& memories, Answer& answ
 // The old RTL's x as any value. Some values are tried; a stimulus that tells the RTLs apart with
 // these is one only if no others make the old RTL do what the new one does, and else these are
 // tried as well (refinement by counterexamples).
-void compare_with_any(const Question& q, Answer& answer) {
+void compare_with_any(const Question& q, std::vector<Filler> first, Answer& answer) {
   constexpr int rounds = 12;
   Unknown unknown{first_fillers(unknown_bits(q))};
+  for (Filler& one : first) unknown.fillers.push_back(std::move(one));
   for (int round = 0; round < rounds; ++round) {
     const Product product = product_of(q, Registers::two, unknown, {});
     const proof::Reached reached = reach(q, product);
@@ -211,6 +220,11 @@ void compare_with_any(const Question& q, Answer& answer) {
 }
 
 void compare_all(Question& q, Answer& answer) {
+  if (q.latency == 0 && q.renamed.empty() && q.gold.form() == q.gate.form()) {
+    answer.verdict = Verdict::equal;
+    answer.by = "the same netlist";
+    return;
+  }
   const Pairs memories = memory_pairs(q);
   if (!memories.empty()) {
     make_gates(q, Memories::cut);
@@ -227,13 +241,16 @@ void compare_all(Question& q, Answer& answer) {
   answer.by = reached.by;
   if (reached.ever == proof::Ever::never) {
     answer.verdict = Verdict::equal;
-  } else if (q.gold.unknowns > 0 || product.alone_any) {
-    compare_with_any(q, answer);
-  } else {
-    answer.verdict = Verdict::different;
-    answer.least = reached.least;
-    show(q, product, reached, {}, answer);
+    return;
   }
+  // Whatever it leaves x, if there is any; else other values have to be tried.
+  Certain certain;
+  const bool leaves_x = q.gold.unknowns > 0 || product.alone_any;
+  if (leaves_x) certain = certain_of(q, product, reached);
+  if (leaves_x && !certain.any) return compare_with_any(q, std::move(certain.others), answer);
+  answer.verdict = Verdict::different;
+  answer.least = reached.least;
+  show(q, product, reached, certain.open, answer);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ struct Question {
   std::map<std::string, std::string> renamed;  ///< ports of the old RTL as the new one calls them
   int latency = 0;  ///< the outputs of the new RTL come so many clocks later
   Budget budget{300};
-  unsigned jobs = 2;      ///< engines at a time, >= 1
+  unsigned jobs = 4;      ///< engines at a time, >= 1
   bool verilator = true;  ///< a difference is replayed in Verilator
 };
 

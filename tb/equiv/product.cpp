@@ -184,11 +184,11 @@ class Builder {
       }
       const auto [at, is_new] = product_.inputs.try_emplace({port, name.second}, 0);
       if (is_new) {
-        at->second = graph_.input();
+        at->second = port == q_.reset ? graph_.seldom() : graph_.input(port);
         product_.widths[port] = side.inputs.at(name.first);
         if (port == q_.reset) {
-          at->second = q_.reset_active ? graph_.either(at->second, resets_)
-                                       : graph_.both(at->second, Aig::inverted(resets_));
+          const Lit resets = graph_.either(at->second, resets_);
+          at->second = q_.reset_active ? resets : Aig::inverted(resets);
         }
       }
       return at->second;

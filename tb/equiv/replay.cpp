@@ -50,13 +50,16 @@ std::optional<std::vector<Lines>> runs(const Question& q, const Answer& a, bool 
   words.push_back(own + "/cosim_replay.v");
   // Verilator's own library is the same each time.
   if (is_installed("ccache")) words.insert(words.begin() + 3, "OBJCACHE=ccache");
-  if (run_program(words, 10 * q.budget.left()).status != 0) return std::nullopt;
+  const Ended built = run_until(words, q.budget.ends());
+  if (built.timed_out) throw OutOfTime();
+  if (built.status != 0) return std::nullopt;
   std::vector<Lines> all;
   for (const char* begins : {"0", "1", "2"}) {
     const Ended ended =
-        run_program({"env", "-C", files.folder.string(), own + "/built/Vcosim_replay",
-                     std::string("+verilator+rand+reset+") + begins, "+verilator+seed+1"},
-                    q.budget.left());
+        run_until({"env", "-C", files.folder.string(), own + "/built/Vcosim_replay",
+                   std::string("+verilator+rand+reset+") + begins, "+verilator+seed+1"},
+                  q.budget.ends());
+    if (ended.timed_out) throw OutOfTime();
     if (ended.status != 0) return std::nullopt;
     Lines lines;
     std::istringstream text(ended.text);

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "model/core/input_error.h"
+#include "tb/equiv/netlist.h"
 #include "tb/support/json.h"
 #include "tb/support/output_file.h"
 #include "tb/support/pattern.h"
@@ -99,42 +100,11 @@ std::string error_of(std::string text, const Files& files, const fs::path& scrat
   return one_line(text);
 }
 
-// The module that a netlist of one has.
-Json& top_of(Json& netlist) {
-  for (auto& [name, module] : netlist.at("modules").items()) {
-    if (module.at("attributes").contains("top")) return module;
-  }
-  throw InputError("yosys has written no top");
-}
-
 int whole_number(const Json& parameter) {
   return static_cast<int>(std::stoul(parameter.get<std::string>(), nullptr, 2));
 }
 
-// Memories as ports of the module.
-std::string with_ports_for_memories(Json netlist) {
-  Json& module = top_of(netlist);
-  std::size_t n = 0;
-  Json cells = module.at("cells");
-  for (auto& [name, cell] : module.at("cells").items()) {
-    if (cell.at("type") != "$mem_v2") continue;
-    for (const char* port : {"RD_DATA", "RD_ADDR", "WR_EN", "WR_ADDR", "WR_DATA"}) {
-      const bool comes = port == std::string_view("RD_DATA");
-      module["ports"][memory_port(n, port)] = {{"direction", comes ? "input" : "output"},
-                                               {"bits", cell.at("connections").at(port)}};
-    }
-    cells.erase(name);
-    ++n;
-  }
-  module["cells"] = std::move(cells);
-  return netlist.dump();
-}
-
 }  // namespace
-
-std::string memory_port(std::size_t memory, const char* port) {
-  return fmt::format("cosim.memory{}.{}", memory, port);
-}
 
 void require_name(const std::string& option, const std::string& name) {
   static const Pattern good(R"([A-Za-z_][\w$]*)");
@@ -166,9 +136,9 @@ std::string Side::yosys(const std::string& script, const Budget& budget) const {
   file.text(script);
   file.close();
   const Ended ended =
-      run_program({"env", "-u", "XDG_STATE_HOME", "-C", files_.folder.string(), "HOME=" + own,
-                   "TMPDIR=" + own, "yosys", "-q", "-s", own + "/script.ys"},
-                  budget.left());
+      run_until({"env", "-u", "XDG_STATE_HOME", "-C", files_.folder.string(), "HOME=" + own,
+                 "TMPDIR=" + own, "yosys", "-q", "-s", own + "/script.ys"},
+                budget.ends());
   if (ended.status == 127) throw InputError("needs yosys");
   if (ended.timed_out) throw OutOfTime();
   if (ended.status != 0) {
@@ -178,31 +148,8 @@ std::string Side::yosys(const std::string& script, const Budget& budget) const {
   return ended.text;
 }
 
-void Side::make_gates(Memories how, const Budget& budget) {
-  const fs::path own = scratch_->path();
-  const std::string name = word_for_yosys(own.string());
-  std::string script = fmt::format("read_rtlil {}/top.il; memory_map\n", name);
-  if (how == Memories::cut && !memories.empty()) {
-    OutputFile file((own / "cut.json").string());
-    file.text(with_ports_for_memories(json_of(read_file((own / "top.json").string()))));
-    file.close();
-    script = fmt::format("read_json {}/cut.json\n", name);
-  }
-  script += fmt::format(
-      "opt -full; async2sync; dffunmap; opt_clean; simplemap; techmap; dffunmap\n"
-      "opt_clean; setundef -anyseq; opt_clean; aigmap; opt_clean\n"
-      "write_aiger -ascii -vmap {0}/top.map {0}/top.aag\n"
-      "delete c:*; opt_clean -purge; write_json {0}/constants.json\n",
-      name);
-  yosys(script, budget);
-  for (auto* all : {&in_, &state_, &next_, &out_}) all->clear();
-  in_names_.clear();
-  out_names_.clear();
-  constants_.clear();
-  registers.clear();
-  unknowns = 0;
-  read(read_file((own / "top.aag").string()), read_file((own / "top.map").string()));
-  read_constants(read_file((own / "constants.json").string()));
+std::string Side::form() const {
+  return form_of(read_file((scratch_->path() / "top.il").string()));
 }
 
 void Side::takes_over(const std::string& by, bool falls) {
@@ -215,7 +162,7 @@ void Side::takes_over(const std::string& by, bool falls) {
 }
 
 void Side::ports(const std::string& json) {
-  Json read = json_of(json);
+  const Json read = json_of(json);
   const Json& module = top_of(read);
   std::map<Json, std::string> port_of;
   for (const auto& [port, about] : module.at("ports").items()) {
@@ -259,90 +206,6 @@ void Side::ports(const std::string& json) {
       clocked(pins.at("CLK").front(), polarity.back() == '0');
     }
   }
-}
-
-void Side::read(const std::string& aiger, const std::string& map) {
-  std::istringstream in(aiger);
-  std::string word;
-  std::size_t top = 0, inputs_count = 0, latches = 0, out_count = 0, gates = 0;
-  in >> word >> top >> inputs_count >> latches >> out_count >> gates;
-  in_.resize(inputs_count);
-  out_.resize(out_count);
-  gates_.resize(gates);
-  for (unsigned& lit : in_) in >> lit;
-  std::string line;
-  std::getline(in, line);
-  std::map<unsigned, std::size_t> register_of;
-  for (std::size_t i = 0; i < latches; ++i) {
-    std::getline(in, line);
-    std::istringstream numbers(line);
-    unsigned lit = 0, next = 0, first = 0;
-    numbers >> lit >> next >> first;
-    register_of[lit] = i;
-    state_.push_back(lit);
-    next_.push_back(next);
-    registers.push_back({{}, first > 1, first == 1});
-  }
-  for (unsigned& lit : out_) in >> lit;
-  std::map<unsigned, Gate> made;
-  for (Gate& gate : gates_) {
-    in >> gate.out >> gate.a >> gate.b;
-    made[gate.out] = gate;
-  }
-  std::istringstream lines(map);
-  std::string kind, name;
-  std::size_t lit = 0;
-  int bit = 0;
-  while (lines >> kind >> lit >> bit && std::getline(lines >> std::ws, name)) {
-    if (kind == "input") in_names_[lit] = {name, bit};
-    if (kind == "output") out_names_.emplace(lit, Name{name, bit});
-    if (kind != "wire" || name.starts_with("$")) continue;
-    // A register with an asynchronous reset lies behind the gate that has its name.
-    unsigned at = static_cast<unsigned>(lit) & ~1U;
-    if (const auto gate = made.find(at); gate != made.end()) {
-      const bool a = register_of.contains(gate->second.a & ~1U);
-      const bool b = register_of.contains(gate->second.b & ~1U);
-      if (a != b) at = (a ? gate->second.a : gate->second.b) & ~1U;
-    }
-    const auto found = register_of.find(at);
-    if (found == register_of.end()) continue;
-    Name& own = registers[found->second].name;
-    if (own.first.empty() || (at == lit && Name{name, bit} < own)) own = {name, bit};
-  }
-  for (std::size_t i = 0; i < in_.size(); ++i) unknowns += in_names_.contains(i) ? 0U : 1U;
-}
-
-// An output that is a constant has no line in the map.
-void Side::read_constants(const std::string& json) {
-  const Json top = json_of(json);
-  for (const auto& [name, module] : top.at("modules").items()) {
-    for (const auto& [port, about] : module.at("ports").items()) {
-      if (about.at("direction") != "output") continue;
-      int bit = 0;
-      for (const Json& driver : about.at("bits")) {
-        if (driver.is_string()) constants_[{port, bit}] = driver == "1" ? 1U : 0U;
-        ++bit;
-      }
-    }
-  }
-}
-
-Side::Made Side::make(proof::Aig& graph, const std::function<Lit(const Name&)>& input,
-                      const std::vector<Lit>& unknown, const std::vector<Lit>& state) const {
-  std::vector<Lit> value(2 * (in_.size() + state_.size() + gates_.size()) + 2, 0);
-  const auto of = [&](unsigned lit) { return value[lit / 2] ^ (lit & 1U); };
-  std::size_t next_unknown = 0;
-  for (std::size_t i = 0; i < in_.size(); ++i) {
-    const auto name = in_names_.find(i);
-    value[in_[i] / 2] = name == in_names_.end() ? unknown[next_unknown++] : input(name->second);
-  }
-  for (std::size_t i = 0; i < state_.size(); ++i) value[state_[i] / 2] = state[i];
-  for (const Gate& gate : gates_) value[gate.out / 2] = graph.both(of(gate.a), of(gate.b));
-  Made made;
-  for (const auto& [name, lit] : constants_) made.outputs[name] = lit;
-  for (const auto& [i, name] : out_names_) made.outputs[name] = of(out_[i]);
-  for (const unsigned next : next_) made.next.push_back(of(next));
-  return made;
 }
 
 }  // namespace cosim::equiv

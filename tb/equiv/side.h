@@ -63,6 +63,8 @@ class Side {
   void make_gates(Memories memories, const Budget& budget);
 
   const Files& files() const { return files_; }
+  /// Equal where the RTLs are the same but for where it stands in the files.
+  std::string form() const;
   std::map<std::string, int> inputs, outputs;  ///< ports and their widths
   std::string clock;                           ///< empty where there are no registers
   bool falling = false;                        ///< registers take over when it falls
@@ -85,7 +87,6 @@ class Side {
   };
   std::string yosys(const std::string& script, const Budget& budget) const;
   void read(const std::string& aiger, const std::string& map);
-  void read_constants(const std::string& json);
   void ports(const std::string& json);
   void takes_over(const std::string& clock, bool falls);
 
@@ -97,7 +98,6 @@ class Side {
   std::vector<Gate> gates_;
   std::map<std::size_t, Name> in_names_;
   std::multimap<std::size_t, Name> out_names_;  ///< several may be the same gate
-  std::map<Name, proof::Aig::Lit> constants_;   ///< outputs that are 0 or 1
 };
 
 /// InputError "OPTION: ..." where `name` is no name of Verilog.

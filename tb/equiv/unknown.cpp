@@ -37,7 +37,7 @@ class Unrolled {
   proof::Ever other(const Name& output, bool value, Filler& with) const {
     const Lit lit = outputs_.at(output);
     const auto reached =
-        proof::reach(graph_, value ? Aig::inverted(lit) : lit, q_.budget.left(), q_.jobs);
+        proof::reach(graph_, value ? Aig::inverted(lit) : lit, q_.budget.ends(), q_.jobs);
     if (reached.ever != proof::Ever::yes) return reached.ever;
     with.assign(clocks_, std::vector<bool>(unknown_bits(q_)));
     for (std::size_t i = 0; i < free_.size(); ++i) {

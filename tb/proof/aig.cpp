@@ -3,9 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <bit>
-
-#include "tb/support/random.h"
 
 namespace cosim::proof {
 namespace {
@@ -27,8 +24,24 @@ Lit Aig::add(Kind kind, Lit a, Lit b) {
 
 Lit Aig::input() {
   const Lit lit = add(Kind::input, static_cast<Lit>(inputs_.size()));
+  words_.push_back({inputs_.size()});
   inputs_.push_back(lit / 2);
   return lit;
+}
+
+Lit Aig::input(const std::string& word) {
+  const Lit lit = input();
+  const auto [at, is_new] = word_at_.try_emplace(word, words_.size() - 1);
+  if (!is_new) {
+    words_.pop_back();
+    words_[at->second].push_back(inputs_.size() - 1);
+  }
+  return lit;
+}
+
+Lit Aig::seldom() {
+  seldom_.insert(inputs_.size());
+  return input();
 }
 
 Lit Aig::latch(bool first) {
@@ -102,45 +115,20 @@ std::vector<std::vector<bool>> Aig::run(const std::vector<std::vector<bool>>& in
   return seen;
 }
 
-std::vector<std::vector<bool>> Aig::tried(Lit bad, std::size_t clocks) const {
-  constexpr std::uint64_t kSeed = 1;
-  Random random(kSeed);
-  // Per input: the runs in which it is held, and those in which it changes rarely.
-  std::vector<std::uint64_t> held, rare, now;
-  for (std::size_t i = 0; i < inputs_.size(); ++i) {
-    held.push_back(random.next() & random.next());
-    rare.push_back(random.next() & random.next());
-    now.push_back(random.next());
+Aig::Runs::Runs(const Aig& graph) : graph_(graph), value_(graph.nodes_.size()) {
+  for (std::uint32_t node = 0; node < graph.nodes_.size(); ++node) {
+    if (graph.nodes_[node].kind == Kind::both) gates_.push_back(node);
   }
-  std::vector<std::uint64_t> value(nodes_.size()), state;
-  for (const Latch& latch : latches_) state.push_back(latch.first ? ~0ULL : 0);
-  const auto of = [&](Lit lit) { return value[lit / 2] ^ ((lit & 1U) != 0 ? ~0ULL : 0); };
-  std::vector<std::vector<std::uint64_t>> given;
-  for (std::size_t clock = 0; clock < clocks; ++clock) {
-    given.push_back(now);
-    for (std::size_t node = 0; node < nodes_.size(); ++node) {
-      const Node& n = nodes_[node];
-      if (n.kind == Kind::input) value[node] = now[n.a];
-      if (n.kind == Kind::latch) value[node] = state[n.a];
-      if (n.kind == Kind::both) value[node] = of(n.a) & of(n.b);
-    }
-    if (of(bad) != 0) {
-      const int one = std::countr_zero(of(bad));
-      std::vector<std::vector<bool>> rows;
-      for (const auto& words : given) {
-        rows.emplace_back();
-        for (const std::uint64_t word : words) rows.back().push_back(((word >> one) & 1U) != 0);
-      }
-      return rows;
-    }
-    for (std::size_t i = 0; i < latches_.size(); ++i) state[i] = of(latches_[i].next);
-    for (std::size_t i = 0; i < inputs_.size(); ++i) {
-      const std::uint64_t seldom =
-          random.next() & random.next() & random.next() & random.next() & random.next();
-      now[i] ^= ~held[i] & random.next() & (~rare[i] | seldom);
-    }
+  for (const Latch& latch : graph.latches_) state_.push_back(latch.first ? ~std::uint64_t{0} : 0);
+}
+
+void Aig::Runs::clock(const std::vector<std::uint64_t>& inputs) {
+  for (std::size_t i = 0; i < inputs.size(); ++i) value_[graph_.inputs_[i]] = inputs[i];
+  for (std::size_t i = 0; i < state_.size(); ++i) value_[graph_.latches_[i].node] = state_[i];
+  for (const std::uint32_t gate : gates_) {
+    value_[gate] = of(graph_.nodes_[gate].a) & of(graph_.nodes_[gate].b);
   }
-  return {};
+  for (std::size_t i = 0; i < state_.size(); ++i) state_[i] = of(graph_.latches_[i].next);
 }
 
 }  // namespace cosim::proof

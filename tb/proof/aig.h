@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +18,10 @@ class Aig {
   static Lit inverted(Lit a) { return a ^ 1U; }
 
   Lit input();
+  /// A bit of a word of that name; those of a word are added from the lowest on.
+  Lit input(const std::string& word);
+  /// One that is mostly 0 where inputs are made by chance.
+  Lit seldom();
   /// A register that begins as `first`; next() says what it holds from the second clock on.
   Lit latch(bool first = false);
   void next(Lit latch, Lit value);
@@ -38,9 +43,12 @@ class Aig {
   std::vector<std::vector<bool>> run(const std::vector<std::vector<bool>>& in,
                                      const std::vector<Lit>& watched) const;
 
-  /// Random inputs, 64 runs at once for at most so many clocks: those of a run until `bad` is 1;
-  /// none where it never was. In each run an input is held, or changes often or rarely.
-  std::vector<std::vector<bool>> tried(Lit bad, std::size_t clocks) const;
+  /// The inputs that are one word, by their numbers, the lowest bit first; one alone is a word too.
+  const std::vector<std::vector<std::size_t>>& words() const { return words_; }
+
+  bool is_seldom(std::size_t input) const { return seldom_.contains(input); }
+
+  class Runs;
 
  private:
   struct Latch {
@@ -59,6 +67,24 @@ class Aig {
   std::vector<std::uint32_t> inputs_;
   std::vector<Latch> latches_;
   std::map<std::pair<Lit, Lit>, Lit> known_;
+  std::vector<std::vector<std::size_t>> words_;
+  std::map<std::string, std::size_t> word_at_;
+  std::set<std::size_t> seldom_;
+};
+
+/// 64 runs of a graph side by side, a bit of each number for each; from the first state on.
+class Aig::Runs {
+ public:
+  explicit Runs(const Aig& graph);
+  /// The next clock, with these inputs.
+  void clock(const std::vector<std::uint64_t>& inputs);
+  /// What it is on this clock.
+  std::uint64_t of(Lit lit) const { return value_[lit / 2] ^ (0 - std::uint64_t{lit & 1U}); }
+
+ private:
+  const Aig& graph_;
+  std::vector<std::uint32_t> gates_;
+  std::vector<std::uint64_t> value_, state_;
 };
 
 }  // namespace cosim::proof

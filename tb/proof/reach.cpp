@@ -1,3 +1,6 @@
+// A portfolio: searches for a proof and for a stimulus go side by side, and the first that is sure
+// ends the others. A stimulus is sought in the order of clocks too (bounded model checking), so
+// that it is the shortest where that comes to an end soon enough.
 #include "tb/proof/reach.h"
 
 #include <fmt/core.h>
@@ -6,8 +9,10 @@
 #include <atomic>
 #include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include "model/core/input_error.h"
+#include "tb/proof/chance.h"
 #include "tb/support/output_file.h"
 #include "tb/support/parallel.h"
 #include "tb/support/pattern.h"
@@ -17,17 +22,20 @@
 namespace cosim::proof {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+using Rows = std::vector<std::vector<bool>>;
+
 constexpr int kNoProgram = 127;
-constexpr int kConflicts = 100000;  // of a SAT solver in a second, about
-constexpr std::size_t kBounded = 1;
-constexpr std::size_t kClocks = 20000, kSteps = 20'000'000;  // of random stimuli
+constexpr std::size_t kClocks = 20000, kSteps = 20'000'000;  // of random stimuli at a time
+constexpr const char* kChance = "random stimuli";
+constexpr auto kTurn = std::chrono::seconds(1);
 
 // The rows of inputs in a file of write_cex, cut behind the first clock on which bad is 1; none
 // where it is not.
-std::vector<std::vector<bool>> tried(const Aig& graph, Aig::Lit bad, const std::string& file) {
+Rows tried(const Aig& graph, Aig::Lit bad, const std::string& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) return {};
-  std::vector<std::vector<bool>> rows;
+  Rows rows;
   static const Pattern given(R"(p([0-9]+)@([0-9]+)=([01]))");
   for (const Pattern::Parts& part : given.all(read_file(file))) {
     const std::size_t clock = std::stoul(part[2]), input = std::stoul(part[1]);
@@ -45,93 +53,185 @@ std::vector<std::vector<bool>> tried(const Aig& graph, Aig::Lit bad, const std::
 }
 
 // Each engine words its verdict otherwise, and each version of abc; the status is one for all.
-bool says_never(const std::string& text) {
-  return text.find("Status = 1 ") != std::string::npos || text.starts_with("UNSATISFIABLE") ||
+bool says_never(const std::string& text) { return text.find("Status = 1 ") != std::string::npos; }
+
+bool says_unsatisfiable(const std::string& text) {
+  return says_never(text) || text.starts_with("UNSATISFIABLE") ||
          text.find("\nUNSATISFIABLE") != std::string::npos;
 }
 
-bool says_yes(const std::string& text) { return text.find("Status = 0 ") != std::string::npos; }
-
 struct Search {
-  std::string name, commands;  // the seconds follow
+  std::string name, commands;  // the seconds follow, where it is told them
+  bool in_order = false;       // what it finds is the least
+  bool told = true;
+};
+
+// Of registers and logic, and of logic alone.
+const std::vector<Search> kSequential{{"scorr and dprove", "scorr; dprove -T "},
+                                      {"bmc3", "bmc3 -T ", true},
+                                      {"lcorr and pdr", "lcorr; pdr -T "}};
+const std::vector<Search> kLogic{{"dsat", "ifraig; dsat", true, false},
+                                 {"iprove", "iprove -C 1000000000", true, false}};
+
+class Portfolio {
+ public:
+  Portfolio(const Aig& graph, Aig::Lit bad, Clock::time_point until, unsigned jobs)
+      : graph_(graph),
+        bad_(bad),
+        until_(until),
+        jobs_(jobs),
+        searches_(graph.latches() > 0 ? kSequential : kLogic),
+        is_logic_(graph.latches() == 0) {
+    OutputFile file((scratch_.path() / "asked.aig").string());
+    file.text(graph.aiger(bad));
+    file.close();
+  }
+
+  Reached run() {
+    // Most differences are met by chance at once; the search then only looks for less.
+    if (!is_logic_) {
+      chance_ = by_chance(graph_, bad_, 0, clocks_at_a_time());
+      if (!chance_.empty()) return or_less();
+    }
+    // Those that cannot begin at once have turns, each longer than the last.
+    const std::size_t all = searches_.size() + (is_logic_ ? 0 : 1);
+    const bool turns = jobs_ < all;
+    for (auto turn = kTurn; Clock::now() < until_; turn *= 4) {
+      enough_ = false;
+      running_ = searches_.size();
+      said_.assign(searches_.size(), {});
+      in_parallel(all, jobs_, [&](std::uint64_t i) {
+        const auto ends = turns ? std::min(until_, Clock::now() + turn) : until_;
+        if (i == searches_.size())
+          try_chance(ends, turns);
+        else
+          ask(i, ends);
+        return true;
+      });
+      const Reached reached = result();
+      if (reached.ever != Ever::open || !turns) return reached;
+      clocks_ = std::max(clocks_, reached.clocks);
+    }
+    Reached open;
+    open.clocks = clocks_;
+    return open;
+  }
+
+ private:
+  struct Said {
+    bool never = false;
+    Rows rows;  // on the last of which bad is 1
+    int clocks = 0;
+  };
+
+  Said run_one(std::size_t i, Clock::time_point until, const std::string& more = {}) {
+    const Search& search = searches_[i];
+    const auto left = std::chrono::duration_cast<std::chrono::seconds>(until - Clock::now());
+    const std::string found = (scratch_.path() / fmt::format("found{}", i)).string();
+    const std::string seconds =
+        search.told ? std::to_string(std::max<std::int64_t>(1, left.count())) : "";
+    const Ended ended = run_until(
+        {"env", "-C", scratch_.path().string(), "yosys-abc", "-s", "-q",
+         fmt::format("read_aiger asked.aig; strash; {}{}{}; print_status; write_cex -n {}",
+                     search.commands, seconds, more, found)},
+        until, &enough_);
+    if (ended.status == kNoProgram) throw InputError("needs yosys-abc, which comes with yosys");
+    Said said;
+    said.rows = tried(graph_, bad_, found);
+    said.never = is_logic_ ? says_unsatisfiable(ended.text) : says_never(ended.text);
+    static const Pattern reaches(R"(No output failed in ([0-9]+) frames)");
+    for (const auto& part : reaches.all(ended.text)) said.clocks = std::stoi(part[1]);
+    return said;
+  }
+
+  void ask(std::size_t i, Clock::time_point until) {
+    if (!enough_) said_[i] = run_one(i, until);
+    --running_;
+    const bool found = !said_[i].rows.empty();
+    if (!found && !said_[i].never) return;
+    if (is_logic_ && !found && jobs_ == 1) return;  // the other comes next
+    if (is_logic_ ? !found : found && !searches_[i].in_order) wait_for_others();
+    enough_ = true;
+  }
+
+  // Whoever may find less, or agree, has a little time more.
+  void wait_for_others() {
+    const auto ends = Clock::now() + 2 * kTurn;
+    while (!enough_ && running_ > 0 && Clock::now() < ends) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+  }
+
+  std::size_t clocks_at_a_time() const {
+    return std::min(kClocks, kSteps / (graph_.gates() + graph_.inputs() + graph_.latches() + 1));
+  }
+
+  // Long runs and short ones in turn, half of the time: the rest is for the others.
+  void try_chance(Clock::time_point until, bool in_turns) {
+    constexpr std::size_t more = 8;
+    const std::size_t most = more * clocks_at_a_time();
+    while (!enough_ && (in_turns || running_ > 0) && Clock::now() < until && chance_.empty()) {
+      const auto began = Clock::now();
+      const std::size_t clocks = seed_ % 2 == 0 ? most : most / (more * more) + 1;
+      chance_ = by_chance(graph_, bad_, ++seed_, clocks, &enough_);
+      if (chance_.empty() && !in_turns) std::this_thread::sleep_for(Clock::now() - began);
+    }
+    if (chance_.empty()) return;
+    wait_for_others();
+    enough_ = true;
+  }
+
+  // The stimulus of chance, or a shorter one that is found soon.
+  Reached or_less() {
+    std::size_t bounded = 0;
+    while (!searches_[bounded].in_order) ++bounded;
+    const int before = static_cast<int>(chance_.size()) - 1;
+    if (before == 0) return Reached{Ever::yes, kChance, chance_, true, 0};
+    const Said less =
+        run_one(bounded, std::min(until_, Clock::now() + 2 * kTurn), fmt::format(" -F {}", before));
+    if (!less.rows.empty()) return Reached{Ever::yes, searches_[bounded].name, less.rows, true, 0};
+    return Reached{Ever::yes, kChance, chance_, less.clocks >= before, 0};
+  }
+
+  // A stimulus has been tried, and goes before what is only said.
+  Reached result() const {
+    Reached reached;
+    for (std::size_t i = 0; i < searches_.size(); ++i) {
+      const Said& said = said_[i];
+      reached.clocks = std::max(reached.clocks, said.clocks);
+      if (said.rows.empty() || (reached.ever == Ever::yes && !searches_[i].in_order)) continue;
+      reached = {Ever::yes, searches_[i].name, said.rows, searches_[i].in_order, 0};
+    }
+    if (reached.ever == Ever::yes) return reached;
+    if (!chance_.empty()) return Reached{Ever::yes, kChance, chance_, false, 0};
+    for (std::size_t i = 0; i < searches_.size(); ++i) {
+      if (!said_[i].never) continue;
+      reached.ever = Ever::never;
+      reached.by += (reached.by.empty() ? "" : "; ") + searches_[i].name;
+    }
+    return reached;
+  }
+
+  const Aig& graph_;
+  Aig::Lit bad_;
+  Clock::time_point until_;
+  unsigned jobs_;
+  const std::vector<Search>& searches_;
+  bool is_logic_;
+  Scratch scratch_;
+  std::atomic<bool> enough_ = false;
+  std::atomic<std::size_t> running_ = 0;
+  std::vector<Said> said_;
+  Rows chance_;
+  std::uint64_t seed_ = 0;
+  int clocks_ = 0;
 };
 
 }  // namespace
 
-Reached reach(const Aig& graph, Aig::Lit bad, int seconds, unsigned jobs) {
-  const auto ends = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
-  Reached reached;
-  if (bad == 0) {
-    reached.ever = Ever::never;
-    reached.by = "the same gates";
-    return reached;
-  }
-  const Scratch scratch;
-  const std::string aiger = (scratch.path() / "asked.aig").string();
-  OutputFile file(aiger);
-  file.text(graph.aiger(bad));
-  file.close();
-  // Without registers it is a question of logic alone.
-  const bool sequential = graph.latches() > 0;
-  std::vector<Search> engines{{"dsat", "ifraig; dsat -C "}, {"iprove", "iprove -C "}};
-  if (sequential) {
-    engines = {{"scorr and pdr", "scorr; pdr -T "},
-               {"bmc3", "bmc3 -T "},
-               {"lcorr and dprove", "lcorr; dprove -T "}};
-  }
-  // What lies deep is found by chance sooner than by search, which then only looks for less.
-  std::vector<std::vector<bool>> chance;
-  if (sequential) {
-    chance = graph.tried(bad, std::min(kClocks, kSteps / (graph.gates() + 1)));
-  }
-  for (int round = 0, limit = std::min(seconds, 1); limit > 0; ++round) {
-    std::vector<Ended> ended(engines.size());
-    std::atomic<bool> decided = false;
-    const auto found = [&](std::size_t i) {
-      return (scratch.path() / fmt::format("found{}.{}", round, i)).string();
-    };
-    in_parallel(engines.size(), jobs, [&](std::uint64_t i) {
-      if (decided || (!chance.empty() && i != kBounded)) return true;
-      const std::string work =
-          engines[i].commands + std::to_string(sequential ? limit : kConflicts * limit);
-      ended[i] = run_program(
-          {"env", "-C", scratch.path().string(), "yosys-abc", "-s", "-q",
-           fmt::format("read_aiger asked.aig; strash; {}; print_status; write_cex -n {}", work,
-                       found(i))},
-          limit + 2, &decided);
-      // Only the bounded search takes the clocks in order: what it finds is the least.
-      const bool finds_least = i == kBounded || !sequential;
-      if (sequential ? says_never(ended[i].text) : says_yes(ended[i].text)) decided = true;
-      if (finds_least && says_yes(ended[i].text)) decided = true;
-      return true;
-    });
-    for (const Ended& one : ended) {
-      if (one.status == kNoProgram) throw InputError("needs yosys-abc, which comes with yosys");
-    }
-    std::string by;
-    for (std::size_t i = 0; i < engines.size(); ++i) {
-      if (says_never(ended[i].text)) by += (by.empty() ? "" : "; ") + engines[i].name;
-    }
-    if (!by.empty()) {
-      reached.ever = Ever::never;
-      reached.by = by;
-      return reached;
-    }
-    for (const std::size_t i : {1U, 0U, 2U}) {
-      if (i >= engines.size()) continue;
-      const auto rows = tried(graph, bad, found(i));
-      if (!rows.empty()) return Reached{Ever::yes, engines[i].name, rows, i == 1 || !sequential, 0};
-    }
-    static const Pattern reaches(R"(No output failed in ([0-9]+) frames)");
-    for (const auto& part : reaches.all(ended[1].text)) reached.clocks = std::stoi(part[1]);
-    const std::chrono::duration<double> left = ends - std::chrono::steady_clock::now();
-    const auto at_a_time = std::min<std::size_t>(jobs, engines.size());
-    const double each =
-        left.count() * static_cast<double>(at_a_time) / static_cast<double>(engines.size());
-    limit = chance.empty() ? std::min(8 * limit, static_cast<int>(each)) : 0;
-  }
-  if (!chance.empty()) return Reached{Ever::yes, "random stimuli", chance, false, 0};
-  return reached;
+Reached reach(const Aig& graph, Aig::Lit bad, Clock::time_point until, unsigned jobs) {
+  if (bad == 0) return Reached{Ever::never, "the same gates", {}, false, 0};
+  return Portfolio(graph, bad, until, jobs).run();
 }
 
 }  // namespace cosim::proof

@@ -1,6 +1,7 @@
 // Can this ever happen, from reset? Asked of yosys-abc, whose engines run side by side.
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -23,8 +24,9 @@ struct Reached {
 };
 
 /// Whether `bad` is ever 1, where the registers begin as the graph says and the inputs are any. A
-/// stimulus has been tried on the graph, so that yes holds whatever the engine says. All takes
-/// about `seconds`, with `jobs` engines at a time. InputError where there is no yosys-abc.
-Reached reach(const Aig& graph, Aig::Lit bad, int seconds, unsigned jobs = 2);
+/// stimulus has been tried on the graph, so that yes holds whatever the engine says. Ends when it
+/// is `until`, with `jobs` engines at a time. InputError where there is no yosys-abc.
+Reached reach(const Aig& graph, Aig::Lit bad, std::chrono::steady_clock::time_point until,
+              unsigned jobs = 4);
 
 }  // namespace cosim::proof

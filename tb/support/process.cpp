@@ -209,8 +209,8 @@ double seconds(const timeval& t) {
 }
 
 // `heeds`: the signals that interrupt this program.
-Ended run(const std::vector<std::string>& words, int limit, const std::atomic<bool>* no_more,
-          bool heeds) {
+Ended run(const std::vector<std::string>& words, int limit, Clock::time_point until,
+          const std::atomic<bool>* no_more, bool heeds) {
   const InterruptGuard interrupts;
   const Scratch scratch;
   int ends[2] = {-1, -1};
@@ -220,9 +220,7 @@ Ended run(const std::vector<std::string>& words, int limit, const std::atomic<bo
   close(ends[1]);
 
   Ended ended;
-  const auto patience = limit == 0 ? Clock::time_point::max()
-                                   : Clock::now() + std::chrono::seconds(1LL * kPatience * limit);
-  const bool to_its_end = read_all(ends[0], ended.text, patience, no_more, heeds);
+  const bool to_its_end = read_all(ends[0], ended.text, until, no_more, heeds);
   if (!to_its_end) kill(child, SIGTERM);
   close(ends[0]);
   int status = 0;
@@ -245,14 +243,23 @@ Ended run_program(const std::vector<std::string>& words, int limit,
                   const std::atomic<bool>* no_more) {
   const InterruptGuard interrupts;
   InterruptGuard::check();
-  return run(words, limit, no_more, true);
+  const auto patience = limit == 0 ? Clock::time_point::max()
+                                   : Clock::now() + std::chrono::seconds(1LL * kPatience * limit);
+  return run(words, limit, patience, no_more, true);
+}
+
+Ended run_until(const std::vector<std::string>& words, Clock::time_point until,
+                const std::atomic<bool>* no_more) {
+  const InterruptGuard interrupts;
+  InterruptGuard::check();
+  return run(words, 0, until, no_more, true);
 }
 
 Ended run_all_the_same(const std::vector<std::string>& words) {
   alarm(0);
   Ended ended;
   try {
-    ended = run(words, 0, nullptr, false);
+    ended = run(words, 0, Clock::time_point::max(), nullptr, false);
   } catch (const InputError& error) {
     ended.status = 127;
     ended.text = error.what();

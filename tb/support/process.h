@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -26,6 +27,10 @@ struct Ended {
 /// files: what the program says then is of no use.
 Ended run_program(const std::vector<std::string>& words, int limit = 0,
                   const std::atomic<bool>* no_more = nullptr);
+
+/// The same without a limit of processor time: it is stopped, `timed_out`, when it is `until`.
+Ended run_until(const std::vector<std::string>& words, std::chrono::steady_clock::time_point until,
+                const std::atomic<bool>* no_more = nullptr);
 
 /// The same without a limit, to its end even where this program is to end: what is left to be done
 /// then. Status 127 where it cannot be run.

@@ -87,5 +87,15 @@ TEST(RunProgram, GivesTheStatusAndTheTextOfTheOther) {
   EXPECT_TRUE(is_installed("sh"));
 }
 
+// It takes no time of a processor.
+TEST(RunUntil, StopsAProgramThatOnlyWaits) {
+  const auto soon = std::chrono::steady_clock::now() + std::chrono::milliseconds(200);
+  EXPECT_TRUE(run_until({"sleep", "1000000"}, soon).timed_out);
+  const auto late = std::chrono::steady_clock::now() + std::chrono::hours(24);
+  const Ended ended = run_until({"sh", "-c", "exit 4"}, late);
+  EXPECT_FALSE(ended.timed_out);
+  EXPECT_EQ(ended.status, 4);
+}
+
 }  // namespace
 }  // namespace cosim

@@ -1,0 +1,50 @@
+#include "tb/equiv/netlist.h"
+
+#include <map>
+#include <sstream>
+
+#include "model/core/input_error.h"
+#include "tb/support/json.h"
+
+namespace cosim::equiv {
+
+const Json& top_of(const Json& netlist) {
+  for (const auto& module : netlist.at("modules")) {
+    if (module.at("attributes").contains("top")) return module;
+  }
+  throw InputError("yosys has written no top");
+}
+
+Json& top_of(Json& netlist) { return const_cast<Json&>(top_of(static_cast<const Json&>(netlist))); }
+
+std::string form_of(const std::string& rtlil) {
+  std::map<std::string, std::size_t> numbers;
+  std::string form;
+  std::istringstream lines(rtlil);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string first, word;
+    if (!(words >> first) || first == "autoidx" || first == "module" || first.starts_with('#')) {
+      continue;
+    }
+    // Text may hold anything, and stays as it is.
+    if (first == "attribute" || first == "parameter") {
+      if (line.find("attribute \\src ") == std::string::npos) form += line + '\n';
+      continue;
+    }
+    form += first;
+    if (first == "cell" && words >> word) form += ' ' + word;  // of which kind
+    while (words >> word) {
+      form += ' ';
+      if (word.starts_with('$')) {
+        form += '$' + std::to_string(numbers.try_emplace(word, numbers.size()).first->second);
+      } else {
+        form += word;
+      }
+    }
+    form += '\n';
+  }
+  return form;
+}
+
+}  // namespace cosim::equiv

@@ -1,0 +1,155 @@
+// cosim equiv: its files, its time, what it refuses, and the replay in Verilator.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "tests/cli/equiv_pairs.h"
+
+namespace cosim::cli {
+namespace {
+
+TEST(Equiv, AFileOfAMemoryIsFoundBesideTheRtl) {
+  const Folder folder;
+  const std::string rom = module_of(", input [1:0] a, output [7:0] q",
+                                    "reg [7:0] m[0:3]; initial $readmemh(\"rom.hex\", m);"
+                                    " assign q = m[a];");
+  for (const char* side : {"old", "same", "new"}) {
+    std::filesystem::create_directory(folder.path(side));
+    folder.write(side + std::string("/rom.hex"),
+                 side == std::string("new") ? "1 2 3 5\n" : "1 2 3 4\n");
+    folder.write(side + std::string("/m.v"), rom);
+  }
+  const auto against = [&](const char* side) {
+    return cosim({"equiv", "--gold", folder.path("old/m.v"), "--gate", folder.path(side) + "/m.v",
+                  "--top", "m", "--failures", folder.path("kept")});
+  };
+  EXPECT_EQ(against("same").status, 0);
+  const Ended other = against("new");
+  EXPECT_EQ(other.status, 1) << other.err;
+  EXPECT_NE(other.out.find("q is 00000101, was 00000100"), std::string::npos) << other.out;
+}
+
+TEST(Equiv, ATimeThatIsOverIsNoError) {
+  const auto rtl = [](const std::string& product) {
+    return module_of(", input [47:0] a, b, output [95:0] y", "assign y = " + product + ";");
+  };
+  const Ended ended = equiv(rtl("a * b"), rtl("b * (a - 1) + b"), {"--seconds", "1"});
+  EXPECT_EQ(ended.status, 3) << ended.out << ended.err;
+  EXPECT_EQ(ended.err, "");
+  EXPECT_NE(ended.out.find("m: undecided"), std::string::npos) << ended.out;
+}
+
+TEST(Equiv, AReportThatCannotBeWrittenIsRefusedFirst) {
+  const std::string rtl = module_of(", input d, output q", "assign q = d;");
+  const Ended ended = equiv(rtl, rtl, {"--report", "/no/such/folder/report.json"});
+  expect_refused(ended, "/no/such/folder");
+  EXPECT_EQ(ended.out, "");
+}
+
+TEST(EquivReplay, ShowsADifferenceInVerilator) {
+  const auto rtl = [](const std::string& name, const std::string& y) {
+    return "module m #(parameter W = 2)(input clk, input rst, input off, input [W-1:0] d,"
+           " output [W-1:0] " +
+           name +
+           ");\nreg [W-1:0] a, b; always @(negedge clk) if (rst) {a, b} <= 0; else begin"
+           " a <= #1 d; b <= #1 a; end assign " +
+           name + " = " + y + ";\nendmodule\n";
+  };
+  const Ended ended = equiv(rtl("q", "off ? 0 : b"), rtl("y", "b & ~(b == 9)"),
+                            {"--param", "W=4", "--tie", "off=0", "--map", "q=y"});
+  EXPECT_EQ(ended.status, 1) << ended.out << ended.err;
+  EXPECT_NE(ended.out.find("q is 1000, was 1001; replayed in Verilator\n"), std::string::npos)
+      << ended.out;
+}
+
+TEST(EquivReplay, ADifferenceThatVerilatorDoesNotShowIsNotClaimed) {
+  const std::string one = module_of(", input d, output y", "assign y = d;");
+  const std::string two = module_of(", input d, output y",
+                                    "`ifdef VERILATOR\nassign y = d;\n`else\nassign y = ~d;\n"
+                                    "`endif");
+  const Ended ended = equiv(one, two);
+  EXPECT_EQ(ended.status, 3) << ended.out << ended.err;
+  EXPECT_NE(ended.out.find("undecided: the netlists differ, but not the RTL in Verilator"),
+            std::string::npos)
+      << ended.out;
+}
+
+TEST(Equiv, SaysWhereThereIsNoVerilator) {
+  const Folder bin;
+  for (const char* program : {"env", "yosys", "yosys-abc"}) {
+    const std::string link =
+        "ln -s \"$(command -v " + std::string(program) + ")\" '" + bin.path(program) + "'";
+    ASSERT_EQ(std::system(link.c_str()), 0);
+  }
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", bin.path("").c_str(), 1);
+  const Ended ended = equiv(module_of(", input d, output y", "assign y = d;"),
+                            module_of(", input d, output y", "assign y = ~d;"));
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(ended.status, 1) << ended.out << ended.err;
+  EXPECT_NE(ended.out.find("replayed on the netlists: there is no Verilator"), std::string::npos)
+      << ended.out;
+}
+
+TEST(Equiv, PortsThatOneSideLacksAreTiedIgnoredOrRenamed) {
+  const std::string one = module_of(", input d, output q", "assign q = d;");
+  const std::string two =
+      module_of(", input d, input off, output y, output more", "assign y = d & ~off, more = off;");
+  expect_refused(equiv(one, two),
+                 "the ports differ: off only in the new, q only in the old, more only in the new, "
+                 "y only in the new; write --tie INPUT=VALUE, --ignore OUTPUT or --map OLD=NEW");
+  expect_equal(one, two, {"--map", "q=y", "--tie", "off=0", "--ignore", "more"});
+  expect_different(one, two, "q is 0, was 1",
+                   {"--map", "q=y", "--tie", "off=1", "--ignore", "more"});
+}
+
+TEST(Equiv, RefusesWhatItCannotCompareInALine) {
+  const std::string good = module_of(", input d, output reg q", "always @(posedge clk) q <= d;");
+  const auto refused = [&](const std::string& rtl, const std::string& said) {
+    expect_refused(equiv(good, rtl), said);
+  };
+  refused(module_of(", input d, output reg q", "always @* if (rst) q = d;"), "a latch");
+  refused(module_of(", input d, output q", "wire a, b; assign a = b ^ d, b = ~a, q = a;"),
+          "a combinational loop");
+  refused(module_of(", input d, output reg q",
+                    "reg p; always @(posedge clk) p <= d; always @(posedge rst) q <= p;"),
+          "two clocks");
+  refused(module_of(", input d, output reg q", "wire c = clk & d; always @(posedge c) q <= d;"),
+          "a clock that is no input");
+  refused(module_of(", input d, inout q", ""), "port q is inout");
+  refused("module m(\n  input clk, rst ;\n", "gate.v:2");
+  expect_refused(equiv(good, good, {}, "other"), "other");
+  expect_refused(equiv(good, good, {}, "m; shell touch x"), "is no name of Verilog");
+  expect_refused(equiv(good, good, {"--param", "W=1;shell"}), "--param: 'W=1;shell'");
+  expect_refused(equiv(good, good, {"--define", "A -p"}), "--define: 'A -p'");
+  expect_refused(equiv(good, good, {"--reset", "none"}), "--reset: 'none' is no input of one bit");
+  expect_refused(cosim({"equiv", "--gold", "/no/such.v", "--gate", "/no/such.v", "--top", "m"}),
+                 "/no/such.v");
+}
+
+TEST(Equiv, ARevisionAgainstTheFilesOnDisk) {
+  const Folder folder;
+  const auto rtl = [](const std::string& d) {
+    return module_of(", input d, output reg q", "always @(posedge clk) q <= " + d + ";");
+  };
+  const std::string file = folder.write("m.v", rtl("d"));
+  const std::string git = "git -C '" + folder.path("") + "' -c user.name=n -c user.email=e ";
+  ASSERT_EQ(std::system((git + "init -q && " + git + "add m.v && " + git + "commit -qm x").c_str()),
+            0);
+  const Arguments words{"equiv",      "--rev",      "HEAD",
+                        "--top",      "m",          file,
+                        "--netlists", "--failures", folder.path("kept")};
+  folder.write("m.v", rtl("d & d"));
+  EXPECT_EQ(cosim(words).status, 0);
+  folder.write("m.v", rtl("!d"));
+  EXPECT_EQ(cosim(words).status, 1);
+  Arguments no_such = words;
+  no_such[2] = "nothing";
+  expect_refused(cosim(no_such), "--rev: 'nothing' is no revision");
+}
+
+}  // namespace
+}  // namespace cosim::cli

@@ -1,7 +1,7 @@
 // The commands of the harness itself. Each adds itself to the program.
 #pragma once
 
-#include "tb/cli/command.h"
+#include "tb/program/command.h"
 
 namespace cosim::cli {
 

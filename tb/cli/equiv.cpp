@@ -11,8 +11,8 @@
 
 #include "model/core/input_error.h"
 #include "tb/cli/commands.h"
-#include "tb/cli/common.h"
-#include "tb/cli/number.h"
+#include "tb/program/common.h"
+#include "tb/program/number.h"
 #include "tb/support/draft.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/json.h"

@@ -2,7 +2,7 @@
 #include <fmt/ranges.h>
 
 #include "tb/cli/commands.h"
-#include "tb/cli/registry.h"
+#include "tb/program/registry.h"
 #include "tb/support/words.h"
 
 namespace cosim::cli {

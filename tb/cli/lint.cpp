@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "model/core/input_error.h"
-#include "tb/cli/chosen.h"
 #include "tb/cli/commands.h"
+#include "tb/program/chosen.h"
 #include "tb/support/process.h"
 #include "tb/support/words.h"
 

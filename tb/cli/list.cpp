@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "tb/cli/chosen.h"
 #include "tb/cli/commands.h"
+#include "tb/program/chosen.h"
 #include "tb/report/report.h"
 
 namespace cosim::cli {

@@ -10,9 +10,9 @@
 
 #include "model/core/input_error.h"
 #include "tb/bench/bench.h"
-#include "tb/cli/chosen.h"
 #include "tb/cli/commands.h"
-#include "tb/cli/registry.h"
+#include "tb/program/chosen.h"
+#include "tb/program/registry.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/leftover.h"
 #include "tb/support/words.h"

@@ -5,12 +5,12 @@
 #include <memory>
 
 #include "model/core/input_error.h"
-#include "tb/cli/chosen.h"
 #include "tb/cli/commands.h"
-#include "tb/cli/common.h"
-#include "tb/cli/mutants_built.h"
-#include "tb/cli/number.h"
-#include "tb/cli/outputs.h"
+#include "tb/program/chosen.h"
+#include "tb/program/common.h"
+#include "tb/program/mutants_built.h"
+#include "tb/program/number.h"
+#include "tb/program/outputs.h"
 #include "tb/report/report.h"
 #include "tb/support/json.h"
 #include "tb/support/json_at.h"

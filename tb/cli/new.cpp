@@ -1,5 +1,5 @@
 // cosim new: a project around a design of one's own.
-#include "tb/cli/new.h"
+#include "tb/new/new.h"
 
 #include <fmt/core.h>
 
@@ -9,8 +9,8 @@
 
 #include "model/core/input_error.h"
 #include "tb/cli/commands.h"
-#include "tb/cli/new_sources.h"
-#include "tb/cli/taken.h"
+#include "tb/new/new_sources.h"
+#include "tb/new/taken.h"
 #include "tb/support/draft.h"
 #include "tb/support/pattern.h"
 #include "tb/support/words.h"
@@ -182,11 +182,12 @@ int run(const NewOptions& o) {
 void add_new(const Command& program) {
   auto o = std::make_shared<NewOptions>();
   const Command command = program.sub("new", "A project for a design of your own, in a new folder");
-  command.arguments("NAME FILE...", o->words,
-                    "The name of the folder and the design; then its files of Verilog or VHDL, whose ports,\n"
-                    "parameters and registers become the model's tables. A folder in place of\n"
-                    "files: what the top needs of those in it. Without a file: a small design\n"
-                    "that passes");
+  command.arguments(
+      "NAME FILE...", o->words,
+      "The name of the folder and the design; then its files of Verilog or VHDL, whose ports,\n"
+      "parameters and registers become the model's tables. A folder in place of\n"
+      "files: what the top needs of those in it. Without a file: a small design\n"
+      "that passes");
   command.flag("--plain", o->plain,
                "The model's step in any C++, on machine integers: nothing is proved of it");
   command.flag("--stream", o->stream,

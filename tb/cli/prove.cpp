@@ -7,7 +7,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/cli/commands.h"
-#include "tb/cli/number.h"
+#include "tb/program/number.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/parallel.h"
 #include "tb/support/process.h"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/cli/common.h"
+#include "tb/program/common.h"
 #include "tb/proof/decide.h"
 #include "tb/proof/machines.h"
 

@@ -10,15 +10,15 @@
 
 #include "model/core/input_error.h"
 #include "tb/bench/stimulus_text.h"
-#include "tb/cli/chosen.h"
-#include "tb/cli/progress.h"
 #include "tb/cli/prove.h"
-#include "tb/cli/refuted.h"
+#include "tb/program/chosen.h"
+#include "tb/program/refuted.h"
 #include "tb/proof/explain.h"
 #include "tb/report/failure.h"
 #include "tb/support/output_file.h"
 #include "tb/support/parallel.h"
 #include "tb/support/words.h"
+#include "tb/sweep/progress.h"
 
 namespace cosim::cli {
 namespace {

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "model/core/input_error.h"
-#include "tb/cli/chosen.h"
 #include "tb/cli/prove.h"
+#include "tb/program/chosen.h"
 #include "tb/proof/abc.h"
 #include "tb/support/output_file.h"
 #include "tb/support/words.h"

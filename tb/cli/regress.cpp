@@ -8,9 +8,8 @@
 
 #include "model/core/input_error.h"
 #include "tb/cli/commands.h"
-#include "tb/cli/number.h"
-#include "tb/cli/regress_kinds.h"
 #include "tb/cli/regress_show.h"
+#include "tb/program/number.h"
 #include "tb/regress/slurm.h"
 #include "tb/regress/worker.h"
 #include "tb/support/file_lock.h"
@@ -19,6 +18,7 @@
 #include "tb/support/parallel.h"
 #include "tb/support/read_file.h"
 #include "tb/support/words.h"
+#include "tb/tasks/regress_kinds.h"
 
 namespace cosim::cli {
 namespace {

@@ -6,20 +6,20 @@
 #include <optional>
 
 #include "model/core/input_error.h"
-#include "tb/cli/chosen.h"
 #include "tb/cli/commands.h"
-#include "tb/cli/common.h"
-#include "tb/cli/conclude.h"
-#include "tb/cli/in_lanes.h"
-#include "tb/cli/number.h"
-#include "tb/cli/outputs.h"
-#include "tb/cli/progress.h"
-#include "tb/cli/registry.h"
-#include "tb/cli/sweep_checkpoint.h"
-#include "tb/cli/sweeps.h"
+#include "tb/program/chosen.h"
+#include "tb/program/common.h"
+#include "tb/program/conclude.h"
+#include "tb/program/in_lanes.h"
+#include "tb/program/number.h"
+#include "tb/program/outputs.h"
+#include "tb/program/registry.h"
+#include "tb/program/sweep_checkpoint.h"
+#include "tb/program/sweeps.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/parallel.h"
 #include "tb/support/words.h"
+#include "tb/sweep/progress.h"
 
 namespace cosim::cli {
 namespace {

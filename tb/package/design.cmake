@@ -16,7 +16,7 @@
 #
 #   cosim_add_program(TARGET       a program with every command for all designs added so far
 #     [SOURCES file.cpp...] [LIBRARIES target...]
-#     [REGISTER name...]           calls cosim::name::add_to(registry), tb/cli/registry.h: what they add
+#     [REGISTER name...]           calls cosim::name::add_to(registry), tb/program/registry.h: what they add
 #     [THEOREMS name...]           and cosim::name::theorems(), tb/proof/theorems.h
 #     [JOBS design=header...])     what more its mutants are attacked with, tb/mutation/cases.h
 #   cosim_add_tests(TARGET         CTest tests of its designs, each with its kind as its label:

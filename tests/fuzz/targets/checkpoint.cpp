@@ -1,6 +1,6 @@
 // The state in a checkpoint, with a hash that fits: the sweeps go on from it, or it is refused.
 #include "model/linear/host.h"
-#include "tb/cli/sweep_checkpoint.h"
+#include "tb/program/sweep_checkpoint.h"
 #include "tests/fuzz/machines.h"
 #include "tests/fuzz/run.h"
 

@@ -1,5 +1,5 @@
 // The words of the command line that are read as numbers: the same text as each kind.
-#include "tb/cli/number.h"
+#include "tb/program/number.h"
 
 #include <fmt/core.h>
 

@@ -2,7 +2,7 @@
 #include <sstream>
 
 #include "model/linear/host.h"
-#include "tb/cli/result_json.h"
+#include "tb/program/result_json.h"
 #include "tb/report/report.h"
 #include "tests/fuzz/machines.h"
 #include "tests/fuzz/run.h"

@@ -7,13 +7,13 @@
 #include "model/circular/arc.h"
 #include "model/circular/oracle.h"
 #include "model/core/input_error.h"
-#include "tb/cli/common.h"
-#include "tb/cli/draw_one.h"
-#include "tb/cli/number.h"
 #include "tb/designs/circular/check.h"
 #include "tb/designs/circular/cli/arc_command.h"
 #include "tb/designs/circular/cli/curve.h"
 #include "tb/designs/circular/cli/shape.h"
+#include "tb/program/common.h"
+#include "tb/program/draw_one.h"
+#include "tb/program/number.h"
 #include "tb/support/words.h"
 
 namespace cosim::cli {

@@ -1,9 +1,9 @@
 #include <algorithm>
 
-#include "tb/cli/registry.h"
 #include "tb/designs/circular/cli/arc_command.h"
 #include "tb/designs/circular/cli/shape.h"
 #include "tb/designs/circular/sweeps.h"
+#include "tb/program/registry.h"
 
 namespace cosim::circular {
 namespace {

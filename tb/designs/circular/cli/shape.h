@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/circular/host.h"
-#include "tb/cli/shape.h"
+#include "tb/program/shape.h"
 
 namespace cosim::circular {
 

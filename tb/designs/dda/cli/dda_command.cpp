@@ -7,13 +7,13 @@
 
 #include "model/core/input_error.h"
 #include "model/dda/equation.h"
-#include "tb/cli/common.h"
-#include "tb/cli/draw_one.h"
-#include "tb/cli/number.h"
 #include "tb/designs/dda/check.h"
 #include "tb/designs/dda/cli/dda_command.h"
 #include "tb/designs/dda/cli/settings.h"
 #include "tb/designs/dda/cli/shape.h"
+#include "tb/program/common.h"
+#include "tb/program/draw_one.h"
+#include "tb/program/number.h"
 #include "tb/support/words.h"
 
 namespace cosim::cli {

@@ -1,7 +1,7 @@
-#include "tb/cli/registry.h"
 #include "tb/designs/dda/cli/dda_command.h"
 #include "tb/designs/dda/cli/shape.h"
 #include "tb/designs/dda/sweeps.h"
+#include "tb/program/registry.h"
 
 namespace cosim::dda {
 namespace {

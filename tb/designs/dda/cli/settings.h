@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/dda/curve.h"
-#include "tb/cli/command.h"
+#include "tb/program/command.h"
 
 namespace cosim::cli {
 

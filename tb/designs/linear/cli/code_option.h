@@ -5,7 +5,7 @@
 #include <string>
 
 #include "model/linear/control_code.h"
-#include "tb/cli/command.h"
+#include "tb/program/command.h"
 
 namespace cosim::cli {
 

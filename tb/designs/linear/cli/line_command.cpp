@@ -5,13 +5,13 @@
 
 #include "model/core/input_error.h"
 #include "model/linear/oracle.h"
-#include "tb/cli/common.h"
-#include "tb/cli/draw_one.h"
-#include "tb/cli/number.h"
 #include "tb/designs/linear/check.h"
 #include "tb/designs/linear/cli/code_option.h"
 #include "tb/designs/linear/cli/line_command.h"
 #include "tb/designs/linear/cli/shape.h"
+#include "tb/program/common.h"
+#include "tb/program/draw_one.h"
+#include "tb/program/number.h"
 
 namespace cosim::cli {
 namespace {

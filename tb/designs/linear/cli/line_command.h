@@ -1,7 +1,7 @@
 // cosim line.
 #pragma once
 
-#include "tb/cli/command.h"
+#include "tb/program/command.h"
 
 namespace cosim::cli {
 

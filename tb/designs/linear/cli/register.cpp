@@ -1,7 +1,7 @@
-#include "tb/cli/registry.h"
 #include "tb/designs/linear/cli/line_command.h"
 #include "tb/designs/linear/cli/shape.h"
 #include "tb/designs/linear/sweeps.h"
+#include "tb/program/registry.h"
 
 namespace cosim::linear {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/linear/host.h"
-#include "tb/cli/shape.h"
+#include "tb/program/shape.h"
 
 namespace cosim::linear {
 

@@ -1,4 +1,4 @@
-#include "tb/cli/registry.h"
+#include "tb/program/registry.h"
 #include "tb/studies/comparison/cli/compare_command.h"
 
 namespace cosim::comparison {

@@ -4,7 +4,7 @@
 
 #include "model/core/input_error.h"
 #include "model/toolpath/quantise.h"
-#include "tb/cli/number.h"
+#include "tb/program/number.h"
 #include "tb/support/read_file.h"
 #include "tb/support/words.h"
 

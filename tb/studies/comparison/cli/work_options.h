@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "tb/cli/command.h"
+#include "tb/program/command.h"
 #include "tb/studies/comparison/work.h"
 
 namespace cosim::cli {

@@ -1,4 +1,4 @@
-#include "tb/cli/registry.h"
+#include "tb/program/registry.h"
 #include "tb/studies/toolpath/cli/path_command.h"
 
 namespace cosim::toolpath {

@@ -1,0 +1,187 @@
+#include "tb/new/found.h"
+
+#include <fmt/core.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "model/core/input_error.h"
+#include "tb/new/found_shape.h"
+#include "tb/support/process.h"
+#include "tb/support/read_file.h"
+#include "tb/sweep/progress.h"
+
+namespace cosim::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// "7:4,0:0"
+std::vector<std::pair<int, int>> ranges_of(const std::string& text) {
+  std::vector<std::pair<int, int>> all;
+  std::istringstream list(text);
+  for (std::string range; std::getline(list, range, ',');) {
+    all.emplace_back(std::stoi(range), std::stoi(range.substr(range.find(':') + 1)));
+  }
+  return all;
+}
+
+// The text of rtl.pl.
+void read_found(Found& found, const std::string& text) {
+  std::map<std::string, std::string> values;
+  std::map<std::string, std::vector<std::string>> clocks;  // of registers
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string what, name, bits;
+    words >> what >> name;
+    if (what == "clock") {
+      const bool falls = words >> bits && name == "falling";
+      found.clocks.push_back({falls ? bits : name, falls ? Edge::falling : Edge::rising});
+    } else if (what == "clocked") {
+      words >> clocks[name].emplace_back();
+    } else if (what == "reset" || what == "synchronous") {
+      FoundReset reset;
+      reset.active_low = name == "low";
+      if (reset.active_low) words >> name;
+      reset.name = name;
+      found.asynchronous |= what == "reset";
+      found.resets.push_back(reset);
+    } else if (what == "value") {
+      words >> values[name];
+    } else if (what == "given") {
+      const auto reset = std::find_if(found.resets.begin(), found.resets.end(),
+                                      [&](const FoundReset& r) { return r.name == name; });
+      std::string value;
+      words >> bits >> value;
+      if (reset != found.resets.end()) reset->values.emplace_back(bits, value);
+    } else if (what == "register") {
+      FoundNet net{name, {}};
+      words >> net.width.number >> net.words.number >> bits;
+      net.bits = ranges_of(bits);
+      const int all = net.width.number * std::max(net.words.number, 1);
+      if (net.bits == std::vector{std::pair{all - 1, 0}}) net.bits.clear();
+      found.registers.push_back(net);
+    }
+  }
+  for (FoundNet& net : found.registers) {
+    const auto value = values.find(net.name);
+    net.is_reset = value != values.end();
+    if (net.is_reset && value->second != "0") net.value = value->second;
+    net.clocks = clocks[net.name];
+  }
+}
+
+// Whether the value of a parameter is rather a word of four letters, "FAST".
+bool is_word(long value) {
+  for (int i = 0; i < 4; ++i) {
+    const auto byte = static_cast<unsigned char>(static_cast<std::uint64_t>(value) >> (8 * i));
+    if (std::isalnum(byte) == 0 && byte != '_') return false;
+  }
+  return true;
+}
+
+void read_shape(Found& found, const FoundShape& shape) {
+  for (const auto& [way, net] : shape.ports) {
+    const std::string& name = net.name;
+    if (way == "inout")
+      throw InputError(fmt::format("new: {}: a port of both directions", net.name));
+    if (net.words.number < 0) {
+      throw InputError(
+          fmt::format("new: {}: a port that is an array of more dimensions than one", net.name));
+    }
+    const auto clock = std::find_if(found.clocks.begin(), found.clocks.end(),
+                                    [&](const FoundClock& c) { return c.name == name; });
+    if (clock == found.clocks.end()) {
+      (way == "input" ? found.inputs : found.outputs).push_back(net);
+    } else if (found.clocks_are_inputs()) {
+      found.inputs.push_back(net);
+      found.inputs.back().edge = clock->edge;
+    }
+  }
+  // A record names its fields in their order.
+  const auto place = [&](const FoundReset& reset) {
+    return std::find_if(found.inputs.begin(), found.inputs.end(),
+                        [&](const FoundNet& net) { return net.name == reset.name; });
+  };
+  std::stable_sort(found.resets.begin(), found.resets.end(),
+                   [&](const FoundReset& a, const FoundReset& b) { return place(a) < place(b); });
+}
+
+// On a terminal, for as long as this lives.
+struct Bar {
+  explicit Bar(const std::string& title) : line(title), draw(line.callback()) {
+    if (draw) draw(0, 1);
+  }
+  ~Bar() {
+    if (draw) fmt::print("\r\x1b[K");
+  }
+  Bar(const Bar&) = delete;
+  Bar& operator=(const Bar&) = delete;
+  ProgressLine line;
+  Progress draw;
+};
+
+}  // namespace
+
+Found found_in(const RtlQuestion& question) {
+  const Scratch scratch;
+  const fs::path reader = scratch.path() / "reader", work = scratch.path() / "work";
+  fs::create_directory(reader);
+  fs::create_directory(work);
+  write_reader(reader);
+  const Bar bar(question.top + ": reading it, and trying each parameter");
+  std::string shape;
+  for (const FoundParameter& p : question.parameters) {
+    shape += fmt::format("{}{}={}", shape.empty() ? "" : " ", p.name, p.value);
+  }
+  const auto& clocks = question.clocks;
+  std::string clock = clocks.empty() ? "?" : fmt::format("{}", fmt::join(clocks, ","));
+  if (clocks.size() > 1) clock += ',';
+  const Ended ended = cosim::run_program(
+      {"env", "-C", question.folder.string(), "cmake", "-DTOP=" + question.top,
+       fmt::format("-DCLOCK={}{}{}", clock, question.reset.empty() ? "" : ":", question.reset),
+       "-DSHAPE=" + shape, fmt::format("-DFILES={}", fmt::join(question.files, ";")),
+       fmt::format("-DOPTIONS={}", fmt::join(question.options, ";")),
+       fmt::format("-DYOSYS={}", fmt::join(question.options, " ")), "-DWORK=" + work.string(), "-P",
+       (reader / "found_rtl.cmake").string()});
+  if (ended.status == 127) throw InputError("needs cmake");
+  if (ended.status != 0) {
+    const fs::path error = work / "error.txt";
+    if (fs::exists(error)) {
+      const std::string why = read_file(error.string());
+      throw InputError(why.starts_with("new: ") ? why : "new: " + why);
+    }
+    throw InputError("new: cmake: " + ended.text);
+  }
+  const Ended told = cosim::run_program(
+      {"perl", (reader / "rtl_shape.pl").string(), (work / "tree.xml").string()});
+  if (told.status != 0) throw InputError("new: " + told.text);
+  const FoundShape is = shape_of(told.text);
+  Found found;
+  found.top = is.top;
+  read_found(found, read_file((work / "found.txt").string()));
+  read_shape(found, is);
+  for (const auto& [name, value] : is.parameters) {
+    if (value >= -(1L << 31) && value < 1L << 31 && !is_word(value))
+      found.parameters.push_back({name, std::to_string(value)});
+  }
+  found.is_yosys = fs::exists(work / "netlist.txt") || !is_installed("yosys");
+  follow_parameters(found, is, question, reader, scratch.path() / "tried", bar.draw);
+  for (const FoundParameter& p : question.parameters) {
+    const auto same = std::find_if(found.parameters.begin(), found.parameters.end(),
+                                   [&](const FoundParameter& q) { return q.name == p.name; });
+    if (same == found.parameters.end()) {
+      found.parameters.push_back(p);
+    } else {
+      *same = p;
+    }
+  }
+  return found;
+}
+
+}  // namespace cosim::cli

@@ -1,0 +1,42 @@
+// The shape of RTL at some parameters, as tb/dut/rtl_shape.pl tells it.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "tb/new/found.h"
+#include "tb/sweep/sweep.h"
+
+namespace cosim::cli {
+
+struct FoundShape {
+  std::string top;
+  std::vector<std::pair<std::string, FoundNet>> ports;  ///< "input", "output" or "inout", and which
+  std::vector<std::pair<std::string, long>> parameters;
+  std::map<std::string, std::pair<int, int>> nets;  ///< width and words
+};
+
+/// Of the text of rtl_shape.pl.
+FoundShape shape_of(std::string_view text);
+
+/// A folder with the programs that read RTL. `folder` is to exist.
+void write_reader(const std::filesystem::path& folder);
+
+/// The shape with another value of a parameter; none where Verilator does not read it so. `work`: a
+/// folder for it alone; `reader`: that of write_reader().
+std::optional<FoundShape> shape_with(const RtlQuestion& question, const std::string& other,
+                                     long value, const std::filesystem::path& reader,
+                                     const std::filesystem::path& work);
+
+/// Tries other values of each parameter: sizes of `found` that follow one get their text, and
+/// parameters that follow others are left out of it. `progress` is told how many were tried, if it
+/// is not empty.
+void follow_parameters(Found& found, const FoundShape& shape, const RtlQuestion& question,
+                       const std::filesystem::path& reader, const std::filesystem::path& work,
+                       const Progress& progress);
+
+}  // namespace cosim::cli

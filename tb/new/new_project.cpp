@@ -1,0 +1,129 @@
+// What stands around a model in the project that `cosim new` makes, and the design of one without
+// RTL.
+#include <fmt/core.h>
+
+#include "first_designs.h"
+#include "tb/new/new.h"
+#include "tb/support/quoted.h"
+
+namespace cosim::cli {
+namespace {
+
+std::string replaced(std::string text, const std::string& what, const std::string& with) {
+  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += with.size()) {
+    text.replace(at, what.size(), with);
+  }
+  return text;
+}
+
+// The counter's model, but its step in C++ as anyone writes it.
+std::string plain_counter() {
+  std::string model = counter_model;
+  const std::size_t from = model.find("template <class V>\n"), to = model.find("\n}\n", from) + 3;
+  return model.replace(
+      from, to - from,
+      R"(inline Step<Word> next(const Params& p, const State<Word>& s, const Inputs<Word>& in) {
+  Step<Word> step{s, {s.total, 0}};
+  if (s.total == ones(p.width)) step.outputs.last = 1;
+  if (in.en != 0) step.state.total = wrap(s.total + 1, p.width);
+  if (in.rst != 0) step.state.total = 0;
+  return step;
+}
+)");
+}
+
+}  // namespace
+
+FirstDesign first_design(const std::string& name, NewModel model) {
+  const bool streams = model == NewModel::stream;
+  const std::string was = streams ? "fir" : "counter";
+  const auto named = [&](const std::string& text) {
+    return replaced(replaced(text, was, name), upper(was), upper(name));
+  };
+  const std::string call = name + " SOURCES " + name + ".v MODEL " + name + ".h SHAPES ";
+  if (streams) {
+    return {"a filter", named(fir_rtl), named(fir_model),
+            call + "\"W=8 STAGES=1\" \"W=12 STAGES=3\" UNPROVED"};
+  }
+  const bool plain = model == NewModel::plain;
+  return {"a counter", named(counter_rtl), named(plain ? plain_counter() : counter_model),
+          call + (plain ? "\"W=8\" UNPROVED" : "\"W=8\"")};
+}
+
+std::string design_of(const std::string& name, const Found& f,
+                      const std::vector<std::string>& sources, NewModel model, bool has_headers,
+                      const std::vector<std::string>& defines) {
+  std::string text = name + " SOURCES";
+  for (const std::string& s : sources) text += ' ' + for_cmake(s);
+  if (f.top != name) text += " TOP " + for_cmake(f.top);
+  if (has_headers) text += " INCLUDE_DIRS include";
+  if (!defines.empty()) {
+    text += " DEFINES";
+    for (const std::string& d : defines) text += ' ' + for_cmake(d);
+  }
+  if (f.clocks.empty()) {
+    text += " COMBINATIONAL";
+  } else if (f.clocks_are_inputs() || f.clocks.front().name != "clk") {
+    text += f.clocks_are_inputs() ? " CLOCKS" : " CLOCK";
+    for (const FoundClock& clock : f.clocks) text += ' ' + for_cmake(clock.name);
+  }
+  text += fmt::format(" MODEL {}.h", name);
+  std::string shape;
+  for (const FoundParameter& p : f.parameters) {
+    shape += fmt::format("{}{}={}", shape.empty() ? "" : " ", p.name, p.value);
+  }
+  if (!shape.empty()) text += fmt::format(" SHAPES \"{}\"", shape);
+  return model == NewModel::generic && f.is_yosys ? text : text + " UNPROVED";
+}
+
+std::string cmake_of(const std::string& name, const std::string& design) {
+  return fmt::format(R"(cmake_minimum_required(VERSION 3.25)
+project({0} LANGUAGES C CXX)
+set(COSIM_SOURCE "" CACHE PATH "The sources of cosim, where it is not installed")
+if(COSIM_SOURCE)
+  add_subdirectory(${{COSIM_SOURCE}} cosim)
+else()
+  find_package(cosim REQUIRED)
+endif()
+enable_testing()
+cosim_add_design({1})
+cosim_add_program({0}_cosim)
+cosim_add_tests({0}_cosim)
+)",
+                     name, design);
+}
+
+std::string readme_of(const std::string& name, NewModel model) {
+  return fmt::format(
+      R"(# {0}
+
+`{0}.h` is the golden model: {2}.
+
+    cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release && cmake --build build
+    ctest --test-dir build --output-on-failure
+
+The first needs cosim installed, or `-DCOSIM_SOURCE=` and the folder of its sources. Then
+`build/{0}_cosim --help` says what else there is: the failures of a sweep shrink themselves and are
+kept in `failures/`, `replay` draws them{1}.
+)",
+      name, model == NewModel::generic ? ", `prove` proves that RTL and model are the same" : "",
+      model == NewModel::stream ? "what comes out of the streams for what goes in"
+                                : "what every register and output is, clock by clock");
+}
+
+std::string ci_of() {
+  return R"(# cosim is to be installed in the image.
+name: ci
+on: [push, pull_request]
+jobs:
+  test:
+    runs-on: ubuntu-24.04
+    container: debian:12
+    steps:
+      - uses: actions/checkout@v4
+      - run: cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release && cmake --build build
+      - run: ctest --test-dir build --output-on-failure
+)";
+}
+
+}  // namespace cosim::cli

@@ -1,0 +1,241 @@
+// The stream model that `cosim new --stream` begins for RTL: which of its ports make up a stream is
+// read out of their names.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <initializer_list>
+
+#include "model/core/input_error.h"
+#include "tb/new/new.h"
+
+namespace cosim::cli {
+namespace {
+
+struct FoundStream {
+  bool goes_in = true;
+  std::string prefix;  // of its ports
+  std::string valid;   // the ports themselves; empty where there are none
+  std::string ready = {}, credit = {}, done = {};
+  std::vector<NewRow> rows = {};
+
+  bool starts() const { return valid == "start" || valid == "done"; }
+  std::string name() const {
+    std::string name = prefix;
+    if (name.ends_with("_t")) name.pop_back();
+    while (name.ends_with('_')) name.pop_back();
+    return name.empty() ? (goes_in ? "in" : "out") : name;
+  }
+  std::string table() const { return upper(name()); }
+  // "s_axis" as "SAxisData".
+  std::string record() const {
+    std::string record;
+    bool begins = true;
+    for (const char c : name()) {
+      if (c != '_') {
+        record += begins ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+      }
+      begins = c == '_';
+    }
+    return record + "Data";
+  }
+};
+
+// A port's name without the direction that some put behind it.
+std::string stem_of(const std::string& port) {
+  const bool directed = port.ends_with("_i") || port.ends_with("_o");
+  return directed ? port.substr(0, port.size() - 2) : port;
+}
+
+// The port of one bit with one of those endings behind the prefix; empty where there is none.
+std::string port_of(const std::vector<FoundNet>& ports, const std::string& prefix,
+                    std::initializer_list<const char*> endings) {
+  for (const FoundNet& port : ports) {
+    for (const char* ending : endings) {
+      if (port.width.number == 1 && stem_of(port.name) == prefix + ending) return port.name;
+    }
+  }
+  return "";
+}
+
+// The streams of one direction, by the ports that say that a transaction is there.
+void add_streams(std::vector<FoundStream>& streams, const std::vector<FoundNet>& ports,
+                 const std::vector<FoundNet>& back, bool goes_in) {
+  for (const FoundNet& port : ports) {
+    const std::string stem = stem_of(port.name);
+    for (const std::string ending : {"valid", "vld"}) {
+      if (port.width.number != 1 || !stem.ends_with(ending)) continue;
+      const std::string prefix = stem.substr(0, stem.size() - ending.size());
+      streams.push_back({goes_in, prefix, port.name, port_of(back, prefix, {"ready", "rdy"}),
+                         port_of(back, prefix, {"credit"})});
+    }
+  }
+}
+
+std::vector<FoundStream> streams_of(const Found& f) {
+  std::vector<FoundStream> streams;
+  add_streams(streams, f.inputs, f.outputs, true);
+  add_streams(streams, f.outputs, f.inputs, false);
+  const std::string start = port_of(f.inputs, "", {"start"});
+  const std::string done = port_of(f.outputs, "", {"done"});
+  if (streams.empty() && !start.empty() && !done.empty()) {
+    streams = {{true, "", start, "", "", done}, {false, "", done}};
+  }
+  for (const bool goes_in : {true, false}) {
+    if (std::none_of(streams.begin(), streams.end(),
+                     [&](const FoundStream& s) { return s.goes_in == goes_in; })) {
+      throw InputError(
+          fmt::format("new: {}: no stream {}: it has no {} whose name ends in valid or vld, and "
+                      "not both start and done",
+                      f.top, goes_in ? "goes in" : "comes out", goes_in ? "input" : "output"));
+    }
+  }
+  return streams;
+}
+
+bool is_reset(const Found& f, const std::string& port) {
+  return std::any_of(f.resets.begin(), f.resets.end(),
+                     [&](const FoundReset& r) { return r.name == port; });
+}
+
+// Gives each port to the stream of its direction with the longest prefix; those left are returned.
+std::vector<FoundNet> share_out(std::vector<FoundStream>& streams, const Found& f, bool goes_in) {
+  std::vector<FoundNet> left;
+  for (const FoundNet& port : goes_in ? f.inputs : f.outputs) {
+    const std::string stem = stem_of(port.name);
+    FoundStream* owner = nullptr;
+    bool is_handshake = is_reset(f, port.name);
+    for (FoundStream& s : streams) {
+      for (const std::string* other : {&s.valid, &s.ready, &s.credit, &s.done}) {
+        is_handshake |= port.name == *other;
+      }
+      const bool fits =
+          s.goes_in == goes_in && stem.starts_with(s.prefix) && stem.size() > s.prefix.size();
+      if (fits && (owner == nullptr || s.prefix.size() > owner->prefix.size())) owner = &s;
+    }
+    if (is_handshake) continue;
+    if (owner == nullptr) {
+      left.push_back(port);
+      continue;
+    }
+    const std::string field = stem.substr(owner->prefix.size());
+    const bool is_name = std::isdigit(static_cast<unsigned char>(field.front())) == 0;
+    owner->rows.push_back(
+        {is_name ? field : stem, port, !is_name || port.name != owner->prefix + field});
+  }
+  return left;
+}
+
+// stream<XData>("x") and what is to be said of it besides.
+std::string text_of(const FoundStream& s) {
+  std::string text = fmt::format("stream<{}>(\"{}\")", s.record(), s.name());
+  if (s.prefix != s.name() + "_") text += fmt::format(".prefix(\"{}\")", s.prefix);
+  if (s.valid != s.prefix + "valid") text += fmt::format(".valid(\"{}\")", s.valid);
+  if (!s.done.empty()) return text + fmt::format(".until(\"{}\")", s.done);
+  if (s.starts()) return text + ".rising()";
+  if (!s.credit.empty()) {
+    const bool other = s.credit != s.prefix + "credit";
+    return text + fmt::format(".credit(/* how many at the start */{})",
+                              other ? fmt::format(", \"{}\"", s.credit) : "");
+  }
+  if (s.ready.empty()) return text + ".always_ready()";
+  if (s.ready != s.prefix + "ready") text += fmt::format(".ready(\"{}\")", s.ready);
+  return text;
+}
+
+std::string pins_of(const Found& f, const std::vector<FoundNet>& tied,
+                    const std::vector<FoundNet>& unread) {
+  std::vector<std::string> pins;
+  for (const FoundReset& r : f.resets) {
+    pins.push_back(fmt::format("pin::reset{}(\"{}\")", r.active_low ? "_low" : "", r.name));
+  }
+  const auto width = [](const FoundNet& n) {
+    const bool is_bit = n.width.number == 1 && n.width.text.empty();
+    return is_bit ? "" : ", " + text_of(n.width);
+  };
+  for (const FoundNet& n : tied)
+    pins.push_back(fmt::format("pin::tied(\"{}\", 0{})", n.name, width(n)));
+  for (const FoundNet& n : unread)
+    pins.push_back(fmt::format("pin::unread(\"{}\"{})", n.name, width(n)));
+  if (pins.empty()) return "";
+  return fmt::format(
+      "  static constexpr auto pins([[maybe_unused]] const Params& p) {{\n"
+      "    return std::array{{{}}};\n"
+      "  }}\n",
+      fmt::join(pins, ",\n                      "));
+}
+
+// One thing, or a tuple of several.
+std::string tuple_of(const std::vector<std::string>& all, const char* tuple, const char* open,
+                     const char* close) {
+  if (all.size() == 1) return all.front();
+  return fmt::format("{}{}{}{}", tuple, open, fmt::join(all, ", "), close);
+}
+
+}  // namespace
+
+BegunModel stream_model(const std::string& name, const Found& f) {
+  std::vector<FoundStream> streams = streams_of(f);
+  const std::vector<FoundNet> tied = share_out(streams, f, true);
+  const std::vector<FoundNet> unread = share_out(streams, f, false);
+
+  BegunModel model;
+  model.left.push_back("run() is to be written");
+  if (f.resets.empty()) model.left.push_back("pins() is to name the reset");
+  for (const FoundNet& n : tied) {
+    model.left.push_back(n.name + " is tied to 0; what belongs to a transaction is a field of it");
+  }
+  std::string tables, records;
+  std::vector<std::string> in, out, given, results;
+  for (const FoundStream& s : streams) {
+    if (s.rows.empty()) {
+      throw InputError(
+          fmt::format("new: {}: the stream {} has no port for what passes", f.top, s.name()));
+    }
+    const std::string table = upper(name) + '_' + s.table();
+    tables += table_of(table, s.rows);
+    if (!s.credit.empty())
+      model.left.push_back("how many credits " + s.name() + " has is to be said");
+    records += fmt::format("COSIM_RECORD({}, {}, Params);\n", s.record(), table);
+    (s.goes_in ? in : out).push_back(text_of(s));
+    const std::string all = fmt::format("std::vector<{}<Word>>", s.record());
+    if (s.goes_in) {
+      given.push_back(fmt::format("[[maybe_unused]] const {}& {}", all, s.name()));
+    } else {
+      results.push_back(all);
+    }
+  }
+  model.text = fmt::format(
+      "// What comes out of {0} for what goes in.\n"
+      "#pragma once\n\n"
+      "#include \"model/core/stream.h\"\n\n"
+      "namespace cosim::{0} {{\n\n"
+      "{1}\n"
+      "// FIELD(name, width, format, its number in a printed source, meaning)\n"
+      "{2}{3}\n"
+      "struct Design {{\n"
+      "  using Params = {0}::Params;\n"
+      "  static constexpr const char* name = \"{0}\";\n"
+      "{4}"
+      "  static constexpr auto in(const Params&) {{\n"
+      "    return {5};\n"
+      "  }}\n"
+      "  static constexpr auto out(const Params&) {{\n"
+      "    return {6};\n"
+      "  }}\n"
+      "{7}\n"
+      "  static {8} run(\n"
+      "      [[maybe_unused]] const Params& p,\n"
+      "      {9}) {{\n"
+      "    // To be written: all that must come out, in its order.\n"
+      "    return {{}};\n"
+      "  }}\n"
+      "}};\n\n"
+      "}}  // namespace cosim::{0}\n",
+      name, params_of(f), tables, records, parameters_of(f), tuple_of(in, "std::tuple", "{", "}"),
+      tuple_of(out, "std::tuple", "{", "}"), pins_of(f, tied, unread),
+      tuple_of(results, "std::tuple", "<", ">"), fmt::join(given, ",\n      "));
+  return model;
+}
+
+}  // namespace cosim::cli

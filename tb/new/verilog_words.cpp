@@ -1,0 +1,126 @@
+#include "tb/new/verilog_words.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+
+namespace cosim::cli {
+namespace {
+
+bool is_of_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '$';
+}
+
+// The words and signs of a text without its comments; a string is one, with its quotation marks.
+class Lexer {
+ public:
+  explicit Lexer(std::string_view text) : text_(text) {}
+
+  // Empty at the end.
+  std::string_view next() {
+    skip();
+    const std::size_t from = at_;
+    if (at_ == text_.size()) return {};
+    if (text_[at_] == '"') {
+      for (++at_; at_ < text_.size() && text_[at_] != '"' && text_[at_] != '\n'; ++at_) {
+        if (text_[at_] == '\\') ++at_;
+      }
+      at_ = std::min(at_ + 1, text_.size());
+    } else if (is_of_word(text_[at_]) || text_[at_] == '`') {
+      ++at_;
+      while (at_ < text_.size() && is_of_word(text_[at_])) ++at_;
+    } else if (text_.substr(at_, 2) == "::") {
+      at_ += 2;
+    } else {
+      ++at_;
+    }
+    return text_.substr(from, at_ - from);
+  }
+
+ private:
+  void skip() {
+    while (at_ < text_.size()) {
+      if (std::isspace(static_cast<unsigned char>(text_[at_])) != 0) {
+        ++at_;
+      } else if (text_.substr(at_, 2) == "//") {
+        at_ = std::min(text_.find('\n', at_), text_.size());
+      } else if (text_.substr(at_, 2) == "/*") {
+        const std::size_t end = text_.find("*/", at_ + 2);
+        at_ = end == std::string_view::npos ? text_.size() : end + 2;
+      } else {
+        return;
+      }
+    }
+  }
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+constexpr std::array begins{"module", "macromodule", "interface", "package", "program"};
+constexpr std::array ends{"endmodule", "endinterface", "endpackage", "endprogram"};
+
+template <class Words>
+bool is_one_of(const Words& words, std::string_view word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+bool is_name(std::string_view word) {
+  return !word.empty() &&
+         (std::isalpha(static_cast<unsigned char>(word.front())) != 0 || word.front() == '_');
+}
+
+}  // namespace
+
+VerilogText verilog_words(std::string_view text) {
+  VerilogText found;
+  found.units.emplace_back();
+  Lexer lexer(text);
+  std::size_t in = 0;  // the unit
+  std::string_view before, word = lexer.next();
+  while (!word.empty()) {
+    std::string_view next = lexer.next();
+    if (word == "`include" && next.size() > 2) {
+      found.headers.emplace_back(next.substr(1, next.size() - 2));
+    } else if (is_one_of(begins, word) && before != "virtual" && next != "class" &&
+               (in == 0 || word == "package")) {
+      const std::string_view kind = word;
+      while (next == "automatic" || next == "static") next = lexer.next();
+      found.units.push_back({std::string(next), kind == "package", kind.ends_with("module")});
+      in = found.units.size() - 1;
+    } else if (is_one_of(ends, word)) {
+      in = 0;
+    } else if (is_name(word) &&
+               (is_name(next) || next == "#" || next == "::" || next == "." || next == "\\")) {
+      found.units[in].uses.emplace(word);
+    }
+    before = word;
+    word = next;
+  }
+  return found;
+}
+
+VerilogText vhdl_words(std::string_view text) {
+  std::string small;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text.substr(at, 2) == "--") at = std::min(text.find('\n', at), text.size() - 1);
+    small += static_cast<char>(std::tolower(static_cast<unsigned char>(text[at])));
+  }
+  VerilogText found;
+  found.units.emplace_back();
+  Lexer lexer(small);
+  // "entity x is", "use work.x", "entity work.x" and "x port map".
+  for (std::array<std::string_view, 4> w{"", "", "", lexer.next()}; !w[1].empty() || !w[3].empty();
+       w = {w[1], w[2], w[3], lexer.next()}) {
+    if ((w[1] == "entity" || w[1] == "package") && w[3] == "is") {
+      found.units.push_back({std::string(w[2]), w[1] == "package", w[1] == "entity"});
+    } else if ((w[0] == "use" || w[0] == "entity") && w[2] == ".") {
+      found.units.front().uses.emplace(w[3]);
+    } else if (w[3] == "map" && is_name(w[1])) {
+      found.units.front().uses.emplace(w[1]);
+    }
+  }
+  return found;
+}
+
+}  // namespace cosim::cli

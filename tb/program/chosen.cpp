@@ -1,0 +1,93 @@
+#include "tb/program/chosen.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <sstream>
+
+#include "model/core/input_error.h"
+#include "tb/support/place.h"
+#include "tb/support/words.h"
+
+namespace cosim::cli {
+namespace {
+
+bool has(const AnyBench& bench, const std::string& word) {
+  if (bench.view() == word) return true;
+  const auto all = bench.parameters();
+  return std::any_of(all.begin(), all.end(), [&](const Parameter& p) {
+    return fmt::format("{}={}", p.name, p.value) == word;
+  });
+}
+
+}  // namespace
+
+namespace {
+bool something_was_left_out = false;
+}  // namespace
+
+void leave_out(const std::string& line) {
+  complain(line);
+  something_was_left_out = true;
+}
+
+bool was_left_out() { return something_was_left_out; }
+
+std::vector<const AnyBench*> chosen_benches(const std::vector<std::string>& given) {
+  // A line of `list` may be one word of the shell, in quotes.
+  std::istringstream line(fmt::format("{}", fmt::join(given, " ")));
+  const std::vector<std::string> words{std::istream_iterator<std::string>(line), {}};
+  std::vector<const AnyBench*> found;
+  if (words.empty()) {
+    for (const Unusable& design : unusable()) leave_out(design.why);
+  }
+  for (const auto& bench : benches()) {
+    const bool same =
+        words.empty() || (bench->design() == words.front() &&
+                          std::all_of(words.begin() + 1, words.end(),
+                                      [&](const std::string& word) { return has(*bench, word); }));
+    if (same) found.push_back(bench.get());
+  }
+  if (found.empty()) {
+    throw InputError(fmt::format("{} is not built; see {} list",
+                                 in_quotes(fmt::format("{}", fmt::join(words, " "))),
+                                 program_name()));
+  }
+  return found;
+}
+
+std::vector<const AnyBench*> chosen_shapes(const std::vector<std::string>& words) {
+  std::vector<const AnyBench*> all = chosen_benches(words);
+  const auto same = [](const AnyBench* a, const AnyBench* b) {
+    return a->built_as() == b->built_as();
+  };
+  all.erase(std::unique(all.begin(), all.end(), same), all.end());
+  return all;
+}
+
+const proof::BuiltMachine& machine_of(const AnyBench& bench) {
+  for (const auto& machine : proof::built_machines()) {
+    if (machine.title == bench.built_as()) return machine;
+  }
+  throw InputError(bench.title() + ": its RTL is not known");
+}
+
+proof::Source source_of(const AnyBench& bench) {
+  proof::Source source = machine_of(bench).source;
+  source.parameters = bench.parameters();
+  return source;
+}
+
+std::vector<proof::Claim> claims_on(const proof::MachineFormula& machine, const nets::Model& nets,
+                                    proof::Source source) {
+  source.asynchronous_reset = !machine.seen.empty();
+  source.clocks_are_inputs = machine.clocks_are_inputs;
+  source.parameters = machine.parameters;
+  for (const proof::Wire& w : machine.registers) {
+    if (w.field.index <= 0) source.kept.push_back(net_path(w.field.net).path);
+  }
+  return claims_of(machine, nets, source);
+}
+
+}  // namespace cosim::cli

@@ -1,0 +1,49 @@
+// Options that several commands have.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "tb/lockstep/mismatch.h"
+#include "tb/program/command.h"
+
+namespace cosim::cli {
+
+struct Common {
+  Text csv;
+  Text report;
+  Text checkpoint;
+  Text seed_text;
+  Text plot;
+  Text wave, wave_before, wave_after;
+  Text html;
+  Text failures;
+  bool keeps_failures = false;
+  bool table = false;
+
+  std::uint64_t seed() const;  ///< 1 where none was given
+  Window window() const;       ///< of waves around a mismatch
+  /// Where a mismatch leaves its folder: --failures, else $COSIM_FAILURES, else failures.
+  std::string failures_folder() const;
+};
+
+/// --report and --seed.
+void add_common(const Command& command, Common& common);
+/// --report.
+void add_report(const Command& command, Common& common);
+/// --csv, whose help is `rows`.
+void add_csv(const Command& command, Common& common, const std::string& rows);
+/// --failures; `kept`: failures are kept even without the option.
+void add_failures(const Command& command, Common& common, bool kept = true);
+/// --wave, whose help is `file`, and --html.
+void add_wave(const Command& command, Common& common, const std::string& file);
+/// --html, whose page has the verdict and `more`.
+void add_html(const Command& command, Common& common, const std::string& more);
+/// --wave-before and --wave-after.
+void add_window(const Command& command, Common& common);
+/// --plot.
+void add_plot(const Command& command, Common& common);
+/// All options that draw_one() uses; the help of --csv is `rows`.
+void add_drawing(const Command& command, Common& common, const std::string& rows);
+
+}  // namespace cosim::cli

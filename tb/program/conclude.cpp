@@ -1,0 +1,54 @@
+#include "tb/program/conclude.h"
+
+#include <fmt/core.h>
+
+#include <cstdio>
+
+#include "model/core/input_error.h"
+#include "tb/report/failure.h"
+#include "tb/support/output_file.h"
+#include "tb/support/words.h"
+
+namespace cosim::cli {
+namespace {
+
+// The verdict holds even if the failure cannot be kept. The page of what is kept, or "".
+std::string keep_failure(const std::vector<Outcome>& outcomes, const Common& common) {
+  if (!common.keeps_failures && !common.failures) return "";
+  for (const Outcome& o : outcomes) {
+    if (!o.result.mismatch) continue;
+    std::fflush(stdout);
+    try {
+      const FailureOptions options{common.failures_folder(), common.window()};
+      const Failure failure = leave_failure(*o.bench, o.result.failed, *o.result.mismatch, options);
+      fmt::print("\n{}", to_text(failure));
+      return failure.page;
+    } catch (const InputError& error) {
+      complain(fmt::format("the failure is not kept: {}", error.what()));
+    }
+    return "";
+  }
+  return "";
+}
+
+}  // namespace
+
+int conclude(const std::vector<Outcome>& outcomes, const Common& common, const std::string& extra,
+             Looks looks, const std::string& title) {
+  fmt::print("{}{}", comparison_text(outcomes), verdict_text(outcomes));
+  write_report(common.report.value_or(""), report_json(outcomes, common.seed(), extra));
+  const std::string kept = keep_failure(outcomes, common);
+  if (common.html) {
+    if (common.plot) {
+      looks.push_back({"The path over the curve"});
+      looks.back().image = *common.plot;
+    }
+    OutputFile file(*common.html);
+    file.text(kept.empty() ? page_text({outcomes, std::move(looks), {}, title}) : kept);
+    file.close();
+    fmt::print("page: {}\n", one_line(*common.html));
+  }
+  return all_match(outcomes) ? 0 : 1;
+}
+
+}  // namespace cosim::cli

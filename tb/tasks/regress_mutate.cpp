@@ -1,0 +1,170 @@
+// Campaigns of mutants as tasks of a regression: a mutant is a unit.
+#include <fmt/core.h>
+
+#include <map>
+#include <sstream>
+
+#include "model/core/input_error.h"
+#include "tb/program/chosen.h"
+#include "tb/program/mutants_built.h"
+#include "tb/support/json.h"
+#include "tb/support/json_at.h"
+#include "tb/support/process.h"
+#include "tb/support/read_file.h"
+#include "tb/support/words.h"
+#include "tb/tasks/regress_kinds.h"
+
+namespace cosim::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What the program of a campaign ends with: 0 none survived, 1 some did.
+Ended attack_with(const std::vector<std::string>& words) {
+  Ended ended = cosim::run_program(words);
+  if (ended.status != 0 && ended.status != 1) {
+    const std::string line = ended.text.substr(0, ended.text.find('\n'));
+    throw InputError(fmt::format("{}: {}", fs::path(words.front()).filename().string(),
+                                 line.empty() ? "cannot be run" : line));
+  }
+  return ended;
+}
+
+class MutateWork final : public regress::Work {
+ public:
+  MutateWork(std::string title, std::uint64_t mutants, std::string program, bool unproved)
+      : Work(std::move(title), mutants), program_(std::move(program)), unproved_(unproved) {}
+
+  Json run(std::uint64_t first, std::uint64_t last, const regress::Place& place) const override {
+    // The campaign has a checkpoint of its own, beside its results.
+    const fs::path results = place.run / "checkpoints" / fmt::format("{}.mutants", place.shard);
+    std::vector<std::string> words{(place.run / program_).string(),
+                                   results.string(),
+                                   "--prover",
+                                   program_name() + " prove",
+                                   "--first",
+                                   std::to_string(first + 1),
+                                   "--count",
+                                   std::to_string(last - first),
+                                   "--failures",
+                                   place.failures().string(),
+                                   "--jobs",
+                                   "1"};
+    if (unproved_) words.emplace_back("--unproved");
+    const Ended ended = attack_with(words);
+    const JsonAt all(results.string(), read_file(results.string()));
+    const JsonAt outcomes = all.at("outcomes");
+    Json json{{"outcomes", outcomes.json()}};
+    for (const JsonAt& one : outcomes.list(last - first, last - first)) {
+      if (one.at("end").text() == "survived") {
+        json["failed"].push_back(survivor(one, ended.text, place));
+      }
+    }
+    fs::remove(results);
+    return json;
+  }
+
+  Json merged(const std::vector<regress::Part>& parts) const override {
+    Json outcomes = Json::array();
+    std::map<std::string, std::uint64_t> ends{{"killed", 0}, {"equivalent", 0}, {"survived", 0}};
+    for (const regress::Part& part : parts) {
+      for (const JsonAt& one : part.result.at("outcomes").list(part.units(), part.units())) {
+        const JsonAt end = one.at("end");
+        if (!ends.contains(end.text())) end.fail("is no end of a mutant");
+        ++ends[end.text()];
+        outcomes.push_back(one.json());
+      }
+    }
+    return {{"mutants", outcomes.size()},
+            {"killed", ends["killed"]},
+            {"equivalent", ends["equivalent"]},
+            {"survived", ends["survived"]},
+            {"outcomes", outcomes}};
+  }
+
+ private:
+  // The program says where it left the folder.
+  static Json survivor(const JsonAt& mutant, const std::string& said, const regress::Place& place) {
+    const std::string what = mutant.at("what").text();
+    Json json{{"what", fmt::format("mutant {} survived: {}", mutant.at("mutant").whole(), what)}};
+    std::istringstream lines(said);
+    const std::string begin = fmt::format("survived: {}, kept in: ", what);
+    for (std::string line; std::getline(lines, line);) {
+      if (!line.starts_with(begin)) continue;
+      json["folder"] = fs::path(line.substr(begin.size())).lexically_relative(place.run).string();
+    }
+    return json;
+  }
+
+  std::string program_;
+  bool unproved_;
+};
+
+class MutateKind final : public regress::Kind {
+ public:
+  explicit MutateKind(const Registry& registry) : registry_(registry) {}
+
+  regress::Keys keys() const override {
+    using Type = regress::Key::Type;
+    return {
+        "mutate",
+        {{"mutate", Type::text, "A design, or a line of 'list'; each mutant is to be found"},
+         {"mutants", Type::number, "At most so many of each that is built; default 100", 1, 65535},
+         {"programs", Type::words,
+          "Instead of building any: programs that attack mutants, from the plan's folder"},
+         {"unproved", Type::yes, "Prove none to be equal: what is not killed survives"}}};
+  }
+
+  void keep(regress::Task& task, const fs::path& plan, const fs::path& run) const override {
+    Json programs = Json::array();
+    for (const std::string& program : programs_of(task, plan)) {
+      programs.push_back(kept_with("programs", program, plan, run));
+    }
+    task.values["programs"] = std::move(programs);
+  }
+
+  regress::Works works(const regress::Task& task, const fs::path& folder) const override {
+    regress::Works works;
+    for (const std::string& program : programs_of(task, folder)) {
+      const Ended ended = attack_with({(folder / program).string(), "--about"});
+      std::istringstream lines(ended.text);
+      std::string title;
+      std::uint64_t mutants = 0;
+      std::getline(lines, title);
+      if (!(lines >> mutants) || mutants == 0) {
+        throw InputError("programs: " + program + ": is no program that attacks mutants");
+      }
+      works.push_back(
+          std::make_unique<MutateWork>(fmt::format("{}, {}", title, count(mutants, "mutant")),
+                                       mutants, program, task.has("unproved")));
+    }
+    return works;
+  }
+
+ private:
+  // Their paths, from the folder. Absolute ones of those that are built on demand.
+  std::vector<std::string> programs_of(const regress::Task& task, const fs::path& folder) const {
+    if (task.has("programs")) {
+      auto programs = task.values.at("programs").get<std::vector<std::string>>();
+      for (const std::string& one : programs) {
+        if (!fs::is_regular_file(folder / one)) throw InputError("programs: no such file: " + one);
+      }
+      return programs;
+    }
+    std::vector<std::string> programs;
+    for (const AnyBench* bench : chosen_shapes(words_of(task.text("mutate")))) {
+      programs.push_back(built_mutants(registry_, *bench, task.number("mutants", 100)));
+    }
+    return programs;
+  }
+
+  const Registry& registry_;
+};
+
+}  // namespace
+
+std::unique_ptr<regress::Kind> mutate_kind(const Registry& registry) {
+  return std::make_unique<MutateKind>(registry);
+}
+
+}  // namespace cosim::cli

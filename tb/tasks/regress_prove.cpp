@@ -1,0 +1,185 @@
+// Proofs as tasks of a regression: a claim on a machine is a unit. yosys makes the scripts once,
+// and where a claim is decided only the solvers are needed.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "model/core/input_error.h"
+#include "tb/program/chosen.h"
+#include "tb/program/refuted.h"
+#include "tb/proof/decide.h"
+#include "tb/report/failure.h"
+#include "tb/support/interrupt.h"
+#include "tb/support/json.h"
+#include "tb/support/read_file.h"
+#include "tb/support/replace_file.h"
+#include "tb/tasks/regress_kinds.h"
+
+namespace cosim::cli {
+namespace {
+
+constexpr std::uint64_t usual_limit = 300, longest_limit = 86400;
+
+Json as_json(const proof::Claim& claim) {
+  Json queries = Json::array();
+  for (const proof::Query& q : claim.queries) {
+    queries.push_back({{"asks", q.asks}, {"script", q.script}, {"eager", q.eager}});
+  }
+  return {{"what", claim.what},
+          {"sat", claim.wanted == proof::Answer::sat},
+          {"queries", queries},
+          {"terms", claim.terms}};
+}
+
+proof::Claim claim_from(const JsonAt& json) {
+  proof::Claim claim;
+  claim.what = json.at("what").text();
+  claim.wanted = json.at("sat").yes() ? proof::Answer::sat : proof::Answer::unsat;
+  for (const JsonAt& q : json.at("queries").list()) {
+    claim.queries.push_back({q.at("asks").texts(), q.at("script").text(), q.at("eager").yes()});
+  }
+  claim.terms = json.at("terms").texts();
+  return claim;
+}
+
+// Of a checkpoint.
+Json decided_from(const JsonAt& json) {
+  Json one{{"what", json.at("what").text()}, {"verdict", json.at("verdict").text()}};
+  if (const auto failed = json.find("failed")) {
+    one["failed"]["what"] = failed->at("what").text();
+    for (const char* key : {"folder", "command"}) {
+      if (const auto text = failed->find(key)) one["failed"][key] = text->text();
+    }
+  }
+  return one;
+}
+
+// A solver that is not there is no finding of the proof.
+void need_solvers(const proof::Decision& decision) {
+  for (const proof::Opinion& opinion : decision.opinions) {
+    for (const proof::Solved& one : opinion.solved) {
+      if (one.answer == proof::Answer::missing) {
+        throw InputError("needs " + to_text(opinion.engine));
+      }
+    }
+  }
+}
+
+class ProveWork final : public regress::Work {
+ public:
+  ProveWork(const proof::BuiltMachine& machine, std::uint64_t claims, int limit)
+      : Work(machine.title, claims), machine_(machine), limit_(limit) {}
+
+  void prepare(const std::filesystem::path& prepared, bool) const override {
+    Json claims = Json::array();
+    for (const proof::Claim& claim :
+         claims_on(machine_.formula(), machine_.nets(), machine_.source)) {
+      claims.push_back(as_json(claim));
+    }
+    if (claims.size() < units()) throw std::logic_error("other claims than were counted");
+    replace_file(prepared.string(), json_text(claims));
+  }
+
+  Json run(std::uint64_t first, std::uint64_t last, const regress::Place& place) const override {
+    const std::string file = place.prepared.string();
+    const auto claims = JsonAt(file, read_file(file)).list(units());
+    // That RTL asserts something is not known before yosys reads it: the last unit has that claim
+    // too.
+    const std::uint64_t end = last == units() ? claims.size() : last;
+    Json decided = Json::array();
+    if (const auto state = place.checkpoint.state()) {
+      for (const JsonAt& one : state->list(0, end - first)) decided.push_back(decided_from(one));
+    }
+    for (std::uint64_t i = first + decided.size(); i < end; ++i) {
+      decided.push_back(decide_one(claim_from(claims[i]), place));
+      place.checkpoint.save(decided);
+    }
+    Json all = Json::array(), failed = Json::array();
+    for (const Json& one : decided) {
+      all.push_back({{"what", one.at("what")}, {"verdict", one.at("verdict")}});
+      if (one.contains("failed")) failed.push_back(one["failed"]);
+    }
+    Json json{{"claims", std::move(all)}};
+    if (!failed.empty()) json["failed"] = std::move(failed);
+    return json;
+  }
+
+  Json merged(const std::vector<regress::Part>& parts) const override {
+    Json claims = Json::array();
+    for (const regress::Part& part : parts) {
+      const std::size_t more = part.last == units() ? 1 : 0;
+      for (const JsonAt& one : part.result.at("claims").list(part.units(), part.units() + more)) {
+        claims.push_back({{"what", one.at("what").text()}, {"verdict", one.at("verdict").text()}});
+      }
+    }
+    return {{"claims", claims}};
+  }
+
+ private:
+  Json decide_one(const proof::Claim& claim, const regress::Place& place) const {
+    InterruptGuard::check();
+    const proof::Decision decision =
+        proof::decide({&claim}, {proof::all_engines(), limit_, 1}).front();
+    need_solvers(decision);
+    Json json{{"what", claim.what}, {"verdict", decision.verdict}};
+    if (!decision.proved) json["failed"] = failed(claim, decision, place);
+    return json;
+  }
+
+  // A counterexample that lockstep shows has a folder; else the command finds it again.
+  Json failed(const proof::Claim& claim, const proof::Decision& decision,
+              const regress::Place& place) const {
+    Json json{{"what", fmt::format("{}: {}", claim.what, decision.verdict)},
+              {"command", "prove " + title()}};
+    const auto same = [&](const auto& b) { return b->title() == title(); };
+    const AnyBench& bench = **std::find_if(benches().begin(), benches().end(), same);
+    const auto found = refuted(machine_.formula(), bench, claim, decision, limit_);
+    if (!found || !found->run.mismatch) return json;
+    const Failure failure = leave_failure(bench, fmt::format("{}: {}", refuted_case, claim.what),
+                                          *found->run.mismatch, {place.failures()});
+    json["folder"] = failure.folder.lexically_relative(place.run).string();
+    json["command"] = "replay " + json["folder"].get<std::string>();
+    return json;
+  }
+
+  const proof::BuiltMachine& machine_;
+  int limit_;
+};
+
+class ProveKind final : public regress::Kind {
+ public:
+  regress::Keys keys() const override {
+    using Type = regress::Key::Type;
+    return {"prove",
+            {{"prove", Type::text, "A design, or a line of 'list'; RTL and model are the same"},
+             {"limit", Type::number, "Seconds of processor time for one answer; default 300", 1,
+              longest_limit}}};
+  }
+
+  regress::Works works(const regress::Task& task, const std::filesystem::path&) const override {
+    const int limit = static_cast<int>(task.number("limit", usual_limit));
+    regress::Works works;
+    for (const AnyBench* bench : chosen_shapes(words_of(task.text("prove")))) {
+      const proof::BuiltMachine& machine = machine_of(*bench);
+      if (machine.formula == nullptr) {
+        throw InputError(fmt::format("{}: {}: nothing can be proved of it", machine.title,
+                                     model_without_formula(machine)));
+      }
+      const proof::MachineFormula formula = machine.formula();
+      if (!formula.unobserved.empty()) {
+        throw InputError(
+            fmt::format("{}: registers are unobserved, {}: nothing can be proved of it",
+                        machine.title, fmt::join(formula.unobserved, ", ")));
+      }
+      const std::uint64_t claims = formula.legal.empty() ? 3 : 4;
+      works.push_back(std::make_unique<ProveWork>(machine, claims, limit));
+    }
+    return works;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<regress::Kind> prove_kind() { return std::make_unique<ProveKind>(); }
+
+}  // namespace cosim::cli

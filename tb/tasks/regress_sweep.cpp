@@ -1,0 +1,197 @@
+// Sweeps as tasks of a regression.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+
+#include "model/core/input_error.h"
+#include "tb/program/chosen.h"
+#include "tb/program/in_lanes.h"
+#include "tb/program/result_json.h"
+#include "tb/program/sweeps.h"
+#include "tb/report/failure.h"
+#include "tb/report/report.h"
+#include "tb/support/interrupt.h"
+#include "tb/support/json.h"
+#include "tb/tasks/regress_kinds.h"
+
+namespace cosim::cli {
+namespace {
+
+constexpr std::uint64_t most_cases = std::uint64_t{1} << 48;
+
+class SweepWork final : public regress::Work {
+ public:
+  /// `clocks`: of a sweep of hostile ones, which run in lanes where they are worth it; else 0.
+  /// `lanes`: where they are asked for.
+  SweepWork(const AnyBench& bench, Sweep sweep, std::uint64_t seed, std::uint64_t clocks,
+            bool lanes)
+      : Work(fmt::format("{}, {}", bench.title(), sweep.name), sweep.cases),
+        bench_(bench),
+        sweep_(std::move(sweep)),
+        seed_(seed),
+        clocks_(clocks),
+        lanes_(lanes) {}
+
+  bool ends_at_failure() const override { return true; }
+  void prepare(const std::filesystem::path& prepared, bool elsewhere) const override {
+    prepare_lanes(bench_, sweep_, clocks_, lanes_, elsewhere, prepared);
+  }
+  Json run(std::uint64_t first, std::uint64_t last, const regress::Place& place) const override;
+  Json merged(const std::vector<regress::Part>& parts) const override;
+
+ private:
+  Json kept(const Result& result, const regress::Place& place) const;
+
+  const AnyBench& bench_;
+  Sweep sweep_;
+  std::uint64_t seed_, clocks_;
+  bool lanes_;
+};
+
+// A sweep that ends before case `last` and, as one that goes on, begins with case `first`: cases
+// keep their numbers.
+Json SweepWork::run(std::uint64_t first, std::uint64_t last, const regress::Place& place) const {
+  const InLanes all(bench_, sweep_, seed_, clocks_, place.prepared);
+  Sweep part = all.sweep();
+  part.cases = last;
+  part.run = [&all](std::uint64_t i) {
+    InterruptGuard::check();
+    return all.sweep().run(i);
+  };
+  if (part.run_some) {
+    part.run_some = [&all](std::uint64_t i, std::uint64_t count) {
+      InterruptGuard::check();
+      return all.sweep().run_some(i, count);
+    };
+  }
+  Resume resume;
+  resume.done.cases = first;
+  if (const auto state = place.checkpoint.state()) {
+    state->at("cases").whole(first, last);
+    resume.done = result_from(*state, bench_);
+  }
+  Result done = resume.done;
+  auto saved = std::chrono::steady_clock::now();
+  resume.keep = [&](const Result& now) {
+    done = now;
+    if (std::chrono::steady_clock::now() - saved < place.pace) return;
+    place.checkpoint.save(to_json(now));
+    saved = std::chrono::steady_clock::now();
+  };
+  Result result;
+  try {
+    result = run_sweep(part, 1, {}, resume);
+  } catch (const Interrupted&) {
+    place.checkpoint.save(to_json(done));
+    throw;
+  }
+  result.cases -= first;
+  Json json = to_json(result);
+  if (!result.match()) {
+    json["mismatch"] = json_of(run_json({&bench_, sweep_.name, result})).at("mismatch");
+    json["failed"].push_back(kept(result, place));
+  }
+  return json;
+}
+
+// The failure for the report, and its folder.
+Json SweepWork::kept(const Result& result, const regress::Place& place) const {
+  if (!result.mismatch) {
+    return {{"what", fmt::format("{}: RTL and model agree, and both are wrong: {}", result.failed,
+                                 result.checked.error)}};
+  }
+  const Mismatch& m = *result.mismatch;
+  const Failure failure = leave_failure(bench_, result.failed, m, {place.failures()});
+  const std::string folder = failure.folder.lexically_relative(place.run).string();
+  return {{"what", fmt::format("{}: clock {}, {}", result.failed, m.clock,
+                               m.finding.empty() ? m.signal : m.finding)},
+          {"folder", folder},
+          {"command", "replay " + folder}};
+}
+
+Json SweepWork::merged(const std::vector<regress::Part>& parts) const {
+  Result sum;
+  std::optional<Json> mismatch;
+  for (const regress::Part& part : parts) {
+    part.result.at("cases").whole(part.failed ? 1 : part.units(), part.units());
+    add(sum, result_from(part.result, bench_));
+    if (const auto one = part.result.find("mismatch")) mismatch = one->json();
+  }
+  auto json = json_of(run_json({&bench_, sweep_.name, sum}));
+  json["cases"] = sum.cases;
+  if (mismatch) {
+    json["verdict"] = "mismatch";
+    json["mismatch"] = *mismatch;
+  }
+  return json;
+}
+
+class SweepKind final : public regress::Kind {
+ public:
+  explicit SweepKind(const Registry& registry) : registry_(registry) {}
+
+  regress::Keys keys() const override {
+    using Type = regress::Key::Type;
+    return {
+        "sweep",
+        {{"sweep", Type::text, "A design, or a line of 'list': NAME M=5 N=2; every built shape"},
+         {"exhaustive", Type::yes, "Everything, at the widths small enough for it"},
+         {"random", Type::number, "So many random cases at each width", 1, most_cases},
+         {"hostile", Type::number, "So many clocks of any value on any pin at each width", 1,
+          most_cases},
+         {"lanes", Type::yes,
+          "Hundreds of cases at a time: jobs, too, and more can be exhausted"}}};
+  }
+  regress::Works works(const regress::Task& task, const std::filesystem::path&) const override;
+
+ private:
+  const Registry& registry_;
+};
+
+regress::Works SweepKind::works(const regress::Task& task, const std::filesystem::path&) const {
+  const auto benches = chosen_benches(words_of(task.text("sweep")));
+  const auto& all = all_sweeps(registry_);
+  const auto& design = **std::find_if(all.begin(), all.end(), [&](const DesignSweeps* one) {
+    return one->design == benches.front()->design();
+  });
+  const bool lanes = task.has("lanes");
+  if (task.values.size() != (lanes ? 3 : 2)) {
+    throw InputError("needs one of \"exhaustive\", \"random\" and \"hostile\"");
+  }
+  if ((task.has("exhaustive") && !design.exhaustive) || (task.has("random") && !design.random)) {
+    throw InputError(fmt::format("{} has no {} sweep", design.design,
+                                 task.has("random") ? "random" : "exhaustive"));
+  }
+  regress::Works works;
+  const std::uint64_t clocks = task.has("hostile") ? task.number("hostile") : 0;
+  for (const AnyBench* bench : benches) {
+    std::vector<Sweep> sweeps;
+    if (task.has("exhaustive")) sweeps = design.exhaustive(*bench, lanes);
+    if (task.has("random")) sweeps = {design.random(*bench, task.seed, task.number("random"))};
+    if (task.has("hostile")) sweeps = {hostile_sweep(*bench, task.seed, clocks)};
+    for (Sweep& sweep : sweeps) {
+      if (lanes && clocks == 0 && !sweep.in_lanes) {
+        throw InputError(fmt::format("{}, {}: its jobs are driven one case at a time only",
+                                     bench->title(), sweep.name));
+      }
+      works.push_back(
+          std::make_unique<SweepWork>(*bench, std::move(sweep), task.seed, clocks, lanes));
+    }
+  }
+  if (works.empty()) {
+    const std::string narrow = design.exhaustible.substr(0, design.exhaustible.find(','));
+    throw InputError(fmt::format("exhaustive: too wide to try everything; take {}{}", narrow,
+                                 lanes ? "" : ", or more with \"lanes\""));
+  }
+  return works;
+}
+
+}  // namespace
+
+std::unique_ptr<regress::Kind> sweep_kind(const Registry& registry) {
+  return std::make_unique<SweepKind>(registry);
+}
+
+}  // namespace cosim::cli

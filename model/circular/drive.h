@@ -32,7 +32,7 @@ Task<Word> task_of(const Params& p, const Arc& arc);
 template <class V>
 constexpr Inputs<V> pins(const Params&, const Task<V>& t, const Driven<V>& d) {
   Inputs<V> rest{V(0), V(0), V(0), V(0), V(0), V(0), V(0), V(0)};
-  return either(
+  return if_else(
       is_set(d.begun),
       [&] {
         Inputs<V> in = rest;

@@ -124,13 +124,13 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
   result.outputs.running = s.t4;
   result.outputs.step_y = flag<V>(step & (diagonal | !sector2));
   result.outputs.step_x = flag<V>(step & (diagonal | sector2));
-  result.state = either(
+  result.state = if_else(
       is_set(in.rst) | stop | finish, [&] { return cleared<V>(); },
       [&] {
-        return either(
+        return if_else(
             running,
             [&] {
-              return either(
+              return if_else(
                   correct, [&] { return corrected(p, s); },
                   [&] { return stepped(p, s, diagonal); });
             },

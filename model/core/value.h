@@ -63,11 +63,11 @@ constexpr Word select(bool c, Word a, Word b) { return c ? a : b; }
 /// then() where c holds, else otherwise(): only a symbolic condition runs both. For whole records
 /// and for results too costly to work out on every clock.
 template <class Then, class Otherwise>
-constexpr auto either(bool c, Then then, Otherwise otherwise) {
+constexpr auto if_else(bool c, Then then, Otherwise otherwise) {
   return c ? then() : otherwise();
 }
 template <class C, class Then, class Otherwise>
-requires(!std::same_as<C, bool>) constexpr auto either(C c, Then then, Otherwise otherwise) {
+requires(!std::same_as<C, bool>) constexpr auto if_else(C c, Then then, Otherwise otherwise) {
   return select(c, then(), otherwise());
 }
 

@@ -39,7 +39,7 @@ Task<Word> task_of(const Params& p, const Job& job);
 template <class V>
 constexpr Inputs<V> pins(const Params&, const Task<V>& t, const Driven<V>& d) {
   const Inputs<V> rest{V(0), V(0), V(0), V(0), V(0), V(0)};
-  return either(
+  return if_else(
       d.written < V(addresses),
       [&] {
         Inputs<V> in = rest;

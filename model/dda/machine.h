@@ -144,7 +144,7 @@ template <class V>
 constexpr State<V> idle(const Params& p, const State<V>& s, const Inputs<V>& in) {
   State<V> n = s;
   n.running = flag<V>(is_set(in.start) & !is_set(in.stop));
-  return either(
+  return if_else(
       is_set(in.write),
       [&] {
         State<V> w = n;
@@ -184,10 +184,10 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
   result.outputs.y_down = select(step, a.y.down, V(0));
   result.outputs.code_x = low_bits(s.x, p.width + 1);
   result.outputs.code_y = low_bits(s.y, p.width + 1);
-  result.state = either(
+  result.state = if_else(
       is_set(in.rst), [] { return State<V>{}; },
       [&] {
-        return either(
+        return if_else(
             running,
             [&] {
               State<V> stopped = s;

@@ -65,7 +65,7 @@ using Step = StepOf<State<V>, Outputs<V>>;
 /// The word with a one in each live position: the first `left` of 2^gamma, all where left is more.
 template <class V>
 constexpr V live_positions(const Params& p, V left) {
-  return either(
+  return if_else(
       left < V(p.word()),
       [&] {
         V word = V(0);
@@ -111,7 +111,7 @@ template <class V>
 constexpr State<V> advanced(const Params& p, const State<V>& s) {
   const V word = V(p.word());
   const V left = select(is_set(s.formed), select(s.left < word, V(0), s.left - word), s.left);
-  return either(
+  return if_else(
       left == V(0), [&] { return at_rest(s); },
       [&] {
         State<V> n = s;
@@ -126,7 +126,7 @@ constexpr State<V> advanced(const Params& p, const State<V>& s) {
 /// The state after a clock on which no line runs. BP wins over UK, a write over a start.
 template <class V>
 constexpr State<V> idle(const Params& p, const State<V>& s, const Inputs<V>& in) {
-  return either(
+  return if_else(
       is_set(in.write_bp),
       [&] {
         State<V> n = s;
@@ -135,7 +135,7 @@ constexpr State<V> idle(const Params& p, const State<V>& s, const Inputs<V>& in)
         return n;
       },
       [&] {
-        return either(
+        return if_else(
             is_set(in.write_uk),
             [&] {
               State<V> n = s;
@@ -158,16 +158,16 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
   Step<V> result;
   result.outputs.busy = s.running;
   result.outputs.strobe = s.formed;
-  result.outputs.major = either(
+  result.outputs.major = if_else(
       is_set(s.formed), [&] { return live_positions(p, s.left); }, [] { return V(0); });
   result.outputs.minor = (shift_left(s.pattern, 1) + s.last_bit) & result.outputs.major;
-  result.state = either(
+  result.state = if_else(
       is_set(in.reset), [] { return State<V>{}; },
       [&] {
-        return either(
+        return if_else(
             !is_set(in.initial_set_n), [&] { return at_rest(s); },
             [&] {
-              return either(
+              return if_else(
                   is_set(s.running), [&] { return advanced(p, s); },
                   [&] { return idle(p, s, in); });
             });

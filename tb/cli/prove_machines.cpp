@@ -54,7 +54,7 @@ void print_row(const std::string& title, const Claim& claim, const Decision& dec
     }
     times += fmt::format("{:>6}  ", time);
   }
-  fmt::print("{:<20} {:<32}{}{}\n", title, claim.what, times, decision.verdict);
+  fmt::print("{:<20} {:<48}{}{}\n", title, claim.what, times, decision.verdict);
   std::fflush(stdout);  // to be seen when it is known, in a pipe too
 }
 
@@ -141,7 +141,7 @@ int prove_machines(const ProveOptions& o, const proof::Asking& asking) {
 
   std::string heading;
   for (const Engine e : asking.engines) heading += fmt::format("{:>4} s  ", to_text(e));
-  fmt::print("{:<53}{}\n", "", heading);
+  fmt::print("{:<69}{}\n", "", heading);
   std::size_t proved = 0, at = 0;
   std::function<void()> explain_first;
   for (const Claimed& one : subjects) {

@@ -167,7 +167,7 @@ Side::Made Side::make(proof::Aig& graph, const std::function<Lit(const Name&)>& 
     value[in_[i] / 2] = name == in_names_.end() ? unknown[next_unknown++] : input(name->second);
   }
   for (std::size_t i = 0; i < state_.size(); ++i) value[state_[i] / 2] = state[i];
-  for (const Gate& gate : gates_) value[gate.out / 2] = graph.both(of(gate.a), of(gate.b));
+  for (const Gate& gate : gates_) value[gate.out / 2] = graph.and_of(of(gate.a), of(gate.b));
   Made made;
   for (const auto& [i, name] : out_names_) made.outputs[name] = of(out_[i]);
   for (const unsigned next : next_) made.next.push_back(of(next));

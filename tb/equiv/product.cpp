@@ -64,22 +64,22 @@ class Builder {
     Lit bad = 0;
     for (const auto& [name, gold] : made_golds.front().outputs) {
       if (q_.gold.outputs.contains(name.first)) {
-        bad = graph_.either(bad, differ(name, made_golds, made_gate));
+        bad = graph_.or_of(bad, differ(name, made_golds, made_gate));
       }
     }
     Lit strays = 0;
     for (const auto& [i, j] : memories_) {
       for (const Side::Made& gold : made_golds) {
-        strays = graph_.either(strays, strays_of(i, gold, j, made_gate));
+        strays = graph_.or_of(strays, strays_of(i, gold, j, made_gate));
       }
     }
     if (one_) {
       for (const auto& [i, j] : pairs_) {
-        bad = graph_.either(bad, graph_.differ(made_golds[0].next[i], made_gate.next[j]));
+        bad = graph_.or_of(bad, graph_.xor_of(made_golds[0].next[i], made_gate.next[j]));
       }
     }
     // What is in a memory has to be the same before there is an output too.
-    product_.bad = graph_.either(strays, graph_.both(bad, Aig::inverted(settling())));
+    product_.bad = graph_.or_of(strays, graph_.and_of(bad, Aig::inverted(settling())));
     product_.matched = pairs_.size();
     product_.beginnings = shared_;
     product_.graph = graph_;
@@ -93,10 +93,10 @@ class Builder {
     if (at_first || rows.size() == 1) return rows.front()[i] ? 1 : 0;
     Lit value = 0, before = 0;
     for (std::size_t t = 0; t + 1 < rows.size(); ++t) {
-      if (rows[t][i]) value = graph_.either(value, clock(t));
-      before = graph_.either(before, clock(t));
+      if (rows[t][i]) value = graph_.or_of(value, clock(t));
+      before = graph_.or_of(before, clock(t));
     }
-    return rows.back()[i] ? graph_.either(value, Aig::inverted(before)) : value;
+    return rows.back()[i] ? graph_.or_of(value, Aig::inverted(before)) : value;
   }
 
   // Whether it is clock t.
@@ -187,7 +187,7 @@ class Builder {
         at->second = port == q_.reset ? graph_.seldom() : graph_.input(port);
         product_.widths[port] = side.inputs.at(name.first);
         if (port == q_.reset) {
-          const Lit resets = graph_.either(at->second, resets_);
+          const Lit resets = graph_.or_of(at->second, resets_);
           at->second = q_.reset_active ? resets : Aig::inverted(resets);
         }
       }
@@ -216,22 +216,22 @@ class Builder {
       return made.outputs.at({memory_port(m, port), bit});
     };
     const auto other = [&](const char* port, int bit) {
-      return graph_.differ(of(gold, i, port, bit), of(gate, j, port, bit));
+      return graph_.xor_of(of(gold, i, port, bit), of(gate, j, port, bit));
     };
     Lit any = 0;
     for (int bit = 0; bit < memory.reads * memory.address; ++bit) {
-      any = graph_.either(any, other("RD_ADDR", bit));
+      any = graph_.or_of(any, other("RD_ADDR", bit));
     }
     for (int w = 0; w < memory.writes; ++w) {
       Lit written = 0;
       for (int bit = w * memory.width; bit < (w + 1) * memory.width; ++bit) {
         const Lit enable = of(gold, i, "WR_EN", bit);
-        written = graph_.either(written, enable);
-        any = graph_.either(any, other("WR_EN", bit));
-        any = graph_.either(any, graph_.both(enable, other("WR_DATA", bit)));
+        written = graph_.or_of(written, enable);
+        any = graph_.or_of(any, other("WR_EN", bit));
+        any = graph_.or_of(any, graph_.and_of(enable, other("WR_DATA", bit)));
       }
       for (int bit = w * memory.address; bit < (w + 1) * memory.address; ++bit) {
-        any = graph_.either(any, graph_.both(written, other("WR_ADDR", bit)));
+        any = graph_.or_of(any, graph_.and_of(written, other("WR_ADDR", bit)));
       }
     }
     return any;
@@ -243,7 +243,7 @@ class Builder {
     Lit last = resets_;
     for (int i = 0; i < q_.latency; ++i) {
       last = delayed(last, true);
-      all = graph_.either(all, last);
+      all = graph_.or_of(all, last);
     }
     return all;
   }
@@ -264,7 +264,7 @@ class Builder {
     Lit gold = golds.front().outputs.at(name);
     Lit unknown = 0;
     for (const Side::Made& copy : golds) {
-      unknown = graph_.either(unknown, graph_.differ(gold, copy.outputs.at(name)));
+      unknown = graph_.or_of(unknown, graph_.xor_of(gold, copy.outputs.at(name)));
     }
     for (int i = 0; i < q_.latency; ++i) {
       gold = delayed(gold);
@@ -273,7 +273,7 @@ class Builder {
     product_.gold[name] = gold;
     product_.gate[name] = other->second;
     product_.any[name] = unknown;
-    return graph_.both(graph_.differ(gold, other->second), Aig::inverted(unknown));
+    return graph_.and_of(graph_.xor_of(gold, other->second), Aig::inverted(unknown));
   }
 
   const Question& q_;

@@ -21,13 +21,13 @@ using nets::Plane;
 constexpr int mutsel_bits = 16;
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
-// Lane by lane what Graph::looked_up() is.
-Plane looked_up(std::span<const Plane> of, std::uint64_t table) {
+// Lane by lane what Graph::lut() is.
+Plane lut(std::span<const Plane> of, std::uint64_t table) {
   if (of.empty()) return Plane::all((table & 1) != 0);
   const std::size_t half = std::size_t{1} << (of.size() - 1);
   const auto rest = of.first(of.size() - 1);
-  const Plane no = looked_up(rest, table);
-  return no ^ (of.back() & (no ^ looked_up(rest, table >> half)));
+  const Plane no = lut(rest, table);
+  return no ^ (of.back() & (no ^ lut(rest, table >> half)));
 }
 
 }  // namespace
@@ -113,7 +113,7 @@ std::vector<std::uint32_t> Lanes::lane_constants(const std::vector<unsigned>& nu
       continue;
     }
     for (std::size_t i = 0; i < t.of.size(); ++i) of[i] = constants_[all[t.of[i]]];
-    put(t.gives, looked_up(std::span(of).first(t.of.size()), t.table));
+    put(t.gives, lut(std::span(of).first(t.of.size()), t.table));
   }
   return all;
 }
@@ -152,7 +152,7 @@ void Lanes::place(const std::vector<unsigned>& numbers) {
     if (low[t.gives] != none) continue;
     of.clear();
     for (const std::size_t net : t.of) of.push_back(bit_of(net));
-    bits[t.gives] = graph_.looked_up(of, t.table);
+    bits[t.gives] = graph_.lut(of, t.table);
   }
   for (const auto& f : cells.flip_flops) next_.push_back(bit_of(f.next));
   for (const auto& wire : rtl_.wires_) {

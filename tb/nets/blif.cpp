@@ -13,14 +13,14 @@ namespace {
 // The rows of its cover that a gate has, of bits that are no opposites: each row is what a, b and c
 // are to be, '-' for either.
 std::vector<std::string> rows_of(const Graph::Made& g) {
-  const auto is = [](Bit bit) { return bit.is_opposite() ? '0' : '1'; };
-  const auto is_not = [](Bit bit) { return bit.is_opposite() ? '1' : '0'; };
+  const auto is = [](Bit bit) { return bit.is_inverted() ? '0' : '1'; };
+  const auto is_not = [](Bit bit) { return bit.is_inverted() ? '1' : '0'; };
   switch (g.kind) {
-    case Gate::both:
+    case Gate::and_gate:
       return {{is(g.a), is(g.b)}};
-    case Gate::differ:
+    case Gate::xor_gate:
       return {{is(g.a), is_not(g.b)}, {is_not(g.a), is(g.b)}};
-    case Gate::choice:
+    case Gate::mux:
       return {{is(g.a), is(g.b), '-'}, {is_not(g.a), '-', is(g.c)}};
     case Gate::constant:
     case Gate::input:
@@ -65,7 +65,7 @@ std::string to_blif(const std::string& name, const Graph& graph, const std::vect
     }
     names[i] = fmt::format("${}", i);
     text += fmt::format(".names {} {}", names[g.a.gate()], names[g.b.gate()]);
-    if (g.kind == Gate::choice) text += ' ' + names[g.c.gate()];
+    if (g.kind == Gate::mux) text += ' ' + names[g.c.gate()];
     text += ' ' + names[i] + '\n';
     for (const std::string& row : rows_of(g)) text += row + " 1\n";
   }
@@ -74,7 +74,7 @@ std::string to_blif(const std::string& name, const Graph& graph, const std::vect
       text += fmt::format(".names {}\n{}", p.name, p.bit == yes ? "1\n" : "");
     } else {
       text += fmt::format(".names {} {}\n{} 1\n", names[p.bit.gate()], p.name,
-                          p.bit.is_opposite() ? '0' : '1');
+                          p.bit.is_inverted() ? '0' : '1');
     }
   }
   return text + ".end\n";

@@ -7,7 +7,7 @@ std::vector<Bit> placed(Graph& graph, const Cells& cells, std::vector<Bit> nets)
   for (const Cells::Table& t : cells.tables) {
     of.clear();
     for (const std::size_t net : t.of) of.push_back(nets[net]);
-    nets[t.gives] = graph.looked_up(of, t.table);
+    nets[t.gives] = graph.lut(of, t.table);
   }
   return nets;
 }

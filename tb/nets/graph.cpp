@@ -25,44 +25,44 @@ Bit Graph::made(Gate kind, Bit a, Bit b, Bit c) {
   return {2 * at->second};
 }
 
-Bit Graph::both(Bit a, Bit b) {
+Bit Graph::and_of(Bit a, Bit b) {
   if (a.code > b.code) std::swap(a, b);
   if (a == no || a == !b) return no;
   if (a == yes || a == b) return b;
-  return made(Gate::both, a, b);
+  return made(Gate::and_gate, a, b);
 }
 
 // Opposites are drawn out of it, so that one gate serves a and b, and their opposites.
-Bit Graph::differ(Bit a, Bit b) {
+Bit Graph::xor_of(Bit a, Bit b) {
   if (a.code > b.code) std::swap(a, b);
   if (a == no) return b;
   if (a == yes) return !b;
   if (a == b) return no;
   if (a == !b) return yes;
-  const bool turned = a.is_opposite() != b.is_opposite();
-  const Bit gate = made(Gate::differ, a.is_opposite() ? !a : a, b.is_opposite() ? !b : b);
+  const bool turned = a.is_inverted() != b.is_inverted();
+  const Bit gate = made(Gate::xor_gate, a.is_inverted() ? !a : a, b.is_inverted() ? !b : b);
   return turned ? !gate : gate;
 }
 
-Bit Graph::choice(Bit a, Bit b, Bit c) {
+Bit Graph::mux(Bit a, Bit b, Bit c) {
   if (a == yes || b == c) return b;
   if (a == no) return c;
-  if (b == !c) return differ(a, c);
-  if (b == yes || b == a) return either(a, c);
-  if (b == no || b == !a) return both(!a, c);
-  if (c == no || c == a) return both(a, b);
-  if (c == yes || c == !a) return either(!a, b);
-  if (a.is_opposite()) return choice(!a, c, b);
-  if (b.is_opposite()) return !made(Gate::choice, a, !b, !c);
-  return made(Gate::choice, a, b, c);
+  if (b == !c) return xor_of(a, c);
+  if (b == yes || b == a) return or_of(a, c);
+  if (b == no || b == !a) return and_of(!a, c);
+  if (c == no || c == a) return and_of(a, b);
+  if (c == yes || c == !a) return or_of(!a, b);
+  if (a.is_inverted()) return mux(!a, c, b);
+  if (b.is_inverted()) return !made(Gate::mux, a, !b, !c);
+  return made(Gate::mux, a, b, c);
 }
 
-Bit Graph::looked_up(std::span<const Bit> of, std::uint64_t table) {
+Bit Graph::lut(std::span<const Bit> of, std::uint64_t table) {
   if (of.empty()) return (table & 1) != 0 ? yes : no;
   // The last bit chooses between the halves of the table.
   const std::size_t half = std::size_t{1} << (of.size() - 1);
   const auto rest = of.first(of.size() - 1);
-  return choice(of.back(), looked_up(rest, table >> half), looked_up(rest, table));
+  return mux(of.back(), lut(rest, table >> half), lut(rest, table));
 }
 
 std::vector<std::uint64_t> run(const Graph& graph, std::span<const std::uint64_t> inputs) {
@@ -78,13 +78,13 @@ std::vector<std::uint64_t> run(const Graph& graph, std::span<const std::uint64_t
       case Gate::input:
         all.push_back(inputs[next_input++]);
         break;
-      case Gate::both:
+      case Gate::and_gate:
         all.push_back(of(gate.a) & of(gate.b));
         break;
-      case Gate::differ:
+      case Gate::xor_gate:
         all.push_back(of(gate.a) ^ of(gate.b));
         break;
-      case Gate::choice:
+      case Gate::mux:
         all.push_back((of(gate.a) & of(gate.b)) | (~of(gate.a) & of(gate.c)));
         break;
     }

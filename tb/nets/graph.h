@@ -13,12 +13,12 @@
 
 namespace cosim::nets {
 
-/// A bit: what a gate of a graph gives, or its opposite. Bits of two graphs must not be mixed, but
+/// A bit: what a gate of a graph gives, or its inverse. Bits of two graphs must not be mixed, but
 /// `no` and `yes` are those of every graph.
 struct Bit {
-  std::uint32_t code = 0;  ///< twice the gate's number, and 1 more for the opposite
+  std::uint32_t code = 0;  ///< twice the gate's number, and 1 more for the inverse
   constexpr std::size_t gate() const { return code >> 1; }
-  constexpr bool is_opposite() const { return (code & 1) != 0; }
+  constexpr bool is_inverted() const { return (code & 1) != 0; }
   constexpr bool is_constant() const { return code < 2; }
   friend constexpr bool operator==(Bit a, Bit b) { return a.code == b.code; }
   friend constexpr Bit operator!(Bit a) { return {a.code ^ 1}; }
@@ -28,9 +28,9 @@ inline constexpr Bit no{0}, yes{1};
 enum class Gate : std::uint8_t {
   constant,  ///< number 0 of every graph, and no other: false
   input,     ///< free
-  both,      ///< a and b
-  differ,    ///< a or b, not both; of bits that are no opposites
-  choice,    ///< b where a holds, else c
+  and_gate,  ///< a and b
+  xor_gate,  ///< a or b, not both; of bits that are not inverted
+  mux,       ///< b where a holds, else c
 };
 
 class Graph {
@@ -39,13 +39,13 @@ class Graph {
 
   /// A new free bit.
   Bit input();
-  Bit both(Bit a, Bit b);
-  Bit either(Bit a, Bit b) { return !both(!a, !b); }
-  Bit differ(Bit a, Bit b);
+  Bit and_of(Bit a, Bit b);
+  Bit or_of(Bit a, Bit b) { return !and_of(!a, !b); }
+  Bit xor_of(Bit a, Bit b);
   /// b where a holds, else c.
-  Bit choice(Bit a, Bit b, Bit c);
+  Bit mux(Bit a, Bit b, Bit c);
   /// Bit number i of `table`, where i is the number whose bits are `of`, lowest first; at most 6.
-  Bit looked_up(std::span<const Bit> of, std::uint64_t table);
+  Bit lut(std::span<const Bit> of, std::uint64_t table);
 
   struct Made {
     Gate kind = Gate::constant;
@@ -77,7 +77,7 @@ class Graph {
 std::vector<std::uint64_t> run(const Graph& graph, std::span<const std::uint64_t> inputs);
 /// What a bit is in these runs.
 inline std::uint64_t in_runs(const std::vector<std::uint64_t>& gates, Bit bit) {
-  return gates[bit.gate()] ^ (bit.is_opposite() ? ~std::uint64_t{0} : 0);
+  return gates[bit.gate()] ^ (bit.is_inverted() ? ~std::uint64_t{0} : 0);
 }
 
 }  // namespace cosim::nets

@@ -20,8 +20,8 @@ FreeOf<Number> free_state(Model& model, const Field& field) {
   if (!is_signed(field)) return {Number::unsigned_code(model.graph, code), code};
   if (field.format == Format::ones_complement) {
     Bit lowest = code.back();
-    for (std::size_t i = 0; i + 1 < code.size(); ++i) lowest = model.graph.both(lowest, !code[i]);
-    code.front() = model.graph.either(code.front(), lowest);
+    for (std::size_t i = 0; i + 1 < code.size(); ++i) lowest = model.graph.and_of(lowest, !code[i]);
+    code.front() = model.graph.or_of(code.front(), lowest);
   }
   return {Number::signed_code(model.graph, code), code};
 }

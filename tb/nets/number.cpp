@@ -29,9 +29,9 @@ Number sum(Graph& graph, const Number& a, const Number::Open& b) {
   std::vector<Bit> bits;
   Bit carry = b.carry;
   for (int i = 0; i < std::min(width, kWord); ++i) {
-    const Bit x = a.at(i), y = b.at(i), odd = graph.differ(x, y);
-    bits.push_back(graph.differ(odd, carry));
-    carry = graph.choice(odd, carry, x);
+    const Bit x = a.at(i), y = b.at(i), odd = graph.xor_of(x, y);
+    bits.push_back(graph.xor_of(odd, carry));
+    carry = graph.mux(odd, carry, x);
   }
   return Number::signed_code(graph, std::move(bits));
 }
@@ -62,13 +62,13 @@ Truth operator!(const Truth& a) {
 Truth operator&(const Truth& a, const Truth& b) {
   if (a.known()) return *a.known() ? b : a;
   if (b.known()) return *b.known() ? a : b;
-  return {*a.graph(), a.graph()->both(a.bit(), b.bit())};
+  return {*a.graph(), a.graph()->and_of(a.bit(), b.bit())};
 }
 Truth operator|(const Truth& a, const Truth& b) { return !(!a & !b); }
 Truth operator^(const Truth& a, const Truth& b) {
   if (a.known()) return *a.known() ? !b : b;
   if (b.known()) return *b.known() ? !a : a;
-  return {*a.graph(), a.graph()->differ(a.bit(), b.bit())};
+  return {*a.graph(), a.graph()->xor_of(a.bit(), b.bit())};
 }
 
 Number::Number(Graph* graph, std::vector<Bit> bits) : graph_(graph), bits_(std::move(bits)) {
@@ -140,17 +140,17 @@ Number operator*(const Number& a, const Number& b) {
 Number operator&(const Number& a, const Number& b) {
   if (a.known() && b.known()) return Number(*a.known() & *b.known());
   Graph& graph = graph_of(a, b);
-  return bit_by_bit(graph, longer(a, b), [&](int i) { return graph.both(a.at(i), b.at(i)); });
+  return bit_by_bit(graph, longer(a, b), [&](int i) { return graph.and_of(a.at(i), b.at(i)); });
 }
 Number operator|(const Number& a, const Number& b) {
   if (a.known() && b.known()) return Number(*a.known() | *b.known());
   Graph& graph = graph_of(a, b);
-  return bit_by_bit(graph, longer(a, b), [&](int i) { return graph.either(a.at(i), b.at(i)); });
+  return bit_by_bit(graph, longer(a, b), [&](int i) { return graph.or_of(a.at(i), b.at(i)); });
 }
 Number operator^(const Number& a, const Number& b) {
   if (a.known() && b.known()) return Number(*a.known() ^ *b.known());
   Graph& graph = graph_of(a, b);
-  return bit_by_bit(graph, longer(a, b), [&](int i) { return graph.differ(a.at(i), b.at(i)); });
+  return bit_by_bit(graph, longer(a, b), [&](int i) { return graph.xor_of(a.at(i), b.at(i)); });
 }
 
 // Of the highest bits that differ, and of signs the other way round.
@@ -161,7 +161,7 @@ Truth operator<(const Number& a, const Number& b) {
   const int sign = longer(a, b) - 1;
   for (int i = 0; i <= sign; ++i) {
     const Bit one = i == sign ? a.at(i) : b.at(i);
-    less = graph.choice(graph.differ(a.at(i), b.at(i)), one, less);
+    less = graph.mux(graph.xor_of(a.at(i), b.at(i)), one, less);
   }
   return {graph, less};
 }
@@ -170,7 +170,7 @@ Truth operator==(const Number& a, const Number& b) {
   if (a.known() && b.known()) return *a.known() == *b.known();
   Graph& graph = graph_of(a, b);
   Bit same = yes;
-  for (int i = 0; i < longer(a, b); ++i) same = graph.both(same, !graph.differ(a.at(i), b.at(i)));
+  for (int i = 0; i < longer(a, b); ++i) same = graph.and_of(same, !graph.xor_of(a.at(i), b.at(i)));
   return {graph, same};
 }
 
@@ -216,14 +216,14 @@ Number select(const Truth& c, const Number& a, const Number& b) {
   if (c.known()) return *c.known() ? a : b;
   Graph& graph = *c.graph();
   const auto one_of = [&](const auto& x, const auto& y) {
-    return [&](int i) { return graph.choice(c.bit(), x.at(i), y.at(i)); };
+    return [&](int i) { return graph.mux(c.bit(), x.at(i), y.at(i)); };
   };
   Number chosen = bit_by_bit(graph, longer(a, b), one_of(a, b));
   if (!a.has_open() && !b.has_open()) return chosen;
   const Number::Open x = a.open(), y = b.open();
   const int width = static_cast<int>(std::max(x.bits.size(), y.bits.size()));
   return std::move(chosen).with_open(
-      {bits_of(width, one_of(x, y)), graph.choice(c.bit(), x.carry, y.carry)});
+      {bits_of(width, one_of(x, y)), graph.mux(c.bit(), x.carry, y.carry)});
 }
 
 }  // namespace cosim::nets

@@ -12,13 +12,13 @@ constexpr std::size_t plane_words = plane_lanes / 64;
 
 PlaneStep::Act act_of(const Graph::Made& g) {
   switch (g.kind) {
-    case Gate::both:
-      if (g.a.is_opposite()) return g.b.is_opposite() ? PlaneStep::neither : PlaneStep::not_a;
-      return g.b.is_opposite() ? PlaneStep::not_b : PlaneStep::both;
-    case Gate::differ:
+    case Gate::and_gate:
+      if (g.a.is_inverted()) return g.b.is_inverted() ? PlaneStep::neither : PlaneStep::not_a;
+      return g.b.is_inverted() ? PlaneStep::not_b : PlaneStep::both;
+    case Gate::xor_gate:
       return PlaneStep::differ;
     default:
-      return g.c.is_opposite() ? PlaneStep::turned_choice : PlaneStep::choice;
+      return g.c.is_inverted() ? PlaneStep::turned_choice : PlaneStep::choice;
   }
 }
 
@@ -108,7 +108,7 @@ template <class M>
                                            M* m) {
   for (std::size_t i = 0; i < flip_flops.size(); ++i) {
     const PlaneRoot next = flip_flops[i].next;
-    taken[i] = next.is_opposite ? ~m[next.at] : m[next.at];
+    taken[i] = next.is_inverted ? ~m[next.at] : m[next.at];
   }
   for (std::size_t i = 0; i < flip_flops.size(); ++i) {
     const PlaneFlipFlop& f = flip_flops[i];
@@ -121,7 +121,7 @@ template <class M>
 [[gnu::always_inline]] inline void differ_on(std::span<const PlaneRoot> roots, Word value,
                                              const M* m, M* any) {
   for (std::size_t i = 0; i < roots.size(); ++i) {
-    const bool turned = roots[i].is_opposite != bit(value, static_cast<int>(i));
+    const bool turned = roots[i].is_inverted != bit(value, static_cast<int>(i));
     *any |= turned ? ~m[roots[i].at] : m[roots[i].at];
   }
 }
@@ -157,7 +157,7 @@ void Planes::give(Bit input, const Plane& plane) {
 Plane Planes::get(Bit root) const {
   Plane p;
   std::copy_n(words(memory_) + place_[root.gate()] * words_, words_, p.words.begin());
-  return root.is_opposite() ? ~p : p;
+  return root.is_inverted() ? ~p : p;
 }
 
 void Planes::run() {

@@ -54,7 +54,7 @@ struct PlaneStep {
 /// A root in the memory of planes.
 struct PlaneRoot {
   std::uint32_t at = 0;  ///< 0 where nothing needs it, or where it is a constant
-  bool is_opposite = false;
+  bool is_inverted = false;
 };
 
 /// A flip-flop: in `lanes` it takes `next` at an edge.
@@ -77,7 +77,7 @@ class Planes {
   /// What a root, or a free bit that one needs, is in each lane that is run, since the last run.
   Plane get(Bit root) const;
 
-  PlaneRoot root(Bit root) const { return {place_[root.gate()], root.is_opposite()}; }
+  PlaneRoot root(Bit root) const { return {place_[root.gate()], root.is_inverted()}; }
   /// `held` is a free bit that a root needs, `next` a root.
   PlaneFlipFlop flip_flop(Bit held, Bit next, const Plane& lanes) const {
     return {place_[held.gate()], root(next), lanes};

@@ -52,7 +52,7 @@ Lit Aig::latch(bool first) {
 
 void Aig::next(Lit latch, Lit value) { latches_[nodes_[latch / 2].a].next = value; }
 
-Lit Aig::both(Lit a, Lit b) {
+Lit Aig::and_of(Lit a, Lit b) {
   if (a > b) std::swap(a, b);
   if (a == 0 || a == inverted(b)) return 0;
   if (a == 1 || a == b) return b;
@@ -61,10 +61,10 @@ Lit Aig::both(Lit a, Lit b) {
   return at->second;
 }
 
-Lit Aig::differ(Lit a, Lit b) { return either(both(a, inverted(b)), both(inverted(a), b)); }
+Lit Aig::xor_of(Lit a, Lit b) { return or_of(and_of(a, inverted(b)), and_of(inverted(a), b)); }
 
 Lit Aig::choose(Lit condition, Lit then, Lit otherwise) {
-  return either(both(condition, then), both(inverted(condition), otherwise));
+  return or_of(and_of(condition, then), and_of(inverted(condition), otherwise));
 }
 
 std::string Aig::aiger(Lit bad) const {

@@ -26,9 +26,9 @@ class Aig {
   Lit latch(bool first = false);
   void next(Lit latch, Lit value);
 
-  Lit both(Lit a, Lit b);
-  Lit either(Lit a, Lit b) { return inverted(both(inverted(a), inverted(b))); }
-  Lit differ(Lit a, Lit b);
+  Lit and_of(Lit a, Lit b);
+  Lit or_of(Lit a, Lit b) { return inverted(and_of(inverted(a), inverted(b))); }
+  Lit xor_of(Lit a, Lit b);
   Lit choose(Lit condition, Lit then, Lit otherwise);
 
   std::size_t inputs() const { return inputs_.size(); }

@@ -34,7 +34,7 @@ Claim claim_initial(const MachineFormula& m, const Rtl& rtl) {
     wrong = disjunction(wrong, q.differs(kInitial, m.cleared[i], q.shown(i)));
   }
   q.script().ask(wrong);
-  return {"they begin the same" + taken_over(m),
+  return {"base case: they begin the same" + taken_over(m),
           Answer::unsat,
           {{{"at first"}, q.script().text()}},
           {}};
@@ -59,9 +59,9 @@ Claim claim_clear(const MachineFormula& m, const Rtl& rtl) {
     wrong = disjunction(wrong, where_compared(w, negation(equal(m.after[i].code, w.code))));
   }
   q.script().ask(wrong);
-  return {(m.clear_clocks == 1
-               ? "a clear makes them the same"
-               : fmt::format("{} clocks of a clear make them the same", m.clear_clocks)) +
+  return {(m.clear_clocks == 1 ? "base case: a clear makes them the same"
+                               : fmt::format("base case: {} clocks of a clear make them the same",
+                                             m.clear_clocks)) +
               taken_over(m),
           Answer::unsat,
           {{{"any clock"}, q.script().text()}},
@@ -112,7 +112,7 @@ Claim claim_asserts(const MachineFormula& m, const Rtl& rtl) {
 }
 
 Claim claim_step(const MachineFormula& m, const Rtl& rtl) {
-  OneClock clock("every clock keeps them the same", m, rtl);
+  OneClock clock("inductive step: every clock keeps them the same", m, rtl);
   Question& q = clock.question;
   Claim& claim = clock.claim;
   const auto differs = [&](const char* what, const Wire& w, const Expression& actual) {
@@ -169,9 +169,10 @@ Claim claim_cases(const MachineFormula& m, const Rtl& rtl) {
     q.script().ask_apart(n.condition);
   }
   query.script = q.script().text();
-  const std::string what = m.cases.size() == 1
-                               ? m.cases.front().name + " is possible"
-                               : fmt::format("each of {} cases is possible", m.cases.size());
+  const std::string what =
+      m.cases.size() == 1
+          ? "vacuity check: " + m.cases.front().name + " is possible"
+          : fmt::format("vacuity check: each of {} cases is possible", m.cases.size());
   return {what, Answer::sat, {query}, {}};
 }
 

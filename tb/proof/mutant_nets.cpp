@@ -45,7 +45,7 @@ class Maker {
     }
     for (const auto& f : cells.flip_flops) anything_[f.now] = free_bit();
     for (const auto* all : {&machine_.invariant, &machine_.reached, &machine_.legal}) {
-      for (const nets::Named& n : *all) assumed_ = graph().both(assumed_, n.condition);
+      for (const nets::Named& n : *all) assumed_ = graph().and_of(assumed_, n.condition);
     }
     original_ = step_of(0);
   }
@@ -57,13 +57,14 @@ class Maker {
     const auto differ = [&](const std::vector<nets::Wire>& wires, const std::vector<Row>& a,
                             const std::vector<Row>& b) {
       for (std::size_t i = 0; i < wires.size(); ++i) {
-        wrong = graph().either(wrong, where_compared(wires[i], differs(a[i], b[i])));
+        wrong = graph().or_of(wrong, where_compared(wires[i], differs(a[i], b[i])));
       }
     };
     differ(machine_.after, original_.after, with.after);
     differ(machine_.outputs, original_.outputs, with.outputs);
-    wrong = graph().both(wrong, graph().both(assumed_, graph().both(original_.given, with.given)));
-    wrong = graph().either(wrong, not_cleared(number));
+    wrong = graph().and_of(wrong,
+                           graph().and_of(assumed_, graph().and_of(original_.given, with.given)));
+    wrong = graph().or_of(wrong, not_cleared(number));
     if (wrong == no) return Known::same;
     if (wrong == yes) return Known::other;
     q_.asked.push_back({fmt::format("mutant {}", number), wrong});
@@ -88,12 +89,12 @@ class Maker {
   Bit differs(const Row& a, const Row& b) {
     Bit any = no;
     for (std::size_t i = 0; i < a.size(); ++i) {
-      any = graph().either(any, graph().differ(a[i], b[i]));
+      any = graph().or_of(any, graph().xor_of(a[i], b[i]));
     }
     return any;
   }
   Bit where_compared(const nets::Wire& w, Bit wrong) {
-    return w.when ? graph().both(*w.when, wrong) : wrong;
+    return w.when ? graph().and_of(*w.when, wrong) : wrong;
   }
 
   // By net: flip-flops hold `held`; inputs are the model's, or free.
@@ -150,15 +151,15 @@ class Maker {
       for (std::size_t b = 0; b < registers_[i].size(); ++b) {
         const auto own = std::find(held.begin(), held.end(), nets[registers_[i][b]]);
         if (own == held.end()) continue;
-        *own = w.when ? graph().choice(*w.when, w.code[b], *own) : w.code[b];
+        *own = w.when ? graph().mux(*w.when, w.code[b], *own) : w.code[b];
       }
     }
     const Row now = placed(number, held, false);
     for (std::size_t i = 0; i < registers_.size(); ++i) {
       const nets::Wire& w = machine_.registers[i];
       for (std::size_t b = 0; b < registers_[i].size(); ++b) {
-        const Bit wrong = graph().differ(now[registers_[i][b]], w.code[b]);
-        step.given = graph().both(step.given, !where_compared(w, wrong));
+        const Bit wrong = graph().xor_of(now[registers_[i][b]], w.code[b]);
+        step.given = graph().and_of(step.given, !where_compared(w, wrong));
       }
     }
     step.outputs = in(now, outputs_);
@@ -175,7 +176,7 @@ class Maker {
     for (std::size_t i = 0; i < after.size(); ++i) {
       const nets::Wire& w = machine_.cleared[i];
       if (w.field.unreset) continue;  // whatever it holds, the model takes it over
-      wrong = graph().either(wrong, where_compared(w, differs(after[i], w.code)));
+      wrong = graph().or_of(wrong, where_compared(w, differs(after[i], w.code)));
     }
     return wrong;
   }
@@ -197,15 +198,15 @@ NetQuestions nets_of_reached(const nets::Model& model) {
   NetQuestions q{model.graph, model.ports, {}, {}};
   Bit assumed = yes, wrong = no;
   for (const auto* all : {&m.invariant, &m.reached, &m.legal}) {
-    for (const nets::Named& n : *all) assumed = q.graph.both(assumed, n.condition);
+    for (const nets::Named& n : *all) assumed = q.graph.and_of(assumed, n.condition);
   }
   for (const auto* all : {&m.invariant_after, &m.reached_after}) {
-    for (const nets::Named& n : *all) wrong = q.graph.either(wrong, !n.condition);
+    for (const nets::Named& n : *all) wrong = q.graph.or_of(wrong, !n.condition);
   }
   for (const auto* all : {&m.invariant_cleared, &m.reached_cleared}) {
-    for (const nets::Named& n : *all) wrong = q.graph.either(wrong, !n.condition);
+    for (const nets::Named& n : *all) wrong = q.graph.or_of(wrong, !n.condition);
   }
-  q.asked.push_back({"any clock", q.graph.both(assumed, wrong)});
+  q.asked.push_back({"any clock", q.graph.and_of(assumed, wrong)});
   return q;
 }
 

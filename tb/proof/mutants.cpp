@@ -232,8 +232,8 @@ Claim Mutants::clear(std::size_t i) const {
     if (cleared.field.unreset) continue;  // whatever it holds, the model takes it over
     wrong = disjunction(wrong, where_compared(cleared, differ(after[w], cleared.code)));
   }
-  return asked("a clear makes them the same", fmt::format("mutant {}", mutant.number), script,
-               wrong);
+  return asked("base case: a clear makes them the same", fmt::format("mutant {}", mutant.number),
+               script, wrong);
 }
 
 Claim Mutants::step(std::size_t i) const {
@@ -253,8 +253,8 @@ Claim Mutants::step(std::size_t i) const {
   };
   all_differ(machine_.after, before.after(machine_), with.after(machine_));
   all_differ(machine_.outputs, before.outputs(machine_), with.outputs(machine_));
-  return asked("every clock keeps them the same", fmt::format("mutant {}", mutant.number), script,
-               wrong);
+  return asked("inductive step: every clock keeps them the same",
+               fmt::format("mutant {}", mutant.number), script, wrong);
 }
 
 }  // namespace cosim::proof

@@ -69,7 +69,7 @@ class NetQuestion {
       const auto nets = nets_of(registers_[i]);
       for (std::size_t b = 0; b < nets.size(); ++b) {
         Bit& bit = now[*rtl_->shown(nets[b])];
-        bit = w.when ? graph().choice(*w.when, w.code[b], bit) : w.code[b];
+        bit = w.when ? graph().mux(*w.when, w.code[b], bit) : w.code[b];
       }
     }
     return now;
@@ -105,26 +105,26 @@ class NetQuestion {
   Bit differs(const Code& a, const Code& b) {
     Bit any = no;
     for (std::size_t i = 0; i < a.size(); ++i) {
-      any = graph().either(any, graph().differ(a[i], b[i]));
+      any = graph().or_of(any, graph().xor_of(a[i], b[i]));
     }
     return any;
   }
   Bit where_compared(const nets::Wire& w, Bit wrong) {
-    return w.when ? graph().both(*w.when, wrong) : wrong;
+    return w.when ? graph().and_of(*w.when, wrong) : wrong;
   }
   Bit any_fails(const std::vector<nets::Named>& all) {
     Bit any = no;
-    for (const nets::Named& n : all) any = graph().either(any, !n.condition);
+    for (const nets::Named& n : all) any = graph().or_of(any, !n.condition);
     return any;
   }
   // Of what is assumed, and of the state and inputs.
-  void assume(Bit condition) { assumed_ = graph().both(assumed_, condition); }
+  void assume(Bit condition) { assumed_ = graph().and_of(assumed_, condition); }
   void assume_hypotheses() {
     assume(!any_fails(model_.machine.invariant));
     assume(!any_fails(model_.machine.legal));
   }
   void ask(const std::string& what, Bit bit) {
-    questions_.asked.push_back({what, graph().both(assumed_, bit)});
+    questions_.asked.push_back({what, graph().and_of(assumed_, bit)});
   }
   // Names a code for the counterexample.
   void show(const std::string& term, const Code& code) { questions_.terms[term] = code; }
@@ -189,10 +189,10 @@ NetQuestions nets_of_clear(const nets::Model& model, const RtlNets& rtl) {
     const nets::Wire& w = m.cleared[i];
     if (w.field.unreset) continue;
     const Code held = clears ? q.after(i) : q.shown(i);
-    wrong = q.graph().either(wrong, q.where_compared(w, q.differs(w.code, held)));
+    wrong = q.graph().or_of(wrong, q.where_compared(w, q.differs(w.code, held)));
     // A longer clear may take the model through states of its own.
     if (m.clear_clocks != 1) continue;
-    wrong = q.graph().either(wrong, q.where_compared(w, q.differs(m.after[i].code, w.code)));
+    wrong = q.graph().or_of(wrong, q.where_compared(w, q.differs(m.after[i].code, w.code)));
   }
   q.ask(clears ? "any clock" : "at first", wrong);
   return q.take();
@@ -212,7 +212,7 @@ NetQuestions nets_of_step(const nets::Model& model, const RtlNets& rtl) {
   const auto compare = [&](const char* what, const nets::Wire& w, const Code& actual) {
     q.show(term_of("model", w.field) + what, w.code);
     q.show(term_of("rtl", w.field) + what, actual);
-    wrong = q.graph().either(wrong, q.where_compared(w, q.differs(w.code, actual)));
+    wrong = q.graph().or_of(wrong, q.where_compared(w, q.differs(w.code, actual)));
   };
   for (std::size_t i = 0; i < m.after.size(); ++i) compare(kAfter, m.after[i], q.after(i));
   for (std::size_t i = 0; i < m.seen.size(); ++i) compare(kSeen, m.seen[i], q.shown(i));

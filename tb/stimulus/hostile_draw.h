@@ -153,7 +153,7 @@ class HostileDraw {
       if (pin.whole.width != 0) {
         takes = takes & (bit(bits(pin.whole), 0) | (bits(cell.some) == V(0)));
       }
-      held.value[k] = either(
+      held.value[k] = if_else(
           takes,
           [&] {
             V uniform = bits(cell.low);

@@ -11,8 +11,8 @@ namespace cosim {
 
 /// Gives the sink the clocks of `around` the stimulus's first difference, all where none differs.
 template <class Design>
-[[gnu::cold]] void record_wave(const DutMaker<Design>& maker, const Stimulus& stimulus, Window around,
-                 const WaveShape& shape, WaveSink& sink) {
+[[gnu::cold]] void record_wave(const DutMaker<Design>& maker, const Stimulus& stimulus,
+                               Window around, const WaveShape& shape, WaveSink& sink) {
   WaveRange range;
   range.clocks = stimulus.clocks.size();
   range.last = range.clocks - 1;

@@ -93,9 +93,9 @@ TEST(Either, RunsOnlyTheSideThatHolds) {
   int ran = 0;
   const auto one = [&] { return ++ran, Word{1}; };
   const auto two = [&] { return ran += 10, Word{2}; };
-  EXPECT_EQ(either(true, one, two), 1);
+  EXPECT_EQ(if_else(true, one, two), 1);
   EXPECT_EQ(ran, 1);
-  EXPECT_EQ(either(false, one, two), 2);
+  EXPECT_EQ(if_else(false, one, two), 2);
   EXPECT_EQ(ran, 11);
 }
 

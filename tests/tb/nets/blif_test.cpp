@@ -23,13 +23,13 @@ TEST(Graph, FoldsToTheSame) {
     bits.push_back(graph.input());
     bits.push_back(!bits.back());
   }
-  bits.push_back(graph.both(bits[2], bits[4]));
-  bits.push_back(!graph.choice(bits[2], bits[4], bits[6]));
+  bits.push_back(graph.and_of(bits[2], bits[4]));
+  bits.push_back(!graph.mux(bits[2], bits[4], bits[6]));
   for (const Bit a : bits) {
     for (const Bit b : bits) {
       for (const Bit c : bits) {
-        const Bit both = graph.both(a, b), either = graph.either(a, b), differ = graph.differ(a, b),
-                  choice = graph.choice(a, b, c);
+        const Bit both = graph.and_of(a, b), either = graph.or_of(a, b),
+                  differ = graph.xor_of(a, b), choice = graph.mux(a, b, c);
         const auto gates = run(graph, kThree);
         const auto of = [&](Bit bit) { return in_runs(gates, bit); };
         ASSERT_EQ(of(both), of(a) & of(b));
@@ -44,10 +44,10 @@ TEST(Graph, FoldsToTheSame) {
 TEST(Graph, HasEachGateOnce) {
   Graph graph;
   const Bit a = graph.input(), b = graph.input(), c = graph.input();
-  EXPECT_EQ(graph.both(a, b), graph.both(b, a));
-  EXPECT_EQ(graph.differ(a, !b), !graph.differ(b, a));
-  EXPECT_EQ(graph.choice(a, b, c), graph.choice(!a, c, b));
-  EXPECT_EQ(graph.choice(a, !b, !c), !graph.choice(a, b, c));
+  EXPECT_EQ(graph.and_of(a, b), graph.and_of(b, a));
+  EXPECT_EQ(graph.xor_of(a, !b), !graph.xor_of(b, a));
+  EXPECT_EQ(graph.mux(a, b, c), graph.mux(!a, c, b));
+  EXPECT_EQ(graph.mux(a, !b, !c), !graph.mux(a, b, c));
   EXPECT_EQ(graph.gates().size(), 1U + 3 + 3);
 }
 
@@ -55,7 +55,7 @@ TEST(Graph, LooksUpEveryTableOfThree) {
   Graph graph;
   const std::vector<Bit> of{graph.input(), graph.input(), graph.input()};
   for (std::uint64_t table = 0; table < 256; ++table) {
-    const Bit bit = graph.looked_up(of, table);
+    const Bit bit = graph.lut(of, table);
     ASSERT_EQ(in_runs(run(graph, kThree), bit) & 0xff, table);
   }
 }
@@ -80,9 +80,9 @@ Net random_net(std::uint64_t seed) {
   for (int i = 0; i < 40; ++i) {
     const Bit a = any(), b = any(), c = any();
     const auto kind = random.below(3);
-    bits.push_back(kind == 0   ? net.graph.both(a, b)
-                   : kind == 1 ? net.graph.differ(a, b)
-                               : net.graph.choice(a, b, c));
+    bits.push_back(kind == 0   ? net.graph.and_of(a, b)
+                   : kind == 1 ? net.graph.xor_of(a, b)
+                               : net.graph.mux(a, b, c));
   }
   for (std::size_t i = 0; i < 12; ++i) net.outputs.push_back({"out" + std::to_string(i), any()});
   return net;

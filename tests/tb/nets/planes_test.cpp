@@ -23,13 +23,13 @@ nets::Graph made_at_random(Random& random, std::vector<Bit>& bits) {
   for (int i = 0; i < 500; ++i) {
     switch (random.below(3)) {
       case 0:
-        bits.push_back(graph.both(any(), any()));
+        bits.push_back(graph.and_of(any(), any()));
         break;
       case 1:
-        bits.push_back(graph.differ(any(), any()));
+        bits.push_back(graph.xor_of(any(), any()));
         break;
       default:
-        bits.push_back(graph.choice(any(), any(), any()));
+        bits.push_back(graph.mux(any(), any(), any()));
     }
   }
   return graph;

@@ -13,8 +13,8 @@ Lit full(Aig& graph, int bits, Lit goes) {
   Lit carry = 1;
   for (int i = 0; i < bits; ++i) {
     const Lit bit = graph.latch();
-    graph.next(bit, graph.both(goes, graph.differ(bit, carry)));
-    carry = graph.both(carry, bit);
+    graph.next(bit, graph.and_of(goes, graph.xor_of(bit, carry)));
+    carry = graph.and_of(carry, bit);
   }
   return carry;
 }
@@ -39,8 +39,8 @@ TEST(ByChance, WhatIsHeldChangesAfterAWhile) {
   Aig graph;
   const Lit stops = graph.seldom();
   const Lit first = full(graph, 12, Aig::inverted(stops)), met = graph.latch();
-  graph.next(met, graph.either(met, first));
-  expect_met(graph, full(graph, 5, graph.both(met, stops)));
+  graph.next(met, graph.or_of(met, first));
+  expect_met(graph, full(graph, 5, graph.and_of(met, stops)));
 }
 
 TEST(ByChance, AWordIsSmall) {
@@ -48,7 +48,7 @@ TEST(ByChance, AWordIsSmall) {
   Lit other = 0;
   for (int i = 0; i < 96; ++i) {
     const Lit bit = graph.input("word");
-    other = graph.either(other, i == 1 ? Aig::inverted(bit) : bit);
+    other = graph.or_of(other, i == 1 ? Aig::inverted(bit) : bit);
   }
   ASSERT_EQ(graph.words().size(), 1U);
   expect_met(graph, Aig::inverted(other));
@@ -58,7 +58,7 @@ TEST(ByChance, WhatCannotBeIsNot) {
   Aig graph;
   const Lit a = graph.input(), b = graph.latch(true);
   graph.next(b, b);
-  EXPECT_TRUE(by_chance(graph, graph.both(a, Aig::inverted(b)), 1, 1000).empty());
+  EXPECT_TRUE(by_chance(graph, graph.and_of(a, Aig::inverted(b)), 1, 1000).empty());
 }
 
 }  // namespace

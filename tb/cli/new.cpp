@@ -173,6 +173,9 @@ int run(const NewOptions& o) {
   if (!found.is_yosys && model == NewModel::generic) {
     begun.left.emplace_back("yosys cannot read the RTL, or not in 40 s: nothing is proved of it");
   }
+  if (found.has_inner_reset() && model == NewModel::generic) {
+    begun.left.emplace_back("a register resets others at once: nothing is proved of it");
+  }
   for (const std::string& left : begun.left) fmt::print("{0}/{0}.h: {1}\n", name, left);
   return 0;
 }

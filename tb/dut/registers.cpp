@@ -162,10 +162,21 @@ std::vector<std::string> unobserved_registers(const RtlText& text, const std::ve
 }
 
 void require_resets(const RtlText& text, Resets design, const std::vector<ResetPin>& pins) {
-  const auto resets = lines_of(text.resets);
+  auto resets = lines_of(text.resets);
   const auto refuse = [&](const std::string& why) {
     throw InputError(fmt::format("{}: {}", text.title, why));
   };
+  for (const auto& reset : resets) {
+    if (reset.front() == "inner" && design != Resets::each_at_once) {
+      refuse(
+          fmt::format("register {} resets others asynchronously: the model is to say what it "
+                      "clears, with reset()",
+                      reset.back()));
+    }
+  }
+  const bool any_inner =
+      std::erase_if(resets, [](const auto& reset) { return reset.front() == "inner"; }) != 0;
+  if (any_inner && resets.empty()) return;
   if (resets.empty()) {
     if (design != Resets::at_edge && !text.registers.empty()) {
       refuse(fmt::format("{}, and no register of the RTL has an asynchronous reset",

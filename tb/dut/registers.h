@@ -14,7 +14,7 @@ namespace cosim {
 struct RtlText {
   std::string title;           ///< of the shape, for errors
   std::string_view registers;  ///< lines "PATH WIDTH WORDS BITS [NET WIDTH WORDS LOW]..."
-  std::string_view resets;     ///< lines "NAME" or "low NAME"
+  std::string_view resets;     ///< lines "NAME" or "low NAME", "inner NAME" of a register
 };
 
 /// An input that clear() sets otherwise than rest(), and how.

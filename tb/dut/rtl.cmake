@@ -5,7 +5,7 @@ set_property(GLOBAL PROPERTY COSIM_RTL_READER "${CMAKE_CURRENT_LIST_DIR}/rtl.pl"
 # cosim_read_rtl(PREFIX WHAT TOP CLOCK FOLDER FILES... OPTIONS word... YOSYS commands...)
 #
 # Sets PREFIX_registers, the text of rtl.pl on the registers, its lines joined by \n, PREFIX_resets, the
-# asynchronous ones, and PREFIX_clocks. An error, one line that begins with WHAT, where the RTL has what no design can
+# asynchronous ones, "inner NAME" of a register that is one, and PREFIX_clocks. An error, one line that begins with WHAT, where the RTL has what no design can
 # have. OPTIONS are Verilator's; YOSYS is what makes yosys read the same. Another one where Verilator
 # does not write its tree: no design goes unchecked.
 function(cosim_read_rtl prefix what top clock folder)
@@ -79,6 +79,12 @@ function(cosim_read_rtl prefix what top clock folder)
     string(REGEX MATCHALL "(^|\n)${what} [^\n]*" lines "${found}")
     list(TRANSFORM lines REPLACE "^\n?${what} " "")
     list(JOIN lines "\\n" lines)
+    if(what STREQUAL reset)
+      string(REGEX MATCHALL "(^|\n)inner [^\n]*" inner "${found}")
+      list(TRANSFORM inner REPLACE "^\n" "")
+      list(APPEND lines ${inner})
+      list(JOIN lines "\\n" lines)
+    endif()
     set(${prefix}_${what}s "${lines}" PARENT_SCOPE)
   endforeach()
 endfunction()

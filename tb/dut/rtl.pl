@@ -10,6 +10,7 @@
 #                      its bits that hold a state, "7:4,0:0", the words of a memory one behind the
 #                      other; and the nets that carry its value, from their bit LOW up
 #   reset NAME         an input that resets some of them asynchronously, "low NAME" where it is low
+#   inner NAME         a register that does, likewise
 #   loop NAME          a net that may be in a combinational loop
 #   clock NAME         a clock, "falling NAME" where registers change on that edge
 #   clocked REGISTER NAME
@@ -210,7 +211,7 @@ sub input_of {
     return $input // '';
 }
 
-my (%registers, %resets);
+my (%registers, %resets, @by_others);
 sub held_by {
     my ($p) = @_;
     my %held;
@@ -238,11 +239,25 @@ for my $p (@processes) {
     if ($other) {
         my ($way, $net) = @$other;
         my ($input, $inverse) = map { input_of($net, $_) } 0, 1;
-        refuse("$named: an asynchronous reset by $net, which is no input") if "$input$inverse" eq '';
         my $is_low = ($way eq 'NEG' xor $input eq '');
-        $resets{($is_low ? 'low ' : '') . ($input || $inverse)} = 1;
+        $resets{($is_low ? 'low ' : '') . ($input || $inverse)} = 1 if "$input$inverse" ne '';
+        $p->{is_inner} = "$input$inverse" eq '';
+        push @by_others, [$named, $way, $net] if $p->{is_inner};
     }
     $registers{$_} = ($registers{$_} // '') | $held{$_} for keys %held;
+}
+# A register of one bit may reset others, itself or inverted.
+my %inner;
+for my $by (@by_others) {
+    my ($named, $way, $net) = @$by;
+    my ($of, $odd);
+    for my $candidate (grep { $info{$_}{bits} == 1 } sort keys %registers) {
+        my $nets = reached($candidate);
+        ($of, $odd) = ($candidate, $nets->{"1 $net"} ? 1 : 0) if $nets->{"0 $net"} || $nets->{"1 $net"};
+    }
+    refuse("$named: an asynchronous reset by $net, which is no input") if !defined $of;
+    $reached{$of} = reached($of);
+    $inner{(($way eq 'NEG' xor $odd) ? 'low ' : '') . $of} = 1;
 }
 
 sub carries_to_output {
@@ -303,12 +318,13 @@ for my $register (sort keys %registers) {
     print join(' ', 'register', $register, shape_text($register), ranges($registers{$register}), @nets), "\n";
 }
 print "reset $_\n" for sort keys %resets;
+print "inner $_\n" for sort keys %inner;
 my %is_falling = map { $_ => ($way_of->{$_} // 'POS') ne 'POS' } @clocks;
 print 'clock ', $is_falling{$_} ? 'falling ' : '', "$_\n" for @clocks;
 if (@clocks > 1) {
     for my $p (@processes) { print "clocked $_ $p->{clock}\n" for sort keys %{$p->{held}} }
 }
 
-tell_resets($wanted_reset, [keys %resets], [sort keys %registers], \@processes, \@initial);
+tell_resets($wanted_reset, [keys %resets], [keys %inner], [sort keys %registers], \@processes, \@initial);
 print "loop ", below_top($_), "\n"
   for $warnings =~ /^%Warning-UNOPTFLAT: [^']*'([^']+)'/mg;

@@ -100,24 +100,24 @@ sub synchronous_reset {
 
 # Prints what rtl.pl says of the resets of `registers`: lines synchronous, given and value.
 sub tell_resets {
-    my ($wanted, $asynchronous, $registers, $processes, $initial) = @_;
+    my ($wanted, $asynchronous, $inner, $registers, $processes, $initial) = @_;
     refuse("$wanted: the RTL has no such input, which is to be its reset")
       if defined $wanted && !$inputs{$wanted};
-    my %active = map { /^(low )?(.*)$/ && ($2 => $1 ? 0 : 1) } @$asynchronous;
+    my %active = map { /^(low )?(.*)$/ && ($2 => $1 ? 0 : 1) } @$asynchronous, @$inner;
     my @at_once = sort keys %active;
     # Each clock may have one of its own; a clock of registers that are reset at once needs none.
     my %by_clock;
     push @{$by_clock{$_->{clock}}}, $_ for @$processes;
     for my $clock (sort keys %by_clock) {
-        next if grep { @{$_->{others}} } @{$by_clock{$clock}};
-        next if keys %by_clock == 1 && @at_once;
+        next if grep { @{$_->{others}} && !$_->{is_inner} } @{$by_clock{$clock}};
+        next if keys %by_clock == 1 && @$asynchronous;
         my $found = synchronous_reset($wanted, @{$by_clock{$clock}}) or next;
         my ($name, $level) = @$found;
         next if exists $active{$name};
         $active{$name} = $level;
         print 'synchronous ', $level ? '' : 'low ', "$name\n";
     }
-    for my $reset (keys %active > 1 ? @at_once : ()) {
+    for my $reset (keys %active > 1 || @$inner ? @at_once : ()) {
         my $given = given_by({$reset => $active{$reset}}, @$processes);
         print "given $reset $_ $given->{$_}\n" for grep { defined $given->{$_} } @$registers;
     }

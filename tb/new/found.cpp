@@ -44,12 +44,13 @@ void read_found(Found& found, const std::string& text) {
       found.clocks.push_back({falls ? bits : name, falls ? Edge::falling : Edge::rising});
     } else if (what == "clocked") {
       words >> clocks[name].emplace_back();
-    } else if (what == "reset" || what == "synchronous") {
+    } else if (what == "reset" || what == "inner" || what == "synchronous") {
       FoundReset reset;
       reset.active_low = name == "low";
       if (reset.active_low) words >> name;
       reset.name = name;
-      found.asynchronous |= what == "reset";
+      reset.is_inner = what == "inner";
+      found.asynchronous |= what != "synchronous";
       found.resets.push_back(reset);
     } else if (what == "value") {
       words >> values[name];
@@ -85,6 +86,35 @@ bool is_word(long value) {
   return true;
 }
 
+// A record names its fields in their order. Of registers that reset others each stands before those
+// that it resets itself.
+void order_resets(Found& found) {
+  const auto place = [&](const FoundReset& reset) {
+    return std::find_if(found.inputs.begin(), found.inputs.end(),
+                        [&](const FoundNet& net) { return net.name == reset.name; });
+  };
+  auto& all = found.resets;
+  std::stable_sort(all.begin(), all.end(),
+                   [&](const FoundReset& a, const FoundReset& b) { return place(a) < place(b); });
+  const auto gives = [](const FoundReset& by, const FoundReset& to) {
+    return std::any_of(by.values.begin(), by.values.end(),
+                       [&](const auto& value) { return value.first == to.name; });
+  };
+  for (auto next = all.begin(); next != all.end(); ++next) {
+    const auto first = std::find_if(next, all.end(), [&](const FoundReset& reset) {
+      return !reset.is_inner || std::none_of(next, all.end(), [&](const FoundReset& other) {
+        return other.name != reset.name && gives(other, reset);
+      });
+    });
+    if (first != all.end()) std::rotate(next, first, std::next(first));
+  }
+  if (found.has_inner_reset() && all.front().is_inner) {
+    throw InputError(
+        fmt::format("new: {}: a register that resets others at once, and no input resets anything",
+                    all.front().name));
+  }
+}
+
 void read_shape(Found& found, const FoundShape& shape) {
   for (const auto& [way, net] : shape.ports) {
     const std::string& name = net.name;
@@ -103,13 +133,7 @@ void read_shape(Found& found, const FoundShape& shape) {
       found.inputs.back().edge = clock->edge;
     }
   }
-  // A record names its fields in their order.
-  const auto place = [&](const FoundReset& reset) {
-    return std::find_if(found.inputs.begin(), found.inputs.end(),
-                        [&](const FoundNet& net) { return net.name == reset.name; });
-  };
-  std::stable_sort(found.resets.begin(), found.resets.end(),
-                   [&](const FoundReset& a, const FoundReset& b) { return place(a) < place(b); });
+  order_resets(found);
 }
 
 // On a terminal, for as long as this lives.

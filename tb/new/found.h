@@ -1,6 +1,7 @@
 // What Verilator and yosys find in RTL that somebody brings: its ports, parameters and registers.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -41,10 +42,11 @@ struct FoundParameter {
   bool is_text = false;  ///< it is no number
 };
 
-/// An input that resets registers.
+/// An input, or a register, that resets registers.
 struct FoundReset {
   std::string name;
   bool active_low = false;
+  bool is_inner = false;  ///< a register, which resets others without waiting for the clock
   /// What it gives by itself, where there are several: registers and constants.
   std::vector<std::pair<std::string, std::string>> values = {};
 };
@@ -58,6 +60,10 @@ struct Found {
   std::vector<FoundParameter> parameters;  ///< of the top: whole numbers that follow no other
   bool is_yosys = true;                    ///< yosys, where it is installed, reads it in 40 s
 
+  /// A register resets others: nothing is proved.
+  bool has_inner_reset() const {
+    return std::any_of(resets.begin(), resets.end(), [](const auto& r) { return r.is_inner; });
+  }
   /// There are several, or registers change on the falling edge of the one: inputs of the model.
   bool clocks_are_inputs() const {
     return clocks.size() > 1 || (clocks.size() == 1 && clocks.front().edge == Edge::falling);

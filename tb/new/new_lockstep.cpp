@@ -61,13 +61,14 @@ std::string step_head(bool plain) {
 }
 
 std::string clear_of(const Found& f) {
-  if (f.resets.empty()) return "";
   std::string rest, clear;
   for (const FoundReset& r : f.resets) {
+    if (r.is_inner) continue;
     if (r.active_low) rest += fmt::format("{}.{} = 1", rest.empty() ? "" : ", ", field_of(r.name));
     clear += fmt::format("{}.{} = {}", clear.empty() ? "" : ", ", field_of(r.name),
                          r.active_low ? 0 : 1);
   }
+  if (clear.empty()) return "";
   std::string text;
   if (!rest.empty()) {
     text += fmt::format(
@@ -145,16 +146,16 @@ std::string step_of(const Found& f, const std::vector<NewRow>& rows, bool plain)
 
 // The state under each of several resets.
 std::string reset_of(const Found& f, const std::vector<NewRow>& rows, bool plain) {
-  if (!f.asynchronous || f.resets.size() < 2) return "";
+  if (!f.asynchronous || (f.resets.size() < 2 && !f.has_inner_reset())) return "";
   const std::string type = plain ? "Word" : "V";
   std::string text = fmt::format(
       "/// Under the resets that do not wait for the clock.\n"
       "{0} State<{1}> reset(const Params&, State<{1}> s, const Inputs<{1}>& in) {{\n",
       plain ? "inline" : "template <class V>\nconstexpr", type);
   for (const FoundReset& r : f.resets) {
-    const std::string pin = field_of(r.name);
-    const std::string on = plain ? fmt::format("(in.{} {} 0)", pin, r.active_low ? "==" : "!=")
-                                 : fmt::format("{}is_set(in.{})", r.active_low ? "!" : "", pin);
+    const std::string pin = (r.is_inner ? "s." : "in.") + field_of(r.name);
+    const std::string on = plain ? fmt::format("({} {} 0)", pin, r.active_low ? "==" : "!=")
+                                 : fmt::format("{}is_set({})", r.active_low ? "!" : "", pin);
     for (const auto& [name, value] : r.values) {
       const auto row = std::find_if(rows.begin(), rows.end(), [&n = name](const NewRow& q) {
         return q.net.name == n && q.bits.empty();

@@ -200,6 +200,10 @@ function(cosim_add_design NAME)
     cosim_read_rtl(rtl_of "cosim_add_design(${TITLE})" ${TOP} ${reader_clock}
       ${CMAKE_CURRENT_BINARY_DIR}/rtl_${ID} FILES ${rtl} OPTIONS ${generics} ${options}
       YOSYS "read_verilog -sv ${for_yosys}; hierarchy -check -top ${TOP}${shape_chparams}")
+    if(rtl_of_resets MATCHES "inner (low )?([^\\]*)" AND NOT D_UNPROVED)
+      message(FATAL_ERROR "cosim_add_design(${TITLE}): ${CMAKE_MATCH_2}: a register that is an asynchronous "
+        "reset: say UNPROVED, for nothing is proved of it")
+    endif()
     set(verilated ${rtl})
     set(verilated_options ${generics} ${options})
     if(netlists)

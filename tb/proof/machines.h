@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -22,10 +23,12 @@ struct BuiltMachine {
   bool streams = false;  ///< it has a stream model
   /// All that runs in lanes; null where there are no nets.
   nets::Played (*played)() = nullptr;
+  bool resets_itself = false;  ///< a register of its RTL resets others without waiting for a clock
 };
 
 /// Why there is no formula of a machine, for a person: what its model is.
 inline const char* model_without_formula(const BuiltMachine& machine) {
+  if (machine.resets_itself) return "a register of its RTL resets others at once";
   return machine.streams ? "a stream model, which knows no clock"
                          : "a plain model, on machine integers alone";
 };
@@ -36,7 +39,13 @@ BuiltMachine built_machine(Source source) {
   using Design = typename Trait::Design;
   source.clocks_are_inputs = clocks_of<Design> != 0;
   BuiltMachine machine{Trait::title, nullptr, nullptr, std::move(source), HasStreams<Design>};
-  if constexpr (StepsOn<Design, Bits>) {
+  if constexpr (requires { Trait::resets; }) {
+    machine.resets_itself = std::string_view(Trait::resets).find("inner ") != std::string::npos;
+  }
+  // The nets of what is reset so show on the next step what they hold.
+  if (machine.resets_itself) {
+    machine.formula = nullptr;
+  } else if constexpr (StepsOn<Design, Bits>) {
     machine.formula = [] { return formula<Design>(Trait::params); };
   }
   if constexpr (StepsOn<Design, nets::Number>) {

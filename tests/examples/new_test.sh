@@ -332,6 +332,25 @@ constexpr State<V> reset(const Params&, State<V> s, const Inputs<V>& in) {
   static constexpr Inputs<Word> clear() { return {.other = 0, .d = 1}; }
 RESET
 rm -r made
+# A register that resets others, behind what resets it.
+rtl 'reg ready; always @(posedge clk or negedge other) if (!other) ready <= 0; else ready <= 1;
+     always @(posedge clk or negedge ready) if (!ready) q <= 1; else q <= d;'
+"$program" new made made.v > said
+diff - <(sed -n '/^constexpr State/,/^}/p; /clear()\|rest()/p' made/made.h) << 'RESET'
+constexpr State<V> reset(const Params&, State<V> s, const Inputs<V>& in) {
+  s.ready = select(!is_set(in.other), V(0), s.ready);
+  s.q = select(!is_set(s.ready), V(0x1), s.q);
+  return s;
+}
+  static constexpr Inputs<Word> rest() { return {.other = 1}; }
+  static constexpr Inputs<Word> clear() { return {.other = 0}; }
+RESET
+grep -q ' UNPROVED)$' made/CMakeLists.txt
+grep -qx 'made/made.h: a register resets others at once: nothing is proved of it' said
+rm -r made
+rtl 'reg ready; always @(posedge clk) ready <= d;
+     always @(posedge clk or negedge ready) if (!ready) q <= 1; else q <= d;'
+refused "new: ready: a register that resets others at once, and no input resets anything" made made.v
 rtl 'wire x = d & other; always @(posedge clk or posedge x) if (x) q <= 0; else q <= d;'
 refused "new: q: an asynchronous reset by x, which is no input" made made.v
 rtl 'always @(posedge clk) q <= d; always @(negedge clk) r <= d;'

@@ -70,6 +70,12 @@ rtl 'always @(posedge clk or posedge d or negedge other) if (d) q <= 0; else if 
 refused "made: q: an asynchronous set and reset, d and other"
 rtl 'wire x = d & other; always @(posedge clk or posedge x) if (x) q <= 0; else q <= w[0];'
 refused "made: q: an asynchronous reset by x, which is no input"
+rtl 'reg n; always @(posedge clk) n <= d; always @(posedge clk or negedge n) if (!n) q <= 0; else q <= w[0];'
+found 'n 1 0 0:0\nq 1 0 0:0|inner low n'
+rtl 'reg n; always @(posedge clk) n <= d; wire up = !n;
+     always @(posedge clk or posedge up) if (up) q <= 0; else q <= w[0];
+     always @(posedge clk or posedge other) if (other) r <= 0; else r <= w[1];'
+found 'n 1 0 0:0\nq 1 0 0:0\nr 1 0 0:0|other\ninner low n'
 rtl 'always @(posedge clk) q <= d'
 refused "made: Verilator cannot read it: %Error: "
 if command -v yosys > /dev/null; then

@@ -171,5 +171,18 @@ TEST(Resets, OfSeveralAreGivenByTheClearTogether) {
   }
 }
 
+TEST(Resets, ByARegisterAreInReset) {
+  for (const char* resets : {"inner ready", "low rst_n\ninner low ready"}) {
+    const RtlText made{"made", "q", resets};
+    const ResetPin rst_n{"rst_n", false};
+    EXPECT_EQ(said([&] { require_resets(made, Resets::each_at_once, {rst_n}); }), "");
+    for (const Resets design : {Resets::at_edge, Resets::at_once}) {
+      EXPECT_EQ(said([&] { require_resets(made, design, {rst_n}); }),
+                "made: register ready resets others asynchronously: the model is to say what it "
+                "clears, with reset()");
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cosim

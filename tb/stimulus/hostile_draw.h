@@ -68,6 +68,10 @@ class HostileDraw {
       const V own = low_bits(rarity, 2), shared = shift_right(rarity, 2);
       held.rarity[n] = (shift_left(V(1), own) - V(1)) | select(shared > V(2), V(8), V(0)) |
                        select(shared > V(5), V(16), V(0));
+      if (pin.is_clock) {  // that none moves is to be rare
+        const auto is_still = bit(bits(pin.is_slow), 0) | bit(bits(pin.toggles), 0);
+        held.rarity[n] = held.rarity[n] & select(is_still, V(15), V(31));
+      }
       if (pin.is_quiet) held.rarity[n] = held.rarity[n] | select(quiet, V(32), V(0));
       if (!pin.is_wide) continue;
       for (std::size_t k = pin.first; k < pin.first + pin.cells; ++k) {

@@ -26,10 +26,11 @@ TEST(Clocks, AreDrawnAsClocksRun) {
   std::array<int, 4> sets{};  // of both, how often
   int still = 0,
       by_turns = 0;          // the longest rows: one stands still and the other does not; 0 1 0 1
+  int idle = 0;              // stretches in which nothing moves
   int rare = 0, on_end = 0;  // stretches with few edges; the longest row of edges among others
   for (std::uint64_t index = 0; index < 200; ++index) {
     HostileStimulus<Design> hostile(domains::Params{}, {7, index, 1024});
-    int row = 0, turns = 0, edges = 0, together = 0, clock = 0;
+    int row = 0, turns = 0, edges = 0, any = 0, together = 0, clock = 0;
     Word last = 0;
     for (Inputs<Word> in; hostile.next(in, {}); ++clock) {
       ++sets[static_cast<std::size_t>(2 * in.a_clk + in.b_clk)];
@@ -41,13 +42,16 @@ TEST(Clocks, AreDrawnAsClocksRun) {
       by_turns = std::max(by_turns, turns);
       last = in.a_clk;
       edges += static_cast<int>(in.a_clk);
+      any += static_cast<int>(in.a_clk | in.b_clk);
       if (clock % 256 == 255) {
         rare += edges > 0 && edges < 32 ? 1 : 0;
-        edges = 0;
+        idle += any == 0 ? 1 : 0;
+        edges = any = 0;
       }
     }
   }
   for (const int each : sets) EXPECT_GT(each, 10000);
+  EXPECT_LT(idle, 12);  // of 800 stretches
   EXPECT_GT(still, 200);
   EXPECT_GT(by_turns, 200);
   EXPECT_GT(rare, 20);

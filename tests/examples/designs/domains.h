@@ -13,7 +13,7 @@ struct Params {
   FIELD(a_clk, 1, rises, "", "the side that sends")    \
   FIELD(a_rst, 1, flag, "", "resets it, at its clock") \
   FIELD(send, 1, flag, "", "there is an event")        \
-  FIELD(b_clk, 1, rises, "", "the side that counts")   \
+  FIELD(b_clk, 1, falls, "", "the side that counts")   \
   FIELD(b_rst_n, 1, flag, "", "resets it where it is 0, at once")
 #define DOMAINS_OUTPUTS(FIELD) FIELD(q, 3, number, "", "events seen")
 #define DOMAINS_STATE(FIELD)                        \
@@ -28,7 +28,7 @@ template <class V>
 constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
   State<V> a = s;  // where a_clk rises
   a.turned = select(is_set(in.a_rst), V(0), s.turned ^ in.send);
-  State<V> b = s;  // where b_clk does
+  State<V> b = s;  // where b_clk falls
   b.first = s.turned;
   b.second = s.first;
   b.last = s.second;

@@ -1,5 +1,5 @@
-// Events of one clock counted by another: each turns a bit over, which two flip-flops of the other clock
-// sample. Each side has a reset of its own, one at its clock and one at once.
+// Events of one clock counted by another, on its falling edge: each turns a bit over, which two flip-flops
+// of the other clock sample. Each side has a reset of its own, one at its clock and one at once.
 module domains #(parameter FAULT = 0) (
     input  wire       a_clk,
     input  wire       a_rst,
@@ -21,7 +21,7 @@ module domains #(parameter FAULT = 0) (
   // The fault is a flip-flop on the wrong side.
   generate
     if (FAULT == 0) begin : sampled
-      always @(posedge b_clk or negedge b_rst_n)
+      always @(negedge b_clk or negedge b_rst_n)
         if (!b_rst_n) first <= 1'b0;
         else first <= turned;
     end else begin : sampled
@@ -30,7 +30,7 @@ module domains #(parameter FAULT = 0) (
         else first <= turned;
     end
   endgenerate
-  always @(posedge b_clk or negedge b_rst_n) begin
+  always @(negedge b_clk or negedge b_rst_n) begin
     if (!b_rst_n) begin
       second <= 1'b0;
       last   <= 1'b0;

@@ -1,0 +1,188 @@
+#!/usr/bin/env bash
+# new_refused_test.sh PROGRAM SOURCES
+#
+# What `cosim new` takes of small modules, and what it refuses in one line: clocks, resets, latches,
+# hostile names, options. SOURCES: the project's folder.
+# Status: 0 so, 1 not, 77 where yosys is not installed.
+set -euo pipefail
+
+command -v yosys > /dev/null || { echo "skipped: no yosys" && exit 77; }
+program=$1 sources=$2
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+mkdir pair
+cat > part.v << 'RTL'
+module part(input wire ck, input wire [2:0] d, output wire [2:0] q);
+  reg [2:0] kept;
+  assign q = kept;
+  always @(posedge ck) kept <= d;
+endmodule
+RTL
+
+# refused LINE WORDS...: that is all that it says, its status is 2, and there is no folder `made`.
+refused() {
+  local line="cosim: $1" said status=0
+  shift
+  said=$("$program" new "$@" 2>&1) || status=$?
+  [[ $status == 2 && $said == "$line" && ! -e made ]] && return
+  printf 'new %s: status %d, it said\n%s\nin place of\n%s\n' "$*" "$status" "$said" "$line"
+  exit 1
+}
+# rtl BODY: a module with a clock, some inputs and outputs.
+rtl() {
+  printf 'module made(input wire clk, other, d, input wire [7:0] w, output reg q, r);\n%s\nendmodule\n' \
+    "$1" > made.v
+}
+refused "NAME: is needed"
+refused "NAME: 'Made' is not small letters, digits and _, a letter first" Made
+refused "NAME: parity is the harness's own, in model/core/bit_strings.h" parity
+refused "NAME: switch is a word of C++" switch
+[[ ! -e parity && ! -e switch ]] || exit 1
+refused "pair: exists" pair
+refused "none.v: no such file" made none.v
+rtl 'always @(posedge clk) q <= d'
+refused "new: Verilator cannot read it: %Error: made.v:3:1: syntax error, unexpected endmodule" made made.v
+rtl 'always @* if (other) q = d; always @(posedge clk) r <= q;'
+refused "new: q: a latch" made made.v
+rtl 'always @(posedge clk or posedge other) if (other) q <= 0; else q <= d;'
+"$program" new made made.v > said
+grep -q 'clear() { return {.other = 1}; }' made/made.h
+grep -qx '  static constexpr bool asynchronous_reset = true;' made/made.h
+rm -r made
+rtl 'always @(posedge clk or negedge other) if (!other) q <= 0; else q <= d;
+     always @(posedge clk or posedge d) if (d) r <= 0; else r <= w[0];'
+"$program" new made made.v > said
+diff - <(sed -n '/^constexpr State/,/^}/p; /clear()\|rest()/p' made/made.h) << 'RESET'
+constexpr State<V> reset(const Params&, State<V> s, const Inputs<V>& in) {
+  s.q = select(!is_set(in.other), V(0), s.q);
+  s.r = select(is_set(in.d), V(0), s.r);
+  return s;
+}
+  static constexpr Inputs<Word> rest() { return {.other = 1}; }
+  static constexpr Inputs<Word> clear() { return {.other = 0, .d = 1}; }
+RESET
+rm -r made
+# A register that resets others, behind what resets it.
+rtl 'reg ready; always @(posedge clk or negedge other) if (!other) ready <= 0; else ready <= 1;
+     always @(posedge clk or negedge ready) if (!ready) q <= 1; else q <= d;'
+"$program" new made made.v > said
+diff - <(sed -n '/^constexpr State/,/^}/p; /clear()\|rest()/p' made/made.h) << 'RESET'
+constexpr State<V> reset(const Params&, State<V> s, const Inputs<V>& in) {
+  s.ready = select(!is_set(in.other), V(0), s.ready);
+  s.q = select(!is_set(s.ready), V(0x1), s.q);
+  return s;
+}
+  static constexpr Inputs<Word> rest() { return {.other = 1}; }
+  static constexpr Inputs<Word> clear() { return {.other = 0}; }
+RESET
+grep -q ' UNPROVED)$' made/CMakeLists.txt
+grep -qx 'made/made.h: a register resets others at once: nothing is proved of it' said
+rm -r made
+rtl 'reg ready; always @(posedge clk) ready <= d;
+     always @(posedge clk or negedge ready) if (!ready) q <= 1; else q <= d;'
+refused "new: ready: a register that resets others at once, and no input resets anything" made made.v
+rtl 'wire x = d & other; always @(posedge clk or posedge x) if (x) q <= 0; else q <= d;'
+refused "new: q: an asynchronous reset by x, which is no input" made made.v
+rtl 'always @(posedge clk) q <= d; always @(negedge clk) r <= d;'
+refused "new: r and q: registers on both edges of clk" made made.v
+rtl 'reg half; always @(posedge clk) half <= !half; always @(posedge half) q <= d;'
+refused "new: q: its clock is half, which is no input" made made.v
+rtl 'wire gated = clk & d; always @(posedge gated) q <= w[0]; always @(posedge other) r <= w[1];'
+refused "new: q: its clock is gated, which is no input" made made.v
+rtl 'always @(posedge clk) q <= d; always @(posedge other) r <= d;'
+refused "new: --stream: of one clock, which rises; made has several" made made.v --stream
+rtl 'wire x = !other; always @(posedge clk or posedge x) if (x) q <= 0; else q <= d;
+     always @(posedge clk or negedge other) if (!other) r <= 0; else r <= d;'
+"$program" new made made.v > said
+grep -q 'clear() { return {.other = 0}; }' made/made.h
+rm -r made
+# The variable of loops in several processes is no latch, and none that only some ways write, where each
+# writes it before it is read.
+rtl 'integer i; reg [3:0] a, b;
+     always @* begin r = 0; for (i = 0; i < 4; i = i + 1) a[i] = w[i]; end
+     always @* begin b = 0; if (d) for (i = 0; i < 4; i = i + 1) b[i] = a[i] && w[i + 4]; end
+     always @(posedge clk) q <= ^b;'
+"$program" new made made.v > said
+rm -r made
+rtl 'integer i, n; reg [3:0] a;
+     always @* begin a = 0; if (d) begin n = 0; for (i = 0; i < 4; i = i + 1) if (w[i]) n = i; a = n; end end
+     always @(posedge clk) q <= ^a;'
+"$program" new made made.v > said
+rm -r made
+# A word of C++ is no name of a field.
+rtl 'always @(posedge clk) begin q <= d; r <= other; end'
+sed -i 's/\bother\b/delete/g' made.v
+"$program" new made made.v > said
+grep -qF 'FIELD(delete_, 1, flag.at("delete"), "", "")' made/made.h
+rm -r made
+rtl 'reg mem[1:4]; always @(posedge clk) begin mem[w[2:0]] <= d; q <= mem[w[6:4]]; end'
+"$program" new made made.v > said
+grep -qF 'FIELD(mem, 1, flag.array<4>().unreset(), "", "")' made/made.h
+rm -r made
+rtl '(* nomem2reg *) reg mem[0:3]; always @* if (other) mem[w[1:0]] = d; always @(posedge clk) q <= mem[w[5:4]];'
+refused "new: mem: a latch" made made.v
+rtl 'always @* q = d;'
+refused "new: made has no register: nothing of it is a stream" made made.v --stream
+"$program" new made made.v > said
+grep -q ' COMBINATIONAL MODEL made.h)$' made/CMakeLists.txt
+grep -q '^#define MADE_STATE(FIELD)$' made/made.h
+rm -r made
+# Names that are commands, or more than names, to what reads them.
+rtl 'always @(posedge clk) q <= d;'
+# shellcheck disable=SC2016  # a name, not a variable
+for hostile in 'x"; exec -- touch pwned; log "a.v' 'a b.v' 'a;b.v' 'a)b.v' 'a$ENV{HOME}.v'; do
+  [[ -e $hostile ]] || cp made.v "$hostile"
+  refused "new: '$hostile': the name of a file in a project has letters, digits and _ . + - alone" \
+    made "$hostile"
+done
+[[ ! -e pwned ]] || { echo "the name of a file was run" && exit 1; }
+mkdir -p other && printf '// none\n' > other/none.v
+mkdir -p 'y"; exec -- touch pwned; log "'
+cp made.v other/made.v
+refused "new: 'made.v' and 'other/made.v': two files of one name" made made.v other/made.v
+cp made.v 'y"; exec -- touch pwned; log "/made.v'
+"$program" new made 'y"; exec -- touch pwned; log "/made.v' > said
+rm -r made
+[[ ! -e pwned ]] || { echo "the name of a folder was run" && exit 1; }
+for own in made.h CMakeLists.txt README.md; do
+  cp made.v "other/$own"
+  refused "new: 'other/$own': the project has its own $own" made "other/$own"
+done
+printf '\xEF\xBB\xBF' | cat - made.v > other/bom.v
+refused "new: 'other/bom.v': begins with a byte-order mark, which is no Verilog" made other/bom.v
+rtl 'reg \q"x ; always @(posedge clk) begin \q"x <= d; q <= \q"x ; end'
+refused "new: 'q\"x': an escaped name is not supported" made made.v
+# A file whose name is a pattern to yosys is not another file; a field of any name compiles.
+mkdir '[o]' o
+cp made.v o/made.v
+printf 'module made(input wire clk, V, p, Inputs, select, size, linux, EOF, index_a, a,\n' > '[o]/made.v'
+printf '  output reg Table, FIELD);\nalways @(posedge clk) begin Table <= V ^ p ^ Inputs ^ select;\n' >> '[o]/made.v'
+printf 'FIELD <= size ^ linux ^ EOF ^ index_a ^ a; end\nendmodule\n' >> '[o]/made.v'
+"$program" new made '[o]/made.v' > said
+printf '#include "made/made.h"\nint main() { return cosim::made::Inputs<cosim::Word>{}.V_ != 0; }\n' |
+  "${CXX:-c++}" -std=gnu++20 -Wall -Wextra -Werror -fsyntax-only -I . -I "$sources" -x c++ -
+rm -r made
+rtl 'always @(posedge clk) q <= d;'
+refused "--top: no file has a module 'other'" made made.v --top other
+refused "--clock: 'a b' is no name in Verilog" made made.v --clock 'a b'
+refused "--clock: '' is no name in Verilog" made made.v --clock clk,,other
+refused "new: q: its clock is clk, and that of the design is d" made made.v --clock d
+refused "new: none: the RTL has no such input, which is to be its clock" made made.v --clock none
+refused "new: none: the RTL has no such input, which is to be its reset" made made.v --reset none
+refused "--include: 'none': no such folder" made made.v --include none
+refused "-y: 'none': no such folder" made made.v -y none
+refused "--param: 'W' is not NAME=VALUE" made made.v --param W
+refused "--define: '1' is not NAME or NAME=VALUE" made made.v --define 1
+refused "new: the top may be made or part: --top says which" another made.v part.v
+refused "new: no module in 'other/none.v'" made other/none.v
+refused "--plain: does not go with --stream" made --plain --stream
+rtl 'always @(posedge clk) q <= d;'
+refused "new: made: no stream goes in: it has no input whose name ends in valid or vld, and not both start and done" \
+  made made.v --stream
+sed -i 's/ d,/ x_valid,/; s/<= d/<= x_valid/' made.v
+refused "new: made: no stream comes out: it has no output whose name ends in valid or vld, and not both start and done" \
+  made made.v --stream
+sed -i 's/ q,/ y_valid,/; s/q <=/y_valid <=/' made.v
+refused "new: made: the stream x has no port for what passes" made made.v --stream
+echo "read or refused"

@@ -11,6 +11,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/cli/commands.h"
+#include "tb/new/found_shape.h"
 #include "tb/program/common.h"
 #include "tb/program/number.h"
 #include "tb/support/draft.h"
@@ -87,16 +88,22 @@ Revision revision(const std::string& rev, const Words& files, const fs::path& fo
 }
 
 equiv::Side side(const EquivOptions& o, const Words& files, const Text& own_top, const char* what,
-                 const fs::path& folder, const equiv::Budget& budget) {
+                 const fs::path& folder, const fs::path& made, const equiv::Budget& budget) {
   equiv::Files all;
-  for (const Words* part : {&files, &o.cells})
-    all.files.insert(all.files.end(), part->begin(), part->end());
   all.top = own_top ? *own_top : needed("--top", o.top);
   // What has the cells for its library is a netlist, which holds its parameters.
   all.parameters = o.parameters;
   all.include_dirs.assign(o.include_dirs.begin(), o.include_dirs.end());
   all.defines = o.defines;
   all.folder = folder;
+  fs::create_directories(made / "reader");
+  write_reader(made / "reader");
+  Words verilog = files;
+  verilog.insert(verilog.end(), o.cells.begin(), o.cells.end());
+  const std::string wrong =
+      without_vhdl(verilog, all.top, all.parameters, ".", made / "reader", made / "vhdl.v");
+  if (!wrong.empty()) throw InputError("equiv: " + wrong);
+  all.files.assign(verilog.begin(), verilog.end());
   return {all, what, budget};
 }
 
@@ -251,8 +258,10 @@ int run(const EquivOptions& o) {
   std::optional<equiv::Side> old, now;
   try {
     in_parallel(2, jobs, [&](std::uint64_t i) {
-      if (i == 0) old = side(o, gold, o.gold_top, "the old RTL", gold_folder, budget);
-      if (i == 1) now = side(o, gate, o.gate_top, "the new RTL", ".", budget);
+      if (i == 0)
+        old = side(o, gold, o.gold_top, "the old RTL", gold_folder, scratch.path() / "was", budget);
+      if (i == 1)
+        now = side(o, gate, o.gate_top, "the new RTL", ".", scratch.path() / "is", budget);
       return true;
     });
   } catch (const equiv::OutOfTime&) {

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "rtl_reader.h"
@@ -43,6 +44,24 @@ void write_reader(const std::filesystem::path& folder) {
   }
 }
 
+std::string without_vhdl(std::vector<std::string>& files, const std::string& top,
+                         const std::vector<std::string>& parameters,
+                         const std::filesystem::path& folder, const std::filesystem::path& reader,
+                         const std::filesystem::path& made) {
+  const auto vhdl = std::stable_partition(files.begin(), files.end(),
+                                          [](const std::string& file) { return !is_vhdl(file); });
+  if (vhdl == files.end()) return "";
+  std::vector<std::string> words{
+      "env", "-C", folder.string(), "perl", (reader / "vhdl.pl").string(), top, made.string()};
+  words.insert(words.end(), parameters.begin(), parameters.end());
+  words.insert(words.end(), vhdl, files.end());
+  const Ended ended = cosim::run_program(words);
+  if (ended.status != 0) return ended.text.substr(0, ended.text.find('\n'));
+  files.erase(vhdl, files.end());
+  files.push_back(made.string());
+  return "";
+}
+
 std::optional<FoundShape> shape_with(const RtlQuestion& question, const std::string& other,
                                      long value, const std::filesystem::path& reader,
                                      const std::filesystem::path& work) {
@@ -59,20 +78,14 @@ std::optional<FoundShape> shape_with(const RtlQuestion& question, const std::str
     words.push_back(fmt::format("-G{}={}", p.name, p.is_text ? '"' + p.value + '"' : p.value));
   }
   words.push_back(fmt::format("-G{}={}", other, value));
-  const std::string made = (work / "vhdl.v").string();
-  std::vector<std::string> vhdl{
-      "env",        "-C", question.folder.string(), "perl", (reader / "vhdl.pl").string(),
-      question.top, made};
+  std::vector<std::string> files = question.files, parameters{fmt::format("{}={}", other, value)};
   for (const FoundParameter& p : question.parameters) {
-    if (p.name != other) vhdl.push_back(p.name + '=' + p.value);
+    if (p.name != other) parameters.push_back(p.name + '=' + p.value);
   }
-  vhdl.push_back(fmt::format("{}={}", other, value));
-  const std::size_t none = vhdl.size();
-  for (const std::string& file : question.files) (is_vhdl(file) ? vhdl : words).push_back(file);
-  if (vhdl.size() != none) {
-    if (cosim::run_program(vhdl).status != 0) return std::nullopt;
-    words.push_back(made);
-  }
+  const std::string wrong =
+      without_vhdl(files, question.top, parameters, question.folder, reader, work / "vhdl.v");
+  if (!wrong.empty()) return std::nullopt;
+  words.insert(words.end(), files.begin(), files.end());
   if (cosim::run_program(words).status != 0) return std::nullopt;
   const Ended ended = cosim::run_program({"perl", (reader / "rtl_shape.pl").string(), tree});
   if (ended.status != 0) return std::nullopt;

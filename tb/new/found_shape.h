@@ -26,6 +26,14 @@ FoundShape shape_of(std::string_view text);
 /// A folder with the programs that read RTL. `folder` is to exist.
 void write_reader(const std::filesystem::path& folder);
 
+/// Has one file of Verilog, `made`, in place of those of VHDL among the files, which are named as from
+/// `folder`: what GHDL makes of them with these parameters, "NAME=VALUE". `reader`: that of
+/// write_reader(). What is wrong, one line; "" where nothing is.
+std::string without_vhdl(std::vector<std::string>& files, const std::string& top,
+                         const std::vector<std::string>& parameters,
+                         const std::filesystem::path& folder, const std::filesystem::path& reader,
+                         const std::filesystem::path& made);
+
 /// The shape with another value of a parameter; none where Verilator does not read it so. `work`: a
 /// folder for it alone; `reader`: that of write_reader().
 std::optional<FoundShape> shape_with(const RtlQuestion& question, const std::string& other,

@@ -117,6 +117,20 @@ grep -qF '  FIELD(one_kept, 4, bits.at("one.kept")' mixed/mixed.h
 "$program" new alone store4.vhd > said
 grep -qF 'return {.rst = 1}; }' alone/alone.h
 
+# Two versions are compared, with a parameter, and one of them may be Verilog.
+sed 's/Sum <= Sum + unsigned(held)/Sum <= unsigned(held) + Sum/' rtl/a_top.vhd > a_top.vhd
+same=(rtl/b_kinds.vhd rtl/c_store.vhdl)
+"$program" equiv --gold rtl/a_top.vhd "${same[@]}" --gate a_top.vhd "${same[@]}" --top top \
+  --reset RST_N=0 --param WIDTH=9 > said
+grep -q '^top: equal for ever' said
+sed 's/(others => .0.)/x"5"/' store4.vhd > other.vhd
+status=0
+"$program" equiv --gold store4.vhd --gate other.vhd --top store4 --reset d --netlists > said 2>&1 ||
+  status=$?
+[[ $status == 2 ]]
+"$program" equiv --gold store4.vhd --gate other.vhd --top store4 --netlists > said || status=$?
+[[ $status == 1 ]] && grep -q '^store4: different on clock' said
+
 # refused FILES: what is said of them, as one line.
 refused() {
   local status=0

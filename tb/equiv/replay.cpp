@@ -32,13 +32,11 @@ std::optional<std::vector<Lines>> runs(const Question& q, const Answer& a, bool 
   OutputFile rows(own + "/rows");
   rows.text(stimulus_rows(q, a, is_gate));
   rows.close();
-  std::vector<std::string> words{"env",          "-C",           files.folder.string(),
-                                 "verilator",    "--binary",     "-Wno-fatal",
-                                 "-Wno-lint",    "-Wno-style",   "--x-initial",
-                                 "unique",       "--x-assign",   "unique",
-                                 "--timescale",  "1ns/1ps",      "-CFLAGS",
-                                 "-O0",          "--Mdir",       own + "/built",
-                                 "--top-module", "cosim_replay", "+define+SYNTHESIS"};
+  std::vector<std::string> words{
+      "env",          "-C",           files.folder.string(), "verilator",        "--binary",
+      "-Wno-fatal",   "-Wno-lint",    "-Wno-style",          "--x-initial",      "unique",
+      "--x-assign",   "unique",       "--timescale",         "1ns/1ps",          "--Mdir",
+      own + "/built", "--top-module", "cosim_replay",        "+define+SYNTHESIS"};
   for (const std::string& define : files.defines) words.push_back("+define+" + define);
   for (const fs::path& folder : files.include_dirs) {
     words.push_back("+incdir+" + fs::absolute(folder).string());
@@ -48,6 +46,7 @@ std::optional<std::vector<Lines>> runs(const Question& q, const Answer& a, bool 
     words.push_back(fs::absolute(one).string());
   }
   words.push_back(own + "/cosim_replay.v");
+  for (const char* word : {"-MAKEFLAGS", "OPT_FAST= OPT_GLOBAL="}) words.emplace_back(word);
   // Verilator's own library is the same each time.
   if (is_installed("ccache")) words.insert(words.begin() + 3, "OBJCACHE=ccache");
   const Ended built = run_until(words, q.budget.ends());

@@ -56,7 +56,7 @@ std::string reading(const Files& files, const fs::path& scratch) {
       fs::create_symlink(fs::absolute(files.files[i]), scratch / file);
       file = word_for_yosys((scratch / file).string());
     } else {
-      file = folders.at(fs::absolute(files.files[i]).parent_path()) + '/' + file;
+      file.insert(0, folders.at(fs::absolute(files.files[i]).parent_path()) + '/');
     }
     const bool is_system_verilog = files.files[i].extension() == ".sv";
     commands +=

@@ -96,10 +96,12 @@ class Stimuli {
 }  // namespace
 
 std::vector<std::vector<bool>> by_chance(const Aig& graph, Aig::Lit bad, std::uint64_t seed,
-                                         std::size_t clocks, const std::atomic<bool>* stop) {
+                                         std::size_t clocks, const std::function<bool()>& stop) {
+  constexpr std::size_t now_and_then = 64;
   Stimuli stimuli(graph, seed);
   Aig::Runs runs(graph);
-  for (std::size_t clock = 0; clock < clocks && (stop == nullptr || !*stop); ++clock) {
+  for (std::size_t clock = 0; clock < clocks; ++clock) {
+    if (clock % now_and_then == 0 && stop && stop()) break;
     runs.clock(stimuli.now());
     if (runs.of(bad) == 0) {
       stimuli.next();

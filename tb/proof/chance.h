@@ -1,9 +1,9 @@
 // Random stimuli for a graph: what lies deep is found by chance sooner than by search.
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "tb/proof/aig.h"
@@ -11,9 +11,10 @@
 namespace cosim::proof {
 
 /// 64 runs from the first state, each for at most so many clocks: the inputs of one, a row a clock,
-/// until `bad` is 1; none where it never was, or `stop` became true. `seed` says which runs.
+/// until `bad` is 1; none where it never was, or `stop`, asked now and then, said so. `seed` says
+/// which runs.
 std::vector<std::vector<bool>> by_chance(const Aig& graph, Aig::Lit bad, std::uint64_t seed,
                                          std::size_t clocks,
-                                         const std::atomic<bool>* stop = nullptr);
+                                         const std::function<bool()>& stop = {});
 
 }  // namespace cosim::proof

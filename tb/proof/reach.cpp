@@ -108,7 +108,7 @@ class Portfolio {
           ask(i, ends);
         return true;
       });
-      const Reached reached = result();
+      Reached reached = result();
       if (reached.ever != Ever::open || !turns) return reached;
       clocks_ = std::max(clocks_, reached.clocks);
     }
@@ -158,9 +158,11 @@ class Portfolio {
   void wait_for_others() {
     const auto ends = Clock::now() + 2 * kTurn;
     while (!enough_ && running_ > 0 && Clock::now() < ends) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      pause();
     }
   }
+
+  static void pause() { std::this_thread::sleep_for(std::chrono::milliseconds(10)); }
 
   std::size_t clocks_at_a_time() const {
     return std::min(kClocks, kSteps / (graph_.gates() + graph_.inputs() + graph_.latches() + 1));
@@ -170,11 +172,15 @@ class Portfolio {
   void try_chance(Clock::time_point until, bool in_turns) {
     constexpr std::size_t more = 8;
     const std::size_t most = more * clocks_at_a_time();
-    while (!enough_ && (in_turns || running_ > 0) && Clock::now() < until && chance_.empty()) {
+    const auto stops = [&] {
+      return enough_ || (!in_turns && running_ == 0) || Clock::now() >= until;
+    };
+    while (!stops() && chance_.empty()) {
       const auto began = Clock::now();
       const std::size_t clocks = seed_ % 2 == 0 ? most : most / (more * more) + 1;
-      chance_ = by_chance(graph_, bad_, ++seed_, clocks, &enough_);
-      if (chance_.empty() && !in_turns) std::this_thread::sleep_for(Clock::now() - began);
+      chance_ = by_chance(graph_, bad_, ++seed_, clocks, stops);
+      const auto rests = Clock::now() + (Clock::now() - began);
+      while (chance_.empty() && !in_turns && !stops() && Clock::now() < rests) pause();
     }
     if (chance_.empty()) return;
     wait_for_others();

@@ -8,6 +8,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/equiv/netlist.h"
+#include "tb/equiv/prints.h"
 #include "tb/support/json.h"
 #include "tb/support/output_file.h"
 #include "tb/support/pattern.h"
@@ -30,8 +31,10 @@ std::string linked(const fs::path& folder, const fs::path& scratch, int& n) {
 }
 
 // What goes to yosys is in a script, and folders have names of ours there: nothing that a person
-// types is read as a command. A file stands in its own folder, where $readmemh looks for others.
-std::string reading(const Files& files, const fs::path& scratch) {
+// types is read as a command. A file stands in its own folder, where $readmemh looks for others;
+// but without what it prints it is a copy, and so are the names in `scratch`, which must be new.
+std::string reading(const Files& files, const fs::path& scratch, const fs::path& answers,
+                    bool as_they_are) {
   std::string options = " -defer -D SYNTHESIS", commands;
   int n = 0;
   std::map<fs::path, std::string> folders;
@@ -51,7 +54,12 @@ std::string reading(const Files& files, const fs::path& scratch) {
   for (std::size_t i = 0; i < files.files.size(); ++i) {
     static const Pattern plain(R"([\w.+-]+)");
     std::string file = files.files[i].filename().string();
-    if (plain.whole(file).empty()) {
+    if (!as_they_are) {
+      OutputFile copy((scratch / fmt::format("file{}.v", i)).string());
+      copy.text(without_prints(read_file(files.files[i].string())));
+      copy.close();
+      file = word_for_yosys((scratch / fmt::format("file{}.v", i)).string());
+    } else if (plain.whole(file).empty()) {
       file = fmt::format("file{}.v", i);
       fs::create_symlink(fs::absolute(files.files[i]), scratch / file);
       file = word_for_yosys((scratch / file).string());
@@ -71,7 +79,7 @@ std::string reading(const Files& files, const fs::path& scratch) {
     }
     commands += fmt::format(" -chparam {} {}", part[1], part[2]);
   }
-  const std::string own = word_for_yosys(scratch.string());
+  const std::string own = word_for_yosys(answers.string());
   return commands +
          fmt::format(
              "\nproc; check; setundef -undriven -anyseq; flatten; opt_clean; memory_collect\n"
@@ -122,7 +130,24 @@ Side::Side(const Files& files, std::string what, const Budget& budget)
       throw InputError(fmt::format("--include: {} is no folder", in_quotes(folder.string())));
     }
   }
-  const std::string said = yosys(reading(files, scratch_->path()), budget);
+  const fs::path own = scratch_->path(), again = own / "again";
+  std::string said;
+  try {
+    said = yosys(reading(files, own, own, true), budget);
+  } catch (const InputError& first) {
+    // It may be what is printed that it does not read.
+    const bool printing = std::any_of(files.files.begin(), files.files.end(), [](const auto& file) {
+      const std::string text = read_file(file.string());
+      return without_prints(text) != text;
+    });
+    if (!printing) throw;
+    fs::create_directory(again);
+    try {
+      said = yosys(reading(files, again, own, false), budget);
+    } catch (const InputError&) {
+      throw InputError(first.what());
+    }
+  }
   ports(read_file((scratch_->path() / "top.json").string()));
   if (said.find("found logic loop") != std::string::npos) {
     throw InputError(what_ + ": a combinational loop");

@@ -26,8 +26,8 @@ FoundShape shape_of(std::string_view text);
 /// A folder with the programs that read RTL. `folder` is to exist.
 void write_reader(const std::filesystem::path& folder);
 
-/// Has one file of Verilog, `made`, in place of those of VHDL among the files, which are named as from
-/// `folder`: what GHDL makes of them with these parameters, "NAME=VALUE". `reader`: that of
+/// Has one file of Verilog, `made`, in place of those of VHDL among the files, which are named as
+/// from `folder`: what GHDL makes of them with these parameters, "NAME=VALUE". `reader`: that of
 /// write_reader(). What is wrong, one line; "" where nothing is.
 std::string without_vhdl(std::vector<std::string>& files, const std::string& top,
                          const std::vector<std::string>& parameters,

@@ -41,6 +41,21 @@ TEST(Equiv, TheSameNetlistNeedsNoEngine) {
   expect_different(first("0"), first("1"), "q is 1, was 0");
 }
 
+// What yosys 0.23 cannot print is no part of what the RTL does; what else it cannot read is said.
+TEST(Equiv, RtlThatPrints) {
+  const auto rtl = [](const std::string& d) {
+    return module_of(", input d, output reg q",
+                     "initial $display(\"%0s; (\", \"$write(\"); always @(posedge clk) begin "
+                     "q <= " +
+                         d + "; if (d) $error(\"no %m\"); end");
+  };
+  expect_equal(rtl("d"), rtl("d & d"));
+  expect_different(rtl("d"), rtl("!d"), "q is ");
+  const Ended ended = equiv(rtl("d"), rtl("$none(d)"));
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_NE(ended.err.find("the new RTL: yosys cannot read it"), std::string::npos) << ended.err;
+}
+
 TEST(Equiv, ComparesPortsWhoseBitsAreCountedFromAnotherNumber) {
   const auto rtl = [](const std::string& y, const std::string& z) {
     return module_of(", input [7:4] a, output [4:1] y, output [0:2] z",

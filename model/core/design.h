@@ -63,7 +63,10 @@ concept StepsOn = requires(const typename Design::Params& p,
 
 /// How many of the inputs are clocks: 0 where the design has one, which is no input, or none.
 template <class Design>
-inline constexpr int clocks_of = Design::template Inputs<Word>::Table::clocks;
+inline constexpr int clocks_of = 0;
+template <class Design>
+requires requires { typename Design::template Inputs<Word>; }
+inline constexpr int clocks_of<Design> = Design::template Inputs<Word>::Table::clocks;
 
 /// Inputs of a step on which the design has nothing to do: rest(), or all 0; every clock takes its
 /// edge.

@@ -96,12 +96,10 @@ equiv::Side side(const EquivOptions& o, const Words& files, const Text& own_top,
   all.include_dirs.assign(o.include_dirs.begin(), o.include_dirs.end());
   all.defines = o.defines;
   all.folder = folder;
-  fs::create_directories(made / "reader");
-  write_reader(made / "reader");
   Words verilog = files;
   verilog.insert(verilog.end(), o.cells.begin(), o.cells.end());
   const std::string wrong =
-      without_vhdl(verilog, all.top, all.parameters, ".", made / "reader", made / "vhdl.v");
+      without_vhdl(verilog, all.top, all.parameters, ".", made.parent_path(), made);
   if (!wrong.empty()) throw InputError("equiv: " + wrong);
   all.files.assign(verilog.begin(), verilog.end());
   return {all, what, budget};
@@ -255,13 +253,13 @@ int run(const EquivOptions& o) {
   if (o.report) report.emplace(*o.report);
   const equiv::Budget budget(seconds);
   const std::string top = o.top ? *o.top : *o.gate_top;
+  const fs::path reader = write_reader(scratch);
   std::optional<equiv::Side> old, now;
   try {
     in_parallel(2, jobs, [&](std::uint64_t i) {
       if (i == 0)
-        old = side(o, gold, o.gold_top, "the old RTL", gold_folder, scratch.path() / "was", budget);
-      if (i == 1)
-        now = side(o, gate, o.gate_top, "the new RTL", ".", scratch.path() / "is", budget);
+        old = side(o, gold, o.gold_top, "the old RTL", gold_folder, reader / "was.v", budget);
+      if (i == 1) now = side(o, gate, o.gate_top, "the new RTL", ".", reader / "is.v", budget);
       return true;
     });
   } catch (const equiv::OutOfTime&) {

@@ -58,8 +58,7 @@ int check_drawn(const VerilatedSubject& subject, const std::filesystem::path& fo
     const JsonAt& drawn = list[i];
     const bool cleared = drawn.at("cleared").yes();
     const std::string stimulus = drawn.at("stimulus").text();
-    const auto mutant =
-        static_cast<unsigned>(drawn.at("mutant").whole(1, subject.mutants().size()));
+    const auto mutant = static_cast<unsigned>(drawn.at("mutant").whole(1, most_mutants));
     const std::uint64_t clock = drawn.at("clock").whole();
     const std::string signal = drawn.at("signal").text();
     const auto only =

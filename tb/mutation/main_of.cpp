@@ -106,9 +106,9 @@ int main_of(const Subject& subject, int argc, char** argv) {
   app.add_option("RESULTS", o.results, "Write the outcomes to this file, as JSON");
   app.add_flag("--about", o.about, "Only print two lines: of what, and how many");
   app.add_option("--first", o.part.first, "The first mutant; default 1")
-      ->check(CLI::Range(1, 65535));
+      ->check(CLI::Range(1U, most_mutants));
   app.add_option("--count", o.part.count, "How many from there; default all")
-      ->check(CLI::Range(1, 65535));
+      ->check(CLI::Range(1U, most_mutants));
   app.add_flag("--unproved", o.unproved,
                "Prove no mutant to be the same: what is not killed survives");
   app.add_option("--engines", o.engines,

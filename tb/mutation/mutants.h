@@ -42,6 +42,9 @@ struct Cases {
   std::size_t quick = 0;
 };
 
+/// What chooses a mutant, `mutsel`, has 16 bits, and 0 is none.
+inline constexpr unsigned most_mutants = 65535;
+
 /// The RTL of one design at one set of parameters, with its mutants.
 class Subject {
  public:

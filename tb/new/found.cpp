@@ -154,10 +154,8 @@ struct Bar {
 
 Found found_in(const RtlQuestion& question) {
   const Scratch scratch;
-  const fs::path reader = scratch.path() / "reader", work = scratch.path() / "work";
-  fs::create_directory(reader);
+  const fs::path reader = write_reader(scratch), work = scratch.path() / "work";
   fs::create_directory(work);
-  write_reader(reader);
   const Bar bar(question.top + ": reading it, and trying each parameter");
   std::string shape;
   for (const FoundParameter& p : question.parameters) {

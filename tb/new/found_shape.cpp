@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "model/core/input_error.h"
 #include "rtl_reader.h"
 #include "tb/support/output_file.h"
 #include "tb/support/process.h"
@@ -36,12 +37,20 @@ FoundShape shape_of(std::string_view text) {
   return shape;
 }
 
-void write_reader(const std::filesystem::path& folder) {
-  for (const ReaderFile& program : rtl_reader) {
-    OutputFile file((folder / program.name).string());
-    file.text(program.text);
-    file.close();
+std::filesystem::path write_reader(const Scratch& scratch) {
+  const std::filesystem::path folder = scratch.path() / "reader";
+  std::filesystem::create_directory(folder);
+  try {
+    for (const ReaderFile& program : rtl_reader) {
+      OutputFile file((folder / program.name).string());
+      file.text(program.text);
+      file.close();
+    }
+  } catch (const InputError&) {
+    require_room(scratch.path());
+    throw;
   }
+  return folder;
 }
 
 std::string without_vhdl(std::vector<std::string>& files, const std::string& top,

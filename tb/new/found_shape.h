@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tb/new/found.h"
+#include "tb/support/process.h"
 #include "tb/sweep/sweep.h"
 
 namespace cosim::cli {
@@ -23,8 +24,8 @@ struct FoundShape {
 /// Of the text of rtl_shape.pl.
 FoundShape shape_of(std::string_view text);
 
-/// A folder with the programs that read RTL. `folder` is to exist.
-void write_reader(const std::filesystem::path& folder);
+/// Makes a folder with the programs that read RTL.
+std::filesystem::path write_reader(const Scratch& scratch);
 
 /// Has one file of Verilog, `made`, in place of those of VHDL among the files, which are named as
 /// from `folder`: what GHDL makes of them with these parameters, "NAME=VALUE". `reader`: that of

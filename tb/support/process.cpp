@@ -191,19 +191,6 @@ std::string place_for_scratch() {
   return is_plain ? std::filesystem::absolute(name).string() : "/tmp";
 }
 
-// A tool that finds none for its temporary files blames what it was given, or nothing.
-void need_room(const std::filesystem::path& folder) {
-  constexpr off_t room = 1 << 16;
-  const std::string file = folder / ".room";
-  const int probe = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-  const int error = probe < 0 ? errno : posix_fallocate(probe, 0, room);
-  if (probe >= 0) close(probe);
-  unlink(file.c_str());
-  if (error != ENOSPC && error != EDQUOT) return;
-  throw InputError(fmt::format("{}: no room for temporary files: {}",
-                               one_line(folder.parent_path().string()), std::strerror(error)));
-}
-
 double seconds(const timeval& t) {
   return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
 }
@@ -228,7 +215,8 @@ Ended run(const std::vector<std::string>& words, int limit, Clock::time_point un
   while (wait4(child, &status, 0, &used) < 0 && errno == EINTR) {
   }
   if (heeds) InterruptGuard::check();
-  need_room(scratch.path());
+  // A tool that finds none blames what it was given, or nothing.
+  require_room(scratch.path());
   ended.status = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
   ended.seconds = seconds(used.ru_utime) + seconds(used.ru_stime);
   // The limit is kept in ticks of the clock, and may come a little early.
@@ -238,6 +226,18 @@ Ended run(const std::vector<std::string>& words, int limit, Clock::time_point un
 }
 
 }  // namespace
+
+void require_room(const std::filesystem::path& folder) {
+  constexpr off_t room = 1 << 16;
+  const std::string file = folder / ".room";
+  const int probe = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  const int error = probe < 0 ? errno : posix_fallocate(probe, 0, room);
+  if (probe >= 0) close(probe);
+  unlink(file.c_str());
+  if (error != ENOSPC && error != EDQUOT) return;
+  throw InputError(fmt::format("{}: no room for temporary files: {}",
+                               one_line(folder.parent_path().string()), std::strerror(error)));
+}
 
 Ended run_program(const std::vector<std::string>& words, int limit,
                   const std::atomic<bool>* no_more) {
@@ -289,7 +289,7 @@ Scratch::Scratch() {
     scratches.emplace(getpid(), name);
   }
   try {
-    need_room(path_);
+    require_room(path_);
   } catch (...) {
     remove();
     throw;

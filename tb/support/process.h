@@ -39,6 +39,9 @@ Ended run_all_the_same(const std::vector<std::string>& words);
 /// Whether a shell would find the program; it is not run.
 bool is_installed(const std::string& program);
 
+/// InputError, which names the folder that it lies in, where this one has no room for another file.
+void require_room(const std::filesystem::path& folder);
+
 /// A folder for temporary files, removed with this object, also after a signal that interrupts, and
 /// where this program is killed while it runs another one. It lies in $TMPDIR, or in /tmp where
 /// there is none or where its name has a space or another character that tools cannot take.

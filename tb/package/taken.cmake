@@ -27,9 +27,9 @@ function(cosim_taken_names variable)
       ${root}/model/core/*.h ${root}/tb/*/*.h)
     foreach(header IN LISTS headers)
       file(STRINGS ${root}/${header} lines
-        REGEX "^[a-zA-Z]|^..noreturn|^}  // namespace | [a-z_]+[(]p_?, [a-z_]+[,)]")
+        REGEX "^[a-zA-Z]|^..(noreturn|gnu::cold)|^}  // namespace | [a-z_]+[(]p_?, [a-z_]+[,)]")
       list(FILTER lines EXCLUDE REGEX "^template <.*>$|^ *//")
-      list(TRANSFORM lines REPLACE "^..noreturn.. |(alignas|decltype)[(][a-z0-9]*[)]" "")
+      list(TRANSFORM lines REPLACE "^..(noreturn|gnu::cold).. |(alignas|decltype)[(][a-z0-9]*[)]" "")
       set(inside "")  # a name space in cosim: what is declared there is in nobody's way
       foreach(line IN LISTS lines)
         set(name "")

@@ -185,12 +185,11 @@ int run(const NewOptions& o) {
 void add_new(const Command& program) {
   auto o = std::make_shared<NewOptions>();
   const Command command = program.sub("new", "A project for a design of your own, in a new folder");
-  command.arguments(
-      "NAME FILE...", o->words,
-      "The name of the folder and the design; then its Verilog or VHDL, whose\n"
-      "ports, parameters and registers become the model's tables. A folder in place\n"
-      "of files: what the top needs of those in it. Without a file: a small design\n"
-      "that passes");
+  command.arguments("NAME FILE...", o->words,
+                    "The name of the folder and the design; then its Verilog or VHDL, whose\n"
+                    "ports, parameters and registers become the model's tables. A folder in place\n"
+                    "of files: what the top needs of those in it. Without a file: a small design\n"
+                    "that passes");
   command.flag("--plain", o->plain,
                "The model's step in any C++, on machine integers: nothing is proved of it");
   command.flag("--stream", o->stream,

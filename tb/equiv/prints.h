@@ -1,4 +1,5 @@
-// System tasks that print: they are no part of what RTL does, and yosys 0.23 does not read all of them.
+// System tasks that print: they are no part of what RTL does, and yosys 0.23 does not read all of
+// them.
 #pragma once
 
 #include <string>

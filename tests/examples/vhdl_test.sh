@@ -142,7 +142,7 @@ refused broken.vhd
 grep -q '^cosim: new: broken.vhd:1[0-9]:.*primary expression expected' said
 sed 's/end architecture/-- end/' store4.vhd > open.vhd
 refused open.vhd
-sed 's/if rising_edge(clk)/if clk/; s/entity work/work/' rtl/a_top.vhd > missing.vhd
+sed 's/if rising_edge(clk)/if clk/; s,entity work,work,' rtl/a_top.vhd > missing.vhd
 refused missing.vhd
 grep -q 'missing.vhd:4:' said
 mkdir bin

@@ -100,7 +100,7 @@ struct Design {
   COSIM_DESIGN(async_fifo);
   static constexpr const char* name = "async_fifo";
   static constexpr Inputs<Word> rest() { return {.rst_n = 1}; }
-  static constexpr Inputs<Word> clear() { return {}; }
+  static constexpr Inputs<Word> reset_inputs() { return {}; }
   static constexpr bool asynchronous_reset = true;
   static constexpr std::array<Parameter, 2> parameters(const Params& p) {
     return {{{"WIDTH", p.width}, {"BITS", p.bits}}};

@@ -27,7 +27,7 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
 struct Design {
   COSIM_DESIGN(counter);
   static constexpr const char* name = "counter";
-  static constexpr Inputs<Word> clear() { return {.rst = 1}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {
     return {{{"W", p.width}}};
   }

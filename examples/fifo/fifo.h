@@ -66,7 +66,7 @@ constexpr auto compared(const Params&, const State<V>&, const Inputs<V>&, const 
 struct Design {
   COSIM_DESIGN(fifo);
   static constexpr const char* name = "fifo";
-  static constexpr Inputs<Word> clear() { return {.rst = 1}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array<Parameter, 2> parameters(const Params& p) {
     return {{{"WIDTH", p.width}, {"DEPTH", p.depth}}};
   }

@@ -45,7 +45,7 @@ struct Design {
   COSIM_DESIGN(scratchpad);
   static constexpr const char* name = "scratchpad";
   static constexpr Inputs<Word> rest() { return {.resetn = 1}; }
-  static constexpr Inputs<Word> clear() { return {.resetn = 0}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.resetn = 0}; }
 };
 
 }  // namespace cosim::scratchpad

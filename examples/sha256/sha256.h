@@ -19,9 +19,9 @@ COSIM_RECORD(Hash, SHA256_DIGEST, Params);
 struct Design {
   COSIM_DESIGN(sha256);
   static constexpr const char* name = "sha256";
-  static constexpr Inputs<Word> clear() { return {.rst = 1}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   template <class V>
-  static constexpr State<V> cleared() {
+  static constexpr State<V> reset_state() {
     State<V> s;
     s.fresh = V(1);
     return s;

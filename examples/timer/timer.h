@@ -47,7 +47,7 @@ constexpr std::array<Stated<V>, 1> invariant(const Params&, const State<V>& s) {
 struct Design {
   COSIM_DESIGN(timer);
   static constexpr const char* name = "timer";
-  static constexpr Inputs<Word> clear() { return {.rst = 1}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {
     return {{{"WIDTH", p.width}}};
   }

@@ -104,7 +104,7 @@ struct Design {
   using Check = uart::Check;
   static constexpr const char* name = "uart";
   static constexpr Inputs<Word> rest() { return {.rst_n = 1}; }
-  static constexpr Inputs<Word> clear() { return {.rst_n = 0}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.rst_n = 0}; }
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {
     return {{{"D", p.divider}}};
   }

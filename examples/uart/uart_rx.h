@@ -53,7 +53,7 @@ struct Design {
   COSIM_DESIGN(uart_rx);
   static constexpr const char* name = "uart_rx";
   static constexpr Inputs<Word> rest() { return {.rst_n = 1, .rx = 1}; }
-  static constexpr Inputs<Word> clear() { return {.rst_n = 0, .rx = 1}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.rst_n = 0, .rx = 1}; }
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {
     return {{{"D", p.divider}}};
   }

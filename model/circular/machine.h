@@ -47,9 +47,9 @@ COSIM_RECORD(Outputs, CIRCULAR_OUTPUTS, Params);
 COSIM_RECORD(State, CIRCULAR_REGISTERS, Params);
 COSIM_REGISTERS(Registers, CIRCULAR_REGISTERS, Params);
 
-/// The state after a clear. F is +0.75: its fraction is wired.
+/// The state after a reset. F is +0.75: its fraction is wired.
 template <class V>
-constexpr State<V> cleared() {
+constexpr State<V> reset_state() {
   State<V> s{V(0), V(0), V(3), V(0), V(0)};
   return s;
 }
@@ -125,7 +125,7 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
   result.outputs.step_y = flag<V>(step & (diagonal | !sector2));
   result.outputs.step_x = flag<V>(step & (diagonal | sector2));
   result.state = if_else(
-      is_set(in.rst) | stop | finish, [&] { return cleared<V>(); },
+      is_set(in.rst) | stop | finish, [&] { return reset_state<V>(); },
       [&] {
         return if_else(
             running,
@@ -169,14 +169,14 @@ struct Design {
   /// Inputs of a clock on which nothing is asked of the machine.
   static constexpr Inputs<Word> rest() { return {}; }
   /// Inputs of a clock that clears every register, whatever it held.
-  static constexpr Inputs<Word> clear() {
+  static constexpr Inputs<Word> reset_inputs() {
     Inputs<Word> in = rest();
     in.rst = 1;
     return in;
   }
   template <class V>
-  static constexpr State<V> cleared() {
-    return circular::cleared<V>();
+  static constexpr State<V> reset_state() {
+    return circular::reset_state<V>();
   }
 };
 

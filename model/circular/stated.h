@@ -14,7 +14,7 @@ constexpr std::array<Stated<V>, 0> invariant(const Params&, const State<V>&) {
   return {};
 }
 
-/// True of every state after a clear, and no matter to RTL and model: what a mutant may rest on.
+/// True of every state after a reset, and no matter to RTL and model: what a mutant may rest on.
 template <class V>
 constexpr std::array<Stated<V>, 1> reached(const Params&, const State<V>& s) {
   return {

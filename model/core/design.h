@@ -78,12 +78,12 @@ constexpr auto rest_of() {
   return rest;
 }
 
-/// The state after a clear: cleared<V>(), or all 0.
+/// The state after a reset: reset_state<V>(), or all 0.
 template <class Design, class V>
-constexpr auto cleared_of() {
+constexpr auto reset_state_of() {
   using State = typename Design::template State<V>;
-  if constexpr (requires { Design::template cleared<V>(); }) {
-    return Design::template cleared<V>();
+  if constexpr (requires { Design::template reset_state<V>(); }) {
+    return Design::template reset_state<V>();
   } else {
     State s;
     for_each_cell<State>([&](auto cell, std::size_t) { cell(s) = V(0); });

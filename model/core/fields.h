@@ -39,7 +39,7 @@ struct Field {
   const char* meaning;
   int fraction = 0;        ///< bits of a number after the binary point, 0 to 18
   const char* net = "";    ///< where it is in the RTL: "count", or below the top, "fifo.count[3:0]"
-  bool unreset = false;    ///< a clear leaves it as it is: the model takes its value from the RTL
+  bool unreset = false;    ///< a reset leaves it as it is: the model takes its value from the RTL
   int index = -1;          ///< of an element, from 0; -1: no array
   int low = 0;             ///< of an element: its first bit where the elements fill a net
   bool is_word = false;    ///< of an element: it is a word of one wide number

@@ -231,13 +231,13 @@ struct Design {
   /// Inputs of a clock on which nothing is asked of the machine.
   static constexpr Inputs<Word> rest() { return {}; }
   /// Inputs of a clock that clears every register, whatever it held.
-  static constexpr Inputs<Word> clear() {
+  static constexpr Inputs<Word> reset_inputs() {
     Inputs<Word> in = rest();
     in.rst = 1;
     return in;
   }
   template <class V>
-  static constexpr State<V> cleared() {
+  static constexpr State<V> reset_state() {
     return {};
   }
 };

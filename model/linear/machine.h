@@ -214,13 +214,13 @@ struct Design {
     return in;
   }
   /// Inputs of a clock that clears every register, whatever it held.
-  static constexpr Inputs<Word> clear() {
+  static constexpr Inputs<Word> reset_inputs() {
     Inputs<Word> in = rest();
     in.reset = 1;
     return in;
   }
   template <class V>
-  static constexpr State<V> cleared() {
+  static constexpr State<V> reset_state() {
     return {};
   }
 };

@@ -8,7 +8,7 @@
 
 namespace cosim::linear {
 
-/// What a state must be for RTL and model to stay equal; true after a clear and kept by every
+/// What a state must be for RTL and model to stay equal; true after a reset and kept by every
 /// clock. In any state that breaks one of these registers() does not stand for the RTL's.
 template <class V>
 constexpr std::array<Stated<V>, 3> invariant(const Params&, const State<V>& s) {
@@ -17,7 +17,7 @@ constexpr std::array<Stated<V>, 3> invariant(const Params&, const State<V>& s) {
            {"a word that is formed has a position left", (s.left > V(0)) | !is_set(s.formed)}}};
 }
 
-/// True of every state after a clear, and no matter to RTL and model: what a mutant may rest on.
+/// True of every state after a reset, and no matter to RTL and model: what a mutant may rest on.
 template <class V>
 constexpr std::array<Stated<V>, 2> reached(const Params&, const State<V>& s) {
   return {{{"between lines no words are counted", is_set(s.running) | (s.tick == V(0))},

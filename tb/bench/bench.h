@@ -42,9 +42,9 @@ struct Watched {
 /// Sees clock after clock; false where it has seen enough.
 using Watch = std::function<bool(const Watched&)>;
 
-/// The inputs that clear a machine, or those at rest where it begins at its initial values, and on
+/// The inputs that reset a machine, or those at rest where it begins at its initial values, and on
 /// how many clocks they are given before the first that is compared.
-struct Clearing {
+struct ResetInputs {
   std::vector<Word> inputs;
   int clocks = 0;
 };
@@ -81,11 +81,11 @@ class AnyBench {
   virtual std::vector<Probe> probes() const = 0;
   /// The inputs of an idle clock.
   virtual std::vector<Word> rest() const = 0;
-  /// The fields of the model's state, and the state after a clear.
+  /// The fields of the model's state, and the state after a reset.
   virtual std::vector<Field> state() const = 0;
-  virtual std::vector<Word> cleared() const = 0;
+  virtual std::vector<Word> reset_state() const = 0;
   /// What the RTL's registers hold when a case begins, on a machine powered up at random from
-  /// `power_up`: after a clear, or initially.
+  /// `power_up`: after a reset, or initially.
   virtual std::vector<Word> begun(std::uint32_t /*power_up*/) const { return {}; }
   /// What hostile clocks are, in words.
   virtual std::string hostile_text() const { return "any value on any pin on any clock"; }
@@ -95,10 +95,10 @@ class AnyBench {
   virtual Run run_hostile(const HostileCase& c) const = 0;
   /// The inputs of these, as a stimulus. InputError of a bench that cannot tell them before.
   virtual Stimulus hostile(const HostileCase& c) const;
-  virtual Clearing clearing() const { return {}; }
+  virtual ResetInputs reset_inputs() const { return {}; }
   /// Runs them before `watch`, as far as it wants. InputError where RTL and model differ.
   virtual void watch_hostile(const HostileCase& /*c*/, const Watch& /*watch*/) const {}
-  /// Runs a stimulus that starts from a clear, likewise.
+  /// Runs a stimulus that starts from a reset, likewise.
   virtual void watch_stimulus(const Stimulus& /*s*/, const Watch& /*watch*/) const {}
 
   /// The fields of a job, of a design that declares its jobs by a table (job.h); else empty.
@@ -194,7 +194,7 @@ class Bench : public AnyBench {
   /// Draws jobs on such a machine before `watch`, as watch_hostile().
   virtual void watch_drawn(std::span<const typename Session<Design>::Job> jobs,
                            std::uint32_t power_up, const Watch& watch) const = 0;
-  /// RTL and model that were just cleared, to be clocked by hand.
+  /// RTL and model that were just reset, to be clocked by hand.
   virtual std::unique_ptr<AnyLockstep<Design>> lockstep(std::uint32_t power_up) const = 0;
   /// The DUT alone, without a model.
   virtual std::unique_ptr<Dut<Design>> dut(std::uint32_t power_up) const = 0;

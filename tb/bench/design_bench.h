@@ -51,7 +51,8 @@ class DesignBench : public Bench<Design> {
   }
   std::vector<std::string> assumed() const override {
     std::vector<std::string> all;
-    const auto rules = legal_of<Word>(dut_.params, cleared_of<Design, Word>(), rest_of<Design>());
+    const auto rules =
+        legal_of<Word>(dut_.params, reset_state_of<Design, Word>(), rest_of<Design>());
     for (const Stated<Word>& rule : rules) all.emplace_back(rule.sentence);
     return all;
   }
@@ -63,7 +64,7 @@ class DesignBench : public Bench<Design> {
     return fields<typename Design::template Registers<Word>>().size();
   }
   std::vector<Word> rest() const override { return words(rest_of<Design>()); }
-  std::vector<Word> cleared() const override { return words(cleared_of<Design, Word>()); }
+  std::vector<Word> reset_state() const override { return words(reset_state_of<Design, Word>()); }
   std::vector<Word> begun(std::uint32_t power_up) const override {
     return words(AnyLockstep<Design>(start(power_up)).dut().registers());
   }
@@ -100,8 +101,9 @@ class DesignBench : public Bench<Design> {
   std::unique_ptr<Session<Design>> open(std::uint32_t power_up) const override {
     return std::make_unique<HostSession>(*this, power_up);
   }
-  Clearing clearing() const override {
-    if constexpr (has_clear<Design>) return {words(clear_of<Design>()), clear_clocks_of<Design>()};
+  ResetInputs reset_inputs() const override {
+    if constexpr (has_reset<Design>)
+      return {words(reset_inputs_of<Design>()), reset_clocks_of<Design>()};
     return {words(rest_of<Design>()), 0};
   }
   void watch_hostile(const HostileCase& c, const Watch& watch) const override {
@@ -156,7 +158,7 @@ class DesignBench : public Bench<Design> {
     return result;
   }
   std::optional<std::uint64_t> first_difference(const Stimulus& s) const override {
-    // The class without the open hierarchy is faster, and a start from a clear needs no more.
+    // The class without the open hierarchy is faster, and a start from a reset needs no more.
     return ran(s.state ? instrumented_ : dut_, s).differs;
   }
   void show(const Stimulus& s, Window around, WaveSink& sink) const override {
@@ -165,7 +167,7 @@ class DesignBench : public Bench<Design> {
   }
 
  protected:
-  /// A new lockstep that has just been cleared.
+  /// A new lockstep that has just been reset.
   virtual std::unique_ptr<Loop<Design>> loop(std::uint32_t power_up) const = 0;
 
   typename AnyAdapter<Design>::PowerUp start(std::uint32_t power_up) const {
@@ -227,7 +229,7 @@ class DesignBench : public Bench<Design> {
       seen.expected.insert(seen.expected.end(), more.begin(), more.end());
       seen.is_compared.resize(seen.expected.size());
       for (std::size_t i = 0; i < seen.expected.size(); ++i) {
-        seen.is_compared[i] = both.meant().of_cell(i);
+        seen.is_compared[i] = both.mask().of_cell(i);
       }
       if (!watch(seen)) return;
     }

@@ -34,7 +34,7 @@ class AdapterLoop final : public Loop<typename Adapter::Design> {
   bool through(HostileStimulus<Design>& hostile, std::uint64_t& clocks) override {
     return clock_fast(lockstep_, hostile, clocks, [](const auto&, const auto&) {});
   }
-  std::vector<std::uint64_t> left_out() const override { return lockstep_.meant().left_out(); }
+  std::vector<std::uint64_t> left_out() const override { return lockstep_.mask().left_out(); }
 
  private:
   Lockstep<Adapter> lockstep_;

@@ -142,7 +142,7 @@ class Parser {
 
   void state() {
     const std::vector<Field> fields = replay_.bench->state();
-    if (!replay_.stimulus.state) replay_.stimulus.state = replay_.bench->cleared();
+    if (!replay_.stimulus.state) replay_.stimulus.state = replay_.bench->reset_state();
     for (std::size_t w = 1; w < words_.size(); ++w) {
       const std::size_t equals = words_[w].find('=');
       if (equals == std::string_view::npos) {

@@ -13,7 +13,7 @@
 // A row is one clock, or several equal ones. It has every input, in the form of the tables: bit
 // strings in bits, above 16 bits in hexadecimal, all else as numbers. `state NAME=NUMBER ...`
 // before the rows starts the run from that state of the model; fields without a NAME are as after a
-// clear. A # begins a comment.
+// reset. A # begins a comment.
 //
 // Of a design with a stream model a row is a transaction, and begins with that word
 // (stream/shape.h).

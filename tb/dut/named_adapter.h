@@ -168,8 +168,8 @@ class CellPlaces {
 /// has none, or several, in clocks as Ports has them). `loads`: registers can be set, in a class
 /// Verilated with --vpi --public-flat-rw; then Trait has the text of rtl.pl besides: registers.
 template <class Top, class Trait, bool loads = false>
-class NamedAdapter : public VerilatedInstance<Top, has_clear<typename Trait::Design>> {
-  using Base = VerilatedInstance<Top, has_clear<typename Trait::Design>>;
+class NamedAdapter : public VerilatedInstance<Top, has_reset<typename Trait::Design>> {
+  using Base = VerilatedInstance<Top, has_reset<typename Trait::Design>>;
 
  public:
   using Design = typename Trait::Design;

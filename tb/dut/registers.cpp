@@ -197,11 +197,11 @@ void require_resets(const RtlText& text, Resets design, const std::vector<ResetP
   for (const auto& reset : resets) {
     const bool level = reset.size() == 1;
     const bool is_given = std::any_of(pins.begin(), pins.end(), [&](const ResetPin& pin) {
-      return pin.net == reset.back() && pin.in_clear == level;
+      return pin.net == reset.back() && pin.in_reset == level;
     });
     if (is_given && (design == Resets::each_at_once || pins.size() == 1)) continue;
     refuse(fmt::format(
-        "{} resets asynchronously where it is {}, and clear() is to {}", reset.back(),
+        "{} resets asynchronously where it is {}, and reset_inputs() is to {}", reset.back(),
         level ? 1 : 0,
         design == Resets::each_at_once ? "give it" : "differ from rest() in that alone"));
   }

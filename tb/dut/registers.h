@@ -17,10 +17,10 @@ struct RtlText {
   std::string_view resets;     ///< lines "NAME" or "low NAME", "inner NAME" of a register
 };
 
-/// An input that clear() sets otherwise than rest(), and how.
+/// An input that reset_inputs() sets otherwise than rest(), and how.
 struct ResetPin {
   std::string net;
-  bool in_clear = false;
+  bool in_reset = false;
 };
 
 /// The registers of which some bit holds a state, is in no field and is allowed by a pattern, by
@@ -38,7 +38,7 @@ enum class Resets {
 };
 
 /// InputError where the RTL has an asynchronous reset and the design has not, or the other way
-/// round, and where clear() does not give all of them.
+/// round, and where reset_inputs() does not give all of them.
 void require_resets(const RtlText& text, Resets resets, const std::vector<ResetPin>& pins);
 
 /// Both for a design; its unobserved registers.
@@ -47,16 +47,16 @@ std::vector<std::string> require_registers(const RtlText& text, const typename D
   const auto held = Design::template Registers<Word>::fields(p);
   const auto patterns = unobserved_of<Design>();
   std::vector<ResetPin> pins;
-  if constexpr (has_clear<Design>) {
+  if constexpr (has_reset<Design>) {
     const auto fields = Design::template Inputs<Word>::fields(p);
-    const auto clear = to_words(clear_of<Design>()), rest = to_words(rest_of<Design>());
+    const auto reset = to_words(reset_inputs_of<Design>()), rest = to_words(rest_of<Design>());
     for (std::size_t i = 0; i < fields.size(); ++i) {
-      if (clear[i] == rest[i]) continue;
-      pins.push_back({fields[i].net, clear[i] != 0});
+      if (reset[i] == rest[i]) continue;
+      pins.push_back({fields[i].net, reset[i] != 0});
     }
   }
   require_resets(text,
-                 has_reset<Design>                 ? Resets::each_at_once
+                 has_reset_function<Design>        ? Resets::each_at_once
                  : is_reset_asynchronous<Design>() ? Resets::at_once
                                                    : Resets::at_edge,
                  pins);

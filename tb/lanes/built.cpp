@@ -74,13 +74,13 @@ int widest() {
 Built::Built(fs::path from)
     : library(std::move(from)), handle_(dlopen(library.c_str(), RTLD_NOW | RTLD_LOCAL)) {
   if (handle_ == nullptr) throw InputError(fmt::format("lanes: {}", dlerror()));
-  clear = reinterpret_cast<Act>(dlsym(handle_, "cosim_lanes_clear"));
+  reset = reinterpret_cast<Act>(dlsym(handle_, "cosim_lanes_reset"));
   take_over = reinterpret_cast<Act>(dlsym(handle_, "cosim_lanes_take_over"));
   choose = reinterpret_cast<Choose>(dlsym(handle_, "cosim_lanes_choose"));
   run = reinterpret_cast<Run>(dlsym(handle_, "cosim_lanes_run"));
   const void* own = dlsym(handle_, "cosim_lanes");
   const void* text = dlsym(handle_, "cosim_lanes_layout");
-  if (clear == nullptr || take_over == nullptr || choose == nullptr || run == nullptr ||
+  if (reset == nullptr || take_over == nullptr || choose == nullptr || run == nullptr ||
       own == nullptr || text == nullptr) {
     dlclose(handle_);
     throw InputError(library.string() + ": no lanes in it");

@@ -34,7 +34,7 @@ class Built {
   std::filesystem::path library;
   int lanes = 0;
   Layout layout;
-  Act clear = nullptr, take_over = nullptr;
+  Act reset = nullptr, take_over = nullptr;
   Choose choose = nullptr;
   Run run = nullptr;
 

@@ -27,7 +27,7 @@ class Maker {
   Code take() {
     make_clock();
     if (!played_.draw.stretch.held.empty()) make_stretch();
-    make_clear();
+    make_reset();
     make_take_over();
     return std::move(code_);
   }
@@ -49,7 +49,8 @@ class Maker {
     l.planes.resize(played_.draw.clock.held.size(), Layout::First::no);
     l.state = l.planes.size();
     for (std::size_t i = 0; i < machine_.state.size(); ++i) {
-      for (int b = 0; b < machine_.state[i].field.width; ++b) at_first(bit(played_.cleared[i], b));
+      for (int b = 0; b < machine_.state[i].field.width; ++b)
+        at_first(bit(played_.reset_state[i], b));
     }
     flip_flops_ = l.planes.size();
     for (const auto& f : rtl_.cells().flip_flops) {
@@ -206,25 +207,25 @@ class Maker {
     }
   }
 
-  std::vector<Value> clearing() const {
+  std::vector<Value> reset_inputs() const {
     std::vector<Value> in;
     for (std::size_t i = 0; i < machine_.inputs.size(); ++i) {
       for (std::size_t b = 0; b < machine_.inputs[i].code.size(); ++b) {
-        in.push_back(bit(played_.clearing[i], static_cast<int>(b)) ? one : zero);
+        in.push_back(bit(played_.reset_inputs[i], static_cast<int>(b)) ? one : zero);
       }
     }
     return in;
   }
-  void make_clear() {
-    code_.clear_clocks = machine_.clear_clocks;
+  void make_reset() {
+    code_.reset_clocks = machine_.reset_clocks;
     code_.is_asked = played_.draw.answer.has_value();
-    clock_rtl(code_.clear, clearing());
+    clock_rtl(code_.reset, reset_inputs());
   }
   // Of a register's code the number that the model's state has by the same name.
   void make_take_over() {
     if (!played_.is_of_registers) return;
     Straight& code = code_.take_over;
-    std::vector<Value> in = clearing();
+    std::vector<Value> in = reset_inputs();
     planes(code, in, flip_flops_, flip_flop_bits());
     const auto held = code.add(rtl_cells_, in);
     std::size_t at = 0;

@@ -40,16 +40,17 @@ class JobPlayer {
     active_ = &memory_[planes() * words_];
     differ_ = active_ + words_;
     fresh_ = differ_ + words_;
-    cleared_ = fresh_ + words_;
+    reset_state_ = fresh_ + words_;
     std::fill_n(memory_.get(), all * words_, 0);
-    clear();
+    reset();
   }
 
   /// Whether nothing is left of what the RTL powered up with.
-  bool is_cleared() const {
+  bool is_reset() const {
     for (std::size_t i = 0; i < machine_planes() * words_; ++i) {
-      const std::uint64_t first = (cleared_[i / words_ * words_] & 1) != 0 ? ~std::uint64_t{0} : 0;
-      if (cleared_[i] != first) return false;
+      const std::uint64_t first =
+          (reset_state_[i / words_ * words_] & 1) != 0 ? ~std::uint64_t{0} : 0;
+      if (reset_state_[i] != first) return false;
     }
     return true;
   }
@@ -99,7 +100,7 @@ class JobPlayer {
   std::size_t planes() const { return built_.layout.planes.size(); }
   std::size_t machine_planes() const { return planes() - built_.layout.state; }
 
-  void clear() {
+  void reset() {
     Random random(1);
     const auto& first = built_.layout.planes;
     for (std::size_t i = built_.layout.state; i < first.size(); ++i) {
@@ -109,15 +110,15 @@ class JobPlayer {
                                                                       : 0;
       }
     }
-    built_.clear(memory_.get());
+    built_.reset(memory_.get());
     built_.take_over(memory_.get());
-    std::copy_n(&memory_[built_.layout.state * words_], machine_planes() * words_, cleared_);
+    std::copy_n(&memory_[built_.layout.state * words_], machine_planes() * words_, reset_state_);
   }
 
-  // Those that begin a case are as after a clear.
+  // Those that begin a case are as after a reset.
   void put_fresh() {
     if (!any_fresh_) return;
-    built_.choose(&memory_[built_.layout.state * words_], fresh_, cleared_, machine_planes());
+    built_.choose(&memory_[built_.layout.state * words_], fresh_, reset_state_, machine_planes());
     std::fill_n(fresh_, words_, 0);
     any_fresh_ = false;
   }
@@ -194,9 +195,9 @@ class JobPlayer {
   std::vector<Lane> lanes_;
   std::vector<Word> codes_, figures_;
   std::vector<std::uint64_t> left_out_;
-  // The planes; who is at work, who differs, who begins; the planes of a cleared machine.
+  // The planes; who is at work, who differs, who begins; the planes of a reset machine.
   std::unique_ptr<std::uint64_t[], Free> memory_;
-  std::uint64_t *active_ = nullptr, *differ_ = nullptr, *fresh_ = nullptr, *cleared_ = nullptr;
+  std::uint64_t *active_ = nullptr, *differ_ = nullptr, *fresh_ = nullptr, *reset_state_ = nullptr;
   bool any_fresh_ = false;
   std::size_t working_ = 0;
   std::uint64_t next_ = 0, end_ = 0, clock_ = 0, clocks_ = 0;
@@ -249,9 +250,9 @@ std::unique_ptr<Built> built_for_jobs(const AnyBench& bench, nets::Played played
                                       const std::filesystem::path& folder) {
   played.draw = jobs.draw();
   auto made = built(bench.title(), played, source, lanes, folder);
-  if (!JobPlayer(*made, jobs).is_cleared()) {
+  if (!JobPlayer(*made, jobs).is_reset()) {
     throw InputError(fmt::format(
-        "{}: its jobs do not run in lanes: a register comes out of a clear as it powered up",
+        "{}: its jobs do not run in lanes: a register comes out of a reset as it powered up",
         bench.title()));
   }
   return made;

@@ -86,8 +86,8 @@ void Player::begin(std::uint64_t seed, std::uint64_t first, std::uint64_t count)
   work_below(count);
   std::fill(left_out_.begin(), left_out_.end(), 0);
   clock_ = 0;
-  built_.clear(memory_.get());
-  if (!is_cleared()) {
+  built_.reset(memory_.get());
+  if (!is_reset()) {
     // What is left of the power-up is to be that of the same case in the Verilated class.
     for (std::size_t lane = 0; lane < count; ++lane) {
       const auto words = bench_.begun(HostileCase{seed, first + lane}.power_up());
@@ -105,7 +105,7 @@ void Player::begin(std::uint64_t seed, std::uint64_t first, std::uint64_t count)
 }
 
 // Whether all registers hold the same in all lanes, which were powered up at random.
-bool Player::is_cleared() const {
+bool Player::is_reset() const {
   for (const auto& planes : built_.layout.registers) {
     for (const std::size_t plane : planes) {
       if (plane == Layout::none) continue;

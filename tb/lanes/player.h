@@ -41,7 +41,7 @@ class Player {
  private:
   std::uint64_t& word(std::size_t plane, std::size_t lane) const;
   void put_seeds(std::uint64_t seed, std::uint64_t first);
-  bool is_cleared() const;
+  bool is_reset() const;
 
   struct Free {
     void operator()(std::uint64_t* memory) const;

@@ -63,10 +63,10 @@ std::string key_of(const std::string& title, const nets::Played& played,
     add(out, {answer->wrong});
     key += to_blif("answer", answer->graph, held, out);
   }
-  for (const auto* codes : {&played.cleared, &played.clearing}) {
+  for (const auto* codes : {&played.reset_state, &played.reset_inputs}) {
     for (const Word code : *codes) key += fmt::format("{} ", code);
   }
-  return key + fmt::format("{}", m.clear_clocks);
+  return key + fmt::format("{}", m.reset_clocks);
 }
 
 // Whether the RTL checks itself, outside of comments: what it says then, only Verilator hears.

@@ -116,7 +116,7 @@ std::string function(const char* name, const Straight& body, int lanes) {
 
 std::string to_text(const Code& code, int lanes) {
   return fmt::format("#define COSIM_LANES {}\n{}{}{}{}{}", lanes, prelude,
-                     function("stretch", code.stretch, lanes), function("clear", code.clear, lanes),
+                     function("stretch", code.stretch, lanes), function("reset", code.reset, lanes),
                      function("take_over", code.take_over, lanes),
                      function("clock", code.clock, lanes)) +
          fmt::format(R"(extern "C" {{
@@ -125,8 +125,8 @@ extern const char cosim_lanes_layout[];
 const int cosim_lanes = COSIM_LANES;
 const char cosim_lanes_layout[] = "{}";
 }}
-extern "C" void cosim_lanes_clear(V* m) {{
-  for (int i = 0; i < {}; ++i) clear(m, V{{}}, nullptr);
+extern "C" void cosim_lanes_reset(V* m) {{
+  for (int i = 0; i < {}; ++i) reset(m, V{{}}, nullptr);
 }}
 extern "C" void cosim_lanes_take_over(V* m) {{ take_over(m, V{{}}, nullptr); }}
 extern "C" void cosim_lanes_choose(V* m, const V* which, const V* from, std::uint64_t planes) {{
@@ -145,7 +145,7 @@ extern "C" std::int64_t cosim_lanes_run(V* m, const V* active, std::uint64_t fro
   return -1;
 }}
 )",
-                     to_text(code.layout), code.clear_clocks, HostileCase::stretch,
+                     to_text(code.layout), code.reset_clocks, HostileCase::stretch,
                      code.is_asked ? "d | (m[0] & *active)" : "d");
 }
 

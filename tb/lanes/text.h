@@ -12,9 +12,9 @@ namespace cosim::lanes {
 struct Code {
   Straight clock;      ///< draws the inputs, clocks and compares RTL and model
   Straight stretch;    ///< before the first clock of a stretch: draws how often pins change
-  Straight clear;      ///< one clock of the RTL alone, with the inputs that clear it
+  Straight reset;      ///< one clock of the RTL alone, with the inputs that reset it
   Straight take_over;  ///< behind the last of them: what the model takes over from the RTL
-  int clear_clocks = 0;
+  int reset_clocks = 0;
   bool is_asked = false;  ///< plane number 0 says in which lanes a job is over
   Layout layout;
 };
@@ -24,7 +24,7 @@ struct Code {
 ///
 ///   int cosim_lanes                                      so many
 ///   char cosim_lanes_layout[]                            the layout of the memory, in words
-///   void cosim_lanes_clear(V* m)                         clears the RTL
+///   void cosim_lanes_reset(V* m)                         resets the RTL
 ///   void cosim_lanes_take_over(V* m)                     gives the model what no reset reaches
 ///   void cosim_lanes_choose(V* m, const V* which, const V* from, uint64_t planes)
 ///                                                        takes over these lanes

@@ -11,7 +11,7 @@
 #include "model/core/fields.h"
 #include "model/core/reset.h"
 #include "tb/dut/counts.h"
-#include "tb/lockstep/meant.h"
+#include "tb/lockstep/compare_mask.h"
 
 /// Inlines all calls in a function. Not under the sanitizers, where the compiler would take
 /// minutes.
@@ -39,13 +39,13 @@ constexpr Word difference(const Record& a, const Record& b) {
   return bits;
 }
 
-/// The same of the fields that are compared; the record's first is number `first` in `meant`.
+/// The same of the fields that are compared; the record's first is number `first` in `mask`.
 template <class Record, class Design>
-constexpr Word difference(const Record& a, const Record& b, const Meant<Design>& meant,
+constexpr Word difference(const Record& a, const Record& b, const CompareMask<Design>& mask,
                           std::size_t first) {
   Word bits = 0;
   for_each_cell<Record>([&](auto cell, std::size_t i) {
-    if (meant[first + i]) bits |= cell(a) ^ cell(b);
+    if (mask[first + i]) bits |= cell(a) ^ cell(b);
   });
   return bits;
 }
@@ -74,13 +74,13 @@ class Lockstep {
 
   /// Makes the adapter, which powers up at random from `power_up`, and clears both sides. The
   /// clocks of that are not compared: before them the RTL's registers may hold any value. A design
-  /// without a clear begins at its initial values.
+  /// without a reset begins at its initial values.
   template <class PowerUp>
   explicit Lockstep(const PowerUp& power_up)
-      : dut_(power_up), state_(cleared_of<Design, Word>()), meant_(dut_.params) {
-    if constexpr (has_clear<Design>) {
-      dut_.drive(clear_of<Design>());
-      for (int i = 0; i < clear_clocks_of<Design>(); ++i) edge();
+      : dut_(power_up), state_(reset_state_of<Design, Word>()), mask_(dut_.params) {
+    if constexpr (has_reset<Design>) {
+      dut_.drive(reset_inputs_of<Design>());
+      for (int i = 0; i < reset_clocks_of<Design>(); ++i) edge();
     } else {
       dut_.drive(rest_of<Design>());
     }
@@ -91,7 +91,7 @@ class Lockstep {
   /// Starts both sides from `state` instead, for an adapter that can load registers.
   template <class PowerUp>
   Lockstep(const PowerUp& power_up, const State& state)
-      : dut_(power_up), state_(state), meant_(dut_.params) {
+      : dut_(power_up), state_(state), mask_(dut_.params) {
     dut_.drive(rest_of<Design>());
     const auto fields = Design::template Registers<Word>::fields(dut_.params);
     const auto words = to_words(Design::registers(dut_.params, state));
@@ -111,16 +111,17 @@ class Lockstep {
     const auto& seen = seen_state<Design, Word>(dut_.params, state_, in);
     copy_fields(dut_.params, expected_.registers, Design::registers(dut_.params, seen));
     Word bits = 0;
-    if constexpr (!Meant<Design>::any) bits = difference(expected_.registers, dut_.registers());
+    if constexpr (!CompareMask<Design>::any)
+      bits = difference(expected_.registers, dut_.registers());
     // One word from here on: else each register's difference waits on the stack for the outputs'.
     asm("" : "+r"(bits));
     const auto step = clocked<Design, Word>(dut_.params, state_, in);
     coverage::count<Adapter>(dut_.params, seen, in, step);
     copy_fields(dut_.params, expected_.outputs, step.outputs);
-    if constexpr (Meant<Design>::any) {
-      meant_.clock(dut_.params, seen, in, step.outputs);
-      bits = difference(expected_.registers, dut_.registers(), meant_, 0) |
-             difference(expected_.outputs, dut_.outputs(), meant_, expected_.registers.size);
+    if constexpr (CompareMask<Design>::any) {
+      mask_.clock(dut_.params, seen, in, step.outputs);
+      bits = difference(expected_.registers, dut_.registers(), mask_, 0) |
+             difference(expected_.outputs, dut_.outputs(), mask_, expected_.registers.size);
     } else {
       bits |= difference(expected_.outputs, dut_.outputs());
     }
@@ -140,7 +141,7 @@ class Lockstep {
   /// What the model gave on the last clock.
   const Compared<Design>& expected() const { return expected_; }
   /// What of it was compared on the last clock.
-  const Meant<Design>& meant() const { return meant_; }
+  const CompareMask<Design>& mask() const { return mask_; }
 
  private:
   Compared<Design> read() const { return {dut_.registers(), dut_.outputs()}; }
@@ -165,7 +166,7 @@ class Lockstep {
 
   Adapter dut_;
   State state_;
-  Meant<Design> meant_;
+  CompareMask<Design> mask_;
   Compared<Design> expected_{};
 };
 

@@ -50,7 +50,7 @@ struct Mismatch {
   static constexpr std::uint64_t clocks_behind = 200;
 
   const AnyBench* bench = nullptr;  ///< the machine; null if no bench ran
-  std::uint64_t clock = 0;          ///< clocks after the clear, from 0: the first with a difference
+  std::uint64_t clock = 0;          ///< clocks after the reset, from 0: the first with a difference
   std::string signal;  ///< the first differing signal in table order, registers before outputs
   Field field{};
   Word expected = 0;

@@ -72,9 +72,9 @@ Ran ran(const DutMaker<Design>& maker, const Stimulus& s) {
   Rows<Design> rows(maker.params, s);
   std::uint64_t clocks = 0;
   if (clock_through(*lockstep, rows, clocks, [](const auto&, const auto&) {})) {
-    return {{}, rows.illegal(), lockstep->meant().left_out()};
+    return {{}, rows.illegal(), lockstep->mask().left_out()};
   }
-  return {clocks - 1, {}, lockstep->meant().left_out()};
+  return {clocks - 1, {}, lockstep->mask().left_out()};
 }
 
 /// The first clock of the stimulus on which RTL and model differ. InputError where a clock before
@@ -111,7 +111,7 @@ template <class Design, class Source>
   Stimulus stimulus;
   stimulus.power_up = power_up;
   const Cells<typename Design::template Inputs<Word>> inputs(p);
-  auto state = cleared_of<Design, Word>();
+  auto state = reset_state_of<Design, Word>();
   typename Design::template Inputs<Word> in;
   typename Design::template Outputs<Word> out{};
   while (stimulus.clocks.size() < clocks && next_inputs<Design>(source, p, state, in, out)) {

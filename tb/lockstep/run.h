@@ -94,13 +94,13 @@ template <class Design, class Source>
     if (c >= kept) m.stimulus.clocks.push_back(inputs.words(in));
     if (c < m.first || c > clock + window.after) continue;
     const Compared<Design>& expected = lockstep.expected();
-    const auto& meant = lockstep.meant();
+    const auto& mask = lockstep.mask();
     std::size_t at = 0;
     detail::add_clock(m, at, inputs, in, in, [](std::size_t) { return true; });
     detail::add_clock(m, at, registers, expected.registers, actual.registers,
-                      [&](std::size_t i) { return meant.of_cell(i); });
+                      [&](std::size_t i) { return mask.of_cell(i); });
     detail::add_clock(m, at, outputs, expected.outputs, actual.outputs,
-                      [&](std::size_t i) { return meant.of_cell(registers.fields().size() + i); });
+                      [&](std::size_t i) { return mask.of_cell(registers.fields().size() + i); });
   }
   return m;
 }

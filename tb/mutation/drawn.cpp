@@ -32,7 +32,7 @@ void draw(const LanesSubject& subject, std::size_t count, const std::filesystem:
   std::erase_if(numbers, [&](unsigned k) { return !killed.contains(k); });
   numbers.resize(std::min(numbers.size(), count));
   std::sort(numbers.begin(), numbers.end());
-  const auto not_cleared = subject.not_cleared(numbers);
+  const auto not_reset = subject.not_reset(numbers);
   Json list = Json::array();
   for (const unsigned k : numbers) {
     const Outcome& o = killed[k];
@@ -41,7 +41,7 @@ void draw(const LanesSubject& subject, std::size_t count, const std::filesystem:
                     {"stimulus", o.stimulus},
                     {"clock", o.clock},
                     {"signal", o.signal},
-                    {"cleared", !std::binary_search(not_cleared.begin(), not_cleared.end(), k)}});
+                    {"cleared", !std::binary_search(not_reset.begin(), not_reset.end(), k)}});
   }
   std::filesystem::create_directories(folder);
   subject.write_verilog(numbers, folder / "mutants.v");
@@ -52,7 +52,7 @@ int check_drawn(const VerilatedSubject& subject, const std::filesystem::path& fo
   const std::string file = (folder / "drawn.json").string();
   const std::vector<JsonAt> list = JsonAt(file, read_file(file)).list();
   const auto& cases = subject.cases().all;
-  std::size_t same = 0, not_cleared = 0;
+  std::size_t same = 0, not_reset = 0;
   std::mutex guard;
   in_parallel(list.size(), cores(), [&](std::uint64_t i) {
     const JsonAt& drawn = list[i];
@@ -72,7 +72,7 @@ int check_drawn(const VerilatedSubject& subject, const std::filesystem::path& fo
         killed && o.stimulus == stimulus && o.clock == clock && o.signal == signal;
     const std::lock_guard lock(guard);
     if (cleared && as_drawn) ++same;
-    if (!cleared && killed) ++not_cleared;
+    if (!cleared && killed) ++not_reset;
     if (cleared ? !as_drawn : !killed) {
       fmt::print(
           "mutant {}: {}: in lanes {}, clock {}, {}; in lockstep {}\n", mutant,
@@ -83,9 +83,9 @@ int check_drawn(const VerilatedSubject& subject, const std::filesystem::path& fo
   });
   fmt::print(
       "{}: of {} mutants that lanes killed lockstep kills {} by the same case on the same clock at "
-      "the same signal, and {} that a clear leaves as they powered up\n",
-      subject.bench().title(), list.size(), same, not_cleared);
-  return same + not_cleared == list.size() && !list.empty() ? 0 : 1;
+      "the same signal, and {} that a reset leaves as they powered up\n",
+      subject.bench().title(), list.size(), same, not_reset);
+  return same + not_reset == list.size() && !list.empty() ? 0 : 1;
 }
 
 }  // namespace cosim::mutation

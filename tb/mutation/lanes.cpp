@@ -207,10 +207,10 @@ void Lanes::power_up(const std::vector<bool>& held) {
   is_first_ = true;
 }
 
-void Lanes::clear() {
-  const Clearing clearing = rtl_.bench_.clearing();
-  for (int i = 0; i < clearing.clocks; ++i) {
-    drive(clearing.inputs);
+void Lanes::reset() {
+  const ResetInputs reset_inputs = rtl_.bench_.reset_inputs();
+  for (int i = 0; i < reset_inputs.clocks; ++i) {
+    drive(reset_inputs.inputs);
     fall();
     planes_->run();
     planes_->edge(rising_);
@@ -222,12 +222,12 @@ void Lanes::begin(std::uint32_t seed) {
   std::vector<bool> held(held_.size());
   for (std::size_t i = 0; i < held.size(); ++i) held[i] = random.next() >> 63 != 0;
   power_up(held);
-  clear();
+  reset();
   at_work_ = all_;
   takes_over_ = true;
 }
 
-Plane Lanes::not_cleared() {
+Plane Lanes::not_reset() {
   constexpr std::uint32_t power_ups = 64;
   Plane depends;
   std::vector<Plane> first;

@@ -44,7 +44,7 @@ class Lanes {
   /// flip-flops by more than its clock, or reads the clock.
   Lanes(const PlantedNets& rtl, const std::vector<unsigned>& numbers);
 
-  /// Powers up and clears; then all lanes are at work.
+  /// Powers up and resets; then all lanes are at work.
   void begin(std::uint32_t power_up);
   struct Killed {
     std::size_t lane = 0;
@@ -52,9 +52,9 @@ class Lanes {
   };
   /// The next clock. The lanes at work on which RTL and model differ; they are at work no longer.
   std::vector<Killed> clock(const Watched& seen);
-  /// The lanes in which what a clear leaves depends on how the RTL powered up, of which
+  /// The lanes in which what a reset leaves depends on how the RTL powered up, of which
   /// some are tried.
-  nets::Plane not_cleared();
+  nets::Plane not_reset();
   std::size_t gates() const { return planes_->gates(); }
 
  private:
@@ -62,7 +62,7 @@ class Lanes {
   void find_edges(const std::vector<std::uint32_t>& low, const std::vector<std::uint32_t>& high);
   std::vector<std::uint32_t> lane_constants(const std::vector<unsigned>& numbers, bool clock);
   void power_up(const std::vector<bool>& held);
-  void clear();
+  void reset();
   void drive(const std::vector<Word>& inputs);
   void fall();
 

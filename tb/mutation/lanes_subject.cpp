@@ -104,14 +104,14 @@ void LanesSubject::attack(const std::vector<unsigned>& mutants, std::size_t firs
   });
 }
 
-std::vector<unsigned> LanesSubject::not_cleared(const std::vector<unsigned>& mutants) const {
+std::vector<unsigned> LanesSubject::not_reset(const std::vector<unsigned>& mutants) const {
   std::vector<unsigned> found;
   const PlantedNets rtl(bench_, planted_.nets(mutants));
   for (std::size_t i = 0; i < mutants.size(); i += nets::plane_lanes) {
     const auto begin = mutants.begin() + static_cast<std::ptrdiff_t>(i);
     const auto count = std::min<std::size_t>(nets::plane_lanes, mutants.size() - i);
     Lanes lanes(rtl, {begin, begin + static_cast<std::ptrdiff_t>(count)});
-    const nets::Plane all = lanes.not_cleared();
+    const nets::Plane all = lanes.not_reset();
     for (std::size_t l = 0; l < count; ++l) {
       if (all.lane(l)) found.push_back(mutants[i + l]);
     }

@@ -56,9 +56,9 @@ struct MachineOf {
   std::vector<Named>
       invariant;  ///< of the state before the clock: its fields are in range, and more
   std::vector<Named> invariant_after;  ///< the same of the state after it
-  /// True of every state that can follow a clear, but not needed for RTL and model to be the same:
-  /// of the state before the clock, after it, and after a clear.
-  std::vector<Named> reached, reached_after, reached_cleared;
+  /// True of every state that can follow a reset, but not needed for RTL and model to be the same:
+  /// of the state before the clock, after it, and after a reset.
+  std::vector<Named> reached, reached_after, reached_in_reset;
   std::vector<Wire> registers;  ///< what the RTL's registers must hold before the clock
   /// Under an asynchronous reset, what they must show during it; else empty.
   std::vector<Wire> seen;
@@ -69,13 +69,13 @@ struct MachineOf {
   std::vector<Named> cases;   ///< what may happen on a clock; each must be possible
   std::vector<Named> legal;   ///< what is assumed of the inputs of a clock
   std::vector<Named> idle;    ///< the same of the inputs that the model says are legal always
-  /// The inputs that clear the machine, with the values they have then, and on how many clocks they
+  /// The inputs that reset the machine, with the values they have then, and on how many clocks they
   /// are given. None for a machine that begins at its initial values.
-  std::vector<Wire> clearing;
-  int clear_clocks = 1;
-  std::vector<Wire> cleared;            ///< the registers after that
+  std::vector<Wire> reset_inputs;
+  int reset_clocks = 1;
+  std::vector<Wire> reset_state;        ///< the registers after that
   std::vector<std::string> unobserved;  ///< registers that are not compared: nothing can be proved
-  std::vector<Named> invariant_cleared;
+  std::vector<Named> invariant_in_reset;
 };
 
 namespace detail {
@@ -208,22 +208,22 @@ MachineOf<V> machine_of(const typename Design::Params& p, FreeState free_state,
     }
   }
 
-  auto cleared = cleared_of<Design, V>();
+  auto reset_state = reset_state_of<Design, V>();
   for_each_cell<State>([&](auto cell, std::size_t i) {
-    if (state_fields[i].unreset) cell(cleared) = cell(s);
+    if (state_fields[i].unreset) cell(reset_state) = cell(s);
   });
-  m.cleared = detail::registers_in<Design, V>(p, cleared);
-  m.invariant_cleared = detail::whole_invariant<Design, V>(p, cleared);
-  m.reached_cleared = named<V>(reached_of<V>(p, cleared));
-  m.clear_clocks = clear_clocks_of<Design>();
+  m.reset_state = detail::registers_in<Design, V>(p, reset_state);
+  m.invariant_in_reset = detail::whole_invariant<Design, V>(p, reset_state);
+  m.reached_in_reset = named<V>(reached_of<V>(p, reset_state));
+  m.reset_clocks = reset_clocks_of<Design>();
   for (const char* pattern : unobserved_of<Design>()) m.unobserved.emplace_back(pattern);
-  if constexpr (has_clear<Design>) {
-    const auto clear = to_words(clear_of<Design>());
+  if constexpr (has_reset<Design>) {
+    const auto reset = to_words(reset_inputs_of<Design>());
     const auto rest = to_words(rest_of<Design>());
     for (std::size_t i = 0; i < input_fields.size(); ++i) {
-      const bool is_given = clear[i] != rest[i] || input_fields[i].edge != Edge::none;
+      const bool is_given = reset[i] != rest[i] || input_fields[i].edge != Edge::none;
       if (!is_given || input_fields[i].width == 0) continue;
-      m.clearing.push_back({input_fields[i], V(clear[i]).code(input_fields[i].width)});
+      m.reset_inputs.push_back({input_fields[i], V(reset[i]).code(input_fields[i].width)});
     }
   }
   return m;

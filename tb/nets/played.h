@@ -14,9 +14,9 @@ namespace cosim::nets {
 struct Played {
   Model model;
   Draw draw;
-  /// The codes of the state after a clear, one for each of model.machine.state, and of the inputs
-  /// that clear the design or, where none do, of those at rest.
-  std::vector<Word> cleared, clearing;
+  /// The codes of the state after a reset, one for each of model.machine.state, and of the inputs
+  /// that reset the design or, where none do, of those at rest.
+  std::vector<Word> reset_state, reset_inputs;
   /// The state's fields are the RTL's registers, by the same names: what no reset reaches is taken
   /// over from there.
   bool is_of_registers = false;
@@ -35,10 +35,10 @@ Played played_of(const typename Design::Params& p) {
     }
     return all;
   };
-  played.cleared = codes(cleared_of<Design, Word>(), State::fields(p));
-  Inputs clear = rest_of<Design>();
-  if constexpr (has_clear<Design>) clear = clear_of<Design>();
-  played.clearing = codes(clear, Inputs::fields(p));
+  played.reset_state = codes(reset_state_of<Design, Word>(), State::fields(p));
+  Inputs reset = rest_of<Design>();
+  if constexpr (has_reset<Design>) reset = reset_inputs_of<Design>();
+  played.reset_inputs = codes(reset, Inputs::fields(p));
   played.is_of_registers = std::is_same_v<State, typename Design::template Registers<Word>>;
   return played;
 }

@@ -60,25 +60,26 @@ std::string step_head(bool plain) {
       plain ? "inline" : "template <class V>\nconstexpr", plain ? "Word" : "V");
 }
 
-std::string clear_of(const Found& f) {
-  std::string rest, clear;
+std::string reset_inputs_of(const Found& f) {
+  std::string rest, reset;
   for (const FoundReset& r : f.resets) {
     if (r.is_inner) continue;
     if (r.active_low) rest += fmt::format("{}.{} = 1", rest.empty() ? "" : ", ", field_of(r.name));
-    clear += fmt::format("{}.{} = {}", clear.empty() ? "" : ", ", field_of(r.name),
+    reset += fmt::format("{}.{} = {}", reset.empty() ? "" : ", ", field_of(r.name),
                          r.active_low ? 0 : 1);
   }
-  if (clear.empty()) return "";
+  if (reset.empty()) return "";
   std::string text;
   if (!rest.empty()) {
     text += fmt::format(
-        "  /// A clock on which nothing is asked, and one that clears every register.\n"
+        "  /// A clock on which nothing is asked, and one that resets every register.\n"
         "  static constexpr Inputs<Word> rest() {{ return {{{}}}; }}\n",
         rest);
   } else {
-    text += "  /// A clock that clears every register.\n";
+    text += "  /// a clock that resets every register.\n";
   }
-  text += fmt::format("  static constexpr Inputs<Word> clear() {{ return {{{}}}; }}\n", clear);
+  text +=
+      fmt::format("  static constexpr Inputs<Word> reset_inputs() {{ return {{{}}}; }}\n", reset);
   if (f.asynchronous && f.resets.size() == 1) {
     text += "  static constexpr bool asynchronous_reset = true;\n";
   }
@@ -92,14 +93,14 @@ bool is_word(const NewRow& row) {
 }
 
 // What the registers hold after a reset, where it is not 0.
-std::string cleared_of(const std::vector<NewRow>& rows) {
+std::string reset_state_of(const std::vector<NewRow>& rows) {
   std::string values;
   for (const NewRow& row : rows) {
     if (row.net.value.empty() || !is_word(row)) continue;
     values += fmt::format("    s.{} = {};\n", row.field, constant(row.net.value));
   }
   if (values.empty()) return "";
-  return "  template <class V>\n  static constexpr State<V> cleared() {\n    State<V> s;\n" +
+  return "  template <class V>\n  static constexpr State<V> reset_state() {\n    State<V> s;\n" +
          values + "    return s;\n  }\n";
 }
 
@@ -227,7 +228,7 @@ BegunModel lockstep_model(const std::string& name, const Found& f, bool plain) {
       "}}  // namespace cosim::{0}\n",
       name, params_of(f), table_of(table + "_INPUTS", rows_of(f.inputs)),
       table_of(table + "_OUTPUTS", rows_of(f.outputs)), table_of(table + "_STATE", rows), table,
-      clear_of(f) + cleared_of(rows) + more, parameters_of(f), step_head(plain),
+      reset_inputs_of(f) + reset_state_of(rows) + more, parameters_of(f), step_head(plain),
       plain ? "Word" : "V", reset_of(f, rows, plain), step_of(f, rows, plain));
   return model;
 }

@@ -17,21 +17,21 @@ Expression any_fails(const std::vector<Named>& all) {
 // ", but for a, b": what the model takes over from the RTL, of an array once, not each element.
 std::string taken_over(const MachineFormula& m) {
   std::string text;
-  for (const Wire& w : m.cleared) {
+  for (const Wire& w : m.reset_state) {
     if (!w.field.unreset || w.field.index > 0) continue;
     text += std::string(text.empty() ? ", but for " : ", ") + w.field.name;
   }
   return text;
 }
 
-// Of a machine that nothing clears.
+// Of a machine that nothing resets.
 Claim claim_initial(const MachineFormula& m, const Rtl& rtl) {
   Question q(m, rtl, true);
   for (const std::string& term : rtl.initial()) q.script().assume({term, boolean});
-  Expression wrong = any_fails(m.invariant_cleared);
-  for (std::size_t i = 0; i < m.cleared.size(); ++i) {
-    if (m.cleared[i].field.unreset) continue;
-    wrong = disjunction(wrong, q.differs(kInitial, m.cleared[i], q.shown(i)));
+  Expression wrong = any_fails(m.invariant_in_reset);
+  for (std::size_t i = 0; i < m.reset_state.size(); ++i) {
+    if (m.reset_state[i].field.unreset) continue;
+    wrong = disjunction(wrong, q.differs(kInitial, m.reset_state[i], q.shown(i)));
   }
   q.script().ask(wrong);
   return {"base case: they begin the same" + taken_over(m),
@@ -42,26 +42,26 @@ Claim claim_initial(const MachineFormula& m, const Rtl& rtl) {
 
 }  // namespace
 
-Claim claim_clear(const MachineFormula& m, const Rtl& rtl) {
-  if (m.clear_clocks == 0) return claim_initial(m, rtl);
+Claim claim_base_case(const MachineFormula& m, const Rtl& rtl) {
+  if (m.reset_clocks == 0) return claim_initial(m, rtl);
   Question q(m, rtl, true);
-  for (const Wire& given : m.clearing) {
+  for (const Wire& given : m.reset_inputs) {
     q.script().assume(equal(symbol("in", given.field), given.code));
   }
-  for (int i = 1; i < m.clear_clocks; ++i) q.clear_again();
-  Expression wrong = any_fails(m.invariant_cleared);
-  for (std::size_t i = 0; i < m.cleared.size(); ++i) {
-    const Wire& w = m.cleared[i];
+  for (int i = 1; i < m.reset_clocks; ++i) q.reset_again();
+  Expression wrong = any_fails(m.invariant_in_reset);
+  for (std::size_t i = 0; i < m.reset_state.size(); ++i) {
+    const Wire& w = m.reset_state[i];
     if (w.field.unreset) continue;
     wrong = disjunction(wrong, q.differs(kAfter, w, q.after(i)));
-    // A longer clear may take the model through states of its own.
-    if (m.clear_clocks > 1) continue;
+    // A longer reset may take the model through states of its own.
+    if (m.reset_clocks > 1) continue;
     wrong = disjunction(wrong, where_compared(w, negation(equal(m.after[i].code, w.code))));
   }
   q.script().ask(wrong);
-  return {(m.clear_clocks == 1 ? "base case: a clear makes them the same"
-                               : fmt::format("base case: {} clocks of a clear make them the same",
-                                             m.clear_clocks)) +
+  return {(m.reset_clocks == 1 ? "base case: a reset makes them the same"
+                               : fmt::format("base case: {} clocks of a reset make them the same",
+                                             m.reset_clocks)) +
               taken_over(m),
           Answer::unsat,
           {{{"any clock"}, q.script().text()}},
@@ -192,7 +192,7 @@ std::vector<Claim> claims_of(const MachineFormula& m, const nets::Model& model,
     claim.nets = std::make_shared<const NetQuestions>(std::move(nets));
     return claim;
   };
-  std::vector<Claim> all{both(claim_clear(m, rtl), nets_of_clear(model, rtl_nets)),
+  std::vector<Claim> all{both(claim_base_case(m, rtl), nets_of_base_case(model, rtl_nets)),
                          both(claim_step(m, rtl), nets_of_step(model, rtl_nets)),
                          both(claim_cases(m, rtl), nets_of_cases(model))};
   if (!m.legal.empty()) all.push_back(both(claim_legal(m), nets_of_legal(model)));

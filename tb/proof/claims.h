@@ -1,8 +1,9 @@
 // What is claimed of one machine: RTL and golden model are the same for ever.
 //
-//   clear   after the clocks that clear the machine, whatever registers and state held before, the
-//           registers hold the values of the model's state after a clear, and that state satisfies
-//           the invariant; of a machine that nothing clears: its initial values are that state's
+//   base case  after the clocks that reset the machine, whatever registers and state held before,
+//   the
+//           registers hold the values of the model's state after a reset, and that state satisfies
+//           the invariant; of a machine that nothing resets: its initial values are that state's
 //   step    from every state that satisfies the invariant, with the registers holding its
 //           values, under every input: outputs and registers after the clock are those of
 //           the model, and the state after it satisfies the invariant
@@ -57,7 +58,7 @@ std::vector<Claim> claims_of(const MachineFormula& machine, const nets::Model& m
 
 /// InputError where the RTL's registers, inputs and outputs are not those of the machine's tables,
 /// one for one.
-Claim claim_clear(const MachineFormula& machine, const Rtl& rtl);
+Claim claim_base_case(const MachineFormula& machine, const Rtl& rtl);
 Claim claim_step(const MachineFormula& machine, const Rtl& rtl);
 /// For RTL that asserts something.
 Claim claim_asserts(const MachineFormula& machine, const Rtl& rtl);

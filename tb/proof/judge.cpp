@@ -117,7 +117,7 @@ std::vector<Judged> Judge::judge(const fs::path& verilog, const std::vector<unsi
     for (std::size_t i = 0; i < mutants.size(); ++i) {
       all[first + places[i]] =
           mutants.has_same_clocks(i)
-              ? judged_by(mutants.step(i), mutants.clear(i), already[places[i]], others, needed)
+              ? judged_by(mutants.step(i), mutants.base_case(i), already[places[i]], others, needed)
               : Judged{false, true, false, "REFUTED: a register with another clock"};
     }
     return true;
@@ -127,7 +127,7 @@ std::vector<Judged> Judge::judge(const fs::path& verilog, const std::vector<unsi
 
 // By the engines that read scripts, one after the other until enough agree. An engine's answers to
 // both claims are one opinion.
-Judged Judge::judged_by(const Claim& step, const Claim& clear, std::vector<Opinion> opinions,
+Judged Judge::judged_by(const Claim& step, const Claim& base_case, std::vector<Opinion> opinions,
                         const std::vector<Engine>& engines, std::size_t needed) const {
   const auto yes = [&] {
     return std::count_if(opinions.begin(), opinions.end(),
@@ -136,7 +136,7 @@ Judged Judge::judged_by(const Claim& step, const Claim& clear, std::vector<Opini
   for (const Engine engine : engines) {
     if (static_cast<std::size_t>(yes()) >= needed) break;
     Opinion own{engine, {}};
-    for (const Claim* claim : {&step, &clear}) {
+    for (const Claim* claim : {&step, &base_case}) {
       const Decision d = decide({claim}, {{engine}, asking_.limit, 1}).front();
       own.solved = d.opinions.front().solved;
       if (own.solved.front().answer != Answer::unsat) break;

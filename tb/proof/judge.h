@@ -34,7 +34,7 @@ class Judge {
   void require_reached();
   std::vector<std::vector<Opinion>> opinions_of_abc(const std::filesystem::path& verilog,
                                                     const std::vector<unsigned>& numbers) const;
-  Judged judged_by(const Claim& step, const Claim& clear, std::vector<Opinion> opinions,
+  Judged judged_by(const Claim& step, const Claim& base_case, std::vector<Opinion> opinions,
                    const std::vector<Engine>& engines, std::size_t needed) const;
 
   const MachineFormula& machine_;

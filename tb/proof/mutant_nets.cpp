@@ -64,7 +64,7 @@ class Maker {
     differ(machine_.outputs, original_.outputs, with.outputs);
     wrong = graph().and_of(wrong,
                            graph().and_of(assumed_, graph().and_of(original_.given, with.given)));
-    wrong = graph().or_of(wrong, not_cleared(number));
+    wrong = graph().or_of(wrong, not_reset(number));
     if (wrong == no) return Known::same;
     if (wrong == yes) return Known::other;
     q_.asked.push_back({fmt::format("mutant {}", number), wrong});
@@ -99,7 +99,7 @@ class Maker {
 
   // By net: flip-flops hold `held`; inputs are the model's, or free.
   Row placed(unsigned number, const Row& held, bool free_inputs,
-             const std::vector<nets::Wire>& clearing = {}) {
+             const std::vector<nets::Wire>& reset_inputs = {}) {
     const nets::Cells& cells = rtl_.cells();
     Row given(cells.nets.size());
     for (const auto* all : {&cells.inputs, &cells.free}) {
@@ -111,7 +111,7 @@ class Maker {
     for (std::size_t i = 0; i < inputs_.size(); ++i) {
       const nets::Wire& own = machine_.inputs[i];
       const Row* code = free_inputs ? nullptr : &own.code;
-      for (const nets::Wire& w : clearing) {
+      for (const nets::Wire& w : reset_inputs) {
         if (label_of(w.field) == label_of(own.field)) code = &w.code;
       }
       for (std::size_t b = 0; code != nullptr && b < inputs_[i].size(); ++b) {
@@ -168,13 +168,13 @@ class Maker {
     return step;
   }
 
-  // After a clock that clears, whatever the flip-flops held.
-  Bit not_cleared(unsigned number) {
-    const Row now = placed(number, held_at_random(), false, machine_.clearing);
+  // After a clock that resets, whatever the flip-flops held.
+  Bit not_reset(unsigned number) {
+    const Row now = placed(number, held_at_random(), false, machine_.reset_inputs);
     const auto after = in(placed(number, next_of(now), true), registers_);
     Bit wrong = no;
     for (std::size_t i = 0; i < after.size(); ++i) {
-      const nets::Wire& w = machine_.cleared[i];
+      const nets::Wire& w = machine_.reset_state[i];
       if (w.field.unreset) continue;  // whatever it holds, the model takes it over
       wrong = graph().or_of(wrong, where_compared(w, differs(after[i], w.code)));
     }
@@ -203,7 +203,7 @@ NetQuestions nets_of_reached(const nets::Model& model) {
   for (const auto* all : {&m.invariant_after, &m.reached_after}) {
     for (const nets::Named& n : *all) wrong = q.graph.or_of(wrong, !n.condition);
   }
-  for (const auto* all : {&m.invariant_cleared, &m.reached_cleared}) {
+  for (const auto* all : {&m.invariant_in_reset, &m.reached_in_reset}) {
     for (const nets::Named& n : *all) wrong = q.graph.or_of(wrong, !n.condition);
   }
   q.asked.push_back({"any clock", q.graph.and_of(assumed, wrong)});

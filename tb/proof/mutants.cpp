@@ -165,7 +165,7 @@ Claim reached_claim(const MachineFormula& m, const nets::Model* model) {
   }
   Expression wrong = truth(false);
   for (const auto* all :
-       {&m.invariant_after, &m.reached_after, &m.invariant_cleared, &m.reached_cleared}) {
+       {&m.invariant_after, &m.reached_after, &m.invariant_in_reset, &m.reached_in_reset}) {
     for (const Named& n : *all) wrong = disjunction(wrong, negation(n.condition));
   }
   Claim claim = asked("what is reached stays so", "any clock", script, wrong);
@@ -218,21 +218,21 @@ Mutants::Mutants(const MachineFormula& machine, const fs::path& verilog,
   }
 }
 
-Claim Mutants::clear(std::size_t i) const {
+Claim Mutants::base_case(std::size_t i) const {
   const Mutant& mutant = mutants_[i];
   Script script = declared(machine_);
   Side side("mutant", machine_, mutant.rtl, {}, script);
-  for (const Wire& w : machine_.clearing) {
+  for (const Wire& w : machine_.reset_inputs) {
     script.assume(equal(symbol("in", w.field), w.code));
   }
   Expression wrong = truth(false);
   const std::vector<Expression> after = side.after(machine_);
   for (std::size_t w = 0; w < after.size(); ++w) {
-    const Wire& cleared = machine_.cleared[w];
-    if (cleared.field.unreset) continue;  // whatever it holds, the model takes it over
-    wrong = disjunction(wrong, where_compared(cleared, differ(after[w], cleared.code)));
+    const Wire& reset = machine_.reset_state[w];
+    if (reset.field.unreset) continue;  // whatever it holds, the model takes it over
+    wrong = disjunction(wrong, where_compared(reset, differ(after[w], reset.code)));
   }
-  return asked("base case: a clear makes them the same", fmt::format("mutant {}", mutant.number),
+  return asked("base case: a reset makes them the same", fmt::format("mutant {}", mutant.number),
                script, wrong);
 }
 

@@ -1,9 +1,9 @@
 // The proof on mutants: RTL in which one of many small faults is turned on by an input.
 //
 // What is asked is whether a mutant is the same machine as the RTL without one, for ever, from the
-// first clear on:
+// first reset on:
 //
-//   clear   after a clock that clears the machine, whatever its flip-flops held, the mutant's
+//   base case  after a clock that resets the machine, whatever its flip-flops held, the mutant's
 //           registers hold the right values
 //   step    from every state that satisfies the invariant and what else is true of all states
 //           reached, with the registers of both holding the values of that state, under every
@@ -21,7 +21,7 @@
 
 namespace cosim::proof {
 
-/// That `reached` is true after a clear and stays so, by the model alone, which may be null as
+/// That `reached` is true after a reset and stays so, by the model alone, which may be null as
 /// nets.
 Claim reached_claim(const MachineFormula& machine, const nets::Model* model = nullptr);
 
@@ -34,7 +34,7 @@ class Mutants {
           const std::vector<unsigned>& numbers);
 
   std::size_t size() const { return mutants_.size(); }
-  Claim clear(std::size_t i) const;
+  Claim base_case(std::size_t i) const;
   Claim step(std::size_t i) const;
   /// Whether every flip-flop has the clock it has without the mutant: the formulas know no other.
   bool has_same_clocks(std::size_t i) const { return mutants_[i].same_clocks; }

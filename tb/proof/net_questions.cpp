@@ -77,14 +77,14 @@ class NetQuestion {
 
   // Puts a clock of the RTL into the graph, from these flip-flops, under the model's inputs.
   void clock(const std::vector<Bit>& flip_flops) { clock(flip_flops, model_.machine.inputs); }
-  // One more clock of a clear: of its inputs those that clear are the same, the others free.
-  void clear_again() {
+  // One more clock of a reset: of its inputs those that reset are the same, the others free.
+  void reset_again() {
     std::vector<Bit> now;
     for (const auto& f : rtl_->cells().flip_flops) now.push_back(nets_[f.next]);
     std::vector<nets::Wire> inputs = model_.machine.inputs;
     for (nets::Wire& w : inputs) {
       for (Bit& bit : w.code) bit = free();
-      for (const nets::Wire& given : model_.machine.clearing) {
+      for (const nets::Wire& given : model_.machine.reset_inputs) {
         if (label_of(given.field) == label_of(w.field)) w.code = given.code;
       }
     }
@@ -173,28 +173,28 @@ class NetQuestion {
 
 }  // namespace
 
-NetQuestions nets_of_clear(const nets::Model& model, const RtlNets& rtl) {
+NetQuestions nets_of_base_case(const nets::Model& model, const RtlNets& rtl) {
   const Machine& m = model.machine;
   NetQuestion q(model, rtl);
-  Bit wrong = q.any_fails(m.invariant_cleared);
-  const bool clears = m.clear_clocks > 0;
-  q.clock(clears ? q.anything() : q.at_first());
-  for (const nets::Wire& given : m.clearing) {
+  Bit wrong = q.any_fails(m.invariant_in_reset);
+  const bool resets = m.reset_clocks > 0;
+  q.clock(resets ? q.anything() : q.at_first());
+  for (const nets::Wire& given : m.reset_inputs) {
     for (const nets::Wire& w : m.inputs) {
       if (label_of(w.field) == label_of(given.field)) q.assume(!q.differs(w.code, given.code));
     }
   }
-  for (int i = 1; i < m.clear_clocks; ++i) q.clear_again();
-  for (std::size_t i = 0; i < m.cleared.size(); ++i) {
-    const nets::Wire& w = m.cleared[i];
+  for (int i = 1; i < m.reset_clocks; ++i) q.reset_again();
+  for (std::size_t i = 0; i < m.reset_state.size(); ++i) {
+    const nets::Wire& w = m.reset_state[i];
     if (w.field.unreset) continue;
-    const Code held = clears ? q.after(i) : q.shown(i);
+    const Code held = resets ? q.after(i) : q.shown(i);
     wrong = q.graph().or_of(wrong, q.where_compared(w, q.differs(w.code, held)));
-    // A longer clear may take the model through states of its own.
-    if (m.clear_clocks != 1) continue;
+    // A longer reset may take the model through states of its own.
+    if (m.reset_clocks != 1) continue;
     wrong = q.graph().or_of(wrong, q.where_compared(w, q.differs(m.after[i].code, w.code)));
   }
-  q.ask(clears ? "any clock" : "at first", wrong);
+  q.ask(resets ? "any clock" : "at first", wrong);
   return q.take();
 }
 

@@ -24,7 +24,7 @@ struct NetQuestions {
 };
 
 /// InputError where the RTL's flip-flops are not those of the tables, one for one.
-NetQuestions nets_of_clear(const nets::Model& model, const RtlNets& rtl);
+NetQuestions nets_of_base_case(const nets::Model& model, const RtlNets& rtl);
 NetQuestions nets_of_step(const nets::Model& model, const RtlNets& rtl);
 NetQuestions nets_of_cases(const nets::Model& model);
 NetQuestions nets_of_legal(const nets::Model& model);

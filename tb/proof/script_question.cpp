@@ -126,7 +126,7 @@ Expression Question::differs(const char* what, const Wire& expected, const Expre
   return where_compared(expected, negation(equal(e, a)));
 }
 
-void Question::clear_again() {
+void Question::reset_again() {
   for (const Rtl::Free& f : rtl_.free()) {
     const std::string next = on_next_clock(now(f.symbol));
     if (f.after.empty()) {
@@ -137,7 +137,7 @@ void Question::clear_again() {
   }
   ++clock_;
   script_.add(now(rtl_.definitions()));
-  for (const Wire& given : m_.clearing) {
+  for (const Wire& given : m_.reset_inputs) {
     for (std::size_t i = 0; i < m_.inputs.size(); ++i) {
       if (label_of(m_.inputs[i].field) != label_of(given.field)) continue;
       script_.assume(equal(now(during(rtl_, at_.inputs[i])), given.code));

@@ -32,8 +32,8 @@ class Question {
   Expression shown(std::size_t i) const { return during(rtl_, at_.registers[i]); }
   Expression after(std::size_t i) const { return now(proof::after(rtl_, at_.registers[i])); }
 
-  /// One more clock of a clear: of its inputs those that clear are the same, the others free.
-  void clear_again();
+  /// One more clock of a reset: of its inputs those that reset are the same, the others free.
+  void reset_again();
 
  private:
   struct Located {

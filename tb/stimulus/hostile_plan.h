@@ -61,7 +61,7 @@ struct HostilePlan {
     std::size_t first = 0, cells = 0;
     bool is_array = false;
     bool is_wide = false;     ///< it takes values, and is not only at rest or not
-    bool is_quiet = false;    ///< it is among those that clear the design
+    bool is_quiet = false;    ///< it is among those that reset the design
     bool is_clock = false;    ///< 1 where registers take its edge
     Word rest = 0;            ///< of one that is not wide
     RandomBits own;           ///< of a clock: 3 that must be 0 for it to change, or fewer of them
@@ -89,7 +89,7 @@ struct HostilePlan {
   /// Of a clock: 4 bits for several pins together.
   std::array<RandomBits, groups * Inputs::size> shared{};
   std::size_t shared_count = 0;
-  RandomBits quiet;  ///< of a stretch: the design is not cleared in it
+  RandomBits quiet;  ///< of a stretch: the design is not reset in it
   std::size_t words = 0, stretch_words = 0;
 
   explicit constexpr HostilePlan(const typename Design::Params& p) {
@@ -97,16 +97,16 @@ struct HostilePlan {
     RandomBitsLeft<most_words> clock;
     RandomBitsLeft<most_stretch_words> stretch;
     quiet = stretch.take(1);
-    Inputs clear = rest_of<Design>();
-    if constexpr (has_clear<Design>) clear = clear_of<Design>();
-    const auto cleared = to_words(clear), at_rest = to_words(rest_of<Design>());
+    Inputs reset = rest_of<Design>();
+    if constexpr (has_reset<Design>) reset = reset_inputs_of<Design>();
+    const auto held = to_words(reset), at_rest = to_words(rest_of<Design>());
     for (std::size_t i = 0; i < fields.size();) {
       Pin& pin = pins[pin_count++];
       pin.first = i;
       const bool is_array = fields[i].index >= 0;
       do {
         cells[i].width = fields[i].width;
-        pin.is_quiet = pin.is_quiet || cleared[i] != at_rest[i];
+        pin.is_quiet = pin.is_quiet || held[i] != at_rest[i];
         ++i;
       } while (i < fields.size() && fields[i].index > 0);
       pin.cells = i - pin.first;

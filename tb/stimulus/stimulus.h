@@ -15,7 +15,7 @@ struct Stimulus {
   std::string machine;         ///< AnyBench::title() of the bench it is for
   std::string origin;          ///< what it came from, one line; may be empty
   std::uint32_t power_up = 1;  ///< the RTL's registers at power-up
-  /// The model's state to start from, in the order of its table; none: after a clear.
+  /// The model's state to start from, in the order of its table; none: after a reset.
   std::optional<std::vector<Word>> state;
   std::vector<std::vector<Word>> clocks;  ///< the inputs of each clock, in the order of their table
 };

@@ -32,7 +32,7 @@ class AnyStreamBench : public AnyBench {
   std::vector<Probe> probes() const override { return {}; }
   std::vector<Word> rest() const override;
   std::vector<Field> state() const override { return {}; }
-  std::vector<Word> cleared() const override { return {}; }
+  std::vector<Word> reset_state() const override { return {}; }
   std::string view() const override { return view_; }
   std::string hostile_text() const override { return "random transactions with random stalls"; }
   std::string text_of(const HostileCase& c) const override;

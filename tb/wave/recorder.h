@@ -52,7 +52,7 @@ template <class Design>
       now.compared.clear();
       now.differs.clear();
       for (std::size_t i = 0; i < now.expected.size(); ++i) {
-        now.compared.push_back(lockstep->meant().of_cell(i));
+        now.compared.push_back(lockstep->mask().of_cell(i));
         now.differs.push_back(now.compared.back() && now.expected[i] != now.actual[i]);
         if (range.signal.empty() && now.differs.back()) range.signal = label_of(shape.compared[i]);
       }

@@ -23,12 +23,12 @@ using InputList = std::vector<typename Adapter::Design::template Inputs<Word>>;
 
 inline constexpr std::size_t rows = 1 << 14;
 
-// The inputs of work after work from a clear on: what the host drives when the model answers it.
+// The inputs of work after work from a reset on: what the host drives when the model answers it.
 template <class Adapter, class Job>
 auto inputs_of(const std::vector<Job>& jobs) {
   using Design = typename Adapter::Design;
-  std::vector<typename Design::template Inputs<Word>> inputs{Design::clear()};
-  auto state = Design::template cleared<Word>();
+  std::vector<typename Design::template Inputs<Word>> inputs{Design::reset_inputs()};
+  auto state = Design::template reset_state<Word>();
   typename Design::template Outputs<Word> seen;
   typename Design::template Inputs<Word> in;
   typename Design::Host host(Adapter::params, jobs);
@@ -73,8 +73,8 @@ void compared(benchmark::State& state, const InputList<Adapter>& list) {
   const Source<typename Design::template Inputs<Word>> source{&list};
   Adapter dut(1);
   for (auto _ : state) {
-    auto model = Design::template cleared<Word>();
-    dut.drive(Design::clear());
+    auto model = Design::template reset_state<Word>();
+    dut.drive(Design::reset_inputs());
     dut.eval(false);
     dut.eval(true);
     typename Design::template Outputs<Word> seen;

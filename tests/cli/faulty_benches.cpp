@@ -33,7 +33,7 @@ class FaultyAdapter : public test::ModelAdapter<D, P> {
   }
   Registers registers() const {
     auto words = to_words(Base::registers());
-    if (edges_ > first) words[index] ^= 1;  // edge 1 is the clear's
+    if (edges_ > first) words[index] ^= 1;  // edge 1 is the reset's
     return from_words<Registers>(words);
   }
 

@@ -37,7 +37,7 @@ TEST_F(Prove, AMachine) {
   const Ended ended = cosim({"prove", "circular", "W=4", "--rtl", kRtl, "--scripts", scripts});
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_TRUE(
-      says(ended, "\ncircular W=4 +base case: a clear makes them the same +[0-9. ]+ - +proved\n"));
+      says(ended, "\ncircular W=4 +base case: a reset makes them the same +[0-9. ]+ - +proved\n"));
   EXPECT_TRUE(
       says(ended, "\n3 of 3 claims proved, each by two of cec, z3 and cvc5, in [0-9.]+ s\n$"))
       << ended.out;

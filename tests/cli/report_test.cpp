@@ -57,7 +57,7 @@ TEST(Report, OfAnArc) {
   EXPECT_EQ(r["parameters"], (json{{"W", 4}}));
   EXPECT_EQ(r["seed"], 5);
   EXPECT_EQ(r["steps"], 17);
-  // The load with the start, 17 steps, the correction, the clear at the end and the clock after it.
+  // The load with the start, 17 steps, the correction, the reset at the end and the clock after it.
   EXPECT_EQ(r["clocks"], 21);
   expect_circular_signals(r["compared_signals"]);
 }

@@ -49,7 +49,7 @@ says "  counter W=8"
 ends 2 prove
 says "$line"
 says_like "^counter_cosim: .*unread.sv:[0-9]+: ERROR"
-says_like "^counter W=8 +base case: a clear makes them the same"
+says_like "^counter W=8 +base case: a reset makes them the same"
 says "6 of 6 claims proved, each by two of"
 
 # RTL that is changed is read again when it is built: a register more escapes nobody.

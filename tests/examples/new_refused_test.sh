@@ -47,34 +47,34 @@ rtl 'always @* if (other) q = d; always @(posedge clk) r <= q;'
 refused "new: q: a latch" made made.v
 rtl 'always @(posedge clk or posedge other) if (other) q <= 0; else q <= d;'
 "$program" new made made.v > said
-grep -q 'clear() { return {.other = 1}; }' made/made.h
+grep -q 'reset_inputs() { return {.other = 1}; }' made/made.h
 grep -qx '  static constexpr bool asynchronous_reset = true;' made/made.h
 rm -r made
 rtl 'always @(posedge clk or negedge other) if (!other) q <= 0; else q <= d;
      always @(posedge clk or posedge d) if (d) r <= 0; else r <= w[0];'
 "$program" new made made.v > said
-diff - <(sed -n '/^constexpr State/,/^}/p; /clear()\|rest()/p' made/made.h) << 'RESET'
+diff - <(sed -n '/^constexpr State/,/^}/p; /reset_inputs()\|rest()/p' made/made.h) << 'RESET'
 constexpr State<V> reset(const Params&, State<V> s, const Inputs<V>& in) {
   s.q = select(!is_set(in.other), V(0), s.q);
   s.r = select(is_set(in.d), V(0), s.r);
   return s;
 }
   static constexpr Inputs<Word> rest() { return {.other = 1}; }
-  static constexpr Inputs<Word> clear() { return {.other = 0, .d = 1}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.other = 0, .d = 1}; }
 RESET
 rm -r made
 # A register that resets others, behind what resets it.
 rtl 'reg ready; always @(posedge clk or negedge other) if (!other) ready <= 0; else ready <= 1;
      always @(posedge clk or negedge ready) if (!ready) q <= 1; else q <= d;'
 "$program" new made made.v > said
-diff - <(sed -n '/^constexpr State/,/^}/p; /clear()\|rest()/p' made/made.h) << 'RESET'
+diff - <(sed -n '/^constexpr State/,/^}/p; /reset_inputs()\|rest()/p' made/made.h) << 'RESET'
 constexpr State<V> reset(const Params&, State<V> s, const Inputs<V>& in) {
   s.ready = select(!is_set(in.other), V(0), s.ready);
   s.q = select(!is_set(s.ready), V(0x1), s.q);
   return s;
 }
   static constexpr Inputs<Word> rest() { return {.other = 1}; }
-  static constexpr Inputs<Word> clear() { return {.other = 0}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.other = 0}; }
 RESET
 grep -q ' UNPROVED)$' made/CMakeLists.txt
 grep -qx 'made/made.h: a register resets others at once: nothing is proved of it' said
@@ -95,7 +95,7 @@ refused "new: --stream: of one clock, which rises; made has several" made made.v
 rtl 'wire x = !other; always @(posedge clk or posedge x) if (x) q <= 0; else q <= d;
      always @(posedge clk or negedge other) if (!other) r <= 0; else r <= d;'
 "$program" new made made.v > said
-grep -q 'clear() { return {.other = 0}; }' made/made.h
+grep -q 'reset_inputs() { return {.other = 0}; }' made/made.h
 rm -r made
 # The variable of loops in several processes is no latch, and none that only some ways write, where each
 # writes it before it is read.

@@ -38,7 +38,7 @@ diff - said << 'SAID'
 pair/: 2 inputs, 2 outputs, 3 registers; README.md has its two commands
 pair/pair.h: next() is to be written
 SAID
-diff - <(sed -n '/^#define\|^  FIELD\|^COSIM/p; /rest()\|clear()/p' pair/pair.h) << 'TABLES'
+diff - <(sed -n '/^#define\|^  FIELD\|^COSIM/p; /rest()\|reset_inputs()/p' pair/pair.h) << 'TABLES'
 #define PAIR_INPUTS(FIELD) \
   FIELD(resetn, 1, flag, "", "") \
   FIELD(d, p.WIDTH, bits, "", "")
@@ -51,7 +51,7 @@ diff - <(sed -n '/^#define\|^  FIELD\|^COSIM/p; /rest()\|clear()/p' pair/pair.h)
   FIELD(sum, p.WIDTH + 1, bits, "", "")
 COSIM_RECORDS(PAIR, Params);
   static constexpr Inputs<Word> rest() { return {.resetn = 1}; }
-  static constexpr Inputs<Word> clear() { return {.resetn = 0}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.resetn = 0}; }
 TABLES
 grep -qx 'cosim_add_design(pair SOURCES pair.v part.v CLOCK ck MODEL pair.h SHAPES "WIDTH=6")' \
   pair/CMakeLists.txt
@@ -78,7 +78,7 @@ module two(input wire w_clk, w_rst_n, d, input wire a_clk, a_rst, output reg q, 
 endmodule
 RTL
 "$program" new two two.v > said
-diff - <(sed -n '/FIELD(w_clk/,/FIELD(a_rst/p; /Step<V> step/,/^}/p; /  s.held/p; /rest()\|clear()/p' two/two.h) \
+diff - <(sed -n '/FIELD(w_clk/,/FIELD(a_rst/p; /Step<V> step/,/^}/p; /  s.held/p; /rest()\|reset_inputs()/p' two/two.h) \
   << 'MODEL'
   FIELD(w_clk, 1, rises, "", "") \
   FIELD(w_rst_n, 1, flag, "", "") \
@@ -99,7 +99,7 @@ diff - <(sed -n '/FIELD(w_clk/,/FIELD(a_rst/p; /Step<V> step/,/^}/p; /  s.held/p
 }
   s.held = select(!is_set(in.w_rst_n), V(0x1), s.held);
   static constexpr Inputs<Word> rest() { return {.w_rst_n = 1}; }
-  static constexpr Inputs<Word> clear() { return {.w_rst_n = 0, .a_rst = 1}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.w_rst_n = 0, .a_rst = 1}; }
     s.held = V(0x1);
 MODEL
 grep -qx 'cosim_add_design(two SOURCES two.v CLOCKS a_clk w_clk MODEL two.h)' two/CMakeLists.txt
@@ -192,7 +192,7 @@ tree1/: 3 inputs, 2 outputs, 4 registers; README.md has its two commands
 tree1/tree1.h: next() is to be written
 tree1/tree1.h: yosys cannot read the RTL, or not in 40 s: nothing is proved of it
 SAID
-diff - <(sed -n '/^  int\|^  FIELD/p; /cleared()/,/}/p; /rest()/p' tree1/tree1.h) << 'TABLES'
+diff - <(sed -n '/^  int\|^  FIELD/p; /reset_state()/,/}/p; /rest()/p' tree1/tree1.h) << 'TABLES'
   int W = 16;
   int D = 8;
   FIELD(nreset, 1, flag, "", "") \
@@ -205,7 +205,7 @@ diff - <(sed -n '/^  int\|^  FIELD/p; /cleared()/,/}/p; /rest()/p' tree1/tree1.h
   FIELD(p_r, p.W, bits.at("p.r").unreset(), "", "") \
   FIELD(q, p.W * 2, bits, "", "")
   static constexpr Inputs<Word> rest() { return {.nreset = 1}; }
-  static constexpr State<V> cleared() {
+  static constexpr State<V> reset_state() {
     State<V> s;
     s.kind = V(0x2);
     s.q = V(0x2a);

@@ -82,7 +82,7 @@ diff - <(grep -E 'FIELD\(|int |RST_N =' made/made.h) << 'TABLES'
   FIELD(phase, 2, bits, "", "") \
   FIELD(sum, p.WIDTH, bits, "", "")
   static constexpr Inputs<Word> rest() { return {.RST_N = 1}; }
-  static constexpr Inputs<Word> clear() { return {.RST_N = 0}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.RST_N = 0}; }
 TABLES
 grep -q '^cosim_add_design(made SOURCES b_kinds.vhd a_top.vhd c_store.vhdl TOP top CLOCK CLK MODEL' \
   made/CMakeLists.txt

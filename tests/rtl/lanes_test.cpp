@@ -14,7 +14,7 @@ namespace {
 constexpr std::uint64_t kSeed = 1;
 constexpr std::uint64_t kClocks = 100'000;
 
-// Two of each design, one of them in what a clear leaves, and with $COSIM_LANES_ALL every fault.
+// Two of each design, one of them in what a reset leaves, and with $COSIM_LANES_ALL every fault.
 bool wanted(const std::string& variant) {
   static const std::set<std::string> handful = {
       "faults/priority_missing", "faults/remainder_not_cleared", "faults/two_from_one",

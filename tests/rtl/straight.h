@@ -26,12 +26,12 @@ using Script = std::vector<typename Design::template Inputs<Word>>;
 template <class Design>
 using Record = std::vector<Shown<Design>>;
 
-/// The clear is not recorded.
+/// The reset is not recorded.
 template <class Design>
 Record<Design> play(const Variant<Design>& variant, const Script<Design>& script,
                     std::uint32_t power_up = 1) {
   const auto machine = variant.bench->dut(power_up);
-  machine->drive(Design::clear());
+  machine->drive(Design::reset_inputs());
   machine->eval(false);
   machine->eval(true);
   Record<Design> record;
@@ -46,7 +46,7 @@ Record<Design> play(const Variant<Design>& variant, const Script<Design>& script
 
 template <class Design>
 Record<Design> predict(const typename Design::Params& p, const Script<Design>& script) {
-  auto state = Design::template cleared<Word>();
+  auto state = Design::template reset_state<Word>();
   Record<Design> record;
   for (const auto& in : script) {
     const auto step = Design::next(p, state, in);
@@ -56,7 +56,7 @@ Record<Design> predict(const typename Design::Params& p, const Script<Design>& s
   return record;
 }
 
-/// The first place where RTL and model part: the clock after the clear, from 0, and the first
+/// The first place where RTL and model part: the clock after the reset, from 0, and the first
 /// signal of that clock, registers before outputs.
 struct Difference {
   std::uint64_t clock = 0;

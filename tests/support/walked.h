@@ -28,7 +28,7 @@ BothOracles both_oracles(const typename Lanes::Design::Params& p,
                          const std::vector<JobOf<Lanes>>& jobs, Check check, Change change) {
   using Design = typename Lanes::Design;
   BothOracles both;
-  auto s = cleared_of<Design, Word>();
+  auto s = reset_state_of<Design, Word>();
   typename Lanes::Figures figures;
   std::uint64_t clock = 0;
   for (std::size_t i = 0; i < jobs.size(); ++i) {

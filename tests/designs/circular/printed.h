@@ -62,7 +62,7 @@ inline void expect_tables(const Bench<Design>& bench) {
   const std::vector<Arc> arcs = {{{12, 0}, 144, {}}};
   const auto clocks = test::draw(bench, std::span<const Arc>(arcs));
 
-  // The load with the start, the rows, the clear at the end, the clock that shows it.
+  // The load with the start, the rows, the reset at the end, the clock that shows it.
   ASSERT_EQ(clocks.size(), kRows.size() + 3);
   const auto expect_registers = [&](const Registers<Word>& r, const Row& row, Word t16) {
     EXPECT_EQ(static_cast<double>(from_ones_complement(r.f, width + 4)) / 4, row.f);

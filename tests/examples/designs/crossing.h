@@ -39,9 +39,9 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
 struct Design {
   COSIM_DESIGN(crossing);
   static constexpr const char* name = "crossing";
-  static constexpr Inputs<Word> clear() { return {.rst = 1}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   template <class V>
-  static constexpr State<V> cleared() {
+  static constexpr State<V> reset_state() {
     return {begun<V>(red)};
   }
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {

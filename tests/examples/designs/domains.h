@@ -50,7 +50,7 @@ struct Design {
   COSIM_DESIGN(domains);
   static constexpr const char* name = "domains";
   static constexpr Inputs<Word> rest() { return {.b_rst_n = 1}; }
-  static constexpr Inputs<Word> clear() { return {.a_rst = 1}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.a_rst = 1}; }
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {
     return {{{"FAULT", p.fault}}};
   }

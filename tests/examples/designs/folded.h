@@ -41,7 +41,7 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
 struct Design {
   COSIM_DESIGN(folded);
   static constexpr const char* name = "folded";
-  static constexpr Inputs<Word> clear() { return {.rst = 1}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array<Parameter, 3> parameters(const Params& p) {
     return {{{"FAULT", p.fault}, {"TAGS", p.tags}, {"DROPS", p.drops}}};
   }

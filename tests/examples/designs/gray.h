@@ -45,10 +45,10 @@ struct Design {
   COSIM_DESIGN(gray);
   static constexpr const char* name = "gray";
   static constexpr Inputs<Word> rest() { return {.rst_n = 1}; }
-  static constexpr Inputs<Word> clear() { return {.rst_n = 0}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.rst_n = 0}; }
   static constexpr bool asynchronous_reset = true;
   template <class V>
-  static constexpr State<V> cleared() {
+  static constexpr State<V> reset_state() {
     return {V(3), V(0), V(0)};
   }
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {

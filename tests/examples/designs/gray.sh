@@ -17,5 +17,5 @@ printf 'cosim stimulus 1\nmachine gray FAULT=0\nstate count=9 odd=1 all=7\nclock
 ends 0 replay a.stim
 if [[ $solvers ]]; then
   ends 0 prove gray FAULT=0
-  says "a clear makes them the same, but for all"
+  says "a reset makes them the same, but for all"
 fi

@@ -70,7 +70,7 @@ struct Design {
   COSIM_DESIGN(handshake);
   static constexpr const char* name = "handshake";
   static constexpr Inputs<Word> rest() { return {.by = 1}; }
-  static constexpr Inputs<Word> clear() { return {.rst = 1, .by = 1}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.rst = 1, .by = 1}; }
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {
     return {{{"FAULT", p.fault}}};
   }

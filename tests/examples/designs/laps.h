@@ -44,9 +44,9 @@ struct Design {
   COSIM_DESIGN(laps);
   static constexpr const char* name = "laps";
   static constexpr Inputs<Word> rest() { return {.rst_n = 1}; }
-  static constexpr Inputs<Word> clear() { return {.rst_n = 0, .lap = 1}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.rst_n = 0, .lap = 1}; }
   template <class V>
-  static constexpr State<V> cleared() {
+  static constexpr State<V> reset_state() {
     return {V(0), V(1), V(0)};
   }
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {

@@ -34,7 +34,7 @@ inline Step<Word> next(const Params&, const State<Word>& s, const Inputs<Word>& 
 struct Design {
   COSIM_DESIGN(largest);
   static constexpr const char* name = "largest";
-  static constexpr Inputs<Word> clear() { return {.rst = 1}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {
     return {{{"FAULT", p.fault}}};
   }

@@ -35,7 +35,7 @@ struct Design {
   static constexpr const char* name = "lfsr";
   // Nothing clears it.
   template <class V>
-  static constexpr State<V> cleared() {
+  static constexpr State<V> reset_state() {
     return {V(0xa5)};
   }
   static constexpr std::array<Parameter, 3> parameters(const Params& p) {

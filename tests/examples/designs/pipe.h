@@ -47,7 +47,7 @@ constexpr auto compared(const Params&, const State<V>&, const Inputs<V>&, const 
 struct Design {
   COSIM_DESIGN(pipe);
   static constexpr const char* name = "pipe";
-  static constexpr Inputs<Word> clear() { return {.rst = 1}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {
     return {{{"FAULT", p.fault}}};
   }

@@ -25,7 +25,7 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
 struct Design {
   COSIM_DESIGN(probed);
   static constexpr const char* name = "probed";
-  static constexpr Inputs<Word> clear() { return {.rst = 1}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array unobserved{"debug.*"};
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {
     return {{{"FAULT", p.fault}}};

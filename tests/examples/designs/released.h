@@ -40,9 +40,9 @@ struct Design {
   COSIM_DESIGN(released);
   static constexpr const char* name = "released";
   static constexpr Inputs<Word> rest() { return {.rst_n = 1}; }
-  static constexpr Inputs<Word> clear() { return {}; }
+  static constexpr Inputs<Word> reset_inputs() { return {}; }
   template <class V>
-  static constexpr State<V> cleared() {
+  static constexpr State<V> reset_state() {
     return {V(0), V(0), V(5)};
   }
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {

@@ -25,7 +25,7 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
 struct Design {
   COSIM_DESIGN(scaled);
   static constexpr const char* name = "scaled";
-  static constexpr Inputs<Word> clear() { return {.rst = 1}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array<Parameter, 2> parameters(const Params& p) {
     return {{{"FAULT", p.fault}, {"W", p.width}}};
   }

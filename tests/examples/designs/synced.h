@@ -27,10 +27,10 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
 struct Design {
   COSIM_DESIGN(synced);
   static constexpr const char* name = "synced";
-  static constexpr Inputs<Word> clear() { return {.reset = 1}; }
-  static constexpr int clear_clocks = 3;
+  static constexpr Inputs<Word> reset_inputs() { return {.reset = 1}; }
+  static constexpr int reset_clocks = 3;
   template <class V>
-  static constexpr State<V> cleared() {
+  static constexpr State<V> reset_state() {
     return {V(1), V(1), V(0)};
   }
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {

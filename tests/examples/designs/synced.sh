@@ -1,2 +1,2 @@
 # shellcheck shell=bash
-[[ ! $solvers ]] || { ends 0 prove synced FAULT=0 && says "3 clocks of a clear make them the same"; }
+[[ ! $solvers ]] || { ends 0 prove synced FAULT=0 && says "3 clocks of a reset make them the same"; }

@@ -63,9 +63,9 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
 struct Design {
   COSIM_DESIGN(wires);
   static constexpr const char* name = "wires";
-  static constexpr Inputs<Word> clear() { return {.rst = 1}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   template <class V>
-  static constexpr State<V> cleared() {
+  static constexpr State<V> reset_state() {
     State<V> s;
     for (int i = 0; i < 8; ++i) s.order[i] = V(i);
     return s;

@@ -107,7 +107,7 @@ struct Wide {
   using Outputs = Mixed<V>;
   template <class V>
   using State = Mixed<V>;
-  static constexpr Mixed<Word> clear() { return {.first = 1}; }
+  static constexpr Mixed<Word> reset_inputs() { return {.first = 1}; }
 };
 
 // Each element takes the ends of its range, and all of them together do; none leaves its width.

@@ -26,7 +26,7 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>&) {
 struct Design {
   COSIM_DESIGN(plain);
   static constexpr const char* name = "plain";
-  static constexpr Inputs<Word> clear() { return {.rst = 1}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
 };
 
 // -3 in 5 bits is 29 as two's complement and 28 as ones' complement.
@@ -47,7 +47,7 @@ TEST(PlainDesign, SaysWhereItsRegistersAreAndWhichNoResetReaches) {
 
 TEST(PlainDesign, RestsAtZeroAndStartsAtZero) {
   EXPECT_EQ(to_words(rest_of<Design>()), (Words<Inputs<Word>>{0}));
-  EXPECT_EQ(to_words(cleared_of<Design, Word>()), (Words<State<Word>>{0, 0, 0}));
+  EXPECT_EQ(to_words(reset_state_of<Design, Word>()), (Words<State<Word>>{0, 0, 0}));
   EXPECT_TRUE(parameters_of<Design>(Params{5}).empty());
   EXPECT_STREQ(source_of<Design>(), "");
 }

@@ -24,7 +24,7 @@ inline Step<Word> next(const Params& p, const State<Word>& s, const Inputs<Word>
 struct Design {
   COSIM_DESIGN(asserted);
   static constexpr const char* name = "asserted";
-  static constexpr Inputs<Word> clear() { return {.rst = 1}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {
     return {{{"FAULT", p.fault}}};
   }

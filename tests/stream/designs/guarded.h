@@ -57,7 +57,7 @@ struct Design {
   static constexpr auto parameters(const Params& p) {
     return std::array<Parameter, 1>{{{"FAULT", p.fault}}};
   }
-  static constexpr Inputs<Word> clear() { return {.rst = 1}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
 
   static constexpr auto in(const Params&) { return stream<Passed>("x"); }
   static constexpr auto out(const Params&) { return stream<Passed>("y").latency(1).steady(); }

@@ -47,7 +47,7 @@ TEST(StimulusFile, ComesBackAsItWas) {
     Stimulus s = sample(*b, 200);
     for (const bool with_state : {false, true}) {
       if (with_state) {
-        s.state = b->cleared();
+        s.state = b->reset_state();
         s.state->front() = 1;
       }
       const auto [found, read] = parse_stimulus("x.stim", to_text(s, *b), benches());
@@ -64,7 +64,7 @@ TEST(StimulusFile, ComesBackAsItWas) {
 TEST(StimulusFile, IsRefusedWhereverItIsCutOff) {
   const AnyBench& b = bench("circular W=4");
   Stimulus s = sample(b, 5);
-  s.state = b.cleared();
+  s.state = b.reset_state();
   const std::string text = to_text(s, b);
   // Without its last line feed it is still whole.
   for (std::size_t size = 0; size + 1 < text.size(); ++size) {

@@ -146,9 +146,10 @@ TEST(Resets, AreThoseThatTheDesignNames) {
   for (const std::vector<ResetPin>& pins : {std::vector<ResetPin>{{"rst_n", true}},
                                             {{"other", false}},
                                             {{"rst_n", false}, {"x", true}}}) {
-    EXPECT_EQ(said([&] { require_resets(low, at_once, pins); }),
-              "made: rst_n resets asynchronously where it is 0, and clear() is to differ from "
-              "rest() in that alone");
+    EXPECT_EQ(
+        said([&] { require_resets(low, at_once, pins); }),
+        "made: rst_n resets asynchronously where it is 0, and reset_inputs() is to differ from "
+        "rest() in that alone");
   }
 }
 
@@ -160,7 +161,7 @@ TEST(Resets, OfSeveralAreGivenByTheClearTogether) {
   for (const std::vector<ResetPin>& pins :
        {std::vector<ResetPin>{a}, {a, x}, std::vector<ResetPin>{a, b_high}}) {
     EXPECT_EQ(said([&] { require_resets(two, Resets::each_at_once, pins); }),
-              "made: b resets asynchronously where it is 0, and clear() is to give it");
+              "made: b resets asynchronously where it is 0, and reset_inputs() is to give it");
   }
   for (const Resets design : {Resets::at_edge, Resets::at_once}) {
     EXPECT_EQ(

@@ -36,7 +36,7 @@ constexpr auto legal(const Params&, const State<V>&, const Inputs<V>& in) {
 struct Design {
   COSIM_DESIGN(counted);
   static constexpr const char* name = "counted";
-  static constexpr Inputs<Word> clear() { return {.rst = 1}; }
+  static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
 };
 
 // Its sum is 1 more from `faulty` on.

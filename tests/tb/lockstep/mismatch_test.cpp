@@ -40,7 +40,7 @@ class FaultyAdapter : public test::ModelAdapter<D, P> {
   template <class Record>
   Record turned(const Record& record, std::size_t base) const {
     auto words = to_words(record);
-    const std::uint64_t clock = edges_ - 1;  // the first edge is the clear's
+    const std::uint64_t clock = edges_ - 1;  // the first edge is the reset's
     if (clock >= F.first && clock <= F.last && F.signal >= base && F.signal - base < words.size()) {
       words[F.signal - base] ^= Word{1} << F.bit;
     }

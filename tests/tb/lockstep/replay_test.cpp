@@ -22,7 +22,7 @@ Stimulus hostile(const Bench<Design>& bench, const HostileCase& c) {
 template <class Design>
 std::vector<typename Design::template State<Word>> states(const Bench<Design>& bench,
                                                           const Stimulus& s) {
-  std::vector<typename Design::template State<Word>> all{Design::template cleared<Word>()};
+  std::vector<typename Design::template State<Word>> all{Design::template reset_state<Word>()};
   Rows<Design> rows(bench.params(), s);
   typename Design::template Inputs<Word> in;
   while (rows.next(in, {})) all.push_back(Design::next(bench.params(), all.back(), in).state);
@@ -115,7 +115,7 @@ TEST(Replay, OfACaseThatPassesWhenItRunsAgainIsRefused) {
 
 TEST(Replay, OfAModelCannotStartFromAState) {
   const auto& bench = model_bench<circular::Design, circular::Params{4}>();
-  Stimulus s{bench.title(), "", 1, bench.cleared(), {bench.rest()}};
+  Stimulus s{bench.title(), "", 1, bench.reset_state(), {bench.rest()}};
   EXPECT_THROW(bench.replay(s), InputError);
 }
 

@@ -76,7 +76,7 @@ TEST_P(Claims, OnNetsNeedTheModelAndEverySentenceOfTheInvariant) {
   wrong.machine.invariant_after.push_back({"never", nets::no});
   EXPECT_TRUE(by_cec(wrong, 1).refuted);
   wrong = model;
-  wrong.machine.cleared.back().code.back() = !wrong.machine.cleared.back().code.back();
+  wrong.machine.reset_state.back().code.back() = !wrong.machine.reset_state.back().code.back();
   EXPECT_TRUE(by_cec(wrong, 0).refuted);
   wrong = model;
   wrong.machine.invariant.push_back({"nothing", nets::no});
@@ -120,7 +120,7 @@ TEST_P(Claims, AreOfEveryRegister) {
   MachineFormula unnamed = GetParam().formula();
   unnamed.registers.pop_back();
   unnamed.after.pop_back();
-  unnamed.cleared.pop_back();
+  unnamed.reset_state.pop_back();
   EXPECT_THROW(claim_step(unnamed, rtl), InputError);
   MachineFormula other = GetParam().formula();
   other.registers.front().field.net = "no_such";

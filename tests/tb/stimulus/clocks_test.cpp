@@ -19,7 +19,7 @@ using domains::Inputs;
 TEST(Clocks, AllTakeTheirEdgeWhereTheDesignRestsOrIsCleared) {
   static_assert(clocks_of<Design> == 2);
   EXPECT_EQ(to_words(rest_of<Design>()), (Words<Inputs<Word>>{1, 0, 0, 1, 1}));
-  EXPECT_EQ(to_words(clear_of<Design>()), (Words<Inputs<Word>>{1, 1, 0, 1, 0}));
+  EXPECT_EQ(to_words(reset_inputs_of<Design>()), (Words<Inputs<Word>>{1, 1, 0, 1, 0}));
 }
 
 TEST(Clocks, AreDrawnAsClocksRun) {

@@ -63,9 +63,9 @@ struct Bare {
   static constexpr const char* source = "made up";
   static constexpr std::array<Parameter, 0> parameters(const Params&) { return {}; }
   static constexpr cosim::Inputs<Word> rest() { return {}; }
-  static constexpr cosim::Inputs<Word> clear() { return {}; }
+  static constexpr cosim::Inputs<Word> reset_inputs() { return {}; }
   template <class V>
-  static constexpr State<V> cleared() {
+  static constexpr State<V> reset_state() {
     return {};
   }
 };

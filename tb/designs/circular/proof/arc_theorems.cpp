@@ -36,7 +36,7 @@ Asked arc_begins(const Widths& widths) {
   pins.ct7 = code(&State<Bits>::ct7);
   pins.ct8 = code(&State<Bits>::ct8);
 
-  const auto step = next(p, cleared<Bits>(), pins);
+  const auto step = next(p, reset_state<Bits>(), pins);
   Truth right = !(is_set(step.outputs.step_x) | is_set(step.outputs.step_y));
   for_each_member<State<Bits>>(
       [&](auto member, std::size_t) { right = right & (step.state.*member == of_sector(member)); });

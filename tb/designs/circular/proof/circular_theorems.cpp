@@ -150,7 +150,7 @@ Theorem end() {
   const auto step = a.clock(in_sector2(a.p));
   return a.follows("on X = 0 the arc ends: the machine clears itself and moves no more",
                    (step.outputs.step_x == Integer(0)) & (step.outputs.step_y == Integer(0)) &
-                       same(step.state, cleared<Integer>()));
+                       same(step.state, reset_state<Integer>()));
 }
 
 Theorem progress1() {

@@ -17,7 +17,7 @@ namespace cosim {
 /// One bit a cell of the registers, then one a cell of the outputs: whether it is compared on the
 /// present clock; and on how many clocks each was left out.
 template <class Design>
-class Meant {
+class CompareMask {
   using Registers = typename Design::template Registers<Word>;
   using Outputs = typename Design::template Outputs<Word>;
   using State = typename Design::template State<Word>;
@@ -29,7 +29,7 @@ class Meant {
   static constexpr std::size_t size = Registers::size + Outputs::size;
 
   /// InputError where compared() names a field that is not in its table.
-  explicit Meant(const Params& p) {
+  explicit CompareMask(const Params& p) {
     if constexpr (any) {
       compared_.fill(true);
       add_places<Registers>(p, 0);

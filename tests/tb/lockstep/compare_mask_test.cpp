@@ -1,13 +1,13 @@
 // Registers and outputs that mean nothing on some clocks, where they are arrays: every element that
 // the shape has is left out with its array, and counted by itself.
-#include "tb/lockstep/meant.h"
+#include "tb/lockstep/compare_mask.h"
 
 #include <gtest/gtest.h>
 
 #include "tb/lockstep/lockstep.h"
 
 namespace cosim::test {
-namespace meant {
+namespace masked {
 
 struct Params {
   int depth = 3;
@@ -43,8 +43,8 @@ constexpr auto compared(const Params&, const State<V>&, const Inputs<V>& in, con
 }
 
 struct Design {
-  COSIM_DESIGN(meant);
-  static constexpr const char* name = "meant";
+  COSIM_DESIGN(masked);
+  static constexpr const char* name = "masked";
 };
 
 // A model of the same in the RTL's place, with a bit of one cell turned over: of the registers
@@ -53,7 +53,7 @@ std::size_t turned = 0;
 
 class Adapter {
  public:
-  using Design = meant::Design;
+  using Design = masked::Design;
   static constexpr Params params{};
 
   explicit Adapter(int) {}
@@ -78,7 +78,7 @@ class Adapter {
   Inputs<Word> in_{};
 };
 
-}  // namespace meant
+}  // namespace masked
 
 namespace {
 
@@ -86,8 +86,8 @@ using Counts = std::vector<std::uint64_t>;
 constexpr std::size_t kStore = 1, kCount = 5, kLine = 6;
 
 // full; three elements of store; count; two words of line; ready.
-TEST(Meant, CountsEveryElementThatTheShapeHas) {
-  Meant<meant::Design> all{meant::Params{}};
+TEST(CompareMask, CountsEveryElementThatTheShapeHas) {
+  CompareMask<masked::Design> all{masked::Params{}};
   EXPECT_EQ(all.left_out(), Counts(8, 0));
   all.clock({}, {.full = 0}, {.ask = 1}, {});
   all.clock({}, {.full = 0}, {.ask = 0}, {});
@@ -96,10 +96,10 @@ TEST(Meant, CountsEveryElementThatTheShapeHas) {
   EXPECT_EQ(all.left_out(), (Counts{0, 3, 3, 3, 0, 3, 3, 0}));
 }
 
-TEST(Meant, IsOneSetOfElementsAtATime) {
-  Meant<meant::Design> all{meant::Params{}};
+TEST(CompareMask, IsOneSetOfElementsAtATime) {
+  CompareMask<masked::Design> all{masked::Params{}};
   all.clock({}, {.full = 1}, {.ask = 0}, {});
-  for (std::size_t i = 0; i < Meant<meant::Design>::size; ++i) {
+  for (std::size_t i = 0; i < CompareMask<masked::Design>::size; ++i) {
     EXPECT_EQ(all[i], i < kLine || i > kLine + 2) << i;
   }
   // Of those that the shape has: the fourth element of store and the third word of line are not.
@@ -108,13 +108,13 @@ TEST(Meant, IsOneSetOfElementsAtATime) {
 
 // Whether lockstep sees the bit of a cell on a clock with these inputs, behind one that fills.
 bool seen(std::size_t cell, bool is_full, bool asks) {
-  meant::turned = cell;
-  Lockstep<meant::Adapter> lockstep(1);
+  masked::turned = cell;
+  Lockstep<masked::Adapter> lockstep(1);
   lockstep.clock({.fill = is_full});
   return !lockstep.clock({.fill = 0, .ask = asks});
 }
 
-TEST(Meant, LeavesOutNothingElse) {
+TEST(CompareMask, LeavesOutNothingElse) {
   for (std::size_t element = 0; element < 3; ++element) {
     EXPECT_TRUE(seen(kStore + element, true, false)) << element;
     EXPECT_FALSE(seen(kStore + element, false, true)) << element;

@@ -11,14 +11,8 @@ void add_list(const Command& program);
 void add_examples(const Command& program, const Registry& registry);
 void add_sweep(const Command& program, const Registry& registry);
 void add_replay(const Command& program);
-void add_prove(const Command& program);
 void add_job(const Command& program);
-void add_lint(const Command& program);
 void add_wave_command(const Command& program);
-void add_mutate(const Command& program, const Registry& registry);
 void add_cover(const Command& program, const Registry& registry);
-void add_regress(const Command& program, const Registry& registry);
-void add_equiv(const Command& program);
-void add_new(const Command& program);
 
 }  // namespace cosim::cli

@@ -10,7 +10,7 @@
 #include "tb/program/chosen.h"
 #include "tb/program/common.h"
 #include "tb/program/conclude.h"
-#include "tb/program/in_lanes.h"
+#include "tb/program/full.h"
 #include "tb/program/number.h"
 #include "tb/program/outputs.h"
 #include "tb/program/registry.h"
@@ -24,7 +24,7 @@
 namespace cosim::cli {
 namespace {
 
-constexpr std::uint64_t most = std::uint64_t{1} << 48;
+constexpr std::uint64_t most_cases = std::uint64_t{1} << 48;
 
 struct SweepOptions {
   explicit SweepOptions(const DesignSweeps& d) : design(d), shape(d.shape) {}
@@ -58,8 +58,8 @@ void check_kind(const SweepOptions& o) {
 std::vector<std::pair<const AnyBench*, Sweep>> planned(const SweepOptions& o,
                                                        const Benches& benches) {
   const std::uint64_t seed = o.common.seed();
-  const std::uint64_t cases = o.random ? whole("--random", *o.random, 1, most) : 0;
-  const std::uint64_t clocks = o.hostile ? whole("--hostile", *o.hostile, 1, most) : 0;
+  const std::uint64_t cases = o.random ? whole("--random", *o.random, 1, most_cases) : 0;
+  const std::uint64_t clocks = o.hostile ? whole("--hostile", *o.hostile, 1, most_cases) : 0;
   const bool in_lanes = o.lanes && lanes_asked(o.lanes) != 0;
   std::vector<std::pair<const AnyBench*, Sweep>> all;
   for (const AnyBench* bench : benches) {
@@ -116,9 +116,11 @@ int run(const SweepOptions& o) {
   const Benches benches = matching(o.design.design, o.shape.shape());
   check_kind(o);
   const auto threads = o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores();
-  lanes_asked(o.lanes);
+  const std::uint64_t clocks = o.hostile ? whole("--hostile", *o.hostile, 1, most_cases) : 0;
+  const bool lanes = is_for_lanes(clocks, o.lanes);
   const auto sweeps = planned(o, benches);
   check_outputs(o.common);
+  if (lanes) form().become_full(registry());
   std::string work =
       fmt::format("seed {}, {} hostile clocks", o.common.seed(), o.hostile.value_or("no"));
   for (const auto& [bench, sweep] : sweeps) {
@@ -134,10 +136,10 @@ int run(const SweepOptions& o) {
     const Resume resume = checkpoint.resume(*bench, sweep.cases);
     std::atomic<std::uint64_t> matched{0};
     try {
-      const std::uint64_t clocks = o.hostile ? whole("--hostile", *o.hostile, 1, most) : 0;
-      const InLanes run(*bench, sweep, o.common.seed(), clocks, o.lanes);
+      const Sweep run =
+          lanes ? form().in_lanes(*bench, sweep, o.common.seed(), clocks, o.lanes) : sweep;
       const Result swept =
-          run_sweep(interruptible(run.sweep(), matched), threads, progress.callback(), resume);
+          run_sweep(interruptible(run, matched), threads, progress.callback(), resume);
       outcomes.push_back({bench, sweep.name, swept});
     } catch (const Interrupted& interrupted) {
       const std::string text = fmt::format("{}: not finished; {} of {} matched", title,

@@ -13,12 +13,14 @@
 #include "tb/dut/counts.h"
 #include "tb/lockstep/compare_mask.h"
 
-/// Inlines all calls in a function. Not under the sanitizers, where the compiler would take
-/// minutes.
+/// Inlines all calls in a function, and compiles it for speed in a file that is not. Not under the
+/// sanitizers, where the compiler would take minutes.
 #ifdef __SANITIZE_ADDRESS__
 #define COSIM_FLATTEN
-#else
+#elif defined(__clang__)  // files with such functions are compiled for speed
 #define COSIM_FLATTEN [[gnu::flatten]]
+#else
+#define COSIM_FLATTEN [[gnu::flatten, gnu::optimize("O3")]]
 #endif
 
 namespace cosim {

@@ -58,7 +58,7 @@ class Lexer {
 };
 
 constexpr std::array begins{"module", "macromodule", "interface", "package", "program"};
-constexpr std::array ends{"endmodule", "endinterface", "endpackage", "endprogram"};
+constexpr std::array closing_words{"endmodule", "endinterface", "endpackage", "endprogram"};
 
 template <class Words>
 bool is_one_of(const Words& words, std::string_view word) {
@@ -88,7 +88,7 @@ VerilogText verilog_words(std::string_view text) {
       while (next == "automatic" || next == "static") next = lexer.next();
       found.units.push_back({std::string(next), kind == "package", kind.ends_with("module")});
       in = found.units.size() - 1;
-    } else if (is_one_of(ends, word)) {
+    } else if (is_one_of(closing_words, word)) {
       in = 0;
     } else if (is_name(word) &&
                (is_name(next) || next == "#" || next == "::" || next == "." || next == "\\")) {

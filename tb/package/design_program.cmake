@@ -42,6 +42,8 @@ function(cosim_program TARGET)
   target_include_directories(${TARGET}_benches PUBLIC ${CMAKE_CURRENT_BINARY_DIR})
   target_link_libraries(${TARGET}_benches PUBLIC
     ${LIBRARIES} cosim::stream cosim::dut cosim::harness ${VERILATED} cosim::runtime)
+  # But for the loops over clocks, which say so themselves (COSIM_FLATTEN), nothing in it needs speed.
+  target_compile_options(${TARGET}_benches PRIVATE $<$<CXX_COMPILER_ID:GNU>:-O1>)
   cosim_list("proof::BuiltMachine")
   set(THEOREMS "")
   foreach(name IN LISTS P_THEOREMS)
@@ -59,13 +61,23 @@ function(cosim_program TARGET)
     string(APPEND DECLARATIONS "namespace cosim::${name} {\nvoid add_to(cli::Registry& registry);\n}\n")
     string(APPEND CALLS "    ${name}::add_to(registry);\n")
   endforeach()
+  string(APPEND ON_DEMAND "    registry.full({\"\", \"${TARGET}_full\", \"${CMAKE_CURRENT_BINARY_DIR}\"})\;\n")
   string(APPEND ON_DEMAND "    registry.attacks({\"\", \"${TARGET}_mutants\", \"${CMAKE_CURRENT_BINARY_DIR}\"})\;\n")
   list(JOIN ON_DEMAND "" ON_DEMAND)
   configure_file(${root}/tb/package/program.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/${TARGET}.cpp @ONLY)
-  add_executable(${TARGET} ${CMAKE_CURRENT_BINARY_DIR}/${TARGET}.cpp ${P_SOURCES})
-  target_link_libraries(${TARGET} PRIVATE
-    cosim::program ${TARGET}_machines ${TARGET}_benches cosim::once)
+  add_library(${TARGET}_commands OBJECT ${CMAKE_CURRENT_BINARY_DIR}/${TARGET}.cpp ${P_SOURCES})
+  target_link_libraries(${TARGET}_commands PUBLIC cosim::program ${P_LIBRARIES} PRIVATE cosim::once)
+  get_property(designs GLOBAL PROPERTY COSIM_DESIGNS)
+  if(designs)
+    add_executable(${TARGET} $<TARGET_OBJECTS:${TARGET}_commands>)
+    target_link_libraries(${TARGET} PRIVATE ${P_LIBRARIES}
+      cosim::small cosim::program ${TARGET}_benches)
+  endif()
   # Built when a command asks for it.
+  add_executable(${TARGET}_full EXCLUDE_FROM_ALL $<TARGET_OBJECTS:${TARGET}_commands>)
+  target_link_libraries(${TARGET}_full PRIVATE
+    ${P_LIBRARIES} cosim::full cosim::program ${TARGET}_machines ${TARGET}_benches)
+  # Another that is.
   set(JOBS_INCLUDES "")
   set(JOBS_DESIGNS)
   foreach(job IN LISTS P_JOBS)
@@ -78,8 +90,9 @@ function(cosim_program TARGET)
   add_executable(${TARGET}_mutants EXCLUDE_FROM_ALL ${CMAKE_CURRENT_BINARY_DIR}/${TARGET}_mutants.cpp)
   target_link_libraries(${TARGET}_mutants PRIVATE
     cosim::mutation ${TARGET}_machines ${TARGET}_benches cosim::cold)
-  set_target_properties(${TARGET}_mutants PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
-  foreach(target ${TARGET} ${TARGET}_benches ${TARGET}_machines ${TARGET}_mutants)
+  set_target_properties(${TARGET}_full ${TARGET}_mutants PROPERTIES
+    RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
+  foreach(target ${TARGET}_commands ${TARGET}_benches ${TARGET}_machines ${TARGET}_mutants)
     target_compile_features(${target} PRIVATE cxx_std_20)
     set_target_properties(${target} PROPERTIES
       UNITY_BUILD_CODE_AFTER_INCLUDE "#undef VL_PCH_INCLUDED")

@@ -63,13 +63,16 @@ class Registry {
     cmake_ = std::move(cmake);
     build_ = std::move(folder);
   }
-  /// The program that attacks mutants of any shape in lockstep, and one for each of streams.
+  /// The full program, full.h; one that attacks mutants of any shape in lockstep, and one for each
+  /// of streams.
+  void full(OnDemand program) { full_ = std::move(program); }
   void attacks(OnDemand program) { attacks_ = std::move(program); }
   void mutants(OnDemand program) { mutants_.push_back(std::move(program)); }
   void cover(OnDemand program) { covers_.push_back(std::move(program)); }
 
   const std::string& cmake() const { return cmake_; }
   const std::string& build_folder() const { return build_; }
+  const OnDemand& full() const { return full_; }
   const OnDemand& attacks() const { return attacks_; }
   const std::vector<OnDemand>& mutants() const { return mutants_; }
   const std::vector<OnDemand>& covers() const { return covers_; }
@@ -83,7 +86,7 @@ class Registry {
   std::vector<DesignSweeps> sweeps_;
   std::vector<Example> examples_;
   std::string cmake_, build_;
-  OnDemand attacks_;
+  OnDemand full_, attacks_;
   std::vector<OnDemand> mutants_, covers_;
 };
 

@@ -9,6 +9,7 @@
 #include "model/core/input_error.h"
 
 #define XXH_INLINE_ALL
+#define XXH_NO_INLINE_HINTS 1  // the hints cost seconds to compile
 #include <xxhash.h>
 
 namespace cosim {

@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "model/core/input_error.h"
+#include "tb/full/mutants_built.h"
 #include "tb/program/chosen.h"
-#include "tb/program/mutants_built.h"
 #include "tb/support/json.h"
 #include "tb/support/json_at.h"
 #include "tb/support/process.h"

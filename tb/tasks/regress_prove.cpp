@@ -5,8 +5,9 @@
 #include <algorithm>
 
 #include "model/core/input_error.h"
+#include "tb/full/machine_of.h"
+#include "tb/full/refuted.h"
 #include "tb/program/chosen.h"
-#include "tb/program/refuted.h"
 #include "tb/proof/decide.h"
 #include "tb/report/failure.h"
 #include "tb/support/interrupt.h"

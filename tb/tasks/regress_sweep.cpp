@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "model/core/input_error.h"
+#include "tb/full/in_lanes.h"
 #include "tb/program/chosen.h"
-#include "tb/program/in_lanes.h"
 #include "tb/program/result_json.h"
 #include "tb/program/sweeps.h"
 #include "tb/report/failure.h"
@@ -53,17 +53,17 @@ class SweepWork final : public regress::Work {
 // A sweep that ends before case `last` and, as one that goes on, begins with case `first`: cases
 // keep their numbers.
 Json SweepWork::run(std::uint64_t first, std::uint64_t last, const regress::Place& place) const {
-  const InLanes all(bench_, sweep_, seed_, clocks_, place.prepared);
-  Sweep part = all.sweep();
+  const Sweep all = in_prepared_lanes(bench_, sweep_, seed_, clocks_, place.prepared);
+  Sweep part = all;
   part.cases = last;
   part.run = [&all](std::uint64_t i) {
     InterruptGuard::check();
-    return all.sweep().run(i);
+    return all.run(i);
   };
   if (part.run_some) {
     part.run_some = [&all](std::uint64_t i, std::uint64_t count) {
       InterruptGuard::check();
-      return all.sweep().run_some(i, count);
+      return all.run_some(i, count);
     };
   }
   Resume resume;

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "model/core/input_error.h"
-#include "tb/cli/prove.h"
+#include "tb/full_cli/prove.h"
 #include "tb/proof/theorems.h"
 #include "tb/support/words.h"
 

@@ -5,10 +5,11 @@
 #include <memory>
 
 #include "model/core/input_error.h"
-#include "tb/cli/commands.h"
+#include "tb/full/machine_of.h"
+#include "tb/full/mutants_built.h"
+#include "tb/full_cli/commands.h"
 #include "tb/program/chosen.h"
 #include "tb/program/common.h"
-#include "tb/program/mutants_built.h"
 #include "tb/program/number.h"
 #include "tb/program/outputs.h"
 #include "tb/report/report.h"
@@ -103,8 +104,7 @@ int run(const MutateOptions& o, const Registry& registry) {
 void add_mutate(const Command& program, const Registry& registry) {
   if (registry.mutants().empty()) return;
   auto o = std::make_shared<MutateOptions>();
-  const Command command = program.sub(
-      "mutate", "Plants small faults in the RTL: each must be found, or proved harmless");
+  const Command command = program.sub(mutate_command.name, mutate_command.help);
   command.arguments("MACHINE", o->words, "A design, or a line of 'list'; default all");
   command.text("--mutants", o->mutants, "N", "At most N for each shape, 1 to 65535; default 100");
   command.flag("--unproved", o->unproved, "Do without proofs: what is not found survives");

@@ -7,8 +7,8 @@
 #include <memory>
 
 #include "model/core/input_error.h"
-#include "tb/cli/commands.h"
-#include "tb/cli/regress_show.h"
+#include "tb/full_cli/commands.h"
+#include "tb/full_cli/regress_show.h"
 #include "tb/program/number.h"
 #include "tb/regress/slurm.h"
 #include "tb/regress/worker.h"
@@ -173,8 +173,7 @@ int run(const RegressOptions& o, const Registry& registry) {
 
 void add_regress(const Command& program, const Registry& registry) {
   auto o = std::make_shared<RegressOptions>();
-  const Command command =
-      program.sub("regress", "Many sweeps, proofs, mutants and more, as a file lists them");
+  const Command command = program.sub(regress_command.name, regress_command.help);
   command.argument("FILE", o->file, "The plan, a JSON file; --schema says what may be in it");
   command.text("--folder", o->folder, "DIR",
                "Where the run is kept, a new folder; default regressions/NAME-NUMBER");

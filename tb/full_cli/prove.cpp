@@ -1,4 +1,4 @@
-#include "tb/cli/prove.h"
+#include "tb/full_cli/prove.h"
 
 #include <fmt/core.h>
 
@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "model/core/input_error.h"
-#include "tb/cli/commands.h"
+#include "tb/full_cli/commands.h"
 #include "tb/program/number.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/parallel.h"
@@ -57,8 +57,7 @@ int run(const ProveOptions& o) {
 
 void add_prove(const Command& program) {
   auto o = std::make_shared<ProveOptions>();
-  const Command command =
-      program.sub("prove", "Proves that RTL and model are the same, for every state and input");
+  const Command command = program.sub(prove_command.name, prove_command.help);
   command.arguments("MACHINE", o->machine, "A design, or a line of 'list'; default all");
   command.text("--rtl", o->rtl, "DIR", "Prove other RTL: DIR has a folder for each design");
   command.text("--limit", o->limit, "S", "Seconds of processor time for one answer; default 300");

@@ -5,7 +5,8 @@
 #include <sstream>
 
 #include "model/core/input_error.h"
-#include "tb/cli/commands.h"
+#include "tb/full/machine_of.h"
+#include "tb/full_cli/commands.h"
 #include "tb/program/chosen.h"
 #include "tb/support/process.h"
 #include "tb/support/words.h"
@@ -99,7 +100,7 @@ int run(const Words& words) {
 
 void add_lint(const Command& program) {
   auto words = std::make_shared<Words>();
-  const Command command = program.sub("lint", "What other tools find in the RTL");
+  const Command command = program.sub(lint_command.name, lint_command.help);
   command.arguments("MACHINE", *words, "A design, or a line of 'list'; default all");
   command.footer(fmt::format(
       "Runs Verilator with all warnings, and Icarus Verilog and yosys where they are installed.\n"

@@ -10,7 +10,7 @@
 #include <set>
 
 #include "model/core/input_error.h"
-#include "tb/cli/commands.h"
+#include "tb/full_cli/commands.h"
 #include "tb/new/found_shape.h"
 #include "tb/program/common.h"
 #include "tb/program/number.h"
@@ -286,8 +286,7 @@ int run(const EquivOptions& o) {
 
 void add_equiv(const Command& program) {
   auto o = std::make_shared<EquivOptions>();
-  const Command command =
-      program.sub("equiv", "Two versions of RTL: proved the same, or told apart");
+  const Command command = program.sub(equiv_command.name, equiv_command.help);
   command.arguments("FILE...", o->files, "With --rev: the files of the new RTL");
   command.texts("--gold", o->gold, "FILE...", "The files of the old RTL");
   command.texts("--gate", o->gate, "FILE...", "The files of the new RTL");

@@ -1,4 +1,4 @@
-#include "tb/program/refuted.h"
+#include "tb/full/refuted.h"
 
 #include <utility>
 

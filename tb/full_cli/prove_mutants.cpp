@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "model/core/input_error.h"
-#include "tb/cli/prove.h"
+#include "tb/full_cli/prove.h"
 #include "tb/program/number.h"
 #include "tb/proof/judge.h"
 #include "tb/support/words.h"

@@ -10,9 +10,10 @@
 
 #include "model/core/input_error.h"
 #include "tb/bench/stimulus_text.h"
-#include "tb/cli/prove.h"
+#include "tb/full/machine_of.h"
+#include "tb/full/refuted.h"
+#include "tb/full_cli/prove.h"
 #include "tb/program/chosen.h"
-#include "tb/program/refuted.h"
 #include "tb/proof/explain.h"
 #include "tb/report/failure.h"
 #include "tb/support/output_file.h"

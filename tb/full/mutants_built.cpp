@@ -1,10 +1,11 @@
-#include "tb/program/mutants_built.h"
+#include "tb/full/mutants_built.h"
 
 #include <fmt/core.h>
 
 #include <filesystem>
 #include <utility>
 
+#include "tb/full/machine_of.h"
 #include "tb/program/chosen.h"
 #include "tb/program/on_demand.h"
 #include "tb/support/place.h"

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "model/core/input_error.h"
-#include "tb/cli/commands.h"
+#include "tb/full_cli/commands.h"
 #include "tb/new/new_sources.h"
 #include "tb/new/taken.h"
 #include "tb/support/draft.h"
@@ -184,7 +184,7 @@ int run(const NewOptions& o) {
 
 void add_new(const Command& program) {
   auto o = std::make_shared<NewOptions>();
-  const Command command = program.sub("new", "A project for a design of your own, in a new folder");
+  const Command command = program.sub(new_command.name, new_command.help);
   command.arguments("NAME FILE...", o->words,
                     "The name of the folder and the design; then its Verilog or VHDL, whose\n"
                     "ports, parameters and registers become the model's tables. A folder in place\n"

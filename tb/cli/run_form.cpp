@@ -12,6 +12,7 @@
 #include "tb/bench/bench.h"
 #include "tb/cli/commands.h"
 #include "tb/program/chosen.h"
+#include "tb/program/full.h"
 #include "tb/program/registry.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/leftover.h"
@@ -47,6 +48,7 @@ void check_designs(int argc, char** argv) {
 int run(int argc, char** argv) {
   cosim::name_program(cosim::cli::registry().program());
   check_designs(argc, argv);
+  cosim::cli::form().hand_over(cosim::cli::registry());
   return cosim::cli::run_program(
       argc, argv, cosim::program_name(),
       "Runs a design in Verilog beside its golden model, and compares every register and\n"
@@ -56,8 +58,7 @@ int run(int argc, char** argv) {
                        " COMMAND --help explains a command and its options.");
         const cosim::cli::Registry& registry = cosim::cli::registry();
         if (cosim::benches().empty()) {  // the program of the package
-          cosim::cli::add_equiv(program);
-          return cosim::cli::add_new(program);
+          return cosim::cli::form().add_commands(program, registry);
         }
         cosim::cli::add_list(program);
         for (const auto& add : registry.commands()) add(program);
@@ -66,24 +67,27 @@ int run(int argc, char** argv) {
         cosim::cli::add_job(program);
         cosim::cli::add_replay(program);
         cosim::cli::add_wave_command(program);
-        cosim::cli::add_prove(program);
-        cosim::cli::add_mutate(program, registry);
         cosim::cli::add_cover(program, registry);
-        cosim::cli::add_regress(program, registry);
-        cosim::cli::add_lint(program);
-        cosim::cli::add_equiv(program);
-        cosim::cli::add_new(program);
+        cosim::cli::form().add_commands(program, registry);
       });
 }
 
+const cosim::cli::Form* chosen_form = nullptr;
+char** arguments = nullptr;
+
 }  // namespace
 
-int main(int argc, char** argv) {
+const cosim::cli::Form& cosim::cli::form() { return *chosen_form; }
+char** cosim::cli::command_line() { return arguments; }
+
+int cosim::cli::run_form(int argc, char** argv, const Form& form) {
+  chosen_form = &form;
+  arguments = argv;
   hold_standard_streams();
   cosim::remove_leftovers_on_signals();
   int status = bad_input;
   try {
-    status = run(argc, argv);
+    status = ::run(argc, argv);
   } catch (const cosim::Interrupted& interrupted) {
     status = 128 + interrupted.signal;
   } catch (const cosim::InputError& error) {

@@ -1,24 +1,22 @@
-#include "tb/program/in_lanes.h"
+#include "tb/full/in_lanes.h"
 
 #include <fmt/core.h>
 
 #include <array>
+#include <memory>
+#include <utility>
 
 #include "model/core/input_error.h"
+#include "tb/full/machine_of.h"
 #include "tb/lanes/jobs.h"
 #include "tb/lanes/sweep.h"
-#include "tb/program/chosen.h"
+#include "tb/program/full.h"
 #include "tb/program/registry.h"
-#include "tb/support/words.h"
 
 namespace cosim::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-// They are made in seconds, in which one case at a time gets through some hundred million clocks:
-// unless they are asked for, fewer are not worth it, and nobody knows of how many clocks jobs are.
-bool are_worth_it(std::uint64_t clocks) { return clocks >= 200'000'000; }
 
 constexpr std::array widths{512, 256, 64};
 
@@ -41,52 +39,45 @@ std::unique_ptr<lanes::Built> made(const AnyBench& bench, const Sweep& sweep, bo
                                folder);
 }
 
-}  // namespace
-
-std::optional<int> lanes_asked(const std::optional<std::string>& text) {
-  if (text.value_or("auto") == "auto") return {};
-  for (const int lanes : {0, 64, 256, 512}) {
-    if (*text == std::to_string(lanes)) return lanes;
-  }
-  throw InputError(
-      fmt::format("--lanes: {} is none of auto, 512, 256, 64 and 0", in_quotes(*text)));
+Sweep taken(const AnyBench& bench, const Sweep& sweep, std::uint64_t seed, std::uint64_t clocks,
+            std::shared_ptr<lanes::Built> built) {
+  Sweep all = clocks != 0 ? lanes::hostile_sweep(bench, *built, seed, clocks)
+                          : lanes::job_sweep(bench, *built, sweep);
+  // As long as somebody can run it.
+  all.run_some = [run = all.run_some, built = std::move(built)](
+                     std::uint64_t first, std::uint64_t count) { return run(first, count); };
+  return all;
 }
 
-InLanes::InLanes(const AnyBench& bench, const Sweep& sweep, std::uint64_t seed,
-                 std::uint64_t clocks, const std::optional<std::string>& lanes)
-    : sweep_(sweep) {
+}  // namespace
+
+Sweep in_lanes(const AnyBench& bench, const Sweep& sweep, std::uint64_t seed, std::uint64_t clocks,
+               const Text& lanes) {
   const std::optional<int> asked = lanes_asked(lanes);
-  const bool is_hostile = clocks != 0;
-  if (asked == 0 || (!asked && !(is_hostile ? are_worth_it(clocks) : lanes.has_value()))) return;
+  std::shared_ptr<lanes::Built> built;
   try {
-    built_ = made(bench, sweep, is_hostile, asked.value_or(lanes::widest()));
+    built = made(bench, sweep, clocks != 0, asked.value_or(lanes::widest()));
   } catch (const InputError& error) {
     if (asked) throw;
     fmt::print("{}; one case at a time\n", error.what());
-    return;
+    return sweep;
   }
-  take(bench, seed, clocks);
+  return taken(bench, sweep, seed, clocks, std::move(built));
 }
 
-InLanes::InLanes(const AnyBench& bench, const Sweep& sweep, std::uint64_t seed,
-                 std::uint64_t clocks, const fs::path& prepared)
-    : sweep_(sweep) {
+Sweep in_prepared_lanes(const AnyBench& bench, const Sweep& sweep, std::uint64_t seed,
+                        std::uint64_t clocks, const fs::path& prepared) {
   for (const int lanes : widths) {
     if (lanes > lanes::widest() || !fs::exists(library_of(prepared, lanes))) continue;
-    built_ = std::make_unique<lanes::Built>(library_of(prepared, lanes));
-    take(bench, seed, clocks);
-    return;
+    return taken(bench, sweep, seed, clocks,
+                 std::make_shared<lanes::Built>(library_of(prepared, lanes)));
   }
-}
-
-void InLanes::take(const AnyBench& bench, std::uint64_t seed, std::uint64_t clocks) {
-  sweep_ = clocks != 0 ? lanes::hostile_sweep(bench, *built_, seed, clocks)
-                       : lanes::job_sweep(bench, *built_, sweep_);
+  return sweep;
 }
 
 void prepare_lanes(const AnyBench& bench, const Sweep& sweep, std::uint64_t clocks, bool asked,
                    bool for_any, const fs::path& prepared) {
-  if (!asked && !are_worth_it(clocks)) return;
+  if (!asked && (clocks == 0 || !is_for_lanes(clocks, {}))) return;
   try {
     for (const int lanes : widths) {
       if (lanes > lanes::widest() || (lanes < lanes::widest() && !for_any)) continue;

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "model/core/input_error.h"
-#include "tb/cli/prove.h"
+#include "tb/full_cli/prove.h"
 #include "tb/program/chosen.h"
 #include "tb/proof/abc.h"
 #include "tb/support/output_file.h"

@@ -1,4 +1,4 @@
-#include "tb/cli/regress_show.h"
+#include "tb/full_cli/regress_show.h"
 
 #include <fmt/core.h>
 #include <unistd.h>

@@ -1,0 +1,64 @@
+// The small form of a program: for what it has not it becomes the full one.
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string_view>
+
+#include "model/core/input_error.h"
+#include "tb/program/full.h"
+#include "tb/program/on_demand.h"
+
+namespace cosim::cli {
+namespace {
+
+bool is_full(std::string_view word) {
+  return std::any_of(full_commands.begin(), full_commands.end(),
+                     [&](const FullCommand& command) { return command.name == word; });
+}
+
+[[noreturn]] void run_full(const Registry& registry) {
+  const std::string path = path_of(registry.full());
+  execv(path.c_str(), command_line());
+  throw InputError(path + ": cannot be run");
+}
+
+void become_full(const Registry& registry) {
+  if (!std::filesystem::exists(path_of(registry.full()))) {
+    fmt::print(stderr, "Building what this needs, once\n");
+  }
+  build(registry, registry.full());
+  run_full(registry);
+}
+
+void hand_over(const Registry& registry) {
+  char** argv = command_line();
+  if (argv[0] == nullptr || argv[1] == nullptr) return;
+  if (is_full(argv[1])) become_full(registry);
+  // A shell completes what is typed: nothing is built for that.
+  const bool completes = std::string_view(argv[1]) == "--complete" && argv[2] != nullptr;
+  if (completes && is_full(argv[2]) && std::filesystem::exists(path_of(registry.full()))) {
+    run_full(registry);
+  }
+}
+
+void add_commands(const Command& program, const Registry& registry) {
+  for (const FullCommand& command : full_commands) {
+    if (command.name != std::string_view("mutate") || !registry.mutants().empty()) {
+      program.sub(command.name, command.help);
+    }
+  }
+}
+
+Sweep in_lanes(const AnyBench&, const Sweep& sweep, std::uint64_t, std::uint64_t, const Text&) {
+  return sweep;  // become_full() came first
+}
+
+}  // namespace
+}  // namespace cosim::cli
+
+int main(int argc, char** argv) {
+  using namespace cosim::cli;
+  return run_form(argc, argv, {hand_over, add_commands, become_full, in_lanes});
+}

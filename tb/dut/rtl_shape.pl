@@ -4,7 +4,7 @@
 # What the tree of a design says of its shape. On standard output, a line each:
 #
 #   top NAME
-#   port WAY NAME WIDTH WORDS    input, output or inout
+#   port WAY NAME WIDTH WORDS    input or output
 #   parameter NAME VALUE         of the top module, a whole number of 32 bits that can be set
 #   net NAME WIDTH WORDS         any net, by its path below the top; WORDS as rtl.pl has them
 use strict;

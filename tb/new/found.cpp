@@ -118,8 +118,6 @@ void order_resets(Found& found) {
 void read_shape(Found& found, const FoundShape& shape) {
   for (const auto& [way, net] : shape.ports) {
     const std::string& name = net.name;
-    if (way == "inout")
-      throw InputError(fmt::format("new: {}: a port of both directions", net.name));
     if (net.words.number < 0) {
       throw InputError(
           fmt::format("new: {}: a port that is an array of more dimensions than one", net.name));

@@ -6,7 +6,7 @@
 #   WORK           where the answer is to be: shape.txt, found.txt, and error.txt, one line
 include(${CMAKE_CURRENT_LIST_DIR}/rtl.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/shape.cmake)
-include(${CMAKE_CURRENT_LIST_DIR}/vhdl.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/verilog.cmake)
 function(message kind)
   if(kind STREQUAL FATAL_ERROR)
     string(JOIN "" text ${ARGN})

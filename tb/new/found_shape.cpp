@@ -53,21 +53,34 @@ std::filesystem::path write_reader(const Scratch& scratch) {
   return folder;
 }
 
-std::string without_vhdl(std::vector<std::string>& files, const std::string& top,
-                         const std::vector<std::string>& parameters,
-                         const std::filesystem::path& folder, const std::filesystem::path& reader,
-                         const std::filesystem::path& made) {
+std::string as_plain_verilog(std::vector<std::string>& files, const std::string& top,
+                             const std::vector<std::string>& parameters,
+                             const std::filesystem::path& folder,
+                             const std::filesystem::path& reader,
+                             const std::filesystem::path& made) {
   const auto vhdl = std::stable_partition(files.begin(), files.end(),
                                           [](const std::string& file) { return !is_vhdl(file); });
-  if (vhdl == files.end()) return "";
-  std::vector<std::string> words{
-      "env", "-C", folder.string(), "perl", (reader / "vhdl.pl").string(), top, made.string()};
-  words.insert(words.end(), parameters.begin(), parameters.end());
-  words.insert(words.end(), vhdl, files.end());
-  const Ended ended = cosim::run_program(words);
+  const auto run = [&](const char* program, std::vector<std::string> words) {
+    words.insert(words.begin(),
+                 {"env", "-C", folder.string(), "perl", (reader / program).string(), top});
+    return cosim::run_program(words);
+  };
+  if (vhdl != files.end()) {
+    std::vector<std::string> words{made.string()};
+    words.insert(words.end(), parameters.begin(), parameters.end());
+    words.insert(words.end(), vhdl, files.end());
+    const Ended ended = run("vhdl.pl", words);
+    if (ended.status != 0) return ended.text.substr(0, ended.text.find('\n'));
+    files.erase(vhdl, files.end());
+    files.push_back(made.string());
+  }
+  std::vector<std::string> words{made.string() + ".inout"};
+  words.insert(words.end(), files.begin(), files.end());
+  const Ended ended = run("inout.pl", words);
   if (ended.status != 0) return ended.text.substr(0, ended.text.find('\n'));
-  files.erase(vhdl, files.end());
-  files.push_back(made.string());
+  files.clear();
+  std::istringstream lines(ended.text);
+  for (std::string line; std::getline(lines, line);) files.push_back(line);
   return "";
 }
 
@@ -92,7 +105,7 @@ std::optional<FoundShape> shape_with(const RtlQuestion& question, const std::str
     if (p.name != other) parameters.push_back(p.name + '=' + p.value);
   }
   const std::string wrong =
-      without_vhdl(files, question.top, parameters, question.folder, reader, work / "vhdl.v");
+      as_plain_verilog(files, question.top, parameters, question.folder, reader, work / "vhdl.v");
   if (!wrong.empty()) return std::nullopt;
   words.insert(words.end(), files.begin(), files.end());
   if (cosim::run_program(words).status != 0) return std::nullopt;

@@ -16,7 +16,7 @@ namespace cosim::cli {
 
 struct FoundShape {
   std::string top;
-  std::vector<std::pair<std::string, FoundNet>> ports;  ///< "input", "output" or "inout", and which
+  std::vector<std::pair<std::string, FoundNet>> ports;  ///< "input" or "output", and which
   std::vector<std::pair<std::string, long>> parameters;
   std::map<std::string, std::pair<int, int>> nets;  ///< width and words
 };
@@ -27,13 +27,15 @@ FoundShape shape_of(std::string_view text);
 /// Makes a folder with the programs that read RTL.
 std::filesystem::path write_reader(const Scratch& scratch);
 
-/// Has one file of Verilog, `made`, in place of those of VHDL among the files, which are named as
-/// from `folder`: what GHDL makes of them with these parameters, "NAME=VALUE". `reader`: that of
-/// write_reader(). What is wrong, one line; "" where nothing is.
-std::string without_vhdl(std::vector<std::string>& files, const std::string& top,
-                         const std::vector<std::string>& parameters,
-                         const std::filesystem::path& folder, const std::filesystem::path& reader,
-                         const std::filesystem::path& made);
+/// Has Verilog without inout ports in place of the files, which are named as from `folder`: `made`,
+/// in place of those of VHDL, what GHDL makes of them with these parameters, "NAME=VALUE"; and
+/// beside it those whose inout ports are split. `reader`: that of write_reader(). What is wrong,
+/// one line; "" where nothing is.
+std::string as_plain_verilog(std::vector<std::string>& files, const std::string& top,
+                             const std::vector<std::string>& parameters,
+                             const std::filesystem::path& folder,
+                             const std::filesystem::path& reader,
+                             const std::filesystem::path& made);
 
 /// The shape with another value of a parameter; none where Verilator does not read it so. `work`: a
 /// folder for it alone; `reader`: that of write_reader().

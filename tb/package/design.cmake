@@ -39,7 +39,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/taken.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../dut/ports.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../dut/rtl.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../dut/shape.cmake)
-include(${CMAKE_CURRENT_LIST_DIR}/../dut/vhdl.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/../dut/verilog.cmake)
 set_property(GLOBAL PROPERTY COSIM_ROOT "${CMAKE_CURRENT_LIST_DIR}/../..")
 include(${CMAKE_CURRENT_LIST_DIR}/design_program.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../gtest/design_gtest.cmake)  # cosim_add_gtest(): tests by hand

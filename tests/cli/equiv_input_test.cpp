@@ -119,7 +119,8 @@ TEST(Equiv, RefusesWhatItCannotCompareInALine) {
           "two clocks");
   refused(module_of(", input d, output reg q", "wire c = clk & d; always @(posedge c) q <= d;"),
           "a clock that is no input");
-  refused(module_of(", input d, inout q", ""), "port q is inout");
+  refused(module_of(", input d, inout q", "wire a; assign {a, q} = d ? 2'b0 : 2'bz;"),
+          "q: an inout port that is driven in a part of { }");
   refused("module m(\n  input clk, rst ;\n", "gate.v:2");
   expect_refused(equiv(good, good, {}, "other"), "other");
   expect_refused(equiv(good, good, {}, "m; shell touch x"), "is no name of Verilog");

@@ -122,6 +122,36 @@ grep -qF 'FIELD(mem, 1, flag.array<4>().unreset(), "", "")' made/made.h
 rm -r made
 rtl '(* nomem2reg *) reg mem[0:3]; always @* if (other) mem[w[1:0]] = d; always @(posedge clk) q <= mem[w[5:4]];'
 refused "new: mem: a latch" made made.v
+# Ports of both directions are split, whatever drives them; one that nothing drives is an input.
+# both BODY: a module with two.
+both() {
+  printf 'module pad(inout p, input o, e); bufif1 b(p, o, e); endmodule
+module made(input wire clk, d, inout wire a, inout [1:0] w, /* inout x */ output reg q);
+%s always @(posedge clk) q <= a ^ ^w; endmodule\n' "$1" > made.v
+}
+# ports TEXT: those are the names of the ports, and how wide the bits are that go out.
+ports() {
+  "$program" new made made.v --top made > said
+  diff - <(sed -n 's/^  FIELD(\([^,]*, [0-9]\).*/\1/p' made/made.h | paste -sd';') <<< "$1;q, 1;q, 1"
+  cmp -s made.v made/made.v || { echo "the RTL is not as it was" && exit 1; }
+  rm -r made
+}
+both 'assign a = d ? 1'"'"'b0 : 1'"'"'bz;'
+ports 'd, 1;a_in, 1;w, 2;a_out, 1;a_en, 1'
+both 'assign #1 w = d ? 2'"'"'b10 : {2{1'"'"'bz}}; pad one(.p(a), .o(d), .e(q));'
+ports 'd, 1;a_in, 1;w_in, 2;a_out, 1;a_en, 1;w_out, 2;w_en, 2'
+both 'wire x = d ? q : '"'"'z; assign w[0] = x, w[1] = q ? 1'"'"'bZ : q; bufif0 (a, d, q);'
+ports 'd, 1;a_in, 1;w_in, 2;a_out, 1;a_en, 1;w_out, 2;w_en, 2'
+both 'assign {a, w[0]} = d ? 2'"'"'b0 : 2'"'"'bz;'
+refused "new: made: a: an inout port that is driven in a part of { }" made made.v --top made
+both 'reg x; always @* if (d) x = 0; else x = 1'"'"'bz; assign a = x;'
+refused "new: made: a: an inout port that is driven by 'x', which may be z" made made.v --top made
+both 'pad one(a, d, q);'
+refused "new: made.one: its pins are given in their order, and p is an inout port" made made.v --top made
+both 'wire in; pad one(.p(in), .o(d), .e(q));'
+refused "new: made.one: its inout port p is joined to 'in', no inout port of made" made made.v --top made
+both 'assign w = d ? 2'"'"'b0 : 2'"'"'bz; assign w[0] = q ? 1'"'"'b1 : 1'"'"'bz;'
+refused "new: made: w: an inout port that is driven more than once, in part" made made.v --top made
 rtl 'always @* q = d;'
 refused "new: made has no register: nothing of it is a stream" made made.v --stream
 "$program" new made made.v > said

@@ -4,65 +4,21 @@
 # what comes from outside; pad$out and pad$en, what goes out and which bits do. Within the module the net
 # `pad` is what stands on the wire: what is driven, and else what comes in. An inout port that nothing
 # drives becomes an input. So it is with the modules that TOP needs; files without such a port stay as they
-# are, the others are written into FOLDER, line by line where they were. On stdout the files to read, one a line; on stderr one line where a
-# port cannot be split.
+# are, the others are written into FOLDER, line by line where they were. On stdout the files to read, one a
+# line; on stderr one line where a port cannot be split.
 #
-# It reads words, not a grammar: comments and texts are blanked out, places stay, and edits are made from
-# the end. What drives is an assignment, bufif0, bufif1, or a module whose port is split in its turn.
+# What drives is an assignment, bufif0, bufif1, or a module whose port is split in its turn.
 use strict;
 use warnings;
-use Cwd qw(abs_path);
-use File::Basename qw(basename dirname);
+use FindBin;
+require "$FindBin::Bin/verilog_text.pl";
 
+our ($group, $select, %words, %module);
 my ($top, $folder, @files) = @ARGV;
-sub fail { print STDERR "$_[0]\n"; exit 1 }
-sub text_of {
-    open my $in, '<:raw', $_[0] or fail("$_[0]: no such file");
-    return do { local $/; <$in> } // '';
-}
+my %done;
+read_modules(@files);
 
-my $group = qr/(\((?:[^()]++|(?-1))*\))/;            # one pair of parentheses, and what is in it
-my $select = qr/(?:\s*\[[^\]]*\])*/;
-my (%text, %words, %edits, %module, %done);
-
-for my $file (@files) {
-    my $text = $text{$file} = text_of($file);
-    my $blank = sub { $_[0] =~ s/[^\n]/ /gr };
-    $text =~ s{(//[^\n]*|/\*.*?\*/|"(?:[^"\\\n]|\\.)*"|\(\*[^)].*?\*\))}{$blank->($1)}gse;
-    $text =~ s{^([ \t]*`(?:ifn?def|els\w+|endif|define|undef|include|timescale|default_nettype|resetall)[^\n]*)}{$blank->($1)}gme;
-    $words{$file} = $text;
-    while ($text =~ /\bmodule\s+(?:automatic\s+|static\s+)?(\w+)(.*?)\bendmodule\b/gs) {
-        $module{$1} //= {name => $1, file => $file, at => $-[2], body => $2};
-    }
-}
-if (!$module{$top} || !grep { /\binout\b/ } values %words) { print "$_\n" for @files; exit 0 }
-
-sub edit {
-    my ($m, $at, $length, $by) = @_;
-    # As many lines as before.
-    $by .= "\n" x (substr($m->{body}, $at, $length) =~ tr/\n//);
-    push @{$edits{$m->{file}}}, [$m->{at} + $at, $length, $by];
-    return;
-}
-# The parts of a list, [text, where it begins], without the blanks around them.
-sub parts {
-    my ($list, $at) = @_;
-    my @parts;
-    my ($depth, $from) = (0, 0);
-    for my $i (0 .. length $list) {
-        my $c = $i < length $list ? substr $list, $i, 1 : ',';
-        ++$depth if $c =~ /[(\[{]/;
-        --$depth if $c =~ /[)\]}]/;
-        next if $c ne ',' || $depth;
-        my $part = substr $list, $from, $i - $from;
-        my $blanks = $part =~ /^(\s*)/ ? length $1 : 0;
-        push @parts, [$part =~ s/^\s+|\s+$//gr, $at + $from + $blanks] if $part =~ /\S/;
-        $from = $i + 1;
-    }
-    return @parts;
-}
 sub place { return "$_[0]{name}: $_[1]" }
-sub original { my ($m, $at, $length) = @_; return substr $text{$m->{file}}, $m->{at} + $at, $length }
 
 # What stands at a number of bits that are all z.
 sub is_z { return $_[0] =~ /^[\s({]*(?:[\w\s\$+*\/()-]*\{)?\s*\d*\s*'\s*(?:[sS]?[bohdBOHD]\s*)?[zZ?][zZ?_]*[\s)}]*$/ }
@@ -115,13 +71,8 @@ sub drive {
 sub split_module {
     my ($m) = @_;
     return if $done{$m->{name}}++;
-    my $body = $m->{body};
-    (my $flat = $body) =~ s{(\b(?:task|function)\b.*?\bend(?:task|function)\b)}{$1 =~ s/[^\n]/ /gr}gse;
-    fail("$m->{name}: its ports cannot be told") if $flat !~ /^(?:\s*import\b[^;]*;)?(?:\s*#\s*$group)?\s*(?:$group)?\s*;/;
-    my ($head, $list, $list_at) = ($+[0], $2 // '', $-[2] // 0);
+    my ($body, $flat, $head, $is_ansi, @items) = ($m->{body}, head_of($m));
     my %port;       # an inout port => its range
-    my @items = parts($list =~ s/^\(|\)$//gr, $list_at + 1);
-    my $is_ansi = $list =~ /\b(?:input|output|inout)\b/;
     my ($way, $range) = ('', '');
     for my $item ($is_ansi ? @items : ()) {
         my ($text) = @$item;
@@ -253,23 +204,5 @@ sub split_module {
     $m->{ports} = \%port;
     return;
 }
-split_module($module{$top});
-
-for my $file (@files) {
-    my $made = $file;
-    if (my $edits = $edits{$file}) {
-        my $text = $text{$file};
-        # Of two at one place the one that takes text away is behind.
-        for my $edit (sort { $b->[0] <=> $a->[0] || $b->[1] <=> $a->[1] } @$edits) {
-            substr($text, $edit->[0], $edit->[1]) = $edit->[2];
-        }
-        my $home = dirname(abs_path($file));
-        $text =~ s{(`include\s+")([^"/][^"]*)"}{-e "$home/$2" ? "$1$home/$2\"" : "$1$2\""}ge;
-        mkdir $folder;
-        $made = "$folder/" . basename($file);
-        open my $out, '>:raw', $made or fail("cannot write: $made");
-        print {$out} $text;
-        close $out or fail("cannot write: $made");
-    }
-    print "$made\n";
-}
+split_module($module{$top}) if $module{$top} && grep { /\binout\b/ } values %words;
+write_files($folder, @files);

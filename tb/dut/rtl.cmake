@@ -26,6 +26,11 @@ function(cosim_read_rtl prefix what top clock folder)
       message(FATAL_ERROR "${what}: this Verilator has no --xml-only, by which registers, clocks and "
         "resets are checked: take one from 5.006 to 5.032")
     endif()
+    if(error MATCHES "([^ /]+:[0-9]+):[0-9]+: Cannot find file containing module: '([^']+)'")
+      message(FATAL_ERROR "${what}: ${CMAKE_MATCH_1}: no file has the module ${CMAKE_MATCH_2}: give a file that "
+        "models it, or make a blackbox of it, whose pins become ports: cosim new --blackbox ${CMAKE_MATCH_2}, in "
+        "CMake BLACKBOXES ${CMAKE_MATCH_2}")
+    endif()
     message(FATAL_ERROR "${what}: Verilator cannot read it: ${error}")
   endif()
   # What it warns of, be it told in the RTL not to; a latch that is meant to be one is one too.

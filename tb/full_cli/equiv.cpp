@@ -99,7 +99,7 @@ equiv::Side side(const EquivOptions& o, const Words& files, const Text& own_top,
   Words verilog = files;
   verilog.insert(verilog.end(), o.cells.begin(), o.cells.end());
   const std::string wrong =
-      as_plain_verilog(verilog, all.top, all.parameters, ".", made.parent_path(), made);
+      as_plain_verilog(verilog, all.top, all.parameters, {}, ".", made.parent_path(), made);
   if (!wrong.empty()) throw InputError("equiv: " + wrong);
   all.files.assign(verilog.begin(), verilog.end());
   return {all, what, budget};

@@ -24,7 +24,7 @@ struct NewOptions {
   std::vector<std::string> words;  ///< the name, then files and folders
   bool plain = false, stream = false;
   Text top, clock, reset;
-  std::vector<std::string> includes, libraries, defines, parameters;
+  std::vector<std::string> includes, libraries, defines, parameters, blackboxes;
 };
 
 // The folder's name is that of a namespace, too.
@@ -104,6 +104,9 @@ BegunProject begin_project(const NewOptions& o, const Draft& project) {
   }
   question.reset = name_in("--reset", o.reset);
   question.parameters = parameters_in(o.parameters);
+  for (const std::string& box : o.blackboxes) {
+    question.blackboxes.push_back(name_in("--blackbox", box));
+  }
   const Sources rtl = sources_of({name, given, o.libraries, o.includes, name_in("--top", o.top)});
   require_files(name, rtl);
   BegunProject begun;
@@ -152,7 +155,7 @@ int run(const NewOptions& o) {
     }
     begun = o.stream ? stream_model(name, found) : lockstep_model(name, found, o.plain);
     project.write(name + ".h", begun.text);
-    design = design_of(name, found, rtl.sources, model, rtl.has_headers, o.defines);
+    design = design_of(name, found, rtl.sources, model, rtl.has_headers, o.defines, o.blackboxes);
   } else {
     project.write(name + ".v", first.rtl);
     project.write(name + ".h", first.model);
@@ -204,6 +207,9 @@ void add_new(const Command& program) {
                 "Parameters of the top, numbers or words: the shape that is built");
   command.texts("--include", o->includes, "DIR", "Folders with the headers that `include names");
   command.texts("--define", o->defines, "NAME[=VALUE]", "Macros of the preprocessor");
+  command.texts("--blackbox", o->blackboxes, "NAME",
+                "Modules that no file has: their outputs become inputs of the design, their\n"
+                "inputs outputs");
   command.texts("-y", o->libraries, "DIR",
                 "Folders with further modules, of which those needed are taken");
   command.footer(

@@ -166,6 +166,7 @@ Found found_in(const RtlQuestion& question) {
       {"env", "-C", question.folder.string(), "cmake", "-DTOP=" + question.top,
        fmt::format("-DCLOCK={}{}{}", clock, question.reset.empty() ? "" : ":", question.reset),
        "-DSHAPE=" + shape, fmt::format("-DFILES={}", fmt::join(question.files, ";")),
+       fmt::format("-DBLACKBOXES={}", fmt::join(question.blackboxes, ",")),
        fmt::format("-DOPTIONS={}", fmt::join(question.options, ";")),
        fmt::format("-DYOSYS={}", fmt::join(question.options, " ")), "-DWORK=" + work.string(), "-P",
        (reader / "found_rtl.cmake").string()});

@@ -79,6 +79,7 @@ struct RtlQuestion {
   std::vector<std::string> clocks;         ///< pins; none: to be found
   std::string reset;                       ///< a pin; empty: to be found
   std::vector<FoundParameter> parameters;  ///< those that are given
+  std::vector<std::string> blackboxes;     ///< modules whose pins become ports
 };
 
 /// Reads the files. InputError, one line, where Verilator cannot, and for what a design cannot

@@ -2,6 +2,7 @@
 #
 #   TOP, CLOCK     as rtl.pl has them
 #   SHAPE          parameters, as of cosim_add_design()
+#   BLACKBOXES     modules that no file has, "A,B"
 #   FILES, OPTIONS of Verilator; YOSYS, its options for yosys
 #   WORK           where the answer is to be: shape.txt, found.txt, and error.txt, one line
 include(${CMAKE_CURRENT_LIST_DIR}/rtl.cmake)
@@ -19,7 +20,7 @@ if(NOT VERILATOR_BIN)
   message(FATAL_ERROR "needs verilator")
 endif()
 cosim_shape(shape new "${SHAPE}")
-cosim_verilog_of(FILES new ${TOP} ${WORK} "${shape_title}" ${FILES})
+cosim_verilog_of(FILES new ${TOP} ${WORK} "${shape_title}" "${BLACKBOXES}" ${FILES})
 list(JOIN FILES "\" \"" files)
 cosim_read_rtl(rtl new ${TOP} ${CLOCK} ${WORK} FILES ${FILES} OPTIONS ${shape_generics} ${OPTIONS}
   YOSYS "read_verilog -sv ${YOSYS} \"${files}\"; hierarchy -check -top ${TOP}${shape_chparams}")

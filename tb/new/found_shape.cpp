@@ -1,6 +1,7 @@
 #include "tb/new/found_shape.h"
 
 #include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <sstream>
@@ -55,12 +56,13 @@ std::filesystem::path write_reader(const Scratch& scratch) {
 
 std::string as_plain_verilog(std::vector<std::string>& files, const std::string& top,
                              const std::vector<std::string>& parameters,
+                             const std::vector<std::string>& blackboxes,
                              const std::filesystem::path& folder,
                              const std::filesystem::path& reader,
                              const std::filesystem::path& made) {
   const auto vhdl = std::stable_partition(files.begin(), files.end(),
                                           [](const std::string& file) { return !is_vhdl(file); });
-  const auto run = [&](const char* program, std::vector<std::string> words) {
+  const auto run = [&](const std::string& program, std::vector<std::string> words) {
     words.insert(words.begin(),
                  {"env", "-C", folder.string(), "perl", (reader / program).string(), top});
     return cosim::run_program(words);
@@ -74,13 +76,19 @@ std::string as_plain_verilog(std::vector<std::string>& files, const std::string&
     files.erase(vhdl, files.end());
     files.push_back(made.string());
   }
-  std::vector<std::string> words{made.string() + ".inout"};
-  words.insert(words.end(), files.begin(), files.end());
-  const Ended ended = run("inout.pl", words);
-  if (ended.status != 0) return ended.text.substr(0, ended.text.find('\n'));
-  files.clear();
-  std::istringstream lines(ended.text);
-  for (std::string line; std::getline(lines, line);) files.push_back(line);
+  for (const std::string program : {"blackbox", "inout"}) {
+    std::vector<std::string> words{made.string() + '.' + program};
+    if (program == "blackbox") {
+      if (blackboxes.empty()) continue;
+      words.push_back(fmt::format("{}", fmt::join(blackboxes, ",")));
+    }
+    words.insert(words.end(), files.begin(), files.end());
+    const Ended ended = run(program + ".pl", words);
+    if (ended.status != 0) return ended.text.substr(0, ended.text.find('\n'));
+    files.clear();
+    std::istringstream lines(ended.text);
+    for (std::string line; std::getline(lines, line);) files.push_back(line);
+  }
   return "";
 }
 
@@ -104,8 +112,8 @@ std::optional<FoundShape> shape_with(const RtlQuestion& question, const std::str
   for (const FoundParameter& p : question.parameters) {
     if (p.name != other) parameters.push_back(p.name + '=' + p.value);
   }
-  const std::string wrong =
-      as_plain_verilog(files, question.top, parameters, question.folder, reader, work / "vhdl.v");
+  const std::string wrong = as_plain_verilog(files, question.top, parameters, question.blackboxes,
+                                             question.folder, reader, work / "vhdl.v");
   if (!wrong.empty()) return std::nullopt;
   words.insert(words.end(), files.begin(), files.end());
   if (cosim::run_program(words).status != 0) return std::nullopt;

@@ -64,7 +64,8 @@ FirstDesign first_design(const std::string& name, NewModel model);
 /// The words of cosim_add_design() for RTL that was read.
 std::string design_of(const std::string& name, const Found& found,
                       const std::vector<std::string>& sources, NewModel model, bool has_headers,
-                      const std::vector<std::string>& defines);
+                      const std::vector<std::string>& defines,
+                      const std::vector<std::string>& blackboxes);
 std::string cmake_of(const std::string& name, const std::string& design);
 std::string readme_of(const std::string& name, NewModel model);
 std::string ci_of();

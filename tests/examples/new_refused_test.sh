@@ -152,6 +152,33 @@ both 'wire in; pad one(.p(in), .o(d), .e(q));'
 refused "new: made.one: its inout port p is joined to 'in', no inout port of made" made made.v --top made
 both 'assign w = d ? 2'"'"'b0 : 2'"'"'bz; assign w[0] = q ? 1'"'"'b1 : 1'"'"'bz;'
 refused "new: made: w: an inout port that is driven more than once, in part" made made.v --top made
+# A module that no file has: the line says what may be done, and a blackbox has its pins as ports.
+rtl 'wire [1:0] y; wire z; part in(.d(d), .o(r)); MULT #(2) m(.A(w[5:4]), .B(2'"'"'d3), .C(~d), .Y(y), .Z(z));
+     always @(posedge clk) q <= ^y ^ z;'
+printf 'module part(input d, output o); BUF b(.I(d), .O(o)); endmodule\n' >> made.v
+refused "new: made.v:5: no file has the module BUF: give a file that models it, or make a blackbox of it, whose pins become ports: cosim new --blackbox BUF, in CMake BLACKBOXES BUF" \
+  made made.v --top made
+sed -i 's/output reg q, r/output reg q, output r/' made.v
+"$program" new made made.v --top made --blackbox MULT --blackbox BUF > said
+diff - <(sed -n 's/^  FIELD(\([^,]*, [0-9]\).*/\1/p' made/made.h | paste -sd';') \
+  <<< "other, 1;d, 1;w, 8;m_Y, 2;m_Z, 1;in_b_O, 1;q, 1;r, 1;m_A, 2;m_C, 1;in_b_I, 1;q, 1"
+grep -q ' BLACKBOXES MULT BUF CLOCK\| BLACKBOXES MULT BUF MODEL' made/CMakeLists.txt
+rm -r made
+refused "new: NONE: a blackbox that made has no instance of" made made.v --top made --blackbox NONE
+# A file may say which pins are outputs.
+rtl 'wire y; BOX b(.A(y), .Y(d)); always @(posedge clk) q <= y;'
+printf 'module BOX(input Y, output A); endmodule\n' >> made.v
+"$program" new made made.v --top made --blackbox BOX > said
+grep -q 'FIELD(b_A, 1' <(sed -n '/_INPUTS/,/_OUTPUTS/p' made/made.h)
+rm -r made
+rtl 'wire y; BOX b(.A(d & w[0]), .Y(y)); always @(posedge clk) q <= y;'
+refused "new: BOX b: its pin A is joined to 'd & w[0]', and only a net, or its inverse, tells how wide it is" \
+  made made.v --blackbox BOX
+rtl 'wire y; BOX b(d, y); always @(posedge clk) q <= y;'
+refused "new: BOX b: its pins are given in their order" made made.v --blackbox BOX
+rtl 'wire [3:0] y; genvar i; generate for (i = 0; i < 4; i = i + 1) begin BOX b(.A(d), .Y(y[i])); end endgenerate
+     always @(posedge clk) q <= ^y;'
+refused "new: BOX b: instances of it in a loop" made made.v --blackbox BOX
 rtl 'always @* q = d;'
 refused "new: made has no register: nothing of it is a stream" made made.v --stream
 "$program" new made made.v > said

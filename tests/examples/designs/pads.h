@@ -14,14 +14,16 @@ struct Params {
   FIELD(pull, 2, bits, "", "pads that pull the line down from the next clock") \
   FIELD(give, 1, flag, "", "drive the bus from the next clock")                \
   FIELD(value, 4, bits, "", "with this")                                       \
+  FIELD(clk, 1, flag, "", "goes to the clock buffer")                          \
   FIELD(sda_in, 1, flag.at("sda$in"), "", "the line, where no pad pulls")      \
   FIELD(bus_in, 4, bits.at("bus$in"), "", "the bus, where it is not driven")
-#define PADS_OUTPUTS(FIELD)                                               \
-  FIELD(sda_out, 1, flag.at("sda$out"), "", "what the pads give")         \
-  FIELD(sda_en, 1, flag.at("sda$en"), "", "one of them pulls")            \
-  FIELD(bus_out, 4, bits.at("bus$out"), "", "what is driven, and 0 else") \
-  FIELD(bus_en, 4, bits.at("bus$en"), "", "the bits that are driven")     \
-  FIELD(lost, 1, flag, "", "somebody else pulled the line down")          \
+#define PADS_OUTPUTS(FIELD)                                                \
+  FIELD(sda_out, 1, flag.at("sda$out"), "", "what the pads give")          \
+  FIELD(sda_en, 1, flag.at("sda$en"), "", "one of them pulls")             \
+  FIELD(bus_out, 4, bits.at("bus$out"), "", "what is driven, and 0 else")  \
+  FIELD(bus_en, 4, bits.at("bus$en"), "", "the bits that are driven")      \
+  FIELD(before, 1, flag.at("buffer$I"), "", "the clock before its buffer") \
+  FIELD(lost, 1, flag, "", "somebody else pulled the line down")           \
   FIELD(seen, 4, bits, "", "what stood on the bus")
 #define PADS_STATE(FIELD)                           \
   FIELD(low, 2, bits, "", "pads that pull")         \
@@ -34,8 +36,9 @@ template <class V>
 constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
   const Condition<V> pulls = !(s.low == V(0)), giving = is_set(s.giving);
   Step<V> step{s, {}};
-  step.outputs = {V(0),   flag<V>(pulls), select(giving, s.seen, V(0)), select(giving, V(15), V(0)),
-                  s.lost, s.seen};
+  step.outputs = {
+      V(0),   flag<V>(pulls), select(giving, s.seen, V(0)), select(giving, V(15), V(0)), in.clk,
+      s.lost, s.seen};
   step.state.low = in.pull;
   step.state.giving = in.give;
   step.state.seen = select(is_set(in.give), in.value, select(giving, s.seen, in.bus_in));

@@ -1,0 +1,140 @@
+# perl blackbox.pl TOP FOLDER NAME,NAME... FILE...
+#
+# Verilog without modules that no file has. In place of an instance `u` of the module NAME the design has a
+# port for each of its pins: u$PIN, an input of TOP for an output of NAME, and an output for an input. One
+# that lies deeper has its path before it: core$u$PIN. A file may say which pin is which, by a module NAME
+# whose body is not read; without one a pin is an output where nothing else drives the net that it is joined
+# to. Files that change are written into FOLDER, the rest is as of inout.pl.
+use strict;
+use warnings;
+use FindBin;
+require "$FindBin::Bin/verilog_text.pl";
+
+our ($group, $select, %words, %module);
+my ($top, $folder, $boxes, @files) = @ARGV;
+read_modules(@files);
+my %box = map { $_ => 0 } split /,/, $boxes;    # whether there is one
+my %done;
+
+# The ports of a module: name => [way, range].
+sub ports_of {
+    my ($m) = @_;
+    my ($flat, $head, $is_ansi, @items) = head_of($m);
+    my (%ports, $way, $range);
+    my @declared = $is_ansi ? map { $_->[0] } @items : ();
+    while (!$is_ansi && $flat =~ /\b((?:input|output|inout)\b[^;]*);/g) {
+        push @declared, map { $_->[0] } parts($1, 0);
+    }
+    for my $text (@declared) {
+        ($way, $range) = ($1, '') if $text =~ s/^(input|output|inout)\b//;
+        $range = $1 if $text =~ s/^(?:\s*(?:wire|reg|logic|tri[01]?|signed)\b)*((?:\s*\[[^\]]*\])*)\s*(?=\w)// && $1 ne '';
+        $ports{$1} = [$way, $range] if defined $way && $text =~ /^\s*(\w+)/;
+    }
+    return \%ports;
+}
+# All instances of a module: [name, pins, where it begins and ends, where its last parenthesis is].
+sub instances {
+    my ($of, $flat) = @_;
+    my @all;
+    while ($flat =~ /\b\Q$of\E\b\s*(?:#\s*$group)?\s*(\w+)\s*(\[[^\]]*\])?\s*$group\s*;/g) {
+        my ($name, $many, $pins, $at, $end, $pins_at) = ($2, $3, $4, $-[0], $+[0], $-[4]);
+        fail("$of $name: instances of it as an array") if defined $many;
+        # Blocks that are open here, and whether a loop makes one of them many.
+        my @open;
+        my $before = substr $flat, 0, $at;
+        while ($before =~ /\b(?:(for)\s*$group\s*(?:begin\b)?|begin\b|(end)\b)/g) {
+            if (defined $3) { pop @open } else { push @open, defined $1 }
+        }
+        fail("$of $name: instances of it in a loop") if grep { $_ } @open;
+        my @pins = parts($pins =~ s/^\(|\)$//gr, $pins_at + 1);
+        fail("$of $name: its pins are given in their order") if @pins && $pins[0][0] !~ /^\./;
+        push @all, [$name, \@pins, $at, $end, $pins_at + length($pins) - 1];
+    }
+    return @all;
+}
+sub joined {
+    return map { $_->[0] =~ /^\.\s*(\w+)\s*\((.*)\)$/s ? [$1, $2 =~ s/^\s+|\s+$//gr] : () } @_;
+}
+
+# Whether something but a blackbox drives a net.
+sub is_driven {
+    my ($flat, $ports, $net) = @_;
+    my $way = ($ports->{$net} // [''])->[0];
+    return 1 if $way eq 'input' || $way eq 'inout' || $flat =~ /\b(?:reg|integer)\b[^;]*\b\Q$net\E\b/;
+    return 1 if $flat =~ /\b(?:assign|wire|logic)\b[^;=]*\b\Q$net\E$select\s*(?:,[^;=]*\}\s*)?=(?!=)/;
+    return 1 if $flat =~ /(?:[;):]|\bbegin|\belse)\s*\Q$net\E$select\s*<?=(?!=)/;
+    for my $name (grep { !exists $box{$_} && $flat =~ /\b\Q$_\E\b/ } keys %module) {
+        my $of = ports_of($module{$name});
+        while ($flat =~ /\b\Q$name\E\b\s*(?:#\s*$group)?\s*\w+\s*(?:\[[^\]]*\])?\s*$group\s*;/g) {
+            for my $pin (joined(parts($2 =~ s/^\(|\)$//gr, 0))) {
+                return 1 if ($of->{$pin->[0]} // [''])->[0] ne 'input' && $pin->[1] =~ /\b\Q$net\E\b/;
+            }
+        }
+    }
+    return 0;
+}
+# The range of what a pin is joined to.
+sub range_of {
+    my ($flat, $ports, $e, $where) = @_;
+    my ($net, $part) = $e =~ /^[~\s]*(\w+)($select)$/;
+    fail("$where is joined to '$e', and only a net, or its inverse, tells how wide it is") if !defined $net;
+    return $1 =~ /^(.*):(.*)$/s ? "[($1) - ($2):0]" : '' if $part =~ /\[([^\]]*)\]\s*$/;
+    return $ports->{$net}[1] if $ports->{$net};
+    return $flat =~ /\b(?:wire|reg|logic)\b(?:\s*signed\b)?((?:\s*\[[^\]]*\])*)(?=[^;]*\b\Q$net\E\b)[\s\w,]*\b\Q$net\E\b/ ? $1 : '';
+}
+
+# Takes the blackboxes out of a module and of those below it; its new ports, [name, way, range].
+sub open_module {
+    my ($m) = @_;
+    return if $done{$m->{name}}++;
+    $m->{opened} = [];
+    my ($flat, $head, $is_ansi, @items) = head_of($m);
+    my $ports = ports_of($m);
+    my @new;
+    for my $of (sort keys %box) {
+        my $declared = $module{$of} && ports_of($module{$of});
+        for my $instance (instances($of, $flat)) {
+            my ($name, $pins, $at, $end) = @$instance;
+            my $text = '';
+            $box{$of} = 1;
+            for my $pin (joined(@$pins)) {
+                my ($port, $e) = @$pin;
+                next if $e eq '' || $e =~ /^\d+$|^\d*\s*'/;
+                my $is_out = $declared ? ($declared->{$port} // [''])->[0] eq 'output'
+                  : $e =~ /^(\w+)$select$/ && !is_driven($flat, $ports, $1);
+                my $range = range_of($flat, $ports, $e, "$of $name: its pin $port");
+                push @new, ["$name\$$port", $is_out ? 'input' : 'output', $range];
+                $text .= $is_out ? "assign $e = $name\$$port; " : "assign $name\$$port = $e; ";
+            }
+            edit($m, $at, $end - $at, $text);
+        }
+    }
+    for my $below (map { $module{$_} } sort grep { !exists $box{$_} && $flat =~ /\b\Q$_\E\b/ } keys %module) {
+        next if $below == $m;
+        open_module($below);
+        next if !@{$below->{opened}};
+        for my $instance (instances($below->{name}, $flat)) {
+            my ($name, $pins, undef, undef, $last) = @$instance;
+            my @more;
+            for my $port (@{$below->{opened}}) {
+                my ($inner, $way, $range) = @$port;
+                fail("$below->{name} $name: how wide $inner is follows its parameters") if $range =~ /[A-Za-z_`]/;
+                push @new, ["$name\$$inner", $way, $range];
+                push @more, ".$inner($name\$$inner)";
+            }
+            edit($m, $last, 0, (@$pins ? ', ' : '') . join ', ', @more);
+        }
+    }
+    return if !@new;
+    my @names = map { $_->[0] } @new;
+    my @texts = map { "$_->[1] wire$_->[2] $_->[0]" } @new;
+    fail("$m->{name}: has no port") if !@items;
+    edit($m, $m->{list_end}, 0, ', ' . join ', ', $is_ansi ? @texts : @names);
+    edit($m, $head, 0, ' ' . join ' ', map { "$_;" } @texts) if !$is_ansi;
+    $m->{opened} = \@new;
+    return;
+}
+fail("no file has the module $top") if !$module{$top};
+open_module($module{$top});
+for my $name (sort grep { !$box{$_} } keys %box) { fail("$name: a blackbox that $top has no instance of") }
+write_files($folder, @files);

@@ -44,6 +44,7 @@ struct Field {
   int low = 0;             ///< of an element: its first bit where the elements fill a net
   bool is_word = false;    ///< of an element: it is a word of one wide number
   Edge edge = Edge::none;  ///< of an input that is a clock: where registers take it
+  bool is_placed = false;  ///< at() says its net, be it the field's own name
 };
 
 /// The name for a person and in files: "count", of an element "store[3]", of a word of a wide

@@ -109,6 +109,7 @@ constexpr auto field(const char* name, int width, const Notation<N, e>& n, const
       name,        width, n.format, source, meaning, n.fraction, n.net == nullptr ? net : n.net,
       n.is_unreset};
   whole.edge = e;
+  whole.is_placed = n.net != nullptr;
   if constexpr (N == 0) {
     return whole;
   } else {

@@ -23,6 +23,7 @@
 //     bool took(std::span<const Word> pins);  // then sees those of reads(), on the same clock
 //   };
 //
+// A wire of more than 64 bits is as many words of `pins` as it needs, the lowest first.
 // x is the transaction that may go in, the same one until took() says that it went in; null where
 // there is none, or the case holds it back. The driver of an output stream has drive(bool ready,
 // pins), where ready is false while the case takes nothing, and std::optional<Y<Word>> came(pins).
@@ -128,7 +129,7 @@ struct Pin {
   const char* port;
   Kind kind;
   Word value = 0;  ///< of a reset: the level that resets; of a tied input: its value
-  int width = 1;   ///< bits, 1 to 64
+  int width = 1;   ///< bits, from 1 on
   int clocks = 1;  ///< of a reset: how long it lasts
 };
 
@@ -141,7 +142,7 @@ constexpr Pin reset(const char* port, int clocks = 2) {
 constexpr Pin reset_low(const char* port, int clocks = 2) {
   return {port, Pin::Kind::reset, 0, 1, clocks};
 }
-/// An input that always has one value.
+/// An input that always has one value; bits from 64 on are 0.
 constexpr Pin tied(const char* port, Word value, int width = 1) {
   return {port, Pin::Kind::tied, value, width};
 }

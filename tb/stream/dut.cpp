@@ -1,5 +1,6 @@
 #include "tb/stream/dut.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <span>
@@ -14,7 +15,13 @@ class Collector {
   /// `name` lives as long as the shape.
   void one(const char* name, bool drives, int width = 1) {
     if (*name == '\0' || !seen_.insert(name).second) return;
-    add(drives, {name, width, Format::bits, "", "", 0, name}, name);
+    Field field{name, width, Format::bits, "", "", 0, name};
+    if (width <= row::word_width) return add(drives, field, name);
+    field.is_word = true;
+    for (field.index = 0; field.low < width; ++field.index, field.low += row::word_width) {
+      field.width = std::min(row::word_width, width - field.low);
+      add(drives, field, name);
+    }
   }
   void cells(std::span<const Field> cells, bool drives) {
     for (const Field& f : cells) add(drives, f, "");
@@ -23,7 +30,9 @@ class Collector {
   // The nets in the order in which they were asked for.
   Ports ports;
   std::vector<Net> driven, read;
-  std::map<std::string, Net> named;
+  std::map<std::string, std::vector<Net>> named;  // words of 64 bits
+
+  Net one(const std::string& name) { return name.empty() ? Net{} : named[name].front(); }
 
   void take(const std::vector<Net>& nets) {
     std::size_t at = 0;
@@ -33,7 +42,7 @@ class Collector {
         if (name.empty()) {
           found.push_back(nets[at++]);
         } else {
-          named[name] = nets[at++];
+          named[name].push_back(nets[at++]);
         }
       }
     }
@@ -72,10 +81,14 @@ StreamNets::StreamNets(const StreamShape& shape, StreamDut& dut) {
   clock = nets.back();
   std::size_t driven = 0, read = 0;
   const auto found = [&](const Interface& i) {
-    InterfaceNets n{
-        all.named[i.valid], all.named[i.ready], all.named[i.credit], all.named[i.done], {}};
-    for (const Pin& p : i.own.drives) n.drives.push_back(all.named[p.port]);
-    for (const Pin& p : i.own.reads) n.reads.push_back(all.named[p.port]);
+    InterfaceNets n{all.one(i.valid), all.one(i.ready), all.one(i.credit), all.one(i.done), {}};
+    const auto add = [&](std::vector<Net>& words, const std::vector<Pin>& wires) {
+      for (const Pin& p : wires) {
+        words.insert(words.end(), all.named[p.port].begin(), all.named[p.port].end());
+      }
+    };
+    add(n.drives, i.own.drives);
+    add(n.reads, i.own.reads);
     for (std::size_t c = 0; c < i.cells.size() && !i.own.is_there(); ++c) {
       n.cells.push_back(i.goes_in ? all.driven[driven++] : all.read[read++]);
     }

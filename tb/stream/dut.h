@@ -57,7 +57,7 @@ class VerilatedStreamDut : public StreamDut, protected VerilatedInstance<Top, fa
 struct InterfaceNets {
   Net valid, ready, credit, done;
   std::vector<Net> cells;
-  std::vector<Net> drives = {}, reads = {};  ///< of a driver of its own, which has no others
+  std::vector<Net> drives = {}, reads = {};  ///< of a driver of its own, words of 64 bits
 };
 
 /// All ports of one instance.
@@ -65,7 +65,7 @@ struct StreamNets {
   StreamNets(const StreamShape& shape, StreamDut& dut);
 
   std::vector<InterfaceNets> in, out;
-  std::vector<Net> pins;
+  std::vector<std::vector<Net>> pins;  ///< words of 64 bits each
   Net clock;
 };
 

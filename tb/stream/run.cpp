@@ -49,7 +49,10 @@ class Runner {
     int clocks = 0;
     for (std::size_t p = 0; p < shape_.pins.size(); ++p) {
       const Pin& pin = shape_.pins[p];
-      if (pin.kind == Pin::Kind::tied) nets_.pins[p].set(pin.value);
+      if (pin.kind == Pin::Kind::tied) {
+        for (const Net& word : nets_.pins[p])
+          word.set(&word == nets_.pins[p].data() ? pin.value : 0);
+      }
       if (pin.kind == Pin::Kind::reset) clocks = std::max(clocks, pin.clocks);
     }
     for (std::size_t s = 0; s < nets_.in.size(); ++s) {
@@ -68,7 +71,7 @@ class Runner {
       for (std::size_t p = 0; p < shape_.pins.size(); ++p) {
         const Pin& pin = shape_.pins[p];
         if (pin.kind != Pin::Kind::reset) continue;
-        nets_.pins[p].set(c < pin.clocks ? pin.value : 1 - pin.value);
+        nets_.pins[p].front().set(c < pin.clocks ? pin.value : 1 - pin.value);
       }
       if (c < clocks) edge();
     }

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <string_view>
 
 #include "model/core/input_error.h"
 
@@ -46,7 +45,7 @@ void StreamShape::add(const StreamPorts& ports, bool goes_in, std::span<const Fi
   if (i.can_wait()) column({kept(i.name + "_waits"), 1, Format::flag, "", "ready waits for valid"});
   for (Field cell : cells) {
     if (cell.width == 0) continue;  // of an array: this shape does not have it
-    if (std::string_view(cell.net) == cell.name) cell.net = kept(prefix + cell.name);
+    if (!cell.is_placed) cell.net = kept(prefix + cell.name);
     cell.name = kept(i.name + '_' + cell.name);
     i.cells.push_back(cell);
     if (goes_in) column(cell);

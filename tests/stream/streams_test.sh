@@ -12,7 +12,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 source "$here/../support/program.sh"
 program_of streams "$here/designs" "$@"
 ((${#chosen[@]} > 0)) || chosen=(loses doubles hangs slow wrong bends asks idles sha256 word pairs divider
-  credits packets serial stack asserts asserted guarded)
+  credits blocks packets serial stack asserts asserted guarded)
 
 # found DESIGN KIND MOST: the fault is found, of that kind, and its smallest stimulus has at most MOST
 # transactions, and shows it again.
@@ -95,6 +95,8 @@ try_word() { found word 'another value: digest' 1; }
 
 # Every kind of interface.
 try_pairs() { both pairs '(another value|taken back): parts' 1; }
+# A wire of several words, a tied one too; and a field at a port of its own name.
+try_blocks() { both blocks 'another value: digest' 1; }
 try_serial() { both serial 'another value: out' 1; }
 # What came last goes first, where two wait.
 try_stack() { both stack 'reordered: y number 0 comes after number 1' 2; }

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <map>
+
 #include "model/core/input_error.h"
 #include "tb/lanes/mapped.h"
 #include "tb/proof/located.h"
@@ -223,19 +225,25 @@ class Maker {
   }
   // Of a register's code the number that the model's state has by the same name.
   void make_take_over() {
-    if (!played_.is_of_registers) return;
     Straight& code = code_.take_over;
     std::vector<Value> in = reset_inputs();
     planes(code, in, flip_flops_, flip_flop_bits());
     const auto held = code.add(rtl_cells_, in);
+    std::map<std::string, std::size_t> places;
     std::size_t at = 0;
     for (const Wire& w : machine_.state) {
+      places[label_of(w.field)] = at;
+      at += w.code.size();
+    }
+    at = 0;
+    for (const Wire& w : machine_.registers) {
+      const auto own = places.find(label_of(w.field));
       // Of one in ones' complement, 1 more where it is negative.
       Value carry = w.field.format == Format::ones_complement ? held[at + w.code.size() - 1] : zero;
       for (std::size_t b = 0; b < w.code.size(); ++b, ++at) {
-        if (!w.field.unreset) continue;
+        if (!w.field.unreset || own == places.end()) continue;
         constexpr std::uint8_t differ = 0x66, both = 0x88;
-        code.store(code_.layout.state + at, code.cell(differ, held[at], carry, zero));
+        code.store(code_.layout.state + own->second + b, code.cell(differ, held[at], carry, zero));
         carry = code.cell(both, held[at], carry, zero);
       }
     }

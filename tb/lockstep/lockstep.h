@@ -2,8 +2,10 @@
 // register and output is compared on every clock, but for what the design says means nothing then.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
@@ -150,16 +152,24 @@ class Lockstep {
   /// Gives the model what the RTL holds where no reset reaches. Such a register is a field of the
   /// state by the same name.
   void take_over() {
-    if constexpr (std::is_same_v<State, typename Design::template Registers<Word>>) {
-      dut_.eval(false);
-      const auto fields = State::fields(dut_.params);
-      const State held = dut_.registers();
-      for_each_cell<State>([&](auto cell, std::size_t i) {
-        if (fields[i].unreset && fields[i].width != 0) {
-          cell(state_) = units_of(fields[i], cell(held));
-        }
-      });
+    using Registers = typename Design::template Registers<Word>;
+    dut_.eval(false);
+    const auto fields = Registers::fields(dut_.params);
+    const auto of_state = State::fields(dut_.params);
+    const auto held = to_words(Registers(dut_.registers()));
+    auto words = to_words(state_);
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      if (!fields[i].unreset || fields[i].width == 0) continue;
+      const auto is_same = [&](const Field& f) {
+        return f.index == fields[i].index && std::string_view(f.name) == fields[i].name;
+      };
+      // Where the registers are the state, the one at the same place.
+      auto own = of_state.begin() + static_cast<std::ptrdiff_t>(std::min(i, of_state.size() - 1));
+      if (!is_same(*own)) own = std::find_if(of_state.begin(), of_state.end(), is_same);
+      if (own == of_state.end()) continue;
+      words[static_cast<std::size_t>(own - of_state.begin())] = units_of(fields[i], held[i]);
     }
+    state_ = from_words<State>(words);
   }
   void edge() {
     dut_.eval(false);

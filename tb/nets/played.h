@@ -2,7 +2,6 @@
 // stimulus, and where a case begins.
 #pragma once
 
-#include <type_traits>
 #include <vector>
 
 #include "model/core/design.h"
@@ -17,9 +16,6 @@ struct Played {
   /// The codes of the state after a reset, one for each of model.machine.state, and of the inputs
   /// that reset the design or, where none do, of those at rest.
   std::vector<Word> reset_state, reset_inputs;
-  /// The state's fields are the RTL's registers, by the same names: what no reset reaches is taken
-  /// over from there.
-  bool is_of_registers = false;
 };
 
 template <class Design>
@@ -39,7 +35,6 @@ Played played_of(const typename Design::Params& p) {
   Inputs reset = rest_of<Design>();
   if constexpr (has_reset<Design>) reset = reset_inputs_of<Design>();
   played.reset_inputs = codes(reset, Inputs::fields(p));
-  played.is_of_registers = std::is_same_v<State, typename Design::template Registers<Word>>;
   return played;
 }
 

@@ -18,15 +18,14 @@ proof::Source source_of(const AnyBench& bench) {
   return source;
 }
 
-std::vector<proof::Claim> claims_on(const proof::MachineFormula& machine, const nets::Model& nets,
-                                    proof::Source source) {
+proof::Source source_for(const proof::MachineFormula& machine, proof::Source source) {
   source.asynchronous_reset = !machine.seen.empty();
   source.clocks_are_inputs = machine.clocks_are_inputs;
   source.parameters = machine.parameters;
   for (const proof::Wire& w : machine.registers) {
     if (w.field.index <= 0) source.kept.push_back(net_path(w.field.net).path);
   }
-  return claims_of(machine, nets, source);
+  return source;
 }
 
 }  // namespace cosim::cli

@@ -15,9 +15,8 @@ const proof::BuiltMachine& machine_of(const AnyBench& bench);
 /// The RTL that a bench was built from, with its parameters.
 proof::Source source_of(const AnyBench& bench);
 
-/// All that is claimed of a machine and its RTL, by yosys. Its formula decides which of the RTL's
-/// registers are kept and how it is reset. InputError as of proof::Rtl and of the claims.
-std::vector<proof::Claim> claims_on(const proof::MachineFormula& machine, const nets::Model& nets,
-                                    proof::Source source);
+/// RTL as it is read for claims on a machine, whose formula decides which of the RTL's registers
+/// are kept and how it is reset.
+proof::Source source_for(const proof::MachineFormula& machine, proof::Source source);
 
 }  // namespace cosim::cli

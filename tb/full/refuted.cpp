@@ -1,5 +1,7 @@
 #include "tb/full/refuted.h"
 
+#include <fmt/core.h>
+
 #include <utility>
 
 #include "tb/proof/explain.h"
@@ -15,6 +17,35 @@ std::optional<Refuted> refuted(const proof::MachineFormula& formula, const AnyBe
   Stimulus stimulus = proof::stimulus_of(*found, bench);
   Run run = bench.replay(stimulus);
   return Refuted{std::move(*found), std::move(stimulus), std::move(run)};
+}
+
+FromResetAnswer asked_from_reset(const proof::FromReset& machine, proof::Happens what,
+                                 const AnyBench& bench, std::chrono::seconds limit, unsigned jobs) {
+  proof::HappensFromReset found = machine.ask(what, std::chrono::steady_clock::now() + limit, jobs);
+  FromResetAnswer answer;
+  answer.ever = found.reached.ever;
+  if (answer.ever == proof::Ever::never) {
+    answer.verdict = "proved from reset by " + found.reached.by;
+    return answer;
+  }
+  if (answer.ever == proof::Ever::open) {
+    answer.verdict =
+        fmt::format("UNDECIDED: from reset not in the first {} clocks", found.reached.clocks);
+    return answer;
+  }
+  answer.verdict =
+      fmt::format("REFUTED from reset: clock {}, by {}", found.clocks.size() - 1, found.reached.by);
+  answer.what = std::move(found.what);
+  answer.stimulus.machine = bench.title();
+  answer.stimulus.origin = "counterexample of the proof, from reset";
+  answer.stimulus.clocks = std::move(found.clocks);
+  // What no reset reaches is as it powers up.
+  constexpr std::uint32_t power_ups = 64;
+  for (std::uint32_t seed = 1; seed <= power_ups && !answer.run.mismatch; ++seed) {
+    answer.stimulus.power_up = seed;
+    answer.run = bench.replay(answer.stimulus);
+  }
+  return answer;
 }
 
 }  // namespace cosim::cli

@@ -1,7 +1,10 @@
 // A claim that an engine refuted, run in lockstep.
 #pragma once
 
+#include <chrono>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "tb/bench/bench.h"
 #include "tb/proof/counterexample.h"
@@ -22,5 +25,19 @@ struct Refuted {
 std::optional<Refuted> refuted(const proof::MachineFormula& formula, const AnyBench& bench,
                                const proof::Claim& claim, const proof::Decision& decision,
                                int limit);
+
+/// What came of a claim that was asked from reset.
+struct FromResetAnswer {
+  proof::Ever ever = proof::Ever::open;
+  std::string verdict;  ///< "proved from reset by ...", "REFUTED from reset: ...", "UNDECIDED: ..."
+  /// Of yes: what happens on its last clock, the stimulus that makes it so, and its run in
+  /// lockstep.
+  std::vector<std::string> what;
+  Stimulus stimulus;
+  Run run;
+};
+/// Asks it for so many seconds at the most. InputError where there is no yosys-abc.
+FromResetAnswer asked_from_reset(const proof::FromReset& machine, proof::Happens what,
+                                 const AnyBench& bench, std::chrono::seconds limit, unsigned jobs);
 
 }  // namespace cosim::cli

@@ -75,6 +75,7 @@ void add_prove(const Command& program) {
   command.footer(
       "Needs yosys, and two of yosys-abc (cec), z3 and cvc5. What two of them prove is proved;\n"
       "the third is asked where the first two do not decide. With one engine that one decides.\n"
+      "What is not proved so for every state is asked from reset, by yosys-abc alone.\n"
       "Example: " +
       program_name() + " prove " + proof::built_machines().front().title);
   command.action([o] { return run(*o); });

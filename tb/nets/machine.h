@@ -73,8 +73,9 @@ struct MachineOf {
   /// are given. None for a machine that begins at its initial values.
   std::vector<Wire> reset_inputs;
   int reset_clocks = 1;
+  std::vector<Wire> begins;             ///< the state after that
   std::vector<Wire> reset_state;        ///< the registers after that
-  std::vector<std::string> unobserved;  ///< registers that are not compared: nothing can be proved
+  std::vector<std::string> unobserved;  ///< registers that are not compared
   std::vector<Named> invariant_in_reset;
 };
 
@@ -209,6 +210,7 @@ MachineOf<V> machine_of(const typename Design::Params& p, FreeState free_state,
   }
 
   auto reset_state = reset_state_of<Design, V>();
+  m.begins = wires<V>(reset_state, state_fields);
   for_each_cell<State>([&](auto cell, std::size_t i) {
     if (state_fields[i].unreset) cell(reset_state) = cell(s);
   });

@@ -8,6 +8,8 @@
 namespace cosim::proof {
 namespace {
 
+constexpr const char* kAsserts = "what the RTL asserts is so";
+
 Expression any_fails(const std::vector<Named>& all) {
   Expression any = truth(false);
   for (const Named& n : all) any = disjunction(any, negation(n.condition));
@@ -96,7 +98,7 @@ class OneClock {
 }  // namespace
 
 Claim claim_asserts(const MachineFormula& m, const Rtl& rtl) {
-  OneClock clock("what the RTL asserts is so", m, rtl);
+  OneClock clock(kAsserts, m, rtl);
   Question& q = clock.question;
   for (std::size_t i = 0; i < m.after.size(); ++i) clock.differs(kAfter, m.after[i], q.after(i));
   for (std::size_t i = 0; i < m.outputs.size(); ++i) {
@@ -160,15 +162,20 @@ Claim claim_step(const MachineFormula& m, const Rtl& rtl) {
   return claim;
 }
 
-Claim claim_cases(const MachineFormula& m, const Rtl& rtl) {
-  Question q(m, rtl, false);
-  q.assume_hypotheses();
+Claim claim_cases(const MachineFormula& m) {
+  Script script("QF_BV");
+  for (const auto* wires : {&m.inputs, &m.state}) {
+    for (const Wire& w : *wires) script.declare(w.code.text(), w.code.sort());
+  }
+  for (const auto* all : {&m.invariant, &m.legal}) {
+    for (const Named& n : *all) script.assume(n.condition);
+  }
   Query query;
   for (const Named& n : m.cases) {
     query.asks.push_back(n.name);
-    q.script().ask_apart(n.condition);
+    script.ask_apart(n.condition);
   }
-  query.script = q.script().text();
+  query.script = script.text();
   const std::string what =
       m.cases.size() == 1
           ? "vacuity check: " + m.cases.front().name + " is possible"
@@ -186,17 +193,31 @@ Claim claim_legal(const MachineFormula& m) {
 
 std::vector<Claim> claims_of(const MachineFormula& m, const nets::Model& model,
                              const Source& source) {
-  const Rtl rtl(source);
-  const RtlNets rtl_nets(source);
   const auto both = [](Claim claim, NetQuestions nets) {
     claim.nets = std::make_shared<const NetQuestions>(std::move(nets));
     return claim;
   };
-  std::vector<Claim> all{both(claim_base_case(m, rtl), nets_of_base_case(model, rtl_nets)),
-                         both(claim_step(m, rtl), nets_of_step(model, rtl_nets)),
-                         both(claim_cases(m, rtl), nets_of_cases(model))};
-  if (!m.legal.empty()) all.push_back(both(claim_legal(m), nets_of_legal(model)));
-  if (!rtl.asserted().empty()) all.push_back(claim_asserts(m, rtl));
+  std::vector<Claim> all, asserts;
+  if (m.unobserved.empty()) {
+    const Rtl rtl(source);
+    const RtlNets rtl_nets(source);
+    all.push_back(both(claim_base_case(m, rtl), nets_of_base_case(model, rtl_nets)));
+    all.push_back(both(claim_step(m, rtl), nets_of_step(model, rtl_nets)));
+    if (!rtl.asserted().empty()) asserts.push_back(claim_asserts(m, rtl));
+  } else {
+    all.push_back({"from reset: always the same", Answer::unsat, {}, {}});
+    Source kept = source;
+    kept.keeps_assertions = true;
+    if (!RtlNets(kept).unmet().empty()) asserts.push_back({kAsserts, Answer::unsat, {}, {}});
+  }
+  for (Claim& claim : asserts) claim.from_reset = Happens::assertion;
+  for (Claim& claim : all) claim.from_reset = Happens::differ;
+  all.push_back(both(claim_cases(m), nets_of_cases(model)));
+  if (!m.legal.empty()) {
+    all.push_back(both(claim_legal(m), nets_of_legal(model)));
+    all.back().from_reset = Happens::stuck;
+  }
+  all.insert(all.end(), asserts.begin(), asserts.end());
   return all;
 }
 

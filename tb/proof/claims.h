@@ -19,14 +19,21 @@
 // Under an asynchronous reset what the registers show during a clock is claimed as well: yosys
 // makes of such a register one that is reset by the clock, and of its net a choice by the reset.
 //
+// Where registers of the RTL are unobserved, the model has no place for all that a state of the RTL
+// is, and in place of the first two there is one:
+//
+//   reset   from reset on outputs, and the registers that are compared, are always the same
+//
 // The first two are an induction over the clocks: nothing else is assumed of the inputs, and no
 // bound is set. The others show that the hypotheses of the second can be met.
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "tb/proof/from_reset.h"
 #include "tb/proof/machine.h"
 #include "tb/proof/net_questions.h"
 #include "tb/proof/rtl.h"
@@ -48,9 +55,14 @@ struct Claim {
   std::vector<std::string> terms;  ///< whose values make a counterexample; may be empty
   /// The same claim on nets; null where it is not asked of nets.
   std::shared_ptr<const NetQuestions> nets = nullptr;
+  /// What must never happen from reset, where the engines do not prove the claim: a state that
+  /// refutes it may be one that is never reached. Where there is neither script nor nets, that is
+  /// all of the claim.
+  std::optional<Happens> from_reset = std::nullopt;
 };
 
-/// All that is claimed of a machine, as scripts and as nets. InputError as below.
+/// All that is claimed of a machine, as scripts and as nets. InputError as below, of a machine with
+/// no unobserved registers.
 std::vector<Claim> claims_of(const MachineFormula& machine, const nets::Model& model,
                              const Source& source);
 
@@ -62,7 +74,7 @@ Claim claim_base_case(const MachineFormula& machine, const Rtl& rtl);
 Claim claim_step(const MachineFormula& machine, const Rtl& rtl);
 /// For RTL that asserts something.
 Claim claim_asserts(const MachineFormula& machine, const Rtl& rtl);
-Claim claim_cases(const MachineFormula& machine, const Rtl& rtl);
+Claim claim_cases(const MachineFormula& machine);
 /// For a machine whose inputs are not all legal.
 Claim claim_legal(const MachineFormula& machine);
 

@@ -77,11 +77,12 @@ Decision judged(const Claim& claim, std::vector<Opinion> opinions, std::size_t n
   answers.erase(0, std::min<std::size_t>(2, answers.size()));
   d.proved = votes.against == 0 && votes.least >= needed;
   d.refuted = votes.against > 0 && !votes.conflict;
+  d.disagree = votes.conflict;
   if (d.proved) {
     d.verdict = "proved" + unanswered;
   } else if (d.refuted) {
     d.verdict = "REFUTED: " + answers;
-  } else if (votes.conflict) {
+  } else if (d.disagree) {
     d.verdict = "THE ENGINES DISAGREE: " + answers;
   } else {
     d.verdict = fmt::format("UNDECIDED, {} of {}: {}", votes.least, needed,

@@ -42,8 +42,9 @@ struct Decision {
   std::vector<Opinion> opinions;
   /// As many engines as are needed answered each question as wanted, and none otherwise.
   bool proved = false;
-  bool refuted = false;  ///< an engine gave an opposite answer, and none contradicts it
-  std::string verdict;   ///< "proved", "REFUTED", or why it is neither
+  bool refuted = false;   ///< an engine gave an opposite answer, and none contradicts it
+  bool disagree = false;  ///< the engines contradict each other
+  std::string verdict;    ///< "proved", "REFUTED", or why it is neither
 };
 
 struct Asking {

@@ -2,16 +2,37 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "model/core/input_error.h"
 #include "tb/nets/blif.h"
 #include "tb/proof/first_word.h"
 #include "tb/proof/steps.h"
+#include "tb/support/output_file.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
 
 namespace cosim::proof {
+namespace {
+
+constexpr const char* kUnmet = ".cosim_unmet";
+
+// For yosys: each assertion a net, where they are kept, and all else of that kind away.
+std::string assertion_commands(const Source& source, const std::filesystem::path& folder) {
+  if (!source.keeps_assertions) return "; chformal -remove";
+  const std::string file = (folder / "assertions.v").string();
+  OutputFile out(file);
+  out.text(R"((* techmap_celltype = "$assert" *)
+module cosim_assert (input A, EN);
+  (* keep *) wire cosim_unmet = EN & !A;
+endmodule
+)");
+  out.close();
+  return fmt::format("; techmap -map {}; chformal -remove", file);
+}
+
+}  // namespace
 
 RtlNets::RtlNets(const Source& source)
     : RtlNets([&] {
@@ -20,7 +41,7 @@ RtlNets::RtlNets(const Source& source)
         const std::string wires = (scratch.path() / "rtl.wires").string();
         // What is undefined in the RTL is free. What a gate leaves undefined, as a word that is not
         // there, is 0, as in the formulas.
-        run_yosys(flat_commands(source) + "; chformal -remove" +
+        run_yosys(flat_commands(source) + assertion_commands(source, scratch.path()) +
                       step_commands(source, scratch.path()) +
                       "; async2sync; setundef -undriven -anyseq; techmap; dfflegalize "
                       "-cell $_DFF_P_ 01 -cell $_DFF_N_ 01; setundef -zero; opt_expr; "
@@ -71,6 +92,21 @@ std::size_t RtlNets::net(const std::string& wire, int bit) const {
   const auto found = numbers_.find(name);
   if (found == numbers_.end()) throw InputError(fmt::format("{}: no net {}", cells_.name, name));
   return found->second;
+}
+
+std::vector<std::pair<std::string, std::size_t>> RtlNets::unmet() const {
+  std::vector<std::pair<std::string, std::size_t>> all;
+  for (const auto& [name, net] : numbers_) {
+    if (!name.ends_with(kUnmet)) continue;
+    // "$assert$FILE:LINE$NUMBER" where it has no label.
+    std::string called = name.substr(0, name.size() - std::string(kUnmet).size());
+    if (called.starts_with('$')) {
+      called.erase(0, called.find('$', 1) + 1);
+      called.resize(std::min(called.rfind('$'), called.size()));
+    }
+    all.emplace_back(called, net);
+  }
+  return all;
 }
 
 void RtlNets::find_flip_flops(bool asynchronous_reset) {

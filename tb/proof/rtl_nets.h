@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tb/nets/cells.h"
@@ -34,6 +35,9 @@ class RtlNets {
   /// The flip-flop that a net shows, by its number. Under an asynchronous reset a net that shows a
   /// constant where the reset is given, else a flip-flop, shows that one.
   std::optional<std::size_t> shown(std::size_t net) const { return shown_[net]; }
+  /// The nets that are 1 where what the RTL asserts is not so, where they are kept, with their
+  /// assertions' names: a label, or a file and a line.
+  std::vector<std::pair<std::string, std::size_t>> unmet() const;
 
  private:
   struct Wire {

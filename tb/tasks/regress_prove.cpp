@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "model/core/input_error.h"
 #include "tb/full/machine_of.h"
@@ -26,10 +28,12 @@ Json as_json(const proof::Claim& claim) {
   for (const proof::Query& q : claim.queries) {
     queries.push_back({{"asks", q.asks}, {"script", q.script}, {"eager", q.eager}});
   }
-  return {{"what", claim.what},
-          {"sat", claim.wanted == proof::Answer::sat},
-          {"queries", queries},
-          {"terms", claim.terms}};
+  Json json{{"what", claim.what},
+            {"sat", claim.wanted == proof::Answer::sat},
+            {"queries", queries},
+            {"terms", claim.terms}};
+  if (claim.from_reset) json["from_reset"] = *claim.from_reset;
+  return json;
 }
 
 proof::Claim claim_from(const JsonAt& json) {
@@ -40,6 +44,10 @@ proof::Claim claim_from(const JsonAt& json) {
     claim.queries.push_back({q.at("asks").texts(), q.at("script").text(), q.at("eager").yes()});
   }
   claim.terms = json.at("terms").texts();
+  constexpr auto last = static_cast<std::uint64_t>(proof::Happens::assertion);
+  if (const auto what = json.find("from_reset")) {
+    claim.from_reset = static_cast<proof::Happens>(what->whole(0, last));
+  }
   return claim;
 }
 
@@ -73,8 +81,9 @@ class ProveWork final : public regress::Work {
 
   void prepare(const std::filesystem::path& prepared, bool) const override {
     Json claims = Json::array();
+    const proof::MachineFormula formula = machine_.formula();
     for (const proof::Claim& claim :
-         claims_on(machine_.formula(), machine_.nets(), machine_.source)) {
+         claims_of(formula, machine_.nets(), source_for(formula, machine_.source))) {
       claims.push_back(as_json(claim));
     }
     if (claims.size() < units()) throw std::logic_error("other claims than were counted");
@@ -123,21 +132,40 @@ class ProveWork final : public regress::Work {
         proof::decide({&claim}, {proof::all_engines(), limit_, 1}).front();
     need_solvers(decision);
     Json json{{"what", claim.what}, {"verdict", decision.verdict}};
-    if (!decision.proved) json["failed"] = failed(claim, decision, place);
+    if (decision.proved) return json;
+    std::optional<FromResetAnswer> from_reset;
+    if (claim.from_reset && !decision.disagree) {
+      proof::Source source = source_for(machine_.formula(), machine_.source);
+      source.keeps_assertions = true;
+      from_reset = asked_from_reset(proof::FromReset(machine_.nets(), proof::RtlNets(source)),
+                                    *claim.from_reset, bench(), std::chrono::seconds(limit_), 1);
+      json["verdict"] = from_reset->verdict;
+      if (from_reset->ever == proof::Ever::never) return json;
+    }
+    json["failed"] = failed(claim, decision, from_reset, place);
     return json;
+  }
+
+  const AnyBench& bench() const {
+    const auto same = [&](const auto& b) { return b->title() == title(); };
+    return **std::find_if(benches().begin(), benches().end(), same);
   }
 
   // A counterexample that lockstep shows has a folder; else the command finds it again.
   Json failed(const proof::Claim& claim, const proof::Decision& decision,
-              const regress::Place& place) const {
-    Json json{{"what", fmt::format("{}: {}", claim.what, decision.verdict)},
+              const std::optional<FromResetAnswer>& from_reset, const regress::Place& place) const {
+    Json json{{"what", fmt::format("{}: {}", claim.what,
+                                   from_reset ? from_reset->verdict : decision.verdict)},
               {"command", "prove " + title()}};
-    const auto same = [&](const auto& b) { return b->title() == title(); };
-    const AnyBench& bench = **std::find_if(benches().begin(), benches().end(), same);
-    const auto found = refuted(machine_.formula(), bench, claim, decision, limit_);
-    if (!found || !found->run.mismatch) return json;
-    const Failure failure = leave_failure(bench, fmt::format("{}: {}", refuted_case, claim.what),
-                                          *found->run.mismatch, {place.failures()});
+    std::optional<Mismatch> mismatch;
+    if (from_reset && from_reset->ever == proof::Ever::yes) {
+      mismatch = from_reset->run.mismatch;
+    } else if (auto found = refuted(machine_.formula(), bench(), claim, decision, limit_)) {
+      mismatch = std::move(found->run.mismatch);
+    }
+    if (!mismatch) return json;
+    const Failure failure = leave_failure(bench(), fmt::format("{}: {}", refuted_case, claim.what),
+                                          *mismatch, {place.failures()});
     json["folder"] = failure.folder.lexically_relative(place.run).string();
     json["command"] = "replay " + json["folder"].get<std::string>();
     return json;
@@ -167,12 +195,8 @@ class ProveKind final : public regress::Kind {
                                      model_without_formula(machine)));
       }
       const proof::MachineFormula formula = machine.formula();
-      if (!formula.unobserved.empty()) {
-        throw InputError(
-            fmt::format("{}: registers are unobserved, {}: nothing can be proved of it",
-                        machine.title, fmt::join(formula.unobserved, ", ")));
-      }
-      const std::uint64_t claims = formula.legal.empty() ? 3 : 4;
+      const std::uint64_t claims =
+          (formula.unobserved.empty() ? 3 : 2) + (formula.legal.empty() ? 0 : 1);
       works.push_back(std::make_unique<ProveWork>(machine, claims, limit));
     }
     return works;

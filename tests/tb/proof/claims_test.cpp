@@ -53,6 +53,51 @@ TEST_P(Claims, AreProvedByEachEngine) {
   }
 }
 
+HappensFromReset asked(const nets::Model& model, const MachineFormula& m,
+                       Happens what = Happens::differ) {
+  Source source = source_in(test::project_root() / "rtl", m.design, m.parameters);
+  return FromReset(model, RtlNets(source))
+      .ask(what, std::chrono::steady_clock::now() + std::chrono::seconds(kLimit), 2);
+}
+
+// What no reset leads to needs no sentence.
+TEST_P(Claims, FromResetNeedNoInvariant) {
+  const MachineFormula formula = GetParam().formula();
+  nets::Model model = GetParam().nets();
+  model.machine.invariant.resize(1);
+  model.machine.invariant_after.resize(1);
+  EXPECT_EQ(asked(model, formula).reached.ever, Ever::never);
+}
+
+// It is of this model, of its reset state and of every sentence; where no input is legal, of
+// nothing.
+TEST_P(Claims, FromResetAreRefutedByAStimulus) {
+  const MachineFormula formula = GetParam().formula();
+  const nets::Model model = GetParam().nets();
+  nets::Model wrong = model;
+  nets::Bit& last = wrong.machine.outputs.back().code.front();
+  last = !last;
+  HappensFromReset found = asked(wrong, formula);
+  EXPECT_EQ(found.reached.ever, Ever::yes);
+  ASSERT_EQ(found.clocks.size(), 1U);
+  EXPECT_EQ(found.clocks.front().size(), model.machine.inputs.size());
+  EXPECT_EQ(found.what, std::vector{std::string("output ") + formula.outputs.back().field.name});
+  wrong.machine.legal.push_back({"nothing", nets::no});
+  EXPECT_EQ(asked(wrong, formula).reached.ever, Ever::never);
+  wrong = model;
+  for (nets::Wire& w : wrong.machine.begins) w.code.front() = !w.code.front();
+  found = asked(wrong, formula);
+  EXPECT_EQ(found.reached.ever, Ever::yes);
+  EXPECT_EQ(found.clocks.size(), 1U);
+  wrong = model;
+  wrong.machine.invariant.push_back({"never", nets::no});
+  EXPECT_EQ(asked(wrong, formula).what, std::vector{std::string("not so: never")});
+  wrong = model;
+  wrong.machine.idle.push_back({"none", nets::no});
+  EXPECT_EQ(asked(wrong, formula, Happens::stuck).reached.ever, Ever::yes);
+  EXPECT_EQ(asked(model, formula, Happens::assertion).reached.ever, Ever::never);
+}
+
 // As for scripts below: nets that are of another model, or of another invariant, are refuted.
 TEST_P(Claims, OnNetsNeedTheModelAndEverySentenceOfTheInvariant) {
   const MachineFormula formula = GetParam().formula();
@@ -112,7 +157,7 @@ TEST_P(Claims, OfNothingAreNoProof) {
   const Rtl rtl = rtl_of(empty);
   empty.invariant.push_back({"nothing", truth(false)});
   EXPECT_TRUE(decided(claim_step(empty, rtl)).proved);
-  EXPECT_TRUE(decided(claim_cases(empty, rtl)).refuted);
+  EXPECT_TRUE(decided(claim_cases(empty)).refuted);
 }
 
 TEST_P(Claims, AreOfEveryRegister) {

@@ -1,0 +1,37 @@
+// Golden model of decade.sv. It has no invariant.
+#pragma once
+
+#include "model/core/design.h"
+
+namespace cosim::decade {
+
+struct Params {
+  int fault;
+};
+
+#define DECADE_INPUTS(FIELD)            \
+  FIELD(rst, 1, flag, "", "begin anew") \
+  FIELD(en, 1, flag, "", "count this clock")
+#define DECADE_OUTPUTS(FIELD)     \
+  FIELD(digit, 4, number, "", "") \
+  FIELD(carry, 1, flag, "", "ten clocks were counted")
+#define DECADE_STATE(FIELD) FIELD(digit_q, 4, number, "", "0 to 9")
+COSIM_RECORDS(DECADE, Params);
+
+template <class V>
+constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
+  const auto en = is_set(in.en), carry = en & (s.digit_q == V(9));
+  const V after = select(carry, V(0), select(en, wrap(s.digit_q + V(1), 4), s.digit_q));
+  return {{select(is_set(in.rst), V(0), after)}, {s.digit_q, flag<V>(carry)}};
+}
+
+struct Design {
+  COSIM_DESIGN(decade);
+  static constexpr const char* name = "decade";
+  static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
+  static constexpr std::array<Parameter, 1> parameters(const Params& p) {
+    return {{{"FAULT", p.fault}}};
+  }
+};
+
+}  // namespace cosim::decade

@@ -1,0 +1,23 @@
+# shellcheck shell=bash
+# The step is refuted from a number above nine, which is never reached: that is asked before anything
+# is said, of the model's registers and of what the RTL asserts. The fault is reached on clock 10, and
+# what it takes replays.
+if [[ $solvers ]]; then
+  ends 0 prove decade FAULT=0 --failures decade_failures
+  says_like "inductive step: .* proved from reset by "
+  says_like "what the RTL asserts is so .* proved from reset by "
+  says "4 of 4 claims proved, each by two of cec, z3 and cvc5, but 2 from reset by yosys-abc alone"
+  [[ ! -e decade_failures ]] || fails "a claim that is proved from reset leaves no folder"
+  ends 1 prove decade FAULT=1 --failures decade_failures
+  says "REFUTED from reset: clock 10, by "
+  says "Assertion failed in TOP.decade"
+  ends 1 replay decade_failures/decade-FAULT1-*/stimulus.stim
+  # A regression asks so too.
+  printf '{"format": 1, "name": "p", "tasks": [{"name": "claims", "prove": "decade"}]}' > decade.json
+  ends 1 regress decade.json --folder decade_run
+  says "FAILED: claims: decade FAULT=1"
+  says "REFUTED from reset: clock 10"
+  says_not "FAULT=0: inductive"
+  refuted=(decade_run/failures/decade-FAULT1-*)
+  ends 1 replay "${refuted[0]}"
+fi

@@ -41,12 +41,6 @@ template <class V>
 constexpr V gray_of(V count) {
   return count ^ shift_right(count, 1);
 }
-/// Of at most 8 bits.
-template <class V>
-constexpr V count_of(V gray) {
-  for (const int n : {1, 2, 4}) gray = gray ^ shift_right(gray, n);
-  return gray;
-}
 
 template <class V>
 constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) {
@@ -70,24 +64,6 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
   r.w_seen = s.w_first;
   step.state = select(is_set(in.r_clk), r, step.state);
   return step;
-}
-
-/// What each side knows of the other is true of some clocks ago: no word is lost, and none comes
-/// twice.
-template <class V>
-constexpr std::array<Stated<V>, 5> invariant(const Params& p, const State<V>& s) {
-  const auto words = [&](V in, V out) { return wrap(in - out + V(2 * p.words()), p.count()); };
-  const V waiting = words(s.w_count, s.r_count);
-  const V r_first = count_of(s.r_first), r_seen = count_of(s.r_seen);
-  const V w_first = count_of(s.w_first), w_seen = count_of(s.w_seen);
-  const V free_later = words(s.r_count, r_first) + words(r_first, r_seen);
-  const V seen_later = words(s.w_count, w_first) + words(w_first, w_seen);
-  return {
-      {{"w_gray is w_count", s.w_gray == gray_of(s.w_count)},
-       {"r_gray is r_count", s.r_gray == gray_of(s.r_count)},
-       {"there are no more words than places", !(waiting > V(p.words()))},
-       {"the writer sees too many words, if it is wrong", !(waiting + free_later > V(p.words()))},
-       {"the reader sees too few words, if it is wrong", !(seen_later > waiting)}}};
 }
 
 /// What stands at the output of an empty queue means nothing.

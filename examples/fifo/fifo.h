@@ -48,15 +48,6 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
   return step;
 }
 
-template <class V>
-constexpr std::array<Stated<V>, 3> invariant(const Params& p, const State<V>& s) {
-  const V end = s.head + s.count;
-  return {{{"head is a word's place", s.head < V(p.depth)},
-           {"there are no more words than places", !(s.count > V(p.depth))},
-           {"tail is count places behind head",
-            s.tail == select(end < V(p.depth), end, end - V(p.depth))}}};
-}
-
 /// What stands at the output of an empty queue means nothing.
 template <class V>
 constexpr auto compared(const Params&, const State<V>&, const Inputs<V>&, const Outputs<V>& out) {

@@ -38,12 +38,6 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
   return {after, {flag<V>(!idles), s.done_q}};
 }
 
-/// The type has three values; GHDL's two bits have four.
-template <class V>
-constexpr std::array<Stated<V>, 1> invariant(const Params&, const State<V>& s) {
-  return {{{"the state is one of the three", !(s.state == V(3))}}};
-}
-
 struct Design {
   COSIM_DESIGN(timer);
   static constexpr const char* name = "timer";

@@ -43,12 +43,6 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
   return step;
 }
 
-/// What is true of every state that a reset leads to.
-template <class V>
-constexpr std::array<Stated<V>, 2> invariant(const Params& p, const State<V>& s) {
-  return {
-      {{"a frame has ten bits", s.left < V(11)}, {"a bit has D clocks", s.count < V(p.divider)}}};
-}
 /// What must be possible on a clock.
 template <class V>
 constexpr std::array<Stated<V>, 3> cases(const Params& p, const State<V>& s, const Inputs<V>& in) {

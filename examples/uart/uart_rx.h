@@ -43,12 +43,6 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
   return step;
 }
 
-/// What is true of every state that a reset leads to.
-template <class V>
-constexpr std::array<Stated<V>, 1> invariant(const Params&, const State<V>& s) {
-  return {{{"a frame has ten bits", s.left < V(11)}}};
-}
-
 struct Design {
   COSIM_DESIGN(uart_rx);
   static constexpr const char* name = "uart_rx";

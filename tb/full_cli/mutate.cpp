@@ -112,11 +112,12 @@ void add_mutate(const Command& program, const Registry& registry) {
   command.text("--failures", o->common.failures, "DIR",
                "Where a survivor leaves its folder; default $COSIM_FAILURES or failures");
   command.text("--report", o->common.report, "FILE", "Write what became of each as JSON");
-  command.footer(
-      fmt::format("Needs yosys, which plants them, a compiler, and cvc5 and z3 for the proofs.\n"
-                  "Exit status: 0 none survived, 1 some did, 2 bad input.\n"
-                  "Example: {} mutate {} --mutants 20",
-                  program_name(), benches().front()->built_as()));
+  command.footer(fmt::format(
+      "Needs yosys, which plants them, a compiler, and cvc5 and z3 for the proofs.\n"
+      "What no stimulus finds is asked from reset; a stimulus that does is kept in DIR.\n"
+      "Exit status: 0 none survived, 1 some did, 2 bad input.\n"
+      "Example: {} mutate {} --mutants 20",
+      program_name(), benches().front()->built_as()));
   command.action([o, &registry] { return run(*o, registry); });
 }
 

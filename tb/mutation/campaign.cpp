@@ -107,8 +107,8 @@ std::size_t Campaign::count(End end) const {
                                                 [end](const auto& o) { return o.end == end; }));
 }
 
-Campaign run_campaign(const Subject& subject, const Prover& prover, unsigned threads,
-                      Checkpoint& checkpoint, const Part& part) {
+Campaign run_campaign(const Subject& subject, const Prover& prover, const Asker& asker,
+                      unsigned threads, Checkpoint& checkpoint, const Part& part) {
   const std::size_t quick = subject.cases().quick, all = subject.cases().all.size();
   Course course(subject, threads, checkpoint, part);
   course.attack_with(0, quick);
@@ -131,6 +131,8 @@ Campaign run_campaign(const Subject& subject, const Prover& prover, unsigned thr
   course.save();
 
   course.attack_with(quick, all);
+  course.each(course.open(), [&](unsigned mutant) { course.decide(mutant, asker(mutant)); });
+  course.save();
   for (const unsigned mutant : course.open()) course.decide(mutant, {End::survived, "", 0, ""});
   return course.campaign();
 }

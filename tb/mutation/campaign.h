@@ -13,6 +13,9 @@ namespace cosim::mutation {
 /// For each of these mutants, whether it was proved equivalent.
 using Prover = std::function<std::vector<bool>(const std::vector<unsigned>& mutants)>;
 
+/// What a mutant is that is still open after that and all stimuli: killed, equivalent, or open.
+using Asker = std::function<Outcome(unsigned mutant)>;
+
 /// Mutants first, first + 1, ... of a subject.
 struct Part {
   unsigned first = 1;
@@ -28,11 +31,11 @@ struct Campaign {
 };
 
 /// Attacks every mutant of the part with the quick stimuli, gives the survivors to the prover, and
-/// attacks those that are not proved with all other stimuli, on `threads` threads, >= 1. Continues
-/// from the checkpoint and leaves it in place. InputError if the RTL without a mutant differs from
-/// the model.
-Campaign run_campaign(const Subject& subject, const Prover& prover, unsigned threads,
-                      Checkpoint& checkpoint, const Part& part = {});
+/// attacks those that are not proved with all other stimuli, on `threads` threads, >= 1; `asker` is
+/// asked of what is left. Continues from the checkpoint and leaves it in place. InputError if the
+/// RTL without a mutant differs from the model.
+Campaign run_campaign(const Subject& subject, const Prover& prover, const Asker& asker,
+                      unsigned threads, Checkpoint& checkpoint, const Part& part = {});
 
 /// The campaign as JSON text: an object with `design`, `parameters`, `mutants`, `killed`,
 /// `equivalent`, `survived`, `seconds`, and `outcomes`, an object for each mutant with `mutant`,

@@ -104,6 +104,13 @@ void LanesSubject::attack(const std::vector<unsigned>& mutants, std::size_t firs
   });
 }
 
+Outcome LanesSubject::attack(unsigned mutant, const Case& one) const {
+  Outcome outcome;
+  const Decide killed = [&](unsigned, Outcome is) { outcome = std::move(is); };
+  Attack(bench_, planted_, {mutant}, killed).run(one);
+  return outcome;
+}
+
 std::vector<unsigned> LanesSubject::not_reset(const std::vector<unsigned>& mutants) const {
   std::vector<unsigned> found;
   const PlantedNets rtl(bench_, planted_.nets(mutants));

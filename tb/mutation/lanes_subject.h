@@ -22,6 +22,7 @@ class LanesSubject final : public Subject {
   }
   void attack(const std::vector<unsigned>& mutants, std::size_t first, std::size_t last,
               unsigned threads, const Decide& killed) const override;
+  Outcome attack(unsigned mutant, const Case& one) const override;
   /// Those of the mutants that a reset leaves as they powered up, in part.
   std::vector<unsigned> not_reset(const std::vector<unsigned>& mutants) const;
 

@@ -10,6 +10,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/mutation/campaign.h"
+#include "tb/mutation/from_reset.h"
 #include "tb/mutation/survivor.h"
 #include "tb/proof/judge.h"
 #include "tb/proof/machines.h"
@@ -27,8 +28,6 @@ constexpr int kLimit = 60;  // seconds of an engine for one mutant
 const std::vector<proof::Engine> kEngines{proof::Engine::cec, proof::Engine::cvc5,
                                           proof::Engine::z3};
 
-Prover nobody();
-
 /// What the engines need of a subject's model.
 struct Asked {
   proof::MachineFormula formula;
@@ -36,33 +35,37 @@ struct Asked {
   std::optional<proof::Judge> judge;
 };
 
-/// The engines, on the formulas and nets of the subject's model.
-Prover engines(const Subject& subject, const std::vector<proof::Engine>& which) {
+/// The machine of a subject; null where there are no formulas of it.
+const proof::BuiltMachine* machine_of(const Subject& subject) {
   for (const auto& machine : proof::built_machines()) {
-    if (machine.title != subject.bench().built_as()) continue;
-    if (machine.formula == nullptr) return nobody();
-    const auto asked = std::make_shared<Asked>();
-    asked->formula = machine.formula();
-    if (machine.nets != nullptr) asked->nets = machine.nets();
-    asked->judge.emplace(asked->formula, asked->nets ? &*asked->nets : nullptr,
-                         proof::Asking{.engines = which, .limit = kLimit});
-    return [&subject, asked](const std::vector<unsigned>& mutants) {
-      const Scratch scratch;
-      const auto verilog = scratch.path() / "mutants.v";
-      subject.write_verilog(mutants, verilog);
-      std::vector<bool> proved;
-      for (const auto& judged : asked->judge->judge(verilog, mutants)) {
-        proved.push_back(judged.same);
-      }
-      return proved;
-    };
+    if (machine.title == subject.bench().built_as()) {
+      return machine.formula == nullptr ? nullptr : &machine;
+    }
   }
   throw InputError(subject.bench().title() + ": is no machine that is built");
 }
 
-Prover nobody() {
-  return
-      [](const std::vector<unsigned>& mutants) { return std::vector<bool>(mutants.size(), false); };
+/// The engines, on the formulas and nets of the subject's model; of no machine nobody.
+Prover engines(const Subject& subject, const proof::BuiltMachine* machine,
+               const std::vector<proof::Engine>& which) {
+  if (machine == nullptr) {
+    return [](const std::vector<unsigned>& mutants) { return std::vector<bool>(mutants.size()); };
+  }
+  const auto asked = std::make_shared<Asked>();
+  asked->formula = machine->formula();
+  if (machine->nets != nullptr) asked->nets = machine->nets();
+  asked->judge.emplace(asked->formula, asked->nets ? &*asked->nets : nullptr,
+                       proof::Asking{.engines = which, .limit = kLimit});
+  return [&subject, asked](const std::vector<unsigned>& mutants) {
+    const Scratch scratch;
+    const auto verilog = scratch.path() / "mutants.v";
+    subject.write_verilog(mutants, verilog);
+    std::vector<bool> proved;
+    for (const auto& judged : asked->judge->judge(verilog, mutants)) {
+      proved.push_back(judged.same);
+    }
+    return proved;
+  };
 }
 
 struct Options {
@@ -84,13 +87,22 @@ int run(const Subject& subject, const Options& o) {
                                  subject.bench().title(), o.part.count, o.part.first);
   for (const proof::Engine e : which) work += ", " + to_text(e);
   Checkpoint checkpoint(o.results + ".part", work);
-  const Campaign campaign = run_campaign(subject, o.unproved ? nobody() : engines(subject, which),
-                                         o.threads, checkpoint, o.part);
+  const proof::BuiltMachine* const machine = o.unproved ? nullptr : machine_of(subject);
+  const Asker asker = [&](unsigned mutant) {
+    if (machine == nullptr || machine->nets == nullptr) return Outcome{};
+    return from_reset(subject, *machine, mutant, std::chrono::seconds(kLimit), o.failures);
+  };
+  const Campaign campaign =
+      run_campaign(subject, engines(subject, machine, which), asker, o.threads, checkpoint, o.part);
   replace_file(o.results, to_json(subject, campaign));
   checkpoint.done();
   for (std::size_t i = 0; i < campaign.outcomes.size(); ++i) {
-    if (campaign.outcomes[i].end != Outcome::End::survived) continue;
     const auto mutant = static_cast<unsigned>(campaign.first + i);
+    if (campaign.outcomes[i].stimulus.starts_with(from_reset_case)) {
+      fmt::print("found from reset: {}, stimulus kept in: {}\n", subject.mutants()[mutant - 1],
+                 stimulus_of(subject, mutant, o.failures).string());
+    }
+    if (campaign.outcomes[i].end != Outcome::End::survived) continue;
     const auto kept = leave_survivor(subject, mutant, o.prover, o.failures);
     fmt::print("survived: {}, kept in: {}\n", subject.mutants()[mutant - 1], kept.string());
   }

@@ -64,6 +64,8 @@ class Subject {
   /// where RTL and model differ without a mutant.
   virtual void attack(const std::vector<unsigned>& mutants, std::size_t first, std::size_t last,
                       unsigned threads, const Decide& killed) const = 0;
+  /// One case on one of them, on the calling thread; open where it does not kill it.
+  virtual Outcome attack(unsigned mutant, const Case& one) const = 0;
 };
 
 /// The program around a subject, whose --help says what it takes. The exit status.

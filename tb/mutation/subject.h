@@ -47,16 +47,19 @@ class VerilatedSubject : public Subject {
       return true;
     });
   }
-  /// One of them, on the calling thread; open where no case kills it.
+  /// One of them with these cases; open where none kills it.
   Outcome attack(unsigned mutant, std::size_t first, std::size_t last) const {
-    choose(mutant);
     for (std::size_t i = first; i < last; ++i) {
-      const Case& one = cases().all[i];
-      if (const Run run = one.run(); run.mismatch) {
-        return {Outcome::End::killed, one.name, run.mismatch->clock, run.mismatch->signal};
-      }
+      Outcome outcome = attack(mutant, cases().all[i]);
+      if (outcome.end != Outcome::End::open) return outcome;
     }
     return {};
+  }
+  Outcome attack(unsigned mutant, const Case& one) const override {
+    choose(mutant);
+    const Run run = one.run();
+    if (!run.mismatch) return {};
+    return {Outcome::End::killed, one.name, run.mismatch->clock, run.mismatch->signal};
   }
 
  private:

@@ -34,7 +34,7 @@ Judge::Judge(const MachineFormula& machine, const nets::Model* model, Asking ask
   if (asking_.engines.empty()) throw InputError(machine.design + ": needs another engine than cec");
 }
 
-void Judge::require_reached() {
+void Judge::ask_reached() {
   std::call_once(once_, [&] {
     const Claim reached = reached_claim(machine_, model_);
     const Decision stays = decide({&reached}, asking_).front();
@@ -43,9 +43,7 @@ void Judge::require_reached() {
         throw InputError("needs " + to_text(o.engine));
       }
     }
-    if (!stays.proved) {
-      throw InputError(fmt::format("{}: {}: {}", machine_.design, reached.what, stays.verdict));
-    }
+    if (!stays.proved) not_reached_ = reached.what + ": " + stays.verdict;
   });
 }
 
@@ -84,7 +82,10 @@ std::vector<std::vector<Opinion>> Judge::opinions_of_abc(
 }
 
 std::vector<Judged> Judge::judge(const fs::path& verilog, const std::vector<unsigned>& numbers) {
-  require_reached();
+  ask_reached();
+  if (!not_reached_.empty()) {
+    return std::vector(numbers.size(), Judged{false, false, false, "UNDECIDED: " + not_reached_});
+  }
   const bool asks_abc =
       std::count(asking_.engines.begin(), asking_.engines.end(), Engine::cec) != 0;
   std::vector<Engine> others = asking_.engines;

@@ -25,13 +25,14 @@ class Judge {
   /// `model`: the machine as nets; null where yosys-abc is not to be asked. Both must outlive it.
   Judge(const MachineFormula& machine, const nets::Model* model, Asking asking);
 
-  /// Those of a Verilog file as of Mutants. May be called from several threads. InputError where an
+  /// Those of a Verilog file as of Mutants; none is decided where what the model says of the states
+  /// that are reached is not proved. May be called from several threads. InputError where an
   /// engine or yosys is missing.
   std::vector<Judged> judge(const std::filesystem::path& verilog,
                             const std::vector<unsigned>& numbers);
 
  private:
-  void require_reached();
+  void ask_reached();
   std::vector<std::vector<Opinion>> opinions_of_abc(const std::filesystem::path& verilog,
                                                     const std::vector<unsigned>& numbers) const;
   Judged judged_by(const Claim& step, const Claim& base_case, std::vector<Opinion> opinions,
@@ -41,6 +42,7 @@ class Judge {
   const nets::Model* model_;
   Asking asking_;
   std::once_flag once_;
+  std::string not_reached_;  // why what is said of all states reached does not hold by induction
 };
 
 }  // namespace cosim::proof

@@ -21,3 +21,5 @@ if [[ $solvers ]]; then
   refuted=(decade_run/failures/decade-FAULT1-*)
   ends 1 replay "${refuted[0]}"
 fi
+# So is a mutant that only a number above nine would show.
+[[ ! $solvers ]] || ends 0 mutate decade FAULT=0 --mutants 100 --failures decade_failures

@@ -1,0 +1,63 @@
+#include "tb/mutation/from_reset.h"
+
+#include <fmt/core.h>
+
+#include "tb/bench/stimulus_text.h"
+#include "tb/proof/from_reset.h"
+#include "tb/report/failure.h"
+#include "tb/support/place.h"
+#include "tb/support/process.h"
+#include "tb/support/replace_file.h"
+
+namespace cosim::mutation {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The mutant and the model, from reset.
+proof::FromReset product_of(const Subject& subject, const proof::BuiltMachine& machine,
+                            unsigned mutant) {
+  const Scratch scratch;
+  const auto verilog = scratch.path() / "mutants.v";
+  subject.write_verilog({mutant}, verilog);
+  const nets::Model model = machine.nets();
+  proof::Source source{{fs::absolute(verilog)}, machine.source.top, {}};
+  source.asynchronous_reset = !model.machine.seen.empty();
+  source.clocks_are_inputs = model.machine.clocks_are_inputs;
+  for (const nets::Wire& w : model.machine.registers) {
+    if (w.field.index <= 0) source.kept.push_back(net_path(w.field.net).path);
+  }
+  return {model, proof::RtlNets(source), {{"mutsel", mutant}}};
+}
+
+}  // namespace
+
+fs::path stimulus_of(const Subject& subject, unsigned mutant, const fs::path& root) {
+  return root / (failure_name(subject.bench(), fmt::format("mutant {}", mutant)) + ".stim");
+}
+
+Outcome from_reset(const Subject& subject, const proof::BuiltMachine& machine, unsigned mutant,
+                   std::chrono::seconds limit, const fs::path& root) {
+  const AnyBench& bench = subject.bench();
+  const auto found = product_of(subject, machine, mutant)
+                         .ask(proof::Happens::differ, std::chrono::steady_clock::now() + limit, 1);
+  if (found.reached.ever == proof::Ever::never) return {Outcome::End::equivalent, "", 0, ""};
+  if (found.reached.ever == proof::Ever::open) return {};
+  Stimulus stimulus{bench.title(), fmt::format("kills mutant {}", mutant), 1, {}, found.clocks};
+  // What no reset reaches is as it powers up.
+  constexpr std::uint32_t power_ups = 16;
+  for (; stimulus.power_up <= power_ups; ++stimulus.power_up) {
+    const Case one{fmt::format("{}, by {}", from_reset_case, found.reached.by),
+                   [&] { return bench.replay(stimulus); },
+                   [&](const Watch& watch) { bench.watch_stimulus(stimulus, watch); },
+                   stimulus.power_up};
+    Outcome outcome = subject.attack(mutant, one);
+    if (outcome.end != Outcome::End::killed) continue;
+    fs::create_directories(root);
+    replace_file(stimulus_of(subject, mutant, root).string(), to_text(stimulus, bench));
+    return outcome;
+  }
+  return {};
+}
+
+}  // namespace cosim::mutation

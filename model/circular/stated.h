@@ -1,4 +1,4 @@
-// What is true of the circular machine's state at all times, and what may happen on a clock of it.
+// What is true of the circular machine's state at all times, and what must happen on a clock of it.
 #pragma once
 
 #include <array>
@@ -35,41 +35,62 @@ constexpr std::array<Stated<V>, 6> parts(const Params&, const State<V>& s) {
            {"diagonal in sector 2", s.f > V(0)}}};
 }
 
-/// Each must be possible.
+/// Each must be possible, and must happen under the stimuli.
 template <class V>
-constexpr auto cases(const Params&, const State<V>& s, const Inputs<V>& in) {
+constexpr auto cases(const Params& p, const State<V>& s, const Inputs<V>& in) {
   using Flag = Condition<V>;
   const Flag reset = is_set(in.rst);
-  const Flag stop = is_set(in.stop) & is_set(s.t4) & !reset;
+  const Flag stop = is_set(in.stop) & !reset;
   const Flag quiet = !(reset | is_set(in.stop));
-  const Flag running = quiet & is_set(s.t4);
-  const Flag idle = quiet & !is_set(s.t4);
-  const Flag sector2 = is_set(s.t16);
-  const Flag end = s.ct7 < V(0);
-  const Flag step = running & !end;
-  const Flag past = s.ct8 < V(0);
+  const Flag waits = !is_set(s.t4);
+  const Flag end = is_set(s.t4) & (s.ct7 < V(0));
+  const Flag past = is_set(s.t4) & !end & !is_set(s.t16) & (s.ct8 < V(0));
+  const Flag sector1 = is_set(s.t4) & !end & !is_set(s.t16) & !past;
+  const Flag sector2 = is_set(s.t4) & !end & is_set(s.t16);
   const Flag odd = bit(s.ct8, 0);
   const Flag outside = s.f > V(0);
   const Flag start = is_set(in.start);
   const Flag load = is_set(in.load);
-  return std::array<Stated<V>, 17>{
-      {{"reset", reset},
-       {"stop in sector 1", stop & !sector2},
+  const Flag begins = quiet & waits & start;
+  const State<V> first = idle(p, s, in);
+  const Flag in2 = is_set(first.t16);
+  const Flag level = first.ct8 == V(0);
+  const Flag from0 = begins & !in2 & (first.ct7 == V(0)) & level;
+  return std::array<Stated<V>, 33>{
+      {{"reset while idle", reset & waits},
+       {"reset in sector 1", reset & sector1},
+       {"reset in sector 2", reset & sector2},
+       {"reset on the sector change", reset & past},
+       {"reset at the end of an arc", reset & end},
+       {"stop while idle", stop & waits},
+       {"stop in sector 1", stop & sector1},
        {"stop in sector 2", stop & sector2},
-       {"stop on the sector change", stop & !sector2 & past},
-       {"load", idle & load & !start},
-       {"load and start at once", idle & load & start},
-       {"start in sector 1", idle & start & !sector2 & !is_set(in.sector2)},
-       {"start in sector 2", idle & start & is_set(in.sector2)},
-       {"load while running", running & load},
-       {"start while running", running & start},
-       {"straight step in sector 1", step & !sector2 & !past & outside},
-       {"diagonal step in sector 1", step & !sector2 & !past & !outside},
-       {"variant -1", step & !sector2 & past & odd},
-       {"variant -2", step & !sector2 & past & !odd},
-       {"straight step in sector 2", step & sector2 & !outside},
-       {"diagonal step in sector 2", step & sector2 & outside},
-       {"the end of the arc", running & end}}};
+       {"stop on the sector change", stop & past},
+       {"stop at the end of an arc", stop & end},
+       {"load", quiet & waits & load & !start},
+       {"load and start at once", begins & load},
+       {"load of the other zero", quiet & waits & load & (in.ct7 == V(ones(p.width + 1)))},
+       {"start in sector 1", begins & !in2},
+       {"start in sector 2", begins & in2},
+       {"start with sector 2 set at once", begins & is_set(in.sector2)},
+       {"start at X = Y", begins & in2 & level & !(first.ct7 < V(0))},
+       // From (1, 0): F = R - 1.25 = -0.25.
+       {"start of R = 1", from0 & (first.f == V(-1))},
+       {"start with nothing loaded", from0 & (first.f == V(3))},
+       {"start with CT7 < 0", begins & (first.ct7 < V(0))},
+       {"load while running", quiet & !waits & load},
+       {"start while running", quiet & !waits & start},
+       {"sector 2 set while running in sector 1", quiet & sector1 & is_set(in.sector2)},
+       {"straight step in sector 1", quiet & sector1 & outside},
+       {"diagonal step in sector 1", quiet & sector1 & !outside},
+       {"into variant -1 by a straight step", quiet & sector1 & outside & (s.ct8 == V(0))},
+       {"into variant -1 by a diagonal step", quiet & sector1 & !outside & (s.ct8 == V(1))},
+       {"into variant -2", quiet & sector1 & !outside & (s.ct8 == V(0))},
+       {"variant -1", quiet & past & odd},
+       {"variant -2", quiet & past & !odd},
+       {"straight step in sector 2", quiet & sector2 & !outside},
+       {"diagonal step in sector 2", quiet & sector2 & outside},
+       {"the end of an arc", quiet & end}}};
 }
 
 }  // namespace cosim::circular

@@ -1,4 +1,4 @@
-// What is true of the linear machine's state at all times, and what may happen on a clock of it.
+// What is true of the linear machine's state at all times, and what must happen on a clock of it.
 #pragma once
 
 #include <array>
@@ -30,35 +30,61 @@ constexpr std::array<Stated<V>, 0> parts(const Params&, const State<V>&) {
   return {};
 }
 
-/// Each must be possible.
+/// Each must be possible, and must happen under the stimuli.
 template <class V>
 constexpr auto cases(const Params& p, const State<V>& s, const Inputs<V>& in) {
   using Flag = Condition<V>;
   const Flag reset = is_set(in.reset);
+  const Flag set = !reset & !is_set(in.initial_set_n);
   const Flag quiet = is_set(in.initial_set_n) & !reset;
   const Flag running = is_set(s.running);
   const Flag idle = quiet & !running;
-  const Flag draws = quiet & is_set(s.formed);
-  const Flag last = draws & !(s.left > V(p.word()));
+  const Flag forming = running & !is_set(s.formed);
+  const Flag word = is_set(s.formed);
+  const Flag last = word & !(s.left > V(p.word()));
+  const Flag between = word & (s.left > V(p.word()));
+  const Flag none_left = s.left == V(0);
   const Flag bp = is_set(in.write_bp);
   const Flag uk = is_set(in.write_uk);
   const Flag start = is_set(in.start);
-  return std::array<Stated<V>, 15>{
-      {{"reset", reset},
-       {"reset on the last word", reset & is_set(s.formed) & !(s.left > V(p.word()))},
-       {"initial set", running & !reset & !is_set(in.initial_set_n)},
+  const Flag coded = is_set(s.coded);
+  const Flag begins = idle & start & coded & !bp & !uk;
+  const Flag whole = low_bits(s.left, p.gamma()) == V(0);
+  const Flag code0 = (s.low_code == V(0)) & (s.pattern == V(0));
+  const Flag code1 = (s.low_code == V(ones(p.n))) & (s.pattern == V(ones(p.word() - 1)));
+  return std::array<Stated<V>, 32>{
+      {{"reset with no code", reset & !running & !coded},
+       {"reset with a code", reset & !running & coded},
+       {"reset before the first word", reset & forming},
+       {"reset between words", reset & between},
+       {"reset on the last word", reset & last},
+       {"initial set while idle", set & !running},
+       {"initial set before the first word", set & forming},
+       {"initial set between words", set & between},
+       {"initial set on the last word", set & last},
        {"BP written", idle & bp & !uk},
        {"UK written", idle & uk & !bp},
+       {"UK written twice", idle & uk & !bp & coded},
+       {"UK written with no new BP", idle & uk & !bp & !coded & none_left},
        {"BP and UK written at once", idle & bp & uk},
-       {"start", idle & start & is_set(s.coded) & !bp & !uk},
-       {"start with no code", idle & start & !is_set(s.coded) & !bp & !uk},
+       {"start on the clock of a write", idle & start & uk & coded},
+       {"start with no code", idle & start & !coded & !bp & !uk},
+       {"start", begins},
+       {"start of BP = 0", begins & none_left},
+       {"start of BP = 1", begins & (s.left == V(1))},
+       {"start of BP = 2^m - 1", begins & (s.left == V(ones(p.m)))},
+       {"start of BP a multiple of 2^gamma", begins & whole & !none_left},
+       {"start of BP no multiple of 2^gamma", begins & !whole},
+       {"start with counter 4 at 2^n", begins & (registers(p, s).counter4 == V(ones(p.n) + 1))},
+       {"start of UK all zeros", begins & code0},
+       {"start of UK all ones", begins & code1},
        {"BP written while running", quiet & running & bp},
        {"UK written while running", quiet & running & uk},
        {"start while running", quiet & running & start},
-       {"the first word", quiet & running & !is_set(s.formed) & (s.left > V(0))},
-       {"a line of no words", quiet & running & !is_set(s.formed) & (s.left == V(0))},
-       {"a word that is not the last", draws & (s.left > V(p.word()))},
-       {"the last word", last}}};
+       {"the first word", quiet & forming & !none_left},
+       {"a line of no words", quiet & forming & none_left},
+       {"a word that is not the last", quiet & between},
+       {"the last word", quiet & last}}};
 }
 
 }  // namespace cosim::linear

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "model/core/input_error.h"
@@ -27,7 +28,7 @@ using Benches = std::vector<const AnyBench*>;
 struct CoverOptions {
   Common common;
   std::vector<std::string> words;
-  Text hostile, random;
+  Text hostile, random, counts;
 };
 
 bool is_toggle(const Point& p) { return p.kind == "toggle"; }
@@ -63,28 +64,30 @@ std::vector<std::string> never_reached(const Points& points) {
     const char* what = is_toggle(p) ? "never toggles" : is_cover(p) ? "never holds" : "never runs";
     lines.push_back(fmt::format("{}:{}: {}: {}", p.file, p.line, what, p.what));
   }
-  for (const auto& bin : points.bins) {
-    if (bin.hits == 0) lines.push_back("never happens: " + bin.name);
+  for (const auto& one : points.cases) {
+    if (one.hits == 0) lines.push_back("never happens: " + one.name);
   }
   return lines;
 }
 
 Json covered(const CoverOptions& o, const Registry& registry, const Benches& benches,
              std::uint64_t clocks, std::uint64_t jobs) {
-  const Scratch counts;
+  const Scratch scratch;
+  const std::string design = benches.front()->design();
+  const std::string counts = o.counts.value_or(scratch.path().string()) + '/' + design;
+  std::filesystem::create_directory(counts);
   bool differed = false;
   for (const AnyBench* bench : benches) {
     const OnDemand& program = on_demand(registry.covers(), bench->built_as());
     build(registry, program);
-    const Ended ended = cosim::run_program({path_of(program), counts.path().string(),
-                                            fmt::format("{}", o.common.seed()),
-                                            fmt::format("{}", clocks), fmt::format("{}", jobs)});
+    const Ended ended =
+        cosim::run_program({path_of(program), counts, fmt::format("{}", o.common.seed()),
+                            fmt::format("{}", clocks), fmt::format("{}", jobs)});
     if (ended.status > 1) throw InputError(ended.text.substr(0, ended.text.find('\n')));
     differed = differed || ended.status == 1;
     fmt::print("{}", ended.text);
   }
-  const Points points = coverage::read_points(counts.path().string());
-  const std::string design = benches.front()->design();
+  const Points points = coverage::read_points(counts);
   Json json{{"design", design}, {"shapes", benches.size()}, {"differs", differed}};
   std::string text;
   for (const Kind& kind : point_kinds) {
@@ -94,9 +97,9 @@ Json covered(const CoverOptions& o, const Registry& registry, const Benches& ben
     add_part(text, json, kind.name, static_cast<std::uint64_t>(reached),
              static_cast<std::uint64_t>(all));
   }
-  const auto hit = std::count_if(points.bins.begin(), points.bins.end(),
-                                 [](const auto& bin) { return bin.hits != 0; });
-  add_part(text, json, "cases", static_cast<std::uint64_t>(hit), points.bins.size());
+  const auto hit = std::count_if(points.cases.begin(), points.cases.end(),
+                                 [](const auto& one) { return one.hits != 0; });
+  add_part(text, json, "cases", static_cast<std::uint64_t>(hit), points.cases.size());
   fmt::print("{}, {}: reached {}\n", design, count(benches.size(), "shape"), text);
   const auto left = never_reached(points);
   for (const std::string& line : left) fmt::print("{}\n", line);
@@ -111,6 +114,11 @@ int run(const CoverOptions& o, const Registry& registry) {
   const std::uint64_t jobs = whole("--random", o.random.value_or("1000"), 1, most);
   const Benches chosen = chosen_shapes(o.words);
   check_outputs(o.common);
+  std::error_code error;
+  if (o.counts && !std::filesystem::create_directories(*o.counts, error)) {
+    throw InputError("--counts: " + *o.counts + ": " +
+                     (error ? error.message() : "is there already"));
+  }
   Json all = Json::array();
   bool reached = true;
   for (auto first = chosen.begin(); first != chosen.end();) {
@@ -137,6 +145,8 @@ void add_cover(const Command& program, const Registry& registry) {
                "How many hostile clocks each shape gets; default 100000");
   command.text("--random", o->random, "JOBS",
                "How many random jobs, where the design declares some; default 1000");
+  command.text("--counts", o->counts, "FOLDER",
+               "Leave the counts there, for verilator_coverage; one that is not there yet");
   add_common(command, o->common);
   command.footer(fmt::format(
       "Lines, toggles of each bit and cover statements are counted by Verilator, over all "

@@ -20,6 +20,5 @@ function(cosim_shape_cover)
     COMMENT "Counters for ${TITLE}")
   configure_file(${root}/tb/coverage/named_cover_of.cpp.in ${FOLDER}/cover_of.cpp @ONLY)
   cosim_on_demand(cover ${FOLDER}/counted.cpp)
-  target_compile_definitions(cover_${ID} PRIVATE
-    COSIM_COVERAGE COSIM_COVERAGE_OF_CASES VM_COVERAGE=1)
+  target_compile_definitions(cover_${ID} PRIVATE COSIM_COVERAGE VM_COVERAGE=1)
 endfunction()

@@ -62,19 +62,19 @@ Points read_points(const std::string& folder) {
   for (const auto& file : fs::directory_iterator(folder)) paths.insert(file.path());
   for (const fs::path& path : paths) {
     const std::string name_of_file = path.filename().string();
-    const bool bins = name_of_file.starts_with("bins.");
+    const bool cases = name_of_file.starts_with("cases.");
     const bool before = name_of_file.starts_with("before.");
     std::istringstream lines(read_file(path.string()));
     for (std::string line; std::getline(lines, line);) {
-      if (bins) {
+      if (cases) {
         // DESIGN, name and hits, a tabulator between two.
         const std::size_t name = line.find('\t') + 1, hits = line.rfind('\t') + 1;
         const Count count{line.substr(name, hits - 1 - name),
                           number_in<std::uint64_t>(line.substr(hits), line)};
-        const auto same = std::find_if(all.bins.begin(), all.bins.end(),
+        const auto same = std::find_if(all.cases.begin(), all.cases.end(),
                                        [&](const Count& c) { return c.name == count.name; });
-        if (same == all.bins.end()) {
-          all.bins.push_back(count);
+        if (same == all.cases.end()) {
+          all.cases.push_back(count);
         } else {
           same->hits += count.hits;
         }

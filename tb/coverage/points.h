@@ -1,4 +1,4 @@
-// What Verilator and the bins of a model have counted, read out of the files that counted runs
+// What Verilator and the cases of a model have counted, read out of the files that counted runs
 // left.
 #pragma once
 
@@ -20,8 +20,8 @@ struct Point {
 };
 
 struct Points {
-  std::vector<Point> rtl;   ///< by file, line and column
-  std::vector<Count> bins;  ///< in the order in which they were found
+  std::vector<Point> rtl;    ///< by file, line and column
+  std::vector<Count> cases;  ///< in the order in which they were found
 };
 
 /// The sums over all files in the folder: a place is the same in every instance and shape. What a

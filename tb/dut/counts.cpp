@@ -15,7 +15,7 @@ std::string file_for(const std::string& what, int number) {
 }
 
 void leave(const std::string& design, const std::vector<Count>& counts) {
-  const std::string path = file_for("bins", 0);
+  const std::string path = file_for("cases", 0);
   if (path.empty()) return;
   std::ofstream file(path, std::ios::app);
   for (const Count& count : counts) {

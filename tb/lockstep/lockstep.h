@@ -120,7 +120,7 @@ class Lockstep {
     // One word from here on: else each register's difference waits on the stack for the outputs'.
     asm("" : "+r"(bits));
     const auto step = clocked<Design, Word>(dut_.params, state_, in);
-    coverage::count<Adapter>(dut_.params, seen, in, step);
+    coverage::count<Design>(dut_.params, seen, in);
     copy_fields(dut_.params, expected_.outputs, step.outputs);
     if constexpr (CompareMask<Design>::any) {
       mask_.clock(dut_.params, seen, in, step.outputs);

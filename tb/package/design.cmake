@@ -164,6 +164,7 @@ function(cosim_add_design NAME)
       set(${list} "\"${${list}}\"")
     endif()
   endforeach()
+  find_program(COSIM_PERL perl REQUIRED)
   string(TOLOWER "${D_UNPROVED}" UNPROVED)  # true or false, for C++
 
   get_property(root GLOBAL PROPERTY COSIM_ROOT)
@@ -172,10 +173,12 @@ function(cosim_add_design NAME)
   cosim_verilated_library(${NAME}_verilated)
   cosim_verilated_library(${NAME}_open)
   target_compile_options(${NAME}_open PRIVATE -O1)
-  set(coverage)
-  if(COSIM_COVERAGE)
-    set(coverage COVERAGE)
-  endif()
+  # What looks like a name that a model may have, and is none, is an error when it is built.
+  set(names ${CMAKE_CURRENT_BINARY_DIR}/${NAME}.names)
+  add_custom_command(OUTPUT ${names} DEPFILE ${names}.d VERBATIM
+    COMMAND ${COSIM_PERL} ${root}/tb/package/design_names.pl ${names} ${root} ${model}
+    DEPENDS ${root}/tb/package/design_names.pl COMMENT "Names of ${NAME}")
+  target_sources(${NAME}_verilated PRIVATE ${names})
   set(SHAPES "")
   set(VERILATED_INCLUDES "")
   set(ADD_BENCHES "")
@@ -213,7 +216,7 @@ function(cosim_add_design NAME)
     endif()
     list(APPEND verilated_options -Wno-fatal --x-initial unique --x-assign unique --assert --vpi)
     cosim_control_file(control ${ID} "${rtl_of_registers}" "${model_text}")
-    verilate(${NAME}_verilated ${coverage} PREFIX V${ID} TOP_MODULE ${TOP}
+    verilate(${NAME}_verilated PREFIX V${ID} TOP_MODULE ${TOP}
       SOURCES ${control} ${verilated} VERILATOR_ARGS ${verilated_options} -O3)
     verilate(${NAME}_open PREFIX I${ID} TOP_MODULE ${TOP}
       SOURCES ${verilated} VERILATOR_ARGS ${verilated_options} --public-flat-rw)

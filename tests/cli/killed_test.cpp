@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "tb/dut/counts.h"
 #include "tests/cli/checkpoint.h"
 #include "tests/support/sanitized.h"
 
@@ -16,7 +15,7 @@ using namespace std::string_literals;
 
 constexpr int kKills = 20;
 // Some seconds of work.
-constexpr std::uint64_t kClocks = coverage::measured || test::sanitized ? 900'000 : 9'000'000;
+constexpr std::uint64_t kClocks = test::slow ? 900'000 : 9'000'000;
 
 class KilledSweep : public testing::Test {
  protected:

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # broken_test.sh PREFIX
 #
-# One design that cannot be used stops nothing of the others of its program, and where it is asked for
-# it ends in its line: one whose table lacks a register, and one that yosys cannot read. PREFIX: where
-# the harness is installed. Status: 0 so, 1 not.
+# A misspelt name of what a model may have stops the build. One design that cannot be used stops nothing
+# of the others of its program, and where it is asked for it ends in its line: one whose table lacks a
+# register, and one that yosys cannot read. PREFIX: where the harness is installed. Status: 0 so, 1 not.
 set -euo pipefail
 
 prefix=$(realpath "$1")
@@ -29,6 +29,13 @@ if ! cmake -S . -B build -G Ninja "-DCMAKE_PREFIX_PATH=$prefix" > log 2>&1 ||
   exit 1
 fi
 program=$scratch/build/counter_cosim
+
+# A misspelt name stops the build.
+sed -i 's/reset_inputs/reset_input/' counter.h
+if cmake --build build > said 2>&1; then fails "it does not build"; fi
+says "counter.h:30: reset_input in struct Design means nothing: is reset_inputs meant?"
+sed -i 's/reset_input\b/reset_inputs/' counter.h
+cmake --build build > log 2>&1 || fails "it builds again"
 
 line="counter_cosim: lacking W=4: the RTL has a register more that no table names and that is not in \
 unobserved"

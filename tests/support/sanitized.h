@@ -1,5 +1,5 @@
 // What a build for the sanitizers cannot be held to: it is several times slower, and its memory is
-// not the program's alone.
+// not the program's alone. One that counts its lines is slow as well.
 #pragma once
 
 namespace cosim::test {
@@ -8,6 +8,11 @@ namespace cosim::test {
 inline constexpr bool sanitized = true;
 #else
 inline constexpr bool sanitized = false;
+#endif
+#ifdef COSIM_COUNTED
+inline constexpr bool slow = true;
+#else
+inline constexpr bool slow = sanitized;
 #endif
 
 /// Bytes: 256 MiB of what was freed are kept back, and all has a shadow.

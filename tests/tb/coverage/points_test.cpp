@@ -49,7 +49,7 @@ TEST_F(CoveragePoints, OfAllInstancesAndFilesAreAddedUp) {
   EXPECT_EQ(all.rtl[1].hits, 12);
   EXPECT_EQ(all.rtl[2].what, "count[4]");
   EXPECT_EQ(all.rtl[2].hits, 0);
-  EXPECT_TRUE(all.bins.empty());
+  EXPECT_TRUE(all.cases.empty());
 }
 
 TEST_F(CoveragePoints, ToggledByTheStimuliOnly) {
@@ -65,15 +65,15 @@ TEST_F(CoveragePoints, ToggledByTheStimuliOnly) {
   EXPECT_EQ(all.rtl[1].hits, 0);
 }
 
-TEST_F(CoveragePoints, SoAreBins) {
-  write("bins.12.0", "part\ta byte is sent\t3\npart\ta byte waits\t0\n");
-  write("bins.13.0", "part\ta byte is sent\t4\npart\ta byte waits\t0\n");
+TEST_F(CoveragePoints, SoAreCases) {
+  write("cases.12.0", "part\ta byte is sent\t3\npart\ta byte waits\t0\n");
+  write("cases.13.0", "part\ta byte is sent\t4\npart\ta byte waits\t0\n");
   const Points all = read();
-  ASSERT_EQ(all.bins.size(), 2);
-  EXPECT_EQ(all.bins[0].name, "a byte is sent");
-  EXPECT_EQ(all.bins[0].hits, 7);
-  EXPECT_EQ(all.bins[1].name, "a byte waits");
-  EXPECT_EQ(all.bins[1].hits, 0);
+  ASSERT_EQ(all.cases.size(), 2);
+  EXPECT_EQ(all.cases[0].name, "a byte is sent");
+  EXPECT_EQ(all.cases[0].hits, 7);
+  EXPECT_EQ(all.cases[1].name, "a byte waits");
+  EXPECT_EQ(all.cases[1].hits, 0);
 }
 
 TEST_F(CoveragePoints, AnotherTextIsNone) {

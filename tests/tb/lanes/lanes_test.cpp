@@ -150,7 +150,7 @@ TYPED_TEST(LanesOf, SumUpToTheSweepOfOneCaseAtATime) {
 TYPED_TEST(LanesOf, MatchOnTenThousandMillionClocks) {
   const int lanes = lanes::widest();
   std::uint64_t clocks = lanes == 512 ? 10'000'000'000 : lanes == 256 ? 2'000'000'000 : 100'000'000;
-  if (coverage::measured || sanitized) clocks /= 100;
+  if (slow) clocks /= 100;
   const AnyBench& bench = smallest<TypeParam>();
   const Result result =
       expect_match(lanes::hostile_sweep(bench, lanes_of(bench, lanes), 1, clocks));

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "tests/careless/commands.h"
+#include "tests/support/child.h"
 
 namespace cosim::careless {
 
-enum class Stream { file, closed, full, gone };  ///< gone: a pipe that nobody reads
+using test::Stream;
 
 struct Case {
   std::vector<std::string> arguments;

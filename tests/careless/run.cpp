@@ -1,6 +1,5 @@
 #include "tests/careless/run.h"
 
-#include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -14,79 +13,29 @@
 #include <stdexcept>
 #include <thread>
 
+#include "tests/support/child.h"
+
 namespace cosim::careless {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds;
 
-void open_as(int stream, const std::string& path, int how) {
-  const int file = open(path.c_str(), how, 0600);
-  if (file < 0) _exit(125);
-  if (file != stream) {
-    dup2(file, stream);
-    close(file);
-  }
-}
-
-void direct(Stream kind, int stream, const std::string& path) {
-  switch (kind) {
-    case Stream::file:
-      return open_as(stream, path, O_WRONLY | O_CREAT | O_TRUNC);
-    case Stream::closed:
-      close(stream);
-      return;
-    case Stream::full:
-      return open_as(stream, "/dev/full", O_WRONLY);
-    case Stream::gone: {
-      int ends[2];
-      if (pipe(ends) != 0) _exit(125);
-      close(ends[0]);
-      dup2(ends[1], stream);
-      close(ends[1]);
-      return;
-    }
-  }
-}
-
 void limit(int what, long most) {
   const rlimit both{static_cast<rlim_t>(most), static_cast<rlim_t>(most)};
   setrlimit(what, &both);
 }
 
-[[noreturn]] void become(const std::string& program, const Case& one, const Scratch& scratch,
-                         const std::string& streams) {
+// What the case has of its own: a folder, a home, and no more than so large files.
+void prepare(const Case& one, const Scratch& scratch) {
   setpgid(0, 0);
   if (chdir(scratch.work().c_str()) != 0) _exit(125);
   setenv("TMPDIR", (scratch.folder() / "tmp").c_str(), 1);
   setenv("HOME", (scratch.folder() / "home").c_str(), 1);
   unsetenv("COSIM_FAILURES");
   setenv("CCACHE_DISABLE", "1", 1);  // a compiler's cache is its user's, and outlives a kill
-  direct(one.out, STDOUT_FILENO, streams + ".out");
-  direct(one.err, STDERR_FILENO, streams + ".err");
-  if (one.in == Stream::file) {
-    open_as(STDIN_FILENO, "/dev/null", O_RDONLY);
-  } else {
-    close(STDIN_FILENO);
-  }
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_FSIZE, one.largest_file != 0 ? one.largest_file : longest_output);
-  std::vector<char*> argv{const_cast<char*>(program.c_str())};
-  for (const std::string& a : one.arguments) argv.push_back(const_cast<char*>(a.c_str()));
-  argv.push_back(nullptr);
-  execv(program.c_str(), argv.data());
-  _exit(126);
-}
-
-// Whether the child ended in that time.
-bool ends_within(pid_t child, milliseconds time, int& status, rusage& used) {
-  const auto end = Clock::now() + time;
-  for (auto nap = std::chrono::microseconds(500);; nap = std::min(2 * nap, nap.max())) {
-    if (wait4(child, &status, WNOHANG, &used) == child) return true;
-    if (Clock::now() >= end) return false;
-    std::this_thread::sleep_for(std::min<Clock::duration>(
-        {nap, milliseconds(10), std::max<Clock::duration>(end - Clock::now(), milliseconds(0))}));
-  }
 }
 
 // Children of a child that is gone have become ours. A killed one takes a moment.
@@ -127,26 +76,23 @@ void adopt() {
 Came run(const std::string& program, const Case& one, const Scratch& scratch) {
   const std::string streams = scratch.folder().string();
   const auto begin = Clock::now();
-  const pid_t child = fork();
-  if (child < 0) throw std::runtime_error("fork");
-  if (child == 0) become(program, one, scratch, streams);
+  test::Child child(program, one.arguments,
+                    {one.in, one.out, one.err, streams + ".out", streams + ".err"},
+                    [&] { prepare(one, scratch); });
   Came came;
-  int status = 0;
-  rusage used{};
-  if (!ends_within(child, milliseconds(one.after), status, used)) {
+  if (!child.ends_within(milliseconds(one.after))) {
     came.signalled = true;
-    kill(child, one.signal);
-    if (!ends_within(child, milliseconds(patience), status, used)) {
+    child.signal(one.signal);
+    if (!child.ends_within(milliseconds(patience))) {
       came.hung = true;
-      kill(child, SIGKILL);
-      wait4(child, &status, 0, &used);
+      child.signal(SIGKILL);
     }
   }
+  came.status = child.status();
   came.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   came.left = count_left();
   if (came.left != 0) end_left();
-  came.status = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
-  came.peak = used.ru_maxrss * 1024;
+  came.peak = child.peak();
   came.out = end_of(streams + ".out");
   came.err = end_of(streams + ".err");
   return came;

@@ -54,54 +54,10 @@ void check_kind(const SweepOptions& o) {
   }
 }
 
-// All that is to be swept, each with the bench it runs on.
-std::vector<std::pair<const AnyBench*, Sweep>> planned(const SweepOptions& o,
-                                                       const Benches& benches) {
-  const std::uint64_t seed = o.common.seed();
-  const std::uint64_t cases = o.random ? whole("--random", *o.random, 1, most_cases) : 0;
-  const std::uint64_t clocks = o.hostile ? whole("--hostile", *o.hostile, 1, most_cases) : 0;
-  const bool in_lanes = o.lanes && lanes_asked(o.lanes) != 0;
-  std::vector<std::pair<const AnyBench*, Sweep>> all;
-  for (const AnyBench* bench : benches) {
-    std::vector<Sweep> sweeps;
-    if (o.exhaustive) sweeps = o.design.exhaustive(*bench, in_lanes);
-    if (o.random) sweeps = {o.design.random(*bench, seed, cases)};
-    if (o.hostile) sweeps = {hostile_sweep(*bench, seed, clocks)};
-    for (Sweep& sweep : sweeps) all.emplace_back(bench, std::move(sweep));
-  }
-  if (all.empty()) {
-    throw InputError("--exhaustive: too wide to try everything; take " + o.design.exhaustible);
-  }
-  if (in_lanes) {
-    for (const auto& [bench, sweep] : all) {
-      if (!o.hostile && !sweep.in_lanes) {
-        throw InputError(
-            fmt::format("{}, {}: its jobs are driven one case at a time only: --lanes 0",
-                        bench->title(), sweep.name));
-      }
-    }
-  }
-  return all;
-}
-
-// The same sweep, but it ends after the present case when it is interrupted, and it counts the
-// cases that matched.
-Sweep interruptible(const Sweep& sweep, std::atomic<std::uint64_t>& matched) {
-  Sweep all = sweep;
-  all.run = [run = sweep.run, &matched](std::uint64_t i) {
-    InterruptGuard::check();
-    Result result = run(i);
-    if (result.match()) ++matched;
-    return result;
-  };
-  if (!sweep.run_some) return all;
-  all.run_some = [run = sweep.run_some, &matched](std::uint64_t first, std::uint64_t count) {
-    InterruptGuard::check();
-    Result result = run(first, count);
-    matched += result.cases - (result.match() ? 0 : 1);
-    return result;
-  };
-  return all;
+Asked asked(const SweepOptions& o) {
+  return {o.exhaustive, o.random ? whole("--random", *o.random, 1, most_cases) : 0,
+          o.hostile ? whole("--hostile", *o.hostile, 1, most_cases) : 0, o.common.seed(),
+          o.lanes && lanes_asked(o.lanes) != 0};
 }
 
 // Ends an interrupted run. Finished sweeps have printed their lines already.
@@ -116,9 +72,12 @@ int run(const SweepOptions& o) {
   const Benches benches = matching(o.design.design, o.shape.shape());
   check_kind(o);
   const auto threads = o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores();
-  const std::uint64_t clocks = o.hostile ? whole("--hostile", *o.hostile, 1, most_cases) : 0;
-  const bool lanes = is_for_lanes(clocks, o.lanes);
-  const auto sweeps = planned(o, benches);
+  const Asked wanted = asked(o);
+  const bool lanes = is_for_lanes(wanted.hostile, o.lanes);
+  const Planned sweeps = planned(o.design, benches, wanted);
+  if (sweeps.empty()) {
+    throw InputError("--exhaustive: too wide to try everything; take " + o.design.exhaustible);
+  }
   check_outputs(o.common);
   if (lanes) form().become_full(registry());
   std::string work =
@@ -137,9 +96,10 @@ int run(const SweepOptions& o) {
     std::atomic<std::uint64_t> matched{0};
     try {
       const Sweep run =
-          lanes ? form().in_lanes(*bench, sweep, o.common.seed(), clocks, o.lanes) : sweep;
+          lanes ? form().in_lanes(*bench, sweep, wanted.seed, wanted.hostile, o.lanes) : sweep;
+      const auto ran = [&](const Result& one) { matched += one.cases - (one.match() ? 0 : 1); };
       const Result swept =
-          run_sweep(interruptible(run, matched), threads, progress.callback(), resume);
+          run_sweep(interruptible(run, ran), threads, progress.callback(), resume);
       outcomes.push_back({bench, sweep.name, swept});
     } catch (const Interrupted& interrupted) {
       const std::string text = fmt::format("{}: not finished; {} of {} matched", title,

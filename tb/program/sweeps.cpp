@@ -1,7 +1,12 @@
 #include "tb/program/sweeps.h"
 
+#include <fmt/core.h>
+
 #include <deque>
 #include <set>
+
+#include "model/core/input_error.h"
+#include "tb/support/interrupt.h"
 
 namespace cosim::cli {
 
@@ -29,6 +34,45 @@ const std::vector<const DesignSweeps*>& all_sweeps(const Registry& registry) {
     }
     return found;
   }();
+  return all;
+}
+
+Planned planned(const DesignSweeps& design, const std::vector<const AnyBench*>& benches,
+                const Asked& asked) {
+  Planned all;
+  for (const AnyBench* bench : benches) {
+    std::vector<Sweep> sweeps;
+    if (asked.exhaustive) sweeps = design.exhaustive(*bench, asked.lanes);
+    if (asked.random != 0) sweeps = {design.random(*bench, asked.seed, asked.random)};
+    if (asked.hostile != 0) sweeps = {hostile_sweep(*bench, asked.seed, asked.hostile)};
+    for (Sweep& sweep : sweeps) {
+      if (asked.lanes && asked.hostile == 0 && !sweep.in_lanes) {
+        throw InputError(fmt::format("{}, {}: its jobs are driven one case at a time, not in lanes",
+                                     bench->title(), sweep.name));
+      }
+      all.emplace_back(bench, std::move(sweep));
+    }
+  }
+  return all;
+}
+
+Sweep interruptible(const Sweep& sweep, const std::function<void(const Result&)>& ran) {
+  const auto told = [ran](Result result) {
+    if (ran) ran(result);
+    return result;
+  };
+  Sweep all = sweep;
+  all.run = [run = sweep.run, told](std::uint64_t i) {
+    InterruptGuard::check();
+    Result one = run(i);
+    one.cases = 1;
+    return told(std::move(one));
+  };
+  if (!sweep.run_some) return all;
+  all.run_some = [run = sweep.run_some, told](std::uint64_t first, std::uint64_t count) {
+    InterruptGuard::check();
+    return told(run(first, count));
+  };
   return all;
 }
 

@@ -1,7 +1,6 @@
 // What a task of a plan comes to: works, each of which is cut by the numbers of its units.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -20,8 +19,7 @@ struct Place {
   std::filesystem::path run;       ///< the run's folder
   std::filesystem::path prepared;  ///< where Work::prepare left what it made
   std::uint64_t shard = 0;
-  Checkpoint& checkpoint;          ///< of this part alone
-  std::chrono::milliseconds pace;  ///< between two checkpoints: a cluster's disk serves many
+  Checkpoint& checkpoint;  ///< of this part alone
 
   /// Folders of failures stand in it.
   std::filesystem::path failures() const { return run / "failures"; }

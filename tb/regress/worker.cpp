@@ -45,9 +45,10 @@ int run_shard(const RunFolder& run, const Work& work, std::uint64_t number,
   Line line{number, host(), 0, {}, ""};
   const auto began = Time::now();
   try {
-    Checkpoint checkpoint(kept.string(), fmt::format("shard {} of {}", number, run.identity()));
+    Checkpoint checkpoint(kept.string(), fmt::format("shard {} of {}", number, run.identity()),
+                          pace());
     line.result = work.run(shard.first, shard.last,
-                           {run.path(), run.prepared(shard.work), number, checkpoint, pace()});
+                           {run.path(), run.prepared(shard.work), number, checkpoint});
   } catch (const InputError& error) {
     line.error = error.what();
     complain(line.error);

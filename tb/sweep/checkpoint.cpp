@@ -34,7 +34,8 @@ const std::string& program_hash() {
   return hash;
 }
 
-Checkpoint::Checkpoint(std::string path, std::string work) : path_(std::move(path)) {
+Checkpoint::Checkpoint(std::string path, std::string work, std::chrono::milliseconds pace)
+    : path_(std::move(path)), pace_(pace) {
   if (path_.empty()) return;
   work_ = fmt::format("{}, program {}", work, program_hash());
   std::error_code none;
@@ -70,8 +71,7 @@ void Checkpoint::save(const Json& state) {
 }
 
 bool Checkpoint::due() const {
-  return !path_.empty() &&
-         std::chrono::steady_clock::now() - saved_ >= std::chrono::milliseconds(100);
+  return !path_.empty() && std::chrono::steady_clock::now() - saved_ >= pace_;
 }
 
 void Checkpoint::done() {

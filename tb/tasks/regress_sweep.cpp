@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 
 #include "model/core/input_error.h"
@@ -54,18 +53,8 @@ class SweepWork final : public regress::Work {
 // keep their numbers.
 Json SweepWork::run(std::uint64_t first, std::uint64_t last, const regress::Place& place) const {
   const Sweep all = in_prepared_lanes(bench_, sweep_, seed_, clocks_, place.prepared);
-  Sweep part = all;
+  Sweep part = interruptible(all);
   part.cases = last;
-  part.run = [&all](std::uint64_t i) {
-    InterruptGuard::check();
-    return all.run(i);
-  };
-  if (part.run_some) {
-    part.run_some = [&all](std::uint64_t i, std::uint64_t count) {
-      InterruptGuard::check();
-      return all.run_some(i, count);
-    };
-  }
   Resume resume;
   resume.done.cases = first;
   if (const auto state = place.checkpoint.state()) {
@@ -73,12 +62,9 @@ Json SweepWork::run(std::uint64_t first, std::uint64_t last, const regress::Plac
     resume.done = result_from(*state, bench_);
   }
   Result done = resume.done;
-  auto saved = std::chrono::steady_clock::now();
   resume.keep = [&](const Result& now) {
     done = now;
-    if (std::chrono::steady_clock::now() - saved < place.pace) return;
-    place.checkpoint.save(to_json(now));
-    saved = std::chrono::steady_clock::now();
+    if (place.checkpoint.due()) place.checkpoint.save(to_json(now));
   };
   Result result;
   try {
@@ -166,19 +152,11 @@ regress::Works SweepKind::works(const regress::Task& task, const std::filesystem
   }
   regress::Works works;
   const std::uint64_t clocks = task.has("hostile") ? task.number("hostile") : 0;
-  for (const AnyBench* bench : benches) {
-    std::vector<Sweep> sweeps;
-    if (task.has("exhaustive")) sweeps = design.exhaustive(*bench, lanes);
-    if (task.has("random")) sweeps = {design.random(*bench, task.seed, task.number("random"))};
-    if (task.has("hostile")) sweeps = {hostile_sweep(*bench, task.seed, clocks)};
-    for (Sweep& sweep : sweeps) {
-      if (lanes && clocks == 0 && !sweep.in_lanes) {
-        throw InputError(fmt::format("{}, {}: its jobs are driven one case at a time only",
-                                     bench->title(), sweep.name));
-      }
-      works.push_back(
-          std::make_unique<SweepWork>(*bench, std::move(sweep), task.seed, clocks, lanes));
-    }
+  const std::uint64_t cases = task.has("random") ? task.number("random") : 0;
+  const Asked asked{task.has("exhaustive"), cases, clocks, task.seed, lanes};
+  for (auto& [bench, sweep] : planned(design, benches, asked)) {
+    works.push_back(
+        std::make_unique<SweepWork>(*bench, std::move(sweep), task.seed, clocks, lanes));
   }
   if (works.empty()) {
     const std::string narrow = design.exhaustible.substr(0, design.exhaustible.find(','));

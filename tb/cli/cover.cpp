@@ -21,6 +21,7 @@
 namespace cosim::cli {
 namespace {
 
+namespace fs = std::filesystem;
 using coverage::Point;
 using coverage::Points;
 using Benches = std::vector<const AnyBench*>;
@@ -70,12 +71,12 @@ std::vector<std::string> never_reached(const Points& points) {
   return lines;
 }
 
+// The counts are left in a new folder in `folder`.
 Json covered(const CoverOptions& o, const Registry& registry, const Benches& benches,
-             std::uint64_t clocks, std::uint64_t jobs) {
-  const Scratch scratch;
+             std::uint64_t clocks, std::uint64_t jobs, const std::string& folder) {
   const std::string design = benches.front()->design();
-  const std::string counts = o.counts.value_or(scratch.path().string()) + '/' + design;
-  std::filesystem::create_directory(counts);
+  const std::string counts = folder + '/' + design;
+  fs::create_directory(counts);
   bool differed = false;
   for (const AnyBench* bench : benches) {
     const OnDemand& program = on_demand(registry.covers(), bench->built_as());
@@ -115,20 +116,24 @@ int run(const CoverOptions& o, const Registry& registry) {
   const Benches chosen = chosen_shapes(o.words);
   check_outputs(o.common);
   std::error_code error;
-  if (o.counts && !std::filesystem::create_directories(*o.counts, error)) {
-    throw InputError("--counts: " + *o.counts + ": " +
-                     (error ? error.message() : "is there already"));
+  if (o.counts && (fs::exists(*o.counts, error) ||
+                   !fs::is_directory(fs::absolute(*o.counts, error).parent_path(), error))) {
+    throw InputError("--counts: " + one_line(*o.counts) +
+                     ": is not a new folder in one that is there");
   }
+  const Scratch scratch;
   Json all = Json::array();
   bool reached = true;
   for (auto first = chosen.begin(); first != chosen.end();) {
     const auto last = std::find_if(first, chosen.end(), [&](const AnyBench* bench) {
       return bench->design() != (*first)->design();
     });
-    all.push_back(covered(o, registry, {first, last}, clocks, jobs));
+    all.push_back(covered(o, registry, {first, last}, clocks, jobs, scratch.path()));
     reached = reached && !all.back().at("differs") && all.back().at("never_reached").empty();
     first = last;
   }
+  if (o.counts) fs::copy(scratch.path(), *o.counts, fs::copy_options::recursive, error);
+  if (error) throw InputError("--counts: " + one_line(*o.counts) + ": " + error.message());
   write_report(o.common.report.value_or(""), json_text(all, 1) + '\n');
   return reached ? 0 : 1;
 }
@@ -146,7 +151,7 @@ void add_cover(const Command& program, const Registry& registry) {
   command.text("--random", o->random, "JOBS",
                "How many random jobs, where the design declares some; default 1000");
   command.text("--counts", o->counts, "FOLDER",
-               "Leave the counts there, for verilator_coverage; one that is not there yet");
+               "Leave the counts there, a new folder, for verilator_coverage");
   add_common(command, o->common);
   command.footer(fmt::format(
       "Lines, toggles of each bit and cover statements are counted by Verilator, over all "

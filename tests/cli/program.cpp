@@ -93,6 +93,8 @@ Ended another_build(const Arguments& arguments) {
   return run(copy.c_str(), arguments, {});
 }
 
+Ended small_cosim(const Arguments& arguments) { return run(COSIM_SMALL_PROGRAM, arguments, {}); }
+
 Ended faulty(const Arguments& arguments) { return run(COSIM_FAULTY_PROGRAM, arguments, {}); }
 
 Ended variant(const Arguments& arguments) { return run(COSIM_VARIANT_PROGRAM, arguments, {}); }

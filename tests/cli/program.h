@@ -26,7 +26,7 @@ struct Output {
   bool err_closed = false;
 };
 
-/// The program as shipped, with standard input from /dev/null.
+/// The program as shipped, in its full form, with standard input from /dev/null.
 Ended cosim(const Arguments& arguments, const Output& output = {});
 
 /// The program as shipped, killed after so many milliseconds where it has not ended by then:
@@ -48,6 +48,9 @@ Ended faulty_signalled(const Arguments& arguments, int signal, const std::functi
 
 /// A copy of the program as shipped that differs from it in a byte, as another build does.
 Ended another_build(const Arguments& arguments);
+
+/// Its small form, which becomes the full one.
+Ended small_cosim(const Arguments& arguments);
 
 /// The one with faults in its benches (faulty_benches.cpp).
 Ended faulty(const Arguments& arguments);

@@ -25,11 +25,11 @@ COSIM_RECORD(Registers, KEPT_REGISTERS, Params);
 
 template <class V>
 constexpr Registers<V> registers(const Params&, const State<V>& s) {
-  return {s.store, s.held};
+  return {s.store, low_bits(s.held, 4)};
 }
 template <class V>
 constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>&) {
-  return {s, {s.store[1], s.held}};
+  return {s, {s.store[1], low_bits(s.held, 4)}};
 }
 
 struct Design {

@@ -12,6 +12,8 @@ namespace cosim {
 namespace {
 
 constexpr std::size_t widest_line = 120;
+// Of a table of more rows than this only what changes around the difference is shown.
+constexpr std::size_t most_rows = 40;
 
 const char* letter(Trace::Kind kind) {
   switch (kind) {
@@ -25,10 +27,15 @@ const char* letter(Trace::Kind kind) {
   return "";
 }
 
-// A word of a memory that keeps its value: of hundreds only few are written.
-bool is_element_at_rest(const Trace& t) {
-  return t.field.index >= 0 && std::adjacent_find(t.expected.begin(), t.expected.end(),
-                                                  std::not_equal_to<>()) == t.expected.end();
+// Whether it keeps its value on the clocks from `first` to before `end`, without a difference.
+bool is_at_rest(const Trace& t, std::size_t first, std::size_t end) {
+  const auto at = [&](std::size_t c) {
+    return t.expected.begin() + static_cast<std::ptrdiff_t>(c);
+  };
+  for (std::size_t c = first; c < end; ++c) {
+    if (t.differs(c)) return false;
+  }
+  return std::adjacent_find(at(first), at(end), std::not_equal_to<>()) == at(end);
 }
 
 }  // namespace
@@ -53,23 +60,37 @@ std::string table_text(const Mismatch& m) {
     std::vector<std::string> cells;
   };
   std::vector<Row> rows{{"clock", {}}};
-  const std::size_t clocks = m.traces.empty() ? 0 : m.traces.front().expected.size();
+  std::size_t clocks = m.traces.empty() ? 0 : m.traces.front().expected.size(), begin = 0;
+  // A word of a memory that keeps its value is always left out: of hundreds only few are written.
+  const auto is_resting_word = [&](const Trace& t) {
+    return t.kind != Trace::Kind::input && t.field.index >= 0 &&
+           is_at_rest(t, begin, begin + clocks);
+  };
+  const auto resting =
+      static_cast<std::size_t>(std::count_if(m.traces.begin(), m.traces.end(), is_resting_word));
+  const bool is_wide = m.traces.size() - resting > most_rows;
+  const std::size_t all = clocks;
+  if (is_wide) {
+    const std::size_t at = std::min(clocks - 1, static_cast<std::size_t>(m.clock - m.first));
+    begin = at - std::min<std::size_t>(at, 3);
+    clocks = std::min(clocks, at + 2) - begin;
+  }
   for (std::size_t c = 0; c < clocks; ++c) {
-    const std::uint64_t at = m.first + c;
+    const std::uint64_t at = m.first + begin + c;
     rows[0].cells.push_back(at == m.clock ? fmt::format(">{}", at) : fmt::format("{}", at));
   }
   std::size_t left_out = 0;
   for (const Trace& t : m.traces) {
-    bool same = true;
-    for (std::size_t c = 0; c < clocks; ++c) same = same && !t.differs(c);
-    if (same && t.kind != Trace::Kind::input && is_element_at_rest(t)) {
+    if (is_wide ? is_at_rest(t, begin, begin + clocks) : is_resting_word(t)) {
       ++left_out;
       continue;
     }
+    bool same = true;
+    for (std::size_t c = begin; c < begin + clocks; ++c) same = same && !t.differs(c);
     Row expected{fmt::format("{} {}{}", letter(t.kind), label_of(t.field), same ? "" : " expected"),
                  {}};
     Row actual{same ? "" : fmt::format("{} {} actual", letter(t.kind), label_of(t.field)), {}};
-    for (std::size_t c = 0; c < clocks; ++c) {
+    for (std::size_t c = begin; c < begin + clocks; ++c) {
       expected.cells.push_back(t.compared(c) ? show_short(t.field, t.expected[c]) : "-");
       actual.cells.push_back(show_short(t.field, t.actual[c]) + (t.differs(c) ? "!" : ""));
     }
@@ -97,7 +118,11 @@ std::string table_text(const Mismatch& m) {
       text += '\n';
     }
   }
-  if (left_out != 0) {
+  if (is_wide) {
+    text += fmt::format(
+        "  left out: {} clocks, and {} signals that do not change here; a wave has all\n",
+        all - clocks, left_out);
+  } else if (left_out != 0) {
     text += fmt::format("  left out: {} elements of arrays that do not change here\n", left_out);
   }
   return text;

@@ -71,8 +71,8 @@ struct Mismatch {
 /// What differs, and where. Lines end in '\n', here and below.
 std::string difference_text(const Mismatch& mismatch);
 
-/// The clocks around it as a table, with expected above actual wherever they differ, in parts one
-/// below the other where it is wider than 120 columns. What was not compared is expected to be "-".
+/// The clocks around it as a table of at most 120 columns, expected above actual where they differ,
+/// "-" where nothing was compared. Where it had more than 40 rows: what changes, on 5 clocks.
 std::string table_text(const Mismatch& mismatch);
 
 /// Both.

@@ -75,6 +75,7 @@ std::string word(const std::vector<bool>& values, const Widths& ports, const std
 // The clocks of a stimulus as words of ports.
 void show(const Question& q, const Product& product, const proof::Reached& reached,
           const std::set<Name>& open, Answer& answer) {
+  answer.verdict = Verdict::different;
   std::vector<proof::Aig::Lit> watched;
   const auto watch = [&](const std::map<Name, proof::Aig::Lit>& bits) {
     std::map<Name, std::size_t> at;
@@ -187,6 +188,16 @@ bool is_equal_by_memories(const Question& q, const Pairs& memories, Answer& answ
   return true;
 }
 
+// Takes over what the search has come to: whether that is all, but for a difference to be looked
+// at.
+bool is_over(const Question& q, const proof::Reached& reached, Answer& answer) {
+  answer.compared = std::max(0, reached.clocks - q.reset_clocks);
+  if (reached.ever == proof::Ever::open) return true;
+  answer.by = reached.by;
+  if (reached.ever == proof::Ever::never) answer.verdict = Verdict::equal;
+  return reached.ever == proof::Ever::never;
+}
+
 // The old RTL's x as any value. Some values are tried; a stimulus that tells the RTLs apart with
 // these is one only if no others make the old RTL do what the new one does, and else these are
 // tried as well (refinement by counterexamples).
@@ -197,19 +208,11 @@ void compare_with_any(const Question& q, std::vector<Filler> first, Answer& answ
   for (int round = 0; round < rounds; ++round) {
     const Product product = product_of(q, Registers::two, unknown, {});
     const proof::Reached reached = reach(q, product);
-    answer.compared = std::max(0, reached.clocks - q.reset_clocks);
-    if (reached.ever == proof::Ever::open) return;
-    answer.by = reached.by;
-    if (reached.ever == proof::Ever::never) {
-      answer.verdict = Verdict::equal;
-      return;
-    }
+    if (is_over(q, reached, answer)) return;
     const Certain certain = certain_of(q, product, reached);
     if (certain.any) {
-      answer.verdict = Verdict::different;
       answer.least = reached.least && round == 0;
-      show(q, product, reached, certain.open, answer);
-      return;
+      return show(q, product, reached, certain.open, answer);
     }
     if (certain.others.empty()) break;
     constexpr std::size_t copies = 24;  // of the old RTL
@@ -236,19 +239,12 @@ void compare_all(Question& q, Answer& answer) {
   if (is_equal_by_names(q, {}, answer)) return;
   const Product product = product_of(q, Registers::two, {}, {});
   const proof::Reached reached = reach(q, product);
-  answer.compared = std::max(0, reached.clocks - q.reset_clocks);
-  if (reached.ever == proof::Ever::open) return;
-  answer.by = reached.by;
-  if (reached.ever == proof::Ever::never) {
-    answer.verdict = Verdict::equal;
-    return;
-  }
+  if (is_over(q, reached, answer)) return;
   // Whatever it leaves x, if there is any; else other values have to be tried.
   Certain certain;
   const bool leaves_x = q.gold.unknowns > 0 || product.alone_any;
   if (leaves_x) certain = certain_of(q, product, reached);
   if (leaves_x && !certain.any) return compare_with_any(q, std::move(certain.others), answer);
-  answer.verdict = Verdict::different;
   answer.least = reached.least;
   show(q, product, reached, certain.open, answer);
 }

@@ -3,8 +3,10 @@
 #include <fmt/core.h>
 
 #include <filesystem>
+#include <sstream>
 #include <utility>
 
+#include "model/core/input_error.h"
 #include "tb/full/machine_of.h"
 #include "tb/program/chosen.h"
 #include "tb/program/on_demand.h"
@@ -51,6 +53,28 @@ std::string built_mutants(const Registry& registry, const AnyBench& bench, std::
   give_rtl(program, bench, mutants);
   build(registry, program);
   return path_of(program);
+}
+
+Ended run_mutants(const std::string& program, const std::vector<std::string>& words) {
+  std::vector<std::string> all{program};
+  all.insert(all.end(), words.begin(), words.end());
+  Ended ended = cosim::run_program(all);
+  if (ended.status != 0 && ended.status != 1) {
+    const std::string line = ended.text.substr(0, ended.text.find('\n'));
+    throw InputError(fmt::format("{}: {}", std::filesystem::path(program).filename().string(),
+                                 line.empty() ? "cannot be run" : line));
+  }
+  return ended;
+}
+
+Mutants mutants_of(const std::string& program) {
+  std::istringstream lines(run_mutants(program, {"--about"}).text);
+  Mutants all;
+  std::getline(lines, all.of);
+  if (!(lines >> all.count) || all.count == 0) {
+    throw InputError(program + ": is no program that attacks mutants");
+  }
+  return all;
 }
 
 }  // namespace cosim::cli

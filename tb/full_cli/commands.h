@@ -5,7 +5,7 @@
 
 namespace cosim::cli {
 
-void add_prove(const Command& program);
+void add_prove(const Command& program, const Registry& registry);
 void add_lint(const Command& program);
 void add_mutate(const Command& program, const Registry& registry);
 void add_regress(const Command& program, const Registry& registry);

@@ -12,7 +12,7 @@ void nothing(const Registry&) {}
 
 void add_commands(const Command& program, const Registry& registry) {
   if (!benches().empty()) {  // not the program of the package
-    add_prove(program);
+    add_prove(program, registry);
     add_mutate(program, registry);
     add_regress(program, registry);
     add_lint(program);

@@ -60,14 +60,10 @@ Json attacked(const MutateOptions& o, const Registry& registry, const AnyBench& 
     fmt::print("{}: {}: no mutant can be proved equal\n", bench.built_as(),
                model_without_formula(machine));
   }
-  std::vector<std::string> words{program,      results,
-                                 "--prover",   program_name() + " prove",
-                                 "--failures", o.common.failures_folder()};
+  std::vector<std::string> words{results, "--prover", program_name() + " prove", "--failures",
+                                 o.common.failures_folder()};
   if (o.unproved || unproved) words.emplace_back("--unproved");
-  const Ended ended = cosim::run_program(words);
-  if (ended.status != 0 && ended.status != 1) {
-    throw InputError(ended.text.substr(0, ended.text.find('\n')));
-  }
+  const Ended ended = run_mutants(program, words);
   const JsonAt outcome(results, read_file(results));
   fmt::print("{}: {}: {} killed, {} proved equal, {} survived\n", bench.built_as(),
              count(outcome.at("mutants").whole(), "mutant"), outcome.at("killed").whole(),

@@ -40,7 +40,7 @@ std::vector<proof::Engine> engines_of(const ProveOptions& o) {
                   proof::listed(missing)));
 }
 
-int run(const ProveOptions& o) {
+int run(const ProveOptions& o, const Registry& registry) {
   const InterruptGuard interrupts;
   const int limit = static_cast<int>(whole("--limit", o.limit.value_or("300"), 1, kLongest));
   const auto jobs = o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores();
@@ -49,13 +49,13 @@ int run(const ProveOptions& o) {
   }
   const proof::Asking asking{engines_of(o), limit, jobs};
   if (o.theorems) return prove_theorems(o, asking);
-  if (o.mutants) return prove_mutants(o, asking);
+  if (o.mutants) return prove_mutants(o, registry, asking);
   return prove_machines(o, asking);
 }
 
 }  // namespace
 
-void add_prove(const Command& program) {
+void add_prove(const Command& program, const Registry& registry) {
   auto o = std::make_shared<ProveOptions>();
   const Command command = program.sub(prove_command.name, prove_command.help);
   command.arguments("MACHINE", o->machine, "A design, or a line of 'list'; default all");
@@ -67,10 +67,11 @@ void add_prove(const Command& program) {
                "Which of cec, z3 and cvc5 to ask, in this order; default all");
   command.flag("--theorems", o->theorems,
                "Prove instead what the sources claim, as theorems on the models");
-  command.text("--mutants", o->mutants, "FILE.v",
-               "Prove instead mutants of one machine, which an input mutsel selects");
-  command.text("--count", o->count, "N", "With --mutants: only the first N; default 100");
-  command.text("--mutant", o->mutant, "K", "With --mutants: only the one with mutsel = K");
+  command.text("--mutants", o->mutants, "N",
+               "Plant at most N mutants in each: they must be refuted or proved the same. Or\n"
+               "FILE.v, which has those of one machine, selected by an input mutsel");
+  command.text("--count", o->count, "N", "With FILE.v: only the first N; default 100");
+  command.text("--mutant", o->mutant, "K", "With FILE.v: only the one with mutsel = K");
   add_failures(command, o->common);
   command.footer(
       "Needs yosys, and two of yosys-abc (cec), z3 and cvc5. What two of them prove is proved;\n"
@@ -78,7 +79,7 @@ void add_prove(const Command& program) {
       "What is not proved so for every state is asked from reset, by yosys-abc alone.\n"
       "Example: " +
       program_name() + " prove " + proof::built_machines().front().title);
-  command.action([o] { return run(*o); });
+  command.action([o, &registry] { return run(*o, registry); });
 }
 
 }  // namespace cosim::cli

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tb/program/common.h"
+#include "tb/program/registry.h"
 #include "tb/proof/decide.h"
 #include "tb/proof/machines.h"
 
@@ -33,7 +34,7 @@ std::vector<ProveSubject> subjects_of(const std::vector<std::string>& words);
 /// Each gives the exit status.
 int prove_machines(const ProveOptions& o, const proof::Asking& asking);
 int prove_theorems(const ProveOptions& o, const proof::Asking& asking);
-int prove_mutants(const ProveOptions& o, const proof::Asking& asking);
+int prove_mutants(const ProveOptions& o, const Registry& registry, const proof::Asking& asking);
 
 /// Writes what the engines are asked of a claim on `title` into a folder, a file each.
 void keep_scripts(const std::string& folder, const std::string& title, const proof::Claim& claim);

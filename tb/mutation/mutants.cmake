@@ -1,25 +1,6 @@
-# Mutants of the RTL, planted by yosys and attacked with the testbench's stimuli. Of every design in
+# Mutants of the RTL that lanes killed, in Verilated classes: for scripts/mutate --drawn. Of every design in
 # rtl/shipped.txt two shapes: the first, that of the source's example, and the last of 16 bits.
-#
-#   mutants  attacks those of any shape that is built
-#   slice    for the tests; its programs, `mutants` on one shape, in slice_programs
-#   full     for scripts/mutate
-#   all      for scripts/mutate --all: every mutant there is, and of the shapes of 32 bits too
-#   drawn    for scripts/mutate --drawn: some that lanes killed, in Verilated classes
 set(here ${CMAKE_CURRENT_LIST_DIR})
-add_executable(mutants_table ${here}/table.cpp)
-target_link_libraries(mutants_table PRIVATE engine cold warnings)
-
-# A program for some mutants of a shape.
-function(add_mutants set count shape)
-  string(REGEX REPLACE "[ =]" "" ID "${shape}")
-  set(program ${CMAKE_CURRENT_BINARY_DIR}/mutants_${set}_${ID})
-  file(GENERATE OUTPUT ${program}
-    CONTENT "#!/bin/sh\nexec '$<TARGET_FILE:cosim_mutants>' '${shape}' ${count} \"$@\"\n"
-    FILE_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ
-      WORLD_EXECUTE)
-  set(${set}_programs ${${set}_programs} ${program} PARENT_SCOPE)
-endfunction()
 
 # add_drawn(SHAPE COUNT DRAWN): the program drawn_SHAPE_DRAWN, which runs DRAWN of COUNT mutants in lockstep,
 # one at a time.
@@ -55,15 +36,6 @@ foreach(design IN LISTS COSIM_DESIGNS)
   list(GET shapes 0 example)
   list(FILTER shapes INCLUDE REGEX "^[^=]*=16( |$)")
   list(GET shapes -1 wide)
-  add_mutants(slice 100 "${example}")
-  add_mutants(slice 100 "${wide}")
-  add_mutants(full 4000 "${example}")
-  add_mutants(full 2000 "${wide}")
-  set(widest ${COSIM_SHIPPED})
-  list(FILTER widest INCLUDE REGEX "^${design} [^=]*=32( |$)")
-  foreach(shape "${example}" "${wide}" ${widest})
-    add_mutants(all 65535 "${shape}")
-  endforeach()
   add_drawn("${example}" 4000 200)
   add_drawn("${wide}" 2000 200)
   foreach(shape "${example}" "${wide}")
@@ -82,8 +54,3 @@ set(programs ${drawn_programs})
 list(TRANSFORM programs REPLACE "(.+)" "$<TARGET_FILE:\\1>")
 list(JOIN programs "\n" programs)
 file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/drawn.txt CONTENT "${programs}\n")
-foreach(set slice full all)
-  add_custom_target(mutants_${set} DEPENDS cosim_mutants mutants_table)
-  list(JOIN ${set}_programs "\n" programs)
-  file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${set}.txt CONTENT "${programs}\n")
-endforeach()

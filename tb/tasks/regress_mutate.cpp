@@ -9,7 +9,6 @@
 #include "tb/program/chosen.h"
 #include "tb/support/json.h"
 #include "tb/support/json_at.h"
-#include "tb/support/process.h"
 #include "tb/support/read_file.h"
 #include "tb/support/words.h"
 #include "tb/tasks/regress_kinds.h"
@@ -19,17 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What the program of a campaign ends with: 0 none survived, 1 some did.
-Ended attack_with(const std::vector<std::string>& words) {
-  Ended ended = cosim::run_program(words);
-  if (ended.status != 0 && ended.status != 1) {
-    const std::string line = ended.text.substr(0, ended.text.find('\n'));
-    throw InputError(fmt::format("{}: {}", fs::path(words.front()).filename().string(),
-                                 line.empty() ? "cannot be run" : line));
-  }
-  return ended;
-}
-
 class MutateWork final : public regress::Work {
  public:
   MutateWork(std::string title, std::uint64_t mutants, std::string program, bool unproved)
@@ -38,8 +26,7 @@ class MutateWork final : public regress::Work {
   Json run(std::uint64_t first, std::uint64_t last, const regress::Place& place) const override {
     // The campaign has a checkpoint of its own, beside its results.
     const fs::path results = place.run / "checkpoints" / fmt::format("{}.mutants", place.shard);
-    std::vector<std::string> words{(place.run / program_).string(),
-                                   results.string(),
+    std::vector<std::string> words{results.string(),
                                    "--prover",
                                    program_name() + " prove",
                                    "--first",
@@ -51,7 +38,7 @@ class MutateWork final : public regress::Work {
                                    "--jobs",
                                    "1"};
     if (unproved_) words.emplace_back("--unproved");
-    const Ended ended = attack_with(words);
+    const Ended ended = run_mutants((place.run / program_).string(), words);
     const JsonAt all(results.string(), read_file(results.string()));
     const JsonAt outcomes = all.at("outcomes");
     Json json{{"outcomes", outcomes.json()}};
@@ -126,17 +113,10 @@ class MutateKind final : public regress::Kind {
   regress::Works works(const regress::Task& task, const fs::path& folder) const override {
     regress::Works works;
     for (const std::string& program : programs_of(task, folder)) {
-      const Ended ended = attack_with({(folder / program).string(), "--about"});
-      std::istringstream lines(ended.text);
-      std::string title;
-      std::uint64_t mutants = 0;
-      std::getline(lines, title);
-      if (!(lines >> mutants) || mutants == 0) {
-        throw InputError("programs: " + program + ": is no program that attacks mutants");
-      }
+      const Mutants all = mutants_of((folder / program).string());
       works.push_back(
-          std::make_unique<MutateWork>(fmt::format("{}, {}", title, count(mutants, "mutant")),
-                                       mutants, program, task.has("unproved")));
+          std::make_unique<MutateWork>(fmt::format("{}, {}", all.of, count(all.count, "mutant")),
+                                       all.count, program, task.has("unproved")));
     }
     return works;
   }

@@ -40,7 +40,7 @@ TEST(Help, NamesEveryOption) {
         "--wave-after N", "--report FILE"}},
       {"prove",
        {"MACHINE", "--rtl DIR", "--limit S", "--jobs J", "--scripts DIR", "--theorems",
-        "--mutants FILE.v", "--count N", "--mutant K", "--failures DIR"}}};
+        "--mutants N", "--count N", "--mutant K", "--failures DIR"}}};
   expect_in(help({}), {"0 match, 1 mismatch, 2 bad input"});
   for (const auto& [command, words] : options) expect_in(help({command}), words);
   const std::vector<Arguments> sweeps = commands({"sweep"});

@@ -157,6 +157,15 @@ TEST_F(Prove, RefutesMutantsOrProvesThemTheSame) {
             "circular W=4: 1 mutant, 0 refuted, 1 proved to be the same, 0 undecided\n");
   EXPECT_EQ(with({"--mutant", "2", "--count", "1"}).err,
             "cosim: --mutant: is one, with no --count\n");
+  // Those that are planted: not one is left undecided.
+  const Ended planted = cosim({"prove", "circular", "W=4", "--mutants", "10"});
+  EXPECT_EQ(planted.status, 0) << planted.err;
+  EXPECT_TRUE(says(planted,
+                   "circular W=4: 10 mutants, [0-9]+ refuted, [0-9]+ proved to be the "
+                   "same, 0 undecided\n$"))
+      << planted.out;
+  EXPECT_EQ(cosim({"prove", "circular", "W=4", "--mutants", "10", "--count", "1"}).err,
+            "cosim: --mutants: is a number, with no --mutant and --count\n");
   EXPECT_EQ(cosim({"prove", "circular", "--mutants", file}).err,
             "cosim: --mutants: needs one machine\n");
   EXPECT_EQ(cosim({"prove", "circular", "W=4", "--mutants", folder_.path("none")}).err,

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# killed_test.sh PROGRAM
+# killed_test.sh PROGRAM WORD...
 #
 # A run over mutants, killed at 12 random moments, ends with the same results as one that was not,
 # except for the seconds; its results file is never incomplete.
@@ -10,7 +10,7 @@ for tool in cvc5 z3; do
   command -v "$tool" > /dev/null || { echo "skipped: no $tool" && exit 77; }
 done
 
-program=$1
+program=("$@")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
@@ -18,13 +18,13 @@ trap 'rm -rf "$folder"' EXIT
 results() { grep -v '"seconds"' "$1"; }
 
 begin=${EPOCHREALTIME//[!0-9]/}
-"$program" "$folder/expected.json"
+"${program[@]}" "$folder/expected.json"
 # Milliseconds: long enough to keep a checkpoint, and most runs are killed, for theirs is one thread.
 most=$(((${EPOCHREALTIME//[!0-9]/} - begin) / 2000))
 kills=0 gone_on=0
 for ((i = 0; i < 12; ++i)); do
   [[ ! -e $folder/results.json.part ]] || gone_on=$((gone_on + 1))
-  "$program" "$folder/results.json" --jobs 1 &
+  "${program[@]}" "$folder/results.json" --jobs 1 &
   child=$!
   moment=$((RANDOM % most))
   sleep "$((moment / 1000)).$(printf '%03d' $((moment % 1000)))"
@@ -36,7 +36,7 @@ for ((i = 0; i < 12; ++i)); do
   diff <(results "$folder/expected.json") <(results "$folder/results.json")
   rm "$folder/results.json"
 done
-"$program" "$folder/results.json"
+"${program[@]}" "$folder/results.json"
 diff <(results "$folder/expected.json") <(results "$folder/results.json")
 [[ ! -e $folder/results.json.part ]]
 echo "killed $kills times, gone on from a checkpoint $gone_on times"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# survivor_test.sh PROGRAM COSIM
+# survivor_test.sh COSIM PROGRAM WORD...
 #
 # A mutant that no stimulus kills and no proof shows to be the same machine has survived: status 1, and
 # a folder that describes it and from which it can be proved. Before that, engines that there are not
@@ -7,16 +7,18 @@
 # Status: 0 so, 1 not, 77 where a solver is not installed.
 set -euo pipefail
 
+cosim=$1
+program=("${@:2}")
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 status=0
-"$1" "$folder/results.json" --engines cec,nobody 2> "$folder/said" || status=$?
+"${program[@]}" "$folder/results.json" --engines cec,nobody 2> "$folder/said" || status=$?
 ((status == 2)) || { echo "status $status with an engine that there is not" && exit 1; }
 grep -qx -- "--engines 'cec,nobody': takes .*" "$folder/said"
 [[ ! -e $folder/results.json && ! -e $folder/results.json.part ]]
 
 status=0
-"$1" "$folder/results.json" --unproved --failures "$folder/failures" > "$folder/said" || status=$?
+"${program[@]}" "$folder/results.json" --unproved --failures "$folder/failures" > "$folder/said" || status=$?
 ((status == 1)) || { echo "status $status with survivors" && exit 1; }
 survived=$(grep -c '"end": "survived"' "$folder/results.json")
 kept=("$folder"/failures/*)
@@ -32,5 +34,5 @@ for tool in cvc5 z3; do
   command -v "$tool" > /dev/null || { echo "skipped: not proved, no $tool" && exit 77; }
 done
 read -ra prove < <(sed -n 's|^  scripts/prove ||p' "$one/report.txt")
-"$2" prove "${prove[@]}" | tee "$folder/proof"
+"$cosim" prove "${prove[@]}" | tee "$folder/proof"
 grep -q '1 proved to be the same' "$folder/proof"

@@ -126,7 +126,6 @@ ends netlist --write "$folder/netlist.v" generic "${shape[@]}"
 ends picture "$root/tests/fuzz/corpus/gcode/head.ngc" 10 "$folder/picture.png"
 ends prove
 ends prove --faults
-ends prove --all-mutants
 ends regress "$folder/plan.json"
 ends report
 ends synth

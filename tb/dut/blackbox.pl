@@ -106,6 +106,8 @@ sub open_module {
                 push @new, ["$name\$$port", $is_out ? 'input' : 'output', $range];
                 $text .= $is_out ? "assign $e = $name\$$port; " : "assign $name\$$port = $e; ";
             }
+            # Attributes before it, which stand for the instance, go with it.
+            $at -= length $1 if original($m, 0, $at) =~ /((?:\(\*(?:(?!\*\)).)*\*\)\s*)+)$/s;
             edit($m, $at, $end - $at, $text);
         }
     }

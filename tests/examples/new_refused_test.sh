@@ -166,10 +166,11 @@ grep -q ' BLACKBOXES MULT BUF CLOCK\| BLACKBOXES MULT BUF MODEL' made/CMakeLists
 rm -r made
 refused "new: NONE: a blackbox that made has no instance of" made made.v --top made --blackbox NONE
 # A file may say which pins are outputs.
-rtl 'wire y; BOX b(.A(y), .Y(d)); always @(posedge clk) q <= y;'
+rtl 'wire y; (* keep, x="1" *) (* z *) BOX b(.A(y), .Y(d)); always @(posedge clk) q <= y;'
 printf 'module BOX(input Y, output A); endmodule\n' >> made.v
 "$program" new made made.v --top made --blackbox BOX > said
 grep -q 'FIELD(b_A, 1' <(sed -n '/_INPUTS/,/_OUTPUTS/p' made/made.h)
+! grep -q UNPROVED made/CMakeLists.txt || { echo "yosys does not read it" && exit 1; }
 rm -r made
 rtl 'wire y; BOX b(.A(d & w[0]), .Y(y)); always @(posedge clk) q <= y;'
 refused "new: BOX b: its pin A is joined to 'd & w[0]', and only a net, or its inverse, tells how wide it is" \

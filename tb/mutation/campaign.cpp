@@ -130,9 +130,16 @@ Campaign run_campaign(const Subject& subject, const Prover& prover, const Asker&
   });
   course.save();
 
+  // Most are settled in a second; all stimuli take longer.
+  constexpr std::chrono::seconds soon(3), longest(60);
+  const auto ask_each = [&](std::chrono::seconds limit) {
+    course.each(course.open(),
+                [&](unsigned mutant) { course.decide(mutant, asker(mutant, limit)); });
+    course.save();
+  };
+  ask_each(soon);
   course.attack_with(quick, all);
-  course.each(course.open(), [&](unsigned mutant) { course.decide(mutant, asker(mutant)); });
-  course.save();
+  ask_each(longest);
   for (const unsigned mutant : course.open()) course.decide(mutant, {End::survived, "", 0, ""});
   return course.campaign();
 }

@@ -1,6 +1,7 @@
 // A whole run over a subject's mutants.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <string>
 #include <vector>
@@ -13,8 +14,8 @@ namespace cosim::mutation {
 /// For each of these mutants, whether it was proved equivalent.
 using Prover = std::function<std::vector<bool>(const std::vector<unsigned>& mutants)>;
 
-/// What a mutant is that is still open after that and all stimuli: killed, equivalent, or open.
-using Asker = std::function<Outcome(unsigned mutant)>;
+/// What an open mutant is, asked for so long at the most: killed, equivalent, or open.
+using Asker = std::function<Outcome(unsigned mutant, std::chrono::seconds limit)>;
 
 /// Mutants first, first + 1, ... of a subject.
 struct Part {
@@ -31,9 +32,9 @@ struct Campaign {
 };
 
 /// Attacks every mutant of the part with the quick stimuli, gives the survivors to the prover, and
-/// attacks those that are not proved with all other stimuli, on `threads` threads, >= 1; `asker` is
-/// asked of what is left. Continues from the checkpoint and leaves it in place. InputError if the
-/// RTL without a mutant differs from the model.
+/// asks `asker` of those that are not proved, attacks what it leaves with all other stimuli, and
+/// asks it again, for longer; all on `threads` threads, >= 1. Continues from the checkpoint and
+/// leaves it in place. InputError if the RTL without a mutant differs from the model.
 Campaign run_campaign(const Subject& subject, const Prover& prover, const Asker& asker,
                       unsigned threads, Checkpoint& checkpoint, const Part& part = {});
 

@@ -88,9 +88,9 @@ int run(const Subject& subject, const Options& o) {
   for (const proof::Engine e : which) work += ", " + to_text(e);
   Checkpoint checkpoint(o.results + ".part", work);
   const proof::BuiltMachine* const machine = o.unproved ? nullptr : machine_of(subject);
-  const Asker asker = [&](unsigned mutant) {
+  const Asker asker = [&](unsigned mutant, std::chrono::seconds limit) {
     if (machine == nullptr || machine->nets == nullptr) return Outcome{};
-    return from_reset(subject, *machine, mutant, std::chrono::seconds(kLimit), o.failures);
+    return from_reset(subject, *machine, mutant, limit, o.failures);
   };
   const Campaign campaign =
       run_campaign(subject, engines(subject, machine, which), asker, o.threads, checkpoint, o.part);

@@ -98,8 +98,7 @@ int run(const SweepOptions& o) {
       const Sweep run =
           lanes ? form().in_lanes(*bench, sweep, wanted.seed, wanted.hostile, o.lanes) : sweep;
       const auto ran = [&](const Result& one) { matched += one.cases - (one.match() ? 0 : 1); };
-      const Result swept =
-          run_sweep(interruptible(run, ran), threads, progress.callback(), resume);
+      const Result swept = run_sweep(interruptible(run, ran), threads, progress.callback(), resume);
       outcomes.push_back({bench, sweep.name, swept});
     } catch (const Interrupted& interrupted) {
       const std::string text = fmt::format("{}: not finished; {} of {} matched", title,

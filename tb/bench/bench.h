@@ -81,6 +81,11 @@ class AnyBench {
   virtual std::vector<Probe> probes() const = 0;
   /// The inputs of an idle clock.
   virtual std::vector<Word> rest() const = 0;
+  /// The inputs of a clock with as little to do as is legal, after one with `inputs` in `state`.
+  virtual std::vector<Word> idle_after(const std::vector<Word>& /*state*/,
+                                       const std::vector<Word>& /*inputs*/) const {
+    return rest();
+  }
   /// The fields of the model's state, and the state after a reset.
   virtual std::vector<Field> state() const = 0;
   virtual std::vector<Word> reset_state() const = 0;

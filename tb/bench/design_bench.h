@@ -64,6 +64,14 @@ class DesignBench : public Bench<Design> {
     return fields<typename Design::template Registers<Word>>().size();
   }
   std::vector<Word> rest() const override { return words(rest_of<Design>()); }
+  std::vector<Word> idle_after(const std::vector<Word>& state,
+                               const std::vector<Word>& inputs) const override {
+    using State = typename Design::template State<Word>;
+    using Inputs = typename Design::template Inputs<Word>;
+    const auto after = clocked<Design, Word>(dut_.params, Cells<State>(dut_.params).record(state),
+                                             Cells<Inputs>(dut_.params).record(inputs));
+    return words(idle_of<Design, Word>(dut_.params, after.state));
+  }
   std::vector<Word> reset_state() const override { return words(reset_state_of<Design, Word>()); }
   std::vector<Word> begun(std::uint32_t power_up) const override {
     return words(AnyLockstep<Design>(start(power_up)).dut().registers());

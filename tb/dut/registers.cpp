@@ -207,4 +207,19 @@ void require_resets(const RtlText& text, Resets design, const std::vector<ResetP
   }
 }
 
+void require_taken_over(const RtlText& text, const std::vector<Field>& registers,
+                        const std::vector<Field>& state) {
+  for (const Field& r : registers) {
+    if (!r.unreset || r.width == 0) continue;
+    const bool is_there = std::any_of(state.begin(), state.end(), [&](const Field& f) {
+      return std::string_view(f.name) == r.name && f.index == r.index;
+    });
+    if (is_there) continue;
+    throw InputError(
+        fmt::format("{}: {} is unreset(), and no field of the state: the model takes its value "
+                    "over by that name",
+                    text.title, label_of(r)));
+  }
+}
+
 }  // namespace cosim

@@ -41,7 +41,12 @@ enum class Resets {
 /// round, and where reset_inputs() does not give all of them.
 void require_resets(const RtlText& text, Resets resets, const std::vector<ResetPin>& pins);
 
-/// Both for a design; its unobserved registers.
+/// InputError where a register that no reset reaches is no field of the state: the model could not
+/// take it over.
+void require_taken_over(const RtlText& text, const std::vector<Field>& registers,
+                        const std::vector<Field>& state);
+
+/// All three for a design; its unobserved registers.
 template <class Design>
 std::vector<std::string> require_registers(const RtlText& text, const typename Design::Params& p) {
   const auto held = Design::template Registers<Word>::fields(p);
@@ -60,6 +65,8 @@ std::vector<std::string> require_registers(const RtlText& text, const typename D
                  : is_reset_asynchronous<Design>() ? Resets::at_once
                                                    : Resets::at_edge,
                  pins);
+  const auto state = Design::template State<Word>::fields(p);
+  require_taken_over(text, {held.begin(), held.end()}, {state.begin(), state.end()});
   return unobserved_registers(text, {held.begin(), held.end()}, {patterns.begin(), patterns.end()});
 }
 

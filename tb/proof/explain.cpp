@@ -31,7 +31,7 @@ Stimulus stimulus_of(const Counterexample& c, const AnyBench& bench) {
   s.machine = bench.title();
   s.origin = "counterexample of the proof";
   s.state = words(c.state);
-  s.clocks = {words(c.inputs), bench.rest()};
+  s.clocks = {words(c.inputs), bench.idle_after(*s.state, words(c.inputs))};
   return s;
 }
 

@@ -150,11 +150,12 @@ class ProductMaker {
     for (int i = 0; i < m_.reset_clocks; ++i) {
       std::vector<Code> inputs;
       for (const nets::Wire& w : m_.inputs) {
-        Code& code = inputs.emplace_back();
+        Code code;
         for (std::size_t b = 0; b < w.code.size(); ++b) code.push_back(graph_.input());
         for (const nets::Wire& given : m_.reset_inputs) {
           if (label_of(given.field) == label_of(w.field)) code = given.code;
         }
+        inputs.push_back(std::move(code));
       }
       const Code nets = clock(held, inputs);
       for (std::size_t f = 0; f < held.size(); ++f) held[f] = nets[flip_flops[f].next];

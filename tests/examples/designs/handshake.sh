@@ -29,4 +29,7 @@ if [[ $solvers ]]; then
   ends 0 prove handshake FAULT=0
   says "legal inputs in every state"
   for rule in "${rules[@]}"; do says "assumed of the inputs: $rule"; done
+  # A number is held on the clock after that of the counterexample too.
+  ends 1 prove handshake FAULT=1 --failures failures
+  says_like "inductive step.*REFUTED"
 fi

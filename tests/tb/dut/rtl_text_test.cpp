@@ -153,7 +153,7 @@ TEST(Resets, AreThoseThatTheDesignNames) {
   }
 }
 
-TEST(Resets, OfSeveralAreGivenByTheClearTogether) {
+TEST(Resets, OfSeveralAreGivenTogether) {
   const RtlText two{"made", "q", "a\nlow b"};
   const ResetPin a{"a", true}, b{"b", false}, b_high{"b", true}, x{"x", true};
   EXPECT_EQ(said([&] { require_resets(two, Resets::each_at_once, {a, b}); }), "");
@@ -170,6 +170,21 @@ TEST(Resets, OfSeveralAreGivenByTheClearTogether) {
         }),
         "made: a and b reset asynchronously: the model is to say what each clears, with reset()");
   }
+}
+
+TEST(Unreset, RegistersAreFieldsOfTheState) {
+  const RtlText made{"made", "a\nb", ""};
+  const Field a{"a", 1, Format::bits, "", ""}, b{"b", 1, Format::bits, "", ""};
+  Field unreset = b;
+  unreset.unreset = true;
+  EXPECT_EQ(said([&] { require_taken_over(made, {a, b}, {a}); }), "");
+  EXPECT_EQ(said([&] { require_taken_over(made, {a, unreset}, {a, b}); }), "");
+  EXPECT_EQ(
+      said([&] {
+        require_taken_over(made, {a, unreset}, {a});
+      }),
+      "made: b is unreset(), and no field of the state: the model takes its value over by that "
+      "name");
 }
 
 TEST(Resets, ByARegisterAreInReset) {

@@ -10,6 +10,7 @@
 #include "rtl_reader.h"
 #include "tb/support/output_file.h"
 #include "tb/support/process.h"
+#include "tb/support/read_file.h"
 
 namespace cosim::cli {
 
@@ -81,6 +82,10 @@ std::string as_plain_verilog(std::vector<std::string>& files, const std::string&
     if (program == "blackbox") {
       if (blackboxes.empty()) continue;
       words.push_back(fmt::format("{}", fmt::join(blackboxes, ",")));
+    } else if (std::none_of(files.begin(), files.end(), [&](const std::string& file) {
+                 return read_file((folder / file).string()).find("inout") != std::string::npos;
+               })) {
+      continue;
     }
     words.insert(words.end(), files.begin(), files.end());
     const Ended ended = run(program + ".pl", words);

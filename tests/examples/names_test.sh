@@ -11,18 +11,21 @@ root=$(realpath "$1")
 source "$root/tests/support/program.sh"
 program=perl
 uart=$root/examples/uart/uart.h
-# refused FROM TO LINE: the uart's model with one name for another, included by the header that is given.
+# refused FROM TO LINE [MODEL]: a model, the uart's, with one name for another, included by the header that
+# is given.
 refused() {
-  sed "s/\b$1\b/$2/" "$uart" > part.h
+  sed "s/\b$1\b/$2/" "${4-$uart}" > part.h
+  grep -q "\b$2\b" part.h || fails "there is no $1 in ${4-$uart}"
   echo '#include "part.h"' > model.h
   rm -f stamp
   ends 2 "$root/tb/package/design_names.pl" stamp "$root" model.h
   [[ $(< said) == "$PWD"/part.h:*": $3" ]] || fails "it says: $3"
   [[ ! -e stamp ]] || fails "it leaves no stamp"
 }
-refused invariant invarient "invarient(p, s, ...) means nothing: is invariant meant?"
+guarded=$root/tests/stream/designs/guarded.h
+refused invariant invarient "invarient(p, s, ...) means nothing: is invariant meant?" "$guarded"
 refused cases casse "casse(p, s, ...) means nothing: is cases meant?"
-refused invariant legall "legall(p, s, ...) means nothing: is legal meant?"
+refused invariant legall "legall(p, s, ...) means nothing: is legal meant?" "$guarded"
 refused reset_inputs reset_input "reset_input in struct Design means nothing: is reset_inputs meant?"
 refused reset_inputs clear "clear in struct Design means nothing: is reset_inputs meant?"
 refused rest cleared "cleared in struct Design means nothing: is reset_state meant?"

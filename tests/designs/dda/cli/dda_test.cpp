@@ -218,7 +218,7 @@ TEST(Dda, WithEveryKindOfJobDoesNotRunInLanes) {
   const Ended said = cosim({"sweep", "dda", "--random", "5", "--lanes", "64"});
   EXPECT_EQ(said.status, 2);
   EXPECT_EQ(said.err.find("cosim: dda W=6, random lines, arcs and conics: its jobs are driven one "
-                          "case at a time only: --lanes 0"),
+                          "case at a time, not in lanes"),
             0U)
       << said.err;
 }

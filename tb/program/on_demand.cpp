@@ -41,8 +41,14 @@ void build(const Registry& registry, const OnDemand& program) {
   const Ended ended =
       cosim::run_program({registry.cmake(), "--build", folder, "--target", program.target});
   if (ended.status == 0) return;
-  fmt::print(stderr, "{}", ended.text);
-  throw InputError(fmt::format("{}: cannot be built", program.target));
+  // What the compiler says is worth many lines; what keeps it from running is one.
+  if (ended.text.find("FAILED: ") != std::string::npos) {
+    fmt::print(stderr, "{}", ended.text);
+    throw InputError(fmt::format("{}: cannot be built", program.target));
+  }
+  const std::string text = ended.text.substr(0, ended.text.find_last_not_of('\n') + 1);
+  throw InputError(fmt::format("{}: cannot be built: {}", program.target,
+                               text.substr(text.find_last_of('\n') + 1)));
 }
 
 std::string path_of(const OnDemand& program) {

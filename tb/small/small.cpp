@@ -25,7 +25,7 @@ bool is_full(std::string_view word) {
 }
 
 void become_full(const Registry& registry) {
-  if (!std::filesystem::exists(path_of(registry.full()))) {
+  if (isatty(STDERR_FILENO) != 0 && !std::filesystem::exists(path_of(registry.full()))) {
     fmt::print(stderr, "Building what this needs, once\n");
   }
   build(registry, registry.full());

@@ -223,7 +223,9 @@ class ProductMaker {
       asked_[Happens::stuck].emplace_back("idle inputs are not legal: " + n.name, !n.condition);
     }
     for (const auto& [name, net] : rtl_.unmet()) {
-      asked_[Happens::assertion].emplace_back("not so: assertion " + name, nets[net]);
+      // On the first clock such a one tells of the clock before, which is one of the reset.
+      const Bit unmet = rtl_.is_sampled(net) ? graph_.and_of(is_later_, nets[net]) : nets[net];
+      asked_[Happens::assertion].emplace_back("not so: assertion " + name, unmet);
     }
     for (const nets::Named& n : m_.legal) legal_ = graph_.and_of(legal_, n.condition);
   }
@@ -250,6 +252,7 @@ class ProductMaker {
     Aig& graph = product_.graph;
     const Lit is_first = graph.latch(true);
     graph.next(is_first, 0);
+    lits.give(is_later_, is_first ^ 1);
     std::vector<Lit> latches;
     for (const Register& r : registers_now_) {
       const Lit first = lits.of(r.first);
@@ -295,7 +298,8 @@ class ProductMaker {
   const nets::MachineOf<nets::Number>& m_;
   const RtlNets& rtl_;
   nets::Graph graph_;
-  Code free_;  // of the model
+  Bit is_later_ = graph_.input();  // than the first clock
+  Code free_;                      // of the model
   Product product_;
   std::vector<std::vector<std::size_t>> inputs_, registers_, outputs_;  // nets of the RTL
   std::vector<std::pair<std::size_t, bool>> tied_;

@@ -109,6 +109,21 @@ std::vector<std::pair<std::string, std::size_t>> RtlNets::unmet() const {
   return all;
 }
 
+bool RtlNets::is_sampled(std::size_t unmet) const {
+  std::vector<bool> is_read(cells_.nets.size());
+  is_read[unmet] = true;
+  for (auto table = cells_.tables.rbegin(); table != cells_.tables.rend(); ++table) {
+    if (!is_read[table->gives]) continue;
+    for (const std::size_t net : table->of) is_read[net] = true;
+  }
+  const auto read = [&](std::size_t net) -> bool { return is_read[net]; };
+  if (std::any_of(cells_.inputs.begin(), cells_.inputs.end(), read)) return false;
+  return std::all_of(
+      cells_.flip_flops.begin(), cells_.flip_flops.end(), [&](const nets::Cells::FlipFlop& f) {
+        return !is_read[f.now] || cells_.nets[f.now].starts_with('$');  // yosys's own
+      });
+}
+
 void RtlNets::find_flip_flops(bool asynchronous_reset) {
   constexpr std::uint64_t copies = 2;  // the table of a net that is another one
   shown_.resize(cells_.nets.size());

@@ -38,6 +38,9 @@ class RtlNets {
   /// The nets that are 1 where what the RTL asserts is not so, where they are kept, with their
   /// assertions' names: a label, or a file and a line.
   std::vector<std::pair<std::string, std::size_t>> unmet() const;
+  /// Whether such a net says so of the clock before: an assertion at a clock is sampled by
+  /// flip-flops of its own, which are all that the net depends on.
+  bool is_sampled(std::size_t unmet) const;
 
  private:
   struct Wire {

@@ -277,13 +277,11 @@ class DesignBench : public Bench<Design> {
   DutMaker<Design> dut_, instrumented_;
 };
 
-/// The bench of one adapter, for short runs.
-template <class Adapter>
-class AdapterBench final : public DesignBench<typename Adapter::Design> {
-  using Design = typename Adapter::Design;
-
+/// For short runs: nothing is compiled for a shape.
+template <class Design>
+class ShortBench : public DesignBench<Design> {
  public:
-  AdapterBench() : DesignBench<Design>(dut_maker<Adapter>()) {}
+  using DesignBench<Design>::DesignBench;
 
  protected:
   std::unique_ptr<Loop<Design>> loop(std::uint32_t power_up) const override {
@@ -291,13 +289,23 @@ class AdapterBench final : public DesignBench<typename Adapter::Design> {
   }
 };
 
+/// The bench of one adapter, for short runs.
+template <class Adapter>
+class AdapterBench final : public ShortBench<typename Adapter::Design> {
+ public:
+  AdapterBench() : ShortBench<typename Adapter::Design>(dut_maker<Adapter>()) {}
+};
+
 /// The same with loops compiled for this adapter, for long runs.
-template <class Adapter, class Instrumented = Adapter>
+template <class Adapter>
 class FastBench final : public DesignBench<typename Adapter::Design> {
   using Design = typename Adapter::Design;
 
  public:
-  FastBench() : DesignBench<Design>(dut_maker<Adapter>(), dut_maker<Instrumented>()) {}
+  FastBench() : FastBench(dut_maker<Adapter>()) {}
+  /// `instrumented` as DesignBench has it.
+  explicit FastBench(const DutMaker<Design>& instrumented)
+      : DesignBench<Design>(dut_maker<Adapter>(), instrumented) {}
 
  protected:
   std::unique_ptr<Loop<Design>> loop(std::uint32_t power_up) const override {

@@ -18,6 +18,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <vector>
@@ -91,11 +92,11 @@ template <class Design>
 struct DutMaker {
   typename Design::Params params;
   bool can_load;  ///< registers can be set before the first eval
-  std::unique_ptr<Dut<Design>> (*make)(std::uint32_t power_up);
+  std::function<std::unique_ptr<Dut<Design>>(std::uint32_t power_up)> make;
 };
 
 template <class Adapter>
-constexpr DutMaker<typename Adapter::Design> dut_maker() {
+DutMaker<typename Adapter::Design> dut_maker() {
   using Design = typename Adapter::Design;
   const auto make = [](std::uint32_t power_up) -> std::unique_ptr<Dut<Design>> {
     return std::make_unique<AdapterDut<Adapter>>(power_up);

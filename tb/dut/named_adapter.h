@@ -19,75 +19,10 @@
 #include "model/core/design.h"
 #include "model/core/reset.h"
 #include "tb/dut/adapter.h"
-#include "tb/dut/port_net.h"
+#include "tb/dut/nets.h"
 #include "tb/dut/said.h"
 
 namespace cosim {
-
-/// Where the value of a cell lies: in 1, 2, 4 or 8 bytes that hold nothing else, or in some bits of
-/// a wide net. One that the shape does not have lies nowhere, and is 0.
-struct Net {
-  void* data = nullptr;
-  int bytes = 0;           ///< 0: not whole bytes
-  int low = 0, width = 0;  ///< the bits, where it is not whole bytes
-
-  Word get() const {
-    switch (bytes) {
-      case 1:
-        return *static_cast<const std::uint8_t*>(data);
-      case 2:
-        return *static_cast<const std::uint16_t*>(data);
-      case 4:
-        return *static_cast<const std::uint32_t*>(data);
-      case 8:
-        return static_cast<Word>(*static_cast<const std::uint64_t*>(data));
-      default:
-        return width == 0 ? 0 : get_bits();
-    }
-  }
-  void set(Word value) const {
-    switch (bytes) {
-      case 1:
-        *static_cast<std::uint8_t*>(data) = static_cast<std::uint8_t>(value);
-        break;
-      case 2:
-        *static_cast<std::uint16_t*>(data) = static_cast<std::uint16_t>(value);
-        break;
-      case 4:
-        *static_cast<std::uint32_t*>(data) = static_cast<std::uint32_t>(value);
-        break;
-      case 8:
-        *static_cast<std::uint64_t*>(data) = static_cast<std::uint64_t>(value);
-        break;
-      default:
-        if (width != 0) set_bits(value);
-    }
-  }
-
- private:
-  Word get_bits() const;
-  void set_bits(Word value) const;
-};
-
-/// What a design says of its pins.
-struct Ports {
-  std::string title;  ///< of the shape, for errors
-  const char* clock;  ///< the pin's name, "" where there is none, or several, which are inputs
-  std::vector<Field> inputs, outputs;
-  const char* extra = "";        ///< an input that no table names, or ""
-  std::string_view clocks = "";  ///< of several: lines "NAME" or "falling NAME"
-};
-
-/// The cells of the pins in the order of `ports`: inputs, then outputs, then the clock, one that
-/// lies nowhere where there is none. InputError if a port of the RTL, or a bit of one, is in
-/// neither table, if one in a table is no such port, if a width differs, and if the inputs that are
-/// clocks are not `clocks`.
-std::vector<Net> find_ports(const std::vector<PortNet>& of_rtl, const Ports& ports);
-/// The cells of the design's registers and memories; of a net that carries a register's value, as
-/// `text` says, which is of rtl.pl, those of the register. InputError if there is no net of that
-/// path and width.
-std::vector<Net> find_registers(VerilatedContext& context, const std::string& title,
-                                std::span<const Field> cells, std::string_view text = "");
 
 /// Where the cells of a record lie in an instance of Top, from its first byte on. The compiler
 /// knows it of those that known_nets has; the others are parts of nets, words of memories, or in a
@@ -165,9 +100,8 @@ class CellPlaces {
 };
 
 /// `Trait` has Design, params, and the names of the shape and of the clock: title, clock ("": it
-/// has none, or several, in clocks as Ports has them). `loads`: registers can be set, in a class
-/// Verilated with --vpi --public-flat-rw; then Trait has the text of rtl.pl besides: registers.
-template <class Top, class Trait, bool loads = false>
+/// has none, or several, in clocks as Ports has them).
+template <class Top, class Trait>
 class NamedAdapter : public VerilatedInstance<Top, has_reset<typename Trait::Design>> {
   using Base = VerilatedInstance<Top, has_reset<typename Trait::Design>>;
 
@@ -180,20 +114,6 @@ class NamedAdapter : public VerilatedInstance<Top, has_reset<typename Trait::Des
 
   explicit NamedAdapter(std::uint32_t power_up) : Base(power_up) {}
 
-  /// Sets a register's net. Behind the first eval, which sets initial values; to be followed by
-  /// another one.
-  template <bool can = loads>
-  std::enable_if_t<can> load(const Field& field, Word value) {
-    if (sources_.empty()) {
-      eval(false);
-      sources_ = find_registers(this->context(), Trait::title, held, Trait::registers);
-    }
-    for (std::size_t i = 0; i < held.size(); ++i) {
-      if (held[i].index == field.index && std::string_view(held[i].name) == field.name) {
-        sources_[i].set(value);
-      }
-    }
-  }
   void eval([[maybe_unused]] bool clk) {
     if constexpr (has_clock) {
       constexpr std::ptrdiff_t known = known_place<Top>(Trait::clock, true, 1);
@@ -217,18 +137,6 @@ class NamedAdapter : public VerilatedInstance<Top, has_reset<typename Trait::Des
   void drive(const Inputs& in) {
     places_.inputs.write(base_, in);
     if constexpr (clocks_of<Design> != 0) given_ = in;
-  }
-  std::vector<Signal> signals() const {
-    auto all = Base::signals(Trait::clock);
-    for_each_clock([&](auto member, auto cell) {
-      for (Signal& s : all) {
-        if (s.name != driven[cell].net) continue;
-        s.is_clock = true;
-        s.takes_edge = &(given_.*member);
-        s.falls = driven[cell].edge == Edge::falling;
-      }
-    });
-    return all;
   }
   Outputs outputs() const { return places_.outputs.read(base_); }
   Registers registers() const { return places_.registers.read(base_); }
@@ -280,8 +188,7 @@ class NamedAdapter : public VerilatedInstance<Top, has_reset<typename Trait::Des
 
   const Places& places_ = places(this->top(), this->context());
   std::byte* base_ = base_of(this->top());
-  Inputs given_{};            // where there are several clocks
-  std::vector<Net> sources_;  // what is loaded, once something is
+  Inputs given_{};  // where there are several clocks
   std::optional<RtlSaid> said_;
 };
 

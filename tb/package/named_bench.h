@@ -8,6 +8,7 @@
 
 #include "tb/bench/design_bench.h"
 #include "tb/dut/named_adapter.h"
+#include "tb/dut/open_dut.h"
 #include "tb/dut/registers.h"
 #include "tb/stream/stream_bench.h"
 
@@ -21,8 +22,8 @@ std::vector<std::unique_ptr<AnyBench>> named_benches() {
   using Design = typename Trait::Design;
   std::vector<std::unique_ptr<AnyBench>> all;
   if constexpr (!HasStreams<Design> || StepsOn<Design, Word>) {
-    auto bench =
-        std::make_unique<FastBench<NamedAdapter<Top, Trait>, NamedAdapter<Open, Trait, true>>>();
+    auto bench = std::make_unique<FastBench<NamedAdapter<Top, Trait>>>(
+        open_maker<Design>(open_class<Open, Trait>(), Trait::params));
     bench->set_unobserved(
         require_registers<Design>({Trait::title, Trait::registers, Trait::resets}, Trait::params));
     all.push_back(std::move(bench));

@@ -21,7 +21,7 @@ struct Trait {
   static constexpr const char* clock = "clk";
   static constexpr const char* registers = "";
 };
-using Named = NamedAdapter<IcircularW4, Trait, true>;
+using Named = NamedAdapter<IcircularW4, Trait>;
 
 TEST(NamedAdapter, IsInLockstep) {
   const AdapterBench<Named> bench;

@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <sstream>
 
+#include "tb/support/pattern.h"
 #include "tests/cli/folder.h"
 #include "tests/cli/help.h"
 #include "tests/cli/program.h"
@@ -79,11 +79,9 @@ TEST(Completion, OffersEveryCommandAndOptionOfTheHelp) {
   EXPECT_EQ(completed("repl"), (std::vector<std::string>{"replay"}));
   // A line of the help each, "  --wave FILE", the first with a letter before it.
   const std::string text = help({"replay"});
-  const std::regex option("\n +(?:-[a-z],)?(--[a-z-]+)");
+  const Pattern option("\n +(?:-[a-z],)?(--[a-z-]+)");
   std::vector<std::string> options;
-  for (std::sregex_iterator i(text.begin(), text.end(), option), end; i != end; ++i) {
-    options.push_back(i->str(1));
-  }
+  for (const auto& found : option.all(text)) options.push_back(found[1]);
   EXPECT_GE(options.size(), 7U);
   EXPECT_EQ(completed("replay --"), options);
   EXPECT_EQ(completed("replay --wave-b"), (std::vector<std::string>{"--wave-before"}));

@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <regex>
 #include <string>
 #include <vector>
 
+#include "tb/support/pattern.h"
 #include "tests/cli/folder.h"
 #include "tests/cli/program.h"
 
@@ -40,12 +40,12 @@ class Picture {
   std::vector<Dot> bars(int panel) const { return dots("$bars" + std::to_string(panel)); }
   /// The corners of the curve in the first panel.
   std::vector<Dot> curve() const {
-    static const std::regex corner(R"(([\d.]+),([\d.]+))");
+    static const Pattern corner(R"(([\d.]+),([\d.]+))");
     const std::size_t at = svg_.find(" d='", svg_.find("<title>$ideal "));
     const std::string line = svg_.substr(at, svg_.find("'/>", at) - at);
     std::vector<Dot> found;
-    for (std::sregex_iterator one(line.begin(), line.end(), corner), end; one != end; ++one) {
-      found.push_back({std::stod((*one)[1]), std::stod((*one)[2]), ""});
+    for (const auto& one : corner.all(line)) {
+      found.push_back({std::stod(one[1]), std::stod(one[2]), ""});
     }
     return found;
   }
@@ -53,16 +53,14 @@ class Picture {
  private:
   // Those of what is drawn of `data`: up to the next title.
   std::vector<Dot> dots(const std::string& data) const {
-    static const std::regex dot(
+    static const Pattern dot(
         R"(<use [^>]*translate\(([\d.]+),([\d.]+)\)[^>]*color='rgb\( *(\d+), *(\d+), *(\d+)\)')");
     std::vector<Dot> found;
     for (std::size_t at = svg_.find("<title>" + data + " "); at != std::string::npos;
          at = svg_.find("<title>" + data + " ", at + 1)) {
       const std::string group = svg_.substr(at, svg_.find("<title>", at + 1) - at);
-      for (std::sregex_iterator one(group.begin(), group.end(), dot), end; one != end; ++one) {
-        const std::smatch& m = *one;
-        found.push_back(
-            {std::stod(m[1]), std::stod(m[2]), m[3].str() + "," + m[4].str() + "," + m[5].str()});
+      for (const auto& m : dot.all(group)) {
+        found.push_back({std::stod(m[1]), std::stod(m[2]), m[3] + "," + m[4] + "," + m[5]});
       }
     }
     return found;

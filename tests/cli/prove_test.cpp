@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <regex>
 
+#include "tb/support/pattern.h"
 #include "tests/cli/folder.h"
 #include "tests/cli/program.h"
 #include "tests/support/root.h"
@@ -27,9 +27,7 @@ class Prove : public testing::Test {
   Folder folder_;
 };
 
-bool says(const Ended& ended, const std::string& pattern) {
-  return std::regex_search(ended.out, std::regex(pattern));
-}
+bool says(const Ended& ended, const std::string& pattern) { return Pattern(pattern).in(ended.out); }
 
 // What the solvers are given can be read, and given to them by hand.
 TEST_F(Prove, AMachine) {
@@ -72,10 +70,10 @@ TEST(ProveWithoutEngines, SaysSoInALine) {
 TEST_F(Prove, TheTheoremsOfADesign) {
   const Ended ended = cosim({"prove", "--theorems", "circular"});
   EXPECT_EQ(ended.status, 0) << ended.err;
-  std::smatch counts;
-  const std::regex verdict("\n([0-9]+) of ([0-9]+) theorems proved by z3 and cvc5\n$");
-  ASSERT_TRUE(std::regex_search(ended.out, counts, verdict)) << ended.out;
-  EXPECT_EQ(counts[1], counts[2]);
+  const Pattern verdict("\n([0-9]+) of ([0-9]+) theorems proved by z3 and cvc5\n$");
+  const auto counts = verdict.all(ended.out);
+  ASSERT_EQ(counts.size(), 1U) << ended.out;
+  EXPECT_EQ(counts[0][1], counts[0][2]);
   EXPECT_FALSE(says(ended, "linear"));
 }
 
@@ -89,9 +87,9 @@ TEST_F(Prove, KeepsACounterexampleAsAFailure) {
   EXPECT_EQ(ended.status, 1) << ended.err;
   EXPECT_TRUE(says(ended, "REFUTED from reset: clock [0-9]+, by ")) << ended.out;
   EXPECT_TRUE(says(ended, "\nfirst difference: clock [0-9]+, ")) << ended.out;
-  std::smatch kept;
-  ASSERT_TRUE(std::regex_search(ended.out, kept, std::regex("\nkept in: (.*)\n"))) << ended.out;
-  const std::string stimulus = kept[1].str() + "/stimulus.stim";
+  const auto kept = Pattern("\nkept in: (.*)\n").all(ended.out);
+  ASSERT_EQ(kept.size(), 1U) << ended.out;
+  const std::string stimulus = kept[0][1] + "/stimulus.stim";
   EXPECT_TRUE(std::filesystem::exists(stimulus));
   std::ifstream text(stimulus);
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(text), {}).find("\nstate "),
@@ -108,11 +106,9 @@ TEST_F(Prove, ShowsACounterexampleOfOtherRtl) {
   EXPECT_EQ(ended.status, 1) << ended.err;
   EXPECT_TRUE(says(ended, "\nfrom reset, on clock [0-9]+: (register|output) ")) << ended.out;
   EXPECT_FALSE(says(ended, "\n3 of 3"));
-  std::smatch kept;
-  ASSERT_TRUE(
-      std::regex_search(ended.out, kept, std::regex("\nthe formulas. As a stimulus: (.*)\n")))
-      << ended.out;
-  EXPECT_EQ(cosim({"replay", kept[1].str(), "--failures", failures}).status, 0);
+  const auto kept = Pattern("\nthe formulas. As a stimulus: (.*)\n").all(ended.out);
+  ASSERT_EQ(kept.size(), 1U) << ended.out;
+  EXPECT_EQ(cosim({"replay", kept[0][1], "--failures", failures}).status, 0);
 }
 
 // The shipped RTL in one file, with a port that chooses among three machines in its place: one that

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <string>
 #include <vector>
 
+#include "tb/support/pattern.h"
 #include "tests/support/root.h"
 
 namespace cosim::test {
@@ -46,7 +46,7 @@ bool may_include(const std::string& from, const std::string& what) {
 
 // "FROM WHAT" of every include of a file of the project in these folders.
 std::vector<std::string> includes(const std::vector<std::string>& folders) {
-  static const std::regex include(R"re(#include "([^"]*)")re");
+  static const Pattern include(R"re(#include "([^"]*)")re");
   std::vector<std::string> all;
   for (const std::string& folder : folders) {
     for (const auto& entry : fs::recursive_directory_iterator(project_root() / folder)) {
@@ -54,11 +54,11 @@ std::vector<std::string> includes(const std::vector<std::string>& folders) {
       if (kind != ".h" && kind != ".cpp") continue;
       std::ifstream file(entry.path());
       const std::string from = fs::relative(entry.path(), project_root()).generic_string();
-      std::smatch found;
       for (std::string line; std::getline(file, line);) {
-        if (!std::regex_match(line, found, include)) continue;
+        const auto found = include.whole(line);
+        if (found.empty()) continue;
         // What has no folder in front is made by CMake or Verilator.
-        if (fs::exists(project_root() / found[1].str())) all.push_back(from + ' ' + found[1].str());
+        if (fs::exists(project_root() / found[1])) all.push_back(from + ' ' + found[1]);
       }
     }
   }

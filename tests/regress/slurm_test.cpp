@@ -2,8 +2,8 @@
 // scripts/test --slurm.
 #include <cstdlib>
 #include <filesystem>
-#include <regex>
 
+#include "tb/support/pattern.h"
 #include "tests/regress/run.h"
 
 namespace cosim::cli {
@@ -88,7 +88,7 @@ TEST_F(Cluster, HasLanesMadeForItsNodes) {
   const std::string sweeps = R"({"name": "pins", "sweep": "linear M=5 N=2", "hostile": 30000$},
                                {"name": "jobs", "sweep": "linear M=5 N=2", "random": 3000$})";
   const auto with = [&](const std::string& lanes) {
-    return std::regex_replace(sweeps, std::regex(R"(\$)"), lanes);
+    return Pattern(R"(\$)").replaced(sweeps, lanes);
   };
   plan(with(""));
   ASSERT_EQ(cosim(fresh("alone", {"--shards", "1"})).status, 0);

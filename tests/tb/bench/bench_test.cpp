@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <set>
 #include <span>
 
+#include "tb/support/pattern.h"
 #include "tests/support/designs.h"
 #include "tests/support/model_adapter.h"
 #include "tests/support/recorder.h"
@@ -40,21 +40,18 @@ struct Text {
 };
 
 Text read_text(const std::string& design) {
-  const std::regex port(R"(^\s*(input|output)\s+wire\s*(\[.*\])?\s*(\w+))");
-  const std::regex net(R"(\b\w+_q\b)");
+  const Pattern port(R"(^\s*(input|output)\s+wire\s*(\[.*\])?\s*(\w+))");
+  const Pattern net(R"(\b\w+_q\b)");
   Text text;
-  std::smatch found;
   for (const auto& entry : std::filesystem::directory_iterator(project_root() / "rtl" / design)) {
     const bool is_top = entry.path().stem() == design;
     std::ifstream file(entry.path());
     for (std::string line; std::getline(file, line);) {
       line.resize(std::min(line.find("//"), line.size()));
-      if (is_top && std::regex_search(line, found, port)) {
+      for (const auto& found : is_top ? port.all(line) : std::vector<Pattern::Parts>{}) {
         (found[1] == "input" ? text.inputs : text.outputs).insert(found[3]);
       }
-      for (std::sregex_iterator at(line.begin(), line.end(), net), end; at != end; ++at) {
-        text.registers.insert(at->str());
-      }
+      for (const auto& found : net.all(line)) text.registers.insert(found[0]);
     }
   }
   return text;

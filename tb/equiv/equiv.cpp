@@ -6,6 +6,7 @@
 #include <set>
 
 #include "model/core/input_error.h"
+#include "tb/equiv/clocks.h"
 #include "tb/equiv/product.h"
 #include "tb/equiv/replay.h"
 #include "tb/equiv/unknown.h"
@@ -16,11 +17,6 @@ namespace cosim::equiv {
 namespace {
 
 using Widths = std::map<std::string, int>;
-
-std::string gate_name(const Question& q, const std::string& port) {
-  const auto at = q.renamed.find(port);
-  return at == q.renamed.end() ? port : at->second;
-}
 
 // Ports of one side that the other lacks, or has in another width.
 void find_lacking(const Question& q, const Widths& gold, const Widths& gate, bool inputs,
@@ -59,62 +55,6 @@ void require_ports(const Question& q) {
   }
   if (!q.gold.clock.empty() && !q.gate.clock.empty() && q.gold.falling != q.gate.falling) {
     throw InputError("one takes over when its clock rises, the other when it falls");
-  }
-}
-
-std::string word(const std::vector<bool>& values, const Widths& ports, const std::string& port,
-                 const std::map<Name, std::size_t>& at) {
-  std::string text;
-  for (int bit = ports.at(port); bit-- > 0;) {
-    const auto found = at.find({port, bit});
-    text += found == at.end() ? '-' : values[found->second] ? '1' : '0';
-  }
-  return text;
-}
-
-// The clocks of a stimulus as words of ports.
-void show(const Question& q, const Product& product, const proof::Reached& reached,
-          const std::set<Name>& open, Answer& answer) {
-  answer.verdict = Verdict::different;
-  std::vector<proof::Aig::Lit> watched;
-  const auto watch = [&](const std::map<Name, proof::Aig::Lit>& bits) {
-    std::map<Name, std::size_t> at;
-    for (const auto& [name, lit] : bits) {
-      at[name] = watched.size();
-      watched.push_back(lit);
-    }
-    return at;
-  };
-  const auto inputs = watch(product.inputs), gold = watch(product.gold), gate = watch(product.gate),
-             any = watch(product.any);
-  for (const auto& values : product.graph.run(reached.inputs, watched)) {
-    Row row;
-    for (const auto& [port, width] : product.widths) {
-      row.inputs[port] = word(values, product.widths, port, inputs);
-    }
-    for (const auto& [port, width] : q.gold.outputs) {
-      const std::string other = gate_name(q, port);
-      if (!q.gate.outputs.contains(other) || q.gate.outputs.at(other) != width) continue;
-      row.gold[port] = word(values, q.gold.outputs, port, gold);
-      row.gate[port] = word(values, q.gold.outputs, port, gate);
-      for (int bit = 0; bit < width; ++bit) {
-        const auto at = any.find({port, bit});
-        if (open.contains({port, bit}) || (at != any.end() && values[at->second])) {
-          row.gold[port][static_cast<std::size_t>(width - 1 - bit)] = '-';
-        }
-      }
-    }
-    answer.clocks.push_back(row);
-  }
-  if (answer.clocks.empty()) return;
-  const Row& last = answer.clocks.back();
-  for (const auto& [port, text] : last.gold) {
-    const std::string& other = last.gate.at(port);
-    for (std::size_t i = 0; i < text.size(); ++i) {
-      if (text[i] == '-' || text[i] == other[i]) continue;
-      answer.differing.push_back(port);
-      break;
-    }
   }
 }
 
@@ -265,7 +205,10 @@ Answer compare(Question& q) {
   if (replay.refuted) {
     answer.verdict = Verdict::undecided;
     answer.left = "the netlists differ, but not the RTL in Verilator";
+    return answer;
   }
+  if (replay.shown) take_over(q, replay, answer);
+  answer.late = late_outputs(q, answer);
   return answer;
 }
 

@@ -15,25 +15,37 @@
 namespace cosim::equiv {
 
 struct Question {
-  Side gold, gate;                             ///< the old RTL and the new one
-  std::string reset;                           ///< an input; empty: initial values alone
-  bool reset_active = true;                    ///< the level that resets
-  int reset_clocks = 3;                        ///< >= 0
-  std::map<std::string, int> tied;             ///< inputs that have a value, of either side
-  std::vector<std::string> ignored;            ///< outputs that are not compared
-  std::map<std::string, std::string> renamed;  ///< ports of the old RTL as the new one calls them
+  Side gold, gate;                               ///< the old RTL and the new one
+  std::string reset{};                           ///< an input; empty: initial values alone
+  bool reset_active = true;                      ///< the level that resets
+  int reset_clocks = 3;                          ///< >= 0
+  std::map<std::string, int> tied{};             ///< inputs that have a value, of either side
+  std::vector<std::string> ignored{};            ///< outputs that are not compared
+  std::map<std::string, std::string> renamed{};  ///< ports of the old RTL as the new one calls them
   int latency = 0;  ///< the outputs of the new RTL come so many clocks later
   Budget budget{300};
-  unsigned jobs = 4;      ///< engines at a time, >= 1
-  bool verilator = true;  ///< a difference is replayed in Verilator
+  unsigned jobs = 4;                ///< engines at a time, >= 1
+  bool verilator = true;            ///< a difference is replayed in Verilator
+  std::uint64_t wave_before = 200;  ///< clocks that a wave shows before a difference
 };
 
 enum class Verdict { equal, different, undecided };
 
-/// One bit of a word on one clock as it is printed.
+/// The words of one clock as they are printed.
 struct Row {
   std::map<std::string, std::string> inputs;      ///< binary, the highest bit first
   std::map<std::string, std::string> gold, gate;  ///< of the outputs; '-': any value is right
+};
+
+/// An output whose values are the same in the same order, but not on the same clocks.
+struct Late {
+  std::string port;
+  int clocks = 0;  ///< that the new one is later; < 0: earlier
+};
+
+/// What Verilator recorded of a difference, files of it (vcd.h); empty where it did not.
+struct Recorded {
+  std::string gold, gate;
 };
 
 struct Answer {
@@ -41,12 +53,24 @@ struct Answer {
   std::string by;           ///< what decided
   std::string replayed;     ///< of different: "in Verilator", or on what else, and why
   std::vector<Row> clocks;  ///< of different: the stimulus, the last row tells them apart
+  /// Of different: what comes of it where the inputs stay as they are, at most clocks_behind.
+  std::vector<Row> after;
   std::vector<std::string> differing;  ///< of different: the outputs
-  bool least = false;                  ///< of different: no shorter stimulus tells them apart
-  int compared = 0;                    ///< of undecided: equal for so many clocks
-  std::string left;                    ///< of undecided: what is left
-  std::size_t matched = 0;             ///< registers that both have by name
+  /// Of different, where on these clocks only the time differs: the outputs that differ on one.
+  std::vector<Late> late;
+  Recorded recorded;        ///< of different: from first_drawn() on
+  bool least = false;       ///< of different: no shorter stimulus tells them apart
+  int compared = 0;         ///< of undecided: equal for so many clocks
+  std::string left;         ///< of undecided: what is left
+  std::size_t matched = 0;  ///< registers that both have by name
 };
+
+/// How many clocks a stimulus has after the first difference, for a wave to show.
+inline constexpr std::size_t clocks_behind = 200;
+
+/// The first clock that a wave of it shows, from 0, and the first that is compared.
+std::uint64_t first_drawn(const Question& question, const Answer& answer);
+std::size_t first_compared(const Question& question);
 
 /// Makes the gates of both sides, and compares them; a difference is replayed in Verilator.
 /// InputError where the ports do not agree, before anything long; it lists them and says what to

@@ -4,19 +4,20 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <set>
 
 #include "model/core/input_error.h"
+#include "tb/equiv/result.h"
 #include "tb/full_cli/commands.h"
 #include "tb/new/found_shape.h"
 #include "tb/program/common.h"
 #include "tb/program/number.h"
-#include "tb/support/draft.h"
+#include "tb/program/outputs.h"
 #include "tb/support/interrupt.h"
-#include "tb/support/json.h"
 #include "tb/support/output_file.h"
 #include "tb/support/parallel.h"
 #include "tb/support/process.h"
@@ -31,7 +32,7 @@ using Words = std::vector<std::string>;
 
 struct EquivOptions {
   Words gold, gate, files, cells, parameters, include_dirs, defines, tied, ignored, renamed;
-  Text rev, top, gold_top, gate_top, seconds, jobs, reset, reset_clocks, latency, report;
+  Text rev, top, gold_top, gate_top, seconds, jobs, reset, reset_clocks, latency;
   bool netlists = false;
   Common common;
 };
@@ -134,94 +135,38 @@ void find_reset(const EquivOptions& o, equiv::Question& q) {
   if (q.reset.empty()) q.reset_clocks = 0;
 }
 
-std::string assumed(const equiv::Question& q) {
-  std::string text =
-      q.reset.empty() ? "no reset: from the initial values"
-                      : fmt::format("from reset: {} is {} for {}", q.reset, q.reset_active ? 1 : 0,
-                                    count(static_cast<std::uint64_t>(q.reset_clocks), "clock"));
-  std::set<std::string> any;
-  for (const equiv::Side* s : {&q.gold, &q.gate}) {
-    for (const equiv::Register& r : s->registers) {
-      if (r.any) any.insert(r.name.first);
-    }
+// The verdict holds even if the difference cannot be kept. The page of what is kept, or "".
+std::string keep_difference(const EquivOptions& o, const std::string& top, const equiv::Question& q,
+                            const equiv::Answer& a) {
+  std::fflush(stdout);
+  try {
+    const equiv::Kept kept =
+        equiv::keep(top, q, a, o.common.failures_folder(), o.common.window().after);
+    fmt::print("kept in: {}\n", one_line(kept.folder.string()));
+    return kept.page;
+  } catch (const InputError& error) {
+    complain(fmt::format("the difference is not kept: {}", error.what()));
   }
-  if (!any.empty()) {
-    text += fmt::format("; without an initial value, so any: {}", count(any.size(), "register"));
-  }
-  for (const auto& [pin, value] : q.tied) text += fmt::format("; {} is {}", pin, value);
-  for (const std::string& pin : q.ignored) text += fmt::format("; {} is not compared", pin);
-  if (q.latency > 0) {
-    text += fmt::format("; the new outputs come {} later",
-                        count(static_cast<std::uint64_t>(q.latency), "clock"));
-  }
-  return text;
-}
-
-Json json_of_answer(const std::string& top, const equiv::Question& q, const equiv::Answer& a) {
-  const char* verdict = a.verdict == equiv::Verdict::equal       ? "equal"
-                        : a.verdict == equiv::Verdict::different ? "different"
-                                                                 : "undecided";
-  Json clocks = Json::array();
-  for (const equiv::Row& row : a.clocks) {
-    clocks.push_back({{"inputs", row.inputs}, {"old", row.gold}, {"new", row.gate}});
-  }
-  return {{"top", top},
-          {"verdict", verdict},
-          {"by", a.by},
-          {"replayed", a.replayed},
-          {"assumed", assumed(q)},
-          {"registers_by_name", a.matched},
-          {"stimulus", clocks},
-          {"least", a.least},
-          {"differing", a.differing},
-          {"left", a.left},
-          {"equal_clocks", a.compared}};
+  return "";
 }
 
 int conclude(const EquivOptions& o, const std::string& top, const equiv::Question& q,
-             const equiv::Answer& a, std::optional<OutputFile>& report) {
-  const Json json = json_of_answer(top, q, a);
-  fmt::print("{}\n", assumed(q));
-  int status = 0;
-  if (a.verdict == equiv::Verdict::equal) {
-    fmt::print("{}: equal for ever, by {}\n", top, a.by);
-  } else if (a.verdict == equiv::Verdict::undecided) {
-    const std::string first =
-        "equal for the first " + count(static_cast<std::uint64_t>(a.compared), "clock");
-    fmt::print("{}: undecided: {}{}\n", top, a.compared > 0 || a.left.empty() ? first + "; " : "",
-               a.left.empty() ? "more is not known" : a.left);
-    status = 3;
-  } else {
-    const equiv::Row& last = a.clocks.back();
-    std::string list;
-    for (const std::string& port : a.differing) {
-      list += fmt::format("{} {} is {}, was {}", list.empty() ? "" : ",", port, last.gate.at(port),
-                          last.gold.at(port));
-    }
-    fmt::print("{}: different on clock {}{}:{}; replayed {}\n", top, a.clocks.size(),
-               a.least ? ", the first that can be" : "", list, a.replayed);
-    Draft folder(o.common.failures_folder(), top + "-equiv");
-    folder.write("report.json", json_text(json, 2) + "\n");
-    std::string csv = "clock";
-    for (const auto& [port, text] : last.inputs) csv += "," + port;
-    for (const auto& [port, text] : last.gold) csv += fmt::format(",old {0},new {0}", port);
-    for (std::size_t i = 0; i < a.clocks.size(); ++i) {
-      csv += fmt::format("\n{}", i + 1);
-      for (const auto& [port, text] : a.clocks[i].inputs) csv += "," + text;
-      for (const auto& [port, text] : a.clocks[i].gold) {
-        csv += fmt::format(",{},{}", text, a.clocks[i].gate.at(port));
-      }
-    }
-    folder.write("stimulus.csv", csv + "\n");
-    folder.finish();
-    fmt::print("kept in {}\n", folder.target().string());
-    status = 1;
+             const equiv::Answer& a) {
+  fmt::print("{}\n{}", equiv::assumed_text(q), equiv::verdict_text(top, q, a));
+  const bool differs = a.verdict == equiv::Verdict::different;
+  std::string page = differs ? keep_difference(o, top, q, a) : "";
+  if (o.common.report) {
+    OutputFile file(*o.common.report);
+    file.text(equiv::result_json(top, q, a));
+    file.close();
   }
-  if (report) {
-    report->text(json_text(json, 2) + "\n");
-    report->close();
+  if (o.common.html) {
+    OutputFile file(*o.common.html);
+    file.text(page.empty() ? equiv::page_of(top, q, a) : page);
+    file.close();
+    fmt::print("page: {}\n", one_line(*o.common.html));
   }
-  return status;
+  return differs ? 1 : a.verdict == equiv::Verdict::equal ? 0 : 3;
 }
 
 int run(const EquivOptions& o) {
@@ -248,9 +193,7 @@ int run(const EquivOptions& o) {
   const int seconds = o.seconds ? number("--seconds", *o.seconds, 1, 1000000) : 300;
   const unsigned jobs =
       o.jobs ? static_cast<unsigned>(number("--jobs", *o.jobs, 1, 1024)) : std::max(4U, cores());
-  // A report that cannot be written is no answer to wait for.
-  std::optional<OutputFile> report;
-  if (o.report) report.emplace(*o.report);
+  check_outputs(o.common);
   const equiv::Budget budget(seconds);
   const std::string top = o.top ? *o.top : *o.gate_top;
   const fs::path reader = write_reader(scratch);
@@ -266,10 +209,11 @@ int run(const EquivOptions& o) {
     fmt::print("{}: undecided: yosys does not read it in {} s (--seconds)\n", top, seconds);
     return 3;
   }
-  equiv::Question q{*old,   *now, {},
-                    true,   3,    {},
-                    {},     {},   o.latency ? number("--latency", *o.latency, 0, 1000) : 0,
-                    budget, jobs};
+  equiv::Question q{*old, *now};
+  q.latency = o.latency ? number("--latency", *o.latency, 0, 1000) : 0;
+  q.budget = budget;
+  q.jobs = jobs;
+  q.wave_before = o.common.window().before;
   for (const std::string& text : o.tied) {
     const auto [pin, value] = halves("--tie", text, "PIN=VALUE");
     q.tied[pin] = number("--tie", value, 0, 999999999);
@@ -279,7 +223,7 @@ int run(const EquivOptions& o) {
   find_reset(o, q);
   q.verilator = !o.netlists;
   const equiv::Answer answer = equiv::compare(q);
-  return conclude(o, top, q, answer, report);
+  return conclude(o, top, q, answer);
 }
 
 }  // namespace
@@ -309,7 +253,8 @@ void add_equiv(const Command& program) {
   command.text("--seconds", o->seconds, "N", "For all of it, reading included; default 300");
   command.text("--jobs", o->jobs, "J",
                "Engines at a time; default 4, or one a core where there are more");
-  command.text("--report", o->report, "FILE", "The result as JSON");
+  add_report(command, o->common);
+  add_html(command, o->common, "of a difference the wave");
   add_failures(command, o->common);
   command.footer(
       fmt::format("Needs yosys. Exit status: 0 equal, 1 different, 2 bad input, 3 undecided.\n"

@@ -95,13 +95,22 @@ std::string matched(const Page& page) {
   return text + "</table></div>\n";
 }
 
+std::string badge(const std::string& kind, const std::string& word) {
+  return fmt::format("<span class=\"verdict {}\">{}</span>\n", kind, markup(word));
+}
+
+// What is above all else.
 std::string head(const Page& page) {
+  if (const Page::Verdict& v = page.verdict; !v.word.empty()) {
+    return badge(v.kind, v.word) + fmt::format("<h1>{}</h1>\n", markup(page.title)) +
+           block(v.lines, " class=\"first\"") + "<div class=\"soft\">" + paragraphs(v.conditions) +
+           "</div>\n";
+  }
   const bool match = all_match(page.outcomes);
-  std::string text = fmt::format("<span class=\"verdict {}\">{}</span>\n",
-                                 page.outcomes.empty() ? "none"
-                                 : match               ? "good"
-                                                       : "bad",
-                                 verdict_of(page.outcomes));
+  std::string text = badge(page.outcomes.empty() ? "none"
+                           : match               ? "good"
+                                                 : "bad",
+                           verdict_of(page.outcomes));
   if (match) text += matched(page);
   for (const Outcome& o : page.outcomes) {
     if (o.result.match()) continue;
@@ -119,9 +128,11 @@ std::string head(const Page& page) {
 std::string legend(const WavePicture& p) {
   std::string text;
   if (p.wave.find("class=\"mark\"") != std::string::npos) {
-    text +=
-        "<span class=\"e\">expected</span> is what the model has, <span class=\"a\">actual</span> "
-        "what the RTL has; red is where they differ, the yellow column the first clock that does. ";
+    text += fmt::format(
+        "<span class=\"e\">{}</span> is what {} has, <span class=\"a\">{}</span> what {} has; red "
+        "is "
+        "where they differ, the yellow column the first clock that does. ",
+        p.sides.expected, p.sides.has_expected, p.sides.actual, p.sides.has_actual);
   }
   if (p.wave.find("class=\"off\"") != std::string::npos) {
     text += "Hatched is what means nothing on that clock and is not compared.";
@@ -215,7 +226,9 @@ std::string page_text(const Page& page) {
     body += "<details><summary>The clocks around the difference as a table</summary>" +
             block(table_text(*o.result.mismatch)) + "</details>\n";
   }
-  return framed(fmt::format("{}: {}", verdict_of(page.outcomes), title_of(page)), body);
+  const std::string word =
+      page.verdict.word.empty() ? verdict_of(page.outcomes) : page.verdict.word;
+  return framed(fmt::format("{}: {}", word, title_of(page)), body);
 }
 
 }  // namespace cosim

@@ -26,10 +26,19 @@ struct Page {
     std::string what;   ///< it does
   };
 
+  /// A verdict on what no bench runs.
+  struct Verdict {
+    std::string word;          ///< "equal"; empty: there are outcomes
+    std::string kind;          ///< "good", "bad" or "none"
+    std::string lines{};       ///< what was found
+    std::string conditions{};  ///< under which it holds, lines
+  };
+
   std::vector<Outcome> outcomes;
   std::vector<Part> parts{};  ///< those that show nothing are left out
   std::vector<Command> commands{};
   std::string title{};  ///< of what has more outcomes than one, or none
+  Verdict verdict{};    ///< of what has none
 };
 
 /// The file. What is too long for it is cut, and it says so. InputError where an image cannot be

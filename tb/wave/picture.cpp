@@ -101,8 +101,10 @@ class PictureRows {
                        [&](const WavePart& part) { return part.compared == b.first + 1; });
   }
   void add_pair(const Bus& b, const std::string& shown) {
-    add(b, SvgRow::Side::expected, &WaveClock::expected, shown + " expected");
-    add(b, SvgRow::Side::actual, &WaveClock::actual, shown + " actual");
+    add(b, SvgRow::Side::expected, &WaveClock::expected,
+        fmt::format("{} {}", shown, shape_.sides.expected));
+    add(b, SvgRow::Side::actual, &WaveClock::actual,
+        fmt::format("{} {}", shown, shape_.sides.actual));
   }
 
   void add(const Bus& b, SvgRow::Side side, Values values, const std::string& shown) {
@@ -201,6 +203,7 @@ void PictureSink::begin(const WaveShape& shape, const WaveRange& range,
   kept_ =
       std::make_unique<Kept>(Kept{shape, first, first + clocks, path_probes(shape.probes), {}, {}});
   picture_.title = shape.title;
+  picture_.sides = shape.sides;
   picture_.path_first = range.first;
 }
 

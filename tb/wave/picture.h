@@ -11,7 +11,8 @@
 namespace cosim {
 
 struct WavePicture {
-  std::string title;        ///< the machine
+  std::string title;  ///< the machine
+  WaveSides sides{};
   std::uint64_t first = 0;  ///< the clocks that it shows, both are in it
   std::uint64_t last = 0;
   std::uint64_t clocks = 0;  ///< of the run

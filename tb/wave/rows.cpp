@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cctype>
 
 namespace cosim {
 namespace {
@@ -37,12 +38,18 @@ class Groups {
            })}));
       for (std::size_t i = 0; i < compared_.size() && is_register(i); ++i) add_compared(i);
     }
-    all_.push_back({"Expected, actual, mismatch", false, {}});
+    all_.push_back({pairs_title(), false, {}});
     for (std::size_t i = 0; i < compared_.size(); ++i) add_pair(i);
   }
   std::vector<WaveGroup> take() { return std::move(all_); }
 
  private:
+  // "Expected, actual, mismatch"
+  std::string pairs_title() const {
+    std::string title = fmt::format("{}, {}, mismatch", shape_.sides.expected, shape_.sides.actual);
+    title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+    return title;
+  }
   bool is_register(std::size_t i) const { return compared_[i].first < shape_.registers; }
   /// What is wrong at an interface, which is expected nowhere.
   bool is_finding(std::size_t i) const {

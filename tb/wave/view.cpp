@@ -97,10 +97,14 @@ class View {
 
 unsigned format_of(const Bus& b) { return format_of(b.field, b.width); }
 
-void add_pair(View& view, const Bus& b) {
+void add_pair(View& view, const Bus& b, const WaveSides& sides) {
   const std::string& name = b.name;
-  view.signal("cosim.expected." + name, b.width, format_of(b), name + " expected", green);
-  view.signal("cosim.actual." + name, b.width, format_of(b), name + " actual", orange);
+  const auto side = [&](const char* one, Color color) {
+    view.signal(fmt::format("cosim.{}.{}", one, name), b.width, format_of(b),
+                fmt::format("{} {}", name, one), color);
+  };
+  side(sides.expected, green);
+  side(sides.actual, orange);
   if (has_number(b.field)) {
     view.signal("cosim.number.expected_" + name, 1, signed_decimal, name + " expected", green);
     view.signal("cosim.number." + name, 1, signed_decimal, name + " actual", orange);
@@ -121,9 +125,9 @@ void add_probe(View& view, const Probe& probe, const std::string& words) {
   if (analog) view.higher(3);
 }
 
-void add_register(View& view, const Bus& b, const std::string& shown) {
+void add_register(View& view, const Bus& b, const std::string& shown, const WaveSides& sides) {
   if (!has_number(b.field)) {
-    view.signal("cosim.actual." + b.name, b.width, format_of(b), shown);
+    view.signal(fmt::format("cosim.{}.{}", sides.actual, b.name), b.width, format_of(b), shown);
   } else if (b.field.fraction > 0) {
     view.signal("cosim.number." + b.name, 1, signed_decimal | analog_step | analog_full, shown,
                 orange);
@@ -205,14 +209,14 @@ void write_view(const std::string& path, const WaveShape& shape, const WaveRange
                     format_of(inputs[row.at]), row.shown);
         break;
       case WaveRow::Kind::output:
-        view.signal("cosim.actual." + compared[row.at].name, compared[row.at].width,
-                    format_of(compared[row.at]), row.shown, orange);
+        view.signal(fmt::format("cosim.{}.{}", shape.sides.actual, compared[row.at].name),
+                    compared[row.at].width, format_of(compared[row.at]), row.shown, orange);
         break;
       case WaveRow::Kind::reg:
-        add_register(view, compared[row.at], row.shown);
+        add_register(view, compared[row.at], row.shown, shape.sides);
         break;
       case WaveRow::Kind::pair:
-        add_pair(view, compared[row.at]);
+        add_pair(view, compared[row.at], shape.sides);
         break;
       case WaveRow::Kind::probe:
         add_probe(view, shape.probes[row.at], name_of(words_file(path, shape.probes[row.at])));

@@ -57,8 +57,8 @@ void Wave::begin(const WaveShape& shape, const WaveRange& /*range*/,
   clk_ = fst.variable("clk", 1);
   clock_ = fst.variable("clock", clock_width);
   inputs_ = variables(fst, "inputs", input_buses_);
-  expected_ = variables(fst, "expected", buses_);
-  actual_ = variables(fst, "actual", buses_);
+  expected_ = variables(fst, shape.sides.expected, buses_);
+  actual_ = variables(fst, shape.sides.actual, buses_);
   fst.open_scope("mismatch");
   any_ = fst.variable("any", 1);
   for (const Bus& b : buses_) mismatch_.push_back(fst.variable(b.name, 1));

@@ -12,6 +12,9 @@
 //   cosim.SCOPE.NAME               a probe of the design, by the side that it names or the RTL
 //   cosim.SCOPE.expected_NAME      one of both sides, by the model
 //   DESIGN....                     the RTL
+//
+// Where two RTLs are compared the scopes `expected` and `actual` are called by their names
+// (WaveSides).
 #pragma once
 
 #include <cstdint>
@@ -34,6 +37,14 @@ struct WavePart {
   std::size_t inputs = 0, compared = 0;  ///< where those of the next one begin
 };
 
+/// What the two that are compared are called, and what they are.
+struct WaveSides {
+  const char* expected = "expected";
+  const char* actual = "actual";
+  const char* has_expected = "the model";
+  const char* has_actual = "the RTL";
+};
+
 /// The signals of a machine that are drawn.
 struct WaveShape {
   std::string title;
@@ -42,6 +53,7 @@ struct WaveShape {
   std::size_t registers = 0;
   std::vector<Probe> probes;      ///< those of a scope side by side
   std::vector<WavePart> parts{};  ///< of a machine whose pins belong to interfaces; else empty
+  WaveSides sides{};
 };
 
 /// One clock of a run.

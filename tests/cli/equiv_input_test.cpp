@@ -11,7 +11,8 @@
 namespace cosim::cli {
 namespace {
 
-TEST(Equiv, AFileOfAMemoryIsFoundBesideTheRtl) {
+// A memory that is read from a file beside the RTL, and one that is another there.
+void expect_found_beside_the_rtl(const Arguments& more, const std::string& replayed) {
   const Folder folder;
   const std::string rom = module_of(", input [1:0] a, output [7:0] q",
                                     "reg [7:0] m[0:3]; initial $readmemh(\"rom.hex\", m);"
@@ -23,13 +24,24 @@ TEST(Equiv, AFileOfAMemoryIsFoundBesideTheRtl) {
     folder.write(side + std::string("/m.v"), rom);
   }
   const auto against = [&](const char* side) {
-    return cosim({"equiv", "--gold", folder.path("old/m.v"), "--gate", folder.path(side) + "/m.v",
-                  "--top", "m", "--failures", folder.path("kept")});
+    Arguments words{
+        "equiv", "--gold", folder.path("old/m.v"), "--gate",           folder.path(side) + "/m.v",
+        "--top", "m",      "--failures",           folder.path("kept")};
+    words.insert(words.end(), more.begin(), more.end());
+    return cosim(words);
   };
   EXPECT_EQ(against("same").status, 0);
   const Ended other = against("new");
   EXPECT_EQ(other.status, 1) << other.err;
-  EXPECT_NE(other.out.find("q is 00000101, was 00000100"), std::string::npos) << other.out;
+  EXPECT_NE(other.out.find("q is 00000101, was 00000100; " + replayed + '\n'), std::string::npos)
+      << other.out;
+}
+
+TEST(Equiv, AFileOfAMemoryIsFoundBesideTheRtl) {
+  expect_found_beside_the_rtl({"--netlists"}, "replayed on the netlists");
+}
+TEST(EquivReplay, FindsAFileOfAMemoryBesideTheRtl) {
+  expect_found_beside_the_rtl({}, "replayed in Verilator");
 }
 
 TEST(Equiv, ATimeThatIsOverIsNoError) {

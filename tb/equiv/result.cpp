@@ -1,0 +1,171 @@
+#include "tb/equiv/result.h"
+
+#include <fmt/core.h>
+
+#include <set>
+
+#include "tb/equiv/drawn.h"
+#include "tb/report/page.h"
+#include "tb/support/draft.h"
+#include "tb/support/json.h"
+#include "tb/support/words.h"
+
+namespace cosim::equiv {
+namespace {
+
+std::string clocks_text(std::size_t clocks) {
+  return count(static_cast<std::uint64_t>(clocks), "clock");
+}
+
+const char* word_of(Verdict verdict) {
+  return verdict == Verdict::equal       ? "equal"
+         : verdict == Verdict::different ? "different"
+                                         : "undecided";
+}
+
+// "q 1 clock later, r 2 clocks earlier"
+std::string late_text(const Answer& a) {
+  std::string text;
+  for (const Late& late : a.late) {
+    const bool is_later = late.clocks > 0;
+    const int clocks = is_later ? late.clocks : -late.clocks;
+    text +=
+        fmt::format("{}{} {} {}", text.empty() ? "" : ", ", late.port,
+                    clocks_text(static_cast<std::size_t>(clocks)), is_later ? "later" : "earlier");
+  }
+  return text;
+}
+
+std::string csv_of(const Answer& a) {
+  const Row& last = a.clocks.back();
+  std::string csv = "clock";
+  for (const auto& [port, text] : last.inputs) csv += "," + port;
+  for (const auto& [port, text] : last.gold) csv += fmt::format(",old {0},new {0}", port);
+  for (std::size_t i = 0; i < a.clocks.size(); ++i) {
+    csv += fmt::format("\n{}", i + 1);
+    for (const auto& [port, text] : a.clocks[i].inputs) csv += "," + text;
+    for (const auto& [port, text] : a.clocks[i].gold) {
+      csv += fmt::format(",{},{}", text, a.clocks[i].gate.at(port));
+    }
+  }
+  return csv + "\n";
+}
+
+Page page(const std::string& top, const Question& q, const Answer& a) {
+  Page page;
+  page.title = top;
+  page.verdict = {word_of(a.verdict),
+                  a.verdict == Verdict::equal       ? "good"
+                  : a.verdict == Verdict::different ? "bad"
+                                                    : "none",
+                  verdict_text(top, q, a), assumed_text(q) + '\n'};
+  return page;
+}
+
+}  // namespace
+
+std::string assumed_text(const Question& q) {
+  std::string text =
+      q.reset.empty() ? "no reset: from the initial values"
+                      : fmt::format("from reset: {} is {} for {}", q.reset, q.reset_active ? 1 : 0,
+                                    clocks_text(static_cast<std::size_t>(q.reset_clocks)));
+  std::set<std::string> any;
+  for (const Side* s : {&q.gold, &q.gate}) {
+    for (const Register& r : s->registers) {
+      if (r.any) any.insert(r.name.first);
+    }
+  }
+  if (!any.empty()) {
+    text += fmt::format("; without an initial value, so any: {}", count(any.size(), "register"));
+  }
+  for (const auto& [pin, value] : q.tied) text += fmt::format("; {} is {}", pin, value);
+  for (const std::string& pin : q.ignored) text += fmt::format("; {} is not compared", pin);
+  if (q.latency > 0) {
+    text += fmt::format("; the new outputs come {} later",
+                        clocks_text(static_cast<std::size_t>(q.latency)));
+  }
+  return text;
+}
+
+std::string verdict_text(const std::string& top, const Question&, const Answer& a) {
+  if (a.verdict == Verdict::equal) return fmt::format("{}: equal for ever, by {}\n", top, a.by);
+  if (a.verdict == Verdict::undecided) {
+    const std::string first =
+        "equal for the first " + clocks_text(static_cast<std::size_t>(a.compared));
+    return fmt::format("{}: undecided: {}{}\n", top,
+                       a.compared > 0 || a.left.empty() ? first + "; " : "",
+                       a.left.empty() ? "more is not known" : a.left);
+  }
+  const Row& last = a.clocks.back();
+  std::string list;
+  for (const std::string& port : a.differing) {
+    list += fmt::format("{} {} is {}, was {}", list.empty() ? "" : ",", port, last.gate.at(port),
+                        last.gold.at(port));
+  }
+  std::string text =
+      fmt::format("{}: different on clock {}{}:{}; replayed {}\n", top, a.clocks.size(),
+                  a.least ? ", the first that can be" : "", list, a.replayed);
+  if (!a.late.empty()) {
+    text += fmt::format(
+        "only the time differs on these clocks: the values in their order are the same, in the new "
+        "{}\n",
+        late_text(a));
+  }
+  return text;
+}
+
+std::string result_json(const std::string& top, const Question& q, const Answer& a) {
+  Json clocks = Json::array();
+  for (const Row& row : a.clocks) {
+    clocks.push_back({{"inputs", row.inputs}, {"old", row.gold}, {"new", row.gate}});
+  }
+  Json late = Json::object();
+  for (const Late& one : a.late) late[one.port] = one.clocks;
+  const Json json{{"top", top},
+                  {"verdict", word_of(a.verdict)},
+                  {"by", a.by},
+                  {"replayed", a.replayed},
+                  {"assumed", assumed_text(q)},
+                  {"registers_by_name", a.matched},
+                  {"stimulus", clocks},
+                  {"least", a.least},
+                  {"differing", a.differing},
+                  {"only_the_time_differs", !a.late.empty()},
+                  {"later", late},
+                  {"left", a.left},
+                  {"equal_clocks", a.compared}};
+  return json_text(json, 2) + "\n";
+}
+
+std::string page_of(const std::string& top, const Question& q, const Answer& a) {
+  return page_text(page(top, q, a));
+}
+
+Kept keep(const std::string& top, const Question& q, const Answer& a,
+          const std::filesystem::path& root, std::uint64_t after) {
+  Draft draft(root, top + "-equiv");
+  Kept kept{draft.target(), ""};
+  draft.write("report.json", result_json(top, q, a));
+  draft.write("report.txt", assumed_text(q) + '\n' + verdict_text(top, q, a));
+  const std::string csv = csv_of(a);
+  draft.write("stimulus.csv", csv);
+  Page shown = page(top, q, a);
+  const bool is_recorded = !a.recorded.gold.empty() && !a.recorded.gate.empty();
+  shown.parts.push_back(
+      {"The wave around the first difference",
+       fmt::format(
+           "wave.fst has more clocks{}. Its clocks are counted from 0: they differ on clock "
+           "{}. After that the inputs stay as they are. A bit that the old RTL leaves x is "
+           "drawn as the new one has it.",
+           is_recorded ? ", and the hierarchies of both" : "", a.clocks.size() - 1),
+       draw(q, a, after, (draft.folder() / "wave.fst").string()), csv});
+  shown.commands.push_back(
+      {fmt::format("cd {} && gtkwave wave.fst wave.gtkw", draft.target().string()),
+       "The whole wave in GTKWave"});
+  kept.page = page_text(shown);
+  draft.write("report.html", kept.page);
+  draft.finish();
+  return kept;
+}
+
+}  // namespace cosim::equiv

@@ -1,0 +1,123 @@
+// cosim equiv: what a difference leaves, a page and a wave; and whether only the time differs.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/equiv_pairs.h"
+#include "tests/support/vcd.h"
+
+namespace cosim::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+// A register behind its input, in an instance; the new one negates what it holds where d is `when`.
+std::string rtl(const std::string& kept, const std::string& ports = "input [3:0] d") {
+  return "module part(input clk, input rst, input [3:0] d, output reg [3:0] s);\n"
+         "always @(posedge clk) if (rst) s <= 0; else s <= " +
+         kept + ";\nendmodule\n" +
+         module_of(", " + ports + ", output [3:0] q, output [79:0] wide",
+                   "part p(clk, rst, d, q); assign wide = {76'h0, q};");
+}
+
+class EquivFailure : public testing::Test {
+ protected:
+  Ended told_apart(const std::string& gold, const std::string& gate, Arguments more = {}) {
+    Arguments words{"equiv",
+                    "--gold",
+                    folder_.write("gold.v", gold),
+                    "--gate",
+                    folder_.write("gate.v", gate),
+                    "--top",
+                    "m",
+                    "--failures",
+                    folder_.path("kept"),
+                    "--report",
+                    folder_.path("report.json"),
+                    "--html",
+                    folder_.path("page.html")};
+    words.insert(words.end(), more.begin(), more.end());
+    return cosim(words);
+  }
+  std::string kept(const std::string& name) const { return folder_.text("kept/m-equiv/" + name); }
+  Json report() const { return Json::parse(folder_.text("report.json")); }
+  // Of a signal of the wave, in the middle of a clock, from 0.
+  std::string at(const std::string& signal, int clock) const {
+    const test::Vcd wave(folder_.path("kept/m-equiv/wave.fst"));
+    return wave.at(signal, static_cast<std::uint64_t>(10 * clock + 2)).value_or("nothing");
+  }
+
+  Folder folder_;
+};
+using EquivReplayWave = EquivFailure;
+
+TEST_F(EquivFailure, LeavesAPageAndAWave) {
+  const Ended ended = told_apart(rtl("d"), rtl("d ^ 8"), {"--netlists"});
+  ASSERT_EQ(ended.status, 1) << ended.out << ended.err;
+  // The reset is three clocks; the first register behind it differs on the fifth.
+  EXPECT_NE(ended.out.find("m: different on clock 5"), std::string::npos) << ended.out;
+  EXPECT_NE(kept("report.txt").find("m: different on clock 5"), std::string::npos);
+  const std::string page = kept("report.html");
+  EXPECT_EQ(folder_.text("page.html"), page);
+  for (const char* shown :
+       {"class=\"verdict bad\"", ">q old<", ">q new<", "from reset: rst is 1"}) {
+    EXPECT_NE(page.find(shown), std::string::npos) << shown;
+  }
+  EXPECT_LT(page.find(">q old<"), page.find(">q new<"));
+  EXPECT_NE(kept("wave.gtkw").find("+{q old} cosim.old.q[3:0]"), std::string::npos);
+  if (!test::can_read_waves()) GTEST_SKIP() << "no fst2vcd";
+  const Json last = report()["stimulus"].back();
+  EXPECT_EQ(at("cosim.old.q", 4), last["old"]["q"]);
+  EXPECT_EQ(at("cosim.new.q", 4), last["new"]["q"]);
+  EXPECT_EQ(at("cosim.old.wide", 4), last["old"]["wide"]);
+  EXPECT_EQ(at("cosim.inputs.d", 4), last["inputs"]["d"]);
+  EXPECT_EQ(at("cosim.mismatch.q", 4), "1");
+  EXPECT_EQ(at("cosim.mismatch.q", 3), "0");
+}
+
+TEST_F(EquivFailure, APageOfWhatIsEqual) {
+  const Ended ended = told_apart(rtl("d"), rtl("~~d"));
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  const std::string page = folder_.text("page.html");
+  EXPECT_NE(page.find("class=\"verdict good\">equal<"), std::string::npos) << page;
+  EXPECT_NE(page.find("m: equal for ever"), std::string::npos);
+}
+
+TEST_F(EquivFailure, SaysWhereOnlyTheTimeDiffers) {
+  const auto stage = [](const std::string& more) {
+    return module_of(", input [3:0] d, output reg [3:0] q, output y",
+                     "reg [3:0] p; assign y = d[0]; always @(posedge clk) if (rst) begin p <= 0; q "
+                     "<= 0; end else begin p <= d; q <= " +
+                         more + "; end");
+  };
+  const std::string said =
+      "only the time differs on these clocks: the values in their order are the "
+      "same, in the new q 1 clock ";
+  const Ended later = told_apart(stage("d"), stage("p"), {"--netlists"});
+  EXPECT_NE(later.out.find(said + "later\n"), std::string::npos) << later.out;
+  EXPECT_NE(kept("report.html").find(said), std::string::npos);
+  EXPECT_EQ(report()["only_the_time_differs"], true);
+  EXPECT_EQ(report()["later"]["q"], 1);
+  // Another value, and a value that never comes.
+  for (const char* other : {"~p", "p | q"}) {
+    const Ended ended = told_apart(stage("d"), stage(other), {"--netlists"});
+    EXPECT_EQ(ended.status, 1);
+    EXPECT_EQ(ended.out.find("only the time"), std::string::npos) << other << ended.out;
+    EXPECT_EQ(report()["only_the_time_differs"], false);
+  }
+}
+
+TEST_F(EquivReplayWave, DrawsTheHierarchiesOfBoth) {
+  if (!test::can_read_waves()) GTEST_SKIP() << "no fst2vcd";
+  const Ended ended = told_apart(rtl("d"), rtl("d ^ 8"));
+  ASSERT_EQ(ended.status, 1) << ended.out << ended.err;
+  EXPECT_NE(ended.out.find("replayed in Verilator"), std::string::npos) << ended.out;
+  const Json last = report()["stimulus"].back();
+  EXPECT_EQ(at("old.p.s", 4), last["old"]["q"]);
+  EXPECT_EQ(at("new.p.s", 4), last["new"]["q"]);
+  EXPECT_EQ(at("old.p.s", 3), "0000");
+  EXPECT_EQ(at("new.p.d", 4), last["inputs"]["d"]);
+}
+
+}  // namespace
+}  // namespace cosim::cli

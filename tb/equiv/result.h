@@ -16,8 +16,8 @@
 
 namespace cosim::equiv {
 
-/// What the result holds for, one line: the reset, what begins as any, and what the question ties,
-/// leaves out and assumes.
+/// What the result holds for, one line: the reset, what begins as any, and what the question ties
+/// and leaves out.
 std::string assumed_text(const Question& question);
 
 /// The verdict on `top`, lines.

@@ -50,6 +50,7 @@ class Aig {
 
   class Runs;
 
+ private:
   struct Latch {
     std::uint32_t node = 0;
     bool first = false;
@@ -60,11 +61,6 @@ class Aig {
     Kind kind = Kind::constant;
     Lit a = 0, b = 0;  ///< of both; of an input or a latch, `a` is which one
   };
-  /// All of it: a gate stands behind what it reads.
-  const std::vector<Node>& nodes() const { return nodes_; }
-  const std::vector<Latch>& registers() const { return latches_; }
-
- private:
   Lit add(Kind kind, Lit a, Lit b = 0);
 
   std::vector<Node> nodes_{{}};

@@ -92,6 +92,8 @@ void show(const Question& q, const Product& product, const proof::Reached& reach
   };
   const auto inputs = watch(product.inputs), gold = watch(product.gold), gate = watch(product.gate),
              any = watch(product.any);
+  const std::size_t held = watched.size();
+  watched.push_back(product.held);
   auto inputs_of_all = reached.inputs;
   inputs_of_all.resize(inputs_of_all.size() + clocks_behind, reached.inputs.back());
   for (const auto& values : product.graph.run(inputs_of_all, watched)) {
@@ -111,6 +113,7 @@ void show(const Question& q, const Product& product, const proof::Reached& reach
         }
       }
     }
+    if (answer.clocks.size() == reached.inputs.size() && !values[held]) break;
     auto& rows = answer.clocks.size() < reached.inputs.size() ? answer.clocks : answer.after;
     rows.push_back(std::move(row));
   }

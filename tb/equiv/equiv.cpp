@@ -189,6 +189,18 @@ void compare_all(Question& q, Answer& answer) {
   show(q, product, reached, certain.open, answer);
 }
 
+// No `equal` rests on what cannot be.
+void require_met(Question& q, Answer& answer) {
+  bool met = false;
+  try {
+    met = are_met(q);
+  } catch (const OutOfTime&) {
+  }
+  if (met) return;
+  answer.verdict = Verdict::undecided;
+  answer.left = "whether any stimulus satisfies what is assumed";
+}
+
 }  // namespace
 
 Answer compare(Question& q) {
@@ -199,6 +211,7 @@ Answer compare(Question& q) {
   } catch (const OutOfTime&) {
     answer.left = "the time is over";
   }
+  if (answer.verdict == Verdict::equal) require_met(q, answer);
   if (answer.verdict != Verdict::different) return answer;
   const Replay replay = replayed(q, answer);
   answer.replayed = replay.how;

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "tb/equiv/assume.h"
 #include "tb/equiv/side.h"
 
 namespace cosim::equiv {
@@ -22,6 +23,7 @@ struct Question {
   std::map<std::string, int> tied{};             ///< inputs that have a value, of either side
   std::vector<std::string> ignored{};            ///< outputs that are not compared
   std::map<std::string, std::string> renamed{};  ///< ports of the old RTL as the new one calls them
+  std::vector<Assumption> assumed{};             ///< of the clocks after the reset
   int latency = 0;  ///< the outputs of the new RTL come so many clocks later
   Budget budget{300};
   unsigned jobs = 4;                ///< engines at a time, >= 1
@@ -53,7 +55,8 @@ struct Answer {
   std::string by;           ///< what decided
   std::string replayed;     ///< of different: "in Verilator", or on what else, and why
   std::vector<Row> clocks;  ///< of different: the stimulus, the last row tells them apart
-  /// Of different: what comes of it where the inputs stay as they are, at most clocks_behind.
+  /// Of different: what comes of it where the inputs stay as they are, at most clocks_behind, and
+  /// only as long as what is assumed holds.
   std::vector<Row> after;
   std::vector<std::string> differing;  ///< of different: the outputs
   /// Of different, where on these clocks only the time differs: the outputs that differ on one.
@@ -72,9 +75,10 @@ inline constexpr std::size_t clocks_behind = 200;
 std::uint64_t first_drawn(const Question& question, const Answer& answer);
 std::size_t first_compared(const Question& question);
 
-/// Makes the gates of both sides, and compares them; a difference is replayed in Verilator.
-/// InputError where the ports do not agree, before anything long; it lists them and says what to
-/// write.
+/// Makes the gates of both sides, and compares them as far as the assumptions hold; a difference is
+/// replayed in Verilator. InputError where the ports do not agree, before anything long; it lists
+/// them and says what to write. InputError where they would be equal but nothing satisfies the
+/// assumptions.
 Answer compare(Question& question);
 
 }  // namespace cosim::equiv

@@ -35,6 +35,8 @@ class Builder {
         graph_.next(resets, before);
       }
     }
+    // In one clock from any state it may be one of the reset, in which nothing is assumed.
+    if (one_ && !q_.assumed.empty() && q_.reset_clocks > 0) resets = graph_.seldom();
     resets_ = resets;
     // The names of the old RTL's registers, and what each begins as.
     for (std::size_t i = 0; i < q_.gold.registers.size(); ++i) {
@@ -73,13 +75,15 @@ class Builder {
         strays = graph_.or_of(strays, strays_of(i, gold, j, made_gate));
       }
     }
+    // What is in a memory has to be the same before there is an output too, and what is in a
+    // register.
     if (one_) {
       for (const auto& [i, j] : pairs_) {
-        bad = graph_.or_of(bad, graph_.xor_of(made_golds[0].next[i], made_gate.next[j]));
+        strays = graph_.or_of(strays, graph_.xor_of(made_golds[0].next[i], made_gate.next[j]));
       }
     }
-    // What is in a memory has to be the same before there is an output too.
     product_.bad = graph_.or_of(strays, graph_.and_of(bad, Aig::inverted(settling())));
+    assume(made_golds.front());
     product_.matched = pairs_.size();
     product_.beginnings = shared_;
     product_.graph = graph_;
@@ -165,39 +169,65 @@ class Builder {
     return copy;
   }
 
-  Side::Made make(const Side& side, const Copy& copy, const Lits& unknown, bool is_gate) {
-    const auto input = [&](const Name& name) {
-      std::string port = name.first;
-      if (const auto pins = read_pins(is_gate); pins.contains(port)) {
-        const auto [at, is_new] = reads_.try_emplace({pins.at(port), name.second}, 0);
-        if (is_new) at->second = graph_.input();
-        return at->second;
-      }
-      if (port == q_.gold.clock || port == q_.gate.clock) return Lit{0};
-      if (is_gate) {
-        for (const auto& [old_name, new_name] : q_.renamed) {
-          if (new_name == port) port = old_name;
-        }
-      }
-      if (const auto tied = q_.tied.find(port); tied != q_.tied.end()) {
-        return static_cast<Lit>((static_cast<unsigned>(tied->second) >> name.second) & 1U);
-      }
-      const auto [at, is_new] = product_.inputs.try_emplace({port, name.second}, 0);
-      if (is_new) {
-        at->second = port == q_.reset ? graph_.seldom() : graph_.input(port);
-        product_.widths[port] = side.inputs.at(name.first);
-        if (port == q_.reset) {
-          const Lit resets = graph_.or_of(at->second, resets_);
-          at->second = q_.reset_active ? resets : Aig::inverted(resets);
-        }
-      }
+  // A bit of an input as a side gets it.
+  Lit input(const Name& name, const Side& side, bool is_gate) {
+    std::string port = name.first;
+    if (const auto pins = read_pins(is_gate); pins.contains(port)) {
+      const auto [at, is_new] = reads_.try_emplace({pins.at(port), name.second}, 0);
+      if (is_new) at->second = graph_.input();
       return at->second;
-    };
-    Side::Made made = side.make(graph_, input, unknown, copy.state);
+    }
+    if (port == q_.gold.clock || port == q_.gate.clock) return Lit{0};
+    if (is_gate) {
+      for (const auto& [old_name, new_name] : q_.renamed) {
+        if (new_name == port) port = old_name;
+      }
+    }
+    if (const auto tied = q_.tied.find(port); tied != q_.tied.end()) {
+      return static_cast<Lit>((static_cast<unsigned>(tied->second) >> name.second) & 1U);
+    }
+    const auto [at, is_new] = product_.inputs.try_emplace({port, name.second}, 0);
+    if (is_new) {
+      at->second = port == q_.reset ? graph_.seldom() : graph_.input(port);
+      product_.widths[port] = side.inputs.at(name.first);
+      if (port == q_.reset) {
+        const Lit resets = graph_.or_of(at->second, resets_);
+        at->second = q_.reset_active ? resets : Aig::inverted(resets);
+      }
+    }
+    return at->second;
+  }
+
+  Side::Made make(const Side& side, const Copy& copy, const Lits& unknown, bool is_gate) {
+    const auto its_input = [&](const Name& name) { return input(name, side, is_gate); };
+    Side::Made made = side.make(graph_, its_input, unknown, copy.state);
     if (!one_) {
       for (std::size_t i = 0; i < made.next.size(); ++i) graph_.next(copy.own[i], made.next[i]);
     }
     return made;
+  }
+
+  // Nothing is bad from the first clock on that does not keep to what is assumed.
+  void assume(const Side::Made& gold) {
+    if (q_.assumed.empty()) return;
+    Lit holds = resets_;
+    Lit all = 1;
+    for (const Assumption& one : q_.assumed) {
+      const auto port = [&](const Name& name) {
+        const auto output = gold.outputs.find(name);
+        return output == gold.outputs.end() ? input(name, q_.gold, false) : output->second;
+      };
+      const Side::Made made = one.logic.make(graph_, port, {}, {});
+      all = graph_.and_of(all, made.outputs.at({"cosim_holds", 0}));
+    }
+    holds = graph_.or_of(holds, all);
+    if (!one_) {
+      const Lit before = graph_.latch(true);
+      holds = graph_.and_of(before, holds);
+      graph_.next(before, holds);
+    }
+    product_.bad = graph_.and_of(product_.bad, holds);
+    product_.held = graph_.and_of(holds, Aig::inverted(resets_));
   }
 
   // The pins of a side that have what memories read, and those of the old RTL that are the same.

@@ -20,8 +20,9 @@ struct Product {
   std::map<Name, proof::Aig::Lit> beginnings;  ///< of registers of that name, the same in both
   std::map<Name, proof::Aig::Lit> gold, gate;  ///< the outputs that are compared, by the old names
   std::map<Name, proof::Aig::Lit> any;         ///< the old RTL says x
-  std::size_t matched = 0;                     ///< registers that both have by name
-  bool alone_any = false;  ///< the old RTL has a register without initial value that no other has
+  proof::Aig::Lit held = 1;  ///< it is after the reset, and what is assumed held on every clock
+  std::size_t matched = 0;   ///< registers that both have by name
+  bool alone_any = false;    ///< the old RTL has a register without initial value that no other has
 };
 
 /// How the registers of both stand.

@@ -118,10 +118,15 @@ class Program {
   bool is_built_ = false;
 };
 
-// Whether an output that is compared differs on the last clock.
+// Whether an output that is compared differs on the last clock, and all that is assumed held.
 bool differs(const Question& q, const Answer& a, const Lines& gold, const Lines& gate) {
   const auto last = a.clocks.size(), then = last - static_cast<std::size_t>(q.latency);
-  if (gold.size() < then || gate.size() < last) return false;
+  if (gold.size() < last || gate.size() < last) return false;
+  const auto holds = [](const std::string& bit) { return bit == "1"; };
+  for (auto t = static_cast<std::size_t>(q.reset_clocks); t < last; ++t) {
+    const auto assumed = static_cast<std::ptrdiff_t>(q.assumed.size());
+    if (!std::all_of(gold[t].end() - assumed, gold[t].end(), holds)) return false;
+  }
   std::size_t at = 0;
   for (const auto& [port, text] : a.clocks.back().gold) {
     const std::string &old = gold[then - 1].at(at), &now = gate[last - 1].at(at);

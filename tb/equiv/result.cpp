@@ -80,6 +80,7 @@ std::string assumed_text(const Question& q) {
   }
   for (const auto& [pin, value] : q.tied) text += fmt::format("; {} is {}", pin, value);
   for (const std::string& pin : q.ignored) text += fmt::format("; {} is not compared", pin);
+  for (const Assumption& one : q.assumed) text += "; assumed: " + one_line(one.text);
   if (q.latency > 0) {
     text += fmt::format("; the new outputs come {} later",
                         clocks_text(static_cast<std::size_t>(q.latency)));
@@ -119,6 +120,8 @@ std::string result_json(const std::string& top, const Question& q, const Answer&
   for (const Row& row : a.clocks) {
     clocks.push_back({{"inputs", row.inputs}, {"old", row.gold}, {"new", row.gate}});
   }
+  Json assumptions = Json::array();
+  for (const Assumption& one : q.assumed) assumptions.push_back(one.text);
   Json late = Json::object();
   for (const Late& one : a.late) late[one.port] = one.clocks;
   const Json json{{"top", top},
@@ -126,6 +129,7 @@ std::string result_json(const std::string& top, const Question& q, const Answer&
                   {"by", a.by},
                   {"replayed", a.replayed},
                   {"assumed", assumed_text(q)},
+                  {"assumptions", assumptions},
                   {"registers_by_name", a.matched},
                   {"stimulus", clocks},
                   {"least", a.least},

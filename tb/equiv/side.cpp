@@ -108,6 +108,19 @@ std::string error_of(std::string text, const Files& files, const fs::path& scrat
   return one_line(text);
 }
 
+// "signed [7:4]", or nothing for a plain bit.
+std::string declaration(const Json& port) {
+  const auto width = static_cast<int>(port.at("bits").size());
+  const int low = port.value("offset", 0);
+  const bool rises = port.value("upto", 0) != 0;
+  std::string text = port.value("signed", 0) != 0 ? "signed " : "";
+  if (width > 1 || low != 0) {
+    text += rises ? fmt::format("[{}:{}]", low, low + width - 1)
+                  : fmt::format("[{}:{}]", low + width - 1, low);
+  }
+  return text;
+}
+
 int whole_number(const Json& parameter) {
   return static_cast<int>(std::stoul(parameter.get<std::string>(), nullptr, 2));
 }
@@ -195,6 +208,7 @@ void Side::ports(const std::string& json) {
     if (way == "inout") throw InputError(fmt::format("{}: port {} is inout", what_, port));
     const int width = static_cast<int>(about.at("bits").size());
     (way == "input" ? inputs : outputs)[port] = width;
+    declared[port] = declaration(about);
     if (way == "input" && width == 1) port_of[about.at("bits").front()] = port;
   }
   const auto clocked = [&](const Json& bit, bool falls) {

@@ -65,9 +65,10 @@ class Side {
   const Files& files() const { return files_; }
   /// Equal where the RTLs are the same but for where it stands in the files.
   std::string form() const;
-  std::map<std::string, int> inputs, outputs;  ///< ports and their widths
-  std::string clock;                           ///< empty where there are no registers
-  bool falling = false;                        ///< registers take over when it falls
+  std::map<std::string, int> inputs, outputs;   ///< ports and their widths
+  std::map<std::string, std::string> declared;  ///< of ports: "signed [7:4]", as in their Verilog
+  std::string clock;                            ///< empty where there are no registers
+  bool falling = false;                         ///< registers take over when it falls
   std::vector<Memory> memories;
   std::vector<Register> registers;
   std::size_t unknowns = 0;  ///< bits that the RTL leaves x

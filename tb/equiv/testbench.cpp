@@ -56,11 +56,38 @@ std::string testbench(const Question& q, const Answer& a, bool is_gate, const st
     pin(own, "in_" + own);
     inputs += fmt::format("{}in_{}", inputs.empty() ? "" : ", ", own);
   }
+  // What an assumption names may be an output that the other one lacks.
+  for (const Assumption& one : is_gate ? std::vector<Assumption>{} : q.assumed) {
+    for (const std::string& port : one.ports) {
+      if (!side.outputs.contains(port) || first.gold.contains(port)) continue;
+      const std::string wire =
+          fmt::format("  wire {}out_{};\n", range(side.outputs.at(port)), port);
+      if (text.find(wire) != std::string::npos) continue;
+      text += wire;
+      pin(port, "out_" + port);
+    }
+  }
   for (const auto& [port, value] : first.gold) {
     const std::string own = own_name(port);
     text += fmt::format("  wire {}out_{};\n", range(side.outputs.at(own)), own);
     pin(own, "out_" + own);
     outputs += ", out_" + own;
+    formats += " %b";
+  }
+  std::string modules;
+  for (const Assumption& one : is_gate ? std::vector<Assumption>{} : q.assumed) {
+    modules += one.verilog;
+    text += fmt::format("  wire {0}_holds;\n  {0} {0}_of(.cosim_holds({0}_holds)", one.name);
+    for (const std::string& port : one.ports) {
+      const auto tied = q.tied.find(port);
+      text += fmt::format(", .{}({})", port,
+                          tied != q.tied.end()
+                              ? fmt::format("{}'d{}", side.inputs.at(port), tied->second)
+                          : side.inputs.contains(port) ? "in_" + port
+                                                       : "out_" + port);
+    }
+    text += ");\n";
+    outputs += fmt::format(", {}_holds", one.name);
     formats += " %b";
   }
   std::string parameters;
@@ -90,10 +117,11 @@ std::string testbench(const Question& q, const Answer& a, bool is_gate, const st
       "$dumpfile(\"{}\");\n        $dumpvars;\n      end\n",
       first_drawn, vcd);
   if (!inputs.empty()) text += fmt::format("      {{{}}} = cosim_rows[cosim_i];\n", inputs);
-  return text + fmt::format(
-                    "      #1 $display(\"cosim_replay{}\"{});\n      cosim_clock = {};\n      #1"
-                    " cosim_clock = {};\n    end\n    $finish;\n  end\nendmodule\n",
-                    formats, outputs, 1 - rests, rests);
+  return modules + text +
+         fmt::format(
+             "      #1 $display(\"cosim_replay{}\"{});\n      cosim_clock = {};\n      #1"
+             " cosim_clock = {};\n    end\n    $finish;\n  end\nendmodule\n",
+             formats, outputs, 1 - rests, rests);
 }
 
 }  // namespace cosim::equiv

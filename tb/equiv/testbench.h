@@ -15,8 +15,9 @@ inline constexpr std::uint64_t clock_ps = 2'000'000, settled_ps = 1'000'000;
 
 /// Verilog, the module cosim_replay with the RTL as its instance cosim_dut. It prints a line of
 /// outputs a clock behind "cosim_replay", binary, as the old RTL calls them, in the order of
-/// Row::gold. The inputs of a clock are a line of the file `rows`, which is the other; with
-/// +cosim_wave it writes the file `vcd` from clock `first` on.
+/// Row::gold; of the old RTL there follows a bit for each assumption, whether it holds. The inputs
+/// of a clock are a line of the file `rows`, which is the other; with +cosim_wave it writes the
+/// file `vcd` from clock `first` on.
 std::string testbench(const Question& question, const Answer& answer, bool is_gate,
                       const std::string& rows, const std::string& vcd, std::uint64_t first);
 std::string stimulus_rows(const Question& question, const Answer& answer, bool is_gate);

@@ -31,7 +31,8 @@ namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
 struct EquivOptions {
-  Words gold, gate, files, cells, parameters, include_dirs, defines, tied, ignored, renamed;
+  Words gold, gate, files, cells, parameters, include_dirs, defines, tied, ignored, renamed,
+      assumed;
   Text rev, top, gold_top, gate_top, seconds, jobs, reset, reset_clocks, latency;
   bool netlists = false;
   Common common;
@@ -222,6 +223,12 @@ int run(const EquivOptions& o) {
   for (const std::string& text : o.renamed) q.renamed.insert(halves("--map", text, "OLD=NEW"));
   find_reset(o, q);
   q.verilator = !o.netlists;
+  try {
+    q.assumed = equiv::assumptions(o.assumed, q.gold, budget);
+  } catch (const equiv::OutOfTime&) {
+    fmt::print("{}: undecided: yosys does not read --assume in {} s (--seconds)\n", top, seconds);
+    return 3;
+  }
   const equiv::Answer answer = equiv::compare(q);
   return conclude(o, top, q, answer);
 }
@@ -247,6 +254,10 @@ void add_equiv(const Command& program) {
   command.texts("--tie", o->tied, "PIN=VALUE", "An input that has that value");
   command.texts("--ignore", o->ignored, "PIN", "An output that is not compared");
   command.texts("--map", o->renamed, "OLD=NEW", "A port of another name in the new RTL");
+  command.each(
+      "--assume", o->assumed, "EXPRESSION",
+      "Verilog over ports of the old RTL, true on every clock after the reset; several may "
+      "be given");
   command.text("--latency", o->latency, "N", "The new outputs come N clocks later");
   command.flag("--netlists", o->netlists,
                "A difference is replayed on the netlists alone, not in Verilator: quicker");

@@ -141,6 +141,11 @@ void Command::texts(const std::string& name, std::vector<std::string>& values,
   app_->add_option(name, values, help)->type_name(type);
 }
 
+void Command::each(const std::string& name, std::vector<std::string>& values,
+                   const std::string& type, const std::string& help) const {
+  app_->add_option(name, values, help)->type_name(type)->allow_extra_args(false);
+}
+
 void Command::argument(const std::string& name, Text& value, const std::string& help,
                        bool needed) const {
   const auto take = [&value](const std::string& text) { value = text; };

@@ -1,0 +1,150 @@
+#include "tb/equiv/assume.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "model/core/input_error.h"
+#include "tb/equiv/product.h"
+#include "tb/proof/reach.h"
+#include "tb/support/output_file.h"
+#include "tb/support/pattern.h"
+#include "tb/support/process.h"
+#include "tb/support/words.h"
+
+namespace cosim::equiv {
+namespace {
+
+[[noreturn]] void refuse(const std::string& text, const std::string& why) {
+  throw InputError(fmt::format("--assume: {}: {}", in_quotes(text), why));
+}
+
+// It is put into a module: nothing in it may end the expression, or begin something else.
+void require_expression(const std::string& text) {
+  static const Pattern plain(R"([\w\s$'()\[\]{}:?<>=!&|^~+*/%,.-]+)");
+  const bool is_comment =
+      text.find("//") != std::string::npos || text.find("/*") != std::string::npos;
+  std::string open;
+  bool is_balanced = true;
+  for (const char c : text) {
+    static const std::string begins = "([{", ends = ")]}";
+    if (begins.find(c) != std::string::npos) open += ends[begins.find(c)];
+    if (ends.find(c) == std::string::npos) continue;
+    is_balanced = is_balanced && !open.empty() && open.back() == c;
+    if (!open.empty()) open.pop_back();
+  }
+  if (plain.whole(text).empty() || is_comment || !is_balanced || !open.empty()) {
+    refuse(text, "is no expression of Verilog");
+  }
+}
+
+// The names in it; digits of numbers and system functions are none.
+std::vector<std::string> names_in(const std::string& text) {
+  static const Pattern word(R"('[sS]?[bBoOdDhH]\s*\w+|\$?[A-Za-z_][\w$]*(\.[\w$]+)*)");
+  std::vector<std::string> names;
+  for (const Pattern::Parts& part : word.all(text)) {
+    const char first = part[0].front();
+    if (first == '\'' || first == '$') continue;
+    if (std::find(names.begin(), names.end(), part[0]) == names.end()) names.push_back(part[0]);
+  }
+  return names;
+}
+
+Assumption made(const std::string& text, std::size_t number, const Side& gold,
+                const Budget& budget) {
+  require_expression(text);
+  const std::vector<std::string> names = names_in(text);
+  const std::string module = fmt::format("cosim_assume{}", number);
+  std::string verilog = fmt::format("module {}(", module);
+  bool of_outputs = false;
+  for (const std::string& name : names) {
+    if (name == gold.clock) refuse(text, name + " is the clock");
+    const bool is_output = gold.outputs.contains(name);
+    if (!is_output && !gold.inputs.contains(name)) refuse(text, name + " is no port");
+    of_outputs = of_outputs || is_output;
+    verilog += fmt::format("input {} {}, ", gold.declared.at(name), name);
+  }
+  verilog +=
+      fmt::format("output cosim_holds);\n  assign cosim_holds = (\n{}\n) ? 1'b1 : 1'b0;\n", text) +
+      "endmodule\n";
+  const Scratch scratch;
+  const std::string file = (scratch.path() / "assume.v").string();
+  OutputFile out(file);
+  out.text(verilog);
+  out.close();
+  try {
+    Side logic({{file}, module, {}, {}, {}, "."}, "", budget);
+    logic.make_gates(Memories::registers, budget);
+    if (logic.unknowns > 0) refuse(text, "is x");
+    return {text, logic, verilog, module, names, of_outputs};
+  } catch (const InputError& error) {
+    const std::string why = error.what();
+    const std::size_t at = why.find("ERROR: ");
+    if (at == std::string::npos) throw;
+    refuse(text, why.substr(at + std::string("ERROR: ").size()));
+  }
+}
+
+// Of inputs alone: what is possible on one clock is so on all of them.
+proof::Ever on_a_clock(const Question& q) {
+  proof::Aig graph;
+  std::map<Name, proof::Aig::Lit> inputs;
+  proof::Aig::Lit all = 1;
+  for (const Assumption& one : q.assumed) {
+    const auto input = [&](const Name& name) {
+      if (const auto tied = q.tied.find(name.first); tied != q.tied.end()) {
+        return static_cast<proof::Aig::Lit>(static_cast<unsigned>(tied->second) >> name.second &
+                                            1U);
+      }
+      const auto [at, is_new] = inputs.try_emplace(name, 0);
+      if (is_new) at->second = graph.input();
+      return at->second;
+    };
+    all = graph.and_of(all, one.logic.make(graph, input, {}, {}).outputs.at({"cosim_holds", 0}));
+  }
+  if (all == 1) return proof::Ever::yes;
+  return proof::reach(graph, all, q.budget.ends(), q.jobs).ever;
+}
+
+constexpr int kClocks = 20;
+
+proof::Ever from_reset(const Question& q) {
+  Product product = product_of(q, Registers::two, {}, {});
+  proof::Aig::Lit clock = product.graph.latch(true);
+  product.graph.next(clock, 0);
+  for (int i = 1; i < q.reset_clocks + kClocks; ++i) {
+    const proof::Aig::Lit next = product.graph.latch(false);
+    product.graph.next(next, clock);
+    clock = next;
+  }
+  const proof::Aig::Lit kept = product.graph.and_of(product.held, clock);
+  return proof::reach(product.graph, kept, q.budget.ends(), q.jobs).ever;
+}
+
+}  // namespace
+
+std::vector<Assumption> assumptions(const std::vector<std::string>& texts, const Side& gold,
+                                    const Budget& budget) {
+  std::vector<Assumption> all;
+  for (const std::string& text : texts) all.push_back(made(text, all.size(), gold, budget));
+  return all;
+}
+
+bool are_met(Question& q) {
+  if (q.assumed.empty()) return true;
+  const bool of_outputs = std::any_of(q.assumed.begin(), q.assumed.end(),
+                                      [](const Assumption& one) { return one.of_outputs; });
+  if (of_outputs) {
+    for (Side* side : {&q.gold, &q.gate}) side->make_gates(Memories::registers, q.budget);
+  }
+  const proof::Ever ever = of_outputs ? from_reset(q) : on_a_clock(q);
+  if (ever != proof::Ever::never) return ever == proof::Ever::yes;
+  std::string list;
+  for (const Assumption& one : q.assumed)
+    list += (list.empty() ? "" : " and ") + in_quotes(one.text);
+  throw InputError(
+      fmt::format("--assume: no stimulus satisfies {}{}; anything would be equal", list,
+                  of_outputs ? fmt::format(" for {} clocks after the reset", kClocks) : ""));
+}
+
+}  // namespace cosim::equiv

@@ -75,7 +75,7 @@ Assumption made(const std::string& text, std::size_t number, const Side& gold,
   try {
     Side logic({{file}, module, {}, {}, {}, "."}, "", budget);
     logic.make_gates(Memories::registers, budget);
-    if (logic.unknowns > 0) refuse(text, "is x");
+    if (logic.unknowns > 0) refuse(text, "is x: it has an x, or a bit that its port has not");
     return {text, logic, verilog, module, names, of_outputs};
   } catch (const InputError& error) {
     const std::string why = error.what();

@@ -255,7 +255,7 @@ void add_equiv(const Command& program) {
   command.texts("--ignore", o->ignored, "PIN", "An output that is not compared");
   command.texts("--map", o->renamed, "OLD=NEW", "A port of another name in the new RTL");
   command.each("--assume", o->assumed, "EXPRESSION",
-               "Verilog over the old RTL's ports, true on every clock after the reset; again: and");
+               "Verilog over the old RTL's ports, true on every clock after the reset");
   command.text("--latency", o->latency, "N", "The new outputs come N clocks later");
   command.flag("--netlists", o->netlists,
                "A difference is replayed on the netlists alone, not in Verilator: quicker");

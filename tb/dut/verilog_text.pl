@@ -86,7 +86,8 @@ sub write_files {
             $made = "$folder/" . keys(%written) . basename($file) if $written{$made};
             $written{$made} = 1;
             open my $out, '>:raw', $made or fail("cannot write: $made");
-            print {$out} $text;
+            # What is said of a line names the file that the user has.
+            print {$out} ($file =~ /"/ ? '' : "`line 1 \"$file\" 0\n"), $text;
             close $out or fail("cannot write: $made");
         }
         print "$made\n";

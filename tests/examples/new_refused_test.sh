@@ -152,6 +152,14 @@ both 'wire in; pad one(.p(in), .o(d), .e(q));'
 refused "new: made.one: its inout port p is joined to 'in', no inout port of made" made made.v --top made
 both 'assign w = d ? 2'"'"'b0 : 2'"'"'bz; assign w[0] = q ? 1'"'"'b1 : 1'"'"'bz;'
 refused "new: made: w: an inout port that is driven more than once, in part" made made.v --top made
+# What is wrong in a file whose ports are split is said of that file.
+both 'assign a = d ? 1'"'"'b0 : 1'"'"'bz;
+`default_nettype none
+  assign none = d;'
+status=0
+"$program" new made made.v --top made 2> said || status=$?
+((status == 2)) || exit 1
+grep -q '^cosim: new: Verilator cannot read it: %Error: made.v:5:[0-9]*: ' said
 # A module that no file has: the line says what may be done, and a blackbox has its pins as ports.
 rtl 'wire [1:0] y; wire z; part in(.d(d), .o(r)); MULT #(2) m(.A(w[5:4]), .B(2'"'"'d3), .C(~d), .Y(y), .Z(z));
      always @(posedge clk) q <= ^y ^ z;'

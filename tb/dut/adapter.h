@@ -34,6 +34,8 @@ class VerilatedInstance {
   void begin() {
     if constexpr (coverage::measured) machine_->count_from_here();
   }
+  /// Powers up again at random from `power_up`; false where that cannot be.
+  bool restart(std::uint32_t power_up) { return machine_->restart(power_up); }
   /// Every signal of the hierarchy; empty unless Verilated with --vpi --public-flat-rw.
   std::vector<Signal> signals(const std::string& clock = "clk") const {
     return signals_of(machine_->context(), clock);

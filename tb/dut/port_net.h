@@ -37,6 +37,11 @@ PortNet port_net(const char* name, bool is_input, int width, int words, Pin& pin
 /// CMake writes one for each Verilated class: ports_of(Top&) gives its ports.
 inline void ports_of() {}
 
+/// And where all state of the class is known to come back, power_up_again(Top&), which makes it
+/// what it is behind the constructor, and this as true.
+template <class Top>
+inline constexpr bool can_power_up = false;
+
 /// A port or another net of at most 64 bits, and how many bytes behind the first of the class's
 /// root it lies. A register that is a port is both.
 struct NetOffset {

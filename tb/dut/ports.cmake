@@ -2,8 +2,9 @@
 #
 #   cmake -DOUTPUT=FILE [-DOPEN=CONTROL] -P ports.cmake CLASS.h
 #
-# writes a header with ports_of(CLASS&), see tb/dut/port_net.h, and where there is a control file, which
-# opens some nets of the class, with known_nets<CLASS> of its ports and those nets.
+# writes a header with ports_of(CLASS&), see tb/dut/port_net.h; with power_up_again(CLASS&) where all
+# state of the class is plain; and where there is a control file, which opens some nets of the class, with
+# known_nets<CLASS> of its ports and those nets.
 cmake_minimum_required(VERSION 3.25)
 include_guard(GLOBAL)
 set_property(GLOBAL PROPERTY COSIM_PORTS "${CMAKE_CURRENT_LIST_FILE}")
@@ -63,6 +64,7 @@ function(cosim_write_ports header)
   if(OPEN)
     cosim_known_nets(known ${header} ${class})
   endif()
+  cosim_power_up_again(again ${header} ${class})
   file(WRITE ${OUTPUT} "// Made by ports.cmake.
 #pragma once
 
@@ -70,7 +72,7 @@ function(cosim_write_ports header)
 
 #include \"${class}.h\"
 #include \"tb/dut/port_net.h\"
-${known}
+${known}${again}
 inline std::vector<cosim::PortNet> ports_of(${class}& top) {
   using cosim::port_net;
   return {
@@ -137,6 +139,50 @@ function(cosim_known_nets variable header class)
 template <>
 inline constexpr std::array<cosim::NetOffset, ${count}> cosim::known_nets<${class}>{{
 ${nets}}};
+" PARENT_SCOPE)
+endfunction()
+
+# The text of power_up_again: what the constructor and the first eval() do, without the tables of names
+# that an instance keeps. Empty where the class has something other than numbers: what brings back a queue
+# or a text is not known here.
+function(cosim_power_up_again variable header class)
+  set(${variable} "" PARENT_SCOPE)
+  cmake_path(GET header PARENT_PATH folder)
+  file(READ ${folder}/${class}__Syms.h text)
+  string(CONCAT all "// INTERNAL STATE\n *${class}[*] const __Vm_modelp;\n *bool __Vm_didInit = false;\n\n"
+    " *// MODULE INSTANCE STATE\n([^/]*)")
+  if(NOT text MATCHES "${all}")
+    return()
+  endif()
+  string(REGEX MATCHALL "[A-Za-z0-9_]+ +[A-Za-z0-9_]+" modules "${CMAKE_MATCH_1}")
+  set(name "[A-Za-z0-9_]+")
+  string(CONCAT plain "VL_(IN|OUT|INOUT)[0-9W]*[(][^\n]*[)]|static constexpr [^\n]*|struct {|}|VlTriggerVec<[0-9]+> ${name}"
+    "|(VlUnpacked<)*([CSIQ]Data|VlWide<[0-9]+>|double)(/[*][0-9:]+[*]/)?(, [0-9]+>)* ${name}")
+  set(declared "")
+  set(calls "")
+  foreach(module IN LISTS modules)
+    string(REGEX MATCH "^(${name}) +(${name})$" _ "${module}")
+    set(type ${CMAKE_MATCH_1})
+    string(APPEND declared "void ${type}___ctor_var_reset(${type}* module);\n")
+    string(APPEND calls "  ${type}___ctor_var_reset(&all.${CMAKE_MATCH_2});\n")
+    file(READ ${folder}/${type}.h text)
+    if(NOT text MATCHES "// DESIGN SPECIFIC STATE\n(.*)// INTERNAL VARIABLES\n")
+      return()
+    endif()
+    string(REGEX REPLACE "//[^\n]*" "" state "${CMAKE_MATCH_1}")
+    string(REGEX REPLACE "\n *(${plain});?" "\n" state "\n${state}")
+    if(NOT state MATCHES "^[ \n]*$")
+      return()
+    endif()
+  endforeach()
+  set(${variable} "#include \"${class}__Syms.h\"
+
+${declared}template <>
+inline constexpr bool cosim::can_power_up<${class}> = true;
+inline void power_up_again(${class}& top) {
+  ${class}__Syms& all = *top.rootp->vlSymsp;
+  all.__Vm_didInit = false;
+${calls}}
 " PARENT_SCOPE)
 endfunction()
 

@@ -19,6 +19,11 @@ class MutantStreamDut final : public VerilatedStreamDut<Top> {
   explicit MutantStreamDut(std::uint32_t power_up) : VerilatedStreamDut<Top>(power_up) {
     this->top().mutsel = static_cast<std::uint16_t>(chosen);
   }
+  bool restart(std::uint32_t power_up) override {
+    const bool can = VerilatedStreamDut<Top>::restart(power_up);
+    this->top().mutsel = static_cast<std::uint16_t>(chosen);
+    return can;
+  }
   std::vector<Net> nets(const Ports& ports) override {
     Ports with = ports;
     with.extra = "mutsel";

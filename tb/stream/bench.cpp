@@ -3,60 +3,114 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "model/core/input_error.h"
 #include "tb/bench/wanted.h"
 #include "tb/stream/draw.h"
 #include "tb/stream/record.h"
+#include "tb/stream/runner.h"
 
 namespace cosim {
-
-/// A case, what must come of it, and its runs.
-struct AnyStreamBench::Ready {
-  Ready(const AnyStreamBench& b, const Stimulus& s)
-      : bench(b), power_up(s.power_up), given(stream_case(b.shape_, s)), broken(rule(b, given)) {
-    for (const StreamCase::Side& side : given.in) in.push_back(side.given);
-    if (broken == nullptr) expected = b.expected(in);
-  }
-
-  /// InputError where it breaks a rule.
-  void refuse() const {
-    if (broken == nullptr) return;
-    throw InputError(fmt::format("{}: a transaction that is assumed never to come; the rule is: {}",
-                                 bench.title(), broken));
-  }
-  StreamResult run(std::uint64_t budget, bool gather, StreamObserver* observer = nullptr) {
-    const auto machine = bench.dut(power_up);
-    return run_stream(bench.shape_, *machine, order(budget, gather, observer));
-  }
-  StreamOrder order(std::uint64_t budget, bool gather, StreamObserver* observer) {
-    return {given, expected, bench.sizes(in), power_up, budget, gather, observer};
-  }
-
-  const AnyStreamBench& bench;
-  std::uint32_t power_up;
-  StreamCase given;
-  const char* broken;  // the first rule that the case breaks; then it cannot be run
-  std::vector<Sequence> in;
-  std::vector<Sequence> expected;
-
- private:
-  static const char* rule(const AnyStreamBench& b, const StreamCase& given) {
-    for (std::size_t s = 0; s < given.in.size(); ++s) {
-      const Sequence& all = given.in[s].given;
-      for (std::size_t n = 0; n < all.size(); ++n) {
-        if (const char* broken = b.broken_rule(s, all[n])) return broken;
-      }
-    }
-    return nullptr;
-  }
-};
 
 namespace {
 
 constexpr std::uint64_t no_budget = ~std::uint64_t{0};
 
 }  // namespace
+
+/// A case, what must come of it, and an instance to run it on: all kept from case to case.
+struct AnyStreamBench::Rig {
+  explicit Rig(const AnyStreamBench& b) : bench(b), given(b.shape_) {}
+
+  void load(const Stimulus& s) {
+    given.clear();
+    for (const std::vector<Word>& row : s.clocks) given.add(bench.shape_, row);
+    power_up = s.power_up;
+    broken = first_broken();
+    if (broken == nullptr) bench.expect(given.given, expected);
+  }
+  /// Case number `number` of those that share the clocks of a hostile one.
+  void draw(const HostileCase& c, std::uint64_t number) {
+    power_up = draw_stream_case(bench.shape_, c.seed, c.index * c.clocks + number, c.clocks,
+                                bench.may_go(), given);
+    broken = nullptr;
+    bench.expect(given.given, expected);
+  }
+  /// InputError where it breaks a rule.
+  void refuse() const {
+    if (broken == nullptr) return;
+    throw InputError(fmt::format("{}: a transaction that is assumed never to come; the rule is: {}",
+                                 bench.title(), broken));
+  }
+  StreamResult run(std::uint64_t budget) {
+    if (!machine || !machine->restart(power_up)) make();
+    return runner->run(order(budget, false));
+  }
+  /// On a new instance.
+  StreamResult run_anew(bool gather, StreamObserver* observer = nullptr) {
+    make();
+    return runner->run(order(no_budget, gather, observer));
+  }
+  StreamOrder order(std::uint64_t budget, bool gather, StreamObserver* observer = nullptr) const {
+    return {given, expected, bench.sizes(given.given), power_up, budget, gather, observer};
+  }
+
+  const AnyStreamBench& bench;
+  std::uint32_t power_up = 1;
+  StreamCase given;
+  const char* broken = nullptr;  // the first rule that the case breaks; then it cannot be run
+  std::vector<Sequence> expected;
+
+ private:
+  void make() {
+    runner.reset();
+    // First: with it goes the context that Verilator then takes for this thread's.
+    machine.reset();
+    machine = bench.dut(power_up);
+    runner.emplace(bench.shape_, *machine);
+  }
+  const char* first_broken() const {
+    for (std::size_t s = 0; s < given.given.size() && !bench.assumed_.empty(); ++s) {
+      const Sequence& all = given.given[s];
+      for (std::size_t n = 0; n < all.size(); ++n) {
+        if (const char* rule = bench.broken_rule(s, all[n])) return rule;
+      }
+    }
+    return nullptr;
+  }
+
+  std::unique_ptr<StreamDut> machine;
+  std::optional<StreamRunner> runner;
+};
+
+/// A rig for as long as this lives; then another thread may have it.
+class AnyStreamBench::Borrowed {
+ public:
+  explicit Borrowed(const AnyStreamBench& bench) : bench_(bench) {
+    const std::lock_guard lock(bench.guard_);
+    if (bench.spare_.empty()) {
+      rig_ = std::make_unique<Rig>(bench);
+    } else {
+      rig_ = std::move(bench.spare_.back());
+      bench.spare_.pop_back();
+    }
+  }
+  ~Borrowed() {
+    const std::lock_guard lock(bench_.guard_);
+    bench_.spare_.push_back(std::move(rig_));
+  }
+  Borrowed(const Borrowed&) = delete;
+  Borrowed& operator=(const Borrowed&) = delete;
+  Rig* operator->() { return rig_.get(); }
+
+ private:
+  const AnyStreamBench& bench_;
+  std::unique_ptr<Rig> rig_;
+};
+
+AnyStreamBench::AnyStreamBench() = default;
+AnyStreamBench::~AnyStreamBench() = default;
 
 std::vector<Field> AnyStreamBench::compared() const {
   std::vector<Field> all;
@@ -78,25 +132,28 @@ std::vector<Word> AnyStreamBench::rest() const {
   return std::vector<Word>(shape_.columns().size(), 0);
 }
 
-// Of the cases that share the clocks of a hostile one.
+MayGo AnyStreamBench::may_go() const {
+  if (assumed_.empty()) return {};
+  return [this](std::size_t s, std::span<const Word> words) { return !broken_rule(s, words); };
+}
+
 Stimulus AnyStreamBench::drawn(const HostileCase& c, std::uint64_t number) const {
-  return draw_stream_case(
-      shape_, c.seed, c.index * c.clocks + number, c.clocks,
-      [this](std::size_t s, std::span<const Word> words) { return !broken_rule(s, words); });
+  return draw_stream_case(shape_, c.seed, c.index * c.clocks + number, c.clocks, may_go());
 }
 
 Run AnyStreamBench::run_hostile(const HostileCase& c) const {
   draw_if_wanted(*this, [&] { return drawn(c, 0); });
+  Borrowed rig(*this);
   Run run;
   // Every case has a clock at least.
   for (std::uint64_t number = 0; run.clocks < c.clocks; ++number) {
-    const Stimulus stimulus = drawn(c, number);
-    const StreamResult result = Ready(*this, stimulus).run(c.clocks - run.clocks, false);
+    rig->draw(c, number);
+    const StreamResult result = rig->run(c.clocks - run.clocks);
     if (!result.finding) {
       run.clocks += result.clocks;
       continue;
     }
-    Run failed = replay(stimulus, Window{});
+    Run failed = replay(drawn(c, number), Window{});
     if (!failed.mismatch) refuse_unsteady(title());
     failed.clocks += run.clocks;
     return failed;
@@ -105,26 +162,28 @@ Run AnyStreamBench::run_hostile(const HostileCase& c) const {
 }
 
 Run AnyStreamBench::replay(const Stimulus& stimulus, Window window) const {
-  Ready ready(*this, stimulus);
-  ready.refuse();
-  const StreamResult first = ready.run(no_budget, true);
+  Rig rig(*this);
+  rig.load(stimulus);
+  rig.refuse();
+  const StreamResult first = rig.run_anew(true);
   Run run;
   run.clocks = first.clocks;
   if (!first.finding) return run;
   run.clocks = first.finding->clock + 1;
   TraceRecorder recorder(shape_, *first.finding, window);
-  ready.run(no_budget, false, &recorder);
+  rig.run_anew(false, &recorder);
   Mismatch m = recorder.take();
   m.bench = this;
-  m.finding = to_text(shape_, ready.order(no_budget, true, nullptr), first);
+  m.finding = to_text(shape_, rig.order(no_budget, true), first);
   m.stimulus = stimulus;
   run.mismatch = std::move(m);
   return run;
 }
 
 std::optional<std::uint64_t> AnyStreamBench::first_difference(const Stimulus& stimulus) const {
-  Ready ready(*this, stimulus);
-  if (ready.broken != nullptr || !ready.run(no_budget, false).finding) return {};
+  Borrowed rig(*this);
+  rig->load(stimulus);
+  if (rig->broken != nullptr || !rig->run(no_budget).finding) return {};
   // A row may matter as long as it is there, by the stall of what comes out last.
   return stimulus.clocks.size() - 1;
 }
@@ -156,12 +215,13 @@ std::vector<std::vector<std::vector<Word>>> AnyStreamBench::without(
 }
 
 void AnyStreamBench::show(const Stimulus& stimulus, Window around, WaveSink& sink) const {
-  Ready ready(*this, stimulus);
-  ready.refuse();
-  const StreamResult first = ready.run(no_budget, false);
+  Rig rig(*this);
+  rig.load(stimulus);
+  rig.refuse();
+  const StreamResult first = rig.run_anew(false);
   const auto machine = open_dut(stimulus.power_up);
   WaveRecorder recorder(shape_, title(), *machine, first, around, sink);
-  run_stream(shape_, *machine, ready.order(no_budget, false, &recorder));
+  StreamRunner(shape_, *machine).run(rig.order(no_budget, false, &recorder));
   recorder.end();
 }
 

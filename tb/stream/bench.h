@@ -3,14 +3,15 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "tb/bench/bench.h"
+#include "tb/stream/draw.h"
 #include "tb/stream/dut.h"
 #include "tb/stream/run.h"
 #include "tb/stream/shape.h"
@@ -20,6 +21,9 @@ namespace cosim {
 /// All of it that needs no type of the design.
 class AnyStreamBench : public AnyBench {
  public:
+  AnyStreamBench();
+  ~AnyStreamBench() override;
+
   std::string design() const override { return shape_.design; }
   std::string source() const override { return ""; }
   std::vector<Parameter> parameters() const override { return shape_.parameters; }
@@ -48,12 +52,12 @@ class AnyStreamBench : public AnyBench {
   virtual std::unique_ptr<StreamDut> dut(std::uint32_t power_up) const = 0;
   /// One that shows its whole hierarchy.
   virtual std::unique_ptr<StreamDut> open_dut(std::uint32_t power_up) const = 0;
-  /// What must come out of each stream. InputError where the model gives what no port can hold.
-  virtual std::vector<Sequence> expected(const std::vector<Sequence>& given) const = 0;
+  /// What must come out of each stream, in place of what `all` holds. InputError where the model
+  /// gives what no port can hold.
+  virtual void expect(const std::vector<Sequence>& given, std::vector<Sequence>& all) const = 0;
   /// The sizes of that alone for the first so many transactions of each stream of `given`, which
   /// stays; called with ever more.
-  virtual std::function<std::vector<std::size_t>(const std::vector<std::size_t>& taken)> sizes(
-      const std::vector<Sequence>& given) const = 0;
+  virtual StreamSizes sizes(const std::vector<Sequence>& given) const = 0;
   /// The first rule that a transaction of stream s breaks; null where it may go in.
   virtual const char* broken_rule(std::size_t s, std::span<const Word> words) const = 0;
 
@@ -63,9 +67,15 @@ class AnyStreamBench : public AnyBench {
   std::string view_;
 
  private:
-  struct Ready;  // a case with all that its runs need
+  struct Rig;
+  class Borrowed;
 
+  MayGo may_go() const;
+  // The case as a stimulus, that Rig::draw() takes apart.
   Stimulus drawn(const HostileCase& c, std::uint64_t number) const;
+
+  mutable std::mutex guard_;
+  mutable std::vector<std::unique_ptr<Rig>> spare_;  // one for each thread that ran a case
 };
 
 }  // namespace cosim

@@ -72,40 +72,38 @@ std::uint64_t transactions(Random& random, std::uint64_t most) {
   return 1 + random.below(std::clamp<std::uint64_t>(sizes[random.below(4)], 1, most));
 }
 
-}  // namespace
-
-Stimulus draw_stream_case(const StreamShape& shape, std::uint64_t seed, std::uint64_t index,
-                          std::uint64_t most, const MayGo& may_go) {
+// Calls take(row) for each row, whose memory is used again; gives the power-up.
+template <class Take>
+std::uint32_t draw(const StreamShape& shape, std::uint64_t seed, std::uint64_t index,
+                   std::uint64_t most, const MayGo& may_go, const Take& take) {
   Random random = Random::for_case(seed, index);
-  Stimulus stimulus;
-  stimulus.machine = shape.title;
-  stimulus.power_up = static_cast<std::uint32_t>(random.next());
+  const auto power_up = static_cast<std::uint32_t>(random.next());
   const std::uint64_t rows = transactions(random, std::max<std::uint64_t>(most, 1));
   const auto density = densities(random, shape.in.size() + shape.out.size());
   // Where two streams belong together, a transaction too few in one leaves the other waiting.
   const bool all_give = shape.in.size() == 1 || random.one_in_power(1);
   constexpr int tries = 1000;
 
-  std::vector<Word> words;
+  std::vector<Word> row;
   for (std::uint64_t n = 0; n < rows; ++n) {
-    std::vector<Word> row;
+    row.clear();
     std::size_t at = 0;
     for (std::size_t s = 0; s < shape.in.size(); ++s) {
       const bool gives = all_give || !random.one_in_power(3);
       row.push_back(gives ? 1 : 0);
       const Word stall = density[at++].stall(random, n);
       row.push_back(gives ? stall : 0);
+      const std::size_t first = row.size();
       for (int i = 0; i < tries; ++i) {
-        words.clear();
-        for (const Field& f : shape.in[s].cells) words.push_back(random.corner(f.width));
-        if (may_go(s, words)) break;
+        row.resize(first);
+        for (const Field& f : shape.in[s].cells) row.push_back(random.corner(f.width));
+        if (!may_go || may_go(s, std::span(row).subspan(first))) break;
         if (i + 1 == tries) {
           throw InputError(fmt::format("{}: of {} random transactions of stream {} none is legal",
                                        shape.title, tries, shape.in[s].name));
         }
       }
-      if (!gives) std::fill(words.begin(), words.end(), 0);
-      row.insert(row.end(), words.begin(), words.end());
+      if (!gives) std::fill(row.begin() + static_cast<std::ptrdiff_t>(first), row.end(), 0);
     }
     for (const Interface& i : shape.out) {
       const Density& d = density[at++];
@@ -113,9 +111,27 @@ Stimulus draw_stream_case(const StreamShape& shape, std::uint64_t seed, std::uin
       if (i.can_stall()) row.push_back(stall);
       if (i.can_wait()) row.push_back(d.waits(random));
     }
-    stimulus.clocks.push_back(std::move(row));
+    take(row);
   }
+  return power_up;
+}
+
+}  // namespace
+
+Stimulus draw_stream_case(const StreamShape& shape, std::uint64_t seed, std::uint64_t index,
+                          std::uint64_t most, const MayGo& may_go) {
+  Stimulus stimulus;
+  stimulus.machine = shape.title;
+  stimulus.power_up = draw(shape, seed, index, most, may_go,
+                           [&](const std::vector<Word>& row) { stimulus.clocks.push_back(row); });
   return stimulus;
+}
+
+std::uint32_t draw_stream_case(const StreamShape& shape, std::uint64_t seed, std::uint64_t index,
+                               std::uint64_t most, const MayGo& may_go, StreamCase& into) {
+  into.clear();
+  return draw(shape, seed, index, most, may_go,
+              [&](const std::vector<Word>& row) { into.add(shape, row); });
 }
 
 }  // namespace cosim

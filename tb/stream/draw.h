@@ -11,7 +11,7 @@
 
 namespace cosim {
 
-/// Whether a transaction may go into stream s.
+/// Whether a transaction may go into stream s; empty: each may.
 using MayGo = std::function<bool(std::size_t s, std::span<const Word> words)>;
 
 /// Case number `index` under the seed: a few transactions or up to `most`, of random values with
@@ -21,5 +21,9 @@ using MayGo = std::function<bool(std::size_t s, std::span<const Word> words)>;
 /// InputError where no transaction that may go is found.
 Stimulus draw_stream_case(const StreamShape& shape, std::uint64_t seed, std::uint64_t index,
                           std::uint64_t most, const MayGo& may_go);
+
+/// The same case, taken apart into `into`, whose memory it uses again. Gives its power-up.
+std::uint32_t draw_stream_case(const StreamShape& shape, std::uint64_t seed, std::uint64_t index,
+                               std::uint64_t most, const MayGo& may_go, StreamCase& into);
 
 }  // namespace cosim

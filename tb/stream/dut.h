@@ -2,8 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,11 +19,15 @@ class StreamDut {
   /// Where the cells of the ports lie: of `inputs`, of `outputs`, then the clock. InputError where
   /// the RTL has others.
   virtual std::vector<Net> nets(const Ports& ports) = 0;
-  /// Settles everything that depends on the inputs and the clock.
-  virtual void eval() = 0;
+  /// Settles everything that depends on the inputs and the clock. True where the RTL says something
+  /// of itself.
+  virtual bool eval() = 0;
+  /// Powers up again from `power_up`: then it is as a new instance would be, with its nets where
+  /// they were. False where that cannot be, and it stays as it is.
+  virtual bool restart(std::uint32_t /*power_up*/) { return false; }
   /// The reset has ended.
   virtual void begin() {}
-  /// What the RTL said of itself in the last eval(); null: nothing.
+  /// What that was, in the last eval() that was true.
   virtual const RtlSaid* said() const { return nullptr; }
   /// Empty if the instance does not show them.
   virtual std::vector<Signal> signals() const { return {}; }
@@ -39,18 +43,21 @@ class VerilatedStreamDut : public StreamDut, protected VerilatedInstance<Top, fa
     clock_ = ports.clock;
     return find_ports(ports_of(this->top()), ports);
   }
-  void eval() override {
-    said_.reset();
+  bool eval() override {
     this->top().eval();
-    if (rtl_said) said_ = take_said();
+    if (!rtl_said) [[likely]]
+      return false;
+    said_ = take_said();
+    return true;
   }
+  bool restart(std::uint32_t power_up) override { return Base::restart(power_up); }
   void begin() override { Base::begin(); }
-  const RtlSaid* said() const override { return said_ ? &*said_ : nullptr; }
+  const RtlSaid* said() const override { return &said_; }
   std::vector<Signal> signals() const override { return Base::signals(clock_); }
 
  private:
   std::string clock_;
-  std::optional<RtlSaid> said_;
+  RtlSaid said_;
 };
 
 /// The ports of an interface in one instance.

@@ -34,18 +34,19 @@ template <class Driver, class Record>
 class OwnTakerOf final : public OwnTaker {
  public:
   template <class Params>
-  explicit OwnTakerOf(const Params& p) : payload_(p) {}
+  explicit OwnTakerOf(const Params& p) : payload_(p), one_(payload_.cells()) {}
   void drive(bool ready, std::span<Word> pins) override { driver_.drive(ready, pins); }
   bool came(std::span<const Word> pins, std::vector<Word>& words) override {
     const std::optional<Record> record = driver_.came(pins);
     if (!record) return false;
-    const Sequence one = payload_.sequence({*record}, "a driver", "its stream");
-    words.assign(one[0].begin(), one[0].end());
+    payload_.sequence({*record}, "a driver", "its stream", one_);
+    words.assign(one_[0].begin(), one_[0].end());
     return true;
   }
 
  private:
   Payload<Record> payload_;
+  Sequence one_;
   Driver driver_;
 };
 

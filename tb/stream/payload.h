@@ -39,10 +39,10 @@ class Payload {
     for (std::size_t n = 0; n < sequence.size(); ++n) all.push_back(record(sequence[n]));
     return all;
   }
-  /// InputError "TITLE: ..." where a value has no code.
-  Sequence sequence(const std::vector<Record>& records, const std::string& title,
-                    const std::string& stream) const {
-    Sequence all(places_.size());
+  /// The records in place of what `all` holds. InputError "TITLE: ..." where a value has no code.
+  void sequence(const std::vector<Record>& records, const std::string& title,
+                const std::string& stream, Sequence& all) const {
+    all.clear();
     std::vector<Word> words(places_.size());
     for (const Record& r : records) {
       const Words<Record> values = to_words(r);
@@ -60,8 +60,8 @@ class Payload {
       }
       all.push(words);
     }
-    return all;
   }
+  std::size_t cells() const { return places_.size(); }
 
  private:
   std::array<Field, Record::size> fields_;

@@ -1,13 +1,14 @@
-// Runs one case: drives what goes in, drains what comes out, and compares it with what must come.
+// One case as an order, and what it gives: what goes in is driven, what comes out is drained and
+// compared with what must come.
 #pragma once
 
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
-#include "tb/stream/dut.h"
 #include "tb/stream/sequence.h"
 #include "tb/stream/shape.h"
 
@@ -59,21 +60,20 @@ class StreamObserver {
                      const std::vector<InterfaceSeen>& out) = 0;
 };
 
+/// How many come out of each stream for the first so many of each that goes in.
+using StreamSizes = std::function<std::vector<std::size_t>(std::span<const std::size_t> taken)>;
+
 struct StreamOrder {
   const StreamCase& given;
   const std::vector<Sequence>& expected;  ///< of each stream that comes out
-  /// How many must have come out of each stream for the first so many of each that goes in. Asked
-  /// only where a latency is stated and something is waited for longer than that, of ever more.
-  std::function<std::vector<std::size_t>(const std::vector<std::size_t>& taken)> due;
+  /// What must have come out. Asked only where a latency is stated and something is waited for
+  /// longer than that, of ever more.
+  StreamSizes due;
   std::uint32_t noise = 1;  ///< seed of the values of fields while nothing is offered
   std::uint64_t budget = ~std::uint64_t{0};  ///< clocks after which it ends once something moves
   bool gather = false;  ///< goes on after a wrong value, for StreamResult::came
   StreamObserver* observer = nullptr;
 };
-
-/// `dut` has just been made. After the last transaction some clocks are waited for one too many: 16
-/// more than the longest time for which nothing moved before.
-StreamResult run_stream(const StreamShape& shape, StreamDut& dut, const StreamOrder& order);
 
 /// The finding as one line, from what came out and what was expected: a wrong value may be one that
 /// is lost, doubled, reordered or one too many.

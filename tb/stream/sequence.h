@@ -14,7 +14,7 @@ class Sequence {
  public:
   explicit Sequence(std::size_t cells = 1) : cells_(cells) {}
 
-  std::size_t size() const { return words_.size() / cells_; }
+  std::size_t size() const { return size_; }
   std::size_t cells() const { return cells_; }
   std::span<const Word> operator[](std::size_t i) const {
     return std::span(words_).subspan(i * cells_, cells_);
@@ -22,16 +22,17 @@ class Sequence {
   /// `words`: one a cell.
   void push(std::span<const Word> words) {
     words_.insert(words_.end(), words.begin(), words.end());
+    ++size_;
   }
-  /// The first `n` of them.
-  Sequence first(std::size_t n) const {
-    Sequence some(cells_);
-    some.push(std::span(words_).first(n * cells_));
-    return some;
+  /// Takes all of them out.
+  void clear() {
+    words_.clear();
+    size_ = 0;
   }
 
  private:
   std::size_t cells_;  // of a transaction, >= 1
+  std::size_t size_ = 0;
   std::vector<Word> words_;
 };
 

@@ -62,26 +62,34 @@ void StreamShape::column(const Field& field) {
   columns_.push_back(field);
 }
 
-StreamCase stream_case(const StreamShape& shape, const Stimulus& stimulus) {
-  StreamCase all;
-  for (const Interface& i : shape.in) all.in.push_back({Sequence(i.cells.size()), {}, {}});
-  for (std::size_t s = 0; s < shape.out.size(); ++s) all.out.emplace_back();
-  for (const std::vector<Word>& row : stimulus.clocks) {
-    std::size_t at = 0;
-    for (std::size_t s = 0; s < shape.in.size(); ++s) {
-      const std::size_t cells = shape.in[s].cells.size();
-      if (row[at] != 0) {
-        all.in[s].stalls.push_back(row[at + 1]);
-        all.in[s].given.push(std::span(row).subspan(at + 2, cells));
-      }
-      at += 2 + cells;
-    }
-    for (std::size_t s = 0; s < shape.out.size(); ++s) {
-      if (shape.out[s].can_stall()) all.out[s].stalls.push_back(row[at++]);
-      if (shape.out[s].can_wait()) all.out[s].waits.push_back(row[at++]);
+StreamCase::StreamCase(const StreamShape& shape) : in(shape.in.size()), out(shape.out.size()) {
+  for (const Interface& i : shape.in) given.emplace_back(i.cells.size());
+}
+
+void StreamCase::clear() {
+  for (Sequence& all : given) all.clear();
+  for (auto* sides : {&in, &out}) {
+    for (Side& side : *sides) {
+      side.stalls.clear();
+      side.waits.clear();
     }
   }
-  return all;
+}
+
+void StreamCase::add(const StreamShape& shape, std::span<const Word> row) {
+  std::size_t at = 0;
+  for (std::size_t s = 0; s < in.size(); ++s) {
+    const std::size_t cells = given[s].cells();
+    if (row[at] != 0) {
+      in[s].stalls.push_back(row[at + 1]);
+      given[s].push(row.subspan(at + 2, cells));
+    }
+    at += 2 + cells;
+  }
+  for (std::size_t s = 0; s < out.size(); ++s) {
+    if (shape.out[s].can_stall()) out[s].stalls.push_back(row[at++]);
+    if (shape.out[s].can_wait()) out[s].waits.push_back(row[at++]);
+  }
 }
 
 }  // namespace cosim

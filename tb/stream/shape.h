@@ -17,7 +17,6 @@
 
 #include "model/core/fields.h"
 #include "model/core/stream.h"
-#include "tb/stimulus/stimulus.h"
 #include "tb/stream/own.h"
 #include "tb/stream/sequence.h"
 
@@ -73,12 +72,19 @@ struct StreamShape {
 /// A case, taken apart.
 struct StreamCase {
   struct Side {
-    Sequence given{1};         ///< of a stream that goes in
     std::vector<Word> stalls;  ///< before each; none behind the last
     std::vector<Word> waits;   ///< 1 where ready waits for valid, of a stream that comes out
   };
+  std::vector<Sequence> given;  ///< of each stream that goes in
   std::vector<Side> in, out;
+
+  StreamCase() = default;
+  /// One without a transaction.
+  explicit StreamCase(const StreamShape& shape);
+  /// Makes it that again.
+  void clear();
+  /// One more row.
+  void add(const StreamShape& shape, std::span<const Word> row);
 };
-StreamCase stream_case(const StreamShape& shape, const Stimulus& stimulus);
 
 }  // namespace cosim

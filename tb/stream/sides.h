@@ -1,43 +1,61 @@
-// One interface of a run, clock by clock: drive() before the design settles, sample() after it,
-// advance() after the rising edge.
+// One interface, clock by clock: drive() before the design settles, sample() after it, advance()
+// after the rising edge. It is kept from case to case, and start() begins one: a clock looks
+// nothing up and allocates nothing.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <memory>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "tb/stream/dut.h"
 #include "tb/stream/sequence.h"
+#include "tb/stream/shape.h"
 #include "tb/support/random.h"
 
 namespace cosim {
 
-inline std::vector<Word> values_of(const std::vector<Net>& nets) {
-  std::vector<Word> values;
-  for (const Net& n : nets) values.push_back(n.get());
+/// Reads them into `values`, which it gives.
+inline std::span<const Word> read(const std::vector<Net>& nets, std::vector<Word>& values) {
+  values.resize(nets.size());
+  for (std::size_t n = 0; n < nets.size(); ++n) values[n] = nets[n].get();
   return values;
 }
 
 /// A stream that goes in, at work.
 struct Giver {
+  Giver(const Interface& interface, const InterfaceNets& its) : i(interface), nets(its) {}
+
   const Interface& i;
+  const bool has_ready = !i.ready.empty(), has_done = !i.done.empty();
   const InterfaceNets& nets;
-  const Sequence& given;
-  const std::vector<Word>& stalls;
+  const Sequence* given = nullptr;
+  const std::vector<Word>* stalls = nullptr;
   std::size_t taken = 0;
   Word stalled = 0;  // clocks left
   int credits = 0;
   bool offers = false;  // valid is high
   bool waits = false;   // for done
   bool moved = false;   // on this clock
-  std::unique_ptr<OwnGiver> own = i.own.giver ? i.own.giver() : nullptr;
+  std::unique_ptr<OwnGiver> own{};
+  std::vector<Word> pins{};  // of its own driver
 
-  bool left() const { return taken < given.size(); }
+  /// A new case, which stays as long as it runs.
+  void start(const Sequence& all, const StreamCase::Side& side) {
+    given = &all;
+    stalls = &side.stalls;
+    taken = 0;
+    credits = i.credits;
+    offers = waits = moved = false;
+    own = i.own.giver ? i.own.giver() : nullptr;
+    next();
+  }
+  bool left() const { return taken < given->size(); }
   /// The harness itself makes it wait.
   bool held_back() const { return left() && !offers && stalled != 0; }
-  void begin() { stalled = left() ? stalls[taken] : 0; }
+  void next() { stalled = left() ? (*stalls)[taken] : 0; }
 
   void drive(Random& noise) {
     if (stalled != 0) {
@@ -45,7 +63,7 @@ struct Giver {
       offers = false;
     } else if (!offers && left() && !waits && (i.credits == 0 || credits > 0)) {
       offers = true;
-      const auto words = given[taken];
+      const auto words = (*given)[taken];
       for (std::size_t c = 0; c < nets.cells.size(); ++c) nets.cells[c].set(words[c]);
     }
     if (own) return drive_own();
@@ -56,18 +74,18 @@ struct Giver {
     }
   }
   void drive_own() {
-    std::vector<Word> pins(nets.drives.size());
-    const std::span<const Word> words = offers ? given[taken] : std::span<const Word>();
+    pins.assign(nets.drives.size(), 0);
+    const std::span<const Word> words = offers ? (*given)[taken] : std::span<const Word>();
     own->drive(offers ? &words : nullptr, pins);
     for (std::size_t p = 0; p < pins.size(); ++p) nets.drives[p].set(pins[p]);
   }
   void sample() {
     if (own) {
-      moved = own->took(values_of(nets.reads)) && offers;
+      moved = own->took(read(nets.reads, pins)) && offers;
       return;
     }
     if (waits && nets.done.get() != 0) waits = false;
-    moved = offers && (i.ready.empty() || nets.ready.get() != 0);
+    moved = offers && (!has_ready || nets.ready.get() != 0);
     if (i.credits > 0 && nets.credit.get() != 0) ++credits;
     if (!moved) return;
     if (i.credits > 0) --credits;
@@ -77,79 +95,89 @@ struct Giver {
     if (!moved) return;
     ++taken;
     offers = false;
-    waits = !i.done.empty();
-    begin();
+    waits = has_done;
+    next();
   }
 };
 
 /// A stream that comes out.
 struct Taker {
+  Taker(const Interface& interface, const InterfaceNets& its) : i(interface), nets(its) {}
+
   const Interface& i;
+  const bool has_ready = i.has_ready(), has_port = !i.ready.empty();
   const InterfaceNets& nets;
-  const Sequence& expected;
-  const StreamCase::Side& given;
+  const Sequence* expected = nullptr;
+  const StreamCase::Side* given = nullptr;
   std::size_t came = 0;
   Word stalled = 0;
-  bool waits = false;          // for valid, before ready
-  int credits = 0;             // that the design may still use
-  std::deque<Word> returns{};  // credits to give back: clocks each has still to wait
+  bool waits = false;           // for valid, before ready
+  int credits = 0;              // that the design may still use
+  std::vector<Word> returns{};  // of each that came: clocks until its credit goes back
+  std::size_t returned = 0;     // so many of them have gone
   bool valid = false, ready = false, moved = false, before = false, offered = false;
   bool stays = false;  // a pulse that came before is still high
   std::vector<Word> words{}, last{};
-  std::unique_ptr<OwnTaker> own = i.own.taker ? i.own.taker() : nullptr;
-  std::uint64_t idle = 0;  // clocks on which it could have taken one
+  std::unique_ptr<OwnTaker> own{};
+  std::vector<Word> pins{};  // of its own driver
 
-  // What had been taken from the streams that go in when so many clocks were idle; those are left
-  // that the latency has not yet passed over.
-  struct Taken {
-    std::uint64_t idle;
-    std::vector<std::size_t> counts;
-  };
-  std::deque<Taken> recent{};
-  std::vector<std::size_t> old{};  // what was taken longer ago than that
-  bool asked = true;               // how many are due of it
-  std::size_t due = 0;             // that many
+  // Of the latency: the run keeps a list of what had been taken from the streams that go in.
+  std::uint64_t idle = 0;              // clocks on which it could have taken one
+  std::vector<std::uint64_t> noted{};  // of each entry of that list: `idle` then
+  std::size_t old = 0;                 // so many entries are older than the latency
+  bool asked = true;                   // how many are due of the last of those
+  std::size_t due = 0;                 // that many
 
-  Word stall_of(std::size_t n) const { return n < given.stalls.size() ? given.stalls[n] : 0; }
-  bool held_back() const { return stalled != 0 || !returns.empty(); }
-  void note(const std::vector<std::size_t>& taken) {
-    if (i.latency < 0) return;
-    if (!recent.empty() && recent.back().idle == idle) {
-      recent.back().counts = taken;
-    } else {
-      recent.push_back({idle, taken});
-    }
-  }
-  void age() {
-    ++idle;
-    while (!recent.empty() && idle - recent.front().idle > static_cast<std::uint64_t>(i.latency)) {
-      old = std::move(recent.front().counts);
-      recent.pop_front();
-      asked = false;
-    }
-  }
-  void begin() {
+  /// A new case, which stays as long as it runs.
+  void start(const Sequence& all, const StreamCase::Side& side) {
+    expected = &all;
+    given = &side;
+    came = returned = old = due = 0;
     credits = i.credits;
+    returns.clear();
+    noted.clear();
+    valid = ready = moved = before = offered = stays = false;
+    // A run that was cut short may have left some behind.
+    words.clear();
+    last.clear();
+    idle = 0;
+    asked = true;
+    own = i.own.taker ? i.own.taker() : nullptr;
     next();
   }
+  Word stall_of(std::size_t n) const { return n < given->stalls.size() ? given->stalls[n] : 0; }
+  bool held_back() const { return stalled != 0 || returned < returns.size(); }
+  /// The list has one more entry.
+  void note() {
+    if (i.latency >= 0) noted.push_back(idle);
+  }
+  /// One more clock on which it could have taken one: false where nothing is due by it for sure.
+  bool age() {
+    ++idle;
+    while (old < noted.size() && idle - noted[old] > static_cast<std::uint64_t>(i.latency)) {
+      ++old;
+      asked = false;
+    }
+    return !asked || came < due;
+  }
   void next() {
-    stalled = i.has_ready() ? stall_of(came) : 0;
-    waits = came < given.waits.size() && given.waits[came] != 0;
+    stalled = has_ready ? stall_of(came) : 0;
+    waits = came < given->waits.size() && given->waits[came] != 0;
   }
 
   void drive() {
-    if (i.has_ready()) {
+    if (has_ready) {
       ready = stalled == 0 && !waits;
       if (stalled != 0) --stalled;
       if (own) return drive_own();
       nets.ready.set(ready ? 1 : 0);
     } else if (i.credits > 0) {
-      const bool back = !returns.empty() && returns.front() == 0;
+      const bool back = returned < returns.size() && returns[returned] == 0;
       if (back) {
-        returns.pop_front();
+        ++returned;
         ++credits;
-      } else if (!returns.empty()) {
-        --returns.front();
+      } else if (returned < returns.size()) {
+        --returns[returned];
       }
       nets.credit.set(back ? 1 : 0);
       ready = credits > 0;
@@ -158,13 +186,13 @@ struct Taker {
     }
   }
   void drive_own() {
-    std::vector<Word> pins(nets.drives.size());
+    pins.assign(nets.drives.size(), 0);
     own->drive(ready, pins);
     for (std::size_t p = 0; p < pins.size(); ++p) nets.drives[p].set(pins[p]);
   }
   void sample() {
     if (own) {
-      moved = valid = own->came(values_of(nets.reads), words);
+      moved = valid = own->came(read(nets.reads, pins), words);
       return;
     }
     const bool high = nets.valid.get() != 0;
@@ -172,11 +200,10 @@ struct Taker {
     valid = high && !stays;
     before = high;
     // Without ready the design gives when it likes.
-    moved = valid && (ready || i.ready.empty());
+    moved = valid && (ready || !has_port);
     if (!high) return;
     waits = false;
-    words.resize(nets.cells.size());
-    for (std::size_t c = 0; c < words.size(); ++c) words[c] = nets.cells[c].get();
+    if (moved || i.steady) read(nets.cells, words);
   }
   void advance() {
     offered = valid && !moved;

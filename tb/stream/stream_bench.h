@@ -87,24 +87,22 @@ class StreamBench final : public AnyStreamBench {
     return std::make_unique<Open>(power_up);
   }
 
-  std::vector<Sequence> expected(const std::vector<Sequence>& given) const override {
+  void expect(const std::vector<Sequence>& given, std::vector<Sequence>& all) const override {
     const auto results = [&]<std::size_t... S>(std::index_sequence<S...>) {
-      return detail::as_tuple(Design::run(
-          Trait::params, detail::Payload<RecordOf<S, In>>(Trait::params).records(given[S])...));
+      return detail::as_tuple(Design::run(Trait::params, payload<S, In>().records(given[S])...));
     }
     (Numbers<In>());
-    std::vector<Sequence> all;
+    while (all.size() < shape_.out.size()) {
+      all.emplace_back(shape_.out[all.size()].cells.size());
+    }
     [&]<std::size_t... S>(std::index_sequence<S...>) {
-      (all.push_back(detail::Payload<RecordOf<S, Out>>(Trait::params)
-                         .sequence(std::get<S>(results), shape_.title, shape_.out[S].name)),
+      (payload<S, Out>().sequence(std::get<S>(results), shape_.title, shape_.out[S].name, all[S]),
        ...);
     }
     (Numbers<Out>());
-    return all;
   }
 
-  std::function<std::vector<std::size_t>(const std::vector<std::size_t>&)> sizes(
-      const std::vector<Sequence>& given) const override {
+  StreamSizes sizes(const std::vector<Sequence>& given) const override {
     return sizes(given, Numbers<In>(), Numbers<Out>());
   }
 
@@ -120,19 +118,23 @@ class StreamBench final : public AnyStreamBench {
  private:
   // Each record is made once, and once in the vector that the model is given.
   template <std::size_t... S, std::size_t... R>
-  static std::function<std::vector<std::size_t>(const std::vector<std::size_t>&)> sizes(
-      const std::vector<Sequence>& given, std::index_sequence<S...>, std::index_sequence<R...>) {
+  static StreamSizes sizes(const std::vector<Sequence>& given, std::index_sequence<S...>,
+                           std::index_sequence<R...>) {
     return [&given, some = std::tuple<std::vector<RecordOf<S, In>>...>()](
-               const std::vector<std::size_t>& taken) mutable {
-      const auto take = [&](auto& records, std::size_t s, const auto& payload) {
+               std::span<const std::size_t> taken) mutable {
+      const auto take = [&](auto& records, std::size_t s, const auto& codes) {
         if (records.size() > taken[s]) records.resize(taken[s]);
-        while (records.size() < taken[s])
-          records.push_back(payload.record(given[s][records.size()]));
+        while (records.size() < taken[s]) records.push_back(codes.record(given[s][records.size()]));
       };
-      (take(std::get<S>(some), S, detail::Payload<RecordOf<S, In>>(Trait::params)), ...);
+      (take(std::get<S>(some), S, payload<S, In>()), ...);
       const auto results = detail::as_tuple(Design::run(Trait::params, std::get<S>(some)...));
       return std::vector<std::size_t>{std::get<R>(results).size()...};
     };
+  }
+  template <std::size_t S, class Side>
+  static const detail::Payload<RecordOf<S, Side>>& payload() {
+    static const detail::Payload<RecordOf<S, Side>> one(Trait::params);
+    return one;
   }
   template <std::size_t S>
   static constexpr bool has_rules = requires(const RecordOf<S, In>& r) {
@@ -149,7 +151,7 @@ class StreamBench final : public AnyStreamBench {
   template <std::size_t S>
   const char* broken_in([[maybe_unused]] std::span<const Word> words) const {
     if constexpr (has_rules<S>) {
-      const auto record = detail::Payload<RecordOf<S, In>>(Trait::params).record(words);
+      const auto record = payload<S, In>().record(words);
       for (const auto& rule : Design::legal(Trait::params, record)) {
         if (!rule.holds) return rule.sentence;
       }

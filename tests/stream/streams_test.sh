@@ -12,7 +12,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 source "$here/../support/program.sh"
 program_of streams "$here/designs" "$@"
 ((${#chosen[@]} > 0)) || chosen=(loses doubles hangs slow wrong bends asks idles sha256 word pairs divider
-  credits blocks packets serial stack asserts asserted guarded)
+  credits blocks packets serial stack keeps asserts asserted guarded)
 
 # found DESIGN KIND MOST: the fault is found, of that kind, and its smallest stimulus has at most MOST
 # transactions, and shows it again.
@@ -100,6 +100,8 @@ try_blocks() { both blocks 'another value: digest' 1; }
 try_serial() { both serial 'another value: out' 1; }
 # What came last goes first, where two wait.
 try_stack() { both stack 'reordered: y number 0 comes after number 1' 2; }
+# What no reset reaches is what it was at power-up, whatever ran before: the case shows it again by itself.
+try_keeps() { both keeps 'another value: y number 0' 1; }
 try_credits() { both credits 'credit: out number [0-9]* comes without any' 6; }
 try_packets() { both packets 'another value: sum' 3; }
 try_divider() {

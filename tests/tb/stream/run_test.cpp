@@ -1,6 +1,6 @@
 // A queue in C++ in the RTL's place, with every fault that a stream can have: each is found, and
 // said by its name.
-#include "tb/stream/run.h"
+#include "tb/stream/runner.h"
 
 #include <gtest/gtest.h>
 
@@ -49,12 +49,13 @@ class Queue final : public StreamDut {
     all.push_back(net(clk_));
     return all;
   }
-  void eval() override {
+  bool eval() override {
     if (clk_ != 0 && before_ == 0) edge();
     before_ = clk_;
     x_ready_ = held_.size() < 2 && !hung_ && (fault_ != Fault::idles || y_ready_ != 0) ? 1 : 0;
     y_valid_ = !held_.empty() && wait_ == 0 && (fault_ != Fault::asks || y_ready_ != 0) ? 1 : 0;
     y_data_ = held_.empty() ? 0 : held_.front();
+    return false;
   }
 
  private:
@@ -120,11 +121,12 @@ class Case {
     const Field data{"data", 8, Format::bits, "", "", 0, "data"};
     shape_.add({.name = "x"}, true, {&data, 1});
     shape_.add({.name = "y", .latency = s.latency, .steady = s.steady}, false, {&data, 1});
-    given_.in.push_back({Sequence(1), {}, {}});
+    given_.given.emplace_back(1);
+    given_.in.emplace_back();
     given_.out.emplace_back();
     for (Word n = 0; n < 10; ++n) {
       const Word in = n * 7, out = n * 7 + 1;
-      given_.in[0].given.push({&in, 1});
+      given_.given[0].push({&in, 1});
       given_.in[0].stalls.push_back(0);
       given_.out[0].stalls.push_back(s.stall);
       given_.out[0].waits.push_back(s.waits);
@@ -134,7 +136,7 @@ class Case {
 
   StreamResult run(std::uint64_t budget = 100000) {
     Queue queue(setting_.fault, setting_.number);
-    return run_stream(shape_, queue, order(budget));
+    return StreamRunner(shape_, queue).run(order(budget));
   }
   /// How often it was asked what is due.
   int asked() const { return asked_; }
@@ -145,9 +147,9 @@ class Case {
 
  private:
   StreamOrder order(std::uint64_t budget) {
-    const auto due = [this](const std::vector<std::size_t>& taken) {
+    const auto due = [this](std::span<const std::size_t> taken) {
       ++asked_;
-      return taken;
+      return std::vector(taken.begin(), taken.end());
     };
     return {given_, expected_, due, 1, budget, true, nullptr};
   }

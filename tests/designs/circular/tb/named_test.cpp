@@ -10,6 +10,7 @@
 #include "model/circular/host.h"
 #include "model/core/input_error.h"
 #include "tb/bench/design_bench.h"
+#include "tb/support/random.h"
 
 namespace cosim::circular {
 namespace {
@@ -29,6 +30,30 @@ TEST(NamedAdapter, IsInLockstep) {
     const auto run = bench.run_hostile({1, i, 1000});
     ASSERT_FALSE(run.mismatch) << to_text(*run.mismatch);
     EXPECT_EQ(run.clocks, 1000U);
+  }
+}
+
+// No reset: from power-up on, the registers too.
+TEST(NamedAdapter, RestartedIsWhatANewOneIs) {
+  Named kept(1);
+  for (std::uint32_t power_up = 1; power_up <= 10; ++power_up) {
+    ASSERT_TRUE(kept.restart(power_up));
+    Named fresh(power_up);
+    Random random(power_up);
+    for (int c = 0; c < 50; ++c) {
+      Words<Inputs<Word>> in;
+      for (std::size_t i = 0; i < in.size(); ++i) {
+        in[i] = random.corner(Inputs<Word>::fields(Trait::params)[i].width);
+      }
+      for (const bool clk : {false, true}) {
+        for (Named* one : {&kept, &fresh}) {
+          one->drive(from_words<Inputs<Word>>(in));
+          one->eval(clk);
+        }
+        ASSERT_EQ(to_words(kept.outputs()), to_words(fresh.outputs())) << power_up << ' ' << c;
+        ASSERT_EQ(to_words(kept.registers()), to_words(fresh.registers())) << power_up << ' ' << c;
+      }
+    }
   }
 }
 

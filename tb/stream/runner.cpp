@@ -1,0 +1,252 @@
+#include "tb/stream/runner.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "tb/stream/seen.h"
+
+namespace cosim {
+namespace {
+
+constexpr std::uint64_t gathered_clocks = 2000;
+
+}  // namespace
+
+StreamRunner::StreamRunner(const StreamShape& shape, StreamDut& dut)
+    : shape_(shape), dut_(dut), nets_(shape, dut) {
+  for (std::size_t s = 0; s < shape.in.size(); ++s) givers_.emplace_back(shape.in[s], nets_.in[s]);
+  for (std::size_t s = 0; s < shape.out.size(); ++s) {
+    takers_.emplace_back(shape.out[s], nets_.out[s]);
+    has_latency_ |= shape.out[s].latency >= 0;
+    is_steady_ |= shape.out[s].steady;
+  }
+}
+
+StreamResult StreamRunner::run(const StreamOrder& order) {
+  order_ = &order;
+  start();
+  reset();
+  dut_.begin();
+  // A silence is listened to until it ends.
+  while ((result_.clocks < order.budget || quiet_ > 0) && clock()) continue;
+  return std::move(result_);
+}
+
+void StreamRunner::start() {
+  for (std::size_t s = 0; s < givers_.size(); ++s) {
+    givers_[s].start(order_->given.given[s], order_->given.in[s]);
+  }
+  for (std::size_t s = 0; s < takers_.size(); ++s) {
+    takers_[s].start(order_->expected[s], order_->given.out[s]);
+  }
+  noise_ = Random(order_->noise);
+  held_ = false;
+  quiet_ = moved_at_ = longest_ = drained_ = 0;
+  gathered_.clear();
+  result_ = StreamResult{};
+  taken_.clear();
+  if (has_latency_) note_taken();
+}
+
+void StreamRunner::edge() {
+  nets_.clock.set(0);
+  dut_.eval();
+  nets_.clock.set(1);
+  dut_.eval();
+}
+
+void StreamRunner::reset() {
+  int clocks = 0;
+  for (std::size_t p = 0; p < shape_.pins.size(); ++p) {
+    const Pin& pin = shape_.pins[p];
+    if (pin.kind == Pin::Kind::tied) {
+      for (const Net& word : nets_.pins[p]) word.set(&word == nets_.pins[p].data() ? pin.value : 0);
+    }
+    if (pin.kind == Pin::Kind::reset) clocks = std::max(clocks, pin.clocks);
+  }
+  for (std::size_t s = 0; s < nets_.in.size(); ++s) {
+    if (givers_[s].own) {
+      givers_[s].drive_own();
+    } else {
+      nets_.in[s].valid.set(0);
+    }
+  }
+  for (std::size_t s = 0; s < nets_.out.size(); ++s) {
+    if (takers_[s].own) takers_[s].drive_own();
+    if (!shape_.out[s].ready.empty()) nets_.out[s].ready.set(0);
+    if (!shape_.out[s].credit.empty()) nets_.out[s].credit.set(0);
+  }
+  for (int c = 0; c <= clocks; ++c) {
+    for (std::size_t p = 0; p < shape_.pins.size(); ++p) {
+      const Pin& pin = shape_.pins[p];
+      if (pin.kind != Pin::Kind::reset) continue;
+      nets_.pins[p].front().set(c < pin.clocks ? pin.value : 1 - pin.value);
+    }
+    if (c < clocks) edge();
+  }
+}
+
+inline void StreamRunner::judge(Taker& t) {
+  if (t.i.steady) judge_steady(t);
+  if (t.moved) judge_value(t);
+  if (!t.valid && t.ready && t.i.latency >= 0 && t.age()) judge_latency(t);
+}
+
+inline void StreamRunner::listen(bool moved) {
+  if (moved) {
+    longest_ = std::max(longest_, quiet_);
+    quiet_ = 0;
+  }
+  if (moved || held_) {
+    moved_at_ = result_.clocks + 1;
+  } else {
+    ++quiet_;
+  }
+  if (quiet_ >= shape_.watchdog && pending()) [[unlikely]]
+    judge_silence();
+}
+
+inline bool StreamRunner::pending() const {
+  bool any = false;
+  for (const Taker& t : takers_) any |= t.came < t.expected->size();
+  // Of several streams one may wait for what the other does not give.
+  return any || (givers_.size() == 1 && givers_.front().left());
+}
+
+// After the clock.
+inline bool StreamRunner::ends(bool moved) {
+  if (result_.finding) [[unlikely]]
+    return ends_found();
+  if (moved || held_ || pending()) {
+    drained_ = 0;
+    return false;
+  }
+  return ++drained_ > longest_ + 16;
+}
+
+bool StreamRunner::clock() {
+  for (Giver& g : givers_) g.drive(noise_);
+  for (Taker& t : takers_) t.drive();
+  nets_.clock.set(0);
+  if (dut_.eval()) hear();
+  // What the harness itself holds back is no hang.
+  bool moved = false;
+  held_ = false;
+  for (Giver& g : givers_) {
+    g.sample();
+    moved |= g.moved;
+    held_ |= g.held_back();
+    if (g.credits > g.i.credits) found(Kind::credit, true, number_of(g), g.taken);
+  }
+  if (has_latency_ && moved) note_taken();
+  for (Taker& t : takers_) {
+    t.sample();
+    moved |= t.moved;
+    held_ |= t.held_back();
+    judge(t);
+  }
+  listen(moved);
+  const bool more = order_->observer == nullptr || show();
+  nets_.clock.set(1);
+  if (dut_.eval()) hear();
+  ++result_.clocks;
+  if (moved || is_steady_) {
+    for (Giver& g : givers_) g.advance();
+    for (Taker& t : takers_) t.advance();
+  }
+  return more && !ends(moved);
+}
+
+// What is taken by the end of this clock.
+void StreamRunner::note_taken() {
+  for (const Giver& g : givers_) taken_.push_back(g.taken + (g.moved ? 1 : 0));
+  for (Taker& t : takers_) t.note();
+}
+
+void StreamRunner::found(Kind kind, bool goes_in, std::size_t stream, std::size_t number,
+                         std::size_t cell) {
+  if (result_.finding) return;
+  const bool stands = kind == Kind::hung || kind == Kind::missing;
+  const std::uint64_t clock = stands ? moved_at_ : result_.clocks;
+  result_.finding = {kind, goes_in, stream, number, cell, clock};
+  for (std::size_t s = 0; s < takers_.size() && stands; ++s) {
+    if (takers_[s].waits) result_.finding->waits = s;
+  }
+}
+
+void StreamRunner::hear() {
+  if (result_.finding) return;
+  found(Kind::said, true, 0, givers_.empty() ? 0 : givers_.front().taken);
+  result_.said = dut_.said()->line_of_report();
+}
+
+void StreamRunner::judge_silence() {
+  for (std::size_t s = 0; s < givers_.size(); ++s) {
+    if (givers_[s].left()) found(Kind::hung, true, s, givers_[s].taken);
+  }
+  for (std::size_t s = 0; s < takers_.size(); ++s) {
+    const Taker& t = takers_[s];
+    if (t.came == t.expected->size()) continue;
+    found(t.waits ? Kind::hung : Kind::missing, false, s, t.came);
+  }
+}
+
+void StreamRunner::judge_steady(const Taker& t) {
+  if (t.offered && (!t.valid || t.words != t.last)) {
+    found(Kind::unsteady, false, number_of(t), t.came);
+  }
+  if (t.stays && t.came > 0 && t.words != t.last) {
+    found(Kind::unsteady, false, number_of(t), t.came - 1);
+  }
+}
+
+void StreamRunner::judge_value(const Taker& t) {
+  if (t.i.credits > 0 && !t.ready) found(Kind::credit, false, number_of(t), t.came);
+  if (t.came >= t.expected->size()) {
+    found(Kind::extra, false, number_of(t), t.came);
+  } else {
+    const auto right = (*t.expected)[t.came];
+    for (std::size_t c = 0; c < right.size(); ++c) {
+      if (t.words[c] != right[c]) found(Kind::value, false, number_of(t), t.came, c);
+    }
+  }
+  ++result_.transactions;
+  if (order_->gather) gathered(number_of(t)).push(t.words);
+}
+
+void StreamRunner::judge_latency(Taker& t) {
+  const std::size_t s = number_of(t);
+  if (!t.asked && t.came < t.expected->size()) {
+    const std::size_t n = givers_.size();
+    t.due = order_->due(std::span(taken_).subspan((t.old - 1) * n, n))[s];
+    t.asked = true;
+  }
+  if (t.came < t.due) found(Kind::late, false, s, t.came);
+}
+
+bool StreamRunner::ends_found() {
+  if (order_->gather && result_.finding->kind == Kind::value && quiet_ < shape_.watchdog &&
+      result_.clocks < result_.finding->clock + gathered_clocks) {
+    return false;
+  }
+  if (order_->gather && !result_.finding->goes_in) {
+    result_.came = gathered(result_.finding->stream);
+  }
+  return order_->observer == nullptr;
+}
+
+Sequence& StreamRunner::gathered(std::size_t s) {
+  while (gathered_.size() < takers_.size()) {
+    gathered_.emplace_back(shape_.out[gathered_.size()].cells.size());
+  }
+  return gathered_[s];
+}
+
+bool StreamRunner::show() {
+  std::vector<InterfaceSeen> in, out;
+  for (const Giver& g : givers_) in.push_back(seen_of(g));
+  for (const Taker& t : takers_) out.push_back(seen_of(t));
+  return order_->observer->clock(result_.clocks, in, out);
+}
+
+}  // namespace cosim

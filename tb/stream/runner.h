@@ -1,0 +1,75 @@
+// What runs cases on one instance of the RTL, one after the other.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "tb/stream/dut.h"
+#include "tb/stream/run.h"
+#include "tb/stream/shape.h"
+#include "tb/stream/sides.h"
+#include "tb/support/random.h"
+
+namespace cosim {
+
+/// It finds the ports once, and keeps its memory from case to case.
+class StreamRunner {
+ public:
+  /// Both outlive it. InputError where the RTL has other ports.
+  StreamRunner(const StreamShape& shape, StreamDut& dut);
+  StreamRunner(const StreamRunner&) = delete;
+  StreamRunner& operator=(const StreamRunner&) = delete;
+
+  /// The instance has just powered up. After the last transaction some clocks are waited for one
+  /// too many: 16 more than the longest time for which nothing moved before.
+  StreamResult run(const StreamOrder& order);
+
+ private:
+  using Kind = StreamFinding::Kind;
+
+  void start();
+  void edge();
+  void reset();
+  bool clock();
+  void note_taken();
+  void found(Kind kind, bool goes_in, std::size_t stream, std::size_t number, std::size_t cell = 0);
+  void hear();
+  void judge(Taker& t);
+  void judge_steady(const Taker& t);
+  void judge_value(const Taker& t);
+  void judge_latency(Taker& t);
+  void listen(bool moved);
+  void judge_silence();
+  bool pending() const;
+  bool ends(bool moved);
+  bool ends_found();
+  Sequence& gathered(std::size_t s);
+  bool show();
+  std::size_t number_of(const Giver& g) const {
+    return static_cast<std::size_t>(&g - givers_.data());
+  }
+  std::size_t number_of(const Taker& t) const {
+    return static_cast<std::size_t>(&t - takers_.data());
+  }
+
+  const StreamShape& shape_;
+  StreamDut& dut_;
+  StreamNets nets_;
+  std::vector<Giver> givers_;
+  std::vector<Taker> takers_;
+  bool has_latency_ = false, is_steady_ = false;
+
+  // Of the case that runs.
+  const StreamOrder* order_ = nullptr;
+  Random noise_{0};
+  std::vector<std::size_t> taken_;  // of each giver, after each clock on which one was taken
+  bool held_ = false;               // by the harness, on this clock
+  std::uint64_t quiet_ = 0;         // clocks since something moved or was held
+  std::uint64_t moved_at_ = 0;      // the clock after that
+  std::uint64_t longest_ = 0, drained_ = 0;
+  std::vector<Sequence> gathered_;
+  StreamResult result_;
+};
+
+}  // namespace cosim

@@ -39,6 +39,7 @@ inline void ports_of() {}
 
 /// And where all state of the class is known to come back, power_up_again(Top&), which makes it
 /// what it is behind the constructor, and this as true.
+inline void power_up_again() {}
 template <class Top>
 inline constexpr bool can_power_up = false;
 

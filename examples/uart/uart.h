@@ -57,45 +57,53 @@ constexpr std::array<Stated<V>, 3> cases(const Params& p, const State<V>& s, con
 COSIM_JOB(Job, UART_JOB, Params);
 
 /// Waits, offers the byte until it is taken, and waits until it is out.
-struct Driver {
-  Params p;
-  Job job;
-  Word idled = 0;
-  bool offered = false, taken = false;
+#define UART_DRIVER(FIELD)                     \
+  FIELD(idled, 6, number, "", "clocks waited") \
+  FIELD(taken, 1, flag, "", "the byte was taken")
+COSIM_RECORD(Driver, UART_DRIVER, Params);
 
-  bool next(Inputs<Word>& in, const Outputs<Word>& seen) {
-    if (idled++ < job.idle) return true;
-    if (taken && seen.ready == 1) return false;
-    taken = taken || (offered && seen.ready == 1);
-    offered = true;
-    in.valid = taken ? 0 : 1;
-    in.data = job.byte;
-    return true;
-  }
-};
+template <class V>
+constexpr Inputs<V> drive(const Params&, const Job<V>& job, const Driver<V>& d, Inputs<V> in) {
+  in.valid = flag<V>(!(d.idled < job.idle) & !is_set(d.taken));
+  in.data = job.byte;
+  return in;
+}
+template <class V>
+constexpr cosim::Turn<Driver, V> driven(const Params&, const Job<V>& job, const Driver<V>& d,
+                                        const Outputs<V>& out) {
+  const Condition<V> waits = d.idled < job.idle, ready = is_set(out.ready);
+  const Condition<V> over = is_set(d.taken) & ready;
+  return {{select(waits, d.idled + V(1), d.idled), select(ready & !waits, V(1), d.taken)}, over};
+}
 
 /// The byte stands on the line, behind its start bit: looked at in the middle of each bit.
-struct Check {
-  Params p;
-  Job job;
-  Word since = 0, byte = 0;  // clocks since the start bit began; the bits so far
+#define UART_CHECKER(FIELD)                                        \
+  FIELD(since, 12, number, "", "clocks since the start bit began") \
+  FIELD(byte, 8, bits, "", "the bits so far")
+COSIM_RECORD(Checker, UART_CHECKER, Params);
 
-  void clock(const Outputs<Word>& out) {
-    if (since == 0 && out.tx == 1) return;
-    const Word bit = since / p.divider - 1;
-    if (since % p.divider == p.divider / 2 && bit >= 0 && bit < 8) byte += out.tx << bit;
-    ++since;
+template <class V>
+constexpr cosim::Verdict<Checker, V> checked(const Params& p, const Job<V>& job, const Driver<V>&,
+                                             const Checker<V>& c, const Outputs<V>& out,
+                                             Condition<V> over) {
+  const Condition<V> begun = !((c.since == V(0)) & is_set(out.tx));
+  Checker<V> n{select(begun, c.since + V(1), V(0)), c.byte};
+  for (int i = 0; i < 8; ++i) {
+    const Condition<V> middle = c.since == V(p.divider * (i + 1) + p.divider / 2);
+    n.byte = n.byte | select(middle, shift_left(out.tx, i), V(0));
   }
-  std::string wrong() const {
-    return byte == job.byte ? "" : "the line had " + std::to_string(byte);
-  }
-};
+  const Condition<V> wrong = over & !(n.byte == job.byte);
+  return {n, wrong};
+}
 
 struct Design {
   COSIM_DESIGN(uart);
-  using Job = uart::Job;
-  using Driver = uart::Driver;
-  using Check = uart::Check;
+  template <class V>
+  using Job = uart::Job<V>;
+  template <class V>
+  using Driver = uart::Driver<V>;
+  template <class V>
+  using Checker = uart::Checker<V>;
   static constexpr const char* name = "uart";
   static constexpr Inputs<Word> rest() { return {.rst_n = 1}; }
   static constexpr Inputs<Word> reset_inputs() { return {.rst_n = 0}; }

@@ -1,4 +1,5 @@
 #include "model/circular/arc.h"
+#include "model/core/wide.h"
 
 #include <algorithm>
 #include <bit>
@@ -6,8 +7,6 @@
 
 namespace cosim::circular {
 namespace {
-
-__extension__ typedef __int128 Int128;
 
 Int128 square(std::int64_t v) { return Int128{v} * v; }  // at most 2^126
 

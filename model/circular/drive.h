@@ -1,9 +1,11 @@
-// The device outside as a step function, see model/core/drive.h: SU 1665343.
+// The device outside, see model/core/job.h: SU 1665343. It loads an arc, starts it, and waits for
+// its end or stops it: one clock to load and start, then one a step, one more for a sector change
+// and one or two to end.
 #pragma once
 
 #include "model/circular/arc.h"
 #include "model/circular/machine.h"
-#include "model/core/drive.h"
+#include "model/core/job.h"
 
 namespace cosim::circular {
 
@@ -18,20 +20,19 @@ namespace cosim::circular {
   FIELD(count,   p.width + 2, number,          "",   "which no arc has more of")
 
 /// What it goes on from.
-#define CIRCULAR_DRIVEN(FIELD)                                                                     \
+#define CIRCULAR_DRIVER(FIELD)                                                                     \
   FIELD(begun,   1,           flag,            "",   "the arc was started")                        \
   FIELD(steps,   p.width + 2, number,          "",   "steps seen so far")
 // clang-format on
 
 COSIM_RECORD(Task, CIRCULAR_TASK, Params);
-COSIM_RECORD(Driven, CIRCULAR_DRIVEN, Params);
+COSIM_RECORD(Driver, CIRCULAR_DRIVER, Params);
 
 Task<Word> task_of(const Params& p, const Arc& arc);
 
 /// The inputs of the next clock.
 template <class V>
-constexpr Inputs<V> pins(const Params&, const Task<V>& t, const Driven<V>& d) {
-  Inputs<V> rest{V(0), V(0), V(0), V(0), V(0), V(0), V(0), V(0)};
+constexpr Inputs<V> drive(const Params&, const Task<V>& t, const Driver<V>& d, Inputs<V> rest) {
   return if_else(
       is_set(d.begun),
       [&] {
@@ -52,11 +53,11 @@ constexpr Inputs<V> pins(const Params&, const Task<V>& t, const Driven<V>& d) {
 
 /// After a clock with these outputs.
 template <class V>
-constexpr Turn<Driven, V> turned(const Params&, const Driven<V>& d, const Outputs<V>& seen) {
+constexpr Turn<Driver, V> driven(const Params&, const Task<V>&, const Driver<V>& d,
+                                 const Outputs<V>& seen) {
   const Condition<V> begun = is_set(d.begun);
   const Condition<V> over = begun & !is_set(seen.running);
-  return {{flag<V>(!over), select(begun & !over, d.steps + (seen.step_y | seen.step_x), V(0))},
-          over};
+  return {{V(1), select(begun, d.steps + (seen.step_y | seen.step_x), V(0))}, over};
 }
 
 }  // namespace cosim::circular

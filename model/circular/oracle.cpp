@@ -1,4 +1,5 @@
 #include "model/circular/oracle.h"
+#include "model/core/wide.h"
 
 #include <cmath>
 
@@ -11,8 +12,6 @@ Point next_point(Point p, std::uint64_t radius2) {
 }
 
 namespace {
-
-__extension__ typedef unsigned __int128 Uint128;
 
 // The difference of two near roots would lose its digits: a - b = (a^2 - b^2) / (a + b), and the
 // squares are exact.

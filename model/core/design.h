@@ -78,6 +78,20 @@ constexpr auto rest_of() {
   return rest;
 }
 
+/// The same as values of type V.
+template <class Design, class V>
+constexpr auto rest_on() {
+  if constexpr (std::same_as<V, Word>) {
+    return rest_of<Design>();
+  } else {
+    typename Design::template Inputs<V> in;
+    const auto words = to_words(rest_of<Design>());
+    for_each_cell<typename Design::template Inputs<V>>(
+        [&](auto cell, std::size_t i) { cell(in) = V(words[i]); });
+    return in;
+  }
+}
+
 /// The state after a reset: reset_state<V>(), or all 0.
 template <class Design, class V>
 constexpr auto reset_state_of() {
@@ -215,14 +229,8 @@ constexpr auto idle_of(const typename Design::Params& p,
                        const typename Design::template State<V>& s) {
   if constexpr (requires { idle(p, s); }) {
     return idle(p, s);
-  } else if constexpr (std::same_as<V, Word>) {
-    return rest_of<Design>();
   } else {
-    typename Design::template Inputs<V> in;
-    const auto words = to_words(rest_of<Design>());
-    for_each_cell<typename Design::template Inputs<V>>(
-        [&](auto cell, std::size_t i) { cell(in) = V(words[i]); });
-    return in;
+    return rest_on<Design, V>();
   }
 }
 
@@ -244,21 +252,19 @@ class NoHost {
 namespace detail {
 
 template <class Design>
-constexpr auto host_of() {
-  if constexpr (requires { typename Design::Host; }) {
-    return std::type_identity<typename Design::Host>{};
-  } else if constexpr (DeclaresJobs<Design>) {
-    return std::type_identity<JobHost<Design>>{};
-  } else {
-    return std::type_identity<NoHost<Design>>{};
-  }
-}
+struct HostTypes {
+  using Host = NoHost<Design>;
+};
+template <HasJobs Design>
+struct HostTypes<Design> {
+  using Host = JobHost<Design>;
+};
 
 }  // namespace detail
 
-/// The design's Host, or that of the jobs it declares (job.h), or one without jobs.
+/// What drives the design's jobs (job.h), or a host without jobs.
 template <class Design>
-using HostOf = typename decltype(detail::host_of<Design>())::type;
+using HostOf = typename detail::HostTypes<Design>::Host;
 
 }  // namespace cosim
 

@@ -1,121 +1,222 @@
-// A job declared by one table: what a design is given to do, as numbers with ranges. From the table
-// come random jobs, smaller ones in place of a failing one, their description and the words that
-// name one on a command line. A table is a macro of rows
+// Jobs: what a design is given to do as a whole. The device outside, which drives the pins through
+// one, and the check of what comes of it are step functions over a value type, as a model is: on
+// machine integers they run one machine, on bits of gates as many as there are lanes. A design with
+// jobs has
 //
-//   FIELD(name, low, high, meaning)
+//   Job<V>                a record: the numbers of a job, by COSIM_JOB (job_table.h)
+//   Driver<V>             a record: what the driver goes on from; all 0 as a job begins
+//   Inputs<V> drive(p, job, driver, rest)            of the next clock; `rest`: those at rest
+//   Turn<Driver, V> driven(p, job, driver, out)      after a clock with these outputs
 //
-// whose ends may use p, the design's parameters. COSIM_JOB(Job, TABLE, Params) defines the struct.
-// A design with jobs has two types, and may have a third:
+// and, where it checks more than RTL against model,
 //
-//   struct Driver {                 // how one job is driven; made as Driver{p, job}
-//     Params p; Job job;
-//     /// The inputs of the job's next clock, which come in as rest(); false when the job is over:
-//     /// that clock is the next job's first. `seen`: the outputs of the clock before.
-//     bool next(Inputs<Word>& in, const Outputs<Word>& seen);
-//   };
-//   struct Check {                  // what is to come of one job; made as Check{p, job}
-//     Params p; Job job;
-//     /// Each clock of the job, in order.
-//     void clock(const Outputs<Word>& out);
-//     /// After the last: what came in place of what should, one line; empty where all is right.
-//     std::string wrong() const;
-//   };
+//   Checker<V>            a record: what the check goes on from; all 0 as a job begins, or
+//                         Checker<Word> checker_of(p, job)
+//   Verdict<Checker, V> checked(p, job, driver, checker, out, over)
+//                         of a clock with these outputs, the last one of its job where it is `over`
+//
+// Where jobs are no such table, Job is a type of the design's own, and there are
+//
+//   Task<V>, Task<Word> task_of(p, job)              a record: what these are told in place of job
+//   std::vector<Job> smaller(p, job)                 to try where a job fails, the simplest first
+//   std::string describe(p, job)                     in one line
+//
+// struct Design has the types; the functions are found by their arguments. None knows the clock.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "model/core/fields.h"
 #include "model/core/input_error.h"
+#include "model/core/job_table.h"
+#include "model/core/value.h"
 
 namespace cosim {
 
-struct JobField {
-  const char* name;
-  Word low, high;  ///< the ends of its range, both in it
-  const char* meaning;
+/// What the driver goes on from after a clock, and whether that was the job's last one. Then the
+/// next job begins, whatever is said of it here.
+template <template <class> class Driver, class V>
+struct Turn {
+  Driver<V> driver;
+  Condition<V> over;
+};
+
+template <template <class> class Checker, class V>
+struct Verdict {
+  Checker<V> checker;  ///< after the clock
+  Condition<V> wrong;  ///< what the clock shows is not what is due
 };
 
 template <class Design>
 constexpr auto rest_of();
 
-/// Whether the design declares its jobs by a table.
 template <class Design>
-concept DeclaresJobs = requires {
-  typename Design::Job;
-  typename Design::Driver;
-  Design::Job::size;
+concept HasJobs = requires {
+  typename Design::template Driver<Word>;
+};
+/// By a table.
+template <class Design>
+concept DeclaresJobs = HasJobs<Design> && requires {
+  typename Design::template Job<Word>;
+};
+template <class Design>
+inline constexpr bool has_check = requires {
+  typename Design::template Checker<Word>;
 };
 
-/// Calls visit(member, i) for each field's pointer to member, in the order of the table.
-template <class Job, class Visit>
-constexpr void for_each_job_field(Visit visit) {
-  const auto members = Job::members();
-  for (std::size_t i = 0; i < members.size(); ++i) visit(members[i], i);
+/// The record of a design without a check.
+template <class V>
+struct NoChecker {
+  static constexpr std::size_t size = 0;
+  template <class Visit>
+  static constexpr void each_member(Visit&) {}
+  template <class Params>
+  static constexpr std::array<Field, 0> fields(const Params&) {
+    return {};
+  }
+};
+
+namespace detail {
+
+template <class Design>
+struct JobTypes {
+  using Job = typename Design::Job;
+  template <class V>
+  using Task = typename Design::template Task<V>;
+};
+template <DeclaresJobs Design>
+struct JobTypes<Design> {
+  using Job = typename Design::template Job<Word>;
+  template <class V>
+  using Task = typename Design::template Job<V>;
+};
+template <class Design>
+struct CheckerTypes {
+  template <class V>
+  using Checker = NoChecker<V>;
+};
+template <class Design>
+requires has_check<Design>
+struct CheckerTypes<Design> {
+  template <class V>
+  using Checker = typename Design::template Checker<V>;
+};
+
+// Not in the class below: its own functions of these names would hide them.
+template <class Design, class Job>
+std::vector<Job> smaller_jobs(const typename Design::Params& p, const Job& job) {
+  if constexpr (DeclaresJobs<Design>) {
+    return smaller_of_table(p, job);
+  } else {
+    return smaller(p, job);
+  }
+}
+template <class Design, class Job>
+std::string description_of(const typename Design::Params& p, const Job& job) {
+  if constexpr (DeclaresJobs<Design>) {
+    return named_values(p, job);
+  } else {
+    return describe(p, job);
+  }
 }
 
-/// The number nearest to 0 in a field's range: the simplest.
-constexpr Word simplest(const JobField& field) {
-  return std::clamp<Word>(0, field.low, field.high);
+}  // namespace detail
+
+template <class Design>
+using JobOf = typename detail::JobTypes<Design>::Job;
+template <class Design, class V>
+using TaskOf = typename detail::JobTypes<Design>::template Task<V>;
+template <class Design, class V>
+using DriverOf = typename Design::template Driver<V>;
+template <class Design, class V>
+using CheckerOf = typename detail::CheckerTypes<Design>::template Checker<V>;
+
+template <class Design>
+TaskOf<Design, Word> task_for(const typename Design::Params& p, const JobOf<Design>& job) {
+  if constexpr (DeclaresJobs<Design>) {
+    return job;
+  } else {
+    return task_of(p, job);
+  }
+}
+template <class Design>
+CheckerOf<Design, Word> checker_for(const typename Design::Params& p, const JobOf<Design>& job) {
+  if constexpr (requires { checker_of(p, job); }) {
+    return checker_of(p, job);
+  } else {
+    return {};
+  }
 }
 
-/// Drives the jobs of a design that declares them, one after the other.
+/// What a field of these records holds of a number: its lowest bits, as in lanes.
+constexpr Word held_of(const Field& field, Word number) {
+  if (field.width == 0) return 0;
+  const Word code = low_bits(number, field.width);
+  return is_signed(field) ? from_twos_complement(code, field.width) : code;
+}
+template <class Record>
+constexpr Record held_of(const std::array<Field, Record::size>& fields, Record record) {
+  for_each_cell<Record>(
+      [&](auto cell, std::size_t i) { cell(record) = held_of(fields[i], cell(record)); });
+  return record;
+}
+
+/// A job that is longer is taken for one that waits for ever: so many clocks, or
+/// Design::most_clocks.
+template <class Design>
+constexpr std::uint64_t most_clocks_of() {
+  if constexpr (requires { Design::most_clocks; }) {
+    return Design::most_clocks;
+  } else {
+    return 1'000'000;
+  }
+}
+
+/// Drives a machine's pins through a list of jobs, one after the other.
 template <class Design>
 class JobHost {
  public:
-  using Job = typename Design::Job;
+  using Job = JobOf<Design>;
   using Params = typename Design::Params;
 
-  /// A job that is longer is taken for one that waits for ever.
-  static constexpr std::uint64_t most_clocks = 1'000'000;
-
   /// `jobs` must outlive the host.
-  JobHost(const Params& p, std::span<const Job> jobs) : p_(p), jobs_(jobs) {}
+  JobHost(const Params& p, std::span<const Job> jobs)
+      : p_(p), jobs_(jobs), driver_fields_(DriverOf<Design, Word>::fields(p)) {}
 
   /// The inputs of the next clock; false when the last job is over. `seen`: the outputs of the
   /// clock before (of no meaning on the first call). InputError where a job is too long.
   bool next(typename Design::template Inputs<Word>& in,
             const typename Design::template Outputs<Word>& seen) {
-    for (; job_ < jobs_.size(); ++job_, driver_.reset(), clocks_ = 0) {
-      if (!driver_) driver_.emplace(typename Design::Driver{p_, jobs_[job_]});
-      in = rest_of<Design>();
-      if (!driver_->next(in, seen)) continue;
-      if (++clocks_ > most_clocks) refuse_endless();
-      return true;
+    bool begins = is_first_;
+    if (!is_first_) {
+      const auto turn = driven(p_, task_, driver_, seen);
+      driver_ = held_of(driver_fields_, turn.driver);
+      begins = turn.over;
+      job_ += turn.over;
     }
-    return false;
+    if (job_ == jobs_.size()) return false;
+    if (begins) {
+      task_ = task_for<Design>(p_, jobs_[job_]);
+      driver_ = {};
+      clocks_ = 0;
+    }
+    if (++clocks_ > most_clocks_of<Design>()) refuse_endless();
+    in = drive(p_, task_, driver_, rest_of<Design>());
+    is_first_ = false;
+    return true;
   }
 
-  /// Jobs nearer to the simplest in one field and the same in all others, the simplest first.
+  /// Simpler jobs to try in place of one that shows a fault, the simplest first.
   static std::vector<Job> smaller(const Params& p, const Job& job) {
-    std::vector<Job> all;
-    const auto fields = Job::fields(p);
-    for_each_job_field<Job>([&](auto member, std::size_t i) {
-      const Word least = simplest(fields[i]);
-      const Word now = job.*member;
-      for (const Word less : {least, least + (now - least) / 2, now < least ? now + 1 : now - 1}) {
-        if (now == least || less == now) continue;
-        all.push_back(job);
-        all.back().*member = less;
-      }
-    });
-    return all;
+    return detail::smaller_jobs<Design>(p, job);
   }
-
   /// "idle=3 byte=65"
   static std::string describe(const Params& p, const Job& job) {
-    std::string text;
-    const auto fields = Job::fields(p);
-    for_each_job_field<Job>([&](auto member, std::size_t i) {
-      text += (text.empty() ? "" : " ") + (fields[i].name + ('=' + std::to_string(job.*member)));
-    });
-    return text;
+    return detail::description_of<Design>(p, job);
   }
 
   /// The job that the last inputs belong to, from 0.
@@ -124,37 +225,17 @@ class JobHost {
  private:
   [[noreturn, gnu::cold, gnu::noinline]] void refuse_endless() const {
     throw InputError("the driver of " + describe(p_, jobs_[job_]) + " has not ended after " +
-                     std::to_string(most_clocks) + " clocks");
+                     std::to_string(most_clocks_of<Design>()) + " clocks");
   }
 
   Params p_;
   std::span<const Job> jobs_;
   std::size_t job_ = 0;
   std::uint64_t clocks_ = 0;  // of this job
-  std::optional<typename Design::Driver> driver_;
+  bool is_first_ = true;
+  TaskOf<Design, Word> task_{};
+  DriverOf<Design, Word> driver_{};
+  std::array<Field, DriverOf<Design, Word>::size> driver_fields_;
 };
 
 }  // namespace cosim
-
-#define COSIM_JOB_MEMBER(name, low, high, meaning) ::cosim::Word name{};
-#define COSIM_JOB_INDEX(name, low, high, meaning) index_##name,
-#define COSIM_JOB_POINTER(name, low, high, meaning) &Self::name,
-#define COSIM_JOB_FIELD(name, low, high, meaning) ::cosim::JobField{#name, low, high, meaning},
-
-/// Defines `struct Job` with one member a row of TABLE, and its table as data. Params is the type
-/// of p in the rows' ends.
-#define COSIM_JOB(Job, TABLE, Params)                                           \
-  struct Job {                                                                  \
-    TABLE(COSIM_JOB_MEMBER)                                                     \
-    enum Index : std::size_t { TABLE(COSIM_JOB_INDEX) index_end };              \
-    static constexpr std::size_t size = index_end;                              \
-    static constexpr auto members() {                                           \
-      using Self = Job;                                                         \
-      return std::array<::cosim::Word Self::*, size>{TABLE(COSIM_JOB_POINTER)}; \
-    }                                                                           \
-    static constexpr std::array<::cosim::JobField, size> fields(                \
-        [[maybe_unused]] const Params& p) {                                     \
-      return {TABLE(COSIM_JOB_FIELD)};                                          \
-    }                                                                           \
-  };                                                                            \
-  static_assert(true, "so that a semicolon stands behind it")

@@ -4,12 +4,12 @@
 #include <string>
 
 #include "model/core/input_error.h"
+#include "model/core/wide.h"
 
 namespace cosim::dda {
 namespace {
 
 // Every product of a checked conic and a point is below 2^126.
-__extension__ typedef __int128 Wide;
 
 struct Coefficient {
   const char* name;
@@ -19,7 +19,7 @@ struct Coefficient {
 [[noreturn]] void refuse(const std::string& why) { throw InputError("conic: " + why); }
 
 bool is_degenerate(const Conic& q) {
-  const Wide a = q.a, b = q.b, c = q.c, d = q.d, e = q.e, f = q.f;
+  const Int128 a = q.a, b = q.b, c = q.c, d = q.d, e = q.e, f = q.f;
   return 4 * a * c * f + b * d * e - a * e * e - c * d * d - b * b * f == 0;
 }
 
@@ -40,15 +40,15 @@ void check(const Conic& q) {
 }
 
 Point rates_at(const Conic& q, Point at) {
-  const Wide a = q.a, b = q.b, c = q.c, x = at.x, y = at.y;
-  const Wide rate_x = -(b * x + 2 * c * y + q.e), rate_y = 2 * a * x + b * y + q.d;
+  const Int128 a = q.a, b = q.b, c = q.c, x = at.x, y = at.y;
+  const Int128 rate_x = -(b * x + 2 * c * y + q.e), rate_y = 2 * a * x + b * y + q.d;
   if (rate_x == 0 && rate_y == 0) refuse(text(at) + " is its centre, where nothing moves");
-  const Wide value = a * x * x + b * x * y + c * y * y + q.d * x + q.e * y + q.f;
+  const Int128 value = a * x * x + b * x * y + c * y * y + q.d * x + q.e * y + q.f;
   const auto slope = std::hypot(static_cast<long double>(rate_x), static_cast<long double>(rate_y));
   if (2 * std::fabs(static_cast<long double>(value)) > slope) {
     refuse("it does not pass " + text(at));
   }
-  for (const Wide rate : {rate_x, rate_y}) {
+  for (const Int128 rate : {rate_x, rate_y}) {
     if (rate >> 62 == 0 || -rate >> 62 == 0) continue;
     refuse("its rates overflow every machine at " + text(at));
   }
@@ -56,7 +56,7 @@ Point rates_at(const Conic& q, Point at) {
 }
 
 std::optional<double> ellipse_root(const Conic& q) {
-  const Wide square = 4 * Wide{q.a} * q.c - Wide{q.b} * q.b;
+  const Int128 square = 4 * Int128{q.a} * q.c - Int128{q.b} * q.b;
   if (square <= 0) return {};
   return std::sqrt(static_cast<double>(square));
 }

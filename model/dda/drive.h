@@ -1,9 +1,11 @@
-// The device outside as a step function, see model/core/drive.h.
+// The device outside, see model/core/job.h. It writes the registers for a curve, starts it, and
+// waits for its end or stops it: twelve clocks to write and start, those it runs, and one or two to
+// end.
 #pragma once
 
 #include <algorithm>
 
-#include "model/core/drive.h"
+#include "model/core/job.h"
 #include "model/dda/curve.h"
 #include "model/dda/machine.h"
 
@@ -24,21 +26,20 @@ constexpr int clock_bits(int width) { return std::max(width + 4, 14); }
   FIELD(clocks,  clock_bits(p.width), number,           "", "")
 
 /// What it goes on from.
-#define DDA_DRIVEN(FIELD)                                                                          \
+#define DDA_DRIVER(FIELD)                                                                          \
   FIELD(written, 4,                   number,           "", "addresses that were written")         \
   FIELD(clocks,  clock_bits(p.width), number,           "", "of running so far")
 // clang-format on
 
 COSIM_RECORD(Task, DDA_TASK, Params);
-COSIM_RECORD(Driven, DDA_DRIVEN, Params);
+COSIM_RECORD(Driver, DDA_DRIVER, Params);
 static_assert(addresses == 12);
 
 Task<Word> task_of(const Params& p, const Job& job);
 
 /// The inputs of the next clock.
 template <class V>
-constexpr Inputs<V> pins(const Params&, const Task<V>& t, const Driven<V>& d) {
-  const Inputs<V> rest{V(0), V(0), V(0), V(0), V(0), V(0)};
+constexpr Inputs<V> drive(const Params&, const Task<V>& t, const Driver<V>& d, Inputs<V> rest) {
   return if_else(
       d.written < V(addresses),
       [&] {
@@ -60,12 +61,13 @@ constexpr Inputs<V> pins(const Params&, const Task<V>& t, const Driven<V>& d) {
 
 /// After a clock with these outputs. The start shows in `busy` on the next one.
 template <class V>
-constexpr Turn<Driven, V> turned(const Params&, const Driven<V>& d, const Outputs<V>& seen) {
+constexpr Turn<Driver, V> driven(const Params&, const Task<V>&, const Driver<V>& d,
+                                 const Outputs<V>& seen) {
   const Condition<V> writes = d.written < V(addresses);
   const Condition<V> over = !writes & !is_set(seen.busy);
-  return {{select(over, V(0), select(writes, d.written + V(1), d.written)),
-           select(writes | over, V(0), d.clocks + V(1))},
-          over};
+  return {
+      {select(writes, d.written + V(1), d.written), select(writes | over, V(0), d.clocks + V(1))},
+      over};
 }
 
 }  // namespace cosim::dda

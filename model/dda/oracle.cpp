@@ -31,7 +31,7 @@ std::int64_t Track::rate_y(Point p) const {
 
 Point Track::rates() const { return {rate_x(at_), rate_y(at_)}; }
 
-std::int64_t Track::whole(Sum sum) const { return static_cast<std::int64_t>(sum >> width_); }
+std::int64_t Track::whole(Int128 sum) const { return static_cast<std::int64_t>(sum >> width_); }
 
 std::optional<Point> Track::next() {
   const bool counted = job_.start.free == 0;
@@ -41,11 +41,11 @@ std::optional<Point> Track::next() {
 
   Point step;
   added_.x = rate_x(at_);
-  const Sum to_x = sum_x_ + added_.x;
+  const Int128 to_x = sum_x_ + added_.x;
   if (!counted || left_x_ != 0) step.x = whole(to_x) - whole(sum_x_);
   const Point moved{at_.x + step.x, at_.y};
   added_.y = rate_y(job_.start.sequential ? moved : at_);
-  const Sum to_y = sum_y_ + added_.y;
+  const Int128 to_y = sum_y_ + added_.y;
   if (!counted || left_y_ != 0) step.y = whole(to_y) - whole(sum_y_);
 
   sum_x_ = to_x;

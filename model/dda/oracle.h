@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "model/core/wide.h"
 #include "model/dda/curve.h"
 
 namespace cosim::dda {
@@ -22,17 +23,16 @@ class Track {
   Point added() const { return added_; }  ///< the rates of the last clock
 
  private:
-  __extension__ typedef __int128 Sum;
   std::int64_t rate_x(Point p) const;
   std::int64_t rate_y(Point p) const;
   // The whole steps that the sum has come to.
-  std::int64_t whole(Sum sum) const;
+  std::int64_t whole(Int128 sum) const;
 
   int width_;
   Job job_;
   int shifts_ = 0;
   std::int64_t clocks_ = 0;
-  Sum sum_x_, sum_y_;
+  Int128 sum_x_, sum_y_;
   Point at_, added_;
   std::int64_t left_x_, left_y_;
 };

@@ -5,11 +5,10 @@
 #include <string>
 
 #include "model/core/input_error.h"
+#include "model/core/wide.h"
 
 namespace cosim::linear {
 namespace {
-
-__extension__ typedef __int128 Int128;
 
 // a_i, and 0 for an i that is no bit of the code.
 int code_bit(int m, Code code, int i) {

@@ -1,4 +1,5 @@
 #include "model/linear/oracle.h"
+#include "model/core/wide.h"
 
 #include <bit>
 #include <cmath>
@@ -33,8 +34,7 @@ std::int64_t ticks(int gamma, std::int64_t major) {
 double deviation(std::int64_t major, std::int64_t minor, std::int64_t x, std::int64_t y) {
   const double length = std::hypot(static_cast<double>(major), static_cast<double>(minor));
   if (length == 0) return 0;
-  __extension__ typedef __int128 Wide;
-  return std::fabs(static_cast<double>(Wide{major} * y - Wide{minor} * x)) / length;
+  return std::fabs(static_cast<double>(Int128{major} * y - Int128{minor} * x)) / length;
 }
 
 }  // namespace cosim::linear

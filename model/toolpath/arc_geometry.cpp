@@ -1,4 +1,5 @@
 #include "model/toolpath/arc_geometry.h"
+#include "model/core/wide.h"
 
 #include <algorithm>
 #include <array>
@@ -9,8 +10,6 @@
 namespace cosim::toolpath {
 
 namespace {
-
-__extension__ typedef __int128 Int128;
 
 double length_mm(Position from, Position to) {
   return std::hypot(static_cast<double>(to.x - from.x), static_cast<double>(to.y - from.y)) /

@@ -1,4 +1,5 @@
 #include "model/toolpath/arc_pieces.h"
+#include "model/core/wide.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,8 +8,6 @@
 namespace cosim::toolpath {
 
 namespace {
-
-__extension__ typedef __int128 Int128;
 
 Int128 cross(Point a, Point b) { return Int128{a.x} * b.y - Int128{a.y} * b.x; }
 Int128 dot(Point a, Point b) { return Int128{a.x} * b.x + Int128{a.y} * b.y; }

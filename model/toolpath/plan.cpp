@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "model/core/input_error.h"
+#include "model/core/wide.h"
 #include "model/toolpath/arc_pieces.h"
 
 namespace cosim::toolpath {
@@ -98,7 +99,6 @@ void Planner::add_line(Point from, Point to) {
 // Within max_radius of both ends, so that the squared radii stay below 2^64.
 Point Planner::grid_centre(const Motion& motion, const Segment& segment) const {
   const auto in_reach = [](Point centre, Point p) {
-    __extension__ typedef __int128 Int128;
     const Int128 x = p.x - centre.x;
     const Int128 y = p.y - centre.y;
     return x * x + y * y <= Int128{max_radius} * max_radius;

@@ -14,6 +14,7 @@
 
 #include "model/core/job.h"
 #include "model/core/probe.h"
+#include "tb/bench/checked.h"
 #include "tb/dut/dut.h"
 #include "tb/lockstep/run.h"
 #include "tb/stimulus/hostile.h"
@@ -26,10 +27,10 @@ using JobList = std::vector<std::vector<Word>>;
 /// What came of them.
 struct JobsRun {
   Run run;
-  std::uint64_t jobs = 0;  ///< driven to their end
-  std::string error;       ///< of the design's check, one line; empty where it found none
+  Checked checked;
 };
 
+class LaneJobs;
 class WaveSink;
 struct WavePicture;
 
@@ -113,6 +114,11 @@ class AnyBench {
   /// Drives declared jobs one after the other on a machine powered up at random from `power_up`,
   /// to their end or to the first difference.
   virtual JobsRun run_jobs(const JobList& /*jobs*/, std::uint32_t /*power_up*/) const { return {}; }
+  /// Those of many cases, for lanes; jobs(i) are the jobs of case i.
+  virtual std::shared_ptr<const LaneJobs> lane_jobs(
+      std::function<JobList(std::uint64_t i)> /*jobs*/) const {
+    return {};
+  }
   /// The same before `watch`, as watch_hostile().
   virtual void watch_jobs(const JobList& /*jobs*/, std::uint32_t /*power_up*/,
                           const Watch& /*watch*/) const {}

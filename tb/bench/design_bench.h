@@ -12,6 +12,7 @@
 
 #include "tb/bench/bench.h"
 #include "tb/bench/job_check.h"
+#include "tb/bench/lane_jobs.h"
 #include "tb/bench/loop.h"
 #include "tb/bench/wanted.h"
 #include "tb/lockstep/replay.h"
@@ -130,7 +131,7 @@ class DesignBench : public Bench<Design> {
 
   std::vector<JobField> job_fields() const override {
     if constexpr (DeclaresJobs<Design>) {
-      const auto list = Job::fields(dut_.params);
+      const auto list = Job::job_fields(dut_.params);
       return {list.begin(), list.end()};
     }
     return {};
@@ -148,11 +149,20 @@ class DesignBench : public Bench<Design> {
       const std::vector<Job> all = typed(jobs);
       JobCheck<Design> check(params(), all);
       result.run = open(power_up)->draw(all, check);
-      if (!result.run.mismatch) check.finish();
-      result.jobs = check.done();
-      result.error = check.error();
+      result.checked = check.finish();
     }
     return result;
+  }
+  std::shared_ptr<const LaneJobs> lane_jobs(
+      std::function<JobList(std::uint64_t i)> jobs) const override {
+    if constexpr (DeclaresJobs<Design>) {
+      constexpr std::uint64_t cases_a_lane = 128;
+      return std::make_shared<LaneJobsOf<Design>>(
+          params(),
+          [jobs = std::move(jobs)](std::uint64_t i) { return one_by_one(typed(jobs(i))); },
+          cases_a_lane);
+    }
+    return {};
   }
   Stimulus stimulus_of(const JobList& jobs, std::uint32_t power_up) const override {
     constexpr std::uint64_t most = ~std::uint64_t{0};
@@ -256,7 +266,7 @@ class DesignBench : public Bench<Design> {
     if constexpr (DeclaresJobs<Design>) {
       for (const auto& values : jobs) {
         Job& job = all.emplace_back();
-        for_each_job_field<Job>([&](auto member, std::size_t i) { job.*member = values[i]; });
+        for_each_member<Job>([&](auto member, std::size_t i) { job.*member = values[i]; });
       }
     }
     return all;

@@ -3,13 +3,15 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 
 #include "model/core/input_error.h"
 #include "tb/cli/commands.h"
-#include "tb/coverage/points.h"
+#include "tb/coverage/asked.h"
 #include "tb/program/chosen.h"
 #include "tb/program/common.h"
+#include "tb/program/full.h"
 #include "tb/program/number.h"
 #include "tb/program/on_demand.h"
 #include "tb/program/outputs.h"
@@ -22,6 +24,8 @@ namespace cosim::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using coverage::Answer;
+using coverage::Answers;
 using coverage::Point;
 using coverage::Points;
 using Benches = std::vector<const AnyBench*>;
@@ -29,7 +33,12 @@ using Benches = std::vector<const AnyBench*>;
 struct CoverOptions {
   Common common;
   std::vector<std::string> words;
-  Text hostile, random, counts;
+  Text hostile, random, counts, seconds, stimuli;
+  bool close = false;
+
+  int seconds_each() const {
+    return static_cast<int>(whole("--seconds", seconds.value_or("60"), 1, 1000000));
+  }
 };
 
 bool is_toggle(const Point& p) { return p.kind == "toggle"; }
@@ -50,45 +59,100 @@ void add_part(std::string& text, Json& json, const char* name, std::uint64_t rea
   json[name] = {{"reached", reached}, {"all", all}};
 }
 
+// What is known of it, to stand behind the point; nothing where nothing was asked.
+std::string known(const std::vector<Answer>& answers, std::size_t i) {
+  if (answers.empty() || answers[i] == Answer::reached) return "";
+  if (answers[i] == Answer::not_asked) return ": not asked";
+  return answers[i] == Answer::open ? ": open" : ": unreachable, proved";
+}
+
 // One line a place; bits of one declaration that never toggle share it.
-std::vector<std::string> never_reached(const Points& points) {
+std::vector<std::string> never_reached(const Points& points, const Answers& answers) {
   std::vector<std::string> lines;
   std::string place;
-  for (const Point& p : points.rtl) {
+  for (std::size_t i = 0; i < points.rtl.size(); ++i) {
+    const Point& p = points.rtl[i];
     if (p.hits != 0) continue;
-    const std::string here = fmt::format("{}:{}:{}", p.file, p.line, p.column);
+    const std::string answer = known(answers.rtl, i);
+    const std::string here = fmt::format("{}:{}:{}{}", p.file, p.line, p.column, answer);
     if (is_toggle(p) && here == place) {
       lines.back() += ' ' + p.what;
       continue;
     }
     place = is_toggle(p) ? here : "";
     const char* what = is_toggle(p) ? "never toggles" : is_cover(p) ? "never holds" : "never runs";
-    lines.push_back(fmt::format("{}:{}: {}: {}", p.file, p.line, what, p.what));
+    lines.push_back(fmt::format("{}:{}: {}{}: {}", p.file, p.line, what, answer, p.what));
   }
-  for (const auto& one : points.cases) {
-    if (one.hits == 0) lines.push_back("never happens: " + one.name);
+  for (std::size_t i = 0; i < points.cases.size(); ++i) {
+    if (points.cases[i].hits != 0) continue;
+    lines.push_back(
+        fmt::format("never happens{}: {}", known(answers.cases, i), points.cases[i].name));
   }
   return lines;
 }
 
-// The counts are left in a new folder in `folder`.
+// How many of all points have each answer.
+Json closed(const Points& points, const Answers& answers) {
+  std::map<Answer, std::size_t> sums;
+  for (const Answer a : answers.rtl) ++sums[a];
+  for (const Answer a : answers.cases) ++sums[a];
+  std::string text =
+      fmt::format("{} reached, {} unreachable, {} open", sums[Answer::reached],
+                  sums[Answer::unreachable], sums[Answer::open] + sums[Answer::not_asked]);
+  if (sums[Answer::not_asked] != 0) {
+    text += fmt::format(", {} of these not asked: no lines are, nor bits that yosys has no net of",
+                        sums[Answer::not_asked]);
+  }
+  fmt::print("of {}: {}\n", count(points.rtl.size() + points.cases.size(), "point"), text);
+  return {{"reached", sums[Answer::reached]},
+          {"unreachable", sums[Answer::unreachable]},
+          {"open", sums[Answer::open]},
+          {"not_asked", sums[Answer::not_asked]}};
+}
+
+// Runs the counted program of a shape, which leaves its counts in the folder. False where RTL and
+// model differ.
+bool counted(const Registry& registry, const AnyBench& bench, const std::string& folder,
+             const std::vector<std::string>& words) {
+  const OnDemand& program = on_demand(registry.covers(), bench.built_as());
+  build(registry, program);
+  std::vector<std::string> command{path_of(program), folder};
+  command.insert(command.end(), words.begin(), words.end());
+  const Ended ended = cosim::run_program(command);
+  if (ended.status > 1) throw InputError(ended.text.substr(0, ended.text.find('\n')));
+  fmt::print("{}", ended.text);
+  return ended.status == 0;
+}
+
+// The counts are left in a new folder in `folder`, a folder for each shape.
 Json covered(const CoverOptions& o, const Registry& registry, const Benches& benches,
-             std::uint64_t clocks, std::uint64_t jobs, const std::string& folder) {
+             const std::vector<std::string>& work, const std::string& folder) {
   const std::string design = benches.front()->design();
   const std::string counts = folder + '/' + design;
   fs::create_directory(counts);
+  const auto folder_of = [&](const AnyBench& bench) {
+    std::string name = bench.title();
+    std::replace(name.begin(), name.end(), ' ', '-');
+    return counts + '/' + name;
+  };
   bool differed = false;
+  coverage::Asking asking{{},
+                          o.seconds_each(),
+                          o.stimuli.value_or("stimuli"),
+                          [&](const AnyBench& bench, const auto& files) {
+                            std::vector<std::string> words{"replay"};
+                            words.insert(words.end(), files.begin(), files.end());
+                            differed =
+                                !counted(registry, bench, folder_of(bench), words) || differed;
+                            return coverage::read_points(counts);
+                          }};
   for (const AnyBench* bench : benches) {
-    const OnDemand& program = on_demand(registry.covers(), bench->built_as());
-    build(registry, program);
-    const Ended ended =
-        cosim::run_program({path_of(program), counts, fmt::format("{}", o.common.seed()),
-                            fmt::format("{}", clocks), fmt::format("{}", jobs)});
-    if (ended.status > 1) throw InputError(ended.text.substr(0, ended.text.find('\n')));
-    differed = differed || ended.status == 1;
-    fmt::print("{}", ended.text);
+    fs::create_directory(folder_of(*bench));
+    differed = !counted(registry, *bench, folder_of(*bench), work) || differed;
+    asking.shapes.push_back({bench, coverage::read_points(folder_of(*bench))});
   }
-  const Points points = coverage::read_points(counts);
+  Points points = coverage::read_points(counts);
+  const Answers answers = o.close ? form().ask_points(asking, points) : Answers{};
   Json json{{"design", design}, {"shapes", benches.size()}, {"differs", differed}};
   std::string text;
   for (const Kind& kind : point_kinds) {
@@ -102,10 +166,19 @@ Json covered(const CoverOptions& o, const Registry& registry, const Benches& ben
                                  [](const auto& one) { return one.hits != 0; });
   add_part(text, json, "cases", static_cast<std::uint64_t>(hit), points.cases.size());
   fmt::print("{}, {}: reached {}\n", design, count(benches.size(), "shape"), text);
-  const auto left = never_reached(points);
+  const auto left = never_reached(points, answers);
   for (const std::string& line : left) fmt::print("{}\n", line);
   json["never_reached"] = left;
+  if (o.close) json["closed"] = closed(points, answers);
   return json;
+}
+
+// Nothing is left to find a stimulus for.
+bool is_done(const Json& design) {
+  if (design.at("differs")) return false;
+  if (!design.contains("closed")) return design.at("never_reached").empty();
+  const Json& closed = design.at("closed");
+  return closed.at("open") == 0 && closed.at("not_asked") == 0;
 }
 
 int run(const CoverOptions& o, const Registry& registry) {
@@ -114,6 +187,10 @@ int run(const CoverOptions& o, const Registry& registry) {
   const std::uint64_t clocks = whole("--hostile", o.hostile.value_or("100000"), 1, most);
   const std::uint64_t jobs = whole("--random", o.random.value_or("1000"), 1, most);
   const Benches chosen = chosen_shapes(o.words);
+  if (!o.close && (o.seconds || o.stimuli)) {
+    throw InputError(fmt::format("--{}: only with --close", o.seconds ? "seconds" : "stimuli"));
+  }
+  o.seconds_each();
   check_outputs(o.common);
   std::error_code error;
   if (o.counts && (fs::exists(*o.counts, error) ||
@@ -121,15 +198,18 @@ int run(const CoverOptions& o, const Registry& registry) {
     throw InputError("--counts: " + one_line(*o.counts) +
                      ": is not a new folder in one that is there");
   }
+  if (o.close) form().become_full(registry);
   const Scratch scratch;
   Json all = Json::array();
   bool reached = true;
+  const std::vector<std::string> work{fmt::format("{}", o.common.seed()), fmt::format("{}", clocks),
+                                      fmt::format("{}", jobs)};
   for (auto first = chosen.begin(); first != chosen.end();) {
     const auto last = std::find_if(first, chosen.end(), [&](const AnyBench* bench) {
       return bench->design() != (*first)->design();
     });
-    all.push_back(covered(o, registry, {first, last}, clocks, jobs, scratch.path()));
-    reached = reached && !all.back().at("differs") && all.back().at("never_reached").empty();
+    all.push_back(covered(o, registry, {first, last}, work, scratch.path()));
+    reached = is_done(all.back()) && reached;
     first = last;
   }
   if (o.counts) fs::copy(scratch.path(), *o.counts, fs::copy_options::recursive, error);
@@ -152,14 +232,23 @@ void add_cover(const Command& program, const Registry& registry) {
                "How many random jobs, where the design declares some; default 1000");
   command.text("--counts", o->counts, "FOLDER",
                "Leave the counts there, a new folder, for verilator_coverage");
+  command.flag("--close", o->close,
+               "Ask whether what is left can ever happen: a stimulus, or a proof");
+  command.text("--seconds", o->seconds, "S",
+               "How long the engine may look, for each shape; default 60");
+  command.text("--stimuli", o->stimuli, "FOLDER",
+               "Where the stimuli go that it finds; default stimuli");
   add_common(command, o->common);
   command.footer(fmt::format(
       "Lines, toggles of each bit and cover statements are counted by Verilator, over all "
       "instances\n"
       "and shapes of a design; not what stands between '// verilator coverage_off' and\n"
       "'// verilator coverage_on'. The program with counters is built when first asked for.\n"
-      "Exit status: 0 all reached, 1 something was not, 2 bad input.\n"
-      "Example: {} cover {} --hostile 10000",
+      "--close asks, of the RTL and the model from their reset on, for each bit, cover statement\n"
+      "and case; its stimuli are kept, and run in the RTL with counters.\n"
+      "Exit status: 0 all reached, or proved unreachable; 1 something was not; 2 bad input.\n"
+      "Examples: {0} cover {1} --hostile 10000\n"
+      "          {0} cover {1} --close --seconds 20",
       program_name(), benches().front()->built_as()));
   command.action([o, &registry] { return run(*o, registry); });
 }

@@ -96,8 +96,7 @@ int run(const JobOptions& o) {
   Outcome outcome{bench, work, {}};
   outcome.result.cases = 1;
   outcome.result.clocks = ran.run.clocks;
-  outcome.result.checked.jobs = ran.jobs;
-  outcome.result.checked.error = std::move(ran.error);
+  outcome.result.checked = std::move(ran.checked);
   outcome.result.mismatch = std::move(ran.run.mismatch);
   outcome.result.failed = work;
   return conclude({outcome}, o.common, "{}", looks);

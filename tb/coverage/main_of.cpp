@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tb/bench/stimulus_text.h"
 #include "tb/support/parallel.h"
 #include "tb/support/words.h"
 #include "tb/sweep/sweep.h"
@@ -28,18 +29,32 @@ int run(const AnyBench& bench, std::uint64_t seed, std::uint64_t clocks, std::ui
   return 0;
 }
 
+int replay(const std::vector<std::unique_ptr<AnyBench>>& benches, const std::string& file) {
+  const Replay given = read_stimulus(file, benches);
+  if (!given.bench->replay(given.stimulus).mismatch) return 0;
+  fmt::print("{}, {}: RTL and model differ; what comes after it is not counted\n",
+             given.bench->title(), file);
+  return 1;
+}
+
 }  // namespace
 
 int main_of(const std::vector<std::unique_ptr<AnyBench>>& benches, int argc, char** argv) {
   const std::vector<std::string> words(argv, argv + argc);
   try {
     setenv("COSIM_COVERAGE", words.at(1).c_str(), 1);
-    for (const auto& bench : benches) {
-      const int status =
-          run(*bench, std::stoull(words.at(2)), std::stoull(words.at(3)), std::stoull(words.at(4)));
-      if (status != 0) return status;
+    int status = 0;
+    if (words.at(2) == "replay") {
+      for (std::size_t i = 3; i < words.size() && status == 0; ++i) {
+        status = replay(benches, words[i]);
+      }
+      return status;
     }
-    return 0;
+    for (std::size_t i = 0; i < benches.size() && status == 0; ++i) {
+      status = run(*benches[i], std::stoull(words.at(2)), std::stoull(words.at(3)),
+                   std::stoull(words.at(4)));
+    }
+    return status;
   } catch (const std::exception& error) {
     fmt::print("{}\n", error.what());
     return 2;

@@ -9,7 +9,8 @@
 namespace cosim::coverage {
 
 /// main() of PROGRAM FOLDER SEED CLOCKS JOBS: runs so many hostile clocks and, of a design that
-/// declares jobs, so many random ones; the counts go to files in FOLDER (counts.h).
+/// declares jobs, so many random ones; the counts go to files in FOLDER (counts.h). Or of PROGRAM
+/// FOLDER replay FILE...: runs the stimuli in these files.
 /// Status: 0 nothing differed; 1 something did, with a line that says what; 2 could not be run.
 int main_of(const std::vector<std::unique_ptr<AnyBench>>& benches, int argc, char** argv);
 

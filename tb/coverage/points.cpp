@@ -28,6 +28,13 @@ Number number_in(const std::string& text, const std::string& line) {
   return number;
 }
 
+// "TOP.top.a.b" or, of several instances, "TOP.top.*".
+std::string below_top(const std::string& path) {
+  const std::size_t top = path.find('.');
+  const std::size_t below = top == std::string::npos ? top : path.find('.', top + 1);
+  return below == std::string::npos ? "" : path.substr(below + 1);
+}
+
 // C '\1KEY\2VALUE\1KEY\2VALUE...' HITS
 Point point_in(const std::string& line) {
   const std::size_t end = line.rfind("' ");
@@ -49,17 +56,31 @@ Point point_in(const std::string& line) {
           number_in<int>(has['l'], line),
           number_in<int>(has['n'], line),
           has['o'],
-          number_in<std::uint64_t>(line.substr(end + 2), line)};
+          number_in<std::uint64_t>(line.substr(end + 2), line),
+          {below_top(has['h'])}};
 }
 
 }  // namespace
 
+bool is_same(const Point& a, const Point& b) {
+  const auto place = [](const Point& p) {
+    return std::tie(p.file, p.line, p.column, p.kind, p.what);
+  };
+  return place(a) == place(b);
+}
+
 Points read_points(const std::string& folder) {
   using Place = std::tuple<std::string, int, int, std::string, std::string>;
-  std::map<Place, std::uint64_t> rtl;
+  struct Seen {
+    std::uint64_t hits = 0;
+    std::set<std::string> instances;
+  };
+  std::map<Place, Seen> rtl;
   Points all;
   std::set<fs::path> paths;
-  for (const auto& file : fs::directory_iterator(folder)) paths.insert(file.path());
+  for (const auto& file : fs::recursive_directory_iterator(folder)) {
+    if (file.is_regular_file()) paths.insert(file.path());
+  }
   for (const fs::path& path : paths) {
     const std::string name_of_file = path.filename().string();
     const bool cases = name_of_file.starts_with("cases.");
@@ -80,14 +101,21 @@ Points read_points(const std::string& folder) {
         }
       } else if (!line.starts_with('#')) {
         const Point p = point_in(line);
-        rtl[{p.file, p.line, p.column, p.kind, p.what}] +=
-            before && p.kind == "toggle" ? 0 : p.hits;
+        Seen& seen = rtl[{p.file, p.line, p.column, p.kind, p.what}];
+        seen.hits += before && p.kind == "toggle" ? 0 : p.hits;
+        seen.instances.insert(p.instances.front());
       }
     }
   }
-  for (const auto& [place, hits] : rtl) {
+  for (const auto& [place, seen] : rtl) {
     const auto& [file, line, column, kind, what] = place;
-    all.rtl.push_back({kind, file, line, column, what, hits});
+    all.rtl.push_back({kind,
+                       file,
+                       line,
+                       column,
+                       what,
+                       seen.hits,
+                       {seen.instances.begin(), seen.instances.end()}});
   }
   return all;
 }

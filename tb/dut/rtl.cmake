@@ -101,7 +101,7 @@ macro(cosim_find_yosys)
 endmacro()
 
 # What yosys, where there is one and it reads the RTL in 40 s, says that the RTL holds: sets the variable to the
-# file that rtl_yosys.pl made, or to nothing.
+# file that rtl_yosys.pl made, or to nothing; FOLDER/unread.txt then says why.
 function(cosim_read_netlist variable folder commands)
   set(${variable} "" PARENT_SCOPE)
   get_property(reader GLOBAL PROPERTY COSIM_RTL_READER)
@@ -113,8 +113,15 @@ function(cosim_read_netlist variable folder commands)
   # The file is no word of a command, which a folder of any name would not be.
   execute_process(
     COMMAND ${COSIM_RUN_YOSYS} -q -p "${commands}; proc; flatten" -b json -o ${folder}/netlist.json
-    TIMEOUT 40 RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
-  if(status EQUAL 0)
+    TIMEOUT 40 RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE said)
+  if(status MATCHES "timeout")
+    file(WRITE ${folder}/unread.txt "yosys does not read the RTL in 40 s")
+  elseif(NOT status EQUAL 0)
+    string(REGEX MATCH "[^\n]*ERROR: [^\n]*" error "${said}")
+    string(REGEX REPLACE "^[^:]*/" "" error "${error}")
+    string(STRIP "${error}" error)
+    file(WRITE ${folder}/unread.txt "yosys cannot read the RTL: ${error}")
+  else()
     execute_process(COMMAND ${COSIM_PERL} ${reader} ${folder}/netlist.json
       OUTPUT_FILE ${folder}/netlist.txt COMMAND_ERROR_IS_FATAL ANY)
     set(${variable} ${folder}/netlist.txt PARENT_SCOPE)

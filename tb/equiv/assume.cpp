@@ -58,7 +58,7 @@ Assumption made(const std::string& text, std::size_t number, const Side& gold,
   std::string verilog = fmt::format("module {}(", module);
   bool of_outputs = false;
   for (const std::string& name : names) {
-    if (name == gold.clock) refuse(text, name + " is the clock");
+    if (gold.clocks.contains(name)) refuse(text, name + " is a clock");
     const bool is_output = gold.outputs.contains(name);
     if (!is_output && !gold.inputs.contains(name)) refuse(text, name + " is no port");
     of_outputs = of_outputs || is_output;
@@ -74,7 +74,7 @@ Assumption made(const std::string& text, std::size_t number, const Side& gold,
   out.close();
   try {
     Side logic({{file}, module, {}, {}, {}, "."}, "", budget);
-    logic.make_gates(Memories::registers, budget);
+    logic.make_gates(Memories::registers, false, budget);
     if (logic.unknowns > 0) refuse(text, "is x: it has an x, or a bit that its port has not");
     return {text, logic, verilog, module, names, of_outputs};
   } catch (const InputError& error) {
@@ -135,7 +135,7 @@ bool are_met(Question& q) {
   const bool of_outputs = std::any_of(q.assumed.begin(), q.assumed.end(),
                                       [](const Assumption& one) { return one.of_outputs; });
   if (of_outputs) {
-    for (Side* side : {&q.gold, &q.gate}) side->make_gates(Memories::registers, q.budget);
+    for (Side* side : {&q.gold, &q.gate}) side->make_gates(Memories::registers, q.steps, q.budget);
   }
   const proof::Ever ever = of_outputs ? from_reset(q) : on_a_clock(q);
   if (ever != proof::Ever::never) return ever == proof::Ever::yes;

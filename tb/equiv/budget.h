@@ -11,7 +11,9 @@ class Budget {
  public:
   using Clock = std::chrono::steady_clock;
 
-  explicit Budget(int seconds) : ends_(Clock::now() + std::chrono::seconds(seconds)) {}
+  explicit Budget(int seconds)
+      : began_(Clock::now()), ends_(began_ + std::chrono::seconds(seconds)) {}
+  Clock::duration spent() const { return Clock::now() - began_; }
   /// When it is over.
   Clock::time_point ends() const { return ends_; }
   /// OutOfTime where none is left.
@@ -20,7 +22,7 @@ class Budget {
   }
 
  private:
-  Clock::time_point ends_;
+  Clock::time_point began_, ends_;
 };
 
 }  // namespace cosim::equiv

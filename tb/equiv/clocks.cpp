@@ -69,6 +69,13 @@ std::string gate_name(const Question& q, const std::string& port) {
   return at == q.renamed.end() ? port : at->second;
 }
 
+std::string gold_name(const Question& q, const std::string& port) {
+  for (const auto& [old_name, new_name] : q.renamed) {
+    if (new_name == port) return old_name;
+  }
+  return port;
+}
+
 std::size_t first_compared(const Question& q) {
   return static_cast<std::size_t>(q.reset_clocks) + static_cast<std::size_t>(q.latency);
 }

@@ -13,6 +13,8 @@ namespace cosim::equiv {
 
 /// What the new RTL calls a port of the old one.
 std::string gate_name(const Question& question, const std::string& port);
+/// What the old RTL calls a port of the new one.
+std::string gold_name(const Question& question, const std::string& port);
 
 /// Makes the answer `different`: the clocks that `reached` has and those after them. `open`: bits
 /// of outputs that other values of the old RTL's x would make others.

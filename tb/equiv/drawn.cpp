@@ -72,13 +72,14 @@ WaveClock at(const WaveShape& shape, const Row& row, bool is_compared) {
 
 // The hierarchy of one of both, its clock as it looks.
 std::unique_ptr<Vcd> recorded(const std::string& vcd, const Side& side, const char* name,
-                              std::vector<Signal>& signals) {
+                              bool steps, std::vector<Signal>& signals) {
   if (vcd.empty()) return nullptr;
   auto read = std::make_unique<Vcd>(vcd, "cosim_dut", name);
   for (Signal signal : read->signals()) {
-    if (signal.scope.size() == 1 && signal.name == side.clock) {
+    const auto clock = side.clocks.find(signal.name);
+    if (signal.scope.size() == 1 && !steps && clock != side.clocks.end()) {
       signal.is_clock = true;
-      signal.falls = side.falling;
+      signal.falls = clock->second;
     }
     signals.push_back(std::move(signal));
   }
@@ -107,8 +108,8 @@ WavePicture draw(const Question& q, const Answer& a, std::uint64_t after, const 
   }
 
   std::vector<Signal> signals;
-  const auto gold = recorded(a.recorded.gold, q.gold, "old", signals);
-  const auto gate = recorded(a.recorded.gate, q.gate, "new", signals);
+  const auto gold = recorded(a.recorded.gold, q.gold, "old", q.steps, signals);
+  const auto gate = recorded(a.recorded.gate, q.gate, "new", q.steps, signals);
   Wave wave(fst);
   PictureSink picture;
   BothSinks sinks(wave, picture);

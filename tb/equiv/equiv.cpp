@@ -22,7 +22,9 @@ using Widths = std::map<std::string, int>;
 void find_lacking(const Question& q, const Widths& gold, const Widths& gate, bool inputs,
                   std::vector<std::string>& lacking) {
   const auto is_free = [&](const std::string& port) {
-    if (inputs && (port == q.gold.clock || port == q.gate.clock)) return true;
+    if (inputs && !q.steps && (q.gold.clocks.contains(port) || q.gate.clocks.contains(port))) {
+      return true;
+    }
     return inputs ? q.tied.contains(port)
                   : std::find(q.ignored.begin(), q.ignored.end(), port) != q.ignored.end();
   };
@@ -53,8 +55,23 @@ void require_ports(const Question& q) {
     throw InputError(fmt::format(
         "the ports differ: {}; write --tie INPUT=VALUE, --ignore OUTPUT or --map OLD=NEW", list));
   }
-  if (!q.gold.clock.empty() && !q.gate.clock.empty() && q.gold.falling != q.gate.falling) {
-    throw InputError("one takes over when its clock rises, the other when it falls");
+  for (const auto& [clock, falls] : q.gold.clocks) {
+    const auto other = q.steps ? q.gate.clocks.find(gate_name(q, clock)) : q.gate.clocks.begin();
+    if (other == q.gate.clocks.end() || other->second == falls) continue;
+    throw InputError(clock + ": one takes over when it rises, the other when it falls");
+  }
+}
+
+// What has no meaning where there are several clocks.
+void require_steps(const Question& q) {
+  if (q.latency > 0) throw InputError("--latency: there are several clocks");
+  for (const Side* side : {&q.gold, &q.gate}) {
+    for (const std::string& clock : side->clocks_as_data) {
+      throw InputError(clock + ": is read as data, and there are several clocks");
+    }
+    if (side->sets_and_resets) {
+      throw InputError("a register that is set and reset at once, and several clocks");
+    }
   }
 }
 
@@ -68,6 +85,7 @@ Pairs memory_pairs(const Question& q) {
   const auto take = [&](std::size_t i, const auto& fits) {
     for (std::size_t j = 0; j < news.size(); ++j) {
       if (taken[j] || olds[i].shape != news[j].shape || !fits(news[j])) continue;
+      if (q.steps && olds[i].clock != gold_name(q, news[j].clock)) continue;
       taken[j] = true;
       pairs.emplace_back(i, j);
       return true;
@@ -84,9 +102,10 @@ Pairs memory_pairs(const Question& q) {
 
 void make_gates(Question& q, Memories how) {
   in_parallel(2, q.jobs, [&](std::uint64_t i) {
-    (i == 0 ? q.gold : q.gate).make_gates(how, q.budget);
+    (i == 0 ? q.gold : q.gate).make_gates(how, q.steps, q.budget);
     return true;
   });
+  q.gate.name_as(q.gold);
 }
 
 // In this share of the time that is left, and no more than so many seconds.
@@ -100,6 +119,18 @@ proof::Reached reach(const Question& q, const Product& product, double share = 1
   return proof::reach(product.graph, product.bad, until, q.jobs);
 }
 
+// Takes over that they are equal; where all of it rests on abc's word it is checked.
+void take_equal(const Question& q, const Product& product, const proof::Reached& reached,
+                Answer& answer) {
+  answer.verdict = Verdict::equal;
+  answer.by = reached.by;
+  const bool by_two = product.graph.latches() == 0 && reached.engines > 1;
+  if (reached.engines == 0 || by_two) return;
+  const Budget::Clock::duration least = q.check_least, most = q.check_most;
+  const auto ends = Budget::Clock::now() + std::min(std::max(q.budget.spent(), least), most);
+  answer.check = proof::invariant_of(product.graph, product.bad, std::min(ends, q.budget.ends()));
+}
+
 // Whether the registers of the same name, and what else there is of inputs, make both equal; of
 // outputs that come later nothing is known so.
 bool is_equal_by_names(const Question& q, const Pairs& memories, Answer& answer) {
@@ -109,8 +140,8 @@ bool is_equal_by_names(const Question& q, const Pairs& memories, Answer& answer)
   if (q.latency > 0) return false;
   const auto step = reach(q, cut, 1, soon);
   if (step.ever != proof::Ever::never) return false;
-  answer.verdict = Verdict::equal;
-  answer.by = std::string(cut.matched == 0 ? "" : "registers by name, ") + step.by;
+  take_equal(q, cut, step, answer);
+  if (cut.matched > 0) answer.by.insert(0, "registers by name, ");
   return true;
 }
 
@@ -119,10 +150,10 @@ bool is_equal_by_memories(const Question& q, const Pairs& memories, Answer& answ
   if (!is_equal_by_names(q, memories, answer)) {
     // The rest is for what comes after; most of what is equal is so here, or it differs soon.
     constexpr double share = 0.7;
-    const auto reached = reach(q, product_of(q, Registers::two, {}, memories), share);
+    const Product product = product_of(q, Registers::two, {}, memories);
+    const auto reached = reach(q, product, share);
     if (reached.ever != proof::Ever::never) return false;
-    answer.verdict = Verdict::equal;
-    answer.by = reached.by;
+    take_equal(q, product, reached, answer);
   }
   answer.by = "memories that get the same, " + answer.by;
   return true;
@@ -130,11 +161,12 @@ bool is_equal_by_memories(const Question& q, const Pairs& memories, Answer& answ
 
 // Takes over what the search has come to: whether that is all, but for a difference to be looked
 // at.
-bool is_over(const Question& q, const proof::Reached& reached, Answer& answer) {
+bool is_over(const Question& q, const Product& product, const proof::Reached& reached,
+             Answer& answer) {
   answer.compared = std::max(0, reached.clocks - q.reset_clocks);
   if (reached.ever == proof::Ever::open) return true;
   answer.by = reached.by;
-  if (reached.ever == proof::Ever::never) answer.verdict = Verdict::equal;
+  if (reached.ever == proof::Ever::never) take_equal(q, product, reached, answer);
   return reached.ever == proof::Ever::never;
 }
 
@@ -148,7 +180,7 @@ void compare_with_any(const Question& q, std::vector<Filler> first, Answer& answ
   for (int round = 0; round < rounds; ++round) {
     const Product product = product_of(q, Registers::two, unknown, {});
     const proof::Reached reached = reach(q, product);
-    if (is_over(q, reached, answer)) return;
+    if (is_over(q, product, reached, answer)) return;
     const Certain certain = certain_of(q, product, reached);
     if (certain.any) {
       answer.least = reached.least && round == 0;
@@ -168,6 +200,7 @@ void compare_all(Question& q, Answer& answer) {
     answer.by = "the same netlist";
     return;
   }
+  if (q.steps) require_steps(q);
   const Pairs memories = memory_pairs(q);
   if (!memories.empty()) {
     make_gates(q, Memories::cut);
@@ -179,7 +212,7 @@ void compare_all(Question& q, Answer& answer) {
   if (is_equal_by_names(q, {}, answer)) return;
   const Product product = product_of(q, Registers::two, {}, {});
   const proof::Reached reached = reach(q, product);
-  if (is_over(q, reached, answer)) return;
+  if (is_over(q, product, reached, answer)) return;
   // Whatever it leaves x, if there is any; else other values have to be tried.
   Certain certain;
   const bool leaves_x = q.gold.unknowns > 0 || product.alone_any;
@@ -202,6 +235,16 @@ void require_met(Question& q, Answer& answer) {
 }
 
 }  // namespace
+
+bool has_several_clocks(const Question& q) {
+  std::set<std::string> all;
+  for (const auto& [clock, falls] : q.gold.clocks) all.insert(clock);
+  for (const auto& [clock, falls] : q.gate.clocks) all.insert(gold_name(q, clock));
+  if (all.size() < 2 || q.gold.clocks.size() > 1 || q.gate.clocks.size() > 1) return all.size() > 1;
+  // The one clock has another name where the other RTL has no such port.
+  return q.gate.inputs.contains(gate_name(q, q.gold.clocks.begin()->first)) ||
+         q.gold.inputs.contains(gold_name(q, q.gate.clocks.begin()->first));
+}
 
 Answer compare(Question& q) {
   require_ports(q);

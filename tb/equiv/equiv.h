@@ -6,12 +6,15 @@
 // new one is right; an x of the new RTL has to be right for both values.
 #pragma once
 
+#include <chrono>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "tb/equiv/assume.h"
 #include "tb/equiv/side.h"
+#include "tb/proof/invariant.h"
 
 namespace cosim::equiv {
 
@@ -24,8 +27,13 @@ struct Question {
   std::vector<std::string> ignored{};            ///< outputs that are not compared
   std::map<std::string, std::string> renamed{};  ///< ports of the old RTL as the new one calls them
   std::vector<Assumption> assumed{};             ///< of the clocks after the reset
+  /// There are several clocks. Each is an input that says whether it takes its edge on a step, and
+  /// what is called a clock elsewhere is a step. All take theirs while it resets.
+  bool steps = false;
   int latency = 0;  ///< the outputs of the new RTL come so many clocks later
   Budget budget{300};
+  /// A proof is checked for as long as it took, but no less and no more than so long.
+  std::chrono::seconds check_least{2}, check_most{10};
   unsigned jobs = 4;                ///< engines at a time, >= 1
   bool verilator = true;            ///< a difference is replayed in Verilator
   std::uint64_t wave_before = 200;  ///< clocks that a wave shows before a difference
@@ -52,7 +60,9 @@ struct Recorded {
 
 struct Answer {
   Verdict verdict = Verdict::undecided;
-  std::string by;           ///< what decided
+  std::string by;  ///< what decided
+  /// Of equal, where one engine of abc or sequential reasoning decided: the check of it.
+  std::optional<proof::Invariant> check;
   std::string replayed;     ///< of different: "in Verilator", or on what else, and why
   std::vector<Row> clocks;  ///< of different: the stimulus, the last row tells them apart
   /// Of different: what comes of it where the inputs stay as they are, at most clocks_behind, and
@@ -75,10 +85,13 @@ inline constexpr std::size_t clocks_behind = 200;
 std::uint64_t first_drawn(const Question& question, const Answer& answer);
 std::size_t first_compared(const Question& question);
 
+/// Whether there are several clocks in both together.
+bool has_several_clocks(const Question& question);
+
 /// Makes the gates of both sides, and compares them as far as the assumptions hold; a difference is
-/// replayed in Verilator. InputError where the ports do not agree, before anything long; it lists
-/// them and says what to write. InputError where they would be equal but nothing satisfies the
-/// assumptions.
+/// replayed in Verilator. InputError where the ports or the clocks do not agree, before anything
+/// long; it lists them and says what to write. InputError where they would be equal but nothing
+/// satisfies the assumptions.
 Answer compare(Question& question);
 
 }  // namespace cosim::equiv

@@ -9,6 +9,7 @@
 #include "model/core/input_error.h"
 #include "tb/equiv/netlist.h"
 #include "tb/equiv/side.h"
+#include "tb/proof/steps.h"
 #include "tb/support/json.h"
 #include "tb/support/output_file.h"
 #include "tb/support/quoted.h"
@@ -53,7 +54,7 @@ std::string memory_port(std::size_t memory, const char* port) {
   return fmt::format("cosim.memory{}.{}", memory, port);
 }
 
-void Side::make_gates(Memories how, const Budget& budget) {
+void Side::make_gates(Memories how, bool steps, const Budget& budget) {
   const fs::path own = scratch_->path();
   const std::string name = word_for_yosys(own.string());
   std::string script = fmt::format("read_rtlil {}/top.il; memory_map\n", name);
@@ -62,6 +63,12 @@ void Side::make_gates(Memories how, const Budget& budget) {
     file.text(with_ports_for_memories(json_of(read_file((own / "top.json").string()))));
     file.close();
     script = fmt::format("read_json {}/cut.json\n", name);
+  }
+  if (steps) {
+    proof::Source source;
+    source.clocks_are_inputs = true;
+    // It names its file as it is.
+    script += "opt_clean" + proof::step_commands(source, name) + "\n";
   }
   // What is of no use then is left where it is: to clean so many gates takes as long as to make
   // them.
@@ -99,7 +106,7 @@ void Side::read(const std::string& aiger, const std::string& map) {
     register_of[lit] = i;
     state_.push_back(lit);
     next_.push_back(next);
-    registers.push_back({{}, first > 1, first == 1});
+    registers.push_back({{}, first > 1, first == 1, {}});
   }
   for (unsigned& lit : out_) in >> lit;
   for (Gate& gate : gates_) in >> gate.out >> gate.a >> gate.b;
@@ -151,10 +158,24 @@ void Side::read(const std::string& aiger, const std::string& map) {
     const unsigned at = behind(folded.at(lit) & ~1U);
     const auto found = register_of.find(at);
     if (found == register_of.end()) continue;
-    Name& own = registers[found->second].name;
+    Register& is = registers[found->second];
+    if (at == lit) is.nets.insert({name, bit});
+    Name& own = is.name;
     if (own.first.empty() || (at == lit && Name{name, bit} < own)) own = {name, bit};
   }
   for (std::size_t i = 0; i < in_.size(); ++i) unknowns += in_names_.contains(i) ? 0U : 1U;
+}
+
+void Side::name_as(const Side& other) {
+  std::map<Name, Name> theirs;
+  for (const Register& r : other.registers) {
+    for (const Name& net : r.nets) theirs.emplace(net, r.name);
+  }
+  for (Register& r : registers) {
+    const auto same = std::find_if(r.nets.begin(), r.nets.end(),
+                                   [&](const Name& net) { return theirs.contains(net); });
+    if (same != r.nets.end()) r.name = theirs.at(*same);
+  }
 }
 
 Side::Made Side::make(proof::Aig& graph, const std::function<Lit(const Name&)>& input,

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "tb/equiv/clocks.h"
+
 namespace cosim::equiv {
 namespace {
 
@@ -177,12 +179,12 @@ class Builder {
       if (is_new) at->second = graph_.input();
       return at->second;
     }
-    if (port == q_.gold.clock || port == q_.gate.clock) return Lit{0};
-    if (is_gate) {
-      for (const auto& [old_name, new_name] : q_.renamed) {
-        if (new_name == port) port = old_name;
-      }
-    }
+    const auto clock = side.clocks.find(port);
+    const bool is_clock = clock != side.clocks.end();
+    if (is_clock && !q_.steps && clock_rests_) return clock->second ? 1 : 0;
+    if (is_gate) port = gold_name(q_, port);
+    // The one clock may have another name in the other.
+    if (is_clock && !q_.steps && !q_.gold.clocks.empty()) port = q_.gold.clocks.begin()->first;
     if (const auto tied = q_.tied.find(port); tied != q_.tied.end()) {
       return static_cast<Lit>((static_cast<unsigned>(tied->second) >> name.second) & 1U);
     }
@@ -190,6 +192,7 @@ class Builder {
     if (is_new) {
       at->second = port == q_.reset ? graph_.seldom() : graph_.input(port);
       product_.widths[port] = side.inputs.at(name.first);
+      if (is_clock && q_.steps) at->second = graph_.or_of(at->second, resets_);
       if (port == q_.reset) {
         const Lit resets = graph_.or_of(at->second, resets_);
         at->second = q_.reset_active ? resets : Aig::inverted(resets);
@@ -201,6 +204,14 @@ class Builder {
   Side::Made make(const Side& side, const Copy& copy, const Lits& unknown, bool is_gate) {
     const auto its_input = [&](const Name& name) { return input(name, side, is_gate); };
     Side::Made made = side.make(graph_, its_input, unknown, copy.state);
+    // Registers take over what is there before the edge; outputs are seen on either side of it.
+    if (!side.clocks_as_data.empty()) {
+      clock_rests_ = false;
+      for (const auto& [name, lit] : side.make(graph_, its_input, unknown, copy.state).outputs) {
+        if (side.outputs.contains(name.first)) made.outputs[name] = lit;
+      }
+      clock_rests_ = true;
+    }
     if (!one_) {
       for (std::size_t i = 0; i < made.next.size(); ++i) graph_.next(copy.own[i], made.next[i]);
     }
@@ -308,6 +319,7 @@ class Builder {
 
   const Question& q_;
   bool one_, any_;
+  bool clock_rests_ = true;  ///< a clock that is read is as it is before its edge
   const std::vector<Filler>& fillers_;
   const Pairs& memories_;
   Aig graph_;

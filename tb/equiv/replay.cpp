@@ -193,6 +193,11 @@ Replay replayed(const Question& q, const Answer& a) {
                     : !is_installed("verilator") ? "on the netlists: there is no Verilator"
                                                  : nullptr;
   if (why != nullptr) return {false, false, why, {}, {}};
+  for (const Side* s : {&q.gold, &q.gate}) {
+    if (!s->clocks_as_data.empty()) {
+      return {false, false, "on the netlists: the clock is read as data", {}, {}};
+    }
+  }
   try {
     return replay(q, a);
   } catch (const OutOfTime&) {

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "tb/equiv/clocks.h"
 #include "tb/equiv/drawn.h"
 #include "tb/report/page.h"
 #include "tb/support/draft.h"
@@ -42,13 +43,30 @@ std::string csv_of(const Answer& a) {
   for (const auto& [port, text] : last.inputs) csv += "," + port;
   for (const auto& [port, text] : last.gold) csv += fmt::format(",old {0},new {0}", port);
   for (std::size_t i = 0; i < a.clocks.size(); ++i) {
-    csv += fmt::format("\n{}", i + 1);
+    csv += fmt::format("\n{}", i);
     for (const auto& [port, text] : a.clocks[i].inputs) csv += "," + text;
     for (const auto& [port, text] : a.clocks[i].gold) {
       csv += fmt::format(",{},{}", text, a.clocks[i].gate.at(port));
     }
   }
   return csv + "\n";
+}
+
+// What an equal rests on beside what decided, behind it; nothing where two engines decided.
+std::string check_text(const Answer& a) {
+  if (!a.check) return "";
+  if (a.check->solver.empty()) return "; that rests on abc alone: " + a.check->missing;
+  std::string what = count(a.check->equalities, "equal signal");
+  if (a.check->clauses > 0) what += " and " + count(a.check->clauses, "clause");
+  return fmt::format("; checked by {}: {}", a.check->solver, what);
+}
+
+Json check_json(const Answer& a) {
+  if (!a.check) return nullptr;
+  return {{"by", a.check->solver},
+          {"missing", a.check->missing},
+          {"equalities", a.check->equalities},
+          {"clauses", a.check->clauses}};
 }
 
 Page page(const std::string& top, const Question& q, const Answer& a) {
@@ -69,6 +87,14 @@ std::string assumed_text(const Question& q) {
       q.reset.empty() ? "no reset: from the initial values"
                       : fmt::format("from reset: {} is {} for {}", q.reset, q.reset_active ? 1 : 0,
                                     clocks_text(static_cast<std::size_t>(q.reset_clocks)));
+  if (q.steps) {
+    std::set<std::string> clocks;
+    for (const auto& [clock, falls] : q.gold.clocks) clocks.insert(clock);
+    for (const auto& [clock, falls] : q.gate.clocks) clocks.insert(gold_name(q, clock));
+    std::string list;
+    for (const std::string& clock : clocks) list += (list.empty() ? "" : ", ") + clock;
+    text += "; clocks that have their edges on any steps, counted as clocks: " + list;
+  }
   std::set<std::string> any;
   for (const Side* s : {&q.gold, &q.gate}) {
     for (const Register& r : s->registers) {
@@ -89,7 +115,9 @@ std::string assumed_text(const Question& q) {
 }
 
 std::string verdict_text(const std::string& top, const Question&, const Answer& a) {
-  if (a.verdict == Verdict::equal) return fmt::format("{}: equal for ever, by {}\n", top, a.by);
+  if (a.verdict == Verdict::equal) {
+    return fmt::format("{}: equal for ever, by {}{}\n", top, a.by, check_text(a));
+  }
   if (a.verdict == Verdict::undecided) {
     const std::string first =
         "equal for the first " + clocks_text(static_cast<std::size_t>(a.compared));
@@ -104,7 +132,7 @@ std::string verdict_text(const std::string& top, const Question&, const Answer& 
                         last.gold.at(port));
   }
   std::string text =
-      fmt::format("{}: different on clock {}{}:{}; replayed {}\n", top, a.clocks.size(),
+      fmt::format("{}: different on clock {}{}:{}; replayed {}\n", top, a.clocks.size() - 1,
                   a.least ? ", the first that can be" : "", list, a.replayed);
   if (!a.late.empty()) {
     text += fmt::format(
@@ -127,6 +155,7 @@ std::string result_json(const std::string& top, const Question& q, const Answer&
   const Json json{{"top", top},
                   {"verdict", word_of(a.verdict)},
                   {"by", a.by},
+                  {"check", check_json(a)},
                   {"replayed", a.replayed},
                   {"assumed", assumed_text(q)},
                   {"assumptions", assumptions},
@@ -157,11 +186,10 @@ Kept keep(const std::string& top, const Question& q, const Answer& a,
   const bool is_recorded = !a.recorded.gold.empty() && !a.recorded.gate.empty();
   shown.parts.push_back(
       {"The wave around the first difference",
-       fmt::format(
-           "wave.fst has more clocks{}. Its clocks are counted from 0: they differ on clock "
-           "{}. After that the inputs stay as they are. A bit that the old RTL leaves x is "
-           "drawn as the new one has it.",
-           is_recorded ? ", and the hierarchies of both" : "", a.clocks.size() - 1),
+       fmt::format("wave.fst has more clocks{}. They differ on clock {}, counted from 0. After "
+                   "that the inputs stay as they are. A bit that the old RTL leaves x is "
+                   "drawn as the new one has it.",
+                   is_recorded ? ", and the hierarchies of both" : "", a.clocks.size() - 1),
        draw(q, a, after, (draft.folder() / "wave.fst").string()), csv});
   shown.commands.push_back(
       {fmt::format("cd {} && gtkwave wave.fst wave.gtkw", draft.target().string()),

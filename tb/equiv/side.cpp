@@ -121,6 +121,23 @@ std::string declaration(const Json& port) {
   return text;
 }
 
+// Whether an input of one bit goes anywhere else than to the clocks of registers and memories.
+bool is_read(const Json& module, const Json& bit) {
+  const auto has = [&](const Json& bits) {
+    return std::find(bits.begin(), bits.end(), bit) != bits.end();
+  };
+  for (const auto& [port, about] : module.at("ports").items()) {
+    if (about.at("direction") != "input" && has(about.at("bits"))) return true;
+  }
+  static const std::set<std::string> clocks{"CLK", "WR_CLK", "RD_CLK"};
+  for (const auto& [name, cell] : module.at("cells").items()) {
+    for (const auto& [pin, bits] : cell.at("connections").items()) {
+      if (!clocks.contains(pin) && has(bits)) return true;
+    }
+  }
+  return false;
+}
+
 int whole_number(const Json& parameter) {
   return static_cast<int>(std::stoul(parameter.get<std::string>(), nullptr, 2));
 }
@@ -191,12 +208,9 @@ std::string Side::form() const {
 }
 
 void Side::takes_over(const std::string& by, bool falls) {
-  if (!clock.empty() && (clock != by || falls != falling)) {
-    throw InputError(fmt::format("{}: two clocks, {} and {}; one is compared", what_, clock,
-                                 by + (falls ? " falling" : "")));
+  if (clocks.try_emplace(by, falls).first->second != falls) {
+    throw InputError(fmt::format("{}: both edges of {} are taken", what_, by));
   }
-  clock = by;
-  falling = falls;
 }
 
 void Side::ports(const std::string& json) {
@@ -221,16 +235,21 @@ void Side::ports(const std::string& json) {
     if (type.find("latch") != std::string::npos || type == "$sr") {
       throw InputError(fmt::format("{}: a latch, {}", what_, one_line(cell_name)));
     }
+    sets_and_resets = sets_and_resets || type.starts_with("$dffsr");
     const Json& pins = cell.at("connections");
     const Json& about = cell.at("parameters");
     if (type == "$mem_v2") {
       const std::string edges = about.at("WR_CLK_POLARITY");
       const std::string enables = about.at("WR_CLK_ENABLE");
       const int writes = whole_number(about.at("WR_PORTS"));
+      const auto by = writes > 0 ? port_of.find(pins.at("WR_CLK").front()) : port_of.end();
       for (int i = 0; i < writes; ++i) {
         const std::size_t at = edges.size() - 1 - static_cast<std::size_t>(i);
         if (enables.at(at) != '1') throw InputError(what_ + ": a memory that no clock writes");
         clocked(pins.at("WR_CLK").at(static_cast<std::size_t>(i)), edges.at(at) == '0');
+        if (pins.at("WR_CLK").at(static_cast<std::size_t>(i)) != pins.at("WR_CLK").front()) {
+          throw InputError(what_ + ": a memory that two clocks write");
+        }
       }
       const std::string first = about.at("INIT");
       std::string shape;
@@ -239,11 +258,16 @@ void Side::ports(const std::string& json) {
       }
       memories.push_back({cell_name, shape, first.find('x') != std::string::npos,
                           whole_number(about.at("WIDTH")), whole_number(about.at("ABITS")),
-                          whole_number(about.at("RD_PORTS")), writes});
+                          whole_number(about.at("RD_PORTS")), writes,
+                          by == port_of.end() ? "" : by->second});
     } else if (type.starts_with("$") && pins.contains("CLK")) {
       const std::string polarity = about.at("CLK_POLARITY");
       clocked(pins.at("CLK").front(), polarity.back() == '0');
     }
+  }
+  for (const auto& [port, falls] : clocks) {
+    if (is_read(module, module.at("ports").at(port).at("bits").front()))
+      clocks_as_data.insert(port);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,9 +30,10 @@ struct Files {
 using Name = std::pair<std::string, int>;
 
 struct Register {
-  Name name;           ///< empty where the RTL has none
-  bool any = false;    ///< it has no initial value
-  bool first = false;  ///< what it is, if it has one
+  Name name;            ///< empty where the RTL has none
+  bool any = false;     ///< it has no initial value
+  bool first = false;   ///< what it is, if it has one
+  std::set<Name> nets;  ///< all that it drives directly; `name` is one of them, if there is one
 };
 
 struct Memory {
@@ -40,6 +42,7 @@ struct Memory {
   bool any = false;            ///< some of it has no initial value
   int width = 0, address = 0;  ///< bits of a word and of an address
   int reads = 0, writes = 0;   ///< ports
+  std::string clock{};         ///< that writes it, an input; empty where none does
 };
 
 /// What is made of memories.
@@ -55,20 +58,26 @@ std::string memory_port(std::size_t memory, const char* port);
 class Side {
  public:
   /// Reads the files with yosys: ports, clock and memories. InputError, one line that begins with
-  /// `what` or a file, where yosys cannot, and for a second clock, a clock that is no input, a
-  /// latch, a bidirectional port or a combinational loop. OutOfTime.
+  /// `what` or a file, where yosys cannot, and for a clock of which both edges are taken or that is
+  /// no input, a latch, a bidirectional port or a combinational loop. OutOfTime.
   Side(const Files& files, std::string what, const Budget& budget);
   /// Makes gates of it, by which all else is known. A register that takes over at once what an
-  /// asynchronous reset gives is one of the clock and a multiplexer. InputError and OutOfTime.
-  void make_gates(Memories memories, const Budget& budget);
+  /// asynchronous reset gives is one of the clock and a multiplexer. With `steps` a clock is an
+  /// input that says whether it takes its edge, and a register holds what it has where its clock
+  /// does not. InputError and OutOfTime.
+  void make_gates(Memories memories, bool steps, const Budget& budget);
+  /// A register that drives a net whose name another side's register drives too gets the name of
+  /// that one: synthesis makes new names for a register's net, and keeps the old ones beside them.
+  void name_as(const Side& other);
 
   const Files& files() const { return files_; }
   /// Equal where the RTLs are the same but for where it stands in the files.
   std::string form() const;
   std::map<std::string, int> inputs, outputs;   ///< ports and their widths
   std::map<std::string, std::string> declared;  ///< of ports: "signed [7:4]", as in their Verilog
-  std::string clock;                            ///< empty where there are no registers
-  bool falling = false;                         ///< registers take over when it falls
+  std::map<std::string, bool> clocks;    ///< inputs; true: its registers take over when it falls
+  std::set<std::string> clocks_as_data;  ///< those that are read by more than registers
+  bool sets_and_resets = false;          ///< a register has an asynchronous set and a reset
   std::vector<Memory> memories;
   std::vector<Register> registers;
   std::size_t unknowns = 0;  ///< bits that the RTL leaves x

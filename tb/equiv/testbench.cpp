@@ -44,8 +44,9 @@ std::string testbench(const Question& q, const Answer& a, bool is_gate, const st
   for (const auto& [port, width] : side.inputs) {
     if (const auto tied = q.tied.find(port); tied != q.tied.end()) {
       pin(port, fmt::format("{}'d{}", width, tied->second));
-    } else if (port == side.clock) {
-      pin(port, "cosim_clock");
+    } else if (const auto clock = side.clocks.find(port); clock != side.clocks.end()) {
+      pin(port, fmt::format("{}{}", clock->second ? "~" : "",
+                            q.steps ? "(cosim_clock & in_" + port + ")" : "cosim_clock"));
     }
   }
   const Row& first = a.clocks.front();
@@ -53,7 +54,7 @@ std::string testbench(const Question& q, const Answer& a, bool is_gate, const st
     const std::string own = own_name(port);
     if (!side.inputs.contains(own)) continue;
     text += fmt::format("  reg {}in_{};\n", range(side.inputs.at(own)), own);
-    pin(own, "in_" + own);
+    if (!side.clocks.contains(own)) pin(own, "in_" + own);
     inputs += fmt::format("{}in_{}", inputs.empty() ? "" : ", ", own);
   }
   // What an assumption names may be an output that the other one lacks.
@@ -97,7 +98,6 @@ std::string testbench(const Question& q, const Answer& a, bool is_gate, const st
                               one.substr(at + 1));
   }
   if (!parameters.empty()) parameters = "#(" + parameters + ") ";
-  const int rests = side.falling ? 1 : 0;
   const std::size_t clocks = a.clocks.size() + a.after.size();
   std::size_t bits = 0;
   for (const auto& [port, value] : first.inputs) {
@@ -105,7 +105,7 @@ std::string testbench(const Question& q, const Answer& a, bool is_gate, const st
   }
   text += fmt::format("  integer cosim_i;\n  reg [{}:0] cosim_rows[0:{}];\n",
                       std::max<std::size_t>(bits, 1) - 1, clocks - 1);
-  text += fmt::format("  reg cosim_clock = {};\n  {} {}cosim_dut({});\n  initial begin\n", rests,
+  text += fmt::format("  reg cosim_clock = 0;\n  {} {}cosim_dut({});\n  initial begin\n",
                       side.files().top, parameters, pins);
   text += fmt::format(
       "    $readmemb(\"{}\", cosim_rows);\n    for (cosim_i = 0; cosim_i < {}; cosim_i = cosim_i + "
@@ -119,9 +119,9 @@ std::string testbench(const Question& q, const Answer& a, bool is_gate, const st
   if (!inputs.empty()) text += fmt::format("      {{{}}} = cosim_rows[cosim_i];\n", inputs);
   return modules + text +
          fmt::format(
-             "      #1 $display(\"cosim_replay{}\"{});\n      cosim_clock = {};\n      #1"
-             " cosim_clock = {};\n    end\n    $finish;\n  end\nendmodule\n",
-             formats, outputs, 1 - rests, rests);
+             "      #1 $display(\"cosim_replay{}\"{});\n      cosim_clock = 1;\n      #1"
+             " cosim_clock = 0;\n    end\n    $finish;\n  end\nendmodule\n",
+             formats, outputs);
 }
 
 }  // namespace cosim::equiv

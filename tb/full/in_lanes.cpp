@@ -32,11 +32,16 @@ std::unique_ptr<lanes::Built> made(const AnyBench& bench, const Sweep& sweep, bo
                                  model_without_formula(machine)));
   }
   const std::string folder = registry().build_folder() + "/lanes";
-  if (is_hostile) {
-    return lanes::built(bench.title(), machine.played(), source_of(bench), lanes, folder);
+  nets::Played played = machine.played();
+  if (!is_hostile) {
+    if (machine.jobs == nullptr || !sweep.in_lanes) {
+      throw InputError(
+          fmt::format("{}: its jobs do not run in lanes: they are driven on machine integers alone",
+                      bench.title()));
+    }
+    played.draw = machine.jobs();
   }
-  return lanes::built_for_jobs(bench, machine.played(), source_of(bench), *sweep.in_lanes, lanes,
-                               folder);
+  return lanes::built(bench.title(), played, source_of(bench), lanes, folder);
 }
 
 Sweep taken(const AnyBench& bench, const Sweep& sweep, std::uint64_t seed, std::uint64_t clocks,

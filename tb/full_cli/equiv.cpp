@@ -31,8 +31,8 @@ namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
 struct EquivOptions {
-  Words gold, gate, files, cells, parameters, include_dirs, defines, tied, ignored, renamed,
-      assumed;
+  Words gold, gate, files, cells, parameters, gold_parameters, gate_parameters, include_dirs,
+      defines, tied, ignored, renamed, assumed;
   Text rev, top, gold_top, gate_top, seconds, jobs, reset, reset_clocks, latency;
   bool netlists = false;
   Common common;
@@ -89,12 +89,13 @@ Revision revision(const std::string& rev, const Words& files, const fs::path& fo
   return {old, fs::is_directory(here) ? here : folder};
 }
 
-equiv::Side side(const EquivOptions& o, const Words& files, const Text& own_top, const char* what,
-                 const fs::path& folder, const fs::path& made, const equiv::Budget& budget) {
+equiv::Side side(const EquivOptions& o, const Words& files, const Text& own_top,
+                 const Words& own_parameters, const char* what, const fs::path& folder,
+                 const fs::path& made, const equiv::Budget& budget) {
   equiv::Files all;
   all.top = own_top ? *own_top : needed("--top", o.top);
-  // What has the cells for its library is a netlist, which holds its parameters.
   all.parameters = o.parameters;
+  all.parameters.insert(all.parameters.end(), own_parameters.begin(), own_parameters.end());
   all.include_dirs.assign(o.include_dirs.begin(), o.include_dirs.end());
   all.defines = o.defines;
   all.folder = folder;
@@ -122,12 +123,16 @@ void find_reset(const EquivOptions& o, equiv::Question& q) {
     if (!q.gold.inputs.contains(q.reset) || q.gold.inputs.at(q.reset) != 1) {
       throw InputError(fmt::format("--reset: {} is no input of one bit", in_quotes(q.reset)));
     }
+    if (q.gold.clocks.contains(q.reset)) {
+      throw InputError(fmt::format("--reset: {} is a clock", in_quotes(q.reset)));
+    }
   } else {
     for (const auto& [port, width] : q.gold.inputs) {
       std::string name = port;
       std::transform(name.begin(), name.end(), name.begin(),
                      [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-      if (width != 1 || !(high.contains(name) || low.contains(name))) continue;
+      const bool is_reset = high.contains(name) || low.contains(name);
+      if (width != 1 || !is_reset || q.gold.clocks.contains(port)) continue;
       q.reset = port;
       q.reset_active = high.contains(name);
       break;
@@ -202,8 +207,11 @@ int run(const EquivOptions& o) {
   try {
     in_parallel(2, jobs, [&](std::uint64_t i) {
       if (i == 0)
-        old = side(o, gold, o.gold_top, "the old RTL", gold_folder, reader / "was.v", budget);
-      if (i == 1) now = side(o, gate, o.gate_top, "the new RTL", ".", reader / "is.v", budget);
+        old = side(o, gold, o.gold_top, o.gold_parameters, "the old RTL", gold_folder,
+                   reader / "was.v", budget);
+      if (i == 1)
+        now = side(o, gate, o.gate_top, o.gate_parameters, "the new RTL", ".", reader / "is.v",
+                   budget);
       return true;
     });
   } catch (const equiv::OutOfTime&) {
@@ -213,6 +221,10 @@ int run(const EquivOptions& o) {
   equiv::Question q{*old, *now};
   q.latency = o.latency ? number("--latency", *o.latency, 0, 1000) : 0;
   q.budget = budget;
+  if (o.seconds) {
+    q.check_least = q.check_most;
+    q.check_most = std::max(q.check_most, std::chrono::seconds(seconds));
+  }
   q.jobs = jobs;
   q.wave_before = o.common.window().before;
   for (const std::string& text : o.tied) {
@@ -221,6 +233,7 @@ int run(const EquivOptions& o) {
   }
   q.ignored = o.ignored;
   for (const std::string& text : o.renamed) q.renamed.insert(halves("--map", text, "OLD=NEW"));
+  q.steps = equiv::has_several_clocks(q);
   find_reset(o, q);
   q.verilator = !o.netlists;
   try {
@@ -238,22 +251,25 @@ int run(const EquivOptions& o) {
 void add_equiv(const Command& program) {
   auto o = std::make_shared<EquivOptions>();
   const Command command = program.sub(equiv_command.name, equiv_command.help);
-  command.arguments("FILE...", o->files, "With --rev: the files of the new RTL");
-  command.texts("--gold", o->gold, "FILE...", "The files of the old RTL");
-  command.texts("--gate", o->gate, "FILE...", "The files of the new RTL");
+  command.arguments("FILE", o->files, "With --rev: the files of the new RTL");
+  command.texts("--gold", o->gold, "FILE", "The files of the old RTL");
+  command.texts("--gate", o->gate, "FILE", "The files of the new RTL");
   command.text("--rev", o->rev, "REV", "The old RTL is what git has of the files in that revision");
   command.text("--top", o->top, "NAME", "The module that is compared");
   command.text("--gold-top", o->gold_top, "NAME", "What it is called in the old RTL");
   command.text("--gate-top", o->gate_top, "NAME", "What it is called in the new RTL");
-  command.texts("--cells", o->cells, "FILE...", "Cells that both may use, of a netlist");
-  command.texts("--param", o->parameters, "NAME=VALUE", "A parameter of the module, in both");
-  command.texts("--include", o->include_dirs, "DIR", "Where `include finds its files");
-  command.texts("--define", o->defines, "NAME[=VALUE]", "A definition, in both");
+  command.texts("--cells", o->cells, "FILE", "Cells that both may use, of a netlist");
+  command.each("--param", o->parameters, "NAME=VALUE", "A parameter of the module, in both");
+  command.each("--gold-param", o->gold_parameters, "NAME=VALUE",
+               "One of the old RTL alone: a netlist has none");
+  command.each("--gate-param", o->gate_parameters, "NAME=VALUE", "One of the new RTL alone");
+  command.each("--include", o->include_dirs, "DIR", "Where `include finds its files");
+  command.each("--define", o->defines, "NAME[=VALUE]", "A definition, in both");
   command.text("--reset", o->reset, "PIN[=0|1]", "The reset, and the level that resets");
   command.text("--reset-clocks", o->reset_clocks, "N", "For how many clocks it resets; default 3");
-  command.texts("--tie", o->tied, "PIN=VALUE", "An input that has that value");
-  command.texts("--ignore", o->ignored, "PIN", "An output that is not compared");
-  command.texts("--map", o->renamed, "OLD=NEW", "A port of another name in the new RTL");
+  command.each("--tie", o->tied, "PIN=VALUE", "An input that has that value");
+  command.each("--ignore", o->ignored, "PIN", "An output that is not compared");
+  command.each("--map", o->renamed, "OLD=NEW", "A port of another name in the new RTL");
   command.each("--assume", o->assumed, "EXPRESSION",
                "Verilog over the old RTL's ports, true on every clock after the reset");
   command.text("--latency", o->latency, "N", "The new outputs come N clocks later");

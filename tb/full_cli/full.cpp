@@ -2,6 +2,7 @@
 #include "tb/program/full.h"
 
 #include "tb/bench/bench.h"
+#include "tb/full/ask_points.h"
 #include "tb/full/in_lanes.h"
 #include "tb/full_cli/commands.h"
 
@@ -26,5 +27,5 @@ void add_commands(const Command& program, const Registry& registry) {
 
 int main(int argc, char** argv) {
   using namespace cosim::cli;
-  return run_form(argc, argv, {nothing, add_commands, nothing, in_lanes});
+  return run_form(argc, argv, {nothing, add_commands, nothing, in_lanes, ask_points});
 }

@@ -173,8 +173,8 @@ int run(const NewOptions& o) {
   fmt::print("{}/: {}, {}, {}; README.md has its two commands\n", name,
              count(found.inputs.size(), "input"), count(found.outputs.size(), "output"),
              o.stream ? "as streams" : count(found.registers.size(), "register"));
-  if (!found.is_yosys && model == NewModel::generic) {
-    begun.left.emplace_back("yosys cannot read the RTL, or not in 40 s: nothing is proved of it");
+  if (!found.unread.empty() && model == NewModel::generic) {
+    begun.left.push_back(found.unread + ": nothing is proved of it");
   }
   if (found.has_inner_reset() && model == NewModel::generic) {
     begun.left.emplace_back("a register resets others at once: nothing is proved of it");

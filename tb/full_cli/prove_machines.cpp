@@ -164,7 +164,7 @@ int prove_machines(const ProveOptions& o, const proof::Asking& asking) {
     try {
       s.source = source_for(s.subject.formula, source_of(o, s.subject));
       s.claims = claims_of(s.subject.formula, s.subject.nets, s.source);
-      s.source.keeps_assertions = true;
+      s.source.keeps_statements = true;
     } catch (const InputError& error) {
       s.error = error.what();
     }

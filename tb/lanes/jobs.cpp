@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "model/core/input_error.h"
+#include "tb/bench/lane_jobs.h"
 #include "tb/lanes/sweep.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/random.h"
-#include "tb/sweep/lane_jobs.h"
 
 namespace cosim::lanes {
 namespace {
@@ -22,17 +22,19 @@ namespace {
 /// One thread's lanes at the cases of a sweep.
 class JobPlayer {
  public:
-  JobPlayer(const Built& built, const LaneJobs& jobs)
-      : built_(built),
+  JobPlayer(const AnyBench& bench, const Built& built, const LaneJobs& jobs)
+      : bench_(bench),
+        built_(built),
         layout_(jobs.layout()),
         at_work_(jobs.begin(static_cast<std::size_t>(built.lanes))),
         words_(static_cast<std::size_t>(built.lanes) / 64),
         lanes_(static_cast<std::size_t>(built.lanes)),
         codes_(layout_.begins.size()),
         figures_(layout_.figure_widths.size()),
+        most_clocks_(jobs.most_clocks()),
         left_out_(built.layout.counters) {
     constexpr std::size_t line = 64;
-    const std::size_t all = planes() + 3 + machine_planes();
+    const std::size_t all = planes() + 3 + 2 * machine_planes();
     const std::size_t bytes = all * words_ * sizeof(std::uint64_t);
     memory_.reset(
         static_cast<std::uint64_t*>(std::aligned_alloc(line, (bytes + line - 1) / line * line)));
@@ -41,18 +43,10 @@ class JobPlayer {
     differ_ = active_ + words_;
     fresh_ = differ_ + words_;
     reset_state_ = fresh_ + words_;
+    kept_ = reset_state_ + machine_planes() * words_;
     std::fill_n(memory_.get(), all * words_, 0);
     reset();
-  }
-
-  /// Whether nothing is left of what the RTL powered up with.
-  bool is_reset() const {
-    for (std::size_t i = 0; i < machine_planes() * words_; ++i) {
-      const std::uint64_t first =
-          (reset_state_[i / words_ * words_] & 1) != 0 ? ~std::uint64_t{0} : 0;
-      if (reset_state_[i] != first) return false;
-    }
-    return true;
+    is_reset_ = is_reset();
   }
 
   struct Failed {
@@ -65,10 +59,11 @@ class JobPlayer {
     next_ = first;
     end_ = first + count;
     for (std::size_t lane = 0; lane < lanes_.size(); ++lane) begin_case(lane);
-    constexpr std::uint64_t some = 1 << 16;
+    constexpr std::uint64_t some = 1 << 10;
     while (working_ > 0) {
       InterruptGuard::check();
       put_fresh();
+      if (clock_ >= next_look_) find_endless(clock_ + some);
       const std::int64_t at =
           built_.run(memory_.get(), active_, clock_, clock_ + some, differ_, left_out_.data());
       if (at < 0) {
@@ -95,6 +90,7 @@ class JobPlayer {
  private:
   struct Lane {
     std::uint64_t index = 0, begun = 0;  // its case, and the clock that is the first of it
+    std::uint64_t job = 0;               // and of its job
   };
 
   std::size_t planes() const { return built_.layout.planes.size(); }
@@ -115,12 +111,45 @@ class JobPlayer {
     std::copy_n(&memory_[built_.layout.state * words_], machine_planes() * words_, reset_state_);
   }
 
+  // Whether nothing is left of what the RTL powered up with.
+  bool is_reset() const {
+    for (std::size_t i = 0; i < machine_planes() * words_; ++i) {
+      const std::uint64_t first =
+          (reset_state_[i / words_ * words_] & 1) != 0 ? ~std::uint64_t{0} : 0;
+      if (reset_state_[i] != first) return false;
+    }
+    return true;
+  }
+
   // Those that begin a case are as after a reset.
   void put_fresh() {
     if (!any_fresh_) return;
-    built_.choose(&memory_[built_.layout.state * words_], fresh_, reset_state_, machine_planes());
+    std::uint64_t* machine = &memory_[built_.layout.state * words_];
+    built_.choose(machine, fresh_, reset_state_, machine_planes());
+    if (!is_reset_) {
+      // What is left of the power-up is to be that of the same case in the Verilated class; the
+      // model takes it over in these lanes alone.
+      for (std::size_t lane = 0; lane < lanes_.size(); ++lane) {
+        if ((fresh_[lane / 64] & bit_of(lane)) == 0) continue;
+        const auto power_up = static_cast<std::uint32_t>(lanes_[lane].index);
+        put_registers(built_.layout, memory_.get(), words_, lane, bench_.begun(power_up));
+      }
+      std::copy_n(machine, machine_planes() * words_, kept_);
+      built_.take_over(memory_.get());
+      for (std::size_t w = 0; w < words_; ++w) fresh_[w] = ~fresh_[w];
+      built_.choose(machine, fresh_, kept_, machine_planes());
+    }
     std::fill_n(fresh_, words_, 0);
     any_fresh_ = false;
+  }
+
+  // One whose driver waits for ever fails: run again by itself, it says so.
+  void find_endless(std::uint64_t next_look) {
+    next_look_ = next_look;
+    for (std::size_t lane = 0; lane < lanes_.size(); ++lane) {
+      const bool works = (active_[lane / 64] & bit_of(lane)) != 0;
+      if (works && clock_ - lanes_[lane].job > most_clocks_) failed(lane);
+    }
   }
 
   static std::uint64_t bit_of(std::size_t lane) { return std::uint64_t{1} << (lane % 64); }
@@ -129,7 +158,7 @@ class JobPlayer {
   void begin_case(std::size_t lane) {
     const bool was_working = (active_[lane / 64] & bit_of(lane)) != 0;
     while (next_ < end_ && !failed_) {
-      lanes_[lane] = {next_, clock_};
+      lanes_[lane] = {next_, clock_, clock_};
       at_work_->open(lane, next_++);
       if (!begin_job(lane)) continue;
       fresh_[lane / 64] |= bit_of(lane);
@@ -147,6 +176,7 @@ class JobPlayer {
 
   bool begin_job(std::size_t lane) {
     if (!at_work_->next(lane, codes_)) return false;
+    lanes_[lane].job = clock_;
     std::uint64_t* word = &memory_[words_ + lane / 64];
     const std::uint64_t own = bit_of(lane);
     for (std::size_t i = 0; i < codes_.size(); ++i) {
@@ -188,19 +218,23 @@ class JobPlayer {
   struct Free {
     void operator()(std::uint64_t* memory) const { std::free(memory); }
   };
+  const AnyBench& bench_;
   const Built& built_;
-  const nets::JobLayout layout_;
+  const JobLayout layout_;
   std::unique_ptr<JobsAtWork> at_work_;
   std::size_t words_;  // a plane
   std::vector<Lane> lanes_;
   std::vector<Word> codes_, figures_;
+  std::uint64_t most_clocks_;
   std::vector<std::uint64_t> left_out_;
-  // The planes; who is at work, who differs, who begins; the planes of a reset machine.
+  // The planes; who is at work, who differs, who begins; the planes of a reset machine, and of the
+  // others while some begin.
   std::unique_ptr<std::uint64_t[], Free> memory_;
-  std::uint64_t *active_ = nullptr, *differ_ = nullptr, *fresh_ = nullptr, *reset_state_ = nullptr;
-  bool any_fresh_ = false;
+  std::uint64_t *active_ = nullptr, *differ_ = nullptr, *fresh_ = nullptr, *reset_state_ = nullptr,
+                *kept_ = nullptr;
+  bool is_reset_ = false, any_fresh_ = false;
   std::size_t working_ = 0;
-  std::uint64_t next_ = 0, end_ = 0, clock_ = 0, clocks_ = 0;
+  std::uint64_t next_ = 0, end_ = 0, clock_ = 0, next_look_ = 0, clocks_ = 0;
   std::optional<Failed> failed_;
 };
 
@@ -210,7 +244,7 @@ class Cases {
       : bench_(bench), built_(built), sweep_(sweep) {}
 
   Result run(std::uint64_t first, std::uint64_t count) const {
-    JobPlayer player(built_, *sweep_.in_lanes);
+    JobPlayer player(bench_, built_, *sweep_.in_lanes);
     if (const auto failed = player.run(first, count)) return confirmed(first, *failed);
     Result result;
     result.cases = count;
@@ -244,19 +278,6 @@ class Cases {
 };
 
 }  // namespace
-
-std::unique_ptr<Built> built_for_jobs(const AnyBench& bench, nets::Played played,
-                                      const proof::Source& source, const LaneJobs& jobs, int lanes,
-                                      const std::filesystem::path& folder) {
-  played.draw = jobs.draw();
-  auto made = built(bench.title(), played, source, lanes, folder);
-  if (!JobPlayer(*made, jobs).is_reset()) {
-    throw InputError(fmt::format(
-        "{}: its jobs do not run in lanes: a register comes out of a reset as it powered up",
-        bench.title()));
-  }
-  return made;
-}
 
 Sweep job_sweep(const AnyBench& bench, const Built& built, const Sweep& sweep) {
   Sweep all = sweep;

@@ -8,6 +8,19 @@
 
 namespace cosim::lanes {
 
+void put_registers(const Layout& layout, std::uint64_t* planes, std::size_t words, std::size_t lane,
+                   const std::vector<Word>& codes) {
+  for (std::size_t r = 0; r < layout.registers.size(); ++r) {
+    for (std::size_t b = 0; b < layout.registers[r].size(); ++b) {
+      const std::size_t plane = layout.registers[r][b];
+      if (plane == Layout::none) continue;
+      std::uint64_t& word = planes[plane * words + lane / 64];
+      const std::uint64_t own = std::uint64_t{1} << (lane % 64);
+      word = bit(codes.at(r), static_cast<int>(b)) ? word | own : word & ~own;
+    }
+  }
+}
+
 std::string to_text(const Layout& layout) {
   std::string text;
   for (const Layout::First first : layout.planes) text += static_cast<char>(first);

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
+
+#include "model/core/value.h"
 
 namespace cosim::lanes {
 
@@ -19,6 +22,11 @@ struct Layout {
   std::vector<std::vector<std::size_t>> registers;
   std::size_t counters = 0;  ///< of registers and outputs left out, as in a Run; 0: of none
 };
+
+/// Sets what a lane's registers hold, in planes of so many words, to these codes; flip-flops of no
+/// register stay.
+void put_registers(const Layout& layout, std::uint64_t* planes, std::size_t words, std::size_t lane,
+                   const std::vector<Word>& codes);
 
 /// In words, and from them. InputError where they are not those of a layout.
 std::string to_text(const Layout& layout);

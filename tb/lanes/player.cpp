@@ -90,15 +90,8 @@ void Player::begin(std::uint64_t seed, std::uint64_t first, std::uint64_t count)
   if (!is_reset()) {
     // What is left of the power-up is to be that of the same case in the Verilated class.
     for (std::size_t lane = 0; lane < count; ++lane) {
-      const auto words = bench_.begun(HostileCase{seed, first + lane}.power_up());
-      for (std::size_t r = 0; r < built_.layout.registers.size(); ++r) {
-        const auto& own = built_.layout.registers[r];
-        for (std::size_t b = 0; b < own.size(); ++b) {
-          if (own[b] == Layout::none) continue;
-          const bool is = cosim::bit(words.at(r), static_cast<int>(b));
-          if (bit(own[b], lane) != is) flip(own[b], lane);
-        }
-      }
+      put_registers(built_.layout, memory_.get(), words_, lane,
+                    bench_.begun(HostileCase{seed, first + lane}.power_up()));
     }
   }
   built_.take_over(memory_.get());

@@ -81,15 +81,14 @@ inline std::vector<Word> nearly(const Field& pin) {
   return words;
 }
 
-/// The first clocks of random jobs with one wide pin held at such a word, each in its turn: a gate
-/// that looks whether a word is 0 or full is told from one that looks at one bit less, and hostile
+/// So many of a job's first clocks.
+inline constexpr std::uint64_t disturbed_clocks = 64;
+
+/// The first clocks of jobs with one wide pin held at such a word, each in its turn: a gate that
+/// looks whether a word is 0 or full is told from one that looks at one bit less, and hostile
 /// clocks seldom have a machine at work on it.
-template <class Design>
-Stimulus disturbed(const Bench<Design>& bench, const typename Jobs<Design>::List& jobs,
-                   std::uint64_t number) {
-  constexpr std::uint64_t clocks = 64;
-  Stimulus s = recorded<Design>(bench.params(), HostOf<Design>(bench.params(), jobs),
-                                static_cast<std::uint32_t>(number), clocks);
+inline Stimulus disturbed(const AnyBench& bench, Stimulus s, std::uint64_t number) {
+  if (s.clocks.size() > disturbed_clocks) s.clocks.resize(disturbed_clocks);
   std::vector<std::pair<std::size_t, Word>> turns;
   const std::vector<Field> pins = bench.inputs();
   for (std::size_t pin = 0; pin < pins.size(); ++pin) {
@@ -102,34 +101,59 @@ Stimulus disturbed(const Bench<Design>& bench, const typename Jobs<Design>::List
   return s;
 }
 
-/// The same as a case. Of a design with rules for its inputs there is none.
+/// The same as cases number first .. last - 1; jobs_of(i) is the stimulus of the jobs of case i. Of
+/// a design with rules for its inputs there is none.
+template <class JobsOf>
+void add_disturbed(std::vector<Case>& all, const AnyBench& bench, std::uint64_t first,
+                   std::uint64_t last, JobsOf jobs_of) {
+  if (!bench.assumed().empty()) return;
+  for (std::uint64_t i = first; i < last; ++i) {
+    const auto stimulus = [&bench, jobs_of, i] { return disturbed(bench, jobs_of(i), i); };
+    all.push_back(
+        {fmt::format("random job {}, disturbed", i),
+         [&bench, stimulus] { return bench.replay(stimulus()); },
+         [&bench, stimulus](const Watch& watch) { bench.watch_stimulus(stimulus(), watch); },
+         static_cast<std::uint32_t>(i)});
+  }
+}
+/// Of jobs that a design declares.
+inline void add_disturbed(std::vector<Case>& all, const AnyBench& bench, std::uint64_t first,
+                          std::uint64_t last) {
+  if (bench.job_fields().empty()) return;
+  add_disturbed(all, bench, first, last, [&bench](std::uint64_t i) {
+    return bench.stimulus_of(random_jobs(bench, campaign_seed, i), static_cast<std::uint32_t>(i));
+  });
+}
+/// Of random jobs that a design has for its mutants.
 template <class Design>
 void add_disturbed(std::vector<Case>& all, const Bench<Design>& bench, std::uint64_t first,
                    std::uint64_t last) {
-  if (!bench.assumed().empty()) return;
   const auto jobs = [&bench](std::uint64_t i) {
     return Jobs<Design>::random(bench.params(), campaign_seed, i);
   };
-  if (jobs(first).empty()) return;
-  for (std::uint64_t i = first; i < last; ++i) {
-    all.push_back({fmt::format("random job {}, disturbed", i),
-                   [&bench, jobs, i] { return bench.replay(disturbed(bench, jobs(i), i)); },
-                   [&bench, jobs, i](const Watch& watch) {
-                     bench.watch_stimulus(disturbed(bench, jobs(i), i), watch);
-                   },
-                   static_cast<std::uint32_t>(i)});
-  }
+  if (jobs(first).empty())
+    return add_disturbed(all, static_cast<const AnyBench&>(bench), first, last);
+  add_disturbed(all, bench, first, last, [&bench, jobs](std::uint64_t i) {
+    return recorded<Design>(bench.params(), HostOf<Design>(bench.params(), jobs(i)),
+                            static_cast<std::uint32_t>(i), disturbed_clocks);
+  });
 }
 
 /// Cases of any bench in lockstep, which must outlive them: hostile clocks and, where its design
-/// declares jobs, random ones, by turns.
+/// declares jobs, random ones, by turns, and disturbed ones.
 inline Cases cases_of(const AnyBench& bench) {
   Cases cases;
-  for (std::uint64_t i = 0; i < thorough_cases; ++i) {
-    if (i == quick_cases) cases.quick = cases.all.size();
-    cases.all.push_back(hostile(bench, i));
-    if (!bench.job_fields().empty()) cases.all.push_back(declared(bench, i));
-  }
+  const auto add = [&](std::uint64_t first, std::uint64_t last) {
+    for (std::uint64_t i = first; i < last; ++i) {
+      cases.all.push_back(hostile(bench, i));
+      if (!bench.job_fields().empty()) cases.all.push_back(declared(bench, i));
+    }
+  };
+  add(0, quick_cases);
+  add_disturbed(cases.all, bench, 0, quick_disturbed);
+  cases.quick = cases.all.size();
+  add(quick_cases, thorough_cases);
+  add_disturbed(cases.all, bench, quick_disturbed, thorough_cases);
   return cases;
 }
 

@@ -54,6 +54,29 @@ PlantedNets::PlantedNets(const AnyBench& bench, proof::RtlNets nets)
   for (const auto& f : nets_.cells().flip_flops) {
     flip_flop_clocks_.push_back(f.clock.empty() ? every_step : numbers.at(f.clock));
   }
+  find_unreset();
+}
+
+void PlantedNets::find_unreset() {
+  nets::Graph graph;
+  std::vector<Bit> given(nets_.cells().nets.size(), nets::no);
+  for (const auto& input : inputs_) {
+    for (const std::size_t net : input) given[net] = graph.input();
+  }
+  std::unordered_map<std::size_t, std::size_t> flip_flops;  // by gate
+  for (std::size_t i = 0; i < nets_.cells().flip_flops.size(); ++i) {
+    const Bit held = given[nets_.cells().flip_flops[i].now] = graph.input();
+    flip_flops[held.gate()] = i;
+  }
+  const auto bits = placed(graph, nets_.cells(), given);
+  for (std::size_t i = 0; i < bench_.registers(); ++i) {
+    for (std::size_t b = 0; compared_[i].unreset && b < wires_[i].size(); ++b) {
+      const Bit bit = bits[wires_[i][b]];
+      const auto own = flip_flops.find(bit.gate());
+      if (own == flip_flops.end()) continue;
+      unreset_.push_back({i, static_cast<int>(b), own->second, bit.is_inverted()});
+    }
+  }
 }
 
 std::vector<std::vector<std::size_t>> PlantedNets::nets_of(const char* kind,
@@ -244,15 +267,12 @@ Plane Lanes::not_reset() {
 
 std::vector<Lanes::Killed> Lanes::clock(const Watched& seen) {
   // The model has taken over what no reset reaches.
-  for (std::size_t i = 0; takes_over_ && i < rtl_.bench_.registers(); ++i) {
-    if (!rtl_.compared_[i].unreset) continue;
-    for (std::size_t b = 0; b < wires_[i].size(); ++b) {
-      const auto own = std::find(held_.begin(), held_.end(), wires_[i][b]);
-      if (own == held_.end()) continue;
-      planes_->give(*own, Plane::all(bit(seen.expected[i], static_cast<int>(b))));
+  if (std::exchange(takes_over_, false)) {
+    for (const auto& u : rtl_.unreset_) {
+      planes_->give(held_[u.flip_flop],
+                    Plane::all(bit(seen.expected[u.wire], u.bit) != u.is_inverted));
     }
   }
-  takes_over_ = false;
   drive(seen.inputs);
   fall();
   planes_->run();

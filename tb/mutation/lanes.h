@@ -26,6 +26,7 @@ class PlantedNets {
  private:
   friend class Lanes;
   std::vector<std::vector<std::size_t>> nets_of(const char* kind, const std::vector<Field>& fields);
+  void find_unreset();
 
   const AnyBench& bench_;
   proof::RtlNets nets_;
@@ -35,6 +36,15 @@ class PlantedNets {
   // The net of each; of one of several clocks none, for it takes its next value on every step.
   static constexpr std::size_t every_step = ~std::size_t{0};
   std::vector<std::size_t> flip_flop_clocks_;
+  // A bit of a register that no reset reaches, without a mutant: between its net and its flip-flop
+  // there may be mutants.
+  struct Unreset {
+    std::size_t wire = 0;  // of what is compared
+    int bit = 0;
+    std::size_t flip_flop = 0;
+    bool is_inverted = false;
+  };
+  std::vector<Unreset> unreset_;
 };
 
 /// Up to nets::plane_lanes of them at work.

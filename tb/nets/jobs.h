@@ -1,53 +1,29 @@
-// Jobs as nets: the device outside that drives them (model/core/drive.h), and the oracle that
-// judges them (model/core/walk.h). A design's Jobs has
-//
-//   using Design
-//   Walk<V>
-//   std::size_t figures               the first field of Walked that is read of a job's end
+// Jobs as nets: what drives them and what checks them (model/core/job.h).
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
-#include "model/core/fields.h"
+#include "model/core/design.h"
 #include "tb/nets/draw.h"
 #include "tb/nets/number.h"
 
 namespace cosim::nets {
 
-/// Which bits of what is held are what: the first says that the job was over on the last clock.
-/// Behind it stands what a job begins with, in the order of its tables.
-struct JobLayout {
-  std::vector<int> begins;           ///< widths of the fields of task, of what is due, of how far
-  std::size_t figures = 0;           ///< the first bit of the figures
-  std::vector<int> figure_widths{};  ///< of their fields
-};
-
-template <class Jobs>
-JobLayout job_layout_of(const typename Jobs::Design::Params& p) {
-  JobLayout all;
-  std::size_t at = 1;
-  const auto add = [&](const auto& fields) {
-    for (const Field& field : fields) {
-      all.begins.push_back(field.width);
-      at += static_cast<std::size_t>(field.width);
-    }
-  };
-  using Walk = typename Jobs::template Walk<Word>;
-  add(decltype(Walk::task)::fields(p));
-  add(decltype(Walk::due)::fields(p));
-  const auto walked = decltype(Walk::walked)::fields(p);
-  all.figures = at;
-  for (std::size_t i = 0; i < walked.size(); ++i) {
-    if (i + 1 > Jobs::figures) {
-      all.figure_widths.push_back(walked[i].width);
-    } else {
-      all.figures += static_cast<std::size_t>(walked[i].width);
-    }
-  }
-  add(walked);
-  return all;
-}
+/// Whether the driver of the design's jobs, and its check, run on nets.
+template <class Design>
+concept DrivesOnNets = HasJobs<Design> &&
+    requires(const typename Design::Params& p, const TaskOf<Design, Number>& task,
+             const DriverOf<Design, Number>& driver,
+             const typename Design::template Inputs<Number>& rest,
+             const typename Design::template Outputs<Number>& out) {
+  drive(p, task, driver, rest);
+  driven(p, task, driver, out);
+} &&(!has_check<Design> ||
+     requires(const typename Design::Params& p, const TaskOf<Design, Number>& task,
+              const DriverOf<Design, Number>& driver, const CheckerOf<Design, Number>& checker,
+              const typename Design::template Outputs<Number>& out) {
+       checked(p, task, driver, checker, out, Truth(true));
+     });
 
 namespace detail {
 
@@ -74,40 +50,52 @@ void add_code(const Params& p, const Record& r, std::vector<Bit>& bits) {
   });
 }
 
-template <class Jobs>
-auto free_job(const typename Jobs::Design::Params& p, Graph& graph, std::vector<Bit>& held) {
-  typename Jobs::template Walk<Number> job;
-  held.push_back(graph.input());
-  free_code(p, graph, job.task, held);
-  free_code(p, graph, job.due, held);
-  free_code(p, graph, job.walked, held);
-  free_code(p, graph, job.driven, held);
-  return job;
-}
+// What is held of a job: whether it was over on the last clock, what it begins with, as JobLayout
+// (tb/bench/lane_jobs.h) has it, and the driver.
+template <class Design>
+struct HeldJob {
+  TaskOf<Design, Number> task;
+  CheckerOf<Design, Number> checker;
+  DriverOf<Design, Number> driver;
+
+  HeldJob(const typename Design::Params& p, Graph& graph, std::vector<Bit>& held) {
+    held.push_back(graph.input());
+    free_code(p, graph, task, held);
+    free_code(p, graph, checker, held);
+    free_code(p, graph, driver, held);
+  }
+  std::vector<Bit> after(const typename Design::Params& p, const Truth& over) const {
+    std::vector<Bit> bits{fact_of(over)};
+    add_code(p, task, bits);
+    add_code(p, checker, bits);
+    add_code(p, driver, bits);
+    return bits;
+  }
+};
 
 }  // namespace detail
 
-template <class Jobs>
-Draw draw_of_jobs(const typename Jobs::Design::Params& p) {
-  using Design = typename Jobs::Design;
+template <DrivesOnNets Design>
+Draw draw_of_jobs(const typename Design::Params& p) {
   Draw draw;
   DrawStep& clock = draw.clock;
-  const auto before = detail::free_job<Jobs>(p, clock.graph, clock.held);
+  const detail::HeldJob<Design> before(p, clock.graph, clock.held);
   clock.after = clock.held;
-  detail::add_code(p, pins(p, before.task, before.driven), clock.inputs);
+  const auto inputs = drive(p, before.task, before.driver, rest_on<Design, Number>());
+  detail::add_code(p, inputs, clock.inputs);
 
   Answer& answer = draw.answer.emplace();
-  auto job = detail::free_job<Jobs>(p, answer.graph, answer.held);
+  detail::HeldJob<Design> job(p, answer.graph, answer.held);
   typename Design::template Outputs<Number> seen;
   detail::free_code(p, answer.graph, seen, answer.seen, true);
-  const auto turn = turned(p, job.driven, seen);
-  const auto verdict = walked(p, job, seen, turn.over);
-  answer.after.push_back(fact_of(turn.over));
-  detail::add_code(p, job.task, answer.after);
-  detail::add_code(p, job.due, answer.after);
-  detail::add_code(p, verdict.walked, answer.after);
-  detail::add_code(p, turn.driven, answer.after);
-  answer.wrong = fact_of(verdict.wrong);
+  const auto turn = driven(p, job.task, job.driver, seen);
+  if constexpr (has_check<Design>) {
+    const auto verdict = checked(p, job.task, job.driver, job.checker, seen, turn.over);
+    job.checker = verdict.checker;
+    answer.wrong = fact_of(verdict.wrong);
+  }
+  job.driver = select_record(turn.over, DriverOf<Design, Number>{}, turn.driver);
+  answer.after = job.after(p, turn.over);
   return draw;
 }
 

@@ -191,7 +191,9 @@ Found found_in(const RtlQuestion& question) {
     if (value >= -(1L << 31) && value < 1L << 31 && !is_word(value))
       found.parameters.push_back({name, std::to_string(value)});
   }
-  found.is_yosys = fs::exists(work / "netlist.txt") || !is_installed("yosys");
+  if (const fs::path unread = work / "unread.txt"; fs::exists(unread)) {
+    found.unread = read_file(unread.string());
+  }
   follow_parameters(found, is, question, reader, scratch.path() / "tried", bar.draw);
   for (const FoundParameter& p : question.parameters) {
     const auto same = std::find_if(found.parameters.begin(), found.parameters.end(),

@@ -58,7 +58,7 @@ struct Found {
   bool asynchronous = false;       ///< they reset without waiting for the clock
   std::vector<FoundNet> inputs, outputs, registers;  ///< inputs without the clock where it is one
   std::vector<FoundParameter> parameters;  ///< of the top: whole numbers that follow no other
-  bool is_yosys = true;                    ///< yosys, where it is installed, reads it in 40 s
+  std::string unread;  ///< why yosys, where it is installed, does not read it; "" where it does
 
   /// A register resets others: nothing is proved.
   bool has_inner_reset() const {

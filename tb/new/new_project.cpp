@@ -78,8 +78,9 @@ std::string design_of(const std::string& name, const Found& f,
     shape += fmt::format("{}{}={}", shape.empty() ? "" : " ", p.name, p.value);
   }
   if (!shape.empty()) text += fmt::format(" SHAPES \"{}\"", shape);
-  return model == NewModel::generic && f.is_yosys && !f.has_inner_reset() ? text
-                                                                          : text + " UNPROVED";
+  return model == NewModel::generic && f.unread.empty() && !f.has_inner_reset()
+             ? text
+             : text + " UNPROVED";
 }
 
 std::string cmake_of(const std::string& name, const std::string& design) {

@@ -15,7 +15,8 @@ function(cosim_on_demand KIND FILE)
   target_compile_options(${program} PRIVATE -O1)
   target_include_directories(${program} SYSTEM PRIVATE
     ${FOLDER} ${FOLDER}/verilated ${CMAKE_CURRENT_BINARY_DIR})
-  target_link_libraries(${program} PRIVATE ${ARGN} ${D_LIBRARIES} cosim::stream cosim::dut cosim::runtime)
+  target_link_libraries(${program} PRIVATE ${ARGN} ${D_LIBRARIES} cosim::stream cosim::dut
+    cosim::runtime_parts cosim::runtime)
   set_property(GLOBAL APPEND PROPERTY COSIM_ON_DEMAND
     "    registry.${KIND}({\"${TITLE}\", \"${program}\", \"${FOLDER}\"})\;\n")
 endfunction()

@@ -23,11 +23,15 @@ function(cosim_add_program TARGET)
   cosim_program(${TARGET} ${ARGN})
 endfunction()
 
-# The same, be there a design or not.
+# The same, be there a design or not. WITHOUT: which of the libraries stream and runtime_parts no design
+# of the program needs; they are then not built for it. NAME: what it calls itself, where that is not TARGET.
 function(cosim_program TARGET)
-  cmake_parse_arguments(PARSE_ARGV 1 P "" "" "SOURCES;LIBRARIES;REGISTER;THEOREMS;JOBS")
+  cmake_parse_arguments(PARSE_ARGV 1 P "" "NAME" "SOURCES;LIBRARIES;REGISTER;THEOREMS;JOBS;WITHOUT")
   if(P_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "cosim_add_program(${TARGET}): what is ${P_UNPARSED_ARGUMENTS}?")
+  endif()
+  if(NOT P_NAME)
+    set(P_NAME ${TARGET})
   endif()
   get_property(root GLOBAL PROPERTY COSIM_ROOT)
   foreach(property SOURCES_OF_benches SOURCES_OF_machines VERILATED LIBRARIES ON_DEMAND)
@@ -40,8 +44,14 @@ function(cosim_program TARGET)
   configure_file(${root}/tb/package/benches.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/${TARGET}_benches.cpp @ONLY)
   add_library(${TARGET}_benches STATIC ${CMAKE_CURRENT_BINARY_DIR}/${TARGET}_benches.cpp ${SOURCES_OF_benches})
   target_include_directories(${TARGET}_benches PUBLIC ${CMAKE_CURRENT_BINARY_DIR})
+  set(spare stream runtime_parts)
+  list(REMOVE_ITEM spare ${P_WITHOUT})
+  list(TRANSFORM spare PREPEND cosim::)
   target_link_libraries(${TARGET}_benches PUBLIC
-    ${LIBRARIES} cosim::stream cosim::dut cosim::harness ${VERILATED} cosim::runtime)
+    ${LIBRARIES} ${spare} cosim::dut cosim::harness ${VERILATED} cosim::runtime)
+  if(stream IN_LIST P_WITHOUT)
+    target_compile_definitions(${TARGET}_benches PRIVATE COSIM_WITHOUT_STREAMS)
+  endif()
   # But for the loops over clocks, which say so themselves (COSIM_FLATTEN), nothing in it needs speed.
   target_compile_options(${TARGET}_benches PRIVATE $<$<CXX_COMPILER_ID:GNU>:-O1>)
   cosim_list("proof::BuiltMachine")

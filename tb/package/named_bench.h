@@ -6,11 +6,14 @@
 #include <utility>
 #include <vector>
 
+#include "model/core/stream.h"
 #include "tb/bench/design_bench.h"
 #include "tb/dut/named_adapter.h"
 #include "tb/dut/open_dut.h"
 #include "tb/dut/registers.h"
+#ifndef COSIM_WITHOUT_STREAMS  // a program whose designs have none
 #include "tb/stream/stream_bench.h"
+#endif
 
 namespace cosim {
 
@@ -28,10 +31,14 @@ std::vector<std::unique_ptr<AnyBench>> named_benches() {
         require_registers<Design>({Trait::title, Trait::registers, Trait::resets}, Trait::params));
     all.push_back(std::move(bench));
   }
+#ifdef COSIM_WITHOUT_STREAMS
+  static_assert(!HasStreams<Design>, "this program is built without streams");
+#else
   if constexpr (HasStreams<Design>) {
     all.push_back(
         std::make_unique<StreamBench<Trait, VerilatedStreamDut<Top>, VerilatedStreamDut<Open>>>());
   }
+#endif
   return all;
 }
 

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "tb/coverage/asked.h"
 #include "tb/program/command.h"
 #include "tb/sweep/sweep.h"
 
@@ -48,6 +49,9 @@ struct Form {
   /// was, where lanes are not to be had. InputError where they were asked for.
   Sweep (*in_lanes)(const AnyBench& bench, const Sweep& sweep, std::uint64_t seed,
                     std::uint64_t clocks, const Text& lanes);
+  /// Asks for each of the points that was not reached, after become_full(). `points` is then as
+  /// after the stimuli that were found. InputError where there is no yosys-abc.
+  coverage::Answers (*ask_points)(const coverage::Asking& asking, coverage::Points& points);
 };
 
 /// What main() does and gives back.

@@ -68,7 +68,7 @@ Lit Aig::choose(Lit condition, Lit then, Lit otherwise) {
 }
 
 std::string Aig::aiger(Lit bad) const {
-  // Numbered as AIGER wants it: inputs, latches, gates. A latch that begins as 1 is kept inverted.
+  // Numbered as AIGER wants it: inputs, latches, gates.
   std::vector<Lit> number(nodes_.size(), 0);
   Lit next = 0;
   for (const std::uint32_t node : inputs_) number[node] = next += 2;
@@ -92,6 +92,7 @@ std::string Aig::aiger(Lit bad) const {
   }
   text += fmt::format("{}\n", of(bad)) + gates;
   for (std::size_t i = 0; i < inputs_.size(); ++i) text += fmt::format("i{0} p{0}\n", i);
+  for (std::size_t i = 0; i < latches_.size(); ++i) text += fmt::format("l{0} r{0}\n", i);
   return text;
 }
 

@@ -35,7 +35,8 @@ class Aig {
   std::size_t gates() const { return known_.size(); }
   std::size_t latches() const { return latches_.size(); }
 
-  /// Binary AIGER 1.0 with the one output `bad`; input i is called pI.
+  /// Binary AIGER 1.0 with the one output `bad`; input i is called pI, latch i rI. One that begins
+  /// as 1 is kept inverted.
   std::string aiger(Lit bad) const;
 
   /// The values of `watched` on every clock, from the first state on, where `in` holds those of the
@@ -50,7 +51,6 @@ class Aig {
 
   class Runs;
 
- private:
   struct Latch {
     std::uint32_t node = 0;
     bool first = false;
@@ -61,6 +61,11 @@ class Aig {
     Kind kind = Kind::constant;
     Lit a = 0, b = 0;  ///< of both; of an input or a latch, `a` is which one
   };
+  /// Node 0 is the constant; what a gate reads stands before it.
+  const std::vector<Node>& nodes() const { return nodes_; }
+  const std::vector<Latch>& registers() const { return latches_; }
+
+ private:
   Lit add(Kind kind, Lit a, Lit b = 0);
 
   std::vector<Node> nodes_{{}};
@@ -76,6 +81,8 @@ class Aig {
 class Aig::Runs {
  public:
   explicit Runs(const Aig& graph);
+  /// The state of the next clock, a number for each latch.
+  void begin(std::vector<std::uint64_t> state) { state_ = std::move(state); }
   /// The next clock, with these inputs.
   void clock(const std::vector<std::uint64_t>& inputs);
   /// What it is on this clock.

@@ -95,27 +95,36 @@ class Stimuli {
 
 }  // namespace
 
-std::vector<std::vector<bool>> by_chance(const Aig& graph, Aig::Lit bad, std::uint64_t seed,
-                                         std::size_t clocks, const std::function<bool()>& stop) {
-  constexpr std::size_t now_and_then = 64;
+void run_by_chance(const Aig& graph, std::uint64_t seed, std::size_t clocks,
+                   const std::function<bool(const Aig::Runs&)>& see) {
   Stimuli stimuli(graph, seed);
   Aig::Runs runs(graph);
   for (std::size_t clock = 0; clock < clocks; ++clock) {
-    if (clock % now_and_then == 0 && stop && stop()) break;
     runs.clock(stimuli.now());
-    if (runs.of(bad) == 0) {
-      stimuli.next();
-      continue;
-    }
-    const int one = std::countr_zero(runs.of(bad));
-    std::vector<std::vector<bool>> rows;
-    for (Stimuli again(graph, seed); rows.size() <= clock; again.next()) {
-      rows.emplace_back();
-      for (const Runs word : again.now()) rows.back().push_back(((word >> one) & 1U) != 0);
-    }
-    return rows;
+    if (!see(runs)) return;
+    stimuli.next();
   }
-  return {};
+}
+
+std::vector<std::vector<bool>> by_chance(const Aig& graph, Aig::Lit bad, std::uint64_t seed,
+                                         std::size_t clocks, const std::function<bool()>& stop) {
+  constexpr std::size_t now_and_then = 64;
+  std::size_t clock = 0;
+  Runs met = 0;
+  run_by_chance(graph, seed, clocks, [&](const Aig::Runs& runs) {
+    met = runs.of(bad);
+    if (met != 0) return false;
+    ++clock;
+    return clock % now_and_then != 0 || !stop || !stop();
+  });
+  if (met == 0) return {};
+  const int one = std::countr_zero(met);
+  std::vector<std::vector<bool>> rows;
+  for (Stimuli again(graph, seed); rows.size() <= clock; again.next()) {
+    rows.emplace_back();
+    for (const Runs word : again.now()) rows.back().push_back(((word >> one) & 1U) != 0);
+  }
+  return rows;
 }
 
 }  // namespace cosim::proof

@@ -10,6 +10,11 @@
 
 namespace cosim::proof {
 
+/// 64 runs from the first state, for at most so many clocks: `see` is shown each, and ends them
+/// with false.
+void run_by_chance(const Aig& graph, std::uint64_t seed, std::size_t clocks,
+                   const std::function<bool(const Aig::Runs&)>& see);
+
 /// 64 runs from the first state, each for at most so many clocks: the inputs of one, a row a clock,
 /// until `bad` is 1; none where it never was, or `stop`, asked now and then, said so. `seed` says
 /// which runs.

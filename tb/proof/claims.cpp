@@ -207,7 +207,7 @@ std::vector<Claim> claims_of(const MachineFormula& m, const nets::Model& model,
   } else {
     all.push_back({"from reset: always the same", Answer::unsat, {}, {}});
     Source kept = source;
-    kept.keeps_assertions = true;
+    kept.keeps_statements = true;
     if (!RtlNets(kept).unmet().empty()) asserts.push_back({kAsserts, Answer::unsat, {}, {}});
   }
   for (Claim& claim : asserts) claim.from_reset = Happens::assertion;

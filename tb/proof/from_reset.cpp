@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "tb/proof/located.h"
+#include "tb/proof/translated.h"
 
 namespace cosim::proof {
 namespace {
@@ -21,58 +22,15 @@ using Lit = Aig::Lit;
 using Code = std::vector<Bit>;
 using Product = FromReset::Product;
 
-// The gates of one graph as those of the other.
-class Translated {
- public:
-  Translated(const nets::Graph& from, Aig& to)
-      : from_(from), to_(to), lits_(from.gates().size()), is_made_(from.gates().size()) {
-    give(no, 0);
-  }
-  void give(Bit input, Lit lit) {
-    lits_[input.gate()] = lit;
-    is_made_[input.gate()] = true;
-  }
-  // Makes all that these read; inputs that are not given are new ones.
-  void make(const Code& roots) {
-    std::vector<bool> is_needed(lits_.size());
-    for (const Bit root : roots) is_needed[root.gate()] = true;
-    const auto& gates = from_.gates();
-    for (std::size_t i = gates.size(); i-- > 0;) {
-      if (!is_needed[i] || is_made_[i]) continue;
-      for (const Bit read : {gates[i].a, gates[i].b, gates[i].c}) is_needed[read.gate()] = true;
-    }
-    for (std::size_t i = 0; i < gates.size(); ++i) {
-      if (!is_needed[i] || is_made_[i]) continue;
-      lits_[i] = made(gates[i]);
-      is_made_[i] = true;
-    }
-  }
-  Lit of(Bit bit) const { return lits_[bit.gate()] ^ (bit.is_inverted() ? 1U : 0U); }
-
- private:
-  Lit made(const nets::Graph::Made& gate) {
-    switch (gate.kind) {
-      case nets::Gate::and_gate:
-        return to_.and_of(of(gate.a), of(gate.b));
-      case nets::Gate::xor_gate:
-        return to_.xor_of(of(gate.a), of(gate.b));
-      case nets::Gate::mux:
-        return to_.choose(of(gate.a), of(gate.b), of(gate.c));
-      default:
-        return to_.input();
-    }
-  }
-  const nets::Graph& from_;
-  Aig& to_;
-  std::vector<Lit> lits_;
-  std::vector<bool> is_made_;
-};
-
 class ProductMaker {
  public:
   ProductMaker(const nets::Model& model, const RtlNets& rtl,
-               const std::map<std::string, Word>& tied)
-      : m_(model.machine), rtl_(rtl), graph_(model.graph), free_(model.graph.inputs()) {
+               const std::map<std::string, Word>& tied, const std::vector<Watched>& watched)
+      : m_(model.machine),
+        rtl_(rtl),
+        watched_(watched),
+        graph_(model.graph),
+        free_(model.graph.inputs()) {
     for (const RtlCell& cell : located(rtl, m_.design, "input", m_.inputs)) {
       inputs_.push_back(nets_of(cell));
     }
@@ -103,6 +61,7 @@ class ProductMaker {
     }
     add_state(first);
     ask_all(nets);
+    for (const Watched& one : watched_) asked_[Happens::watched].emplace_back("", seen(one, nets));
     translate();
     return std::move(product_);
   }
@@ -230,6 +189,25 @@ class ProductMaker {
     for (const nets::Named& n : m_.legal) legal_ = graph_.and_of(legal_, n.condition);
   }
 
+  // Whether it happens on this clock. Of the clock before, which a net that toggles is compared
+  // with, the first one knows nothing.
+  Bit seen(const Watched& one, const Code& nets) {
+    Bit any = no;
+    for (const std::size_t net : one.toggles) {
+      const Bit before = graph_.input();
+      registers_now_.push_back({before, no, nets[net]});
+      any = graph_.or_of(any, graph_.and_of(is_later_, graph_.xor_of(before, nets[net])));
+    }
+    for (const std::size_t net : one.holds) {
+      const Bit holds = nets[net];
+      any = graph_.or_of(any, rtl_.is_sampled(net) ? graph_.and_of(is_later_, holds) : holds);
+    }
+    for (const nets::Named& n : m_.cases) {
+      if (n.name == one.model_case) any = graph_.or_of(any, n.condition);
+    }
+    return any;
+  }
+
   void translate() {
     Translated lits(graph_, product_.graph);
     const auto give = [&](const nets::Wire& w, Lit turned) {
@@ -297,6 +275,7 @@ class ProductMaker {
 
   const nets::MachineOf<nets::Number>& m_;
   const RtlNets& rtl_;
+  const std::vector<Watched>& watched_;
   nets::Graph graph_;
   Bit is_later_ = graph_.input();  // than the first clock
   Code free_;                      // of the model
@@ -311,8 +290,24 @@ class ProductMaker {
 }  // namespace
 
 FromReset::FromReset(const nets::Model& model, const RtlNets& rtl,
-                     const std::map<std::string, Word>& tied)
-    : product_(ProductMaker(model, rtl, tied).make()) {}
+                     const std::map<std::string, Word>& tied, const std::vector<Watched>& watched)
+    : product_(ProductMaker(model, rtl, tied, watched).make()) {}
+
+std::vector<std::vector<Word>> FromReset::words_of(
+    const std::vector<std::vector<bool>>& inputs) const {
+  std::vector<Lit> bits;
+  for (const auto& input : product_.inputs) bits.insert(bits.end(), input.begin(), input.end());
+  std::vector<std::vector<Word>> clocks;
+  for (const auto& row : product_.graph.run(inputs, bits)) {
+    auto& words = clocks.emplace_back();
+    std::size_t bit = 0;
+    for (const auto& input : product_.inputs) {
+      Word& word = words.emplace_back();
+      for (std::size_t b = 0; b < input.size(); ++b) word |= Word{row[bit++]} << b;
+    }
+  }
+  return clocks;
+}
 
 HappensFromReset FromReset::ask(Happens what, std::chrono::steady_clock::time_point until,
                                 unsigned jobs) const {
@@ -323,28 +318,31 @@ HappensFromReset FromReset::ask(Happens what, std::chrono::steady_clock::time_po
     return all;
   }
   Aig graph = product_.graph;
-  Aig::Lit bad = 0;
-  std::vector<Aig::Lit> watched;
+  Lit bad = 0;
+  std::vector<Lit> each;
   for (const auto& [name, lit] : at->second) {
     bad = graph.or_of(bad, lit);
-    watched.push_back(lit);
+    each.push_back(lit);
   }
   all.reached = reach(graph, bad, until, jobs);
   if (all.reached.ever != Ever::yes) return all;
-  for (const auto& input : product_.inputs)
-    watched.insert(watched.end(), input.begin(), input.end());
-  const auto seen = graph.run(all.reached.inputs, watched);
-  for (const auto& row : seen) {
-    auto& words = all.clocks.emplace_back();
-    std::size_t bit = at->second.size();
-    for (const auto& input : product_.inputs) {
-      Word& word = words.emplace_back();
-      for (std::size_t b = 0; b < input.size(); ++b) word |= Word{row[bit++]} << b;
-    }
+  all.clocks = words_of(all.reached.inputs);
+  const auto last = graph.run(all.reached.inputs, each).back();
+  for (std::size_t i = 0; i < each.size(); ++i) {
+    if (last[i]) all.what.push_back(at->second[i].first);
   }
-  for (std::size_t i = 0; i < at->second.size(); ++i) {
-    if (seen.back()[i]) all.what.push_back(at->second[i].first);
+  return all;
+}
+
+WatchedFromReset FromReset::ask_watched(std::chrono::steady_clock::time_point until, unsigned jobs,
+                                        const std::function<void(std::size_t)>& left) const {
+  std::vector<Lit> each;
+  if (const auto at = product_.asked.find(Happens::watched); at != product_.asked.end()) {
+    for (const auto& [name, lit] : at->second) each.push_back(lit);
   }
+  const ReachedEach reached = reach_each(product_.graph, each, until, jobs, left);
+  WatchedFromReset all{reached.points, {}};
+  for (const auto& inputs : reached.stimuli) all.stimuli.push_back(words_of(inputs));
   return all;
 }
 

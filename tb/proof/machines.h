@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/core/stream.h"
+#include "tb/nets/jobs.h"
 #include "tb/nets/played.h"
 #include "tb/proof/machine.h"
 #include "tb/proof/rtl.h"
@@ -23,6 +24,8 @@ struct BuiltMachine {
   bool streams = false;  ///< it has a stream model
   /// All that runs in lanes; null where there are no nets.
   nets::Played (*played)() = nullptr;
+  /// What drives and checks its jobs; null where there are no nets.
+  nets::Draw (*jobs)() = nullptr;
   bool resets_itself = false;  ///< a register of its RTL resets others without waiting for a clock
 };
 
@@ -51,6 +54,9 @@ BuiltMachine built_machine(Source source) {
   if constexpr (StepsOn<Design, nets::Number>) {
     machine.nets = [] { return nets::model_of<Design>(Trait::params); };
     machine.played = [] { return nets::played_of<Design>(Trait::params); };
+    if constexpr (nets::DrivesOnNets<Design>) {
+      machine.jobs = [] { return nets::draw_of_jobs<Design>(Trait::params); };
+    }
   }
   return machine;
 }

@@ -213,6 +213,7 @@ class Portfolio {
     for (std::size_t i = 0; i < searches_.size(); ++i) {
       if (!said_[i].never) continue;
       reached.ever = Ever::never;
+      ++reached.engines;
       reached.by += (reached.by.empty() ? "" : "; ") + searches_[i].name;
     }
     return reached;

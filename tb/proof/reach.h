@@ -21,6 +21,7 @@ struct Reached {
   std::vector<std::vector<bool>> inputs;  ///< of yes: a row a clock; `bad` is 1 on the last one
   bool least = false;                     ///< of yes: no shorter stimulus does it
   int clocks = 0;                         ///< of open
+  int engines = 0;                        ///< of never: how many of abc's said so by themselves
 };
 
 /// Whether `bad` is ever 1, where the registers begin as the graph says and the inputs are any. A

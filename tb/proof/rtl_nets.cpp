@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <string_view>
 
 #include "model/core/input_error.h"
 #include "tb/nets/blif.h"
@@ -16,20 +17,36 @@
 namespace cosim::proof {
 namespace {
 
-constexpr const char* kUnmet = ".cosim_unmet";
+constexpr const char *kUnmet = ".cosim_unmet", *kCovered = ".cosim_covered";
 
-// For yosys: each assertion a net, where they are kept, and all else of that kind away.
-std::string assertion_commands(const Source& source, const std::filesystem::path& folder) {
-  if (!source.keeps_assertions) return "; chformal -remove";
-  const std::string file = (folder / "assertions.v").string();
+// For yosys: each assertion and each cover statement a net, where they are kept, and all else of
+// that kind away.
+std::string commands_for_stated(const Source& source, const std::filesystem::path& folder) {
+  if (!source.keeps_statements) return "; chformal -remove";
+  const std::string file = (folder / "stated.v").string();
   OutputFile out(file);
   out.text(R"((* techmap_celltype = "$assert" *)
 module cosim_assert (input A, EN);
   (* keep *) wire cosim_unmet = EN & !A;
 endmodule
+(* techmap_celltype = "$cover" *)
+module cosim_cover (input A, EN);
+  (* keep *) wire cosim_covered = EN & A;
+endmodule
 )");
   out.close();
   return fmt::format("; techmap -map {}; chformal -remove", file);
+}
+
+// Whether `text` is what `pattern` tells of, in which "*" stands for any text.
+bool is_like(std::string_view text, std::string_view pattern) {
+  const std::size_t star = pattern.find('*');
+  if (star == std::string_view::npos) return text == pattern;
+  if (!text.starts_with(pattern.substr(0, star))) return false;
+  for (std::size_t i = star; i <= text.size(); ++i) {
+    if (is_like(text.substr(i), pattern.substr(star + 1))) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -41,7 +58,7 @@ RtlNets::RtlNets(const Source& source)
         const std::string wires = (scratch.path() / "rtl.wires").string();
         // What is undefined in the RTL is free. What a gate leaves undefined, as a word that is not
         // there, is 0, as in the formulas.
-        run_yosys(flat_commands(source) + assertion_commands(source, scratch.path()) +
+        run_yosys(flat_commands(source) + commands_for_stated(source, scratch.path()) +
                       step_commands(source, scratch.path()) +
                       "; async2sync; setundef -undriven -anyseq; techmap; dfflegalize "
                       "-cell $_DFF_P_ 01 -cell $_DFF_N_ 01; setundef -zero; opt_expr; "
@@ -94,12 +111,18 @@ std::size_t RtlNets::net(const std::string& wire, int bit) const {
   return found->second;
 }
 
-std::vector<std::pair<std::string, std::size_t>> RtlNets::unmet() const {
+std::vector<std::pair<std::string, std::size_t>> RtlNets::unmet() const { return stated(kUnmet); }
+
+std::vector<std::pair<std::string, std::size_t>> RtlNets::covered() const {
+  return stated(kCovered);
+}
+
+std::vector<std::pair<std::string, std::size_t>> RtlNets::stated(const std::string& ending) const {
   std::vector<std::pair<std::string, std::size_t>> all;
   for (const auto& [name, net] : numbers_) {
-    if (!name.ends_with(kUnmet)) continue;
+    if (!name.ends_with(ending)) continue;
     // "$assert$FILE:LINE$NUMBER" where it has no label.
-    std::string called = name.substr(0, name.size() - std::string(kUnmet).size());
+    std::string called = name.substr(0, name.size() - ending.size());
     if (called.starts_with('$')) {
       called.erase(0, called.find('$', 1) + 1);
       called.resize(std::min(called.rfind('$'), called.size()));
@@ -109,9 +132,21 @@ std::vector<std::pair<std::string, std::size_t>> RtlNets::unmet() const {
   return all;
 }
 
-bool RtlNets::is_sampled(std::size_t unmet) const {
+std::vector<std::size_t> RtlNets::nets_in(const std::string& instance,
+                                          const std::string& bit) const {
+  std::vector<std::size_t> all;
+  for (const auto& [name, net] : numbers_) {
+    if (!name.ends_with(bit)) continue;
+    const std::size_t path = name.size() - bit.size();
+    if (path > 0 && name[path - 1] != '.') continue;
+    if (is_like(name.substr(0, path == 0 ? 0 : path - 1), instance)) all.push_back(net);
+  }
+  return all;
+}
+
+bool RtlNets::is_sampled(std::size_t stated) const {
   std::vector<bool> is_read(cells_.nets.size());
-  is_read[unmet] = true;
+  is_read[stated] = true;
   for (auto table = cells_.tables.rbegin(); table != cells_.tables.rend(); ++table) {
     if (!is_read[table->gives]) continue;
     for (const std::size_t net : table->of) is_read[net] = true;

@@ -38,11 +38,17 @@ class RtlNets {
   /// The nets that are 1 where what the RTL asserts is not so, where they are kept, with their
   /// assertions' names: a label, or a file and a line.
   std::vector<std::pair<std::string, std::size_t>> unmet() const;
-  /// Whether such a net says so of the clock before: an assertion at a clock is sampled by
+  /// The same of what the RTL covers: nets that are 1 where it holds.
+  std::vector<std::pair<std::string, std::size_t>> covered() const;
+  /// Whether such a net says so of the clock before: what is stated at a clock is sampled by
   /// flip-flops of its own, which are all that the net depends on.
-  bool is_sampled(std::size_t unmet) const;
+  bool is_sampled(std::size_t stated) const;
+  /// The nets of a bit by its name in the RTL, "count[3]", in each instance whose path, "a.b", is
+  /// one that `instance` tells of, in which "*" stands for any text. None where yosys has none.
+  std::vector<std::size_t> nets_in(const std::string& instance, const std::string& bit) const;
 
  private:
+  std::vector<std::pair<std::string, std::size_t>> stated(const std::string& ending) const;
   struct Wire {
     int width = 1;
     int first = 0;           ///< the index of its lowest bit

@@ -24,8 +24,9 @@ struct Source {
   bool asynchronous_reset = false;  ///< as of Rtl's constructor
   /// It has several clocks, inputs that say whether they take their edge.
   bool clocks_are_inputs = false;
-  /// RtlNets keeps what the RTL asserts. What it asserts at a clock takes flip-flops of its own.
-  bool keeps_assertions = false;
+  /// RtlNets keeps what the RTL asserts and covers. What is so stated at a clock takes flip-flops
+  /// of its own.
+  bool keeps_statements = false;
 };
 
 /// The RTL of `design`: the files of folder/design, or of the folder itself where there is no such

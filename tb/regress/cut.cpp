@@ -1,4 +1,5 @@
 #include "tb/regress/cut.h"
+#include "model/core/wide.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +21,6 @@ std::uint64_t usual_shards(const std::vector<Size>& works) {
 }
 
 std::vector<Shard> cut(const std::vector<Size>& works, std::uint64_t shards) {
-  __extension__ using Wide = unsigned __int128;
   const double all = minutes_of(works);
   std::vector<Shard> cuts;
   for (std::size_t w = 0; w < works.size(); ++w) {
@@ -29,7 +29,7 @@ std::vector<Shard> cut(const std::vector<Size>& works, std::uint64_t shards) {
         std::llround(static_cast<double>(shards) * works[w].minutes / all));
     const std::uint64_t parts = std::clamp(share, std::uint64_t{1}, units);
     const auto begin = [&](std::uint64_t part) {
-      return static_cast<std::uint64_t>(static_cast<Wide>(units) * part / parts);
+      return static_cast<std::uint64_t>(static_cast<Uint128>(units) * part / parts);
     };
     for (std::uint64_t i = 0; i < parts; ++i) cuts.push_back({w, begin(i), begin(i + 1)});
   }

@@ -60,8 +60,9 @@ class StreamObserver {
                      const std::vector<InterfaceSeen>& out) = 0;
 };
 
-/// How many come out of each stream for the first so many of each that goes in.
-using StreamSizes = std::function<std::vector<std::size_t>(std::span<const std::size_t> taken)>;
+/// Writes into `sizes` how many come out of each stream for the first so many of each that goes in.
+using StreamSizes =
+    std::function<void(std::span<const std::size_t> taken, std::span<std::size_t> sizes)>;
 
 struct StreamOrder {
   const StreamCase& given;

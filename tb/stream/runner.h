@@ -31,10 +31,14 @@ class StreamRunner {
   void start();
   void edge();
   void reset();
+  template <bool plain>
+  void run_clocks();
+  template <bool plain>
   bool clock();
   void note_taken();
   void found(Kind kind, bool goes_in, std::size_t stream, std::size_t number, std::size_t cell = 0);
   void hear();
+  template <bool plain>
   void judge(Taker& t);
   void judge_steady(const Taker& t);
   void judge_value(const Taker& t);
@@ -58,12 +62,13 @@ class StreamRunner {
   StreamNets nets_;
   std::vector<Giver> givers_;
   std::vector<Taker> takers_;
-  bool has_latency_ = false, is_steady_ = false;
+  bool has_latency_ = false, is_steady_ = false, is_plain_ = true;
 
   // Of the case that runs.
   const StreamOrder* order_ = nullptr;
   Random noise_{0};
   std::vector<std::size_t> taken_;  // of each giver, after each clock on which one was taken
+  std::vector<std::size_t> due_;    // of each taker, by the last answer
   bool held_ = false;               // by the harness, on this clock
   std::uint64_t quiet_ = 0;         // clocks since something moved or was held
   std::uint64_t moved_at_ = 0;      // the clock after that

@@ -39,6 +39,10 @@ struct Interface {
   /// It says on each clock whether it takes.
   bool has_ready() const { return !ready.empty() || own.is_there(); }
   bool can_stall() const { return has_ready() || !credit.empty(); }
+  /// It has valid, cells, and ready or none: nothing else that a clock must look at.
+  bool is_plain() const {
+    return !own.is_there() && credits == 0 && done.empty() && credit.empty() && !pulse && !steady;
+  }
   /// The side that takes can see valid before it says that it does.
   bool can_wait() const { return !goes_in && !ready.empty(); }
 };

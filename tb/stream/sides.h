@@ -1,6 +1,7 @@
 // One interface, clock by clock: drive() before the design settles, sample() after it, advance()
 // after the rising edge. It is kept from case to case, and start() begins one: a clock looks
-// nothing up and allocates nothing.
+// nothing up and allocates nothing. The three are compiled twice: `plain` is for where each
+// interface of the design is_plain(), which leaves half of what they ask out.
 #pragma once
 
 #include <cstddef>
@@ -57,18 +58,19 @@ struct Giver {
   bool held_back() const { return left() && !offers && stalled != 0; }
   void next() { stalled = left() ? (*stalls)[taken] : 0; }
 
+  template <bool plain>
   void drive(Random& noise) {
     if (stalled != 0) {
       --stalled;
       offers = false;
-    } else if (!offers && left() && !waits && (i.credits == 0 || credits > 0)) {
+    } else if (!offers && left() && (plain || (!waits && (i.credits == 0 || credits > 0)))) {
       offers = true;
       const auto words = (*given)[taken];
       for (std::size_t c = 0; c < nets.cells.size(); ++c) nets.cells[c].set(words[c]);
     }
-    if (own) return drive_own();
+    if (!plain && own) return drive_own();
     nets.valid.set(offers ? 1 : 0);
-    if (offers || waits) return;
+    if (offers || (!plain && waits)) return;
     for (std::size_t c = 0; c < nets.cells.size(); ++c) {
       nets.cells[c].set(low_bits(static_cast<Word>(noise.next()), i.cells[c].width));
     }
@@ -79,16 +81,16 @@ struct Giver {
     own->drive(offers ? &words : nullptr, pins);
     for (std::size_t p = 0; p < pins.size(); ++p) nets.drives[p].set(pins[p]);
   }
+  template <bool plain>
   void sample() {
-    if (own) {
+    if (!plain && own) {
       moved = own->took(read(nets.reads, pins)) && offers;
       return;
     }
-    if (waits && nets.done.get() != 0) waits = false;
     moved = offers && (!has_ready || nets.ready.get() != 0);
-    if (i.credits > 0 && nets.credit.get() != 0) ++credits;
-    if (!moved) return;
-    if (i.credits > 0) --credits;
+    if (plain) return;
+    if (waits && nets.done.get() != 0) waits = false;
+    if (i.credits > 0) credits += (nets.credit.get() != 0 ? 1 : 0) - (moved ? 1 : 0);
   }
   /// After the clock.
   void advance() {
@@ -165,13 +167,14 @@ struct Taker {
     waits = came < given->waits.size() && given->waits[came] != 0;
   }
 
+  template <bool plain>
   void drive() {
     if (has_ready) {
       ready = stalled == 0 && !waits;
       if (stalled != 0) --stalled;
-      if (own) return drive_own();
+      if (!plain && own) return drive_own();
       nets.ready.set(ready ? 1 : 0);
-    } else if (i.credits > 0) {
+    } else if (!plain && i.credits > 0) {
       const bool back = returned < returns.size() && returns[returned] == 0;
       if (back) {
         ++returned;
@@ -190,26 +193,28 @@ struct Taker {
     own->drive(ready, pins);
     for (std::size_t p = 0; p < pins.size(); ++p) nets.drives[p].set(pins[p]);
   }
+  template <bool plain>
   void sample() {
-    if (own) {
+    if (!plain && own) {
       moved = valid = own->came(read(nets.reads, pins), words);
       return;
     }
     const bool high = nets.valid.get() != 0;
-    stays = i.pulse && high && before;
+    stays = !plain && i.pulse && high && before;
     valid = high && !stays;
     before = high;
     // Without ready the design gives when it likes.
     moved = valid && (ready || !has_port);
     if (!high) return;
     waits = false;
-    if (moved || i.steady) read(nets.cells, words);
+    if (moved || (!plain && i.steady)) read(nets.cells, words);
   }
+  template <bool plain>
   void advance() {
     offered = valid && !moved;
-    if (valid && i.steady) last = words;
+    if (!plain && valid && i.steady) last = words;
     if (!moved) return;
-    if (i.credits > 0) {
+    if (!plain && i.credits > 0) {
       --credits;
       returns.push_back(stall_of(came));
     }

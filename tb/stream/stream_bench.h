@@ -121,14 +121,15 @@ class StreamBench final : public AnyStreamBench {
   static StreamSizes sizes(const std::vector<Sequence>& given, std::index_sequence<S...>,
                            std::index_sequence<R...>) {
     return [&given, some = std::tuple<std::vector<RecordOf<S, In>>...>()](
-               std::span<const std::size_t> taken) mutable {
+               std::span<const std::size_t> taken, std::span<std::size_t> sizes) mutable {
       const auto take = [&](auto& records, std::size_t s, const auto& codes) {
         if (records.size() > taken[s]) records.resize(taken[s]);
+        records.reserve(given[s].size());
         while (records.size() < taken[s]) records.push_back(codes.record(given[s][records.size()]));
       };
       (take(std::get<S>(some), S, payload<S, In>()), ...);
       const auto results = detail::as_tuple(Design::run(Trait::params, std::get<S>(some)...));
-      return std::vector<std::size_t>{std::get<R>(results).size()...};
+      ((sizes[R] = std::get<R>(results).size()), ...);
     };
   }
   template <std::size_t S, class Side>

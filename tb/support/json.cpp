@@ -44,8 +44,9 @@ std::string json_text(const Json& json, int indent) {
   return json.dump(indent, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string json_ascii(const Json& json) {
-  return json.dump(-1, ' ', true, Json::error_handler_t::replace);
+std::string json_short(const Json& json, std::size_t longest) {
+  const std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
+  return text.size() <= longest ? text : text.substr(0, longest) + "...";
 }
 
 }  // namespace cosim

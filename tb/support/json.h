@@ -27,7 +27,8 @@ Json json_of(const std::string& text);
 /// no UTF-8 becomes a replacement character.
 std::string json_text(const Json& json, int indent = -1);
 
-/// On one line of ASCII, which can be cut anywhere.
-std::string json_ascii(const Json& json);
+/// On one line of ASCII of up to `longest` characters, for an error: where it is cut, "..."
+/// follows.
+std::string json_short(const Json& json, std::size_t longest);
 
 }  // namespace cosim

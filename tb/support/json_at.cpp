@@ -13,11 +13,9 @@ namespace {
 
 // A value, short enough for an error.
 std::string shown(const Json& value) {
-  constexpr std::size_t longest = 60;
   if (value.is_array()) return fmt::format("a list of {}", value.size());
   if (value.is_object()) return "an object";
-  const std::string text = json_ascii(value);  // ASCII: can be cut anywhere
-  return text.size() <= longest ? text : text.substr(0, longest) + "...";
+  return json_short(value, 60);
 }
 
 Json checked(const std::string& path, const std::string& text) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "model/core/value.h"
+#include "model/core/wide.h"
 
 namespace cosim {
 
@@ -28,8 +29,7 @@ class Random {
 
   /// Uniform over 0 .. n - 1, n >= 1 (to within 2^-32 for n <= 2^32).
   std::uint64_t below(std::uint64_t n) {
-    __extension__ using Wide = unsigned __int128;
-    return static_cast<std::uint64_t>((static_cast<Wide>(next()) * n) >> 64);
+    return static_cast<std::uint64_t>((static_cast<Uint128>(next()) * n) >> 64);
   }
 
   /// True with probability 2^-n.

@@ -20,13 +20,6 @@ namespace {
 // No checkpoint is larger; another file may be of any size.
 constexpr std::uintmax_t most_bytes = std::uintmax_t{4} << 20;
 
-// The work of a checkpoint, short enough for an error.
-std::string shown(const Json& work) {
-  constexpr std::size_t longest = 400;
-  const std::string text = json_ascii(work);  // ASCII: can be cut anywhere
-  return text.size() <= longest ? text : text.substr(0, longest) + "...";
-}
-
 }  // namespace
 
 const std::string& program_hash() {
@@ -53,7 +46,7 @@ std::optional<JsonAt> Checkpoint::state() const {
   const JsonAt work = file.at("work"), state = file.at("state");
   if (work.json() != work_) {
     throw InputError(fmt::format("{}: a checkpoint of other work or of another build: {}", path_,
-                                 shown(work.json())));
+                                 json_short(work.json(), 400)));
   }
   if (file.at("hash").text() != hash_of(json_text(state.json()))) {
     throw InputError(path_ + ": no checkpoint: it was changed");

@@ -38,19 +38,21 @@ JobList random_jobs(const AnyBench& bench, std::uint64_t seed, std::uint64_t i) 
 }
 
 Sweep job_sweep(const AnyBench& bench, std::uint64_t seed, std::uint64_t cases) {
-  const auto run = [&bench, seed](std::uint64_t i) {
-    const JobList jobs = random_jobs(bench, seed, i);
+  const auto jobs_of = [&bench, seed](std::uint64_t i) { return random_jobs(bench, seed, i); };
+  const auto run = [&bench, jobs_of](std::uint64_t i) {
+    const JobList jobs = jobs_of(i);
     JobsRun ran = bench.run_jobs(jobs, static_cast<std::uint32_t>(i));
     Result result;
     result.cases = 1;
     result.clocks = ran.run.clocks;
-    result.checked.jobs = ran.jobs;
-    result.checked.error = std::move(ran.error);
+    result.checked = std::move(ran.checked);
     result.mismatch = std::move(ran.run.mismatch);
     if (!result.match()) result.failed = bench.describe(jobs);
     return result;
   };
-  return {"random jobs", cases, run};
+  Sweep sweep{"random jobs", cases, run};
+  sweep.in_lanes = bench.lane_jobs(jobs_of);
+  return sweep;
 }
 
 }  // namespace cosim

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "tb/bench/bench.h"
-#include "tb/sweep/checked.h"
+#include "tb/bench/checked.h"
 
 namespace cosim {
 

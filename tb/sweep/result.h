@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "tb/bench/checked.h"
 #include "tb/lockstep/run.h"
-#include "tb/sweep/checked.h"
 
 namespace cosim {
 

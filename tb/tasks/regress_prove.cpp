@@ -136,7 +136,7 @@ class ProveWork final : public regress::Work {
     std::optional<FromResetAnswer> from_reset;
     if (claim.from_reset && !decision.disagree) {
       proof::Source source = source_for(machine_.formula(), machine_.source);
-      source.keeps_assertions = true;
+      source.keeps_statements = true;
       from_reset = asked_from_reset(proof::FromReset(machine_.nets(), proof::RtlNets(source)),
                                     *claim.from_reset, bench(), std::chrono::seconds(limit_), 1);
       json["verdict"] = from_reset->verdict;

@@ -31,7 +31,7 @@ auto inputs_of(const std::vector<Job>& jobs) {
   auto state = Design::template reset_state<Word>();
   typename Design::template Outputs<Word> seen;
   typename Design::template Inputs<Word> in;
-  typename Design::Host host(Adapter::params, jobs);
+  HostOf<Design> host(Adapter::params, jobs);
   while (inputs.size() < rows && host.next(in, seen)) {
     inputs.push_back(in);
     const auto step = Design::next(Adapter::params, state, in);
@@ -129,7 +129,7 @@ inline void in_lanes(benchmark::State& state, const AnyBench& bench, int lanes) 
 // Whole jobs, which some thousand cases a time begin with and end without one in most lanes.
 inline void jobs_in_lanes(benchmark::State& state, const AnyBench& bench, const Sweep& sweep,
                           int lanes) {
-  const auto built = test::jobs_in_lanes(bench, sweep, lanes);
+  const auto built = test::jobs_in_lanes(bench, lanes);
   const Sweep some = lanes::job_sweep(bench, *built, sweep);
   std::uint64_t first = 0, clocks = 0;
   for (auto _ : state) {
@@ -162,7 +162,7 @@ const Bench<typename Adapter::Design>& bench_of() {
 template <class Adapter, class MakeJob, class MakeSweep>
 bool measure(const std::string& name, MakeJob job, MakeSweep sweep) {
   const auto list = [job] {
-    std::vector<typename Adapter::Design::Host::Job> jobs;
+    std::vector<JobOf<typename Adapter::Design>> jobs;
     for (std::uint64_t i = 0; i < 1000; ++i) jobs.push_back(job(Adapter::params, 1, i));
     return inputs_of<Adapter>(jobs);
   };

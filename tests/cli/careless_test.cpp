@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "tests/cli/folder.h"
 #include "tests/cli/program.h"
 #include "tests/support/sanitized.h"
 
@@ -167,6 +166,7 @@ TEST_F(Careless, ProgramsOfHugeLinesAreReadInBoundedMemory) {
   expect_match(huge("G0 X1 (", "x", ")\n"));
   expect_match(huge("G0 X1", " \t", "Y2"));
   expect_match(huge("G0 X1", "\r\n"));
+  expect_match(huge("G0 X1.", "1"));
   expect_unread(huge("G0 X", "1"), place + "4: the number of X is out of range");
   expect_unread(huge("", "X"), place + "1: X needs a number");
   expect_unread(huge("G0 ", "X1 "), place + "7: X is given twice in the block");

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "tb/support/hash.h"
-#include "tests/cli/folder.h"
 #include "tests/cli/program.h"
 
 namespace cosim::cli {

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "tests/cli/folder.h"
 #include "tests/cli/program.h"
 
 namespace cosim::cli {

@@ -27,8 +27,7 @@ void expect_found_beside_the_rtl(const Arguments& more, const std::string& repla
     Arguments words{
         "equiv", "--gold", folder.path("old/m.v"), "--gate",           folder.path(side) + "/m.v",
         "--top", "m",      "--failures",           folder.path("kept")};
-    words.insert(words.end(), more.begin(), more.end());
-    return cosim(words);
+    return cosim(joined(words, more));
   };
   EXPECT_EQ(against("same").status, 0);
   const Ended other = against("new");
@@ -127,8 +126,8 @@ TEST(Equiv, RefusesWhatItCannotCompareInALine) {
   refused(module_of(", input d, output q", "wire a, b; assign a = b ^ d, b = ~a, q = a;"),
           "a combinational loop");
   refused(module_of(", input d, output reg q",
-                    "reg p; always @(posedge clk) p <= d; always @(posedge rst) q <= p;"),
-          "two clocks");
+                    "reg p; always @(posedge clk) p <= d; always @(negedge clk) q <= p;"),
+          "both edges of clk are taken");
   refused(module_of(", input d, output reg q", "wire c = clk & d; always @(posedge c) q <= d;"),
           "a clock that is no input");
   refused(module_of(", input d, inout q", "wire a; assign {a, q} = d ? 2'b0 : 2'bz;"),
@@ -162,6 +161,30 @@ TEST(Equiv, ARevisionAgainstTheFilesOnDisk) {
   Arguments no_such = words;
   no_such[2] = "nothing";
   expect_refused(cosim(no_such), "--rev: 'nothing' is no revision");
+}
+
+// Each option takes one value: the file behind it is none.
+TEST(Equiv, AnOptionDoesNotTakeTheFileBehindIt) {
+  const Folder folder;
+  const std::string file = folder.write(
+      "m.v",
+      "module m #(parameter W = 1, V = 1) (input [W-1:0] a, input [V-1:0] b, input off, other, "
+      "output y, z); assign y = ^a & off, z = ^b & other; endmodule\n");
+  const std::string git = "git -C '" + folder.path("") + "' -c user.name=n -c user.email=e ";
+  ASSERT_EQ(std::system((git + "init -q && " + git + "add m.v && " + git + "commit -qm x").c_str()),
+            0);
+  const std::vector<Arguments> all{
+      {"--tie", "off=0", "--tie", "other=1"},  {"--param", "W=4", "--param", "V=2"},
+      {"--ignore", "y", "--ignore", "z"},      {"--define", "X", "--define", "Y=1"},
+      {"--include", folder.path("")},          {"--map", "y=y", "--map", "z=z"},
+      {"--assume", "off", "--assume", "other"}};
+  for (const Arguments& options : all) {
+    Arguments words{"equiv", "--rev", "HEAD", "--top", "m"};
+    words.insert(words.end(), options.begin(), options.end());
+    words.push_back(file);
+    const Ended ended = cosim(words);
+    EXPECT_EQ(ended.status, 0) << options.front() << ended.out << ended.err;
+  }
 }
 
 }  // namespace

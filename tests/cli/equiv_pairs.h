@@ -5,7 +5,6 @@
 
 #include <string>
 
-#include "tests/cli/folder.h"
 #include "tests/cli/program.h"
 
 namespace cosim::cli {
@@ -27,8 +26,7 @@ inline Ended equiv(const std::string& gold, const std::string& gate, Arguments m
                   top,
                   "--failures",
                   folder.path("kept")};
-  words.insert(words.end(), more.begin(), more.end());
-  Ended ended = cosim(words);
+  Ended ended = cosim(joined(words, more));
   // What is kept belongs to a difference alone.
   EXPECT_EQ(folder.holds("kept"), ended.status == 1) << ended.out;
   return ended;

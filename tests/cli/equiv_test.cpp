@@ -139,8 +139,8 @@ TEST(Equiv, ADifferenceFarFromResetIsFound) {
                      " assign y = " +
                          y + ";");
   };
-  // The counter is 0 after three clocks of reset, and 4095 so many clocks later.
-  expect_different(rtl("0"), rtl("&n"), "different on clock 4099");
+  // The counter is 0 on the first clock after those of the reset, 0 to 2, and 4095 so many later.
+  expect_different(rtl("0"), rtl("&n"), "different on clock 4098");
 }
 
 TEST(Equiv, AnXOfTheOldAllowsAnyAndOneOfTheNewMustBeRightForBoth) {
@@ -219,7 +219,20 @@ TEST(Equiv, WhatIsBeforeTheEndOfTheResetIsNotCompared) {
                                                  " else q <= q + 1;");
   };
   expect_equal(rtl("3"), rtl("9"));
-  expect_different(rtl("3"), rtl("9"), "clock 1", {"--reset-clocks", "0"});
+  expect_different(rtl("3"), rtl("9"), "clock 0", {"--reset-clocks", "0"});
+}
+
+TEST(Equiv, WhatReadsTheClockIsSeenOnEitherSideOfItsEdge) {
+  const auto rtl = [](const std::string& edge, const std::string& d, const std::string& y) {
+    return module_of(", input d, output reg q, output y",
+                     "always @(" + edge + " clk) q <= " + d + "; assign y = " + y + ";");
+  };
+  expect_equal(rtl("posedge", "d", "clk & d"), rtl("posedge", "d", "~(~clk | ~d)"));
+  expect_different(rtl("posedge", "d", "clk & d"), rtl("posedge", "d", "0"), "y is 0, was 1");
+  expect_different(rtl("negedge", "d", "clk & d"), rtl("negedge", "d", "d"), "y is 1, was 0");
+  // A register takes over what is there before the edge.
+  expect_equal(rtl("posedge", "d | clk", "d"), rtl("posedge", "d", "d"));
+  expect_equal(rtl("negedge", "d & clk", "d"), rtl("negedge", "d", "d"));
 }
 
 TEST(Equiv, OutputsThatComeLater) {

@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "model/circular/host.h"
-#include "model/linear/host.h"
+#include "model/circular/job.h"
+#include "model/linear/job.h"
 #include "tb/bench/bench.h"
 #include "tests/support/model_adapter.h"
 

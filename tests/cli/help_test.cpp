@@ -7,7 +7,6 @@
 #include <sstream>
 
 #include "tb/support/pattern.h"
-#include "tests/cli/folder.h"
 #include "tests/cli/help.h"
 #include "tests/cli/program.h"
 #include "tests/support/root.h"

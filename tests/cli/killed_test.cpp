@@ -20,9 +20,7 @@ constexpr std::uint64_t kClocks = test::slow ? 900'000 : 9'000'000;
 class KilledSweep : public testing::Test {
  protected:
   Arguments sweep(const Arguments& more) const {
-    Arguments all{"sweep", "linear", "--hostile", std::to_string(kClocks), "--seed", "3"};
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
+    return joined({"sweep", "linear", "--hostile", std::to_string(kClocks), "--seed", "3"}, more);
   }
   Arguments kept() const {
     return sweep({"--checkpoint", folder_.path("state"), "--report", folder_.path("report")});

@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "tests/cli/folder.h"
 #include "tests/cli/program.h"
 
 namespace cosim::cli {

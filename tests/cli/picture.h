@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "tb/support/pattern.h"
-#include "tests/cli/folder.h"
 #include "tests/cli/program.h"
 
 namespace cosim::cli {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "tests/cli/folder.h"
 #include "tests/cli/help.h"
 #include "tests/cli/picture.h"
 #include "tests/cli/program.h"

@@ -13,7 +13,6 @@
 #include <stdexcept>
 #include <thread>
 
-#include "tests/cli/folder.h"
 #include "tests/support/child.h"
 
 namespace cosim::cli {

@@ -5,9 +5,18 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/folder.h"
+
 namespace cosim::cli {
 
+using test::Folder;
 using Arguments = std::vector<std::string>;
+
+/// The words of `first` with `more` behind them.
+inline Arguments joined(Arguments first, const Arguments& more) {
+  first.insert(first.end(), more.begin(), more.end());
+  return first;
+}
 
 /// How a run ended. A status of 128 + n is a death by signal n.
 struct Ended {

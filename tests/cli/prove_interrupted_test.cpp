@@ -9,7 +9,6 @@
 #include <fstream>
 #include <iterator>
 
-#include "tests/cli/folder.h"
 #include "tests/cli/program.h"
 #include "tests/support/root.h"
 

@@ -5,7 +5,6 @@
 #include <cstdlib>
 
 #include "tb/support/pattern.h"
-#include "tests/cli/folder.h"
 #include "tests/cli/program.h"
 #include "tests/support/root.h"
 
@@ -55,9 +54,7 @@ TEST(ProveWithoutEngines, SaysSoInALine) {
   setenv("PATH", folder.path("").c_str(), 1);
   for (const Arguments& more :
        {Arguments{}, Arguments{"--theorems"}, Arguments{"--engines", "z3"}}) {
-    Arguments arguments{"prove", "circular"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    const Ended ended = cosim(arguments);
+    const Ended ended = cosim(joined({"prove", "circular"}, more));
     EXPECT_EQ(ended.status, 2);
     EXPECT_EQ(ended.out, "");
     EXPECT_EQ(lines(ended.err).size(), 1U) << ended.err;
@@ -140,11 +137,7 @@ std::string with_mutants(const Folder& folder) {
 TEST_F(Prove, RefutesMutantsOrProvesThemTheSame) {
   const std::string file = with_mutants(folder_);
   const Arguments command{"prove", "circular", "W=4", "--mutants", file};
-  const auto with = [&](const Arguments& more) {
-    Arguments arguments = command;
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return cosim(arguments);
-  };
+  const auto with = [&](const Arguments& more) { return cosim(joined(command, more)); };
   EXPECT_EQ(with({"--count", "2"}).out,
             "circular W=4: 2 mutants, 1 refuted, 1 proved to be the same, 0 undecided\n");
   EXPECT_EQ(with({"--mutant", "3"}).out,

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 
-#include "tests/cli/folder.h"
 #include "tests/cli/help.h"
 #include "tests/cli/program.h"
 #include "tests/support/root.h"
@@ -77,11 +76,7 @@ TEST(Refusal, OfProofs) {
 
 TEST(Refusal, OfOptions) {
   const Arguments line{"line", "--major", "27", "--minor", "9"};
-  const auto with = [&](const Arguments& more) {
-    Arguments command = line;
-    command.insert(command.end(), more.begin(), more.end());
-    return command;
-  };
+  const auto with = [&](const Arguments& more) { return joined(line, more); };
   expect_refused(with({"--length", "5"}), "line: no such option: '--length'");
   expect_refused(with({"--maj", "5"}), "line: no such option: '--maj'");
   expect_refused(with({"-5"}), "line: no such option: '-5'");
@@ -127,11 +122,7 @@ TEST(Refusal, OfLines) {
 
 TEST(Refusal, OfMachinesNotBuilt) {
   const Arguments line{"line", "--major", "40", "--minor", "3"};
-  const auto with = [&](const Arguments& more) {
-    Arguments command = line;
-    command.insert(command.end(), more.begin(), more.end());
-    return command;
-  };
+  const auto with = [&](const Arguments& more) { return joined(line, more); };
   const std::string built =
       " was not built; built are M=5 N=2, M=6 N=3, M=8 N=5, M=16 N=12, M=16 N=13, M=24 N=21, "
       "M=32 N=26";
@@ -169,11 +160,7 @@ TEST(Refusal, OfCodes) {
 }
 
 TEST(Refusal, OfArcs) {
-  const auto arc = [](const Arguments& more) {
-    Arguments command{"arc", "--radius", "12"};
-    command.insert(command.end(), more.begin(), more.end());
-    return command;
-  };
+  const auto arc = [](const Arguments& more) { return joined({"arc", "--radius", "12"}, more); };
   expect_refused({"arc"}, "--radius: is needed, or --radius2");
   expect_refused(arc({"--radius2", "144"}), "--radius: is given, and --radius2 too");
   for (const char* q : {"", "-1", "1e9", "18446744065119617026", "18446744073709551616"}) {
@@ -220,6 +207,8 @@ TEST(Refusal, OfSweeps) {
     expect_refused({"sweep", "linear", "--random", "1", "--jobs", n},
                    "--jobs: '" + std::string(n) + "' is not a whole number from 1 to 1024");
   }
+  expect_refused({"sweep", "linear", "--hostile", "5", "--lanes", "128"},
+                 "--lanes: '128' is none of auto, 512, 256, 64 and 0");
   const std::string wide = "--exhaustive: too wide to try everything; take ";
   expect_refused({"sweep", "linear", "--exhaustive", "--m", "16"},
                  wide + "M <= 8, or 14 with --lanes auto");

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <string>
 
-#include "tests/cli/folder.h"
 #include "tests/cli/program.h"
 
 namespace cosim::cli {

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <future>
 
-#include "tests/cli/folder.h"
 #include "tests/cli/program.h"
 #include "tests/support/sanitized.h"
 
@@ -17,9 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 Ended line(const Arguments& more, const Output& output = {}) {
-  Arguments command{"line", "--major", "27", "--minor", "9"};
-  command.insert(command.end(), more.begin(), more.end());
-  return cosim(command, output);
+  return cosim(joined({"line", "--major", "27", "--minor", "9"}, more), output);
 }
 
 void expect_error(const Ended& ended, const std::string& error) {

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/folder.h"
 #include "tests/cli/help.h"
 #include "tests/cli/memory.h"
 #include "tests/cli/program.h"
@@ -30,6 +29,8 @@ Swept sweep(Arguments arguments) {
   EXPECT_EQ(s.ended.status, 0);
   EXPECT_EQ(s.ended.err, "");
   EXPECT_TRUE(s.ended.out.ends_with("\nverdict: match\n")) << s.ended.out;
+  // Nothing moves where there is no terminal.
+  EXPECT_EQ(s.ended.out.find_first_of("\r\x1b"), std::string::npos) << s.ended.out;
   s.report = json::parse(folder.text("r"), nullptr, false);
   return s;
 }

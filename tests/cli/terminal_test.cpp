@@ -4,7 +4,6 @@
 #include <csignal>
 #include <string>
 
-#include "tests/cli/folder.h"
 #include "tests/cli/program.h"
 
 namespace cosim::cli {

@@ -3,7 +3,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "tests/cli/folder.h"
 #include "tests/cli/program.h"
 #include "tests/support/vcd.h"
 

@@ -30,7 +30,7 @@ refused reset_inputs reset_input "reset_input in struct Design means nothing: is
 refused reset_inputs clear "clear in struct Design means nothing: is reset_inputs meant?"
 refused rest cleared "cleared in struct Design means nothing: is reset_state meant?"
 refused rest clear_clocks "clear_clocks in struct Design means nothing: is reset_clocks meant?"
-refused Check Chekc "Chekc in struct Design means nothing: is Check meant?"
+refused Checker Cheker "Cheker in struct Design means nothing: is Checker meant?"
 
 # What only reads like one: a comment, a text, a member of another struct, a call, other arguments.
 {
@@ -42,7 +42,7 @@ refused Check Chekc "Chekc in struct Design means nothing: is Check meant?"
   echo 'constexpr int twice(const Params& p, const State<Word>& s) { return legall(p, s); }'
   sed -n '/^struct Design/,$p' "$uart" | sed 's/^};/  static constexpr int own = 3;\n&/'
 } > model.h
-for header in "$root"/model/*/host.h "$root"/examples/*/*.h "$root"/tests/*/designs/*.h model.h; do
+for header in "$root"/model/*/machine.h "$root"/examples/*/*.h "$root"/tests/*/designs/*.h model.h; do
   ends 0 "$root/tb/package/design_names.pl" stamp "$root" "$header"
   grep -qF "$(basename "$header")" stamp.d || fails "ninja is told of $header"
 done

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// "model", "linear" and "host.h" of model/linear/host.h.
+// "model", "linear" and "job.h" of model/linear/job.h.
 std::vector<std::string> parts(const std::string& path) {
   std::vector<std::string> all;
   for (const fs::path& part : fs::path(path)) all.push_back(part.string());
@@ -95,25 +95,25 @@ TEST(Includes, AreToldApart) {
   const auto expect = [](bool may, const std::string& from, std::vector<const char*> what) {
     for (const char* one : what) EXPECT_EQ(may_include(from, one), may) << from << ' ' << one;
   };
-  expect(true, "model/dda/host.h",
+  expect(true, "model/dda/job.h",
          {"model/dda/curve.h", "model/core/value.h", "model/plane/point.h"});
-  expect(false, "model/dda/host.h",
+  expect(false, "model/dda/job.h",
          {"model/circular/arc.h", "model/toolpath/piece.h", "tb/support/show.h",
           "tb/designs/dda/check.h", "tests/support/root.h"});
   expect(true, "model/toolpath/walk.cpp", {"model/linear/oracle.h", "model/toolpath/plan.h"});
-  expect(false, "model/core/fields.h", {"model/plane/point.h", "model/dda/host.h"});
+  expect(false, "model/core/fields.h", {"model/plane/point.h", "model/dda/job.h"});
   expect(true, "tb/proof/claims.h", {"model/core/fields.h", "tb/support/process.h"});
   expect(false, "tb/proof/claims.h",
          {"model/plane/point.h", "model/linear/machine.h", "tb/designs/linear/check.h",
           "tb/studies/comparison/work.h", "tests/support/root.h"});
   expect(true, "tb/designs/dda/check.h",
-         {"model/dda/host.h", "model/core/fields.h", "model/plane/point.h",
+         {"model/dda/job.h", "model/core/fields.h", "model/plane/point.h",
           "tb/designs/dda/sweeps.h", "tb/sweep/sweep.h"});
   expect(false, "tb/designs/dda/check.h",
-         {"model/linear/host.h", "model/toolpath/plan.h", "tb/designs/linear/check.h",
+         {"model/linear/job.h", "model/toolpath/plan.h", "tb/designs/linear/check.h",
           "tb/studies/comparison/work.h"});
   expect(true, "tb/studies/toolpath/path_run.h",
-         {"model/linear/host.h", "tb/designs/circular/check.h", "tb/studies/comparison/work.h"});
+         {"model/linear/job.h", "tb/designs/circular/check.h", "tb/studies/comparison/work.h"});
 }
 
 }  // namespace

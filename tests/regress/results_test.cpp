@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/cli/folder.h"
+#include "tests/support/folder.h"
 
 namespace cosim::regress {
 namespace {
@@ -15,11 +15,11 @@ Line line(std::uint64_t shard) {
 const std::string run = "a run";
 
 TEST(Results, OfEveryCutAreWhatWasWhole) {
-  const cli::Folder whole;
+  const test::Folder whole;
   for (std::uint64_t s = 0; s < 3; ++s) append(whole.path("a.jsonl"), run, line(s));
   const std::string text = whole.text("a.jsonl");
   for (std::size_t size = 0; size <= text.size(); ++size) {
-    const cli::Folder folder;
+    const test::Folder folder;
     folder.write("a.jsonl", text.substr(0, size));
     const std::string left = text.substr(0, size);
     const auto lines = static_cast<std::uint64_t>(std::count(left.begin(), left.end(), '\n'));
@@ -42,7 +42,7 @@ TEST(Results, OfEveryCutAreWhatWasWhole) {
 }
 
 TEST(Results, OfAShardCountOnce) {
-  const cli::Folder folder;
+  const test::Folder folder;
   append(folder.path("b.jsonl"), run, line(1));
   Line other = line(1);
   other.host = "there";
@@ -54,7 +54,7 @@ TEST(Results, OfAShardCountOnce) {
 }
 
 TEST(Results, ThatCouldNotBeHadAreErrorsUntilTheyAre) {
-  const cli::Folder folder;
+  const test::Folder folder;
   Line failed{1, "here", 0, {}, "needs a solver"};
   append(folder.path("a.jsonl"), run, failed);
   EXPECT_EQ(read_results(folder.path(""), run, 2).errors.at(1), "needs a solver");
@@ -66,7 +66,7 @@ TEST(Results, ThatCouldNotBeHadAreErrorsUntilTheyAre) {
 
 // Whatever byte of a line is another one, or another run's.
 TEST(Results, ThatWereChangedAreNone) {
-  const cli::Folder folder;
+  const test::Folder folder;
   append(folder.path("a.jsonl"), run, line(1));
   EXPECT_EQ(read_results(folder.path(""), "other", 2).torn, 1U);
   const std::string text = folder.text("a.jsonl");
@@ -85,7 +85,7 @@ TEST(Results, ThatWereChangedAreNone) {
 }
 
 TEST(Results, OfNoShardOfTheRunAreNone) {
-  const cli::Folder folder;
+  const test::Folder folder;
   folder.write("a.jsonl",
                "null\n[]\n{}\n{\"shard\":0}\n{\"shard\":9,\"host\":\"\",\"seconds\":0,"
                "\"result\":{}}\n{\"shard\":0,\"host\":\"\",\"seconds\":0,\"result\":7}\n\n");

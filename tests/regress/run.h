@@ -5,7 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/folder.h"
 #include "tests/cli/program.h"
 
 namespace cosim::cli {
@@ -14,9 +13,8 @@ class Regression : public testing::Test {
  protected:
   /// The arguments of a new run in the folder's `name`.
   Arguments fresh(const std::string& name, const Arguments& more = {}) const {
-    Arguments all{"regress", folder_.path("plan.json"), "--folder", folder_.path(name)};
-    all.insert(all.end(), more.begin(), more.end());
-    return all;
+    return cli::joined({"regress", folder_.path("plan.json"), "--folder", folder_.path(name)},
+                       more);
   }
   Arguments resumed(const std::string& name) const {
     return {"regress", "--resume", folder_.path(name)};
@@ -37,7 +35,7 @@ class Regression : public testing::Test {
                   R"({"format": 1, "name": "small", "seed": 7, "tasks": [)" + tasks + "]}");
   }
 
-  Folder folder_;
+  test::Folder folder_;
 };
 
 }  // namespace cosim::cli

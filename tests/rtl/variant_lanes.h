@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "tb/nets/jobs.h"
 #include "tb/nets/played.h"
 #include "tests/rtl/variant.h"
 #include "tests/support/lane_sweeps.h"
@@ -28,8 +29,9 @@ std::unique_ptr<lanes::Built> in_lanes(const Variant<Design>& v, int lanes) {
 template <class Design>
 void expect_jobs_find(const Variant<Design>& v, const Sweep& sweep) {
   SCOPED_TRACE(v.name + ": " + v.what);
-  const auto built = lanes::built_for_jobs(*v.bench, nets::played_of<Design>(v.bench->params()),
-                                           source_of(v), *sweep.in_lanes, 512, COSIM_LANES_FOLDER);
+  nets::Played played = nets::played_of<Design>(v.bench->params());
+  played.draw = nets::draw_of_jobs<Design>(v.bench->params());
+  const auto built = lanes::built(v.bench->title(), played, source_of(v), 512, COSIM_LANES_FOLDER);
   expect_same_failure(*v.bench, sweep, *built);
 }
 

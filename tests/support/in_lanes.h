@@ -25,12 +25,12 @@ inline std::unique_ptr<lanes::Built> in_lanes(const AnyBench& bench, int lanes) 
   return lanes::built(machine->title, machine->played(), source, lanes, COSIM_LANES_FOLDER);
 }
 
-/// For the jobs of a sweep.
-inline std::unique_ptr<lanes::Built> jobs_in_lanes(const AnyBench& bench, const Sweep& sweep,
-                                                   int lanes) {
+/// For jobs.
+inline std::unique_ptr<lanes::Built> jobs_in_lanes(const AnyBench& bench, int lanes) {
   const auto [machine, source] = machine_of(bench);
-  return lanes::built_for_jobs(bench, machine->played(), source, *sweep.in_lanes, lanes,
-                               COSIM_LANES_FOLDER);
+  nets::Played played = machine->played();
+  played.draw = machine->jobs();
+  return lanes::built(machine->title, played, source, lanes, COSIM_LANES_FOLDER);
 }
 
 }  // namespace cosim::test

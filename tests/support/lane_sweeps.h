@@ -21,7 +21,7 @@ inline void expect_equal(const Checked& together, const Checked& alone) {
 inline void expect_same_in_lanes(const AnyBench& bench, const Sweep& sweep, int lanes) {
   SCOPED_TRACE(sweep.name + " in " + std::to_string(lanes));
   const Result alone = expect_match(sweep);
-  const auto built = jobs_in_lanes(bench, sweep, lanes);
+  const auto built = jobs_in_lanes(bench, lanes);
   const Sweep some = lanes::job_sweep(bench, *built, sweep);
   for (const unsigned threads : {1U, 2U}) {
     for (const std::uint64_t done : {std::uint64_t{0}, sweep.cases / 3}) {

@@ -26,8 +26,8 @@ class Recorder final : public Observer<Design> {
 
 /// Draws the jobs in lockstep and gives every clock; the test fails where RTL and model differ.
 template <class Design>
-std::vector<typename Recorder<Design>::Clock> draw(
-    const Bench<Design>& bench, std::span<const typename Design::Host::Job> jobs) {
+std::vector<typename Recorder<Design>::Clock> draw(const Bench<Design>& bench,
+                                                   std::span<const JobOf<Design>> jobs) {
   Recorder<Design> recorder;
   const Run run = bench.open(1)->draw(jobs, recorder);
   EXPECT_FALSE(run.mismatch) << explain(*run.mismatch);

@@ -1,4 +1,4 @@
-// The oracle that lanes have, on words, beside the check of one case at a time.
+// The check of a design's jobs, on words, beside an oracle that compares one job at a time.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -8,81 +8,68 @@
 
 #include "model/core/design.h"
 #include "tb/bench/bench.h"
+#include "tb/bench/checked.h"
+#include "tb/bench/job_check.h"
 #include "tb/support/random.h"
-#include "tb/sweep/checked.h"
 
 namespace cosim::test {
 
-template <class Lanes>
-using JobOf = typename HostOf<typename Lanes::Design>::Job;
-
 /// What both say of a list of jobs.
 struct BothOracles {
-  Checked check, lanes;
-  bool is_wrong = false;  ///< by that of lanes
+  Checked oracle, check;
 };
 
-/// Draws the jobs on the model; change(outputs, clock) makes another machine of it.
-template <class Lanes, class Check, class Change>
-BothOracles both_oracles(const typename Lanes::Design::Params& p,
-                         const std::vector<JobOf<Lanes>>& jobs, Check check, Change change) {
-  using Design = typename Lanes::Design;
-  BothOracles both;
+/// Drives the jobs on the model; change(outputs, clock) makes another machine of it.
+template <class Design, class Figures, class Oracle, class Change>
+BothOracles both_oracles(const typename Design::Params& p, const std::vector<JobOf<Design>>& jobs,
+                         Oracle oracle, Change change) {
+  JobCheck<Design, Figures> check(p, jobs);
+  HostOf<Design> host(p, jobs);
   auto s = reset_state_of<Design, Word>();
-  typename Lanes::Figures figures;
-  std::uint64_t clock = 0;
-  for (std::size_t i = 0; i < jobs.size(); ++i) {
-    typename Lanes::template Walk<Word> walk{
-        task_of(p, jobs[i]), due_of(p, jobs[i]), begun(p, jobs[i]), {}};
-    for (bool over = false; !over; ++clock) {
-      auto step = Design::next(p, s, pins(p, walk.task, walk.driven));
-      s = step.state;
-      change(step.outputs, clock);
-      const auto turn = turned(p, walk.driven, step.outputs);
-      over = turn.over;
-      const auto verdict = walked(p, walk, step.outputs, over);
-      walk.driven = turn.driven;
-      walk.walked = verdict.walked;
-      both.is_wrong = both.is_wrong || verdict.wrong;
-      Compared<Design> seen{};
-      seen.outputs = step.outputs;
-      check.clock(i, seen);
-    }
-    figures.add(Lanes::figures_of(p, jobs[i], walk.due, walk.walked));
+  typename Design::template Inputs<Word> in;
+  Compared<Design> seen{};
+  for (std::uint64_t clock = 0; host.next(in, seen.outputs); ++clock) {
+    const auto step = Design::next(p, s, in);
+    s = step.state;
+    seen.outputs = step.outputs;
+    change(seen.outputs, clock);
+    check.clock(host.job(), seen);
+    oracle.clock(host.job(), seen);
   }
-  both.check = check.finish();
-  both.lanes = figures.checked();
-  return both;
+  return {oracle.finish(), check.finish()};
 }
 
-template <class Lanes, class MakeCheck>
-void expect_same_oracle(const typename Lanes::Design::Params& p,
-                        const std::vector<JobOf<Lanes>>& jobs, MakeCheck make) {
-  const auto both = both_oracles<Lanes>(p, jobs, make(std::span(jobs)), [](auto&, auto) {});
+template <class Design, class Figures, class MakeOracle>
+void expect_same_oracle(const typename Design::Params& p, const std::vector<JobOf<Design>>& jobs,
+                        MakeOracle make) {
+  const auto both =
+      both_oracles<Design, Figures>(p, jobs, make(std::span(jobs)), [](auto&, auto) {});
+  EXPECT_EQ(both.oracle.error, "");
   EXPECT_EQ(both.check.error, "");
-  EXPECT_FALSE(both.is_wrong);
-  EXPECT_GT(both.lanes.count("steps"), 0U);
-  EXPECT_EQ(both.lanes.count("steps"), both.check.count("steps"));
-  EXPECT_DOUBLE_EQ(both.lanes.number("max_deviation"), both.check.number("max_deviation"));
+  EXPECT_EQ(both.check.jobs, jobs.size());
+  EXPECT_GT(both.check.count("steps"), 0U);
+  EXPECT_EQ(both.check.count("steps"), both.oracle.count("steps"));
+  EXPECT_DOUBLE_EQ(both.check.number("max_deviation"), both.oracle.number("max_deviation"));
 }
 
 /// A fault on one clock, which change(outputs, how) makes, is seen by both or by none.
-template <class Lanes, class MakeCheck, class Change>
-void expect_same_finds(const typename Lanes::Design::Params& p,
-                       const std::vector<JobOf<Lanes>>& jobs, MakeCheck make, Change change) {
+template <class Design, class Figures, class MakeOracle, class Change>
+void expect_same_finds(const typename Design::Params& p, const std::vector<JobOf<Design>>& jobs,
+                       MakeOracle make, Change change) {
   Random random(3);
   int seen = 0;
   for (int i = 0; i < 400; ++i) {
-    const std::vector<JobOf<Lanes>> some{jobs[random.below(jobs.size())],
-                                         jobs[random.below(jobs.size())]};
+    const std::vector<JobOf<Design>> some{jobs[random.below(jobs.size())],
+                                          jobs[random.below(jobs.size())]};
     const std::uint64_t at = random.below(40), how = random.next();
-    const auto both = both_oracles<Lanes>(p, some, make(std::span(some)),
-                                          [&](auto& outputs, std::uint64_t clock) {
-                                            if (clock == at) change(outputs, how);
-                                          });
-    ASSERT_EQ(both.is_wrong, !both.check.error.empty())
-        << "fault " << i << " on clock " << at << ": " << both.check.error;
-    seen += both.is_wrong ? 1 : 0;
+    const auto both = both_oracles<Design, Figures>(p, some, make(std::span(some)),
+                                                    [&](auto& outputs, std::uint64_t clock) {
+                                                      if (clock == at) change(outputs, how);
+                                                    });
+    ASSERT_EQ(both.check.error.empty(), both.oracle.error.empty())
+        << "fault " << i << " on clock " << at << ": " << both.check.error << "; "
+        << both.oracle.error;
+    seen += both.check.error.empty() ? 0 : 1;
   }
   EXPECT_GT(seen, 100);
 }

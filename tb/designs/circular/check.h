@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "model/circular/host.h"
+#include "model/circular/job.h"
 #include "tb/sweep/path_check.h"
 
 namespace cosim::circular {

@@ -8,9 +8,9 @@
 #include <optional>
 #include <utility>
 
+#include "tb/bench/lane_jobs.h"
 #include "tb/designs/circular/check.h"
 #include "tb/designs/circular/lanes.h"
-#include "tb/sweep/lane_jobs.h"
 
 namespace cosim::circular {
 namespace {
@@ -36,7 +36,7 @@ Sweep over_radii(const CircularBench& bench, const char* name, std::int64_t firs
   };
   Sweep sweep{fmt::format("{}, R = {} to {}", name, first, last),
               static_cast<std::uint64_t>(last - first + 1), run};
-  sweep.in_lanes = std::make_shared<LaneJobsOf<LaneArcs>>(bench.params(), arcs_at, cases_a_lane);
+  sweep.in_lanes = std::make_shared<LaneArcs>(bench.params(), arcs_at, cases_a_lane);
   return sweep;
 }
 
@@ -159,14 +159,10 @@ Sweep random_arcs(const CircularBench& bench, std::uint64_t seed, std::uint64_t 
     return result;
   };
   Sweep sweep{"random arcs", count, run};
-  const auto arcs_at = [p = bench.params(), seed](std::uint64_t i) -> Arcs {
-    return [p, seed, i, is_over = false](Arc& arc) mutable {
-      if (std::exchange(is_over, true)) return false;
-      arc = random_arc(p, seed, i);
-      return true;
-    };
+  const auto arcs_at = [p = bench.params(), seed](std::uint64_t i) {
+    return one_by_one<Arc>({random_arc(p, seed, i)});
   };
-  sweep.in_lanes = std::make_shared<LaneJobsOf<LaneArcs>>(bench.params(), arcs_at, 128);
+  sweep.in_lanes = std::make_shared<LaneArcs>(bench.params(), arcs_at, 128);
   return sweep;
 }
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "model/circular/host.h"
+#include "model/circular/job.h"
 #include "tb/bench/bench.h"
 #include "tb/sweep/sweep.h"
 

@@ -25,7 +25,7 @@ void Check::compare(const Job& job, const Compared<Design>& seen) {
   if (!(at == from) || !(got == due.value_or(Point{}))) {
     fail(fmt::format(
         "{}, clock {}: oracle ({:+}, {:+}) from ({}, {}), machine ({:+}, {:+}) from ({}, {})",
-        Host::describe(p_, job), clocks_, due.value_or(Point{}).x, due.value_or(Point{}).y, from.x,
+        describe(p_, job), clocks_, due.value_or(Point{}).x, due.value_or(Point{}).y, from.x,
         from.y, got.x, got.y, at.x, at.y));
     return;
   }
@@ -37,8 +37,8 @@ void Check::compare(const Job& job, const Compared<Design>& seen) {
 
 void Check::close(const Job& job) {
   if (over_) return;
-  fail(fmt::format("{}: the machine ends after {} clocks, the oracle later",
-                   Host::describe(p_, job), clocks_));
+  fail(fmt::format("{}: the machine ends after {} clocks, the oracle later", describe(p_, job),
+                   clocks_));
 }
 
 }  // namespace cosim::dda

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "model/dda/host.h"
+#include "model/dda/job.h"
 #include "model/dda/oracle.h"
 #include "tb/sweep/path_check.h"
 

@@ -1,30 +1,25 @@
-// Lines and circles in lanes, see tb/nets/jobs.h.
+// What is taken of lines and circles in lanes, see tb/bench/lane_jobs.h.
 #pragma once
 
 #include <algorithm>
 #include <cstdint>
 
 #include "model/dda/equation.h"
-#include "model/dda/host.h"
-#include "model/dda/walk.h"
+#include "model/dda/job.h"
+#include "tb/bench/lane_jobs.h"
 #include "tb/sweep/path_check.h"
 
 namespace cosim::dda {
 
-struct LaneCurves {
-  using Design = dda::Design;
-  template <class V>
-  using Walk = dda::Walk<V>;
-  using Figures = PathFigures;
-
-  static constexpr std::size_t figures = Walked<Word>::index_steps;
-  static Figures figures_of(const Params&, const Job& job, const Due<Word>& due,
-                            const Walked<Word>& at_end) {
-    const Word scale = Word{1} << due.shifts;
-    return {
-        static_cast<std::uint64_t>(at_end.steps),
-        std::max(deviation_by(job, at_end.least / scale), deviation_by(job, at_end.most / scale))};
+struct CurveFigures : PathFigures {
+  static constexpr std::size_t first = Checker<Word>::index_steps;
+  void add(const Params& p, const Job& job, const Checker<Word>& at_end) {
+    const Word scale = Word{1} << shifts_of(p, job);
+    PathFigures::add({static_cast<std::uint64_t>(at_end.steps),
+                      std::max(deviation_by(job, at_end.least / scale),
+                               deviation_by(job, at_end.most / scale))});
   }
 };
+using LaneCurves = LaneJobsOf<Design, CurveFigures>;
 
 }  // namespace cosim::dda

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "model/core/input_error.h"
+#include "tb/bench/lane_jobs.h"
 #include "tb/designs/dda/lanes.h"
-#include "tb/sweep/lane_jobs.h"
 
 namespace cosim::dda {
 namespace {
@@ -79,8 +79,7 @@ Sweep swept(const DdaBench& bench, const char* name, std::uint64_t cases, JobsOf
     return result;
   };
   Sweep sweep{name, cases, run};
-  sweep.in_lanes =
-      std::make_shared<LaneJobsOf<LaneCurves>>(bench.params(), std::move(jobs), cases_a_lane);
+  sweep.in_lanes = std::make_shared<LaneCurves>(bench.params(), std::move(jobs), cases_a_lane);
   return sweep;
 }
 
@@ -167,7 +166,7 @@ Sweep random_lines_and_arcs(const DdaBench& bench, std::uint64_t seed, std::uint
     };
   };
   return swept(bench, "random lines and arcs", count, jobs_of, 128, [=, &bench](std::uint64_t i) {
-    return fmt::format("{}, seed {}", Host::describe(bench.params(), one(i)), seed);
+    return fmt::format("{}, seed {}", describe(bench.params(), one(i)), seed);
   });
 }
 
@@ -175,7 +174,7 @@ Sweep random_jobs(const DdaBench& bench, std::uint64_t seed, std::uint64_t count
   const auto run = [&bench, seed](std::uint64_t i) {
     const Job job = random_job(bench.params(), seed, i);
     Result result = run_jobs(bench, {&job, 1}, static_cast<std::uint32_t>(i));
-    result.failed = fmt::format("{}, seed {}", Host::describe(bench.params(), job), seed);
+    result.failed = fmt::format("{}, seed {}", describe(bench.params(), job), seed);
     return result;
   };
   return {"random lines, arcs and conics", count, run};

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 
-#include "model/linear/host.h"
+#include "model/linear/job.h"
 #include "tb/sweep/path_check.h"
 
 namespace cosim::linear {

@@ -10,9 +10,9 @@
 
 #include "model/linear/control_code.h"
 #include "model/linear/oracle.h"
+#include "tb/bench/lane_jobs.h"
 #include "tb/designs/linear/check.h"
 #include "tb/designs/linear/lanes.h"
-#include "tb/sweep/lane_jobs.h"
 
 namespace cosim::linear {
 
@@ -43,7 +43,7 @@ Sweep every_line(const LinearBench& bench) {
     return result;
   };
   Sweep sweep{"every BP with every UK", std::uint64_t{1} << m, run};
-  sweep.in_lanes = std::make_shared<LaneJobsOf<LaneLines>>(bench.params(), lines_of, 1);
+  sweep.in_lanes = std::make_shared<LaneLines>(bench.params(), lines_of, 1);
   return sweep;
 }
 
@@ -72,14 +72,10 @@ Sweep random_lines(const LinearBench& bench, std::uint64_t seed, std::uint64_t c
     return result;
   };
   Sweep sweep{"random lines", count, run};
-  const auto line_of = [p = bench.params(), seed](std::uint64_t i) -> Lines {
-    return [p, seed, i, is_over = false](Job& job) mutable {
-      if (std::exchange(is_over, true)) return false;
-      job = random_line(p, seed, i);
-      return true;
-    };
+  const auto line_of = [p = bench.params(), seed](std::uint64_t i) {
+    return one_by_one<Job>({random_line(p, seed, i)});
   };
-  sweep.in_lanes = std::make_shared<LaneJobsOf<LaneLines>>(bench.params(), line_of, 128);
+  sweep.in_lanes = std::make_shared<LaneLines>(bench.params(), line_of, 128);
   return sweep;
 }
 

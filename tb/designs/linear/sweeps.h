@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "model/linear/host.h"
+#include "model/linear/job.h"
 #include "tb/bench/bench.h"
 #include "tb/sweep/sweep.h"
 

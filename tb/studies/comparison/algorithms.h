@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "model/circular/host.h"
-#include "model/dda/host.h"
-#include "model/linear/host.h"
+#include "model/circular/job.h"
+#include "model/dda/job.h"
+#include "model/linear/job.h"
 #include "tb/bench/bench.h"
 #include "tb/studies/comparison/figures.h"
 #include "tb/sweep/sweep.h"

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "model/circular/oracle.h"
+#include "model/core/wide.h"
 #include "model/linear/oracle.h"
 
 namespace cosim::compare {
@@ -46,8 +47,7 @@ namespace {
 
 // Of numbers of 32 bits.
 double area(const Line& line, Point at) {
-  __extension__ typedef __int128 Wide;
-  return static_cast<double>(Wide{line.major} * at.y - Wide{line.minor} * at.x);
+  return static_cast<double>(Int128{line.major} * at.y - Int128{line.minor} * at.x);
 }
 
 double distance(Point a, Point b) {

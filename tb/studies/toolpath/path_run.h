@@ -6,8 +6,8 @@
 #include <functional>
 #include <memory>
 
-#include "model/circular/host.h"
-#include "model/linear/host.h"
+#include "model/circular/job.h"
+#include "model/linear/job.h"
 #include "model/toolpath/plan.h"
 #include "tb/bench/bench.h"
 #include "tb/sweep/sweep.h"

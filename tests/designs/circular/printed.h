@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "model/circular/host.h"
+#include "model/circular/job.h"
 #include "tests/support/recorder.h"
 
 namespace cosim::circular::printed {

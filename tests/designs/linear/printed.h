@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "model/linear/host.h"
+#include "model/linear/job.h"
 #include "tests/support/recorder.h"
 
 namespace cosim::linear::printed {

@@ -1,7 +1,7 @@
 // Lines of results with hashes that fit: what they say comes to the report, or is refused.
 #include <sstream>
 
-#include "model/linear/host.h"
+#include "model/linear/job.h"
 #include "tb/program/result_json.h"
 #include "tb/report/report.h"
 #include "tests/fuzz/machines.h"

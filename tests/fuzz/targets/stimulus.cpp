@@ -1,8 +1,8 @@
 // A stimulus file: what is read comes back from its own text, and runs.
 #include "tb/bench/stimulus_text.h"
 
-#include "model/circular/host.h"
-#include "model/linear/host.h"
+#include "model/circular/job.h"
+#include "model/linear/job.h"
 #include "tests/fuzz/expect.h"
 #include "tests/fuzz/machines.h"
 

@@ -6,6 +6,7 @@
 #include "model/core/design.h"
 #include "tb/lockstep/cells.h"
 #include "tb/stimulus/hostile.h"
+#include "tests/support/error_of.h"
 
 namespace cosim::test {
 namespace {
@@ -68,15 +69,10 @@ TEST(ArrayFields, DescribeEachCell) {
 }
 
 TEST(ArrayFields, ThatDoNotFitAreRefused) {
-  const auto refusal = [](const ArraySizes& p) -> std::string {
-    try {
-      Record::fields(p);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "none";
+  const auto refusal = [](const ArraySizes& p) {
+    return test::error_of([&] { Record::fields(p); });
   };
-  EXPECT_EQ(refusal({4, 192}), "none");
+  EXPECT_EQ(refusal({4, 192}), "");
   EXPECT_EQ(refusal({5, 70}), "store: 5 elements, and its array holds 1 to 4");
   EXPECT_EQ(refusal({0, 70}), "store: 0 elements, and its array holds 1 to 4");
   EXPECT_EQ(refusal({3, 193}), "line: 4 elements, and its array holds 1 to 3");

@@ -7,6 +7,7 @@
 
 #include "model/core/bit_strings.h"
 #include "model/core/memory.h"
+#include "model/core/wide.h"
 #include "tb/nets/number.h"
 #include "tb/support/random.h"
 #include "tests/support/lanes.h"
@@ -16,8 +17,6 @@ namespace cosim {
 namespace {
 
 using test::each_lane, test::kLanes, test::Lanes, test::Strict;
-
-__extension__ using Number = __int128;
 
 // Bit i of v.
 bool at(Word v, int i) { return ((static_cast<std::uint64_t>(v) >> i) & 1) != 0; }
@@ -101,10 +100,10 @@ TEST(Operations, CutAndJoin) {
 TEST(Operations, WrapAndCompareWithoutASign) {
   for (const Pair& pair : pairs()) {
     const Word a = pair.a, b = pair.b;
-    const auto modulo = [](Number n) { return static_cast<Word>(static_cast<std::uint64_t>(n)); };
-    ASSERT_EQ(add(a, b), modulo(Number{a} + b));
-    ASSERT_EQ(subtract(a, b), modulo(Number{a} - b));
-    ASSERT_EQ(multiply(a, b), modulo(Number{a} * b));
+    const auto modulo = [](Int128 n) { return static_cast<Word>(static_cast<std::uint64_t>(n)); };
+    ASSERT_EQ(add(a, b), modulo(Int128{a} + b));
+    ASSERT_EQ(subtract(a, b), modulo(Int128{a} - b));
+    ASSERT_EQ(multiply(a, b), modulo(Int128{a} * b));
     ASSERT_EQ(below(a, b), static_cast<std::uint64_t>(a) < static_cast<std::uint64_t>(b));
   }
 }

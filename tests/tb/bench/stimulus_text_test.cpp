@@ -3,12 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-
-#include "model/circular/host.h"
-#include "model/core/input_error.h"
-#include "model/linear/host.h"
+#include "model/circular/job.h"
+#include "model/linear/job.h"
 #include "tb/bench/bench.h"
+#include "tests/support/error_of.h"
 
 namespace cosim::test {
 namespace {
@@ -34,12 +32,7 @@ Stimulus sample(const AnyBench& bench, std::size_t clocks) {
 }
 
 std::string refusal(const std::string& text) {
-  try {
-    parse_stimulus("x.stim", text, benches());
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { parse_stimulus("x.stim", text, benches()); });
 }
 
 TEST(StimulusFile, ComesBackAsItWas) {

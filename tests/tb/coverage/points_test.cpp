@@ -31,11 +31,12 @@ class CoveragePoints : public testing::Test {
 };
 
 TEST_F(CoveragePoints, OfAllInstancesAndFilesAreAddedUp) {
-  write("Vpart_W4.12.0", "# SystemC::Coverage-3\n" + counted("toggle", 12, "count[3]", "TOP.a", 3) +
-                             counted("toggle", 12, "count[3]", "TOP.b", 4) +
-                             counted("line", 7, "block", "TOP.a", 0));
-  write("Vpart_W8.13.0", counted("toggle", 12, "count[3]", "TOP.a", 5) +
-                             counted("toggle", 12, "count[4]", "TOP.a", 0));
+  write("Vpart_W4.12.0", "# SystemC::Coverage-3\n" +
+                             counted("toggle", 12, "count[3]", "TOP.top.one", 3) +
+                             counted("toggle", 12, "count[3]", "TOP.top.two.part", 4) +
+                             counted("line", 7, "block", "TOP.top.one", 0));
+  write("Vpart_W8.13.0", counted("toggle", 12, "count[3]", "TOP.top.one", 5) +
+                             counted("toggle", 12, "count[4]", "TOP.top.one", 0));
   const Points all = read();
   ASSERT_EQ(all.rtl.size(), 3);
   EXPECT_EQ(all.rtl[0].kind, "line");
@@ -47,6 +48,7 @@ TEST_F(CoveragePoints, OfAllInstancesAndFilesAreAddedUp) {
   EXPECT_EQ(all.rtl[1].kind, "toggle");
   EXPECT_EQ(all.rtl[1].what, "count[3]");
   EXPECT_EQ(all.rtl[1].hits, 12);
+  EXPECT_EQ(all.rtl[1].instances, (std::vector<std::string>{"one", "two.part"}));
   EXPECT_EQ(all.rtl[2].what, "count[4]");
   EXPECT_EQ(all.rtl[2].hits, 0);
   EXPECT_TRUE(all.cases.empty());

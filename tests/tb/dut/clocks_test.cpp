@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "model/core/input_error.h"
 #include "tb/dut/named_adapter.h"
+#include "tests/support/error_of.h"
 
 namespace cosim {
 namespace {
@@ -25,15 +25,12 @@ std::string said_of(Edge w, Edge r) {
                                  port_net("r_clk", true, 1, 0, r_clk)};
   Ports ports{"made", "", {input("w_clk", w), input("r_clk", r)}, {}};
   ports.clocks = "w_clk\nfalling r_clk";
-  try {
+  return test::error_of([&] {
     const std::vector<Net> nets = find_ports(rtl, ports);
     EXPECT_EQ(nets.at(0).data, &w_clk);
     EXPECT_EQ(nets.at(1).data, &r_clk);
     EXPECT_EQ(nets.at(2).data, nullptr);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 TEST(ClocksOfTheTables, AreThoseOfTheRtl) {

@@ -1,10 +1,8 @@
 // What the RTL's text says of registers and resets, against what a design says.
 #include <gtest/gtest.h>
 
-#include <functional>
-
-#include "model/core/input_error.h"
 #include "tb/dut/registers.h"
+#include "tests/support/error_of.h"
 
 namespace cosim {
 namespace {
@@ -20,35 +18,26 @@ Field field(const char* net, int width = 4) {
   return f;
 }
 
-std::string said(const std::function<void()>& run) {
-  try {
-    run();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
-
 // `store` is a memory; sub.held goes by the name `top` as well.
-const RtlText text{"made W=4",
-                   "count 4 0 3:0\nstore 4 4 15:0\nsub.held 4 0 3:0 sub.out 4 0 0 top 8 0 2\n"
-                   "debug.a 1 0 0:0\ndebug.b.c 2 0 1:0",
-                   ""};
+const RtlText kText{"made W=4",
+                    "count 4 0 3:0\nstore 4 4 15:0\nsub.held 4 0 3:0 sub.out 4 0 0 top 8 0 2\n"
+                    "debug.a 1 0 0:0\ndebug.b.c 2 0 1:0",
+                    ""};
 const Field store[] = {field("store[0]"), field("store[1]"), field("store[2]"), field("store[3]")};
 
 TEST(Unobserved, IsWhatPatternsAllowAndNoFieldNames) {
   EXPECT_EQ(unobserved_registers(
-                text, {field("count"), store[0], store[1], store[2], store[3], field("top[5:2]")},
+                kText, {field("count"), store[0], store[1], store[2], store[3], field("top[5:2]")},
                 {"debug.*"}),
             (Names{"debug.a", "debug.b.c"}));
   EXPECT_EQ(
-      unobserved_registers(text, {field("count"), field("top", 8)}, {"*.a", "st*re", "debug.b.c"}),
+      unobserved_registers(kText, {field("count"), field("top", 8)}, {"*.a", "st*re", "debug.b.c"}),
       (Names{"store", "debug.a", "debug.b.c"}));
 }
 
 // What is said where the tables have these fields, and debug.* is in unobserved.
 std::string refused(const std::vector<Field>& fields) {
-  return said([&] { unobserved_registers(text, fields, {"debug.*"}); });
+  return test::error_of([&] { unobserved_registers(kText, fields, {"debug.*"}); });
 }
 std::string escapes(const std::string& part) {
   return "made W=4: the RTL has a register " + part +
@@ -85,10 +74,10 @@ TEST(Unobserved, SoIsEveryOtherBit) {
 
 TEST(Unobserved, MayBeSomeBits) {
   const std::vector<Field> some{field("count[1:0]", 2), store[1], store[2], field("sub.out")};
-  EXPECT_EQ(unobserved_registers(text, some, {"debug.*", "count[3:2]", "store"}),
+  EXPECT_EQ(unobserved_registers(kText, some, {"debug.*", "count[3:2]", "store"}),
             (Names{"count[3:2]", "store[0]", "store[3]", "debug.a", "debug.b.c"}));
-  EXPECT_EQ(said([&] {
-              unobserved_registers(text, some, {"debug.*", "count[3:2]", "store[0]"});
+  EXPECT_EQ(test::error_of([&] {
+              unobserved_registers(kText, some, {"debug.*", "count[3:2]", "store[0]"});
             }),
             escapes("store[3]"));
 }
@@ -104,7 +93,7 @@ TEST(Unobserved, SoIsAMemoryOfSeveralDimensions) {
   EXPECT_EQ(unobserved_registers(deep, {field("count")}, {"grid"}), Names{"grid"});
   for (const std::vector<Field>& fields :
        {std::vector<Field>{field("count")}, {field("count"), field("grid")}}) {
-    const std::string refused = said([&] { unobserved_registers(deep, fields, {}); });
+    const std::string refused = test::error_of([&] { unobserved_registers(deep, fields, {}); });
     EXPECT_TRUE(refused.ends_with(
         "register grid: a memory of more dimensions than one can only be in unobserved"))
         << refused;
@@ -115,8 +104,8 @@ TEST(Unobserved, APatternThatNamesNothingIsRefused) {
   const std::vector<Field> fields{field("count"), store[0], store[1],
                                   store[2],       store[3], field("top", 8)};
   for (const char* pattern : {"debug", "debug.x*", "count", "count[1:0]", "*.d"}) {
-    EXPECT_EQ(said([&] {
-                unobserved_registers(text, fields, {"debug.*", pattern});
+    EXPECT_EQ(test::error_of([&] {
+                unobserved_registers(kText, fields, {"debug.*", pattern});
               }),
               std::string("made W=4: unobserved has ") + pattern +
                   ", and the RTL has no such register beside the tables");
@@ -126,20 +115,23 @@ TEST(Unobserved, APatternThatNamesNothingIsRefused) {
 TEST(Resets, AreThoseThatTheDesignNames) {
   const RtlText none{"made", "q", ""}, high{"made", "q", "rst"}, low{"made", "q", "low rst_n"};
   const auto at_edge = Resets::at_edge, at_once = Resets::at_once, each = Resets::each_at_once;
-  EXPECT_EQ(said([&] { require_resets(none, at_edge, {{"rst", true}}); }), "");
-  EXPECT_EQ(said([&] { require_resets(high, at_once, {{"rst", true}}); }), "");
-  EXPECT_EQ(said([&] { require_resets(low, at_once, {{"rst_n", false}}); }), "");
-  EXPECT_EQ(said([&] { require_resets(low, each, {{"rst_n", false}, {"x", true}}); }), "");
+  EXPECT_EQ(test::error_of([&] { require_resets(none, at_edge, {{"rst", true}}); }), "");
+  EXPECT_EQ(test::error_of([&] { require_resets(high, at_once, {{"rst", true}}); }), "");
+  EXPECT_EQ(test::error_of([&] { require_resets(low, at_once, {{"rst_n", false}}); }), "");
+  EXPECT_EQ(test::error_of([&] {
+              require_resets(low, each, {{"rst_n", false}, {"x", true}});
+            }),
+            "");
   const std::string no_register = ", and no register of the RTL has an asynchronous reset";
-  EXPECT_EQ(said([&] {
+  EXPECT_EQ(test::error_of([&] {
               require_resets(none, at_once, {{"rst", true}});
             }),
             "made: asynchronous_reset" + no_register);
-  EXPECT_EQ(said([&] {
+  EXPECT_EQ(test::error_of([&] {
               require_resets(none, each, {{"rst", true}});
             }),
             "made: reset()" + no_register);
-  EXPECT_EQ(said([&] {
+  EXPECT_EQ(test::error_of([&] {
               require_resets(low, at_edge, {{"rst_n", false}});
             }),
             "made: rst_n resets asynchronously: struct Design is to say asynchronous_reset = true");
@@ -147,7 +139,7 @@ TEST(Resets, AreThoseThatTheDesignNames) {
                                             {{"other", false}},
                                             {{"rst_n", false}, {"x", true}}}) {
     EXPECT_EQ(
-        said([&] { require_resets(low, at_once, pins); }),
+        test::error_of([&] { require_resets(low, at_once, pins); }),
         "made: rst_n resets asynchronously where it is 0, and reset_inputs() is to differ from "
         "rest() in that alone");
   }
@@ -156,16 +148,16 @@ TEST(Resets, AreThoseThatTheDesignNames) {
 TEST(Resets, OfSeveralAreGivenTogether) {
   const RtlText two{"made", "q", "a\nlow b"};
   const ResetPin a{"a", true}, b{"b", false}, b_high{"b", true}, x{"x", true};
-  EXPECT_EQ(said([&] { require_resets(two, Resets::each_at_once, {a, b}); }), "");
-  EXPECT_EQ(said([&] { require_resets(two, Resets::each_at_once, {x, b, a}); }), "");
+  EXPECT_EQ(test::error_of([&] { require_resets(two, Resets::each_at_once, {a, b}); }), "");
+  EXPECT_EQ(test::error_of([&] { require_resets(two, Resets::each_at_once, {x, b, a}); }), "");
   for (const std::vector<ResetPin>& pins :
        {std::vector<ResetPin>{a}, {a, x}, std::vector<ResetPin>{a, b_high}}) {
-    EXPECT_EQ(said([&] { require_resets(two, Resets::each_at_once, pins); }),
+    EXPECT_EQ(test::error_of([&] { require_resets(two, Resets::each_at_once, pins); }),
               "made: b resets asynchronously where it is 0, and reset_inputs() is to give it");
   }
   for (const Resets design : {Resets::at_edge, Resets::at_once}) {
     EXPECT_EQ(
-        said([&] {
+        test::error_of([&] {
           require_resets(two, design, {a, b});
         }),
         "made: a and b reset asynchronously: the model is to say what each clears, with reset()");
@@ -177,10 +169,10 @@ TEST(Unreset, RegistersAreFieldsOfTheState) {
   const Field a{"a", 1, Format::bits, "", ""}, b{"b", 1, Format::bits, "", ""};
   Field unreset = b;
   unreset.unreset = true;
-  EXPECT_EQ(said([&] { require_taken_over(made, {a, b}, {a}); }), "");
-  EXPECT_EQ(said([&] { require_taken_over(made, {a, unreset}, {a, b}); }), "");
+  EXPECT_EQ(test::error_of([&] { require_taken_over(made, {a, b}, {a}); }), "");
+  EXPECT_EQ(test::error_of([&] { require_taken_over(made, {a, unreset}, {a, b}); }), "");
   EXPECT_EQ(
-      said([&] {
+      test::error_of([&] {
         require_taken_over(made, {a, unreset}, {a});
       }),
       "made: b is unreset(), and no field of the state: the model takes its value over by that "
@@ -191,9 +183,9 @@ TEST(Resets, ByARegisterAreInReset) {
   for (const char* resets : {"inner ready", "low rst_n\ninner low ready"}) {
     const RtlText made{"made", "q", resets};
     const ResetPin rst_n{"rst_n", false};
-    EXPECT_EQ(said([&] { require_resets(made, Resets::each_at_once, {rst_n}); }), "");
+    EXPECT_EQ(test::error_of([&] { require_resets(made, Resets::each_at_once, {rst_n}); }), "");
     for (const Resets design : {Resets::at_edge, Resets::at_once}) {
-      EXPECT_EQ(said([&] { require_resets(made, design, {rst_n}); }),
+      EXPECT_EQ(test::error_of([&] { require_resets(made, design, {rst_n}); }),
                 "made: register ready resets others asynchronously: the model is to say what it "
                 "clears, with reset()");
     }

@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <string>
 
 #include "model/core/input_error.h"
 #include "tb/support/random.h"
+#include "tests/support/error_of.h"
 
 namespace cosim::nets {
 namespace {
@@ -141,12 +141,7 @@ TEST(Blif, IsReadAsToolsWriteIt) {
 }
 
 std::string refusal(const std::string& text) {
-  try {
-    read_blif(text, "x.blif");
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "none";
+  return test::error_of([&] { read_blif(text, "x.blif"); });
 }
 TEST(Blif, ThatIsNoneIsRefused) {
   EXPECT_EQ(refusal(".inputs a b c d e f g\n.names a b c d e f g y\n"),

@@ -7,6 +7,7 @@
 #include "tb/proof/decide.h"
 #include "tb/proof/machines.h"
 #include "tb/proof/mutants.h"
+#include "tests/support/error_of.h"
 #include "tests/support/root.h"
 #include "tests/support/solvers.h"
 
@@ -175,13 +176,8 @@ TEST_P(Claims, AreOfEveryRegister) {
 // A port that no table names would be compared with nothing, or stay free.
 TEST_P(Claims, AreOfEveryPort) {
   const Rtl rtl = rtl_of(GetParam().formula());
-  const auto refusal = [&](const MachineFormula& m) -> std::string {
-    try {
-      claim_step(m, rtl);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "none";
+  const auto refusal = [&](const MachineFormula& m) {
+    return test::error_of([&] { claim_step(m, rtl); });
   };
   MachineFormula fewer = GetParam().formula();
   const std::string output = fewer.outputs.back().field.name;

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "model/circular/host.h"
-#include "model/linear/host.h"
+#include "model/circular/job.h"
+#include "model/linear/job.h"
 #include "tests/support/model_adapter.h"
 
 namespace cosim {

@@ -147,9 +147,9 @@ class Case {
 
  private:
   StreamOrder order(std::uint64_t budget) {
-    const auto due = [this](std::span<const std::size_t> taken) {
+    const auto due = [this](std::span<const std::size_t> taken, std::span<std::size_t> sizes) {
       ++asked_;
-      return std::vector(taken.begin(), taken.end());
+      std::copy(taken.begin(), taken.end(), sizes.begin());
     };
     return {given_, expected_, due, 1, budget, true, nullptr};
   }

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "model/core/input_error.h"
-#include "tests/cli/folder.h"
+#include "tests/support/folder.h"
 
 namespace cosim {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 TEST(Hash, IsThatOfTheLiterature) { EXPECT_EQ(hash_of(""), "99aa06d3014798d86001c324468d497f"); }
 
 TEST(Hash, OfAFileIsThatOfItsText) {
-  const cli::Folder folder;
+  const test::Folder folder;
   for (const std::size_t size : {0U, 1U, (1U << 20) - 1, 1U << 20, (3U << 20) + 5}) {
     std::string text(size, 'x');
     for (std::size_t i = 0; i < size; i += 7) text[i] = static_cast<char>(i >> 3);

@@ -3,46 +3,38 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
-
-#include "model/core/input_error.h"
 #include "tb/support/json.h"
+#include "tests/support/error_of.h"
 
 namespace cosim {
 namespace {
-
-std::string said(const std::function<void()>& read) {
-  try {
-    read();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing";
-}
 
 const JsonAt plan("run.json", R"({"tasks": [{}, {"units": -1, "name": 7, "yes": 1.5}],
                                   "none": null, "most": 18446744073709551615})");
 
 TEST(JsonAt, NamesTheFileAndThePlace) {
   const JsonAt task = plan.at("tasks").list()[1];
-  EXPECT_EQ(said([&] { task.at("units").whole(1, 1000); }),
+  EXPECT_EQ(test::error_of([&] { task.at("units").whole(1, 1000); }),
             "run.json: tasks[1].units is -1, not a whole number from 1 to 1000");
-  EXPECT_EQ(said([&] { task.at("units").whole(3, 3); }), "run.json: tasks[1].units is -1, not 3");
-  EXPECT_EQ(said([&] { task.at("units").number(0, 2.5); }),
+  EXPECT_EQ(test::error_of([&] { task.at("units").whole(3, 3); }),
+            "run.json: tasks[1].units is -1, not 3");
+  EXPECT_EQ(test::error_of([&] { task.at("units").number(0, 2.5); }),
             "run.json: tasks[1].units is -1, not a number from 0 to 2.5");
-  EXPECT_EQ(said([&] { task.at("name").text(); }), "run.json: tasks[1].name is 7, not a text");
-  EXPECT_EQ(said([&] { task.at("yes").yes(); }),
+  EXPECT_EQ(test::error_of([&] { task.at("name").text(); }),
+            "run.json: tasks[1].name is 7, not a text");
+  EXPECT_EQ(test::error_of([&] { task.at("yes").yes(); }),
             "run.json: tasks[1].yes is 1.5, not true or false");
-  EXPECT_EQ(said([&] { task.at("minutes"); }), "run.json: tasks[1] has no 'minutes'");
-  EXPECT_EQ(said([&] { plan.at("none").list(); }), "run.json: none is null, not a list");
-  EXPECT_EQ(said([&] { plan.at("tasks").list(3); }),
+  EXPECT_EQ(test::error_of([&] { task.at("minutes"); }), "run.json: tasks[1] has no 'minutes'");
+  EXPECT_EQ(test::error_of([&] { plan.at("none").list(); }), "run.json: none is null, not a list");
+  EXPECT_EQ(test::error_of([&] { plan.at("tasks").list(3); }),
             "run.json: tasks is a list of 2, not of 3 or more");
-  EXPECT_EQ(said([&] { plan.at("tasks").list(0, 1); }),
+  EXPECT_EQ(test::error_of([&] { plan.at("tasks").list(0, 1); }),
             "run.json: tasks is a list of 2, not of at most 1");
-  EXPECT_EQ(said([&] { plan.at("tasks").list(5, 5); }), "run.json: tasks is a list of 2, not of 5");
-  EXPECT_EQ(said([&] { plan.at("tasks").at("x"); }),
+  EXPECT_EQ(test::error_of([&] { plan.at("tasks").list(5, 5); }),
+            "run.json: tasks is a list of 2, not of 5");
+  EXPECT_EQ(test::error_of([&] { plan.at("tasks").at("x"); }),
             "run.json: tasks is a list of 2, not an object");
-  EXPECT_EQ(said([&] { plan.text(); }), "run.json: it is an object, not a text");
+  EXPECT_EQ(test::error_of([&] { plan.text(); }), "run.json: it is an object, not a text");
 }
 
 TEST(JsonAt, GivesWhatIsThere) {
@@ -56,7 +48,7 @@ TEST(JsonAt, GivesWhatIsThere) {
 
 TEST(JsonAt, RefusesWhatIsNoJson) {
   const auto refused = [](const std::string& text) {
-    return said([&] { JsonAt("a.json", text); });
+    return test::error_of([&] { JsonAt("a.json", text); });
   };
   EXPECT_EQ(refused("{").find("a.json: no JSON: at line 1, column 2: "), 0U) << refused("{");
   EXPECT_EQ(refused("1e999").find("a.json: no JSON: "), 0U) << refused("1e999");
@@ -65,7 +57,7 @@ TEST(JsonAt, RefusesWhatIsNoJson) {
     const auto size = static_cast<std::size_t>(levels);
     return std::string(size, '[') + std::string(size, ']');
   };
-  EXPECT_EQ(refused(nested(most_json_levels)), "nothing");
+  EXPECT_EQ(refused(nested(most_json_levels)), "");
   EXPECT_EQ(refused(nested(most_json_levels + 1)), "a.json: no JSON of at most 100 levels");
   EXPECT_EQ(refused(nested(1'000'000)), "a.json: no JSON of at most 100 levels");
 }
@@ -73,7 +65,7 @@ TEST(JsonAt, RefusesWhatIsNoJson) {
 // A terminal is shown no control character.
 TEST(JsonAt, IsOneLineOfPrintableText) {
   const JsonAt hostile("a\n.json", R"({"\u001b[2J\n": "x\u001b"})");
-  const std::string line = said([&] { hostile.at("\x1b[2J\n").whole(); });
+  const std::string line = test::error_of([&] { hostile.at("\x1b[2J\n").whole(); });
   EXPECT_EQ(line.find_first_of("\x1b\n"), std::string::npos) << line;
 }
 

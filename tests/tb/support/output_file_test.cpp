@@ -8,9 +8,10 @@
 #include <fstream>
 #include <iterator>
 
-#include "model/core/input_error.h"
 #include "tb/report/report.h"
 #include "tb/support/replace_file.h"
+#include "tests/support/error_of.h"
+#include "tests/support/folder.h"
 
 namespace cosim {
 namespace {
@@ -19,29 +20,14 @@ namespace fs = std::filesystem;
 
 class OutputFileOf : public testing::Test {
  protected:
-  OutputFileOf()
-      : folder_(fs::path(testing::TempDir()) / ("output_file_" + std::to_string(getpid()))) {
-    fs::create_directories(folder_);
-  }
-  ~OutputFileOf() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_.path(name); }
   static std::string text(const std::string& path) {
     std::ifstream file(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(file), {}};
   }
-  template <class Action>
-  static std::string error_of(Action action) {
-    try {
-      action();
-    } catch (const InputError& e) {
-      return e.what();
-    }
-    return "no error";
-  }
 
  private:
-  fs::path folder_;
+  test::Folder folder_;
 };
 
 TEST_F(OutputFileOf, Lines) {
@@ -125,27 +111,27 @@ TEST_F(OutputFileOf, ClosedTwiceIsClosed) {
 }
 
 TEST_F(OutputFileOf, APathThatCannotBeWritten) {
-  EXPECT_EQ(error_of([&] { OutputFile file(path("none/a")); }),
+  EXPECT_EQ(test::error_of([&] { OutputFile file(path("none/a")); }),
             path("none/a") + ": cannot write: No such file or directory");
-  EXPECT_EQ(error_of([&] { OutputFile file(path("")); }),
+  EXPECT_EQ(test::error_of([&] { OutputFile file(path("")); }),
             path("") + ": cannot write: Is a directory");
 }
 
 TEST_F(OutputFileOf, AFullDevice) {
   if (!fs::exists("/dev/full")) GTEST_SKIP() << "not here: there is no /dev/full";
   const std::string error = "/dev/full: cannot write: No space left on device";
-  EXPECT_EQ(error_of([] {
+  EXPECT_EQ(test::error_of([] {
               OutputFile file("/dev/full");
               file.line("a line");
               file.close();
             }),
             error);
-  EXPECT_EQ(error_of([] {
+  EXPECT_EQ(test::error_of([] {
               OutputFile file("/dev/full");
               for (int i = 0; i < 1'000'000; ++i) file.line("a line");  // long before the close
             }),
             error);
-  EXPECT_EQ(error_of([] { write_report("/dev/full", "{}"); }), error);
+  EXPECT_EQ(test::error_of([] { write_report("/dev/full", "{}"); }), error);
 }
 
 TEST_F(OutputFileOf, AReport) {

@@ -3,12 +3,11 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <filesystem>
-#include <fstream>
 
-#include "model/core/input_error.h"
+#include "tests/support/error_of.h"
+#include "tests/support/folder.h"
 
 namespace cosim {
 namespace {
@@ -17,27 +16,16 @@ namespace fs = std::filesystem;
 
 class ReadFile : public testing::Test {
  protected:
-  ReadFile() : folder_(fs::path(testing::TempDir()) / ("read_file_" + std::to_string(getpid()))) {
-    fs::create_directories(folder_);
-  }
-  ~ReadFile() override { fs::remove_all(folder_); }
-
-  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string path(const std::string& name) const { return folder_.path(name); }
   std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(path(name), std::ios::binary) << text;
-    return path(name);
+    return folder_.write(name, text);
   }
   static std::string error_of(const std::string& path) {
-    try {
-      read_file(path);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "accepted";
+    return test::error_of([&] { read_file(path); });
   }
 
  private:
-  fs::path folder_;
+  test::Folder folder_;
 };
 
 TEST_F(ReadFile, GivesEveryByte) {

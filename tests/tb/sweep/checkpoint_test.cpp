@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <thread>
@@ -13,20 +12,15 @@
 #include "model/core/input_error.h"
 #include "tb/support/read_file.h"
 #include "tb/support/replace_file.h"
+#include "tests/support/folder.h"
 
 namespace cosim {
 namespace {
 
 class CheckpointIn : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (std::filesystem::temp_directory_path() / "checkpoint_XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-    path_ = folder_ / "state";
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-  std::filesystem::path folder_, path_;
+  test::Folder folder_;
+  std::filesystem::path path_ = folder_.path("state");
 };
 
 TEST_F(CheckpointIn, GivesWhatWasSavedLast) {
@@ -40,7 +34,7 @@ TEST_F(CheckpointIn, GivesWhatWasSavedLast) {
 TEST_F(CheckpointIn, HoldsNoFigureThatIsNotFinite) {
   Checkpoint kept(path_, "work");
   EXPECT_THROW(kept.save(Json{{"off", HUGE_VAL}}), std::logic_error);
-  EXPECT_TRUE(std::filesystem::is_empty(folder_));
+  EXPECT_TRUE(folder_.names().empty());
 }
 
 TEST_F(CheckpointIn, IsGoneWhenDone) {
@@ -48,7 +42,7 @@ TEST_F(CheckpointIn, IsGoneWhenDone) {
   checkpoint.done();  // where nothing was saved
   checkpoint.save(1);
   checkpoint.done();
-  EXPECT_TRUE(std::filesystem::is_empty(folder_));
+  EXPECT_TRUE(folder_.names().empty());
 }
 
 TEST_F(CheckpointIn, IsOfItsWorkAlone) {
@@ -108,11 +102,11 @@ TEST_F(CheckpointIn, ReplacesFilesAtOnce) {
 TEST_F(CheckpointIn, LeavesTheOldFileWhereItCannotReplaceIt) {
   std::filesystem::create_directory(path_);
   EXPECT_THROW(replace_file(path_, "text"), InputError);
-  EXPECT_THROW(replace_file(folder_ / "none/file", "text"), InputError);
-  EXPECT_THROW(read_file(folder_ / "none"), InputError);
+  EXPECT_THROW(replace_file(folder_.path("none/file"), "text"), InputError);
+  EXPECT_THROW(read_file(folder_.path("none")), InputError);
   EXPECT_TRUE(std::filesystem::is_directory(path_));
   std::filesystem::remove(path_);
-  EXPECT_TRUE(std::filesystem::is_empty(folder_));
+  EXPECT_TRUE(folder_.names().empty());
 }
 
 }  // namespace

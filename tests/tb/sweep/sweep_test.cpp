@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "model/circular/host.h"
+#include "model/circular/job.h"
 #include "tests/support/model_adapter.h"
 
 namespace cosim {

@@ -4,18 +4,16 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "tb/support/read_file.h"
 #include "tb/wave/picture.h"
+#include "tests/support/folder.h"
 #include "tests/support/model_adapter.h"
 #include "tests/support/vcd.h"
 
 namespace cosim {
 namespace {
-
-namespace fs = std::filesystem;
 
 // Two bits of shift register.
 #define SHIFT_INPUTS(FIELD) FIELD(in, 1, flag, "", "what comes in")
@@ -29,14 +27,6 @@ COSIM_RECORD(Outputs, SHIFT_OUTPUTS, Params);
 
 // A design without a view.
 struct Bare {
-  struct Host {
-    struct Job {};
-    Host(const Params&, std::span<const Job>) {}
-    bool next(Inputs<Word>&, const Outputs<Word>&) { return false; }
-    static std::vector<Job> smaller(const Params&, const Job&) { return {}; }
-    static std::string describe(const Params&, const Job&) { return ""; }
-    std::size_t job() const { return 0; }
-  };
   using Params = cosim::Params;
   template <class V>
   using Inputs = cosim::Inputs<V>;
@@ -96,38 +86,23 @@ struct Seen : Bare {
 
 class ProbesOf : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "probes_XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   std::string draw(const AnyBench& bench) {
-    const std::string path = folder_ / "x.fst";
+    const std::string path = folder_.path("x.fst");
     Stimulus stimulus;
     stimulus.machine = bench.title();
     stimulus.clocks = {{1}, {1}, {0}, {1}};
     bench.draw_wave(path, stimulus, {});
     return path;
   }
-  std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder_)) {
-      names.push_back(entry.path().filename());
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-  }
-  std::string text(const char* name) const { return read_file(folder_ / name); }
-  fs::path folder_;
+  std::string text(const char* name) const { return read_file(folder_.path(name)); }
+  test::Folder folder_;
 };
 
 TEST_F(ProbesOf, ADesignWithoutAViewAreNone) {
   const AnyBench& bench = test::model_bench<Bare, Params{}>();
   EXPECT_TRUE(bench.probes().empty());
   const std::string path = draw(bench);
-  EXPECT_EQ(files(), (std::vector<std::string>{"x.fst", "x.gtkw"}));
+  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"x.fst", "x.gtkw"}));
   EXPECT_NE(text("x.gtkw").find("cosim.actual.held[1:0]"), std::string::npos);
   // Nor is a source named where the tables name none.
   EXPECT_NE(text("x.gtkw").find("-Pins\n"), std::string::npos);
@@ -138,7 +113,7 @@ TEST_F(ProbesOf, ADesignWithoutAViewAreNone) {
 
 TEST_F(ProbesOf, AViewAreInTheWave) {
   const std::string path = draw(test::model_bench<Seen, Params{}>());
-  EXPECT_EQ(files(), (std::vector<std::string>{"x.fst", "x.gtkw", "x.level.txt"}));
+  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"x.fst", "x.gtkw", "x.level.txt"}));
   EXPECT_EQ(text("x.level.txt"), "0 low\n1 high\n");
   const std::string view = text("x.gtkw");
   EXPECT_NE(view.find("@2022\n^1 x.level.txt\n+{level} cosim.line.level[1:0]\n"), std::string::npos)

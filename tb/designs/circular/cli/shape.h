@@ -1,7 +1,7 @@
 // The shape of the circular design on the command line.
 #pragma once
 
-#include "model/circular/host.h"
+#include "model/circular/job.h"
 #include "tb/program/shape.h"
 
 namespace cosim::circular {

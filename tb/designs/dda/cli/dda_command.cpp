@@ -8,12 +8,14 @@
 #include "model/core/input_error.h"
 #include "model/dda/equation.h"
 #include "tb/designs/dda/check.h"
-#include "tb/designs/dda/cli/dda_command.h"
 #include "tb/designs/dda/cli/settings.h"
 #include "tb/designs/dda/cli/shape.h"
+#include "tb/designs/dda/sweeps.h"
+#include "tb/program/command.h"
 #include "tb/program/common.h"
 #include "tb/program/draw_one.h"
 #include "tb/program/number.h"
+#include "tb/program/registry.h"
 #include "tb/support/words.h"
 
 namespace cosim::cli {
@@ -152,8 +154,6 @@ int run(const DdaOptions& o) {
        [drawn = &job](const std::vector<Mark>& marks) { return curve_of(*drawn, marks); }});
 }
 
-}  // namespace
-
 void add_dda(const Command& program) {
   auto o = std::make_shared<DdaOptions>();
   const Command command = program.sub("dda", "A line, a circle or a conic on the DDA");
@@ -171,4 +171,28 @@ void add_dda(const Command& program) {
   command.action([o] { return run(*o); });
 }
 
+}  // namespace
 }  // namespace cosim::cli
+
+namespace cosim::dda {
+namespace {
+
+std::vector<Sweep> exhaustive(const DdaBench& bench, bool in_lanes) {
+  const int every_line_widest = in_lanes ? 10 : 6;
+  const int every_quarter_widest = in_lanes ? 10 : 8;
+  const int width = bench.params().width;
+  if (width > every_quarter_widest) return {};
+  if (width > every_line_widest) return {every_quarter(bench)};
+  return {every_line(bench), every_quarter(bench)};
+}
+
+}  // namespace
+
+void add_to(cli::Registry& registry) {
+  registry.command(cli::add_dda);
+  registry.sweeps({Design::name, "Curves on the DDA", "--exhaustive --width 6", shape_options(),
+                   cli::for_bench_of<Design>(exhaustive), "W <= 8, or 10 with --lanes auto",
+                   cli::for_bench_of<Design>(random_jobs)});
+}
+
+}  // namespace cosim::dda

@@ -1,7 +1,7 @@
 // The shape of the dda design on the command line.
 #pragma once
 
-#include "model/dda/host.h"
+#include "model/dda/job.h"
 #include "tb/program/shape.h"
 
 namespace cosim::dda {

@@ -1,7 +1,7 @@
 // The shape of the linear design on the command line.
 #pragma once
 
-#include "model/linear/host.h"
+#include "model/linear/job.h"
 #include "tb/program/shape.h"
 
 namespace cosim::linear {

@@ -9,10 +9,11 @@
 #include "tb/designs/circular/cli/shape.h"
 #include "tb/designs/dda/cli/shape.h"
 #include "tb/designs/linear/cli/shape.h"
+#include "tb/program/command.h"
 #include "tb/program/common.h"
 #include "tb/program/conclude.h"
 #include "tb/program/outputs.h"
-#include "tb/studies/comparison/cli/compare_command.h"
+#include "tb/program/registry.h"
 #include "tb/studies/comparison/cli/drawn.h"
 #include "tb/studies/comparison/cli/work_options.h"
 #include "tb/studies/comparison/contest.h"
@@ -199,8 +200,6 @@ int run(const CompareOptions& o) {
   return conclude(outcomes, o.common, figures, std::move(looks), text);
 }
 
-}  // namespace
-
 void add_compare(const Command& program) {
   auto o = std::make_shared<CompareOptions>();
   const Command command =
@@ -223,4 +222,11 @@ void add_compare(const Command& program) {
   command.action([o] { return run(*o); });
 }
 
+}  // namespace
 }  // namespace cosim::cli
+
+namespace cosim::comparison {
+
+void add_to(cli::Registry& registry) { registry.command(cli::add_compare); }
+
+}  // namespace cosim::comparison

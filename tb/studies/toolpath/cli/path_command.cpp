@@ -5,6 +5,7 @@
 
 #include "model/circular/oracle.h"
 #include "model/core/input_error.h"
+#include "model/core/wide.h"
 #include "model/linear/oracle.h"
 #include "model/toolpath/plan.h"
 #include "model/toolpath/quantise.h"
@@ -12,14 +13,15 @@
 #include "tb/designs/linear/cli/code_option.h"
 #include "tb/designs/linear/cli/shape.h"
 #include "tb/plot/plot.h"
+#include "tb/program/command.h"
 #include "tb/program/common.h"
 #include "tb/program/conclude.h"
 #include "tb/program/extent.h"
 #include "tb/program/number.h"
 #include "tb/program/outputs.h"
+#include "tb/program/registry.h"
 #include "tb/program/wave.h"
 #include "tb/studies/toolpath/cli/curves.h"
-#include "tb/studies/toolpath/cli/path_command.h"
 #include "tb/studies/toolpath/path_run.h"
 #include "tb/support/json.h"
 #include "tb/support/output_file.h"
@@ -90,8 +92,7 @@ double off(const toolpath::Segment& s, toolpath::Point at) {
   const toolpath::Point along{s.end.x - s.start.x, s.end.y - s.start.y};
   const double length = std::hypot(static_cast<double>(along.x), static_cast<double>(along.y));
   // Of numbers of 33 bits.
-  __extension__ typedef __int128 Wide;
-  const Wide area = Wide{along.x} * from.y - Wide{along.y} * from.x;
+  const Int128 area = Int128{along.x} * from.y - Int128{along.y} * from.x;
   return length == 0 ? 0 : std::fabs(static_cast<double>(area)) / length;
 }
 
@@ -195,8 +196,6 @@ int run(const PathOptions& o) {
                   title);
 }
 
-}  // namespace
-
 void add_path(const Command& program) {
   auto o = std::make_shared<PathOptions>();
   const Command command =
@@ -222,4 +221,15 @@ void add_path(const Command& program) {
   command.action([o] { return run(*o); });
 }
 
+}  // namespace
 }  // namespace cosim::cli
+
+namespace cosim::toolpath {
+
+void add_to(cli::Registry& registry) {
+  registry.command(cli::add_path);
+  registry.example({"Toolpath: a flange, 100 steps a millimetre",
+                    {"path", "tests/toolpaths/flange.ngc", "--steps-per-mm", "100"}});
+}
+
+}  // namespace cosim::toolpath

@@ -129,10 +129,8 @@ TEST(Arc, OfRadius0IsAPoint) {
 }
 
 TEST(Arc, RunsOnTheSmallestMachineThatHoldsIt) {
-  const auto machine = [](const char* name, const std::string& value, Arguments more = {}) {
-    Arguments command{"arc", name, value, "--count", "3"};
-    command.insert(command.end(), more.begin(), more.end());
-    const std::string text = cosim(command).out;
+  const auto machine = [](const char* name, const std::string& value, const Arguments& more = {}) {
+    const std::string text = cosim(joined({"arc", name, value, "--count", "3"}, more)).out;
     return text.substr(0, text.find(':'));
   };
   EXPECT_EQ(machine("--radius", "15"), "circular W=4");

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdint>
 
-namespace cosim::cli {
+#include "model/core/wide.h"
 
-__extension__ typedef __int128 Wide;
+namespace cosim::cli {
 
 struct Lattice {
   std::int64_t x = 0;
@@ -14,8 +14,8 @@ struct Lattice {
 };
 
 /// Whether the point (x / 2, y / 2) is inside the circle.
-inline bool inside(Wide x, Wide y, std::uint64_t radius2) {
-  return x * x + y * y < 4 * static_cast<Wide>(radius2);
+inline bool inside(Int128 x, Int128 y, std::uint64_t radius2) {
+  return x * x + y * y < 4 * static_cast<Int128>(radius2);
 }
 
 /// The next point towards (0, R), anticlockwise: in the sector x > y a row up, elsewhere a column
@@ -47,8 +47,8 @@ inline std::int64_t rounded_root(std::uint64_t radius2) { return across_from(0, 
 
 /// |sqrt(x^2 + y^2) - R|, by the difference of the squares so that large circles lose no digits.
 inline double radial_deviation(Lattice p, std::uint64_t radius2) {
-  const Wide difference =
-      static_cast<Wide>(p.x) * p.x + static_cast<Wide>(p.y) * p.y - static_cast<Wide>(radius2);
+  const Int128 difference = static_cast<Int128>(p.x) * p.x + static_cast<Int128>(p.y) * p.y -
+                            static_cast<Int128>(radius2);
   if (difference == 0) return 0;
   const double sum = std::hypot(static_cast<double>(p.x), static_cast<double>(p.y)) +
                      std::sqrt(static_cast<double>(radius2));

@@ -9,11 +9,10 @@
 #include <vector>
 
 #include "model/circular/oracle.h"
+#include "model/core/wide.h"
 
 namespace cosim::circular {
 namespace {
-
-__extension__ typedef __int128 Int128;
 
 constexpr std::uint64_t kLargest = std::numeric_limits<std::uint64_t>::max();
 

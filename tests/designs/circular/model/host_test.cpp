@@ -1,5 +1,5 @@
 // The device outside of SU 1665343, at work on the model.
-#include "model/circular/host.h"
+#include "model/circular/job.h"
 
 #include <gtest/gtest.h>
 
@@ -30,14 +30,14 @@ std::size_t length(const Clocks& clocks, std::size_t job) {
 }
 
 TEST(CircularHost, HasNothingToDoWithoutArcs) {
-  Host host({4}, {});
+  HostOf<Design> host({4}, {});
   Inputs<Word> in;
   EXPECT_FALSE(host.next(in, {1, 1, 1}));
 }
 
 TEST(CircularHost, LoadsAndStartsOnOneClock) {
   const std::vector<Arc> arcs = {{{12, 0}, 144, {}}};
-  Host host({4}, arcs);
+  HostOf<Design> host({4}, arcs);
   Inputs<Word> in;
   ASSERT_TRUE(host.next(in, {1, 1, 1}));  // what was seen has no meaning here
   EXPECT_EQ(to_words(in), (Words<Inputs<Word>>{0, 1, 10, 0, 11, 0, 1, 0}));
@@ -49,7 +49,7 @@ TEST(CircularHost, LoadsAndStartsOnOneClock) {
 // X - 1 = 1, X - Y = -10.
 TEST(CircularHost, SendsCodesOfItsWidth) {
   const std::vector<Arc> arcs = {{{8, 9}, 144, {}}, {{2, 12}, 144, 0}};
-  Host host({4}, arcs);
+  HostOf<Design> host({4}, arcs);
   Inputs<Word> in;
   ASSERT_TRUE(host.next(in, {}));
   EXPECT_EQ(to_words(in), (Words<Inputs<Word>>{0, 1, 4, 7, 0b11110, 1, 1, 0}));

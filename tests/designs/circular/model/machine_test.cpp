@@ -55,7 +55,7 @@ TEST(CircularModelAgainstOracle, RandomArcs) {
 TEST(CircularModel, NeverWrapsOnAnArcOfItsWidth) {
   const auto expect_same = [](int width, std::span<const Arc> arcs) {
     const Params narrow{width}, wide{32};
-    Host narrow_host(narrow, arcs), wide_host(wide, arcs);
+    HostOf<Design> narrow_host(narrow, arcs), wide_host(wide, arcs);
     test::ModelMachine<Design> narrow_machine(narrow), wide_machine(wide);
     Inputs<Word> narrow_in, wide_in;
     Outputs<Word> narrow_seen, wide_seen;

@@ -1,6 +1,6 @@
 // The oracle of lanes beside that of one arc: it passes what the machine draws, sees what is not so
 // and comes to the same figures.
-#include "model/circular/walk.h"
+#include "model/circular/checker.h"
 
 #include <gtest/gtest.h>
 
@@ -23,13 +23,14 @@ std::vector<Arc> arcs(const Params& p, std::uint64_t count) {
 TEST(CircularWalk, IsTheOracleOfOneArc) {
   for (const int width : {2, 4, 8, 32}) {
     const Params p{width};
-    test::expect_same_oracle<LaneArcs>(p, arcs(p, 200), [&](auto all) { return Check(all); });
+    test::expect_same_oracle<Design, ArcFigures>(p, arcs(p, 200),
+                                                 [&](auto all) { return Check(all); });
   }
 }
 
 TEST(CircularWalk, SeesWhatTheOracleOfOneArcSees) {
   const Params p{6};
-  test::expect_same_finds<LaneArcs>(
+  test::expect_same_finds<Design, ArcFigures>(
       p, arcs(p, 200), [&](auto all) { return Check(all); },
       [](Outputs<Word>& out, std::uint64_t how) { (how % 2 == 0 ? out.step_x : out.step_y) ^= 1; });
 }

@@ -60,17 +60,15 @@ fault("The zero of F is +0" circular/machine.h
 
 fault("The host stops an arc a step late" circular/drive.h
   [[!(d.steps < t.count)]] [[d.steps > t.count]])
-fault("The host counts the steps of earlier arcs" circular/drive.h
-  [[begun & !over]] [[Condition<V>(true)]])
-fault("The host sends F in ones' complement" circular/host.cpp
+fault("The host sends F in ones' complement" circular/job.cpp
   [[low_bits(s.f, p.width + 2)]]
   [[low_bits(to_ones_complement(s.f, p.width + 2), p.width + 2)]])
 fault("The host starts every arc in sector 1" circular/drive.h
   [[in.sector2 = t.sector2;]] [[in.sector2 = V(0);]])
 
-fault("The oracle of lanes does not look whether the circle is nearer" circular/walk.h
+fault("The check of jobs does not look whether the circle is nearer" circular/checker.h
   [[outer ^ below]] [[outer & !outer]])
-fault("The oracle of lanes takes a point on the edge for one beyond" circular/walk.h
+fault("The check of jobs takes a point on the edge for one beyond" circular/checker.h
   [[sector1 ^ outer]] [[outer & sector1]])
 
 fault("X = Y belongs to sector 1" circular/arc.cpp [[p.x > p.y]] [[p.x >= p.y]])

@@ -5,7 +5,7 @@
 // on; in sector 1 each of them is one in Y.
 #include <gtest/gtest.h>
 
-#include "model/circular/host.h"
+#include "model/circular/job.h"
 #include "model/circular/oracle.h"
 #include "tests/rtl/straight.h"
 #include "tests/support/point.h"

@@ -1,9 +1,10 @@
 // Arcs in lanes.
 #include <gtest/gtest.h>
 
+#include "tb/bench/lane_jobs.h"
+#include "model/core/input_error.h"
 #include "tb/designs/circular/lanes.h"
 #include "tb/designs/circular/sweeps.h"
-#include "tb/sweep/lane_jobs.h"
 #include "tests/support/lane_sweeps.h"
 
 namespace cosim::circular {
@@ -34,19 +35,35 @@ TEST(CircularLanes, AreJudgedByTheOracle) {
     result.failed = "case";
     return result;
   };
-  sweep.in_lanes = std::make_shared<LaneJobsOf<LaneArcs>>(
-      smallest().params(),
-      [=](std::uint64_t i) -> std::function<bool(Arc&)> {
-        return [=, is_over = false](Arc& arc) mutable {
-          arc = arc_at(i);
-          return !std::exchange(is_over, true);
-        };
-      },
-      32);
+  sweep.in_lanes = std::make_shared<LaneArcs>(
+      smallest().params(), [=](std::uint64_t i) { return one_by_one<Arc>({arc_at(i)}); }, 32);
   const Result alone = run_sweep(sweep, 1);
   EXPECT_EQ(alone.cases, 4322U);
   EXPECT_FALSE(alone.mismatch);
-  test::expect_same_failure(smallest(), sweep, *test::jobs_in_lanes(smallest(), sweep, 64));
+  test::expect_same_failure(smallest(), sweep, *test::jobs_in_lanes(smallest(), 64));
+}
+
+// As if drivers waited for ever: a job may have no more than a clock.
+class Impatient final : public LaneJobs {
+ public:
+  explicit Impatient(std::shared_ptr<const LaneJobs> jobs) : jobs_(std::move(jobs)) {}
+  JobLayout layout() const override { return jobs_->layout(); }
+  std::uint64_t cases_a_lane() const override { return 1000; }
+  std::uint64_t most_clocks() const override { return 1; }
+  std::unique_ptr<JobsAtWork> begin(std::size_t lanes) const override {
+    return jobs_->begin(lanes);
+  }
+
+ private:
+  std::shared_ptr<const LaneJobs> jobs_;
+};
+
+TEST(CircularLanes, RunACaseThatDoesNotEndAgainByItself) {
+  Sweep sweep = random_arcs(smallest(), 1, 30'000);
+  sweep.in_lanes = std::make_shared<Impatient>(sweep.in_lanes);
+  sweep.run = [](std::uint64_t) -> Result { throw InputError("its driver waits for ever"); };
+  const auto built = test::jobs_in_lanes(smallest(), 64);
+  EXPECT_THROW(run_sweep(lanes::job_sweep(smallest(), *built, sweep), 1), InputError);
 }
 
 }  // namespace

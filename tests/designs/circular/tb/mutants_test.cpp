@@ -19,9 +19,9 @@ TEST(CircularMutants, AreAttackedWithWordsThatAreNearlyZeroOrFull) {
   std::map<std::string, std::set<Word>> seen;
   for (std::uint64_t i = 0; i < 100; ++i) {
     const auto jobs = Jobs<Design>::random(bench.params(), campaign_seed, i);
-    const Stimulus as_drawn = recorded<Design>(bench.params(), circular::Host(bench.params(), jobs),
-                                               static_cast<std::uint32_t>(i), 64);
-    const Stimulus s = disturbed(bench, jobs, i);
+    const Stimulus as_drawn = recorded<Design>(bench.params(), HostOf<Design>(bench.params(), jobs),
+                                               static_cast<std::uint32_t>(i), disturbed_clocks);
+    const Stimulus s = disturbed(bench, as_drawn, i);
     ASSERT_EQ(s.clocks.size(), as_drawn.clocks.size());
     std::set<std::size_t> changed;
     for (std::size_t clock = 0; clock < s.clocks.size(); ++clock) {

@@ -7,10 +7,11 @@
 
 #include <functional>
 
-#include "model/circular/host.h"
+#include "model/circular/job.h"
 #include "model/core/input_error.h"
 #include "tb/bench/design_bench.h"
 #include "tb/support/random.h"
+#include "tests/support/error_of.h"
 
 namespace cosim::circular {
 namespace {
@@ -83,16 +84,11 @@ std::string refusal(const std::function<void(Ports&)>& change) {
   Instance instance;
   Ports ports = whole();
   change(ports);
-  try {
-    find_ports(ports_of(instance.top()), ports);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "none";
+  return test::error_of([&] { find_ports(ports_of(instance.top()), ports); });
 }
 
 TEST(Ports, AreThoseOfTheTables) {
-  EXPECT_EQ(refusal([](Ports&) {}), "none");
+  EXPECT_EQ(refusal([](Ports&) {}), "");
   EXPECT_EQ(refusal([](Ports& p) { p.inputs.pop_back(); }),
             "circular W=4: the RTL has an input stop that no table names");
   EXPECT_EQ(refusal([](Ports& p) { p.outputs.pop_back(); }),
@@ -119,12 +115,7 @@ std::string refusal_of_register(const char* net, int width) {
   Field field = Registers<Word>::fields(Trait::params)[0];
   field.net = net;
   field.width = width;
-  try {
-    find_registers(instance.context(), "circular W=4", {&field, 1});
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "none";
+  return test::error_of([&] { find_registers(instance.context(), "circular W=4", {&field, 1}); });
 }
 
 TEST(Register, AllThatAreNotThereAreSaidAtOnce) {
@@ -133,22 +124,19 @@ TEST(Register, AllThatAreNotThereAreSaidAtOnce) {
   Field some[] = {fields[0], fields[1]};
   some[0].net = "none";
   some[1].net = "other.one";
-  try {
-    find_registers(instance.context(), "circular W=4", some);
-    FAIL() << "they are found";
-  } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(),
-                 "circular W=4: register none: the RTL has no such net; register other.one: the "
-                 "RTL has no such net");
-  }
+  const std::string error =
+      test::error_of([&] { find_registers(instance.context(), "circular W=4", some); });
+  EXPECT_EQ(error,
+            "circular W=4: register none: the RTL has no such net; register other.one: the "
+            "RTL has no such net");
 }
 
 TEST(Register, IsFoundByItsPath) {
-  EXPECT_EQ(refusal_of_register("t4_q", 1), "none");
+  EXPECT_EQ(refusal_of_register("t4_q", 1), "");
   EXPECT_EQ(refusal_of_register("t5_q", 1), "circular W=4: register t5_q: the RTL has no such net");
   EXPECT_EQ(refusal_of_register("block1.f_q", 1),
             "circular W=4: register block1.f_q: the RTL has no such net");
-  EXPECT_EQ(refusal_of_register("t4_q[0]", 1), "none");
+  EXPECT_EQ(refusal_of_register("t4_q[0]", 1), "");
   EXPECT_EQ(refusal_of_register("t4_q[1]", 1),
             "circular W=4: register t4_q[1]: the RTL has bits 0 to 0");
   EXPECT_EQ(refusal_of_register("t4_q", 2),

@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "tests/cli/checkpoint.h"
-#include "tests/cli/folder.h"
 #include "tests/cli/help.h"
 #include "tests/cli/memory.h"
 #include "tests/cli/picture.h"

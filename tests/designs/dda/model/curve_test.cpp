@@ -9,7 +9,7 @@
 
 #include "model/core/input_error.h"
 #include "model/dda/equation.h"
-#include "model/dda/host.h"
+#include "model/dda/job.h"
 #include "model/dda/oracle.h"
 
 namespace cosim::dda {
@@ -264,7 +264,7 @@ TEST(DdaCurve, IsRefusedInOneLine) {
 
 TEST(DdaHost, WritesTheModesThenEveryRegister) {
   const std::vector<Job> jobs{line(kP, {27, -9}, {Update::sequential, Preload::zero, true})};
-  Host host(kP, jobs);
+  HostOf<Design> host(kP, jobs);
   Inputs<Word> in;
   const Word data[] = {3, 0, 255, 27, 512 - 9, 0, 0, 27, 9, 0, 0, 0};
   for (Word address = 0; address < 12; ++address) {
@@ -277,23 +277,23 @@ TEST(DdaHost, WritesTheModesThenEveryRegister) {
 }
 
 TEST(DdaHost, HasNothingToDoWithoutJobs) {
-  Host host(kP, {});
+  HostOf<Design> host(kP, {});
   Inputs<Word> in;
   EXPECT_FALSE(host.next(in, {}));
 }
 
 TEST(DdaHost, TriesSmallerJobs) {
-  for (const Job& job : Host::smaller(kP, line(kP, {27, 9}, {}))) {
+  for (const Job& job : smaller(kP, line(kP, {27, 9}, {}))) {
     EXPECT_LT(job.start.left_x + job.start.left_y, 36);
-    EXPECT_NE(Host::describe(kP, job), "");
+    EXPECT_NE(describe(kP, job), "");
   }
-  const auto arcs = Host::smaller(kP, arc(kP, {12, 0}, {0, 12}, {}));
+  const auto arcs = smaller(kP, arc(kP, {12, 0}, {0, 12}, {}));
   ASSERT_EQ(arcs.size(), 2U);
   EXPECT_EQ(arcs[0].clocks, 512);
   EXPECT_EQ(arcs[1].clocks, 1023);
   Job none = arcs[0];
   none.clocks = 0;
-  EXPECT_TRUE(Host::smaller(kP, none).empty());
+  EXPECT_TRUE(smaller(kP, none).empty());
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // The oracle of lanes beside that of one job: it passes what the machine draws, sees what is not so
 // and comes to the same figures.
-#include "model/dda/walk.h"
+#include "model/dda/checker.h"
 
 #include <gtest/gtest.h>
 
@@ -28,13 +28,14 @@ std::vector<Job> jobs(const Params& p, int count) {
 TEST(DdaWalk, IsTheOracleOfOneJob) {
   for (const int width : {3, 6, 10, 32}) {
     const Params p{width};
-    test::expect_same_oracle<LaneCurves>(p, jobs(p, 200), [&](auto all) { return Check(p, all); });
+    test::expect_same_oracle<Design, CurveFigures>(p, jobs(p, 200),
+                                                   [&](auto all) { return Check(p, all); });
   }
 }
 
 TEST(DdaWalk, SeesWhatTheOracleOfOneJobSees) {
   const Params p{6};
-  test::expect_same_finds<LaneCurves>(
+  test::expect_same_finds<Design, CurveFigures>(
       p, jobs(p, 100), [&](auto all) { return Check(p, all); },
       [](Outputs<Word>& out, std::uint64_t how) {
         Word* pins[] = {&out.x_up, &out.x_down, &out.y_up, &out.y_down};

@@ -110,23 +110,20 @@ fault("A rate beyond every machine is cut" dda/conic.cpp
 fault("A parabola has a turn" dda/conic.cpp
   [[square <= 0]] [[square < 0]])
 
-fault("The host exchanges two modes" dda/host.cpp
+fault("The host exchanges two modes" dda/job.cpp
   [[s.sequential + 2 * s.normalise]] [[s.normalise + 2 * s.sequential]])
 fault("The host starts before the last register is written" dda/drive.h
   [[d.written == V(addresses - 1)]] [[d.written == V(addresses - 2)]])
 fault("The host stops a clock late" dda/drive.h
   [[!(d.clocks < t.clocks)]] [[d.clocks > t.clocks]])
-fault("The host counts the clocks of earlier jobs" dda/drive.h
-  [[select(writes | over, V(0), d.clocks + V(1))]]
-  [[select(writes | over, d.clocks, d.clocks + V(1))]])
-fault("A job is tried again as a smaller one" dda/host.cpp
+fault("A job is tried again as a smaller one" dda/job.cpp
   [[clocks >= *job.clocks]] [[clocks > *job.clocks]])
 
-fault("The oracle of lanes takes the sum of X for that of Y" dda/walk.h
+fault("The check of jobs takes the sum of X for that of Y" dda/checker.h
   [[shift_right(to_y, p.width)]] [[shift_right(to_x, p.width)]])
-fault("The oracle of lanes knows no sequential update" dda/walk.h
+fault("The check of jobs knows no sequential update" dda/checker.h
   [[select(sequential, turned_y, w.rate_y)]] [[w.rate_y]])
-fault("The oracle of lanes does not see an end that is too early" dda/walk.h
+fault("The check of jobs does not see an end that is too early" dda/checker.h
   [[over & !is_set(w.over)]] [[over & is_set(w.over)]])
 
 fault("The oracle shifts a line once too often" dda/oracle.cpp

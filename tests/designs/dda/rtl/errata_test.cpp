@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "model/dda/equation.h"
-#include "model/dda/host.h"
+#include "model/dda/job.h"
 #include "tests/designs/dda/flow_chart.h"
 #include "tests/rtl/straight.h"
 #include "tests/support/point.h"
@@ -32,7 +32,7 @@ const Variant& shipped() { return test::variant<Design>("shipped/w6"); }
 
 /// What the host gives the machine for a job.
 Script script_of(const Job& job) {
-  Host host(kParams, {&job, 1});
+  HostOf<Design> host(kParams, {&job, 1});
   Script script;
   Inputs<Word> in;
   Outputs<Word> seen{};

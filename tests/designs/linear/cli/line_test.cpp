@@ -85,8 +85,9 @@ TEST(Line, WithACodeGivenFollowsItsDefinition) {
   std::mt19937_64 random(1);
   for (const Shape shape : kShapes) {
     for (int i = 0; i < 12; ++i) {
-      const std::uint64_t most = std::min<std::uint64_t>((std::uint64_t{1} << shape.m) - 1, 5000);
-      const std::uint64_t major = i == 0 ? most : random() % (most + 1);
+      const std::uint64_t largest = (std::uint64_t{1} << shape.m) - 1;
+      const std::uint64_t major = i == 0 ? std::min<std::uint64_t>(largest, 70'000)
+                                         : random() % (std::min<std::uint64_t>(largest, 5000) + 1);
       // Of the wide codes only the first bits have a weight on so short a line.
       const std::string uk = bits(random(), shape.m);
       SCOPED_TRACE(std::to_string(major) + " " + uk + " N=" + std::to_string(shape.n));
@@ -148,9 +149,8 @@ TEST(Line, HasTheBestCodeByDefault) {
 
 TEST(Line, RunsOnTheSmallestMachineThatHoldsIt) {
   const auto machine = [](const Arguments& more, std::uint64_t major) {
-    Arguments command{"line", "--major", std::to_string(major), "--minor", "0"};
-    command.insert(command.end(), more.begin(), more.end());
-    const std::string text = cosim(command).out;
+    const std::string text =
+        cosim(joined({"line", "--major", std::to_string(major), "--minor", "0"}, more)).out;
     return text.substr(0, text.find(':'));
   };
   EXPECT_EQ(machine({}, 0), "linear M=5 N=2");

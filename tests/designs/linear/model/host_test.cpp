@@ -1,5 +1,5 @@
 // The device outside of SU 1631518, at work on the model.
-#include "model/linear/host.h"
+#include "model/linear/job.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ Clocks draw(const std::vector<Job>& jobs) {
 }
 
 std::vector<Inputs<Word>> inputs(const std::vector<Job>& jobs) {
-  Host host({5, 2}, jobs);
+  HostOf<Design> host({5, 2}, jobs);
   std::vector<Inputs<Word>> all;
   State<Word> state;
   Outputs<Word> seen{1, 1, 0, 0};  // of no meaning on the first call
@@ -113,10 +113,10 @@ TEST(LinearHost, TriesSmallerJobs) {
   for (std::int64_t major = 0; major < 32; ++major) {
     for (const std::optional<std::int64_t> words : {std::optional<std::int64_t>{}, {0}, {1}, {5}}) {
       const Job job{{major, 0b01010}, words};
-      for (const Job& smaller : Host::smaller(p, job)) {
-        EXPECT_NE(size(smaller), size(job)) << Host::describe(p, job);
+      for (const Job& smaller : smaller(p, job)) {
+        EXPECT_NE(size(smaller), size(job)) << describe(p, job);
         for (std::size_t i = 0; i < size(job).size(); ++i) {
-          EXPECT_LE(size(smaller)[i], size(job)[i]) << Host::describe(p, job);
+          EXPECT_LE(size(smaller)[i], size(job)[i]) << describe(p, job);
         }
       }
     }

@@ -1,6 +1,6 @@
 // The oracle of lanes beside that of one line: it passes what the machine draws, sees what is not
 // so and comes to the same figures.
-#include "model/linear/walk.h"
+#include "model/linear/checker.h"
 
 #include <gtest/gtest.h>
 
@@ -20,13 +20,14 @@ std::vector<Job> lines(const Params& p, std::uint64_t count) {
 
 TEST(LinearWalk, IsTheOracleOfOneLine) {
   for (const Params& p : {Params{5, 2}, Params{8, 5}, Params{7, 1}, Params{32, 26}}) {
-    test::expect_same_oracle<LaneLines>(p, lines(p, 200), [&](auto all) { return Check(p, all); });
+    test::expect_same_oracle<Design, LineFigures>(p, lines(p, 200),
+                                                  [&](auto all) { return Check(p, all); });
   }
 }
 
 TEST(LinearWalk, SeesWhatTheOracleOfOneLineSees) {
   const Params p{6, 3};
-  test::expect_same_finds<LaneLines>(
+  test::expect_same_finds<Design, LineFigures>(
       p, lines(p, 200), [&](auto all) { return Check(p, all); },
       [&p](Outputs<Word>& out, std::uint64_t how) {
         if (how % 3 == 2) {

@@ -64,15 +64,13 @@ fault("Trigger 10 shows the bit only with a word" linear/machine.h
 
 fault("The host gives a line up a word late" linear/drive.h
   [[!(d.words < t.words)]] [[d.words > t.words]])
-fault("The host counts the words of earlier lines" linear/drive.h
-  [[started & !over]] [[Condition<V>(true)]])
 
-fault("The oracle of lanes knows no last word" linear/walk.h
+fault("The check of jobs knows no last word" linear/checker.h
   [[(words == whole) & !(rest < V(q))]] [[words == whole]])
-fault("The oracle of lanes takes even positions for odd ones" linear/walk.h
+fault("The check of jobs takes even positions for odd ones" linear/checker.h
   [[is_even = is_even & !bit(q, i - 1);]] [[is_even = is_even & bit(q, i - 1);]])
-fault("The oracle of lanes does not count the words" linear/walk.h
-  [[now == due.words]] [[Condition<V>(true)]])
+fault("The check of jobs does not count the words" linear/checker.h
+  [[now == c.due]] [[Condition<V>(true)]])
 
 fault("A weight has no rounding" linear/control_code.cpp
   [[(major >> (i - 1) & 1)]] [[std::int64_t{0}]])

@@ -7,7 +7,7 @@
 
 #include <bit>
 
-#include "model/linear/host.h"
+#include "model/linear/job.h"
 #include "model/linear/oracle.h"
 #include "tests/rtl/straight.h"
 

@@ -19,5 +19,7 @@ fault("A joined part keeps the bits above it" core/bit_strings.h
 fault("An array is written at its first element" core/memory.h
   [[array[static_cast<int>(index)] = value;]] [[array[0] = value;]])
 
-fault("The second job of a host is its first one again" core/drive.h
-  [=[jobs_[job_]]=] [=[jobs_[job_ == 1 ? 0 : job_]]=])
+fault("The second job of a host is its first one again" core/job.h
+  [=[task_for<Design>(p_, jobs_[job_])]=] [=[task_for<Design>(p_, jobs_[job_ == 1 ? 0 : job_])]=])
+fault("A driver goes on from the job before" core/job.h
+  [[driver_ = {};]] [[]])

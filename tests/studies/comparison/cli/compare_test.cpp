@@ -5,7 +5,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/folder.h"
 #include "tests/cli/help.h"
 #include "tests/cli/picture.h"
 #include "tests/cli/program.h"
@@ -121,9 +120,7 @@ TEST(Compare, SaysWhatIsLeftOut) {
   const std::string before = "G0 X100 Y0\nG3 X60 Y80 I-100\n";
   const std::string why = "su875343 cannot draw an arc that starts at 45 degrees or behind";
   const auto says = [&](const std::string& program, const Arguments& more) {
-    Arguments arguments{"compare", folder.write("p.ngc", program), "--steps-per-mm", "1"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return cosim(arguments);
+    return cosim(joined({"compare", folder.write("p.ngc", program), "--steps-per-mm", "1"}, more));
   };
   const Ended all = says(before, {});
   EXPECT_EQ(all.status, 0) << all.err;

@@ -32,9 +32,7 @@ std::vector<fs::path> files_in(const fs::path& folder) {
 }
 
 Drawing draw_path(const std::string& file, const std::string& scale, const Arguments& more = {}) {
-  Arguments command{"path", file, "--steps-per-mm", scale};
-  command.insert(command.end(), more.begin(), more.end());
-  return draw(command);
+  return draw(joined({"path", file, "--steps-per-mm", scale}, more));
 }
 
 // Half a step from its target, or exactly where that is a grid point.

@@ -5,26 +5,17 @@
 #include <string_view>
 #include <vector>
 
-#include "model/core/input_error.h"
 #include "model/linear/control_code.h"
 #include "model/toolpath/gcode.h"
 #include "model/toolpath/plan.h"
 #include "model/toolpath/walk.h"
+#include "tests/support/error_of.h"
 
 namespace cosim::toolpath {
 
 inline Program read(std::string_view text) { return read_gcode(text, "p.ngc"); }
 
-/// The InputError's line, or "accepted".
-template <class Action>
-std::string error_of(Action&& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "accepted";
-}
+using test::error_of;
 
 /// Every step of the plan, by an 18-bit machine with greedy codes.
 inline std::vector<Step> walked(const Plan& plan) {

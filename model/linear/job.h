@@ -1,0 +1,29 @@
+// What the linear machine is given to do, SU 1631518: a line.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/linear/checker.h"
+#include "model/linear/control_code.h"
+#include "model/linear/drive.h"
+#include "model/linear/view.h"
+
+namespace cosim::linear {
+
+/// A line to draw.
+struct Job {
+  Line line;
+  /// Give the line up through input 17 after so many words, >= 0; a number past the end of the
+  /// line gives nothing up.
+  std::optional<std::int64_t> words;
+};
+
+/// Simpler lines to try in place of a line that shows a fault, the simplest first. Each is smaller
+/// in one respect and larger in none.
+std::vector<Job> smaller(const Params& p, const Job& job);
+/// "BP = 27, UK = 01010"
+std::string describe(const Params& p, const Job& job);
+
+}  // namespace cosim::linear

@@ -1,0 +1,159 @@
+#include "tb/full/ask_points.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+#include "model/core/input_error.h"
+#include "tb/bench/stimulus_text.h"
+#include "tb/full/machine_of.h"
+#include "tb/proof/from_reset.h"
+#include "tb/report/failure.h"
+#include "tb/support/parallel.h"
+#include "tb/support/replace_file.h"
+#include "tb/support/words.h"
+#include "tb/sweep/progress.h"
+
+namespace cosim::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using coverage::Answer;
+using coverage::Point;
+using proof::Watched;
+
+// What the shapes said of one point.
+struct Told {
+  bool is_never = false, is_open = false, is_missing = false;
+
+  Answer answer(std::uint64_t hits) const {
+    if (hits != 0) return Answer::reached;
+    if (is_open) return Answer::open;
+    return is_missing || !is_never ? Answer::not_asked : Answer::unreachable;
+  }
+};
+
+class Asker {
+ public:
+  Asker(const coverage::Asking& asking, coverage::Points& points)
+      : asking_(asking), points_(points), rtl_(points.rtl.size()), cases_(points.cases.size()) {}
+
+  coverage::Answers ask() {
+    for (const auto& shape : asking_.shapes) ask(shape);
+    coverage::Answers all;
+    for (std::size_t i = 0; i < rtl_.size(); ++i) {
+      all.rtl.push_back(rtl_[i].answer(points_.rtl[i].hits));
+    }
+    for (std::size_t i = 0; i < cases_.size(); ++i) {
+      all.cases.push_back(cases_[i].answer(points_.cases[i].hits));
+    }
+    return all;
+  }
+
+ private:
+  void ask(const coverage::Asking::Shape& shape) {
+    const AnyBench& bench = *shape.bench;
+    const proof::BuiltMachine& machine = machine_of(bench);
+    if (machine.nets == nullptr || machine.formula == nullptr) {
+      throw InputError(fmt::format("--close: {}: {}: nothing can be asked of it", bench.title(),
+                                   model_without_formula(machine)));
+    }
+    proof::Source source = source_for(machine.formula(), source_of(bench));
+    source.keeps_statements = true;
+    const proof::RtlNets rtl(source);
+    watched_.clear();
+    tell_.clear();
+    for (std::size_t i = 0; i < rtl_.size(); ++i) {
+      const Point& point = points_.rtl[i];
+      const auto same = [&](const Point& other) { return is_same(point, other); };
+      if (point.hits != 0 || std::none_of(shape.points.rtl.begin(), shape.points.rtl.end(), same)) {
+        continue;
+      }
+      Watched watched = watched_of(point, rtl);
+      if (watched.toggles.empty() && watched.holds.empty()) {
+        rtl_[i].is_missing = true;
+      } else {
+        watch(std::move(watched), rtl_[i], point.what);
+      }
+    }
+    for (std::size_t i = 0; i < cases_.size(); ++i) {
+      if (points_.cases[i].hits != 0) continue;
+      watch({{}, {}, points_.cases[i].name}, cases_[i], points_.cases[i].name);
+    }
+    if (!watched_.empty()) answer(bench, proof::FromReset(machine.nets(), rtl, {}, watched_));
+  }
+
+  static Watched watched_of(const Point& point, const proof::RtlNets& rtl) {
+    Watched watched;
+    if (point.kind == "toggle") {
+      for (const std::string& instance : point.instances) {
+        const auto nets = rtl.nets_in(instance, point.what);
+        watched.toggles.insert(watched.toggles.end(), nets.begin(), nets.end());
+      }
+    }
+    if (point.kind != "user") return watched;
+    // By its label, or by the file and the line that stand for one.
+    const std::string place = fmt::format(":{}", point.line);
+    for (const auto& [name, net] : rtl.covered()) {
+      const std::string last = name.substr(name.rfind('.') + 1);
+      const std::size_t line = name.rfind(place);
+      const bool is_here =
+          line != std::string::npos && !isdigit(name[line + place.size()]) &&
+          fs::path(name.substr(0, line)).filename() == fs::path(point.file).filename();
+      if (is_here || last == point.what) watched.holds.push_back(net);
+    }
+    return watched;
+  }
+
+  void watch(Watched watched, Told& told, const std::string& what) {
+    watched_.push_back(std::move(watched));
+    tell_.push_back({&told, what});
+  }
+
+  void answer(const AnyBench& bench, const proof::FromReset& machine) {
+    const StateLine state;
+    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(asking_.seconds);
+    const auto found = machine.ask_watched(until, cores(), [&](std::size_t left) {
+      state.show(fmt::format("{}: {} to be decided", bench.title(), count(left, "point")));
+    });
+    std::vector<std::string> files;
+    for (std::size_t i = 0; i < found.stimuli.size(); ++i) {
+      std::string reaches;
+      for (std::size_t p = 0; p < tell_.size(); ++p) {
+        const auto& point = found.points[p];
+        if (point.ever != proof::Ever::yes || point.stimulus != i) continue;
+        reaches += (reaches.empty() ? "reaches " : ", ") + tell_[p].what;
+      }
+      const Stimulus stimulus{bench.title(), reaches, 1, {}, found.stimuli[i]};
+      const std::string name = failure_name(bench, fmt::format("reach {}", i + 1)) + ".stim";
+      files.push_back((fs::path(asking_.stimuli) / name).string());
+      fs::create_directories(asking_.stimuli);
+      replace_file(files.back(), to_text(stimulus, bench));
+    }
+    if (!files.empty()) points_ = asking_.run(bench, files);
+    for (std::size_t p = 0; p < tell_.size(); ++p) {
+      Told& told = *tell_[p].told;
+      (found.points[p].ever == proof::Ever::never ? told.is_never : told.is_open) = true;
+    }
+  }
+
+  struct Tell {
+    Told* told;
+    std::string what;
+  };
+  const coverage::Asking& asking_;
+  coverage::Points& points_;
+  std::vector<Told> rtl_, cases_;
+  std::vector<Watched> watched_;  // in the shape that is asked
+  std::vector<Tell> tell_;        // and whom it is told
+};
+
+}  // namespace
+
+coverage::Answers ask_points(const coverage::Asking& asking, coverage::Points& points) {
+  return Asker(asking, points).ask();
+}
+
+}  // namespace cosim::cli

@@ -1,0 +1,11 @@
+// The points of a design's coverage that no sweep reached, asked of the engine from reset on.
+#pragma once
+
+#include "tb/coverage/asked.h"
+
+namespace cosim::cli {
+
+/// As Form has it. InputError too for a model that has no nets.
+coverage::Answers ask_points(const coverage::Asking& asking, coverage::Points& points);
+
+}  // namespace cosim::cli

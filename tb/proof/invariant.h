@@ -1,0 +1,25 @@
+// A proof that something never happens, found anew without the engines of reach.h and shown to a
+// solver that is none of abc's.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <string>
+
+#include "tb/proof/aig.h"
+
+namespace cosim::proof {
+
+/// An inductive invariant: it is so in the first state, it is so on a clock where it was on the
+/// clock before, and where it is so `bad` is 0. A SAT solver has said each of the three.
+struct Invariant {
+  std::string solver;          ///< who has said so; empty where it is not so, or not known
+  std::string missing;         ///< why it is not known
+  std::size_t equalities = 0;  ///< of signals
+  std::size_t clauses = 0;     ///< over registers, from abc's pdr
+};
+
+/// Looks for one. Ends when it is `until`.
+Invariant invariant_of(const Aig& graph, Aig::Lit bad, std::chrono::steady_clock::time_point until);
+
+}  // namespace cosim::proof

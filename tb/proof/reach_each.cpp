@@ -1,0 +1,101 @@
+// All that is left is asked as one question, whether any of it ever happens. A stimulus is run, and
+// whatever it reaches is done with; a proof is one of all at once. Where the engine does not come
+// to an end in its share of the time, the question is cut in two halves: what is hard is so told
+// from what is easy. Asking for each by itself took a run of the engine for each bit of a counter.
+#include "tb/proof/reach_each.h"
+
+#include <algorithm>
+#include <deque>
+
+namespace cosim::proof {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Some = std::vector<std::size_t>;  // points, by their numbers
+
+constexpr auto kLeast = std::chrono::seconds(2);  // for one question
+
+class Questions {
+ public:
+  Questions(const Aig& graph, const std::vector<Aig::Lit>& points)
+      : graph_(graph), lits_(points), is_done_(points.size()) {
+    all_.points.resize(points.size());
+  }
+
+  ReachedEach run(Clock::time_point until, unsigned jobs,
+                  const std::function<void(std::size_t)>& left) {
+    Some every(lits_.size());
+    for (std::size_t i = 0; i < every.size(); ++i) every[i] = i;
+    questions_.push_back(std::move(every));
+    while (!questions_.empty() && Clock::now() < until) {
+      left(static_cast<std::size_t>(std::count(is_done_.begin(), is_done_.end(), false)));
+      Some some = std::move(questions_.front());
+      questions_.pop_front();
+      std::erase_if(some, [&](std::size_t i) -> bool { return is_done_[i]; });
+      if (some.empty()) continue;
+      const auto share = (until - Clock::now()) / static_cast<int>(2 * (questions_.size() + 1));
+      const auto ends = std::min(until, Clock::now() + std::max<Clock::duration>(kLeast, share));
+      answered(some, reach_any(some, ends, jobs));
+    }
+    return std::move(all_);
+  }
+
+ private:
+  Reached reach_any(const Some& some, Clock::time_point ends, unsigned jobs) const {
+    Aig graph = graph_;
+    Aig::Lit any = 0;
+    for (const std::size_t i : some) any = graph.or_of(any, lits_[i]);
+    return reach(graph, any, ends, jobs);
+  }
+
+  void answered(const Some& some, const Reached& reached) {
+    switch (reached.ever) {
+      case Ever::yes:
+        take(reached.inputs);
+        return questions_.push_front(some);
+      case Ever::never:
+        for (const std::size_t i : some) {
+          all_.points[i].ever = Ever::never;
+          is_done_[i] = true;
+        }
+        return;
+      case Ever::open:
+        for (const std::size_t i : some) {
+          all_.points[i].clocks = std::max(all_.points[i].clocks, reached.clocks);
+        }
+        if (some.size() == 1) return;
+        const auto middle = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
+        questions_.emplace_back(some.begin(), middle);
+        questions_.emplace_back(middle, some.end());
+    }
+  }
+
+  void take(const std::vector<std::vector<bool>>& inputs) {
+    std::vector<bool> is_seen(lits_.size());
+    for (const auto& row : graph_.run(inputs, lits_)) {
+      for (std::size_t i = 0; i < row.size(); ++i) is_seen[i] = is_seen[i] || row[i];
+    }
+    for (std::size_t i = 0; i < is_seen.size(); ++i) {
+      if (!is_seen[i] || is_done_[i]) continue;
+      all_.points[i] = {Ever::yes, all_.stimuli.size(), 0};
+      is_done_[i] = true;
+    }
+    all_.stimuli.push_back(inputs);
+  }
+
+  const Aig& graph_;
+  const std::vector<Aig::Lit>& lits_;
+  std::vector<bool> is_done_;
+  std::deque<Some> questions_;
+  ReachedEach all_;
+};
+
+}  // namespace
+
+ReachedEach reach_each(const Aig& graph, const std::vector<Aig::Lit>& points,
+                       std::chrono::steady_clock::time_point until, unsigned jobs,
+                       const std::function<void(std::size_t)>& left) {
+  return Questions(graph, points).run(until, jobs, left);
+}
+
+}  // namespace cosim::proof

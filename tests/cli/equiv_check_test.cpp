@@ -1,0 +1,47 @@
+// cosim equiv: what says that a proof is one.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "tb/support/json.h"
+#include "tb/support/read_file.h"
+#include "tests/cli/equiv_pairs.h"
+
+namespace cosim::cli {
+namespace {
+
+const std::string behind =
+    module_of(", input [1:0] d, output q",
+              "reg [1:0] x; always @(posedge clk) if (rst) x <= 0; else x <= d; assign q = ^x;");
+const std::string in_front =
+    module_of(", input [1:0] d, output reg q", "always @(posedge clk) q <= rst ? 0 : ^d;");
+
+TEST(EquivCheck, ASequentialProofIsCheckedByASolver) {
+  const Folder folder;
+  const std::string report = folder.path("report.json");
+  const Ended ended = equiv(behind, in_front, {"--seconds", "300", "--report", report});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.out.find("; checked by "), std::string::npos) << ended.out;
+  const Json json = json_of(read_file(report));
+  EXPECT_TRUE(json.at("check").at("by") == "cadical" || json.at("check").at("by") == "z3");
+  EXPECT_GT(json.at("check").at("equalities").get<int>(), 0);
+}
+
+TEST(EquivCheck, WhereThereIsNoSolverItIsSaid) {
+  const Folder bin;
+  for (const char* program : {"env", "yosys", "yosys-abc"}) {
+    const std::string link =
+        "ln -s \"$(command -v " + std::string(program) + ")\" '" + bin.path(program) + "'";
+    ASSERT_EQ(std::system(link.c_str()), 0);
+  }
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", bin.path("").c_str(), 1);
+  const Ended ended = equiv(behind, in_front);
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.out.find("; that rests on abc alone: needs cadical or z3"), std::string::npos)
+      << ended.out;
+}
+
+}  // namespace
+}  // namespace cosim::cli

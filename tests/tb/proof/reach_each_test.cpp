@@ -1,0 +1,58 @@
+// Many things asked at once: one stimulus for all it reaches, one proof for all that nothing does.
+#include "tb/proof/reach_each.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/solvers.h"
+
+namespace cosim::proof {
+namespace {
+
+using Lit = Aig::Lit;
+
+TEST(ReachEach, TellsWhatHappensFromWhatNeverDoes) {
+  if (!is_installed("yosys-abc")) GTEST_SKIP() << "needs yosys-abc";
+  // A counter of three bits that stops at 5, where `go` is given.
+  Aig graph;
+  const Lit go = graph.input();
+  const std::vector<Lit> count{graph.latch(), graph.latch(), graph.latch()};
+  const Lit at_5 = graph.and_of(count[2], graph.and_of(count[0], Aig::inverted(count[1])));
+  Lit carry = graph.and_of(go, Aig::inverted(at_5));
+  for (const Lit bit : count) {
+    graph.next(bit, graph.xor_of(bit, carry));
+    carry = graph.and_of(bit, carry);
+  }
+  const Lit at_6 = graph.and_of(count[2], count[1]);
+  const Lit at_3 = graph.and_of(Aig::inverted(count[2]), graph.and_of(count[0], count[1]));
+
+  std::vector<std::size_t> left;
+  const ReachedEach all = reach_each(graph, {at_6, at_3, at_5, 0},
+                                     std::chrono::steady_clock::now() + std::chrono::hours(1), 1,
+                                     [&](std::size_t points) { left.push_back(points); });
+  ASSERT_EQ(all.points.size(), 4);
+  EXPECT_EQ(all.points[0].ever, Ever::never);
+  EXPECT_EQ(all.points[3].ever, Ever::never);
+  for (const auto& [point, lit] : {std::pair{1, at_3}, std::pair{2, at_5}}) {
+    const auto& reached = all.points[static_cast<std::size_t>(point)];
+    ASSERT_EQ(reached.ever, Ever::yes) << point;
+    bool is_seen = false;
+    for (const auto& row : graph.run(all.stimuli.at(reached.stimulus), {lit})) {
+      is_seen = is_seen || row.front();
+    }
+    EXPECT_TRUE(is_seen) << point;
+  }
+  EXPECT_EQ(left.front(), 4);
+  EXPECT_LE(all.stimuli.size(), 2);
+}
+
+TEST(ReachEach, SaysNothingOfWhatItHasNoTimeFor) {
+  Aig graph;
+  const Lit any = graph.input();
+  const ReachedEach all =
+      reach_each(graph, {any}, std::chrono::steady_clock::now(), 1, [](auto) {});
+  ASSERT_EQ(all.points.size(), 1);
+  EXPECT_EQ(all.points[0].ever, Ever::open);
+}
+
+}  // namespace
+}  // namespace cosim::proof

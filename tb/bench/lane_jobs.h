@@ -62,7 +62,7 @@ std::vector<Job> all_of(const std::function<bool(Job& job)>& next) {
 }
 /// The other way round.
 template <class Job>
-std::function<bool(Job& job)> one_by_one(std::vector<Job> all) {
+auto one_by_one(std::vector<Job> all) {
   return [all = std::move(all), i = std::size_t{0}](Job& job) mutable {
     if (i == all.size()) return false;
     job = all[i++];

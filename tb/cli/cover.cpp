@@ -247,8 +247,7 @@ void add_cover(const Command& program, const Registry& registry) {
       "--close asks, of the RTL and the model from their reset on, for each bit, cover statement\n"
       "and case; its stimuli are kept, and run in the RTL with counters.\n"
       "Exit status: 0 all reached, or proved unreachable; 1 something was not; 2 bad input.\n"
-      "Examples: {0} cover {1} --hostile 10000\n"
-      "          {0} cover {1} --close --seconds 20",
+      "Example: {0} cover {1} --hostile 10000",
       program_name(), benches().front()->built_as()));
   command.action([o, &registry] { return run(*o, registry); });
 }

@@ -76,7 +76,7 @@ TEST(EquivAssume, WhatIsNoneIsRefused) {
     return equiv(rtl, chosen("e"), {"--assume", text});
   };
   expect_refused(said("x == 1"), "--assume: 'x == 1': x is no port");
-  expect_refused(said("clk"), "--assume: 'clk': clk is the clock");
+  expect_refused(said("clk"), "--assume: 'clk': clk is a clock");
   expect_refused(said("a)); initial $finish; assign b = ((d"), "is no expression of Verilog");
   expect_refused(said("a ="), "--assume: 'a =': syntax error");
   expect_refused(equiv(rtl, rtl, {"--assume", "a & !a"}), "no stimulus satisfies 'a & !a'");

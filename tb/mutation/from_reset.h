@@ -10,7 +10,7 @@
 
 namespace cosim::mutation {
 
-/// What the stimulus is called that kills such a mutant, and more.
+/// What the stimulus is called that kills such a mutant.
 inline constexpr const char* from_reset_case = "a stimulus from reset";
 
 /// Equivalent where it is proved; killed where a stimulus does it in a run, not only on the nets:

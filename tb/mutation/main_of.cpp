@@ -98,7 +98,7 @@ int run(const Subject& subject, const Options& o) {
   checkpoint.done();
   for (std::size_t i = 0; i < campaign.outcomes.size(); ++i) {
     const auto mutant = static_cast<unsigned>(campaign.first + i);
-    if (campaign.outcomes[i].stimulus.starts_with(from_reset_case)) {
+    if (campaign.outcomes[i].stimulus == from_reset_case) {
       fmt::print("found from reset: {}, stimulus kept in: {}\n", subject.mutants()[mutant - 1],
                  stimulus_of(subject, mutant, o.failures).string());
     }

@@ -6,7 +6,9 @@
 
 #include "model/core/stream.h"
 
-namespace cosim::apb {
+namespace apb_model {
+
+using namespace cosim;
 
 struct Params {};
 
@@ -62,7 +64,7 @@ class Reader {
 };
 
 struct Design {
-  using Params = apb::Params;
+  using Params = apb_model::Params;
   static constexpr const char* name = "apb";
   static constexpr std::array<Parameter, 0> parameters(const Params&) { return {}; }
   static constexpr auto in(const Params&) { return stream<Access>("access").by<Master>(); }
@@ -81,4 +83,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::apb
+}  // namespace apb_model

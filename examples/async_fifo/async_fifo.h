@@ -4,7 +4,9 @@
 #include "model/core/design.h"
 #include "model/core/memory.h"
 
-namespace cosim::async_fifo {
+namespace async_fifo_model {
+
+using namespace cosim;
 
 struct Params {
   int width;  ///< bits of a word, 1 to 64
@@ -73,7 +75,7 @@ constexpr auto compared(const Params&, const State<V>&, const Inputs<V>&, const 
 }
 
 struct Design {
-  COSIM_DESIGN(async_fifo);
+  COSIM_DESIGN(async_fifo_model);
   static constexpr const char* name = "async_fifo";
   static constexpr Inputs<Word> rest() { return {.rst_n = 1}; }
   static constexpr Inputs<Word> reset_inputs() { return {}; }
@@ -83,4 +85,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::async_fifo
+}  // namespace async_fifo_model

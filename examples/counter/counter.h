@@ -3,7 +3,9 @@
 
 #include "model/core/design.h"
 
-namespace cosim::counter {
+namespace counter_model {
+
+using namespace cosim;
 
 struct Params {
   int width;
@@ -25,7 +27,7 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
 }
 
 struct Design {
-  COSIM_DESIGN(counter);
+  COSIM_DESIGN(counter_model);
   static constexpr const char* name = "counter";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {
@@ -33,4 +35,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::counter
+}  // namespace counter_model

@@ -4,7 +4,9 @@
 #include "model/core/design.h"
 #include "model/core/memory.h"
 
-namespace cosim::fifo {
+namespace fifo_model {
+
+using namespace cosim;
 
 struct Params {
   int width;  ///< bits of a word, 1 to 64
@@ -55,7 +57,7 @@ constexpr auto compared(const Params&, const State<V>&, const Inputs<V>&, const 
 }
 
 struct Design {
-  COSIM_DESIGN(fifo);
+  COSIM_DESIGN(fifo_model);
   static constexpr const char* name = "fifo";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array<Parameter, 2> parameters(const Params& p) {
@@ -63,4 +65,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::fifo
+}  // namespace fifo_model

@@ -3,7 +3,9 @@
 
 #include "model/core/stream.h"
 
-namespace cosim::fir {
+namespace fir_model {
+
+using namespace cosim;
 
 struct Params {
   int width, stages;
@@ -15,7 +17,7 @@ COSIM_RECORD(X, FIR_X, Params);
 COSIM_RECORD(Y, FIR_Y, Params);
 
 struct Design {
-  using Params = fir::Params;
+  using Params = fir_model::Params;
   static constexpr const char* name = "fir";
   static constexpr auto parameters(const Params& p) {
     return std::array<Parameter, 2>{{{"W", p.width}, {"STAGES", p.stages}}};
@@ -36,4 +38,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::fir
+}  // namespace fir_model

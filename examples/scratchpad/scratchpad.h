@@ -4,7 +4,9 @@
 #include "model/core/design.h"
 #include "model/core/memory.h"
 
-namespace cosim::scratchpad {
+namespace scratchpad_model {
+
+using namespace cosim;
 
 struct Params {};
 
@@ -42,10 +44,10 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
 }
 
 struct Design {
-  COSIM_DESIGN(scratchpad);
+  COSIM_DESIGN(scratchpad_model);
   static constexpr const char* name = "scratchpad";
   static constexpr Inputs<Word> rest() { return {.resetn = 1}; }
   static constexpr Inputs<Word> reset_inputs() { return {.resetn = 0}; }
 };
 
-}  // namespace cosim::scratchpad
+}  // namespace scratchpad_model

@@ -7,7 +7,9 @@
 #include "model/core/design.h"
 #include "model/core/memory.h"
 
-namespace cosim::sha256 {
+namespace sha256_model {
+
+using namespace cosim;
 
 struct Params {};
 
@@ -152,4 +154,4 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
   return step;
 }
 
-}  // namespace cosim::sha256
+}  // namespace sha256_model

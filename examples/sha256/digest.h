@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace cosim::sha256 {
+namespace sha256_model {
 
 using Words = std::array<std::uint32_t, 16>;
 using Digest = std::array<std::uint32_t, 8>;
@@ -59,4 +59,4 @@ constexpr Digest hashed(const Digest& before, const Words& m) {
   return sum;
 }
 
-}  // namespace cosim::sha256
+}  // namespace sha256_model

@@ -7,7 +7,9 @@
 #include "digest.h"
 #include "model/core/stream.h"
 
-namespace cosim::sha256 {
+namespace sha256_model {
+
+using namespace cosim;
 
 #define SHA256_BLOCK(FIELD)                                       \
   FIELD(data, 512, bits.words<8>(), "", "a block of the message") \
@@ -17,7 +19,7 @@ COSIM_RECORD(Block, SHA256_BLOCK, Params);
 COSIM_RECORD(Hash, SHA256_DIGEST, Params);
 
 struct Design {
-  COSIM_DESIGN(sha256);
+  COSIM_DESIGN(sha256_model);
   static constexpr const char* name = "sha256";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   template <class V>
@@ -53,4 +55,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::sha256
+}  // namespace sha256_model

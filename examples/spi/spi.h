@@ -6,7 +6,9 @@
 
 #include "model/core/stream.h"
 
-namespace cosim::spi {
+namespace spi_model {
+
+using namespace cosim;
 
 struct Params {};
 
@@ -40,7 +42,7 @@ class Device {
 };
 
 struct Design {
-  using Params = spi::Params;
+  using Params = spi_model::Params;
   static constexpr const char* name = "spi";
   static constexpr std::array<Parameter, 0> parameters(const Params&) { return {}; }
   static constexpr auto in(const Params&) { return stream<Byte>("send"); }
@@ -61,4 +63,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::spi
+}  // namespace spi_model

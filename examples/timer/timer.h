@@ -3,7 +3,9 @@
 
 #include "model/core/design.h"
 
-namespace cosim::timer {
+namespace timer_model {
+
+using namespace cosim;
 
 struct Params {
   int width;
@@ -39,7 +41,7 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
 }
 
 struct Design {
-  COSIM_DESIGN(timer);
+  COSIM_DESIGN(timer_model);
   static constexpr const char* name = "timer";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {
@@ -47,4 +49,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::timer
+}  // namespace timer_model

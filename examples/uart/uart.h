@@ -3,7 +3,9 @@
 
 #include "model/core/design.h"
 
-namespace cosim::uart {
+namespace uart_model {
+
+using namespace cosim;
 
 struct Params {
   int divider;  ///< clocks a bit, 1 to 256
@@ -97,7 +99,7 @@ constexpr cosim::Verdict<Checker, V> checked(const Params& p, const Job<V>& job,
 }
 
 struct Design {
-  COSIM_DESIGN(uart);
+  COSIM_DESIGN(uart_model);
   template <class V>
   using Job = uart::Job<V>;
   template <class V>
@@ -112,4 +114,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::uart
+}  // namespace uart_model

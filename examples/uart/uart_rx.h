@@ -3,7 +3,9 @@
 
 #include "model/core/design.h"
 
-namespace cosim::uart_rx {
+namespace uart_rx_model {
+
+using namespace cosim;
 
 struct Params {
   int divider;  ///< clocks a bit, 4 to 256
@@ -44,7 +46,7 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
 }
 
 struct Design {
-  COSIM_DESIGN(uart_rx);
+  COSIM_DESIGN(uart_rx_model);
   static constexpr const char* name = "uart_rx";
   static constexpr Inputs<Word> rest() { return {.rst_n = 1, .rx = 1}; }
   static constexpr Inputs<Word> reset_inputs() { return {.rst_n = 0, .rx = 1}; }
@@ -53,4 +55,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::uart_rx
+}  // namespace uart_rx_model

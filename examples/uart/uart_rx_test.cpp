@@ -8,7 +8,10 @@
 #include "tb/gtest/directed.h"
 #include "uart_rx.h"
 
-namespace cosim::uart_rx {
+namespace uart_rx_model {
+
+using namespace cosim;
+
 namespace {
 
 // Drives the line: bits of so many clocks each, and 1 behind the last.
@@ -89,4 +92,4 @@ TEST_P(Receiver, AResetEndsTheFrame) {
 INSTANTIATE_TEST_SUITE_P(Rates, Receiver, testing::Values(4, 16));
 
 }  // namespace
-}  // namespace cosim::uart_rx
+}  // namespace uart_rx_model

@@ -10,7 +10,6 @@
 #include "model/core/input_error.h"
 #include "tb/full_cli/commands.h"
 #include "tb/new/new_sources.h"
-#include "tb/new/taken.h"
 #include "tb/support/draft.h"
 #include "tb/support/pattern.h"
 #include "tb/support/words.h"
@@ -27,7 +26,7 @@ struct NewOptions {
   std::vector<std::string> includes, libraries, defines, parameters, blackboxes;
 };
 
-// The folder's name is that of a namespace, too.
+// The folder's name is a part of names in C++, too.
 void require_name(const std::string& name) {
   const bool good =
       !name.empty() &&
@@ -36,10 +35,6 @@ void require_name(const std::string& name) {
   if (!good) {
     throw InputError(fmt::format("NAME: {} is not small letters, digits and _, a letter first",
                                  in_quotes(name)));
-  }
-  if (is_cpp_word(name)) throw InputError(fmt::format("NAME: {} is a word of C++", name));
-  if (const std::string header = taken_by(name); !header.empty()) {
-    throw InputError(fmt::format("NAME: {} is the harness's own, in {}", name, header));
   }
   if (fs::exists(name)) throw InputError(name + ": exists");
 }

@@ -209,7 +209,8 @@ BegunModel lockstep_model(const std::string& name, const Found& f, bool plain) {
       "#pragma once\n\n"
       "#include <array>\n\n"
       "#include \"model/core/design.h\"\n\n"
-      "namespace cosim::{0} {{\n\n"
+      "namespace {0}_model {{\n\n"
+      "using namespace cosim;\n\n"
       "{1}\n"
       "// FIELD(name, width, format, its number in a printed source, meaning)\n"
       "{2}{3}{4}"
@@ -221,11 +222,11 @@ BegunModel lockstep_model(const std::string& name, const Found& f, bool plain) {
       "}}\n\n"
       "{10}"
       "struct Design {{\n"
-      "  COSIM_DESIGN({0});\n"
+      "  COSIM_DESIGN({0}_model);\n"
       "  static constexpr const char* name = \"{0}\";\n"
       "{6}{7}"
       "}};\n\n"
-      "}}  // namespace cosim::{0}\n",
+      "}}  // namespace {0}_model\n",
       name, params_of(f), table_of(table + "_INPUTS", rows_of(f.inputs)),
       table_of(table + "_OUTPUTS", rows_of(f.outputs)), table_of(table + "_STATE", rows), table,
       reset_inputs_of(f) + reset_state_of(rows) + more, parameters_of(f), step_head(plain),

@@ -209,12 +209,13 @@ BegunModel stream_model(const std::string& name, const Found& f) {
       "// What comes out of {0} for what goes in.\n"
       "#pragma once\n\n"
       "#include \"model/core/stream.h\"\n\n"
-      "namespace cosim::{0} {{\n\n"
+      "namespace {0}_model {{\n\n"
+      "using namespace cosim;\n\n"
       "{1}\n"
       "// FIELD(name, width, format, its number in a printed source, meaning)\n"
       "{2}{3}\n"
       "struct Design {{\n"
-      "  using Params = {0}::Params;\n"
+      "  using Params = {0}_model::Params;\n"
       "  static constexpr const char* name = \"{0}\";\n"
       "{4}"
       "  static constexpr auto in(const Params&) {{\n"
@@ -231,7 +232,7 @@ BegunModel stream_model(const std::string& name, const Found& f) {
       "    return {{}};\n"
       "  }}\n"
       "}};\n\n"
-      "}}  // namespace cosim::{0}\n",
+      "}}  // namespace {0}_model\n",
       name, params_of(f), tables, records, parameters_of(f), tuple_of(in, "std::tuple", "{", "}"),
       tuple_of(out, "std::tuple", "{", "}"), pins_of(f, tied, unread),
       tuple_of(results, "std::tuple", "<", ">"), fmt::join(given, ",\n      "));

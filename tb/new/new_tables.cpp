@@ -42,21 +42,6 @@ std::string text_of(const NewRow& row) {
   return fmt::format("FIELD({}, {}, {}, \"\", \"\")", row.field, shown, format);
 }
 
-// What records (model/core/record.h) and their templates have already, and macros of the C library
-// and of GNU compilers.
-bool is_of_records(const std::string& name) {
-  static const std::set<std::string> all{
-      "V",           "p",      "Inputs",     "Outputs",  "State",    "Table",    "Index",
-      "size",        "Self",   "members",    "fields",   "trim",     "select",   "index_end",
-      "Record",      "Params", "has_arrays", "FIELD",    "Word",     "std",      "cosim",
-      "each_member", "Visit",  "EOF",        "NULL",     "BUFSIZ",   "errno",    "assert",
-      "stdin",       "stdout", "stderr",     "linux",    "unix",     "i386",     "select_record",
-      "Condition",   "Field",  "RAND_MAX",   "CHAR_BIT", "offsetof", "INFINITY", "NAN",
-      "SIZE_MAX"};
-  const bool is_index = name.starts_with("index_") || name.starts_with("final_index_");
-  return is_index || all.contains(name);
-}
-
 }  // namespace
 
 std::string upper(std::string text) {
@@ -71,7 +56,7 @@ std::string field_of(const std::string& path) {
     if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
   }
   if (std::isdigit(static_cast<unsigned char>(name.front())) != 0) name = '_' + name;
-  return is_cpp_word(name) || is_of_records(name) ? name + '_' : name;
+  return is_taken(name) ? name + '_' : name;
 }
 
 std::string text_of(const FoundSize& size) {

@@ -1,14 +1,11 @@
-// Names that a design or one of its fields cannot have.
+// Names that a field of a model cannot have.
 #pragma once
 
 #include <string>
 
 namespace cosim::cli {
 
-/// The harness's header in which the name is declared; empty where it is in none.
-std::string taken_by(const std::string& name);
-
-/// Whether it is a word of the language, such as `delete`.
-bool is_cpp_word(const std::string& name);
+/// Whether it is a word of C++, such as `delete`, a macro, or what records have already.
+bool is_taken(const std::string& name);
 
 }  // namespace cosim::cli

@@ -7,7 +7,8 @@
 #     [CLOCK port | CLOCKS port... | COMBINATIONAL]
 #                                  its clock; default clk; or several; or it has no register
 #     [INCLUDE_DIRS folder...] [DEFINES name[=value]...]
-#     MODEL header...              what defines struct cosim::NAME::Design
+#     MODEL header...              what defines struct Design
+#     [NAMESPACE space]            where; default NAME_model
 #     [SHAPES "W=8 M=8'h1F"...]    parameters of the top, one build each: numbers, constants, words
 #                                  (MODE=FAST is a text); none: as the RTL has them
 #     [NETLISTS file.v...]         one a shape, simulated in place of SOURCES; their registers are wires
@@ -35,7 +36,6 @@
 # One clock rises on each step and is no input of the model. Of several, or of one whose falling edge the
 # registers take, each is: a row of the inputs that says `rises` or `falls`, 1 on a step on which it does.
 include_guard(GLOBAL)
-include(${CMAKE_CURRENT_LIST_DIR}/taken.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../dut/ports.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../dut/rtl.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../dut/shape.cmake)
@@ -75,7 +75,7 @@ function(cosim_add_design NAME)
   if(NOT VERILATOR_ROOT)
     find_package(verilator REQUIRED HINTS $ENV{VERILATOR_ROOT} /usr/share/verilator)
   endif()
-  cmake_parse_arguments(PARSE_ARGV 1 D "UNPROVED;COMBINATIONAL" "TOP;CLOCK"
+  cmake_parse_arguments(PARSE_ARGV 1 D "UNPROVED;COMBINATIONAL" "TOP;CLOCK;NAMESPACE"
     "CLOCKS;BLACKBOXES;SOURCES;INCLUDE_DIRS;DEFINES;MODEL;SHAPES;NETLISTS;LIBRARIES")
   set(what "cosim_add_design(${NAME})")
   if(D_UNPARSED_ARGUMENTS)
@@ -84,19 +84,16 @@ function(cosim_add_design NAME)
   if(NOT NAME MATCHES "^[A-Za-z][A-Za-z0-9_]*$")
     message(FATAL_ERROR "${what}: the name is not letters, digits and _, a letter first")
   endif()
-  cosim_cpp_words(words)
-  if(NAME IN_LIST words)
-    message(FATAL_ERROR "${what}: the name is a word of C++")
-  endif()
-  cosim_taken_names(taken)
-  if(";${taken};" MATCHES ";${NAME} ([^;]*)")
-    message(FATAL_ERROR "${what}: the name is the harness's own, in ${CMAKE_MATCH_1}")
-  endif()
   foreach(needed SOURCES MODEL)
     if(NOT D_${needed})
       message(FATAL_ERROR "${what}: needs ${needed}")
     endif()
   endforeach()
+  if(NOT D_NAMESPACE)
+    set(D_NAMESPACE ${NAME}_model)
+  elseif(NOT D_NAMESPACE MATCHES "^[A-Za-z_][A-Za-z0-9_]*(::[A-Za-z_][A-Za-z0-9_]*)*$")
+    message(FATAL_ERROR "${what}: NAMESPACE: ${D_NAMESPACE} is no namespace")
+  endif()
   set(TOP ${NAME})
   if(D_TOP)
     set(TOP ${D_TOP})
@@ -228,8 +225,8 @@ function(cosim_add_design NAME)
     endif()
     string(APPEND SHAPES
       "struct Trait_${ID} {\n"
-      "  using Design = ${NAME}::Design;\n"
-      "  static constexpr ${NAME}::Params params{${shape_values}};\n"
+      "  using Design = ::${D_NAMESPACE}::Design;\n"
+      "  static constexpr Design::Params params{${shape_values}};\n"
       "  static constexpr const char* title = \"${TITLE}\";\n"
       "  static constexpr const char* clock = \"${CLOCK}\";\n"
       "  static constexpr const char* clocks = \"${rtl_of_clocks}\";\n"
@@ -258,6 +255,7 @@ function(cosim_add_design NAME)
   set_property(GLOBAL APPEND PROPERTY COSIM_VERILATED ${NAME}_verilated ${NAME}_open)
   set_property(GLOBAL APPEND PROPERTY COSIM_LIBRARIES ${D_LIBRARIES})
   set_property(GLOBAL APPEND PROPERTY COSIM_DESIGNS ${NAME})
+  set_property(GLOBAL PROPERTY COSIM_NAMESPACE_OF_${NAME} ${D_NAMESPACE})
   if(D_UNPROVED)
     set_property(GLOBAL APPEND PROPERTY COSIM_UNPROVED ${NAME})
   endif()

@@ -36,9 +36,6 @@ rtl() {
 }
 refused "NAME: is needed"
 refused "NAME: 'Made' is not small letters, digits and _, a letter first" Made
-refused "NAME: parity is the harness's own, in model/core/bit_strings.h" parity
-refused "NAME: switch is a word of C++" switch
-[[ ! -e parity && ! -e switch ]] || exit 1
 refused "pair: exists" pair
 refused "none.v: no such file" made none.v
 rtl 'always @(posedge clk) q <= d'
@@ -226,9 +223,14 @@ printf 'module made(input wire clk, V, p, Inputs, select, size, linux, EOF, inde
 printf '  output reg Table, FIELD);\nalways @(posedge clk) begin Table <= V ^ p ^ Inputs ^ select;\n' >> '[o]/made.v'
 printf 'FIELD <= size ^ linux ^ EOF ^ index_a ^ a; end\nendmodule\n' >> '[o]/made.v'
 "$program" new made '[o]/made.v' > said
-printf '#include "made/made.h"\nint main() { return cosim::made::Inputs<cosim::Word>{}.V_ != 0; }\n' |
+printf '#include "made/made.h"\nint main() { return made_model::Inputs<cosim::Word>{}.V_ != 0; }\n' |
   "${CXX:-c++}" -std=gnu++20 -Wall -Wextra -Werror -fsyntax-only -I . -I "$sources" -x c++ -
 rm -r made
+# A name may be a word of C++, or one that the harness has itself.
+rtl 'always @(posedge clk) q <= d;'
+for name in switch parity select; do "$program" new $name made.v > said; done
+printf '#include "%s"\n' switch/switch.h parity/parity.h select/select.h |
+  "${CXX:-c++}" -std=gnu++20 -Wall -Wextra -Werror -fsyntax-only -I . -I "$sources" -x c++ -
 rtl 'always @(posedge clk) q <= d;'
 refused "--top: no file has a module 'other'" made made.v --top other
 refused "--clock: 'a b' is no name in Verilog" made made.v --clock 'a b'

@@ -232,7 +232,7 @@ grep -q '  int W = 4;' tree2/tree2.h
 "$program" new flow --stream > said
 diff - said <<< 'flow/: a filter; README.md has its two commands'
 for kind in v h; do
-  diff <(sed 's/\<fir\>/flow/g; s/\<FIR_/FLOW_/g' "$sources/examples/fir/fir.$kind") "flow/flow.$kind"
+  diff <(sed 's/\<fir\(_model\)\?\>/flow\1/g; s/\<FIR_/FLOW_/g' "$sources/examples/fir/fir.$kind") "flow/flow.$kind"
 done
 shapes=$(sed -n 's/^cosim_add_design(fir .*\(SHAPES.*\)$/\1/p' "$sources/examples/fir/CMakeLists.txt")
 grep -qxF "cosim_add_design(flow SOURCES flow.v MODEL flow.h $shapes" flow/CMakeLists.txt

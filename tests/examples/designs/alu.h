@@ -3,7 +3,9 @@
 
 #include "model/core/design.h"
 
-namespace cosim::alu {
+namespace alu_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -34,11 +36,11 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
 }
 
 struct Design {
-  COSIM_DESIGN(alu);
+  COSIM_DESIGN(alu_model);
   static constexpr const char* name = "alu";
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {
     return {{{"FAULT", p.fault}}};
   }
 };
 
-}  // namespace cosim::alu
+}  // namespace alu_model

@@ -3,7 +3,9 @@
 
 #include "model/core/design.h"
 
-namespace cosim::crossing {
+namespace crossing_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -37,7 +39,7 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
 }
 
 struct Design {
-  COSIM_DESIGN(crossing);
+  COSIM_DESIGN(crossing_model);
   static constexpr const char* name = "crossing";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   template <class V>
@@ -49,4 +51,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::crossing
+}  // namespace crossing_model

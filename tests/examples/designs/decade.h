@@ -3,7 +3,9 @@
 
 #include "model/core/design.h"
 
-namespace cosim::decade {
+namespace decade_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -26,7 +28,7 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
 }
 
 struct Design {
-  COSIM_DESIGN(decade);
+  COSIM_DESIGN(decade_model);
   static constexpr const char* name = "decade";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {
@@ -34,4 +36,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::decade
+}  // namespace decade_model

@@ -3,7 +3,9 @@
 
 #include "model/core/design.h"
 
-namespace cosim::domains {
+namespace domains_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -47,7 +49,7 @@ constexpr State<V> reset(const Params&, const State<V>& s, const Inputs<V>& in) 
 }
 
 struct Design {
-  COSIM_DESIGN(domains);
+  COSIM_DESIGN(domains_model);
   static constexpr const char* name = "domains";
   static constexpr Inputs<Word> rest() { return {.b_rst_n = 1}; }
   static constexpr Inputs<Word> reset_inputs() { return {.a_rst = 1}; }
@@ -56,4 +58,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::domains
+}  // namespace domains_model

@@ -3,7 +3,9 @@
 
 #include "model/core/design.h"
 
-namespace cosim::folded {
+namespace folded_model {
+
+using namespace cosim;
 
 struct Params {
   int fault, tags, drops;
@@ -39,7 +41,7 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
 }
 
 struct Design {
-  COSIM_DESIGN(folded);
+  COSIM_DESIGN(folded_model);
   static constexpr const char* name = "folded";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array<Parameter, 3> parameters(const Params& p) {
@@ -47,4 +49,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::folded
+}  // namespace folded_model

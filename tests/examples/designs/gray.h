@@ -3,7 +3,9 @@
 
 #include "model/core/design.h"
 
-namespace cosim::gray {
+namespace gray_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -42,7 +44,7 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
 }
 
 struct Design {
-  COSIM_DESIGN(gray);
+  COSIM_DESIGN(gray_model);
   static constexpr const char* name = "gray";
   static constexpr Inputs<Word> rest() { return {.rst_n = 1}; }
   static constexpr Inputs<Word> reset_inputs() { return {.rst_n = 0}; }
@@ -56,4 +58,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::gray
+}  // namespace gray_model

@@ -3,7 +3,9 @@
 
 #include "model/core/design.h"
 
-namespace cosim::handshake {
+namespace handshake_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -67,7 +69,7 @@ constexpr Inputs<V> idle(const Params&, const State<V>& s) {
 }
 
 struct Design {
-  COSIM_DESIGN(handshake);
+  COSIM_DESIGN(handshake_model);
   static constexpr const char* name = "handshake";
   static constexpr Inputs<Word> rest() { return {.by = 1}; }
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1, .by = 1}; }
@@ -76,4 +78,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::handshake
+}  // namespace handshake_model

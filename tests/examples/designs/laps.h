@@ -3,7 +3,9 @@
 
 #include "model/core/design.h"
 
-namespace cosim::laps {
+namespace laps_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -41,7 +43,7 @@ constexpr State<V> reset(const Params&, State<V> s, const Inputs<V>& in) {
 }
 
 struct Design {
-  COSIM_DESIGN(laps);
+  COSIM_DESIGN(laps_model);
   static constexpr const char* name = "laps";
   static constexpr Inputs<Word> rest() { return {.rst_n = 1}; }
   static constexpr Inputs<Word> reset_inputs() { return {.rst_n = 0, .lap = 1}; }
@@ -54,4 +56,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::laps
+}  // namespace laps_model

@@ -6,7 +6,9 @@
 
 #include "model/core/design.h"
 
-namespace cosim::largest {
+namespace acme::largest {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -32,7 +34,7 @@ inline Step<Word> next(const Params&, const State<Word>& s, const Inputs<Word>& 
 }
 
 struct Design {
-  COSIM_DESIGN(largest);
+  COSIM_DESIGN(acme::largest);
   static constexpr const char* name = "largest";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {
@@ -40,4 +42,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::largest
+}  // namespace acme::largest

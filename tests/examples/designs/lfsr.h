@@ -5,7 +5,9 @@
 
 #include "model/core/design.h"
 
-namespace cosim::lfsr {
+namespace lfsr_model {
+
+using namespace cosim;
 
 struct Params {
   int fault, taps;
@@ -31,7 +33,7 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
 }
 
 struct Design {
-  COSIM_DESIGN(lfsr);
+  COSIM_DESIGN(lfsr_model);
   static constexpr const char* name = "lfsr";
   // Nothing clears it.
   template <class V>
@@ -43,4 +45,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::lfsr
+}  // namespace lfsr_model

@@ -3,7 +3,9 @@
 
 #include "model/core/design.h"
 
-namespace cosim::lock {
+namespace lock_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -36,7 +38,7 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
 }
 
 struct Design {
-  COSIM_DESIGN(lock);
+  COSIM_DESIGN(lock_model);
   static constexpr const char* name = "lock";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {
@@ -44,4 +46,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::lock
+}  // namespace lock_model

@@ -3,7 +3,9 @@
 
 #include "model/core/design.h"
 
-namespace cosim::onehot {
+namespace onehot_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -34,7 +36,7 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
 }
 
 struct Design {
-  COSIM_DESIGN(onehot);
+  COSIM_DESIGN(onehot_model);
   static constexpr const char* name = "onehot";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array unobserved{"ring"};
@@ -43,4 +45,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::onehot
+}  // namespace onehot_model

@@ -3,7 +3,9 @@
 
 #include "model/core/design.h"
 
-namespace cosim::pads {
+namespace pads_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -48,7 +50,7 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
 }
 
 struct Design {
-  COSIM_DESIGN(pads);
+  COSIM_DESIGN(pads_model);
   static constexpr const char* name = "pads";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {
@@ -56,4 +58,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::pads
+}  // namespace pads_model

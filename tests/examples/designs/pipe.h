@@ -3,7 +3,9 @@
 
 #include "model/core/design.h"
 
-namespace cosim::pipe {
+namespace pipe_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -45,7 +47,7 @@ constexpr auto compared(const Params&, const State<V>&, const Inputs<V>&, const 
 }
 
 struct Design {
-  COSIM_DESIGN(pipe);
+  COSIM_DESIGN(pipe_model);
   static constexpr const char* name = "pipe";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {
@@ -53,4 +55,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::pipe
+}  // namespace pipe_model

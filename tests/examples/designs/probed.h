@@ -3,7 +3,9 @@
 
 #include "model/core/design.h"
 
-namespace cosim::probed {
+namespace probed_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -23,7 +25,7 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
 }
 
 struct Design {
-  COSIM_DESIGN(probed);
+  COSIM_DESIGN(probed_model);
   static constexpr const char* name = "probed";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array unobserved{"debug.*"};
@@ -32,4 +34,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::probed
+}  // namespace probed_model

@@ -3,7 +3,9 @@
 
 #include "model/core/design.h"
 
-namespace cosim::released {
+namespace released_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -37,7 +39,7 @@ constexpr State<V> reset(const Params&, State<V> s, const Inputs<V>& in) {
 }
 
 struct Design {
-  COSIM_DESIGN(released);
+  COSIM_DESIGN(released_model);
   static constexpr const char* name = "released";
   static constexpr Inputs<Word> rest() { return {.rst_n = 1}; }
   static constexpr Inputs<Word> reset_inputs() { return {}; }
@@ -50,4 +52,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::released
+}  // namespace released_model

@@ -3,7 +3,9 @@
 
 #include "model/core/design.h"
 
-namespace cosim::scaled {
+namespace scaled_model {
+
+using namespace cosim;
 
 struct Params {
   int fault, width;
@@ -23,7 +25,7 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
 }
 
 struct Design {
-  COSIM_DESIGN(scaled);
+  COSIM_DESIGN(scaled_model);
   static constexpr const char* name = "scaled";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array<Parameter, 2> parameters(const Params& p) {
@@ -31,4 +33,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::scaled
+}  // namespace scaled_model

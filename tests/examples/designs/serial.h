@@ -3,7 +3,9 @@
 
 #include "model/core/design.h"
 
-namespace cosim::serial {
+namespace serial_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -88,7 +90,7 @@ constexpr Verdict<Checker, V> checked(const Params&, const Job<V>&, const Driver
 }
 
 struct Design {
-  COSIM_DESIGN(serial);
+  COSIM_DESIGN(serial_model);
   template <class V>
   using Job = serial::Job<V>;
   template <class V>
@@ -102,4 +104,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::serial
+}  // namespace serial_model

@@ -4,7 +4,9 @@
 
 #include "model/core/design.h"
 
-namespace cosim::skid {
+namespace skid_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -43,7 +45,7 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
 }
 
 struct Design {
-  COSIM_DESIGN(skid);
+  COSIM_DESIGN(skid_model);
   static constexpr const char* name = "skid";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {
@@ -51,4 +53,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::skid
+}  // namespace skid_model

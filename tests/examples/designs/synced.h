@@ -3,7 +3,9 @@
 
 #include "model/core/design.h"
 
-namespace cosim::synced {
+namespace synced_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -25,7 +27,7 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
 }
 
 struct Design {
-  COSIM_DESIGN(synced);
+  COSIM_DESIGN(synced_model);
   static constexpr const char* name = "synced";
   static constexpr Inputs<Word> reset_inputs() { return {.reset = 1}; }
   static constexpr int reset_clocks = 3;
@@ -38,4 +40,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::synced
+}  // namespace synced_model

@@ -5,7 +5,9 @@
 #include "model/core/design.h"
 #include "model/core/memory.h"
 
-namespace cosim::wires {
+namespace wires_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -61,7 +63,7 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
 }
 
 struct Design {
-  COSIM_DESIGN(wires);
+  COSIM_DESIGN(wires_model);
   static constexpr const char* name = "wires";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   template <class V>
@@ -75,4 +77,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::wires
+}  // namespace wires_model

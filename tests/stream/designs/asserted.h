@@ -3,7 +3,9 @@
 
 #include "model/core/design.h"
 
-namespace cosim::asserted {
+namespace asserted_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -22,7 +24,7 @@ inline Step<Word> next(const Params& p, const State<Word>& s, const Inputs<Word>
 }
 
 struct Design {
-  COSIM_DESIGN(asserted);
+  COSIM_DESIGN(asserted_model);
   static constexpr const char* name = "asserted";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {
@@ -30,4 +32,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::asserted
+}  // namespace asserted_model

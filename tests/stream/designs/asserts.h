@@ -3,7 +3,9 @@
 
 #include "model/core/stream.h"
 
-namespace cosim::asserts {
+namespace asserts_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -13,7 +15,7 @@ struct Params {
 COSIM_RECORD(Passed, ASSERTS_WORD, Params);
 
 struct Design {
-  using Params = asserts::Params;
+  using Params = asserts_model::Params;
   static constexpr const char* name = "asserts";
   static constexpr auto parameters(const Params& p) {
     return std::array<Parameter, 1>{{{"FAULT", p.fault}}};
@@ -24,4 +26,4 @@ struct Design {
   static auto run(const Params&, const std::vector<Passed<Word>>& x) { return x; }
 };
 
-}  // namespace cosim::asserts
+}  // namespace asserts_model

@@ -3,7 +3,9 @@
 
 #include "model/core/stream.h"
 
-namespace cosim::blocks {
+namespace blocks_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -32,7 +34,7 @@ class Giver {
 };
 
 struct Design {
-  using Params = blocks::Params;
+  using Params = blocks_model::Params;
   static constexpr const char* name = "blocks";
   static constexpr auto parameters(const Params& p) {
     return std::array<Parameter, 1>{{{"FAULT", p.fault}}};
@@ -52,4 +54,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::blocks
+}  // namespace blocks_model

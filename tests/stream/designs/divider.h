@@ -4,7 +4,9 @@
 #include "model/core/stated.h"
 #include "model/core/stream.h"
 
-namespace cosim::divider {
+namespace divider_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -20,7 +22,7 @@ COSIM_RECORD(Asked, DIVIDER_ASKED, Params);
 COSIM_RECORD(Given, DIVIDER_GIVEN, Params);
 
 struct Design {
-  using Params = divider::Params;
+  using Params = divider_model::Params;
   static constexpr const char* name = "divider";
   static constexpr auto parameters(const Params& p) {
     return std::array<Parameter, 1>{{{"FAULT", p.fault}}};
@@ -42,4 +44,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::divider
+}  // namespace divider_model

@@ -6,7 +6,9 @@
 #include "model/core/stated.h"
 #include "model/core/stream.h"
 
-namespace cosim::guarded {
+namespace guarded_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -52,7 +54,7 @@ constexpr auto invariant(const Params& p, const State<V>& s) {
 }
 
 struct Design {
-  COSIM_DESIGN(guarded);
+  COSIM_DESIGN(guarded_model);
   static constexpr const char* name = "guarded";
   static constexpr auto parameters(const Params& p) {
     return std::array<Parameter, 1>{{{"FAULT", p.fault}}};
@@ -65,4 +67,4 @@ struct Design {
   static auto run(const Params&, const std::vector<Passed<Word>>& x) { return x; }
 };
 
-}  // namespace cosim::guarded
+}  // namespace guarded_model

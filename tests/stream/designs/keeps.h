@@ -3,7 +3,9 @@
 
 #include "model/core/stream.h"
 
-namespace cosim::keeps {
+namespace keeps_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -13,7 +15,7 @@ struct Params {
 COSIM_RECORD(Passed, KEEPS_WORD, Params);
 
 struct Design {
-  using Params = keeps::Params;
+  using Params = keeps_model::Params;
   static constexpr const char* name = "keeps";
   static constexpr auto parameters(const Params& p) {
     return std::array<Parameter, 1>{{{"FAULT", p.fault}}};
@@ -24,4 +26,4 @@ struct Design {
   static auto run(const Params&, const std::vector<Passed<Word>>& x) { return x; }
 };
 
-}  // namespace cosim::keeps
+}  // namespace keeps_model

@@ -3,7 +3,9 @@
 
 #include "model/core/stream.h"
 
-namespace cosim::packets {
+namespace packets_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -19,7 +21,7 @@ COSIM_RECORD(Byte, PACKETS_BYTE, Params);
 COSIM_RECORD(Sum, PACKETS_SUM, Params);
 
 struct Design {
-  using Params = packets::Params;
+  using Params = packets_model::Params;
   static constexpr const char* name = "packets";
   static constexpr auto parameters(const Params& p) {
     return std::array<Parameter, 1>{{{"FAULT", p.fault}}};
@@ -40,4 +42,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::packets
+}  // namespace packets_model

@@ -3,7 +3,9 @@
 
 #include "model/core/stream.h"
 
-namespace cosim::pairs {
+namespace pairs_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -21,7 +23,7 @@ COSIM_RECORD(Sum, PAIRS_SUM, Params);
 COSIM_RECORD(Parts, PAIRS_PARTS, Params);
 
 struct Design {
-  using Params = pairs::Params;
+  using Params = pairs_model::Params;
   static constexpr const char* name = "pairs";
   static constexpr auto parameters(const Params& p) {
     return std::array<Parameter, 1>{{{"FAULT", p.fault}}};
@@ -48,4 +50,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::pairs
+}  // namespace pairs_model

@@ -5,7 +5,9 @@
 
 #include "model/core/stream.h"
 
-namespace cosim::serial {
+namespace serial_model {
+
+using namespace cosim;
 
 struct Params {
   int fault;
@@ -63,7 +65,7 @@ class Receiver {
 };
 
 struct Design {
-  using Params = serial::Params;
+  using Params = serial_model::Params;
   static constexpr const char* name = "serial";
   static constexpr auto parameters(const Params& p) {
     return std::array<Parameter, 1>{{{"FAULT", p.fault}}};
@@ -78,4 +80,4 @@ struct Design {
   }
 };
 
-}  // namespace cosim::serial
+}  // namespace serial_model

@@ -30,9 +30,9 @@ struct Design {
     const auto at = [&](std::size_t n, std::size_t back) {
       return n < back ? 0 : x[n - back].data;
     };
-    std::vector<Y<Word>> y;
+    std::vector<Y<Word>> y(x.size());
     for (std::size_t n = 0; n < x.size(); ++n) {
-      y.push_back({9 * at(n, 2) + 5 * (at(n, 1) + at(n, 3)) - (at(n, 0) + at(n, 4))});
+      y[n] = {9 * at(n, 2) + 5 * (at(n, 1) + at(n, 3)) - (at(n, 0) + at(n, 4))};
     }
     return y;
   }

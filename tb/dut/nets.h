@@ -18,8 +18,9 @@ namespace cosim {
 /// a wide net. One that the shape does not have lies nowhere, and is 0.
 struct Net {
   void* data = nullptr;
-  int bytes = 0;           ///< 0: not whole bytes
-  int low = 0, width = 0;  ///< the bits, where it is not whole bytes
+  int bytes = 0;  ///< 0: not whole bytes
+  int low = 0;    ///< the first bit, where it is not whole bytes
+  int width = 0;
 
   Word get() const {
     switch (bytes) {

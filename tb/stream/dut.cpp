@@ -32,7 +32,9 @@ class Collector {
   std::vector<Net> driven, read;
   std::map<std::string, std::vector<Net>> named;  // words of 64 bits
 
-  Net one(const std::string& name) { return name.empty() ? Net{} : named[name].front(); }
+  BitNet one(const std::string& name) {
+    return name.empty() ? BitNet() : BitNet(named[name].front());
+  }
 
   void take(const std::vector<Net>& nets) {
     std::size_t at = 0;
@@ -78,7 +80,7 @@ StreamNets::StreamNets(const StreamShape& shape, StreamDut& dut) {
 
   const std::vector<Net> nets = dut.nets(all.ports);
   all.take(nets);
-  clock = nets.back();
+  clock = BitNet(nets.back());
   std::size_t driven = 0, read = 0;
   const auto found = [&](const Interface& i) {
     InterfaceNets n{all.one(i.valid), all.one(i.ready), all.one(i.credit), all.one(i.done), {}};

@@ -19,16 +19,13 @@ class StreamDut {
   /// Where the cells of the ports lie: of `inputs`, of `outputs`, then the clock. InputError where
   /// the RTL has others.
   virtual std::vector<Net> nets(const Ports& ports) = 0;
-  /// Settles everything that depends on the inputs and the clock. True where the RTL says something
-  /// of itself.
-  virtual bool eval() = 0;
+  /// Settles everything that depends on the inputs and the clock.
+  virtual void eval() = 0;
   /// Powers up again from `power_up`: then it is as a new instance would be, with its nets where
   /// they were. False where that cannot be, and it stays as it is.
   virtual bool restart(std::uint32_t /*power_up*/) { return false; }
   /// The reset has ended.
   virtual void begin() {}
-  /// What that was, in the last eval() that was true.
-  virtual const RtlSaid* said() const { return nullptr; }
   /// Empty if the instance does not show them.
   virtual std::vector<Signal> signals() const { return {}; }
 };
@@ -43,26 +40,32 @@ class VerilatedStreamDut : public StreamDut, protected VerilatedInstance<Top, fa
     clock_ = ports.clock;
     return find_ports(ports_of(this->top()), ports);
   }
-  bool eval() override {
-    this->top().eval();
-    if (!rtl_said) [[likely]]
-      return false;
-    said_ = take_said();
-    return true;
-  }
+  void eval() override { this->top().eval(); }
   bool restart(std::uint32_t power_up) override { return Base::restart(power_up); }
   void begin() override { Base::begin(); }
-  const RtlSaid* said() const override { return &said_; }
   std::vector<Signal> signals() const override { return Base::signals(clock_); }
 
  private:
   std::string clock_;
-  RtlSaid said_;
+};
+
+/// A port of one bit, which has a byte of its own, or none, which is 0.
+class BitNet {
+ public:
+  BitNet() = default;
+  explicit BitNet(const Net& net) : at_(static_cast<std::uint8_t*>(net.data)) {}
+  bool get() const { return at_ != nullptr && *at_ != 0; }
+  void set(bool value) const {
+    if (at_ != nullptr) *at_ = value ? 1 : 0;
+  }
+
+ private:
+  std::uint8_t* at_ = nullptr;
 };
 
 /// The ports of an interface in one instance.
 struct InterfaceNets {
-  Net valid, ready, credit, done;
+  BitNet valid, ready, credit, done;
   std::vector<Net> cells;
   std::vector<Net> drives = {}, reads = {};  ///< of a driver of its own, words of 64 bits
 };
@@ -73,7 +76,7 @@ struct StreamNets {
 
   std::vector<InterfaceNets> in, out;
   std::vector<std::vector<Net>> pins;  ///< words of 64 bits each
-  Net clock;
+  BitNet clock;
 };
 
 }  // namespace cosim

@@ -31,6 +31,7 @@ StreamResult StreamRunner::run(const StreamOrder& order) {
   order_ = &order;
   start();
   reset();
+  if (rtl_said) take_said();  // what is said while it is reset does not count
   dut_.begin();
   is_plain_ ? run_clocks<true>() : run_clocks<false>();
   return std::move(result_);
@@ -59,9 +60,9 @@ void StreamRunner::start() {
 }
 
 void StreamRunner::edge() {
-  nets_.clock.set(0);
+  nets_.clock.set(false);
   dut_.eval();
-  nets_.clock.set(1);
+  nets_.clock.set(true);
   dut_.eval();
 }
 
@@ -78,13 +79,13 @@ void StreamRunner::reset() {
     if (givers_[s].own) {
       givers_[s].drive_own();
     } else {
-      nets_.in[s].valid.set(0);
+      nets_.in[s].valid.set(false);
     }
   }
   for (std::size_t s = 0; s < nets_.out.size(); ++s) {
     if (takers_[s].own) takers_[s].drive_own();
-    if (!shape_.out[s].ready.empty()) nets_.out[s].ready.set(0);
-    if (!shape_.out[s].credit.empty()) nets_.out[s].credit.set(0);
+    if (!shape_.out[s].ready.empty()) nets_.out[s].ready.set(false);
+    if (!shape_.out[s].credit.empty()) nets_.out[s].credit.set(false);
   }
   for (int c = 0; c <= clocks; ++c) {
     for (std::size_t p = 0; p < shape_.pins.size(); ++p) {
@@ -139,8 +140,8 @@ template <bool plain>
 bool StreamRunner::clock() {
   for (Giver& g : givers_) g.drive<plain>(noise_);
   for (Taker& t : takers_) t.drive<plain>();
-  nets_.clock.set(0);
-  if (dut_.eval()) hear();
+  nets_.clock.set(false);
+  eval();
   // What the harness itself holds back is no hang.
   bool moved = false;
   held_ = false;
@@ -159,8 +160,8 @@ bool StreamRunner::clock() {
   }
   listen(moved);
   const bool more = order_->observer == nullptr || show();
-  nets_.clock.set(1);
-  if (dut_.eval()) hear();
+  nets_.clock.set(true);
+  eval();
   ++result_.clocks;
   if (moved || (!plain && is_steady_)) {
     for (Giver& g : givers_) g.advance();
@@ -186,10 +187,17 @@ void StreamRunner::found(Kind kind, bool goes_in, std::size_t stream, std::size_
   }
 }
 
+inline void StreamRunner::eval() {
+  dut_.eval();
+  if (rtl_said) [[unlikely]]
+    hear();
+}
+
 void StreamRunner::hear() {
+  const RtlSaid said = take_said();
   if (result_.finding) return;
   found(Kind::said, true, 0, givers_.empty() ? 0 : givers_.front().taken);
-  result_.said = dut_.said()->line_of_report();
+  result_.said = said.line_of_report();
 }
 
 void StreamRunner::judge_silence() {

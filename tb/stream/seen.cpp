@@ -3,7 +3,7 @@
 namespace cosim {
 
 InterfaceSeen seen_of(const Giver& g) {
-  const bool ready = g.own ? g.moved : g.i.ready.empty() || g.nets.ready.get() != 0;
+  const bool ready = g.own ? g.moved : g.i.ready.empty() || g.nets.ready.get();
   InterfaceSeen seen{g.offers, ready, g.taken, {}, {}};
   read(g.nets.cells, seen.actual);
   if (g.own && g.offers) {

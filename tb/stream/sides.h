@@ -66,13 +66,13 @@ struct Giver {
     } else if (!offers && left() && (plain || (!waits && (i.credits == 0 || credits > 0)))) {
       offers = true;
       const auto words = (*given)[taken];
-      for (std::size_t c = 0; c < nets.cells.size(); ++c) nets.cells[c].set(words[c]);
+      for (std::size_t c = 0; c < words.size(); ++c) nets.cells[c].set(words[c]);
     }
     if (!plain && own) return drive_own();
-    nets.valid.set(offers ? 1 : 0);
+    nets.valid.set(offers);
     if (offers || (!plain && waits)) return;
-    for (std::size_t c = 0; c < nets.cells.size(); ++c) {
-      nets.cells[c].set(low_bits(static_cast<Word>(noise.next()), i.cells[c].width));
+    for (const Net& cell : nets.cells) {
+      cell.set(low_bits(static_cast<Word>(noise.next()), cell.width));
     }
   }
   void drive_own() {
@@ -87,10 +87,10 @@ struct Giver {
       moved = own->took(read(nets.reads, pins)) && offers;
       return;
     }
-    moved = offers && (!has_ready || nets.ready.get() != 0);
+    moved = offers && (!has_ready || nets.ready.get());
     if (plain) return;
-    if (waits && nets.done.get() != 0) waits = false;
-    if (i.credits > 0) credits += (nets.credit.get() != 0 ? 1 : 0) - (moved ? 1 : 0);
+    if (waits && nets.done.get()) waits = false;
+    if (i.credits > 0) credits += (nets.credit.get() ? 1 : 0) - (moved ? 1 : 0);
   }
   /// After the clock.
   void advance() {
@@ -173,7 +173,7 @@ struct Taker {
       ready = stalled == 0 && !waits;
       if (stalled != 0) --stalled;
       if (!plain && own) return drive_own();
-      nets.ready.set(ready ? 1 : 0);
+      nets.ready.set(ready);
     } else if (!plain && i.credits > 0) {
       const bool back = returned < returns.size() && returns[returned] == 0;
       if (back) {
@@ -182,7 +182,7 @@ struct Taker {
       } else if (returned < returns.size()) {
         --returns[returned];
       }
-      nets.credit.set(back ? 1 : 0);
+      nets.credit.set(back);
       ready = credits > 0;
     } else {
       ready = true;
@@ -199,7 +199,7 @@ struct Taker {
       moved = valid = own->came(read(nets.reads, pins), words);
       return;
     }
-    const bool high = nets.valid.get() != 0;
+    const bool high = nets.valid.get();
     stays = !plain && i.pulse && high && before;
     valid = high && !stays;
     before = high;

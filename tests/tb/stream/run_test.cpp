@@ -37,11 +37,11 @@ class Queue final : public StreamDut {
     std::vector<Net> all;
     const auto add = [&](const Field& f) {
       if (std::string(f.name) == "x_valid") all.push_back(net(x_valid_));
-      if (std::string(f.name) == "x_data") all.push_back(net(x_data_));
+      if (std::string(f.name) == "x_data") all.push_back(net(x_data_, 8));
       if (std::string(f.name) == "y_ready") all.push_back(net(y_ready_));
       if (std::string(f.name) == "x_ready") all.push_back(net(x_ready_));
       if (std::string(f.name) == "y_valid") all.push_back(net(y_valid_));
-      if (std::string(f.name) == "y_data") all.push_back(net(y_data_));
+      if (std::string(f.name) == "y_data") all.push_back(net(y_data_, 8));
       if (std::string(f.name) == "rst") all.push_back(net(rst_));
     };
     for (const Field& f : ports.inputs) add(f);
@@ -49,17 +49,16 @@ class Queue final : public StreamDut {
     all.push_back(net(clk_));
     return all;
   }
-  bool eval() override {
+  void eval() override {
     if (clk_ != 0 && before_ == 0) edge();
     before_ = clk_;
     x_ready_ = held_.size() < 2 && !hung_ && (fault_ != Fault::idles || y_ready_ != 0) ? 1 : 0;
     y_valid_ = !held_.empty() && wait_ == 0 && (fault_ != Fault::asks || y_ready_ != 0) ? 1 : 0;
     y_data_ = held_.empty() ? 0 : held_.front();
-    return false;
   }
 
  private:
-  static Net net(std::uint8_t& byte) { return {&byte, 1}; }
+  static Net net(std::uint8_t& byte, int width = 1) { return {&byte, 1, 0, width}; }
 
   void edge() {
     if (rst_ != 0) {

@@ -84,32 +84,33 @@ std::uint32_t draw(const StreamShape& shape, std::uint64_t seed, std::uint64_t i
   const bool all_give = shape.in.size() == 1 || random.one_in_power(1);
   constexpr int tries = 1000;
 
-  std::vector<Word> row;
+  std::vector<Word> row(shape.columns().size());
   for (std::uint64_t n = 0; n < rows; ++n) {
-    row.clear();
+    auto column = row.begin();
     std::size_t at = 0;
     for (std::size_t s = 0; s < shape.in.size(); ++s) {
       const bool gives = all_give || !random.one_in_power(3);
-      row.push_back(gives ? 1 : 0);
+      *column++ = gives ? 1 : 0;
       const Word stall = density[at++].stall(random, n);
-      row.push_back(gives ? stall : 0);
-      const std::size_t first = row.size();
+      *column++ = gives ? stall : 0;
+      const std::vector<Field>& fields = shape.in[s].cells;
+      const std::span<Word> words(column, fields.size());
+      column += static_cast<std::ptrdiff_t>(fields.size());
       for (int i = 0; i < tries; ++i) {
-        row.resize(first);
-        for (const Field& f : shape.in[s].cells) row.push_back(random.corner(f.width));
-        if (!may_go || may_go(s, std::span(row).subspan(first))) break;
+        for (std::size_t c = 0; c < words.size(); ++c) words[c] = random.corner(fields[c].width);
+        if (!may_go || may_go(s, words)) break;
         if (i + 1 == tries) {
           throw InputError(fmt::format("{}: of {} random transactions of stream {} none is legal",
                                        shape.title, tries, shape.in[s].name));
         }
       }
-      if (!gives) std::fill(row.begin() + static_cast<std::ptrdiff_t>(first), row.end(), 0);
+      if (!gives) std::fill(words.begin(), words.end(), 0);
     }
     for (const Interface& i : shape.out) {
       const Density& d = density[at++];
       const Word stall = d.stall(random, n);
-      if (i.can_stall()) row.push_back(stall);
-      if (i.can_wait()) row.push_back(d.waits(random));
+      if (i.can_stall()) *column++ = stall;
+      if (i.can_wait()) *column++ = d.waits(random);
     }
     take(row);
   }

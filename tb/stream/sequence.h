@@ -21,7 +21,7 @@ class Sequence {
   }
   /// `words`: one a cell.
   void push(std::span<const Word> words) {
-    words_.insert(words_.end(), words.begin(), words.end());
+    for (const Word w : words) words_.push_back(w);
     ++size_;
   }
   /// Takes all of them out.

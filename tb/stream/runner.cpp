@@ -37,12 +37,6 @@ StreamResult StreamRunner::run(const StreamOrder& order) {
   return std::move(result_);
 }
 
-// A silence is listened to until it ends.
-template <bool plain>
-void StreamRunner::run_clocks() {
-  while ((result_.clocks < order_->budget || quiet_ > 0) && clock<plain>()) continue;
-}
-
 void StreamRunner::start() {
   for (std::size_t s = 0; s < givers_.size(); ++s) {
     givers_[s].start(order_->given.given[s], order_->given.in[s]);
@@ -137,22 +131,23 @@ inline bool StreamRunner::ends(bool moved) {
 }
 
 template <bool plain>
-bool StreamRunner::clock() {
-  for (Giver& g : givers_) g.drive<plain>(noise_);
-  for (Taker& t : takers_) t.drive<plain>();
+[[gnu::always_inline]] inline bool StreamRunner::clock(std::span<Giver> givers,
+                                                        std::span<Taker> takers) {
+  for (Giver& g : givers) g.drive<plain>(noise_);
+  for (Taker& t : takers) t.drive<plain>();
   nets_.clock.set(false);
   eval();
   // What the harness itself holds back is no hang.
   bool moved = false;
   held_ = false;
-  for (Giver& g : givers_) {
+  for (Giver& g : givers) {
     g.sample<plain>();
     moved |= g.moved;
     held_ |= g.held_back();
     if (!plain && g.credits > g.i.credits) found(Kind::credit, true, number_of(g), g.taken);
   }
   if (has_latency_ && moved) note_taken();
-  for (Taker& t : takers_) {
+  for (Taker& t : takers) {
     t.sample<plain>();
     moved |= t.moved;
     held_ |= t.held_back();
@@ -164,10 +159,16 @@ bool StreamRunner::clock() {
   eval();
   ++result_.clocks;
   if (moved || (!plain && is_steady_)) {
-    for (Giver& g : givers_) g.advance();
-    for (Taker& t : takers_) t.advance<plain>();
+    for (Giver& g : givers) g.advance();
+    for (Taker& t : takers) t.advance<plain>();
   }
   return more && !ends(moved);
+}
+
+// A silence is listened to until it ends.
+template <bool plain>
+void StreamRunner::run_clocks() {
+  while ((result_.clocks < order_->budget || quiet_ > 0) && clock<plain>(givers_, takers_)) continue;
 }
 
 // What is taken by the end of this clock.

@@ -113,10 +113,11 @@ class Asker {
   }
 
   void answer(const AnyBench& bench, const proof::FromReset& machine) {
-    const StateLine state;
+    StateLine state;
     const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(asking_.seconds);
     const auto found = machine.ask_watched(until, cores(), [&](std::size_t left) {
-      state.show(fmt::format("{}: {} to be decided", bench.title(), count(left, "point")));
+      state.show(fmt::format("{}: {} to be decided, asked from reset, at most {} s", bench.title(),
+                             count(left, "point"), asking_.seconds));
     });
     std::vector<std::string> files;
     for (std::size_t i = 0; i < found.stimuli.size(); ++i) {

@@ -22,6 +22,7 @@
 #include "tb/support/parallel.h"
 #include "tb/support/process.h"
 #include "tb/support/words.h"
+#include "tb/sweep/progress.h"
 
 namespace cosim::cli {
 namespace {
@@ -242,7 +243,11 @@ int run(const EquivOptions& o) {
     fmt::print("{}: undecided: yosys does not read --assume in {} s (--seconds)\n", top, seconds);
     return 3;
   }
-  const equiv::Answer answer = equiv::compare(q);
+  const equiv::Answer answer = [&] {
+    StateLine line;
+    line.show(fmt::format("{}: asked from reset, at most {} s", top, seconds));
+    return equiv::compare(q);
+  }();
   return conclude(o, top, q, answer);
 }
 

@@ -8,6 +8,7 @@
 #include "tb/full/machine_of.h"
 #include "tb/full/mutants_built.h"
 #include "tb/full_cli/commands.h"
+#include "tb/mutation/campaign.h"
 #include "tb/program/chosen.h"
 #include "tb/program/common.h"
 #include "tb/program/number.h"
@@ -18,6 +19,7 @@
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
 #include "tb/support/words.h"
+#include "tb/sweep/progress.h"
 
 namespace cosim::cli {
 namespace {
@@ -48,6 +50,16 @@ std::string end_of(const JsonAt& mutant) {
                      mutant.at("clock").whole(), mutant.at("signal").text());
 }
 
+// What the campaign with these results does now.
+std::string doing_now(const std::string& results) {
+  try {
+    const std::string file = results + mutation::kept_as;
+    return JsonAt(file, read_file(file)).at("state").at("doing").text();
+  } catch (const InputError&) {
+    return "begun";
+  }
+}
+
 // Plants, attacks and prints; the results.
 Json attacked(const MutateOptions& o, const Registry& registry, const AnyBench& bench,
               std::uint64_t mutants) {
@@ -63,7 +75,11 @@ Json attacked(const MutateOptions& o, const Registry& registry, const AnyBench& 
   std::vector<std::string> words{results, "--prover", program_name() + " prove", "--failures",
                                  o.common.failures_folder()};
   if (o.unproved || unproved) words.emplace_back("--unproved");
-  const Ended ended = run_mutants(program, words);
+  const Ended ended = [&] {
+    StateLine line;
+    line.show([&] { return bench.built_as() + ": " + doing_now(results); });
+    return run_mutants(program, words);
+  }();
   const JsonAt outcome(results, read_file(results));
   fmt::print("{}: {}: {} killed, {} proved equal, {} survived\n", bench.built_as(),
              count(outcome.at("mutants").whole(), "mutant"), outcome.at("killed").whole(),

@@ -85,7 +85,7 @@ std::vector<std::string> options_of(const NewOptions& o, bool has_headers) {
 // Copies what the design needs, and reads it there: by those names every program can be given them.
 struct BegunProject {
   Found found;
-  std::vector<std::string> sources;
+  std::vector<std::string> sources, left_out;
   bool has_headers = false;
 };
 BegunProject begin_project(const NewOptions& o, const Draft& project) {
@@ -106,6 +106,7 @@ BegunProject begin_project(const NewOptions& o, const Draft& project) {
   require_files(name, rtl);
   BegunProject begun;
   begun.has_headers = !rtl.headers.empty();
+  begun.left_out = rtl.left_out;
   for (const SourceFile& file : rtl.files) {
     begun.sources.push_back(file.name);
     project.write(file.name, file.text);
@@ -164,6 +165,7 @@ int run(const NewOptions& o) {
     fmt::print("{}/: {}; README.md has its two commands\n", name, first.what);
     return 0;
   }
+  for (const std::string& file : rtl.left_out) fmt::print("{}: a testbench, left out\n", file);
   const Found& found = rtl.found;
   fmt::print("{}/: {}, {}, {}; README.md has its two commands\n", name,
              count(found.inputs.size(), "input"), count(found.outputs.size(), "output"),
@@ -198,15 +200,15 @@ void add_new(const Command& program) {
                "Its clock, or its clocks, where they are not to be found");
   command.text("--reset", o->reset, "PIN",
                "Its reset at the clock, where its name does not say it");
-  command.texts("--param", o->parameters, "NAME=VALUE",
-                "Parameters of the top, numbers or words: the shape that is built");
-  command.texts("--include", o->includes, "DIR", "Folders with the headers that `include names");
-  command.texts("--define", o->defines, "NAME[=VALUE]", "Macros of the preprocessor");
-  command.texts("--blackbox", o->blackboxes, "NAME",
-                "Modules that no file has: their outputs become inputs of the design, their\n"
-                "inputs outputs");
-  command.texts("-y", o->libraries, "DIR",
-                "Folders with further modules, of which those needed are taken");
+  command.each("--param", o->parameters, "NAME=VALUE",
+               "A parameter of the top, a number or a word: the shape that is built");
+  command.each("--include", o->includes, "DIR", "A folder with the headers that `include names");
+  command.each("--define", o->defines, "NAME[=VALUE]", "A macro of the preprocessor");
+  command.each("--blackbox", o->blackboxes, "NAME",
+               "A module that no file has: its outputs become inputs of the design, its\n"
+               "inputs outputs");
+  command.each("-y", o->libraries, "DIR",
+               "A folder with further modules, of which those needed are taken");
   command.footer(
       fmt::format("Example: {} new adder adder.v\n"
                   "         {} new fifo rtl/ --top axis_fifo --param DEPTH=16",

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
-#include <functional>
 #include <map>
 #include <optional>
 #include <utility>
@@ -31,20 +30,31 @@ using proof::Claim;
 using proof::Decision;
 using proof::Engine;
 
-// What the engines said of a claim, and what was said of it from reset, if that was asked.
-struct Decided {
-  Decision decision;
-  const FromResetAnswer* from_reset = nullptr;
-};
-
 // A machine and what is claimed of it.
 struct Claimed {
   ProveSubject subject;
   proof::Source source;
   std::vector<Claim> claims;
-  std::string error;  // of one that cannot be read
-  std::vector<Decided> decided;
-  std::map<proof::Happens, FromResetAnswer> from_reset;  // of what was asked so
+  std::string error;                        // of one that cannot be read
+  std::optional<proof::FromReset> machine;  // where it is asked so
+  std::map<proof::Happens, FromResetAnswer> from_reset;
+};
+
+// A claim, what the engines said of it, and what was said of it from reset, if that was asked.
+struct Row {
+  Claimed& of;
+  const Claim& claim;
+  bool is_first, is_last;  // of its machine
+  Decision decision{};
+  bool is_decided = false;
+  const FromResetAnswer* from_reset = nullptr;
+
+  std::string name() const { return of.subject.title + ", " + claim.what; }
+  // What the engines did not prove is, if it is a question that can be; what they contradict each
+  // other on is not.
+  bool is_asked_from_reset() const {
+    return !decision.proved && !decision.disagree && claim.from_reset;
+  }
 };
 
 // The RTL that is proved: what the program was built from, or what --rtl names.
@@ -55,51 +65,88 @@ proof::Source source_of(const ProveOptions& o, const ProveSubject& s) {
   return source;
 }
 
-// An engine that was not asked has no time.
-void print_row(const std::string& title, const Claim& claim, const Decision& decision,
-               const std::vector<Engine>& engines) {
-  std::string times;
-  for (const Engine engine : engines) {
-    std::string time = "-";
-    for (const proof::Opinion& opinion : decision.opinions) {
-      if (opinion.engine == engine) time = fmt::format("{:.2f}", opinion.seconds());
-    }
-    times += fmt::format("{:>6}  ", time);
-  }
-  fmt::print("{:<20} {:<48}{}{}\n", title, claim.what, times, decision.verdict);
-  std::fflush(stdout);  // to be seen when it is known, in a pipe too
-}
-
 const AnyBench& bench_of(const ProveSubject& subject) {
   const auto same = [&](const auto& b) { return b->title() == subject.title; };
   return **std::find_if(benches().begin(), benches().end(), same);
 }
 
-// What the engines did not prove is asked from reset, if it is a question that can be; one that
-// they contradict each other on is not.
-void ask_from_reset(Claimed& one, const proof::Asking& asking) {
-  std::optional<proof::FromReset> machine;
-  for (std::size_t i = 0; i < one.claims.size(); ++i) {
-    const auto& what = one.claims[i].from_reset;
-    Decision& d = one.decided[i].decision;
-    if (d.proved || d.disagree || !what) continue;
-    if (!one.from_reset.contains(*what)) {
-      if (!machine) machine.emplace(one.subject.nets, proof::RtlNets(one.source));
-      one.from_reset[*what] = asked_from_reset(*machine, *what, bench_of(one.subject),
-                                               std::chrono::seconds(asking.limit), asking.jobs);
-    }
-    const FromResetAnswer& answer = one.from_reset[*what];
-    one.decided[i].from_reset = &answer;
-    d.proved = answer.ever == proof::Ever::never;
-    const bool adds = answer.ever == proof::Ever::open && !d.opinions.empty();
-    d.verdict = answer.verdict + (adds ? "; from any state " + d.verdict : "");
+void ask_from_reset(Row& row, const proof::Asking& asking) {
+  const proof::Happens what = *row.claim.from_reset;
+  Claimed& of = row.of;
+  if (!of.from_reset.contains(what)) {
+    if (!of.machine) of.machine.emplace(of.subject.nets, proof::RtlNets(of.source));
+    of.from_reset[what] = asked_from_reset(*of.machine, what, bench_of(of.subject),
+                                           std::chrono::seconds(asking.limit), asking.jobs);
   }
+  const FromResetAnswer& answer = of.from_reset[what];
+  row.from_reset = &answer;
+  Decision& d = row.decision;
+  d.proved = answer.ever == proof::Ever::never;
+  const bool adds = answer.ever == proof::Ever::open && !d.opinions.empty();
+  d.verdict = answer.verdict + (adds ? "; from any state " + d.verdict : "");
+}
+
+// An engine that was not asked has no time.
+std::string text_of(const Row& row, const std::vector<Engine>& engines) {
+  const ProveSubject& s = row.of.subject;
+  std::string text = fmt::format("{:<20} {:<48}", row.is_first ? s.title : "", row.claim.what);
+  for (const Engine engine : engines) {
+    std::string time = "-";
+    for (const proof::Opinion& opinion : row.decision.opinions) {
+      if (opinion.engine == engine) time = fmt::format("{:.2f}", opinion.seconds());
+    }
+    text += fmt::format("{:>6}  ", time);
+  }
+  text += row.decision.verdict + '\n';
+  if (!row.is_last) return text;
+  for (const auto* wires : {&s.formula.registers, &s.formula.outputs}) {
+    for (const proof::Wire& w : *wires) {
+      if (w.when) {
+        text += fmt::format("  compared only where it means something: {}\n", w.field.name);
+      }
+    }
+  }
+  for (const proof::Named& n : s.formula.legal) {
+    text += fmt::format("  assumed of the inputs: {}\n", n.name);
+  }
+  return text;
+}
+
+// Each row is printed as soon as it and all before it are decided.
+void decide(std::vector<Row>& rows, const proof::Asking& asking) {
+  StateLine line;
+  std::vector<const Claim*> claims;
+  for (const Row& row : rows) claims.push_back(&row.claim);
+  std::size_t known = 0, printed = 0;
+  const auto print_all = [&](bool asks) {
+    for (; printed < rows.size() && rows[printed].is_decided; ++printed) {
+      Row& row = rows[printed];
+      if (row.is_asked_from_reset()) {
+        if (!asks) break;
+        line.show(fmt::format("asked from reset, at most {} s: {}", asking.limit, row.name()));
+        ask_from_reset(row, asking);
+      }
+      line.print(text_of(row, asking.engines));
+    }
+    if (known == rows.size()) return;
+    const auto is_open = [](const Row& row) { return !row.is_decided; };
+    line.show(fmt::format("{} of {} decided; next: {}", known, count(rows.size(), "claim"),
+                          std::find_if(rows.begin(), rows.end(), is_open)->name()));
+  };
+  print_all(false);
+  proof::decide(claims, asking, [&](std::size_t i, const Decision& decision) {
+    rows[i].decision = decision;
+    rows[i].is_decided = true;
+    ++known;
+    print_all(false);
+  });
+  print_all(true);
 }
 
 // A stimulus or a counterexample can be replayed only if this program was built from the same RTL.
-void explain(const ProveOptions& o, const Claimed& one, const Claim& claim, const Decided& decided,
-             int limit) {
-  const AnyBench& bench = bench_of(one.subject);
+void explain(const ProveOptions& o, const Row& row, int limit) {
+  const ProveSubject& subject = row.of.subject;
+  const AnyBench& bench = bench_of(subject);
   const auto keep = [&](const Mismatch& mismatch) {
     fmt::print("\n{}", to_text(mismatch));
     const Failure failure = leave_failure(bench, refuted_case, mismatch,
@@ -107,13 +154,13 @@ void explain(const ProveOptions& o, const Claimed& one, const Claim& claim, cons
     fmt::print("\n{}", to_text(failure));
   };
   Stimulus stimulus;
-  if (const auto* asked = decided.from_reset; asked && asked->ever == proof::Ever::yes) {
+  if (const auto* asked = row.from_reset; asked && asked->ever == proof::Ever::yes) {
     if (asked->run.mismatch) return keep(*asked->run.mismatch);
     fmt::print("\nfrom reset, on clock {}: {}\n", asked->stimulus.clocks.size() - 1,
                fmt::join(asked->what, ", "));
     stimulus = asked->stimulus;
   } else {
-    const auto found = refuted(one.subject.formula, bench, claim, decided.decision, limit);
+    const auto found = refuted(subject.formula, bench, row.claim, row.decision, limit);
     if (!found) return;
     if (found->run.mismatch) return keep(*found->run.mismatch);
     fmt::print("\n{}", to_text(found->counterexample));
@@ -131,26 +178,6 @@ void explain(const ProveOptions& o, const Claimed& one, const Claim& claim, cons
       kept.string());
 }
 
-// On a terminal a line tells which claim was settled last, and how many are.
-std::vector<Decision> decided(const std::vector<Claimed>& subjects,
-                              const std::vector<const Claim*>& claims,
-                              const proof::Asking& asking) {
-  std::vector<std::string> names;
-  for (const Claimed& s : subjects) {
-    for (const Claim& c : s.claims) names.push_back(s.subject.title + ", " + c.what);
-  }
-  StateLine line;
-  std::size_t known = 0;
-  const auto say = [&](const std::string& last) {
-    line.show(fmt::format("{} of {} {}", known, count(claims.size(), "claim"), last));
-  };
-  say("");
-  return proof::decide(claims, asking, [&](std::size_t i) {
-    ++known;
-    say("decided; last: " + names[i]);
-  });
-}
-
 }  // namespace
 
 int prove_machines(const ProveOptions& o, const proof::Asking& asking) {
@@ -158,18 +185,21 @@ int prove_machines(const ProveOptions& o, const proof::Asking& asking) {
   for (ProveSubject& s : subjects_of(o.machine))
     subjects.push_back({std::move(s), {}, {}, {}, {}, {}});
   const auto began = std::chrono::steady_clock::now();
-
-  in_parallel(subjects.size(), asking.jobs, [&](std::uint64_t i) {
-    Claimed& s = subjects[i];
-    try {
-      s.source = source_for(s.subject.formula, source_of(o, s.subject));
-      s.claims = claims_of(s.subject.formula, s.subject.nets, s.source);
-      s.source.keeps_statements = true;
-    } catch (const InputError& error) {
-      s.error = error.what();
-    }
-    return true;
-  });
+  {
+    StateLine line;
+    line.show("reading the RTL of " + count(subjects.size(), "machine"));
+    in_parallel(subjects.size(), asking.jobs, [&](std::uint64_t i) {
+      Claimed& s = subjects[i];
+      try {
+        s.source = source_for(s.subject.formula, source_of(o, s.subject));
+        s.claims = claims_of(s.subject.formula, s.subject.nets, s.source);
+        s.source.keeps_statements = true;
+      } catch (const InputError& error) {
+        s.error = error.what();
+      }
+      return true;
+    });
+  }
   // The others are proved all the same.
   const std::string error = subjects.front().error;
   const auto is_unread = [](const Claimed& s) { return !s.error.empty(); };
@@ -179,62 +209,43 @@ int prove_machines(const ProveOptions& o, const proof::Asking& asking) {
     if (is_unread(s) && std::exchange(said, s.error) != s.error) leave_out(s.error);
   }
   std::erase_if(subjects, is_unread);
-  std::vector<const Claim*> claims;
-  for (const Claimed& s : subjects) {
+  std::vector<Row> rows;
+  for (Claimed& s : subjects) {
     for (const Claim& c : s.claims) {
-      claims.push_back(&c);
+      rows.push_back({s, c, &c == &s.claims.front(), &c == &s.claims.back()});
       if (o.scripts) keep_scripts(*o.scripts, s.subject.title, c);
     }
   }
-  auto next = decided(subjects, claims, asking);
-  auto at = next.begin();
-  for (Claimed& one : subjects) {
-    for (std::size_t i = 0; i < one.claims.size(); ++i) one.decided.push_back({std::move(*at++)});
-    ask_from_reset(one, asking);
-  }
-
   std::string heading;
   for (const Engine e : asking.engines) heading += fmt::format("{:>4} s  ", to_text(e));
   fmt::print("{:<69}{}\n", "", heading);
+  std::fflush(stdout);
+  decide(rows, asking);
+
   std::size_t proved = 0, from_reset = 0;
   bool more_time_helps = false;
-  std::function<void()> explain_first;
-  for (const Claimed& one : subjects) {
-    const ProveSubject& s = one.subject;
-    for (std::size_t i = 0; i < one.claims.size(); ++i) {
-      const Claim& claim = one.claims[i];
-      const Decided& decided = one.decided[i];
-      const Decision& d = decided.decision;
-      print_row(i == 0 ? s.title : "", claim, d, asking.engines);
-      const bool was_asked = decided.from_reset != nullptr;
-      proved += d.proved ? 1 : 0;
-      from_reset += d.proved && was_asked ? 1 : 0;
-      if (d.proved) continue;
-      more_time_helps = more_time_helps || proof::timed_out({d}) ||
-                        (was_asked && decided.from_reset->ever == proof::Ever::open);
-      if (explain_first || (claim.terms.empty() && !was_asked)) continue;
-      explain_first = [&] { explain(o, one, claim, decided, asking.limit); };
-    }
-    for (const auto* wires : {&s.formula.registers, &s.formula.outputs}) {
-      for (const proof::Wire& w : *wires) {
-        if (w.when) fmt::print("  compared only where it means something: {}\n", w.field.name);
-      }
-    }
-    for (const proof::Named& n : s.formula.legal)
-      fmt::print("  assumed of the inputs: {}\n", n.name);
+  const Row* explained = nullptr;  // the first that can be
+  for (const Row& row : rows) {
+    const bool was_asked = row.from_reset != nullptr;
+    proved += row.decision.proved ? 1 : 0;
+    from_reset += row.decision.proved && was_asked ? 1 : 0;
+    if (row.decision.proved) continue;
+    more_time_helps = more_time_helps || proof::timed_out({row.decision}) ||
+                      (was_asked && row.from_reset->ever == proof::Ever::open);
+    if (explained == nullptr && (was_asked || !row.claim.terms.empty())) explained = &row;
   }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-  if (explain_first) explain_first();
+  if (explained != nullptr) explain(o, *explained, asking.limit);
   const std::string by =
       asking.engines.size() == 1   ? "by " + proof::listed(asking.engines) + " alone"
       : asking.engines.size() == 2 ? "each by " + proof::listed(asking.engines)
                                    : "each by two of " + proof::listed(asking.engines);
   fmt::print(
-      "{} of {} proved, {}{}, in {:.1f} s\n", proved, count(claims.size(), "claim"), by,
+      "{} of {} proved, {}{}, in {:.1f} s\n", proved, count(rows.size(), "claim"), by,
       from_reset == 0 ? "" : fmt::format(", but {} from reset by yosys-abc alone", from_reset),
       took.count());
   if (more_time_helps) say_limit(asking.limit);
-  return proved == claims.size() ? 0 : 1;
+  return proved == rows.size() ? 0 : 1;
 }
 
 }  // namespace cosim::cli

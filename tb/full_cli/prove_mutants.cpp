@@ -11,6 +11,7 @@
 #include "tb/program/number.h"
 #include "tb/proof/judge.h"
 #include "tb/support/words.h"
+#include "tb/sweep/progress.h"
 
 namespace cosim::cli {
 
@@ -24,7 +25,11 @@ int judged(const ProveSubject& subject, const fs::path& file, unsigned first, un
   std::vector<unsigned> numbers(number);
   std::iota(numbers.begin(), numbers.end(), first);
   proof::Judge judge(subject.formula, &subject.nets, asking);
-  const auto judged = judge.judge(file, numbers);
+  const auto judged = [&] {
+    StateLine line;
+    line.show(fmt::format("{}: {} asked", subject.title, count(number, "mutant")));
+    return judge.judge(file, numbers);
+  }();
   std::size_t refuted = 0, equal = 0;
   bool timed_out = false;
   for (unsigned k = 0; k < number; ++k) {
@@ -37,6 +42,7 @@ int judged(const ProveSubject& subject, const fs::path& file, unsigned first, un
   }
   fmt::print("{}: {}, {} refuted, {} proved to be the same, {} undecided\n", subject.title,
              count(number, "mutant"), refuted, equal, number - refuted - equal);
+  if (number == 1 && refuted == 1) fmt::print("{}", judge.told_apart(file, first));
   if (timed_out) say_limit(asking.limit);
   return refuted + equal == number ? 0 : 1;
 }

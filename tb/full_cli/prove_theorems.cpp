@@ -5,6 +5,7 @@
 #include "tb/full_cli/prove.h"
 #include "tb/proof/theorems.h"
 #include "tb/support/words.h"
+#include "tb/sweep/progress.h"
 
 namespace cosim::cli {
 
@@ -23,7 +24,18 @@ int prove_theorems(const ProveOptions& o, const proof::Asking& asking) {
     claims.push_back(&t.claim);
     claims.push_back(&t.premises);
   }
-  const auto decisions = proof::decide(claims, asking);
+  const auto decisions = [&] {
+    StateLine line;
+    std::size_t known = 0;
+    const auto say = [&] {
+      line.show(fmt::format("{} of {} decided", known, count(claims.size(), "question")));
+    };
+    say();
+    return proof::decide(claims, asking, [&](std::size_t, const proof::Decision&) {
+      ++known;
+      say();
+    });
+  }();
   std::size_t proved = 0;
   for (std::size_t i = 0; i < theorems.size(); ++i) {
     const proof::Decision &claim = decisions[2 * i], &premises = decisions[2 * i + 1];

@@ -1,13 +1,17 @@
 #include "tb/mutation/campaign.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <mutex>
+#include <utility>
 
 #include "model/core/input_error.h"
 #include "tb/support/json.h"
 #include "tb/support/parallel.h"
+#include "tb/support/words.h"
 
 namespace cosim::mutation {
 
@@ -78,15 +82,24 @@ class Course {
   }
 
   void attack_with(std::size_t first, std::size_t last) {
+    begin("attacked");
     subject_.attack(open(), first, last, threads_,
                     [&](unsigned mutant, Outcome outcome) { decide(mutant, std::move(outcome)); });
+    save();
+  }
+
+  void begin(std::string doing) {
+    doing_ = std::move(doing);
     save();
   }
 
   void save() {
     campaign_.seconds += std::chrono::duration<double>(Clock::now() - counted_).count();
     counted_ = Clock::now();
-    checkpoint_.save({{"seconds", campaign_.seconds}, {"outcomes", campaign_.outcomes}});
+    const std::string doing = fmt::format("{} of {} to be decided, {}", campaign_.count(End::open),
+                                          count(campaign_.outcomes.size(), "mutant"), doing_);
+    checkpoint_.save(
+        {{"seconds", campaign_.seconds}, {"doing", doing}, {"outcomes", campaign_.outcomes}});
   }
 
   const Campaign& campaign() const { return campaign_; }
@@ -97,6 +110,7 @@ class Course {
   Checkpoint& checkpoint_;
   std::mutex guard_;  // of all below
   Campaign campaign_;
+  std::string doing_;
   Clock::time_point counted_ = Clock::now();
 };
 
@@ -120,6 +134,7 @@ Campaign run_campaign(const Subject& subject, const Prover& prover, const Asker&
     if (calls.empty() || calls.back().size() == a_call) calls.emplace_back();
     calls.back().push_back(mutant);
   }
+  course.begin("asked of the engines");
   std::vector<unsigned> numbers(calls.size());
   for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<unsigned>(i);
   course.each(numbers, [&](unsigned i) {
@@ -133,6 +148,7 @@ Campaign run_campaign(const Subject& subject, const Prover& prover, const Asker&
   // Most are settled in a second; all stimuli take longer.
   constexpr std::chrono::seconds soon(3), longest(60);
   const auto ask_each = [&](std::chrono::seconds limit) {
+    course.begin(fmt::format("asked from reset, at most {} s each", limit.count()));
     course.each(course.open(),
                 [&](unsigned mutant) { course.decide(mutant, asker(mutant, limit)); });
     course.save();

@@ -38,6 +38,10 @@ struct Campaign {
 Campaign run_campaign(const Subject& subject, const Prover& prover, const Asker& asker,
                       unsigned threads, Checkpoint& checkpoint, const Part& part = {});
 
+/// What follows the name of the results in that of their checkpoint, whose `state` has `doing`, a
+/// few words on what the campaign does now.
+inline constexpr const char* kept_as = ".part";
+
 /// The campaign as JSON text: an object with `design`, `parameters`, `mutants`, `killed`,
 /// `equivalent`, `survived`, `seconds`, and `outcomes`, an object for each mutant with `mutant`,
 /// its number, `what` and `end`, and where it was killed `stimulus`, `clock` and `signal`.

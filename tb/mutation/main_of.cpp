@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,13 +27,6 @@ constexpr int kLimit = 60;  // seconds of an engine for one mutant
 const std::vector<proof::Engine> kEngines{proof::Engine::cec, proof::Engine::cvc5,
                                           proof::Engine::z3};
 
-/// What the engines need of a subject's model.
-struct Asked {
-  proof::MachineFormula formula;
-  std::optional<nets::Model> nets;
-  std::optional<proof::Judge> judge;
-};
-
 /// The machine of a subject; null where there are no formulas of it.
 const proof::BuiltMachine* machine_of(const Subject& subject) {
   for (const auto& machine : proof::built_machines()) {
@@ -45,28 +37,46 @@ const proof::BuiltMachine* machine_of(const Subject& subject) {
   throw InputError(subject.bench().title() + ": is no machine that is built");
 }
 
-/// The engines, on the formulas and nets of the subject's model; of no machine nobody.
-Prover engines(const Subject& subject, const proof::BuiltMachine* machine,
-               const std::vector<proof::Engine>& which) {
-  if (machine == nullptr) {
-    return [](const std::vector<unsigned>& mutants) { return std::vector<bool>(mutants.size()); };
+/// The engines, on the formulas and nets of a subject's model; of no machine nobody.
+class Asked {
+ public:
+  Asked(const Subject& subject, const proof::BuiltMachine* machine,
+        const std::vector<proof::Engine>& which)
+      : subject_(subject) {
+    if (machine == nullptr) return;
+    formula_ = machine->formula();
+    if (machine->nets != nullptr) nets_ = machine->nets();
+    judge_.emplace(formula_, nets_ ? &*nets_ : nullptr,
+                   proof::Asking{.engines = which, .limit = kLimit});
   }
-  const auto asked = std::make_shared<Asked>();
-  asked->formula = machine->formula();
-  if (machine->nets != nullptr) asked->nets = machine->nets();
-  asked->judge.emplace(asked->formula, asked->nets ? &*asked->nets : nullptr,
-                       proof::Asking{.engines = which, .limit = kLimit});
-  return [&subject, asked](const std::vector<unsigned>& mutants) {
-    const Scratch scratch;
-    const auto verilog = scratch.path() / "mutants.v";
-    subject.write_verilog(mutants, verilog);
+
+  std::vector<bool> prove(const std::vector<unsigned>& mutants) {
+    if (!judge_) return std::vector<bool>(mutants.size());
     std::vector<bool> proved;
-    for (const auto& judged : asked->judge->judge(verilog, mutants)) {
+    const Scratch scratch;
+    for (const auto& judged : judge_->judge(written(mutants, scratch), mutants)) {
       proved.push_back(judged.same);
     }
     return proved;
-  };
-}
+  }
+  std::string told_apart(unsigned mutant) const {
+    const Scratch scratch;
+    return judge_ ? judge_->told_apart(written({mutant}, scratch), mutant) : "";
+  }
+
+ private:
+  std::filesystem::path written(const std::vector<unsigned>& mutants,
+                                const Scratch& scratch) const {
+    const auto verilog = scratch.path() / "mutants.v";
+    subject_.write_verilog(mutants, verilog);
+    return verilog;
+  }
+
+  const Subject& subject_;
+  proof::MachineFormula formula_;
+  std::optional<nets::Model> nets_;
+  std::optional<proof::Judge> judge_;
+};
 
 struct Options {
   std::string results, failures = "failures", prover = "scripts/prove";
@@ -86,14 +96,15 @@ int run(const Subject& subject, const Options& o) {
   std::string work = fmt::format("{} mutants of {}, {} from {}", subject.mutants().size(),
                                  subject.bench().title(), o.part.count, o.part.first);
   for (const proof::Engine e : which) work += ", " + to_text(e);
-  Checkpoint checkpoint(o.results + ".part", work);
+  Checkpoint checkpoint(o.results + kept_as, work);
   const proof::BuiltMachine* const machine = o.unproved ? nullptr : machine_of(subject);
   const Asker asker = [&](unsigned mutant, std::chrono::seconds limit) {
     if (machine == nullptr || machine->nets == nullptr) return Outcome{};
     return from_reset(subject, *machine, mutant, limit, o.failures);
   };
-  const Campaign campaign =
-      run_campaign(subject, engines(subject, machine, which), asker, o.threads, checkpoint, o.part);
+  Asked asked(subject, machine, which);
+  const Prover prover = [&](const auto& mutants) { return asked.prove(mutants); };
+  const Campaign campaign = run_campaign(subject, prover, asker, o.threads, checkpoint, o.part);
   replace_file(o.results, to_json(subject, campaign));
   checkpoint.done();
   for (std::size_t i = 0; i < campaign.outcomes.size(); ++i) {
@@ -103,7 +114,8 @@ int run(const Subject& subject, const Options& o) {
                  stimulus_of(subject, mutant, o.failures).string());
     }
     if (campaign.outcomes[i].end != Outcome::End::survived) continue;
-    const auto kept = leave_survivor(subject, mutant, o.prover, o.failures);
+    const auto kept =
+        leave_survivor(subject, mutant, o.prover, asked.told_apart(mutant), o.failures);
     fmt::print("survived: {}, kept in: {}\n", subject.mutants()[mutant - 1], kept.string());
   }
   return campaign.count(Outcome::End::survived) == 0 ? 0 : 1;

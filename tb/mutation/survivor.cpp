@@ -25,7 +25,8 @@ std::map<std::string, std::size_t> kinds_of(const std::vector<Case>& cases) {
 }  // namespace
 
 std::filesystem::path leave_survivor(const Subject& subject, unsigned mutant,
-                                     const std::string& prover, const std::filesystem::path& root) {
+                                     const std::string& prover, const std::string& apart,
+                                     const std::filesystem::path& root) {
   const std::string title = subject.bench().title();
   const std::string& what = subject.mutants()[mutant - 1];
   Draft draft(root, failure_name(subject.bench(), fmt::format("mutant {}", mutant)));
@@ -51,6 +52,10 @@ std::filesystem::path leave_survivor(const Subject& subject, unsigned mutant,
   for (const auto& [kind, runs] : kinds_of(subject.cases().all)) {
     text += fmt::format("  {}: {}\n", kind, runs);
     json["stimuli"][kind] = runs;
+  }
+  if (!apart.empty()) {
+    text += "They part " + apart +
+            "If that state is never reached, let invariant() of the model say so.\n";
   }
   text += fmt::format("To have the solvers look for a state in which they part:\n  {}\n", prove);
 

@@ -12,8 +12,11 @@
 namespace cosim::mutation {
 
 /// Writes root/<design>-<parameters>-mutant-<number> and returns it. `prover`: how a person calls
-/// what proves. InputError where it cannot be written.
+/// what proves; `apart`: the
+/// state that tells it from the RTL without it, where one is known. InputError where it cannot be
+/// written.
 std::filesystem::path leave_survivor(const Subject& subject, unsigned mutant,
-                                     const std::string& prover, const std::filesystem::path& root);
+                                     const std::string& prover, const std::string& apart,
+                                     const std::filesystem::path& root);
 
 }  // namespace cosim::mutation

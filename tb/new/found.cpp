@@ -13,7 +13,6 @@
 #include "tb/new/found_shape.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
-#include "tb/sweep/progress.h"
 
 namespace cosim::cli {
 namespace {
@@ -134,27 +133,14 @@ void read_shape(Found& found, const FoundShape& shape) {
   order_resets(found);
 }
 
-// On a terminal, for as long as this lives.
-struct Bar {
-  explicit Bar(const std::string& title) : line(title), draw(line.callback()) {
-    if (draw) draw(0, 1);
-  }
-  ~Bar() {
-    if (draw) fmt::print("\r\x1b[K");
-  }
-  Bar(const Bar&) = delete;
-  Bar& operator=(const Bar&) = delete;
-  ProgressLine line;
-  Progress draw;
-};
-
 }  // namespace
 
 Found found_in(const RtlQuestion& question) {
   const Scratch scratch;
   const fs::path reader = write_reader(scratch), work = scratch.path() / "work";
   fs::create_directory(work);
-  const Bar bar(question.top + ": reading it, and trying each parameter");
+  StateLine line;
+  line.show(question.top + ": reading it, and trying each parameter");
   std::string shape;
   for (const FoundParameter& p : question.parameters) {
     shape += fmt::format("{}{}={}", shape.empty() ? "" : " ", p.name, p.value);
@@ -194,7 +180,7 @@ Found found_in(const RtlQuestion& question) {
   if (const fs::path unread = work / "unread.txt"; fs::exists(unread)) {
     found.unread = read_file(unread.string());
   }
-  follow_parameters(found, is, question, reader, scratch.path() / "tried", bar.draw);
+  follow_parameters(found, is, question, reader, scratch.path() / "tried", line);
   for (const FoundParameter& p : question.parameters) {
     const auto same = std::find_if(found.parameters.begin(), found.parameters.end(),
                                    [&](const FoundParameter& q) { return q.name == p.name; });

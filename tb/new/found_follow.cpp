@@ -12,6 +12,7 @@
 #include "tb/new/found_shape.h"
 #include "tb/new/new.h"
 #include "tb/support/parallel.h"
+#include "tb/support/words.h"
 
 namespace cosim::cli {
 namespace {
@@ -81,7 +82,7 @@ void put(FoundSize& size, const std::string& p, long value, const Points& points
 
 void follow_parameters(Found& found, const FoundShape& shape, const RtlQuestion& question,
                        const std::filesystem::path& reader, const std::filesystem::path& work,
-                       const Progress& progress) {
+                       StateLine& line) {
   constexpr long most = 1L << 24;
   std::map<std::string, std::vector<Tried>> tried;
   std::vector<std::pair<std::string, long>> all;
@@ -114,7 +115,8 @@ void follow_parameters(Found& found, const FoundShape& shape, const RtlQuestion&
       }
     }
     const std::lock_guard lock(one);
-    if (progress) progress(++done, all.size());
+    line.show(
+        fmt::format("{}: tried {} of {}", question.top, ++done, count(all.size(), "parameter")));
     return true;
   });
   // What follows another parameter is none of the shape's own.

@@ -10,7 +10,7 @@
 
 #include "tb/new/found.h"
 #include "tb/support/process.h"
-#include "tb/sweep/sweep.h"
+#include "tb/sweep/progress.h"
 
 namespace cosim::cli {
 
@@ -45,10 +45,9 @@ std::optional<FoundShape> shape_with(const RtlQuestion& question, const std::str
                                      const std::filesystem::path& work);
 
 /// Tries other values of each parameter: sizes of `found` that follow one get their text, and
-/// parameters that follow others are left out of it. `progress` is told how many were tried, if it
-/// is not empty.
+/// parameters that follow others are left out of it. `line` shows how many were tried.
 void follow_parameters(Found& found, const FoundShape& shape, const RtlQuestion& question,
                        const std::filesystem::path& reader, const std::filesystem::path& work,
-                       const Progress& progress);
+                       StateLine& line);
 
 }  // namespace cosim::cli

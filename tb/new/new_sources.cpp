@@ -83,7 +83,14 @@ class Pool {
   }
 };
 
-// The module that no other has an instance of.
+bool is_testbench(const VerilogText& text) {
+  return text.units.size() > 1 &&
+         std::all_of(text.units.begin() + 1, text.units.end(),
+                     [](const VerilogUnit& unit) { return is_testbench(unit); });
+}
+
+// The module that no other has an instance of, testbenches aside; of several the one that these
+// have.
 std::string top_of(const Pool& pool, const GivenRtl& given) {
   if (!given.top.empty()) {
     const auto found = pool.home.find(given.top);
@@ -93,13 +100,15 @@ std::string top_of(const Pool& pool, const GivenRtl& given) {
   }
   const bool any_named =
       std::any_of(pool.all.begin(), pool.all.end(), [](const Candidate& c) { return c.is_named; });
-  std::set<std::string> tops, used;
+  std::set<std::string> tops, used, tested;
   for (const Candidate& c : pool.all) {
     if (any_named && !c.is_named) continue;
     for (const VerilogUnit& unit : c.words.units) {
       if (unit.is_module) tops.insert(unit.name);
+      if (is_testbench(unit)) used.insert(unit.name);
+      const bool tests = is_testbench(unit) || is_testbench(c.words);
       for (const std::string& use : unit.uses) {
-        if (use != unit.name) used.insert(use);
+        if (use != unit.name) (tests ? tested : used).insert(use);
       }
     }
   }
@@ -109,10 +118,15 @@ std::string top_of(const Pool& pool, const GivenRtl& given) {
     if (!used.contains(top)) all.insert(top);
   }
   if (all.contains(given.name)) return given.name;
+  if (all.size() > 1) {
+    std::set<std::string> some = all;
+    std::erase_if(some, [&](const std::string& top) { return !tested.contains(top); });
+    if (some.size() == 1) all = some;
+  }
   if (all.size() == 1) return *all.begin();
   if (all.empty()) all = tops;
   std::vector<std::string> some(
-      all.begin(), std::next(all.begin(), std::min<std::ptrdiff_t>(3, std::ssize(all))));
+      all.begin(), std::next(all.begin(), std::min<std::ptrdiff_t>(8, std::ssize(all))));
   throw InputError(fmt::format("new: the top may be {}{}: --top says which",
                                fmt::join(some, " or "),
                                all.size() > some.size() ? " or another" : ""));
@@ -123,6 +137,7 @@ class Order {
  public:
   explicit Order(const Pool& pool) : pool_(pool) {}
 
+  bool has(std::size_t i) const { return seen_.contains(i); }
   void need(std::size_t i) {
     if (!seen_.insert(i).second) return;
     const VerilogText& words = pool_.all[i].words;
@@ -202,13 +217,20 @@ Sources sources_of(const GivenRtl& given) {
   Order order(pool);
   order.need(pool.home.at(sources.top));
   for (std::size_t i = 0; i < pool.all.size(); ++i) {
-    if (pool.all[i].is_named) order.need(i);
+    if (!pool.all[i].is_named || order.has(i)) continue;
+    if (is_testbench(pool.all[i].words)) {
+      sources.left_out.push_back(pool.all[i].path.filename().string());
+    } else {
+      order.need(i);
+    }
   }
   std::set<std::string> included;
   std::vector<std::size_t> chosen = order.packages;
   if (order.packages.empty() && std::all_of(pool.all.begin(), pool.all.end(),
                                             [](const Candidate& c) { return c.is_named; })) {
-    for (std::size_t i = 0; i < pool.all.size(); ++i) chosen.push_back(i);  // as they were typed
+    for (std::size_t i = 0; i < pool.all.size(); ++i) {
+      if (order.has(i)) chosen.push_back(i);  // as they were typed
+    }
   } else {
     chosen.insert(chosen.end(), order.modules.begin(), order.modules.end());
   }

@@ -27,7 +27,8 @@ struct Sources {
   std::string top;
   /// Packages first, then the top and what it needs; files that were named are all there.
   std::vector<SourceFile> files;
-  std::vector<SourceFile> headers;  ///< by the names that `include gives them
+  std::vector<std::string> left_out;  ///< but for these, which are testbenches
+  std::vector<SourceFile> headers;    ///< by the names that `include gives them
 };
 
 /// By its name.

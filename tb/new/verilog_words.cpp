@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <string>
+#include <utility>
 
 namespace cosim::cli {
 namespace {
@@ -77,9 +78,19 @@ VerilogText verilog_words(std::string_view text) {
   found.units.emplace_back();
   Lexer lexer(text);
   std::size_t in = 0;  // the unit
+  bool in_head = false, imports = false;
+  int depth = 0;  // of brackets in the head
   std::string_view before, word = lexer.next();
   while (!word.empty()) {
     std::string_view next = lexer.next();
+    if (in_head && word == "(" && depth++ == 0 && before != "#" && next != ")") {
+      found.units[in].has_ports = true;
+    } else if (in_head && word == ")") {
+      --depth;
+    } else if (in_head && word == ";" && depth == 0) {
+      in_head = std::exchange(imports, false);
+    }
+    imports = imports || word == "import";
     if (word == "`include" && next.size() > 2) {
       found.headers.emplace_back(next.substr(1, next.size() - 2));
     } else if (is_one_of(begins, word) && before != "virtual" && next != "class" &&
@@ -88,6 +99,9 @@ VerilogText verilog_words(std::string_view text) {
       while (next == "automatic" || next == "static") next = lexer.next();
       found.units.push_back({std::string(next), kind == "package", kind.ends_with("module")});
       in = found.units.size() - 1;
+      in_head = true;
+      imports = false;
+      depth = 0;
     } else if (is_one_of(closing_words, word)) {
       in = 0;
     } else if (is_name(word) &&
@@ -109,11 +123,17 @@ VerilogText vhdl_words(std::string_view text) {
   VerilogText found;
   found.units.emplace_back();
   Lexer lexer(small);
+  bool in_entity = false;
   // "entity x is", "use work.x", "entity work.x" and "x port map".
   for (std::array<std::string_view, 4> w{"", "", "", lexer.next()}; !w[1].empty() || !w[3].empty();
        w = {w[1], w[2], w[3], lexer.next()}) {
     if ((w[1] == "entity" || w[1] == "package") && w[3] == "is") {
-      found.units.push_back({std::string(w[2]), w[1] == "package", w[1] == "entity"});
+      in_entity = w[1] == "entity";
+      found.units.push_back({std::string(w[2]), w[1] == "package", in_entity});
+    } else if (in_entity && w[2] == "port" && w[3] == "(") {
+      found.units.back().has_ports = true;
+    } else if (w[3] == "end") {
+      in_entity = false;
     } else if ((w[0] == "use" || w[0] == "entity") && w[2] == ".") {
       found.units.front().uses.emplace(w[3]);
     } else if (w[3] == "map" && is_name(w[1])) {

@@ -13,9 +13,13 @@ struct VerilogUnit {
   std::string name;
   bool is_package = false;
   bool is_module = false;  ///< not an interface, a package or a program
+  bool has_ports = false;
   /// Words that stand where the name of a module, an interface or a package may.
   std::set<std::string> uses = {};
 };
+
+/// One without ports.
+inline bool is_testbench(const VerilogUnit& unit) { return unit.is_module && !unit.has_ports; }
 
 struct VerilogText {
   std::vector<VerilogUnit> units;  ///< the first has no name: what stands outside of any

@@ -34,7 +34,10 @@ std::optional<Counterexample> counterexample(const MachineFormula& m,
   for (const Wire& w : m.outputs) c.outputs.push_back(pair(w.field, kOutput));
   for (const Wire& w : m.after) c.after.push_back(pair(w.field, kAfter));
   for (std::size_t i = 0; i < m.invariant_after.size(); ++i) {
-    if (word(term_of_invariant(i)) == 0) c.broken.push_back(m.invariant_after[i].name);
+    const auto kept = values.find(term_of_invariant(i));
+    if (kept != values.end() && kept->second == "false") {
+      c.broken.push_back(m.invariant_after[i].name);
+    }
   }
   if (!whole) return std::nullopt;
   return c;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 #include "model/core/input_error.h"
 #include "tb/proof/race.h"
@@ -93,13 +94,13 @@ Decision judged(const Claim& claim, std::vector<Opinion> opinions, std::size_t n
 }
 
 std::vector<Decision> decide(const std::vector<const Claim*>& claims, const Asking& asking,
-                             const std::function<void(std::size_t)>& settled) {
+                             const Told& told) {
   const std::size_t needed = std::min<std::size_t>(asking.engines.size(), 2);
-  auto opinions = race(claims, asking, needed, settled);
-  std::vector<Decision> all;
-  for (std::size_t c = 0; c < claims.size(); ++c) {
-    all.push_back(judged(*claims[c], std::move(opinions[c]), needed));
-  }
+  std::vector<Decision> all(claims.size());
+  race(claims, asking, needed, [&](std::size_t c, std::vector<Opinion> opinions) {
+    all[c] = judged(*claims[c], std::move(opinions), needed);
+    told(c, all[c]);
+  });
   return all;
 }
 

@@ -2,6 +2,7 @@
 // each of its questions.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <string>
@@ -56,11 +57,13 @@ struct Asking {
   int slice = 4;  ///< seconds of the first try of a question; each later one has four times more
 };
 
-/// Has the engines answer the claims. Results are in the order of the claims. `settled(i)` is
-/// called as soon as claim i is, one call at a time.
+/// Told what came of a claim as soon as that is known, one at a time.
+using Told = std::function<void(std::size_t claim, const Decision&)>;
+
+/// Has the engines answer the claims. Results are in the order of the claims.
 std::vector<Decision> decide(
     const std::vector<const Claim*>& claims, const Asking& asking,
-    const std::function<void(std::size_t)>& settled = [](std::size_t) {});
+    const Told& told = [](std::size_t, const Decision&) {});
 
 /// Whether an engine reached its time limit, so that a longer one might help.
 bool timed_out(const std::vector<Decision>& decisions);

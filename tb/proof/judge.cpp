@@ -7,8 +7,10 @@
 
 #include "model/core/input_error.h"
 #include "tb/proof/abc.h"
+#include "tb/proof/explain.h"
 #include "tb/proof/mutant_nets.h"
 #include "tb/proof/mutants.h"
+#include "tb/proof/votes.h"
 #include "tb/support/parallel.h"
 #include "tb/support/place.h"
 
@@ -124,6 +126,18 @@ std::vector<Judged> Judge::judge(const fs::path& verilog, const std::vector<unsi
     return true;
   });
   return all;
+}
+
+std::string Judge::told_apart(const fs::path& verilog, unsigned number) const {
+  const Claim step = Mutants(machine_, verilog, {number}).step(0);
+  for (const Engine engine : asking_.engines) {
+    if (engine == Engine::cec) continue;
+    const auto found = counterexample(
+        machine_,
+        values(solver_of(engine), step.queries.front().script, step.terms, asking_.limit));
+    if (found) return to_text(*found);
+  }
+  return "";
 }
 
 // By the engines that read scripts, one after the other until enough agree. An engine's answers to

@@ -30,6 +30,9 @@ class Judge {
   /// engine or yosys is missing.
   std::vector<Judged> judge(const std::filesystem::path& verilog,
                             const std::vector<unsigned>& numbers);
+  /// A state and inputs that tell one of them from the RTL without it, as to_text() writes them;
+  /// "" where no engine that reads scripts has one. The state may be one that is never reached.
+  std::string told_apart(const std::filesystem::path& verilog, unsigned number) const;
 
  private:
   void ask_reached();

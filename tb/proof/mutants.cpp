@@ -11,6 +11,7 @@
 #include "tb/proof/located.h"
 #include "tb/proof/mutant_nets.h"
 #include "tb/proof/steps.h"
+#include "tb/proof/terms.h"
 #include "tb/support/place.h"
 #include "tb/support/process.h"
 #include "tb/support/quoted.h"
@@ -244,17 +245,29 @@ Claim Mutants::step(std::size_t i) const {
   }
   Side before("original", machine_, original_.front(), machine_.registers, script);
   Side with("mutant", machine_, mutant.rtl, machine_.registers, script);
+  std::vector<std::string> terms;
+  for (const auto* wires : {&machine_.inputs, &machine_.state}) {
+    for (const Wire& w : *wires) terms.push_back(w.code.text());
+  }
   Expression wrong = truth(false);
-  const auto all_differ = [&](const std::vector<Wire>& wires, const std::vector<Expression>& a,
-                              const std::vector<Expression>& b) {
-    for (std::size_t w = 0; w < a.size(); ++w) {
-      wrong = disjunction(wrong, where_compared(wires[w], differ(a[w], b[w])));
+  const auto all_differ = [&](const char* what, const std::vector<Wire>& wires,
+                              const std::vector<Expression>& a, const std::vector<Expression>& b) {
+    const auto named = [&](const char* side, const Wire& w, const Expression& code) {
+      terms.push_back(term_of(side, w.field) + what);
+      return script.define(terms.back(), code);
+    };
+    for (std::size_t k = 0; k < a.size(); ++k) {
+      const Wire& w = wires[k];
+      wrong = disjunction(
+          wrong, where_compared(w, differ(named("model", w, a[k]), named("rtl", w, b[k]))));
     }
   };
-  all_differ(machine_.after, before.after(machine_), with.after(machine_));
-  all_differ(machine_.outputs, before.outputs(machine_), with.outputs(machine_));
-  return asked("inductive step: every clock keeps them the same",
-               fmt::format("mutant {}", mutant.number), script, wrong);
+  all_differ(kAfter, machine_.after, before.after(machine_), with.after(machine_));
+  all_differ(kOutput, machine_.outputs, before.outputs(machine_), with.outputs(machine_));
+  Claim claim = asked("inductive step: every clock keeps them the same",
+                      fmt::format("mutant {}", mutant.number), script, wrong);
+  claim.terms = std::move(terms);
+  return claim;
 }
 
 }  // namespace cosim::proof

@@ -35,6 +35,7 @@ class Mutants {
 
   std::size_t size() const { return mutants_.size(); }
   Claim base_case(std::size_t i) const;
+  /// In its counterexamples the model is the RTL without a mutant.
   Claim step(std::size_t i) const;
   /// Whether every flip-flop has the clock it has without the mutant: the formulas know no other.
   bool has_same_clocks(std::size_t i) const { return mutants_[i].same_clocks; }

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <deque>
 #include <mutex>
+#include <utility>
 
 #include "tb/proof/abc.h"
 #include "tb/proof/votes.h"
@@ -17,12 +18,8 @@ constexpr int kLonger = 4;  // how much more time the next try has
 class Race {
  public:
   Race(const std::vector<const Claim*>& claims, const Asking& asking, std::size_t needed,
-       const std::function<void(std::size_t)>& settled)
-      : claims_(claims),
-        asking_(asking),
-        needed_(needed),
-        settled_(settled),
-        courses_(claims.size()) {
+       const ToldClaim& told)
+      : claims_(claims), asking_(asking), needed_(needed), told_(told), courses_(claims.size()) {
     for (std::size_t c = 0; c < claims.size(); ++c) {
       Course& course = courses_[c];
       for (const Engine e : asking.engines) {
@@ -45,18 +42,7 @@ class Race {
       for (Try next; take(next);) put(next, ask(next));
       return true;
     });
-  }
-
-  std::vector<std::vector<Opinion>> opinions() {
-    std::vector<std::vector<Opinion>> all;
-    for (Course& course : courses_) {
-      std::erase_if(course.opinions, [](const Opinion& o) {
-        return std::all_of(o.solved.begin(), o.solved.end(),
-                           [](const Solved& s) { return s.answer == Answer::stopped; });
-      });
-      all.push_back(std::move(course.opinions));
-    }
-    return all;
+    for (std::size_t c = 0; c < claims_.size(); ++c) tell(c);  // those that nobody can be asked
   }
 
  private:
@@ -69,8 +55,19 @@ class Race {
     std::vector<Opinion> opinions;
     std::vector<std::vector<bool>> begun;              // by opinion and question
     std::deque<std::deque<std::atomic<bool>>> enough;  // likewise: no answer is needed any more
-    bool is_settled = false;
+    bool is_settled = false, is_told = false;
+    int running = 0;
   };
+
+  void tell(std::size_t c) {
+    if (std::exchange(courses_[c].is_told, true)) return;
+    std::vector<Opinion> opinions = courses_[c].opinions;
+    std::erase_if(opinions, [](const Opinion& o) {
+      return std::all_of(o.solved.begin(), o.solved.end(),
+                         [](const Solved& s) { return s.answer == Answer::stopped; });
+    });
+    told_(c, std::move(opinions));
+  }
 
   static std::size_t questions(Engine engine, const Claim& claim) {
     return engine == Engine::cec ? 1 : claim.queries.size();
@@ -121,6 +118,7 @@ class Race {
         });
     next = *at;
     pending_.erase(at);
+    ++courses_[next.claim].running;
     return true;
   }
 
@@ -151,6 +149,11 @@ class Race {
       begin_next(t.claim, of_scripts ? &t.question : nullptr);
     }
     stop_enough(t.claim);
+    const auto waits = [&](const Try& one) { return one.claim == t.claim; };
+    if (--course.running > 0) return;
+    if (course.is_settled ||
+        (std::none_of(pending_.begin(), pending_.end(), waits) && !begin_next(t.claim)))
+      tell(t.claim);
   }
 
   // Tells those that need not answer any more.
@@ -163,16 +166,13 @@ class Race {
         if (votes.settled || (of_scripts && votes.enough[q])) course.enough[o][q] = true;
       }
     }
-    if (votes.settled && !course.is_settled) {
-      course.is_settled = true;
-      settled_(c);
-    }
+    course.is_settled = course.is_settled || votes.settled;
   }
 
   const std::vector<const Claim*>& claims_;
   const Asking& asking_;
   std::size_t needed_;
-  const std::function<void(std::size_t)>& settled_;
+  const ToldClaim& told_;
   std::mutex guard_;
   std::vector<Course> courses_;
   std::vector<Try> pending_;
@@ -180,12 +180,9 @@ class Race {
 
 }  // namespace
 
-std::vector<std::vector<Opinion>> race(const std::vector<const Claim*>& claims,
-                                       const Asking& asking, std::size_t needed,
-                                       const std::function<void(std::size_t)>& settled) {
-  Race race(claims, asking, needed, settled);
-  race.run();
-  return race.opinions();
+void race(const std::vector<const Claim*>& claims, const Asking& asking, std::size_t needed,
+          const ToldClaim& told) {
+  Race(claims, asking, needed, told).run();
 }
 
 }  // namespace cosim::proof

@@ -7,6 +7,7 @@
 // stopped.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -14,10 +15,12 @@
 
 namespace cosim::proof {
 
-/// What the engines said of each claim, in the order of asking.engines; those that were stopped
-/// before they said anything are left out. `settled(c)` is called as soon as claim c is.
-std::vector<std::vector<Opinion>> race(const std::vector<const Claim*>& claims,
-                                       const Asking& asking, std::size_t needed,
-                                       const std::function<void(std::size_t)>& settled);
+/// Told of each claim what the engines said, in the order of asking.engines; those that were
+/// stopped before they said anything are left out.
+using ToldClaim = std::function<void(std::size_t claim, std::vector<Opinion>)>;
+
+/// Tells each claim as soon as nobody is to be asked of it any more, one at a time.
+void race(const std::vector<const Claim*>& claims, const Asking& asking, std::size_t needed,
+          const ToldClaim& told);
 
 }  // namespace cosim::proof

@@ -12,9 +12,9 @@ namespace cosim::cli {
 namespace {
 
 // A line as wide as the terminal would wrap, and \r would return only to its last part.
-std::size_t columns() {
+std::size_t columns(int terminal) {
   winsize size{};
-  const bool known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
+  const bool known = ioctl(terminal, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
   return known ? size.ws_col - 1U : 79U;
 }
 
@@ -34,7 +34,7 @@ void ProgressLine::draw(std::uint64_t done, std::uint64_t cases) const {
   const auto filled = std::min(width, static_cast<std::size_t>(part * width));
   const std::string line = fmt::format("{:3} % [{:<{}}] {}", static_cast<int>(part * 100),
                                        std::string(filled, '#'), width, title_);
-  fmt::print("\r{}\x1b[K", line.substr(0, columns()));
+  fmt::print("\r{}\x1b[K", line.substr(0, columns(STDOUT_FILENO)));
   std::fflush(stdout);
 }
 
@@ -44,16 +44,47 @@ void ProgressLine::finish(const std::string& text) {
   std::fflush(stdout);
 }
 
-StateLine::StateLine() : terminal_(isatty(STDOUT_FILENO) == 1) {}
+StateLine::StateLine(Seconds often)
+    : terminal_(isatty(STDERR_FILENO) == 1), redraws_([this, often] {
+        std::unique_lock lock(guard_);
+        while (!ended_.wait_for(lock, terminal_ ? Seconds(1) : often, [&] { return ends_; }))
+          draw();
+      }) {}
 
 StateLine::~StateLine() {
-  if (terminal_) fmt::print("\r\x1b[K");
+  {
+    const std::scoped_lock lock(guard_);
+    ends_ = true;
+  }
+  ended_.notify_one();
+  redraws_.join();
+  clear();
 }
 
-void StateLine::show(const std::string& text) const {
-  if (!terminal_) return;
-  fmt::print("\r{}\x1b[K", text.substr(0, columns()));
+void StateLine::show(std::function<std::string()> text) {
+  const std::scoped_lock lock(guard_);
+  text_ = std::move(text);
+  if (terminal_) draw();
+}
+
+void StateLine::print(const std::string& text) {
+  const std::scoped_lock lock(guard_);
+  clear();
+  fmt::print("{}", text);
   std::fflush(stdout);
+  if (terminal_) draw();
+}
+
+void StateLine::draw() {
+  if (!text_) return;
+  const auto gone = std::chrono::duration_cast<Seconds>(std::chrono::steady_clock::now() - began_);
+  const std::string line = fmt::format("{} s: {}", gone.count(), text_());
+  if (!terminal_) return fmt::print(stderr, "{}\n", line);
+  fmt::print(stderr, "\r{}\x1b[K", line.substr(0, columns(STDERR_FILENO)));
+}
+
+void StateLine::clear() const {
+  if (terminal_) fmt::print(stderr, "\r\x1b[K");
 }
 
 RunProgress::RunProgress(std::string title, std::uint64_t total, bool wanted)

@@ -2,7 +2,11 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
 #include <string>
+#include <thread>
 
 #include "tb/sweep/sweep.h"
 
@@ -25,17 +29,35 @@ class ProgressLine {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// One line that tells how things stand, on a terminal alone; removed with this object.
+/// One line that tells how things stand and for how long it goes on, on standard error: on a
+/// terminal it redraws itself each second and is removed with this object, elsewhere one comes
+/// every `often`.
 class StateLine {
  public:
-  StateLine();
+  using Seconds = std::chrono::seconds;
+  explicit StateLine(Seconds often = Seconds(60));
   ~StateLine();
   StateLine(const StateLine&) = delete;
   StateLine& operator=(const StateLine&) = delete;
-  void show(const std::string& text) const;
+  /// What there is to tell from now on; `text` may be called from another thread.
+  void show(std::function<std::string()> text);
+  void show(const std::string& text) {
+    show([text] { return text; });
+  }
+  /// Prints to standard output, above the line.
+  void print(const std::string& text);
 
  private:
+  void draw();
+  void clear() const;
+
   bool terminal_;
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+  std::function<std::string()> text_;
+  std::mutex guard_;
+  std::condition_variable ended_;
+  bool ends_ = false;
+  std::thread redraws_;
 };
 
 /// How far one long run is: the same bar, shown after a moment and removed at the end.

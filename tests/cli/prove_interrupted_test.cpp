@@ -50,12 +50,13 @@ class InterruptedProof : public testing::TestWithParam<int> {
     chmod(file.c_str(), 0700);
   }
 
-  void expect_ended(const Arguments& arguments) {
+  Ended expect_ended(const Arguments& arguments) {
     const Ended e = cosim_signalled(arguments, GetParam(), [this] { return running(waits_) > 0; });
     EXPECT_EQ(e.status, 128 + GetParam());
     EXPECT_EQ(e.err, "");
     EXPECT_EQ(running(waits_), 0);
     EXPECT_TRUE(fs::is_empty(folder_.path("tmp")));
+    return e;
   }
 
   Folder folder_;
@@ -73,6 +74,16 @@ TEST_P(InterruptedProof, EndsTheSolvers) {
   stand_in("cvc5");
   stand_in("z3");
   expect_ended({"prove", "--theorems", "linear"});
+}
+
+// The rows of what was decided before it are there.
+TEST_P(InterruptedProof, EndsWhatIsAskedFromReset) {
+  stand_in("yosys-abc",
+           "case \"$*\" in *asked.aig*) ;; *) PATH=" + path_ + " exec yosys-abc \"$@\" ;; esac");
+  const std::string fault = COSIM_VARIANTS "/circular_faults_variants_swapped";
+  const Ended e = expect_ended({"prove", "circular", "W=4", "--rtl", fault});
+  EXPECT_NE(e.out.find("circular W=4         base case: "), std::string::npos) << e.out;
+  EXPECT_EQ(e.out.find("inductive step"), std::string::npos) << e.out;
 }
 
 TEST_P(InterruptedProof, EndsGnuplot) {

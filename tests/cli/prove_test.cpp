@@ -108,6 +108,19 @@ TEST_F(Prove, ShowsACounterexampleOfOtherRtl) {
   EXPECT_EQ(cosim({"replay", kept[0][1], "--failures", failures}).status, 0);
 }
 
+// One line tells on a terminal which row comes next, and is gone in the end.
+TEST_F(Prove, SaysOnATerminalWhatItWaitsFor) {
+  if (!has_terminals()) GTEST_SKIP() << "no pseudo-terminal can be had here";
+  const Ended ended = cosim_on_terminal(
+      {"prove", "circular", "W=4", "--rtl", kFault, "--failures", folder_.path("failures")}, 200);
+  for (const char* line : {"\r[0-9]+ s: reading the RTL of 1 machine",
+                           "\r[0-9]+ s: 1 of 3 claims decided; next: circular W=4, ",
+                           "\r[0-9]+ s: asked from reset, at most 300 s: circular W=4, inductive",
+                           "\\[K +inductive step: [^\n]*REFUTED from reset"}) {
+    EXPECT_TRUE(says(ended, line)) << line << "\n" << ended.out;
+  }
+}
+
 // The shipped RTL in one file, with a port that chooses among three machines in its place: one that
 // says it runs when it does not, one that is the same, and one with registers on the clock's other
 // edge.
@@ -140,6 +153,13 @@ TEST_F(Prove, RefutesMutantsOrProvesThemTheSame) {
   const auto with = [&](const Arguments& more) { return cosim(joined(command, more)); };
   EXPECT_EQ(with({"--count", "2"}).out,
             "circular W=4: 2 mutants, 1 refuted, 1 proved to be the same, 0 undecided\n");
+  // The state and the inputs that tell it apart are those of the model.
+  const Ended apart = with({"--mutant", "1"});
+  EXPECT_TRUE(says(apart,
+                   "1 refuted.*\nfrom this state, under these inputs:\n"
+                   "  state  t4 +[01]\n"))
+      << apart.out;
+  EXPECT_TRUE(says(apart, "\n  out    running +[01]   expected\n +[01]   actual\n")) << apart.out;
   EXPECT_EQ(with({"--mutant", "3"}).out,
             "circular W=4: 1 mutant, 1 refuted, 0 proved to be the same, 0 undecided\n");
   EXPECT_EQ(with({"--mutant", "2"}).out,

@@ -33,8 +33,11 @@ module part(input wire ck, input wire [2:0] d, output wire [2:0] q);
   always @(posedge ck) kept <= d;
 endmodule
 RTL
-"$program" new pair pair.v part.v > said
+# Its testbench is none of it.
+printf 'module pair_tb #(parameter N = 2); pair dut(); initial #9 $finish; endmodule\n' > pair_tb.v
+"$program" new pair pair_tb.v pair.v part.v > said
 diff - said << 'SAID'
+pair_tb.v: a testbench, left out
 pair/: 2 inputs, 2 outputs, 3 registers; README.md has its two commands
 pair/pair.h: next() is to be written
 SAID
@@ -186,7 +189,7 @@ reg [W-1:0] r; always @(posedge ck_i) r <= d; endmodule\n' > tree/rtl/parts/part
 printf 'module library_part(input wire ck_i, d); reg r; always @(posedge ck_i) r <= d; endmodule\n' \
   > tree/more/library_part.v
 printf 'module unneeded(input wire a; this is no Verilog\n' > tree/rtl/unneeded.v
-"$program" new tree1 tree/rtl -y tree/more --top whole --define SLOW > said
+"$program" new tree1 --define SLOW -y tree/more tree/rtl --top whole > said
 diff - <(sed 's/ERROR: .*: nothing/ERROR: ... nothing/' said) << 'SAID'
 tree1/: 3 inputs, 2 outputs, 4 registers; README.md has its two commands
 tree1/tree1.h: next() is to be written
@@ -215,12 +218,15 @@ TABLES
 grep -qx 'cosim_add_design(tree1 SOURCES zkinds.sv whole.sv library_part.v part.sv TOP whole INCLUDE_DIRS include DEFINES SLOW CLOCK ck_i MODEL tree1.h SHAPES "W=16 D=8" UNPROVED)' \
   tree1/CMakeLists.txt
 diff tree1/include/defs/sizes.svh tree/rtl/include/defs/sizes.svh
-# On a terminal a bar shows how far it is, and nothing of it is left.
+# On a terminal a line shows how far it is. The top is what the testbench has of those that may be it.
+printf 'module bench(); whole dut(); endmodule\n' > tree/rtl/parts/bench.v
 if command -v script > said; then
-  script -qec "'$program' new bar tree/rtl -y tree/more --top whole" shown < /dev/null > said
-  grep -q '100 % \[##############################\] whole: ' said
+  script -qec "'$program' new bar tree/rtl -y tree/more" shown < /dev/null > said
+  grep -q ' s: whole: tried 2 of [0-9]* parameters' said
   grep -q 'bar/: 3 inputs' said
 fi
+"$program" new bench1 tree/rtl -y tree/more > said
+grep -q ' TOP whole ' bench1/CMakeLists.txt
 # Another shape, pins by name, a folder of headers elsewhere.
 mv tree/rtl/include tree/headers
 "$program" new tree2 tree/rtl tree/more/library_part.v --top whole --include tree/headers --param W=4 \

@@ -114,7 +114,11 @@ end architecture;
 RTL
 "$program" new mixed over.v store4.vhd > said
 grep -qF '  FIELD(one_kept, 4, bits.at("one.kept")' mixed/mixed.h
-"$program" new alone store4.vhd > said
+printf '%s\n' 'entity store4_tb is end entity; architecture a of store4_tb is' \
+  'component store4 is port (clk : in std_logic); end component;' \
+  'begin dut: store4 port map (clk); end architecture;' > store4_tb.vhd
+"$program" new alone store4_tb.vhd store4.vhd > said
+grep -qx 'store4_tb.vhd: a testbench, left out' said
 grep -qF 'return {.rst = 1}; }' alone/alone.h
 
 # Two versions are compared, with a parameter, and one of them may be Verilog.

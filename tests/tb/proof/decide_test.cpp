@@ -156,16 +156,39 @@ TEST(Decision, ComesFromTheOthersWhereAnEngineHangs) {
   no.nets = std::make_shared<const NetQuestions>(nets);
   constexpr int for_ever = 86400;
   for (const unsigned jobs : {1U, 2U, 4U}) {
-    std::size_t settled = 0;
-    const auto all =
-        decide({&no, &no}, {all_engines(), for_ever, jobs, 1}, [&](std::size_t) { ++settled; });
-    EXPECT_EQ(settled, 2U);
+    std::size_t told = 0;
+    const auto all = decide({&no, &no}, {all_engines(), for_ever, jobs, 1},
+                            [&](std::size_t, const Decision& d) { told += d.proved ? 1 : 0; });
+    EXPECT_EQ(told, 2U);
     for (const Decision& d : all) {
       EXPECT_EQ(d.verdict, "proved");
       EXPECT_EQ(d.opinions.size(), 2U);
     }
   }
   setenv("PATH", path.c_str(), 1);
+}
+
+// The engines wait with what is slow until they hear that the other claim is told.
+TEST(Decision, IsToldBeforeOthersAreThere) {
+  const Scratch bin;
+  const std::string told = bin.path() / "told";
+  for (const char* name : {"z3", "cvc5"}) {
+    const auto file = bin.path() / name;
+    std::ofstream(file) << "#!/bin/sh\nfor script; do :; done\n"
+                        << "while grep -q slow $script && ! [ -e " << told << " ]; do :; done\n"
+                        << "echo unsat\n";
+    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+  }
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", (bin.path().string() + ':' + path).c_str(), 1);
+  const Claim quick{"quick", Answer::unsat, {{{"it"}, ""}}, {}};
+  const Claim slow{"slow", Answer::unsat, {{{"it"}, "; slow\n"}}, {}};
+  const auto all = decide({&slow, &quick}, {{Engine::z3, Engine::cvc5}, 4, 4, 1},
+                          [&](std::size_t i, const Decision& d) {
+                            if (i == 1 && d.proved) std::ofstream(told) << "so";
+                          });
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(all.front().verdict, "proved");
 }
 
 // Two are asked, and the third only where these are not of one mind.

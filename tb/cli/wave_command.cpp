@@ -17,6 +17,7 @@
 #include "tb/program/wave.h"
 #include "tb/support/process.h"
 #include "tb/support/words.h"
+#include "tb/wave/shot.h"
 #include "tb/wave/view.h"
 
 namespace cosim::cli {
@@ -27,7 +28,7 @@ namespace fs = std::filesystem;
 struct WaveOptions {
   Common common;
   std::vector<std::string> words;
-  Text hostile;
+  Text hostile, shot;
 };
 
 // The failure that was kept last. A folder that is not whole yet begins with a dot.
@@ -69,23 +70,50 @@ void open_wave(const std::string& file) {
   if (ended.status == 127) throw InputError("needs gtkwave; --out FILE.fst draws without it");
 }
 
+void check_shot(const std::string& file) {
+  if (!file.ends_with(".png") || fs::path(file).stem() == ".png") {
+    throw InputError(fmt::format("--shot: {} does not end in .png", file));
+  }
+  const fs::path folder = fs::absolute(file).parent_path();
+  if (!fs::is_directory(folder)) {
+    throw InputError("--shot: there is no folder " + folder.string());
+  }
+}
+
+// Draws it; the wave.
+std::string drawn(WaveOptions& o, const fs::path& scratch) {
+  const Replay drawn = read(o);
+  if (!o.common.wave) o.common.wave = (scratch / "wave.fst").string();
+  check_extent(o.common, {drawn.stimulus.clocks.size(), 0, 0, 0});
+  check_outputs(o.common, "", {drawn.bench});
+  fmt::print("{}: {}\n", drawn.bench->title(), drawn.stimulus.origin);
+  draw_wave(o.common, *drawn.bench, drawn.stimulus, drawn.stimulus.origin);
+  return *o.common.wave;
+}
+
 int run(WaveOptions o) {
   const auto given = [](const char* name) {
     const char* value = std::getenv(name);
     return value != nullptr && *value != '\0';
   };
-  const Replay drawn = read(o);
-  const bool opens = !o.common.wave;
+  if (o.shot) check_shot(*o.shot);
+  const bool opens = !o.common.wave && !o.shot;
+  const std::string wave = o.words.size() == 1 ? o.words.front() : "";
+  const bool is_drawn = wave.ends_with(".fst") && fs::exists(wave);
+  if (is_drawn && (o.common.wave || o.hostile)) throw InputError(wave + ": is drawn already");
+  if (is_drawn && !fs::exists(view_file(wave))) {
+    throw InputError(view_file(wave) + ": no such file, the view of " + wave);
+  }
   if (opens && !given("DISPLAY") && !given("WAYLAND_DISPLAY")) {
-    throw InputError("there is no display; --out FILE.fst draws without one");
+    throw InputError("there is no display; --shot FILE.png and --out FILE.fst draw without one");
   }
   const Scratch scratch;
-  if (opens) o.common.wave = (scratch.path() / "wave.fst").string();
-  check_extent(o.common, {drawn.stimulus.clocks.size(), 0, 0, 0});
-  check_outputs(o.common, "", {drawn.bench});
-  fmt::print("{}: {}\n", drawn.bench->title(), drawn.stimulus.origin);
-  draw_wave(o.common, *drawn.bench, drawn.stimulus, drawn.stimulus.origin);
-  if (opens) open_wave(*o.common.wave);
+  const std::string shown = is_drawn ? wave : drawn(o, scratch.path());
+  if (o.shot) {
+    shoot(shown, *o.shot);
+    fmt::print("picture: {}\n", *o.shot);
+  }
+  if (opens) open_wave(shown);
   return 0;
 }
 
@@ -95,11 +123,13 @@ void add_wave_command(const Command& program) {
   auto o = std::make_shared<WaveOptions>();
   const Command command = program.sub("wave", "A waveform of RTL and model, opened in GTKWave");
   command.arguments("WHAT", o->words,
-                    "A stimulus, the folder of a failure, or a line of 'list', of which hostile\n"
-                    "clocks are drawn; default the newest failure");
+                    "A stimulus, the folder of a failure, a wave, or a line of 'list', of which\n"
+                    "hostile clocks are drawn; default the newest failure");
   command.text("--hostile", o->hostile, "CLOCKS", "How many hostile clocks are drawn; default 300");
   command.text("--out", o->common.wave, "FILE.fst",
                "Write the wave there, with FILE.gtkw, its view, and do not open it");
+  command.text("--shot", o->shot, "FILE.png",
+               "Write there what GTKWave shows, without a display (needs Xvfb)");
   command.text("--seed", o->common.seed_text, "S", "Seed of hostile clocks; default 1");
   command.text("--failures", o->common.failures, "DIR",
                "Where failures are; default $COSIM_FAILURES or failures");

@@ -3,7 +3,7 @@
 # the view must be found, and its picture must not be empty.
 # Status: 0 all loaded; 1 not, each with its reason; 77, saying so, without GTKWave or Xvfb.
 set -euo pipefail
-source "$(dirname "${BASH_SOURCE[0]}")/../../scripts/xvfb.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/xvfb.sh"
 for tool in gtkwave Xvfb; do
   command -v "$tool" > /dev/null || { echo "skipped: there is no $tool"; exit 77; }
 done

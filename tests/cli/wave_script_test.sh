@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# wave_script_test.sh PROGRAM: scripts/wave renders a wave that PROGRAM draws, and with nothing to draw
-# says so in one clear line, with status 2. Status 77 where it cannot be tried.
+# wave_script_test.sh PROGRAM: what `PROGRAM wave` and scripts/wave render without a display, and what they
+# refuse, in one clear line, with status 2. Status 77 where it cannot be tried.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 for tool in gtkwave Xvfb; do
@@ -10,51 +10,50 @@ folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 unset DISPLAY WAYLAND_DISPLAY
 
-# rendered ARGUMENTS...: scripts/wave makes a picture that is not empty.
+# rendered NAME COMMAND...: with --shot it makes a picture that is not empty.
 rendered() {
   local picture=$folder/$1.png
-  "$root/scripts/wave" --shot "$picture" "${@:2}"
+  "${@:2}" --shot "$picture"
   [[ $(head -c 4 "$picture" | tail -c 3) == PNG && $(stat -c %s "$picture") -gt 10000 ]] ||
-    { echo "scripts/wave --shot $picture ${*:2}: no picture" && exit 1; }
+    { echo "${*:2} --shot $picture: no picture" && exit 1; }
 }
-
 mkdir "$folder/failure"
 "$1" arc --radius 12 --wave "$folder/failure/wave.fst" > "$folder/said"
-rendered folder "$folder/failure"
-# By name it builds the program first, which is here already.
-[[ $1 != "$root/build/cosim" ]] || rendered arc arc --radius 12
-# Options stand before the words or behind them.
-"$root/scripts/wave" "$folder/failure" --shot "$folder/behind.png"
-cmp "$folder/behind.png" "$folder/folder.png"
+rendered wave "$1" wave "$folder/failure/wave.fst"
+(cd "$folder" && rendered drawn "$1" wave circular W=4 --hostile 20 --out drawn.fst)
+[[ -f $folder/drawn.gtkw ]]
 
-# refused LINE ARGUMENTS...: that is all that scripts/wave says, and its status is 2.
+# refused LINE COMMAND...: that is all that it says, and its status is 2.
 refused() {
-  local line="wave: $1" said status=0
-  shift
-  said=$("$root/scripts/wave" "$@" 2>&1) || status=$?
-  [[ $status == 2 && $said == "$line" ]] && return
-  printf 'scripts/wave %s: status %d, it said\n%s\nin place of\n%s\n' "$*" "$status" "$said" "$line"
+  local said status=0
+  said=$("${@:2}" 2>&1) || status=$?
+  [[ $status == 2 && $said == "$1" ]] && return
+  printf '%s: status %d, it said\n%s\nin place of\n%s\n' "${*:2}" "$status" "$said" "$1"
   exit 1
 }
-
-shot=(--shot "$folder/shot.png")
 export COSIM_FAILURES=$folder/none
-refused "there is no failure in $folder/none" "${shot[@]}"
-refused "$folder: is no folder of a failure" "${shot[@]}" "$folder"
-refused "there is no display; --shot FILE.png renders without one" "$folder"
-refused "--shot: shot.gif does not end in .png" --shot shot.gif
-refused "--shot: there is no folder $folder/none" --shot "$folder/none/shot.png"
-refused "--shot needs a name" --shot
-refused "--shot needs a name" arc --radius 12 --shot
-refused "no such option: --size" --size
-refused "no such option: --size" "$folder" --size
-refused "one thing at a time: $folder $folder" "${shot[@]}" "$folder" "$folder"
-# What the program refuses it says itself.
+shot=(--shot "$folder/shot.png") wave=$folder/failure/wave.fst
+refused "cosim: there is no display; --shot FILE.png and --out FILE.fst draw without one" "$1" wave "$wave"
+refused "cosim: --shot: shot.gif does not end in .png" "$1" wave "$wave" --shot shot.gif
+refused "cosim: --shot: there is no folder $folder/none" "$1" wave "$wave" --shot "$folder/none/shot.png"
+refused "cosim: $wave: is drawn already" "$1" wave "$wave" --out again.fst
+rm "$folder/drawn.gtkw"
+refused "cosim: $folder/drawn.gtkw: no such file, the view of $folder/drawn.fst" \
+  "$1" wave "$folder/drawn.fst" "${shot[@]}"
+
+script=$root/scripts/wave
+refused "wave: --shot needs a name" "$script" --shot
+refused "wave: --shot needs a name" "$script" arc --radius 12 --shot
+refused "wave: no such option: --size" "$script" --size
+refused "wave: no such option: --size" "$script" "$folder" --size
+refused "wave: one thing at a time: $folder $folder" "$script" "${shot[@]}" "$folder" "$folder"
+# It builds the program first, which is here already.
 if [[ $1 == "$root/build/cosim" ]]; then
-  line="cosim: --radius: is needed, or --radius2"
-  said=$("$root/scripts/wave" "${shot[@]}" arc 2>&1) && status=0 || status=$?
-  [[ $status == 2 && $said == "$line" ]] ||
-    { printf 'scripts/wave arc: status %d, it said\n%s\n' "$status" "$said" && exit 1; }
+  rendered arc "$script" arc --radius 12
+  rendered folder "$script" "$folder/failure"
+  cmp "$folder/folder.png" "$folder/wave.png"
+  refused "cosim: $folder/none: there is no failure in it" "$script" "${shot[@]}"
+  refused "cosim: --radius: is needed, or --radius2" "$script" "${shot[@]}" arc
 fi
 
 # A machine without GTKWave, and nothing to install it with.

@@ -34,7 +34,7 @@ module part(input wire ck, input wire [2:0] d, output wire [2:0] q);
 endmodule
 RTL
 # Its testbench is none of it.
-printf 'module pair_tb #(parameter N = 2); pair dut(); initial #9 $finish; endmodule\n' > pair_tb.v
+printf "module pair_tb #(parameter N = 2); pair dut(); initial #9 \$finish; endmodule\n" > pair_tb.v
 "$program" new pair pair_tb.v pair.v part.v > said
 diff - said << 'SAID'
 pair_tb.v: a testbench, left out

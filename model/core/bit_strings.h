@@ -14,9 +14,10 @@ constexpr V slice(V v, int high, int low) {
 
 /// `high` above the lower `width_of_low` bits of `low`, as Verilog's {high, low}.
 /// 1 <= width_of_low <= 63; what leaves 64 bits is lost.
-template <class V>
-constexpr V join(V high, V low, int width_of_low) {
-  return shift_left(high, width_of_low) + low_bits(low, width_of_low);
+template <class High, class Low>
+constexpr auto join(High high, Low low, int width_of_low) {
+  const auto lower = low_bits(low, width_of_low);
+  return shift_left(decltype(lower)(high), width_of_low) + lower;
 }
 
 /// The lower `width` bits of v, each the other way. 1 <= width <= 64.

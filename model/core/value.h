@@ -2,14 +2,15 @@
 //
 // A model is a template over its value type V. V offers +, - and * (with V), &, | and ^ bit by bit,
 // comparisons, V(int), and the functions below; a comparison gives a Condition<V>, which offers !,
-// &, | and ^. A model uses nothing else, so that one text runs on machine integers, on vectors of
-// them, and on symbols. A sum, difference or product must fit into a Word; where it may not, as
-// those of codes of 64 bits, there are add(), subtract() and multiply(). What is built from these
-// alone: bit_strings.h and memory.h.
+// &, | and ^. A condition may stand where a value may, as 1 or 0. A model uses nothing else, so
+// that one text runs on machine integers, on vectors of them, and on symbols. A sum, difference or
+// product must fit into a Word; where it may not, as those of codes of 64 bits, there are add(),
+// subtract() and multiply(). What is built from these alone: bit_strings.h and memory.h.
 #pragma once
 
 #include <concepts>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 namespace cosim {
@@ -59,6 +60,11 @@ constexpr Word multiply(Word a, Word b) {
 
 /// a where c holds, else b.
 constexpr Word select(bool c, Word a, Word b) { return c ? a : b; }
+
+/// The same of conditions.
+template <class C>
+requires std::same_as<decltype(!std::declval<C>()), C>
+constexpr C select(C c, C a, C b) { return (c & a) | (!c & b); }
 
 /// then() where c holds, else otherwise(): only a symbolic condition runs both. For whole records
 /// and for results too costly to work out on every clock.
@@ -115,5 +121,48 @@ template <class V>
 constexpr V wrap(V v, int width) {
   return low_bits(v, width);
 }
+
+/// A value that is a symbol: what machine integers have besides, and what symbols cannot have,
+/// which is said in words where a model uses it. Its conditions are a SymbolicCondition.
+struct SymbolicCondition {
+  template <std::same_as<bool> B>
+  explicit operator B() const {
+    static_assert(!std::same_as<B, bool>,
+                  "a model asks what is only known of numbers, by if, ?:, && or ||: write "
+                  "select(condition, a, b), & and |, or say UNPROVED in cosim_add_design()");
+    return false;
+  }
+};
+struct Symbolic : SymbolicCondition {};
+template <class V>
+concept IsSymbolic = std::derived_from<V, Symbolic>;
+
+// clang-format off
+template <IsSymbolic V, class W> V& operator+=(V& a, const W& b) { return a = a + b; }
+template <IsSymbolic V, class W> V& operator-=(V& a, const W& b) { return a = a - b; }
+template <IsSymbolic V, class W> V& operator&=(V& a, const W& b) { return a = a & b; }
+template <IsSymbolic V, class W> V& operator|=(V& a, const W& b) { return a = a | b; }
+template <IsSymbolic V, class W> V& operator^=(V& a, const W& b) { return a = a ^ b; }
+template <IsSymbolic V> V operator-(const V& a) { return V(0) - a; }
+template <IsSymbolic V> V operator~(const V& a) { return V(-1) ^ a; }
+template <IsSymbolic V, class W> auto operator!=(const V& a, const W& b) { return !(a == b); }
+template <IsSymbolic V, class W> auto operator<=(const V& a, const W& b) { return !(a > b); }
+template <IsSymbolic V, class W> auto operator>=(const V& a, const W& b) { return !(a < b); }
+template <IsSymbolic V> auto operator!(const V& a) { return a == V(0); }
+template <IsSymbolic V>
+V select(const V& c, const std::type_identity_t<V>& a, const std::type_identity_t<V>& b) {
+  return select(is_set(c), a, b);
+}
+#define COSIM_NO_MODEL_HAS(OPERATOR, IN_ITS_PLACE)                                        \
+  template <IsSymbolic V, class W> V operator OPERATOR(const V& a, const W& /*b*/) {      \
+    static_assert(!IsSymbolic<V>, "a model has no " #OPERATOR ": " IN_ITS_PLACE);         \
+    return a;                                                                             \
+  }
+COSIM_NO_MODEL_HAS(/, "by a power of two it is shift_right(a, n)")
+COSIM_NO_MODEL_HAS(%, "by a power of two it is low_bits(a, n)")
+COSIM_NO_MODEL_HAS(<<, "write shift_left(a, n)")
+COSIM_NO_MODEL_HAS(>>, "write shift_right(a, n)")
+#undef COSIM_NO_MODEL_HAS
+// clang-format on
 
 }  // namespace cosim

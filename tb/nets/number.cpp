@@ -81,6 +81,7 @@ Number::Number(Word known)
         for (int i = 0; i < kWord; ++i) bits.push_back(cosim::bit(known, i) ? yes : no);
         return bits;
       }()) {}
+Number::Number(const Truth& t) : Number(select(t, Number(1), Number(0))) {}
 Number Number::unsigned_code(Graph& graph, std::vector<Bit> code) {
   code.push_back(no);  // beyond a word it is cut off again
   return {&graph, std::move(code)};

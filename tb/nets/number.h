@@ -11,7 +11,7 @@
 namespace cosim::nets {
 
 /// A condition; a known one belongs to no graph.
-class Truth {
+class Truth : public SymbolicCondition {
  public:
   Truth(bool known) : bit_(known ? yes : no) {}  // NOLINT: a truth value is one
   Truth(Graph& graph, Bit bit) : graph_(&graph), bit_(bit) {}
@@ -36,10 +36,11 @@ Truth operator^(const Truth& a, const Truth& b);
 
 /// A Word: a two's complement code of 64 bits or fewer, the last one standing for all above it. It
 /// wraps as a Word does. A known one belongs to no graph.
-class Number {
+class Number : public Symbolic {
  public:
   Number() : Number(0) {}
-  explicit Number(Word known);
+  Number(Word known);      // NOLINT: a number is one
+  Number(const Truth& t);  // NOLINT: 1 or 0
   /// A code, lowest bit first, 1 to 64 of them: as the number it is without a sign, which of 64
   /// bits is a bit pattern, or in two's complement.
   static Number unsigned_code(Graph& graph, std::vector<Bit> code);

@@ -74,6 +74,8 @@ Bits::Bits(Word known)
       width_(width_of(known)),
       expression_(literal(known, width_of(known))) {}
 
+Bits::Bits(const Truth& t) : Bits(select(t, Bits(1), Bits(0))) {}
+
 Bits::Bits(const Expression& e, int width, Word least, Word most, int zeros)
     : least_(least),
       most_(most),

@@ -10,7 +10,7 @@
 namespace cosim::proof {
 
 /// A condition on symbols. If its value is known without a solver it stays a plain truth value.
-class Truth {
+class Truth : public SymbolicCondition {
  public:
   Truth(bool known) : known_(known), expression_(truth(known)) {}  // NOLINT: a truth value is one
   explicit Truth(Expression e) : expression_(std::move(e)) {}
@@ -33,10 +33,11 @@ Truth operator^(const Truth& a, const Truth& b);
 /// A Word within known bounds. Its expression is a two's complement code with only as many bits as
 /// the bounds need, because each bit costs the solver work. If the bounds would leave 64 bits there
 /// are none, and the value wraps as a Word does.
-class Bits {
+class Bits : public Symbolic {
  public:
   Bits() : Bits(0) {}
-  explicit Bits(Word known);
+  Bits(Word known);      // NOLINT: a number is one
+  Bits(const Truth& t);  // NOLINT: 1 or 0
   /// A code of `width` bits as the number it is without a sign, or in two's complement.
   static Bits unsigned_code(const Expression& code, int width);
   static Bits signed_code(const Expression& code, int width);

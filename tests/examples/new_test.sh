@@ -234,6 +234,18 @@ mv tree/rtl/include tree/headers
 grep -qF 'SHAPES "W=4 D=8" UNPROVED)' tree2/CMakeLists.txt
 grep -q '  int W = 4;' tree2/tree2.h
 
+# What no model has is said in a line where it is written, and nothing else.
+printf '%s\n' '#include "tb/proof/bits.h"' 'using V = cosim::proof::Bits;' \
+  'V f(V a) { if (a < 1) return a / 2; return a; }' 'V g(V a) { return a > 2 && a ? a % 3 : a << 1; }' > no.cpp
+if "${CXX:-c++}" -std=c++20 -fsyntax-only -I "$sources" no.cpp 2> said; then exit 1; fi
+diff - <(sed -n 's/.*error: static.*\(a model asks\|a model has no [^:]*\).*/\1/p' said | sort -u) << 'SAID'
+a model asks
+a model has no %
+a model has no /
+a model has no <<
+SAID
+[[ $(grep -c 'error:' said) == $(grep -c 'error: static' said) ]]
+
 # Streams. Without a file it is the filter of examples/, by another name.
 "$program" new flow --stream > said
 diff - said <<< 'flow/: a filter; README.md has its two commands'

@@ -36,6 +36,14 @@ V write_five(const V& a, const V& b) {
   return sum;
 }
 
+// A condition, and what becomes of it.
+template <class V>
+V in_place(const V& a, const V& b) {
+  V kept = a == b;
+  kept += 2, kept -= a, kept &= b | 3, kept |= 1, kept ^= a;
+  return -kept + ~b;
+}
+
 template <class V>
 struct Operation {
   const char* name;
@@ -100,6 +108,14 @@ std::vector<Operation<Value>> operations() {
       OF("write", write_five(a, b)),
       OF("a sum that wraps", wrapped(a + b)),
       OF("halves exchanged", exchanged(a)),
+      // As machine integers have it too.
+      OF("constants", (a + 1) - (2 - b) + select(a < 3, 4, a)),
+      OF("conditions as numbers", (a < b) + bit(a, 2) + (bit(b, 0) & a)),
+      OF("numbers as conditions", select(a & 1, b, select(b, a, 5))),
+      OF("bits joined", join(a, bit(b, 3), 1) + join(a < b, b, 4)),
+      OF("changed in place", in_place(a, b)),
+      HOLDS("a choice of conditions", select(a < b, a == 1, bit(b, 1))),
+      HOLDS("the other comparisons", (a != 3) & ((a <= b) | (b >= 7))),
       HOLDS("not, and, or", (a == b) | !((a < V(0)) & (b > V(3)))),
       HOLDS("not of one, exclusive or", !(a == b) & ((a < V(0)) ^ (b > V(3)))),
   };

@@ -3,8 +3,10 @@
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <poll.h>
+#include <spawn.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -16,7 +18,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <mutex>
-#include <set>
 #include <sstream>
 #include <string_view>
 #include <system_error>
@@ -39,8 +40,8 @@ constexpr int kMilliseconds = 50;
 struct Start {
   char* const* argv;
   char* const* environment;
-  char* const* clean;  // removes temporary files
   int out, limit;
+  int held;  // keeps the temporary files
   pid_t parent;
   sigset_t signals;  // as they were blocked before
 };
@@ -90,8 +91,12 @@ void end_children() {
   dup2(open("/dev/null", O_RDWR), STDIN_FILENO);
   dup2(start.out, STDOUT_FILENO);
   dup2(start.out, STDERR_FILENO);
-  // Nobody is to wait for the end of a file, or for a lock, because of it.
-  close_range(STDERR_FILENO + 1, ~0U, 0);
+  // Nobody is to wait for the end of a file, or for a lock, because of it; but temporary files stay
+  // until what uses them is gone.
+  constexpr int held = STDERR_FILENO + 1;
+  dup2(start.held, held);
+  fcntl(held, F_SETFD, FD_CLOEXEC);
+  close_range(held + 1, ~0U, 0);
   const pid_t self = getpid();
   const pid_t child = fork();
   if (child == 0) become(start, self);
@@ -113,7 +118,6 @@ void end_children() {
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
   }
   end_children();
-  if (getppid() != start.parent) execvp(start.clean[0], start.clean);
   _exit(child < 0 ? 127 : WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status));
 }
 
@@ -133,26 +137,10 @@ std::vector<std::string> environment_with(const std::string& folder) {
   return list;
 }
 
-// The folders for temporary files that there are, with the process that made each.
-std::mutex scratches_guard;
-std::set<std::pair<pid_t, std::string>> scratches;
-
-// What of this process is to go where it is killed.
-std::vector<std::string> removal_of_scratches() {
-  const std::lock_guard lock(scratches_guard);
-  std::vector<std::string> words{"rm", "-rf", "--"};
-  for (const auto& [process, path] : scratches) {
-    if (process == getpid()) words.push_back(path);
-  }
-  return words;
-}
-
-pid_t begin(const std::vector<std::string>& words, const std::string& folder, int out, int limit) {
-  const std::vector<std::string> environment = environment_with(folder);
-  const std::vector<std::string> removal = removal_of_scratches();
-  const std::vector<char*> argv = pointers(words), variables = pointers(environment),
-                           clean = pointers(removal);
-  Start start{argv.data(), variables.data(), clean.data(), out, limit, getpid(), {}};
+pid_t begin(const std::vector<std::string>& words, const Scratch& scratch, int out, int limit) {
+  const std::vector<std::string> environment = environment_with(scratch.path());
+  const std::vector<char*> argv = pointers(words), variables = pointers(environment);
+  Start start{argv.data(), variables.data(), out, limit, scratch.held(), getpid(), {}};
   // None may come to the guard before it waits for them.
   sigset_t every;
   sigfillset(&every);
@@ -191,6 +179,11 @@ std::string place_for_scratch() {
   return is_plain ? std::filesystem::absolute(name).string() : "/tmp";
 }
 
+[[noreturn]] void refuse_for_scratch(int error) {
+  throw InputError(fmt::format("{}: no folder for temporary files: {}",
+                               one_line(place_for_scratch()), std::strerror(error)));
+}
+
 double seconds(const timeval& t) {
   return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
 }
@@ -201,8 +194,7 @@ Ended run(const std::vector<std::string>& words, int limit, Clock::time_point un
   const InterruptGuard interrupts;
   const Scratch scratch;
   int ends[2] = {-1, -1};
-  const pid_t child =
-      pipe2(ends, O_CLOEXEC) == 0 ? begin(words, scratch.path(), ends[1], limit) : -1;
+  const pid_t child = pipe2(ends, O_CLOEXEC) == 0 ? begin(words, scratch, ends[1], limit) : -1;
   if (child < 0) throw InputError(words.front() + ": cannot be run: " + std::strerror(errno));
   close(ends[1]);
 
@@ -235,8 +227,8 @@ void require_room(const std::filesystem::path& folder) {
   if (probe >= 0) close(probe);
   unlink(file.c_str());
   if (error != ENOSPC && error != EDQUOT) return;
-  throw InputError(fmt::format("{}: no room for temporary files: {}",
-                               one_line(folder.parent_path().string()), std::strerror(error)));
+  throw InputError(fmt::format("{}: no room for temporary files: {}", one_line(place_for_scratch()),
+                               std::strerror(error)));
 }
 
 Ended run_program(const std::vector<std::string>& words, int limit,
@@ -277,32 +269,83 @@ bool is_installed(const std::string& program) {
   return false;
 }
 
-Scratch::Scratch() {
-  std::string name = place_for_scratch() + "/cosim.XXXXXX";
-  if (mkdtemp(name.data()) == nullptr) {
-    throw InputError(fmt::format("{}: no folder for temporary files: {}",
-                                 one_line(place_for_scratch()), std::strerror(errno)));
+// The folder that all others of this process lie in. Where this process is killed a shell removes
+// it: that waits for the end of a pipe which this process, and the guards of what it runs, hold
+// open.
+class Scratch::Root {
+ public:
+  Root() {
+    std::string name = place_for_scratch() + "/cosim.XXXXXX";
+    if (mkdtemp(name.data()) == nullptr) refuse_for_scratch(errno);
+    path = name;
+    const int error = watch();
+    if (error == 0) return;
+    remove_all();
+    refuse_for_scratch(error);
   }
-  path_ = name;
-  {
-    const std::lock_guard lock(scratches_guard);
-    scratches.emplace(getpid(), name);
+  ~Root() {
+    remove_all();
+    kill(watcher_, SIGKILL);
+    while (waitpid(watcher_, nullptr, 0) < 0 && errno == EINTR) continue;
+    close(held);
   }
-  try {
-    require_room(path_);
-  } catch (...) {
-    remove();
-    throw;
+  /// That of this process, for as long as anybody has it.
+  static std::shared_ptr<Root> of_this_process() {
+    static std::mutex guard;
+    static std::weak_ptr<Root> last;
+    const std::lock_guard lock(guard);
+    std::shared_ptr<Root> root = last.lock();
+    if (root == nullptr || root->process_ != getpid()) last = root = std::make_shared<Root>();
+    return root;
   }
+
+  std::string path;
+  int held = -1;
+  std::atomic<int> folders{0};
+
+ private:
+  void remove_all() const {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+  // In a session of its own: what ends a terminal, or all in it, does not end the shell.
+  int watch() {
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) return errno;
+    held = ends[1];
+    posix_spawn_file_actions_t files;
+    posix_spawn_file_actions_init(&files);
+    posix_spawn_file_actions_adddup2(&files, ends[0], STDIN_FILENO);
+    for (const int out : {STDOUT_FILENO, STDERR_FILENO}) {
+      posix_spawn_file_actions_addopen(&files, out, "/dev/null", O_WRONLY, 0);
+    }
+    posix_spawn_file_actions_addclosefrom_np(&files, STDERR_FILENO + 1);
+    posix_spawnattr_t how;
+    posix_spawnattr_init(&how);
+    posix_spawnattr_setflags(&how, POSIX_SPAWN_SETSID);
+    const std::vector<std::string> words{
+        "sh", "-c", "trap '' HUP INT TERM; read _; exec rm -rf -- \"$0\"", path};
+    const int error =
+        posix_spawn(&watcher_, "/bin/sh", &files, &how, pointers(words).data(), environ);
+    posix_spawnattr_destroy(&how);
+    posix_spawn_file_actions_destroy(&files);
+    close(ends[0]);
+    if (error != 0) close(held);
+    return error;
+  }
+
+  pid_t process_ = getpid(), watcher_ = -1;
+};
+
+Scratch::Scratch()
+    : root_(Root::of_this_process()), path_(fmt::format("{}/{}", root_->path, root_->folders++)) {
+  if (mkdir(path_.c_str(), 0700) != 0) refuse_for_scratch(errno);
+  require_room(path_);
 }
-Scratch::~Scratch() { remove(); }
-void Scratch::remove() const {
-  {
-    const std::lock_guard lock(scratches_guard);
-    scratches.erase({getpid(), path_.string()});
-  }
+Scratch::~Scratch() {
   std::error_code ignored;
   std::filesystem::remove_all(path_, ignored);
 }
+int Scratch::held() const { return root_->held; }
 
 }  // namespace cosim

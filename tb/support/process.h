@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -43,7 +44,7 @@ bool is_installed(const std::string& program);
 void require_room(const std::filesystem::path& folder);
 
 /// A folder for temporary files, removed with this object, also after a signal that interrupts, and
-/// where this program is killed while it runs another one. It lies in $TMPDIR, or in /tmp where
+/// where this program is killed, with its last process. It lies in $TMPDIR, or in /tmp where
 /// there is none or where its name has a space or another character that tools cannot take.
 /// InputError where there is no room.
 class Scratch {
@@ -54,10 +55,14 @@ class Scratch {
   Scratch& operator=(const Scratch&) = delete;
   const std::filesystem::path& path() const { return path_; }
 
+  /// Open for as long as its files are needed, in the processes that need them.
+  int held() const;
+
  private:
-  void remove() const;
+  class Root;
 
   InterruptGuard interrupts_;
+  std::shared_ptr<Root> root_;
   std::filesystem::path path_;
 };
 

@@ -35,7 +35,7 @@ class Asked {
   bool names(std::string path, bool folder) const {
     // The one signal that nobody can take: FILE.NUMBER.cosim-new is left.
     if (killed_ && path.ends_with(".cosim-new")) path.resize(path.size() - 27);
-    if (killed_ && (path.starts_with("tmp/") || path.ends_with(".hier"))) return true;
+    if (killed_ && path.ends_with(".hier")) return true;
     if (std::find(paths_.begin(), paths_.end(), path) != paths_.end()) return true;
     for (const std::string& stem : stems_) {
       // A wave of one design among several has its name, the words of a probe have that of the

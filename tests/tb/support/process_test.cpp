@@ -43,14 +43,14 @@ class Family : public testing::Test {
     std::string line;
     return !std::getline(file, line) || line.find(") Z ") != std::string::npos;
   }
-  // The program that runs the family is this one's child, and ends by a signal.
-  void expect_none_outlives(int signal) {
+  // A child of this program runs it, with a folder for temporary files, and ends by a signal.
+  void end_by(int signal, const std::function<void()>& program) {
     const pid_t child = fork();
     if (child == 0) {
       try {
         const Scratch own;
         std::ofstream(folder_.path() / "own") << own.path().string() << '\n';
-        run_program(command("wait"));
+        program();
       } catch (...) {
       }
       _exit(0);
@@ -58,6 +58,9 @@ class Family : public testing::Test {
     wait_for([&] { return fs::exists(folder_.path() / "ready"); });
     kill(child, signal);
     waitpid(child, nullptr, 0);
+  }
+  void expect_none_outlives(int signal) {
+    end_by(signal, [&] { run_program(command("wait")); });
     // Without the guard these wait for ever; ctest ends them.
     wait_for([&] { return is_gone("deep") && is_gone("orphan"); });
     wait_for([&] { return !fs::exists(text("folder")) && !fs::exists(text("own")); });
@@ -69,6 +72,15 @@ class Family : public testing::Test {
 
 TEST_F(Family, EndsWithAProgramThatIsKilled) { expect_none_outlives(SIGKILL); }
 TEST_F(Family, EndsWithAProgramThatIsInterrupted) { expect_none_outlives(SIGTERM); }
+
+// Where it runs no other program either.
+TEST_F(Family, LeavesNoFolderOfAProgramThatIsKilled) {
+  end_by(SIGKILL, [&] {
+    std::ofstream(folder_.path() / "ready") << '\n';
+    pause();
+  });
+  wait_for([&] { return !fs::exists(text("own")); });
+}
 
 TEST_F(Family, EndsWithItsFirstProcess) {
   const Ended ended = run_program(command("exit 3"));

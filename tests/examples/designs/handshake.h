@@ -18,11 +18,11 @@ struct Params {
   FIELD(by, 3, number, "", "what it is divided by")
 #define HANDSHAKE_OUTPUTS(FIELD)                   \
   FIELD(ready, 1, flag, "", "the number is taken") \
-  FIELD(sum, 8, number, "", "of all so far")
+  FIELD(sum, 32, number, "", "of all so far")
 #define HANDSHAKE_STATE(FIELD)                     \
   FIELD(busy, 1, flag, "", "a number was seen")    \
   FIELD(asked, 8, number, "", "the last that was") \
-  FIELD(total, 8, number, "", "of all so far")
+  FIELD(total, 32, number, "", "of all so far")
 COSIM_RECORDS(HANDSHAKE, Params);
 
 /// a / b, by comparing: the divisors are few.
@@ -50,7 +50,7 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
   step.state.busy = flag<V>(!reset & !busy & valid);
   step.state.asked = select(reset, V(0), select(!busy & valid, in.data, s.asked));
   step.state.total =
-      select(reset, V(0), select(busy, wrap(s.total + quotient(s.asked, in.by), 8), s.total));
+      select(reset, V(0), select(busy, wrap(s.total + quotient(s.asked, in.by), 32), s.total));
   return step;
 }
 

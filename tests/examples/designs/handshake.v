@@ -7,17 +7,18 @@ module handshake #(parameter FAULT = 0) (
     input  wire [7:0] data,
     input  wire [2:0] by,
     output wire       ready,
-    output wire [7:0] sum
+    output wire [31:0] sum
 );
   reg       busy;
-  reg [7:0] asked, total;
+  reg [7:0] asked;
+  reg [31:0] total;
   assign ready = busy;
   assign sum   = total;
   always @(posedge clk)
     if (rst) begin
       busy  <= 1'b0;
       asked <= 8'd0;
-      total <= 8'd0;
+      total <= 32'd0;
     end else if (busy) begin
       busy  <= 1'b0;
       total <= total + (data / by);

@@ -1,5 +1,6 @@
 // PROGRAM cover: what of the RTL, and which cases of the model, the sweeps of a design never reach.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -36,6 +37,7 @@ struct CoverOptions {
   Text hostile, random, counts, seconds, stimuli;
   bool close = false;
 
+  std::string stimuli_folder() const { return stimuli.value_or("stimuli"); }
   int seconds_each() const {
     return static_cast<int>(whole("--seconds", seconds.value_or("60"), 1, 1000000));
   }
@@ -124,6 +126,15 @@ bool counted(const Registry& registry, const AnyBench& bench, const std::string&
   return ended.status == 0;
 }
 
+// What is found after a long time is to find its place.
+void check_stimuli(const std::string& folder) {
+  std::error_code error;
+  fs::path there = fs::absolute(folder, error);
+  while (there.has_relative_path() && !fs::exists(there, error)) there = there.parent_path();
+  if (!folder.empty() && fs::is_directory(there, error) && access(there.c_str(), W_OK) == 0) return;
+  throw InputError("--stimuli: " + in_quotes(folder) + " is no folder that can be written to");
+}
+
 // The counts are left in a new folder in `folder`, a folder for each shape.
 Json covered(const CoverOptions& o, const Registry& registry, const Benches& benches,
              const std::vector<std::string>& work, const std::string& folder) {
@@ -136,16 +147,13 @@ Json covered(const CoverOptions& o, const Registry& registry, const Benches& ben
     return counts + '/' + name;
   };
   bool differed = false;
-  coverage::Asking asking{{},
-                          o.seconds_each(),
-                          o.stimuli.value_or("stimuli"),
-                          [&](const AnyBench& bench, const auto& files) {
-                            std::vector<std::string> words{"replay"};
-                            words.insert(words.end(), files.begin(), files.end());
-                            differed =
-                                !counted(registry, bench, folder_of(bench), words) || differed;
-                            return coverage::read_points(counts);
-                          }};
+  coverage::Asking asking{
+      {}, o.seconds_each(), o.stimuli_folder(), [&](const AnyBench& bench, const auto& files) {
+        std::vector<std::string> words{"replay"};
+        words.insert(words.end(), files.begin(), files.end());
+        differed = !counted(registry, bench, folder_of(bench), words) || differed;
+        return coverage::read_points(counts);
+      }};
   for (const AnyBench* bench : benches) {
     fs::create_directory(folder_of(*bench));
     differed = !counted(registry, *bench, folder_of(*bench), work) || differed;
@@ -198,7 +206,10 @@ int run(const CoverOptions& o, const Registry& registry) {
     throw InputError("--counts: " + one_line(*o.counts) +
                      ": is not a new folder in one that is there");
   }
-  if (o.close) form().become_full(registry);
+  if (o.close) {
+    check_stimuli(o.stimuli_folder());
+    form().become_full(registry);
+  }
   const Scratch scratch;
   Json all = Json::array();
   bool reached = true;

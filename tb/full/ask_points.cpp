@@ -57,8 +57,9 @@ class Asker {
     const AnyBench& bench = *shape.bench;
     const proof::BuiltMachine& machine = machine_of(bench);
     if (machine.nets == nullptr || machine.formula == nullptr) {
-      throw InputError(fmt::format("--close: {}: {}: nothing can be asked of it", bench.title(),
-                                   model_without_formula(machine)));
+      fmt::print("{}: {}: nothing can be asked of it\n", bench.title(),
+                 model_without_formula(machine));
+      return;
     }
     proof::Source source = source_for(machine.formula(), source_of(bench));
     source.keeps_statements = true;
@@ -130,7 +131,8 @@ class Asker {
       const Stimulus stimulus{bench.title(), reaches, 1, {}, found.stimuli[i]};
       const std::string name = failure_name(bench, fmt::format("reach {}", i + 1)) + ".stim";
       files.push_back((fs::path(asking_.stimuli) / name).string());
-      fs::create_directories(asking_.stimuli);
+      std::error_code ignored;  // of the file it is said
+      fs::create_directories(asking_.stimuli, ignored);
       replace_file(files.back(), to_text(stimulus, bench));
     }
     if (!files.empty()) points_ = asking_.run(bench, files);

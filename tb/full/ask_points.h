@@ -5,7 +5,7 @@
 
 namespace cosim::cli {
 
-/// As Form has it. InputError too for a model that has no nets.
+/// As Form has it. Of a model that has no nets nothing is asked, and that is printed.
 coverage::Answers ask_points(const coverage::Asking& asking, coverage::Points& points);
 
 }  // namespace cosim::cli

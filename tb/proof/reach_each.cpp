@@ -1,11 +1,15 @@
 // All that is left is asked as one question, whether any of it ever happens. A stimulus is run, and
 // whatever it reaches is done with; a proof is one of all at once. Where the engine does not come
 // to an end in its share of the time, the question is cut in two halves: what is hard is so told
-// from what is easy. Asking for each by itself took a run of the engine for each bit of a counter.
+// from what is easy, and before that what stays as it is by one step of induction. Asking for each
+// by itself took a run of the engine for each bit of a counter.
 #include "tb/proof/reach_each.h"
 
 #include <algorithm>
 #include <deque>
+#include <utility>
+
+#include "tb/proof/correspondence.h"
 
 namespace cosim::proof {
 namespace {
@@ -35,35 +39,53 @@ class Questions {
       if (some.empty()) continue;
       const auto share = (until - Clock::now()) / static_cast<int>(2 * (questions_.size() + 1));
       const auto ends = std::min(until, Clock::now() + std::max<Clock::duration>(kLeast, share));
-      answered(some, reach_any(some, ends, jobs));
+      answered(some, reach_any(some, ends, jobs), until);
     }
     return std::move(all_);
   }
 
  private:
-  Reached reach_any(const Some& some, Clock::time_point ends, unsigned jobs) const {
-    Aig graph = graph_;
+  Aig::Lit any_of(Aig& graph, const Some& some) const {
     Aig::Lit any = 0;
     for (const std::size_t i : some) any = graph.or_of(any, lits_[i]);
+    return any;
+  }
+
+  Reached reach_any(const Some& some, Clock::time_point ends, unsigned jobs) const {
+    Aig graph = graph_;
+    const Aig::Lit any = any_of(graph, some);
     return reach(graph, any, ends, jobs);
   }
 
-  void answered(const Some& some, const Reached& reached) {
+  // What one step of induction says of all together is known of each.
+  void find_constant(const Some& some, Clock::time_point until) {
+    Aig graph = graph_;
+    const Aig::Lit any = any_of(graph, some);
+    const auto same = corresponding(graph, any, Clock::now() + (until - Clock::now()) / 2);
+    for (const std::size_t i : some) {
+      if (same && ((*same)[lits_[i] / 2] ^ (lits_[i] & 1U)) == 0) never(i);
+    }
+  }
+
+  void never(std::size_t point) {
+    all_.points[point].ever = Ever::never;
+    is_done_[point] = true;
+  }
+
+  void answered(const Some& some, const Reached& reached, Clock::time_point until) {
     switch (reached.ever) {
       case Ever::yes:
         take(reached.inputs);
         return questions_.push_front(some);
       case Ever::never:
-        for (const std::size_t i : some) {
-          all_.points[i].ever = Ever::never;
-          is_done_[i] = true;
-        }
+        for (const std::size_t i : some) never(i);
         return;
       case Ever::open:
         for (const std::size_t i : some) {
           all_.points[i].clocks = std::max(all_.points[i].clocks, reached.clocks);
         }
         if (some.size() == 1) return;
+        if (!std::exchange(knows_constant_, true)) find_constant(some, until);
         const auto middle = some.begin() + static_cast<std::ptrdiff_t>(some.size() / 2);
         questions_.emplace_back(some.begin(), middle);
         questions_.emplace_back(middle, some.end());
@@ -87,6 +109,7 @@ class Questions {
   const std::vector<Aig::Lit>& lits_;
   std::vector<bool> is_done_;
   std::deque<Some> questions_;
+  bool knows_constant_ = false;
   ReachedEach all_;
 };
 

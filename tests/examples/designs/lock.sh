@@ -16,6 +16,8 @@ ends 1 cover lock FAULT=0 --hostile 2000
 says_like "lock.sv:[0-9]+: never holds: "
 ends 2 cover lock FAULT=0 --stimuli opened
 says "--stimuli: only with --close"
+ends 2 cover lock FAULT=0 --close --stimuli said/opened
+says "--stimuli: 'said/opened' is no folder that can be written to"
 if [[ $solvers ]]; then
   ends 0 cover lock FAULT=0 --hostile 2000 --close --stimuli opened --report closed.json
   says_like "lock.sv:[0-9]+: never toggles: unreachable, proved: both$"

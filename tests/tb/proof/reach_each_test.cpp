@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tb/proof/cnf.h"
 #include "tests/support/solvers.h"
 
 namespace cosim::proof {
@@ -43,6 +44,26 @@ TEST(ReachEach, TellsWhatHappensFromWhatNeverDoes) {
   }
   EXPECT_EQ(left.front(), 4);
   EXPECT_LE(all.stimuli.size(), 2);
+}
+
+// What stays as it is is told from what only a long stimulus reaches, however they are mixed.
+TEST(ReachEach, TellsWhatStaysFromWhatIsFarAway) {
+  if (!is_installed("yosys-abc") || sat_solver().empty()) GTEST_SKIP() << "needs yosys-abc, z3";
+  Aig graph;
+  std::vector<Lit> points;
+  Lit carry = graph.input();
+  for (int i = 0; i < 60; ++i) {
+    const Lit bit = graph.latch(), stays = graph.latch();
+    graph.next(bit, graph.xor_of(bit, carry));
+    graph.next(stays, graph.and_of(stays, bit));
+    carry = graph.and_of(bit, carry);
+    if (i >= 40) points.insert(points.end(), {bit, stays});
+  }
+  const auto soon = std::chrono::steady_clock::now() + std::chrono::seconds(6);
+  const ReachedEach all = reach_each(graph, points, soon, 1, [](auto) {});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_EQ(all.points[i].ever, i % 2 == 0 ? Ever::open : Ever::never) << i;
+  }
 }
 
 TEST(ReachEach, SaysNothingOfWhatItHasNoTimeFor) {

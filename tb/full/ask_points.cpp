@@ -12,6 +12,7 @@
 #include "tb/proof/from_reset.h"
 #include "tb/report/failure.h"
 #include "tb/support/parallel.h"
+#include "tb/support/process.h"
 #include "tb/support/replace_file.h"
 #include "tb/support/words.h"
 #include "tb/sweep/progress.h"
@@ -53,37 +54,51 @@ class Asker {
   }
 
  private:
+  // The points that the shape has and nothing has reached.
   void ask(const coverage::Asking::Shape& shape) {
-    const AnyBench& bench = *shape.bench;
+    std::vector<std::size_t> rtl, cases;
+    for (std::size_t i = 0; i < rtl_.size(); ++i) {
+      const auto same = [&](const Point& other) { return is_same(points_.rtl[i], other); };
+      const auto& its = shape.points.rtl;
+      if (points_.rtl[i].hits == 0 && std::any_of(its.begin(), its.end(), same)) rtl.push_back(i);
+    }
+    for (std::size_t i = 0; i < cases_.size(); ++i) {
+      if (points_.cases[i].hits == 0) cases.push_back(i);
+    }
+    if (rtl.empty() && cases.empty()) return;
+    try {
+      ask(*shape.bench, rtl, cases);
+    } catch (const InputError& error) {
+      if (!is_installed("yosys") || !is_installed("yosys-abc")) throw;
+      fmt::print("{}: nothing can be asked of it\n", error.what());
+      for (const std::size_t i : rtl) rtl_[i].is_missing = true;
+      for (const std::size_t i : cases) cases_[i].is_missing = true;
+    }
+  }
+
+  void ask(const AnyBench& bench, const std::vector<std::size_t>& rtl,
+           const std::vector<std::size_t>& cases) {
     const proof::BuiltMachine& machine = machine_of(bench);
     if (machine.nets == nullptr || machine.formula == nullptr) {
-      fmt::print("{}: {}: nothing can be asked of it\n", bench.title(),
-                 model_without_formula(machine));
-      return;
+      throw InputError(bench.title() + ": " + model_without_formula(machine));
     }
     proof::Source source = source_for(machine.formula(), source_of(bench));
     source.keeps_statements = true;
-    const proof::RtlNets rtl(source);
+    const proof::RtlNets nets(source);
     watched_.clear();
     tell_.clear();
-    for (std::size_t i = 0; i < rtl_.size(); ++i) {
-      const Point& point = points_.rtl[i];
-      const auto same = [&](const Point& other) { return is_same(point, other); };
-      if (point.hits != 0 || std::none_of(shape.points.rtl.begin(), shape.points.rtl.end(), same)) {
-        continue;
-      }
-      Watched watched = watched_of(point, rtl);
+    for (const std::size_t i : rtl) {
+      Watched watched = watched_of(points_.rtl[i], nets);
       if (watched.toggles.empty() && watched.holds.empty()) {
         rtl_[i].is_missing = true;
       } else {
-        watch(std::move(watched), rtl_[i], point.what);
+        watch(std::move(watched), rtl_[i], points_.rtl[i].what);
       }
     }
-    for (std::size_t i = 0; i < cases_.size(); ++i) {
-      if (points_.cases[i].hits != 0) continue;
+    for (const std::size_t i : cases) {
       watch({{}, {}, points_.cases[i].name}, cases_[i], points_.cases[i].name);
     }
-    if (!watched_.empty()) answer(bench, proof::FromReset(machine.nets(), rtl, {}, watched_));
+    if (!watched_.empty()) answer(bench, proof::FromReset(machine.nets(), nets, {}, watched_));
   }
 
   static Watched watched_of(const Point& point, const proof::RtlNets& rtl) {

@@ -3,21 +3,17 @@
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <poll.h>
-#include <spawn.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
-#include <mutex>
 #include <sstream>
 #include <string_view>
 #include <system_error>
@@ -168,22 +164,6 @@ bool read_all(int from, std::string& text, Clock::time_point patience,
   return false;
 }
 
-// Tools of others cannot be given every name of a folder: abc of yosys takes none with a space.
-std::string place_for_scratch() {
-  const char* folder = std::getenv("TMPDIR");
-  const std::string name = folder == nullptr || *folder == 0 ? "/tmp" : folder;
-  const bool is_plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 ||
-           std::string_view("/._-+=,@%").find(static_cast<char>(c)) != std::string_view::npos;
-  });
-  return is_plain ? std::filesystem::absolute(name).string() : "/tmp";
-}
-
-[[noreturn]] void refuse_for_scratch(int error) {
-  throw InputError(fmt::format("{}: no folder for temporary files: {}",
-                               one_line(place_for_scratch()), std::strerror(error)));
-}
-
 double seconds(const timeval& t) {
   return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
 }
@@ -218,18 +198,6 @@ Ended run(const std::vector<std::string>& words, int limit, Clock::time_point un
 }
 
 }  // namespace
-
-void require_room(const std::filesystem::path& folder) {
-  constexpr off_t room = 1 << 16;
-  const std::string file = folder / ".room";
-  const int probe = open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-  const int error = probe < 0 ? errno : posix_fallocate(probe, 0, room);
-  if (probe >= 0) close(probe);
-  unlink(file.c_str());
-  if (error != ENOSPC && error != EDQUOT) return;
-  throw InputError(fmt::format("{}: no room for temporary files: {}", one_line(place_for_scratch()),
-                               std::strerror(error)));
-}
 
 Ended run_program(const std::vector<std::string>& words, int limit,
                   const std::atomic<bool>* no_more) {
@@ -268,84 +236,5 @@ bool is_installed(const std::string& program) {
   }
   return false;
 }
-
-// The folder that all others of this process lie in. Where this process is killed a shell removes
-// it: that waits for the end of a pipe which this process, and the guards of what it runs, hold
-// open.
-class Scratch::Root {
- public:
-  Root() {
-    std::string name = place_for_scratch() + "/cosim.XXXXXX";
-    if (mkdtemp(name.data()) == nullptr) refuse_for_scratch(errno);
-    path = name;
-    const int error = watch();
-    if (error == 0) return;
-    remove_all();
-    refuse_for_scratch(error);
-  }
-  ~Root() {
-    remove_all();
-    kill(watcher_, SIGKILL);
-    while (waitpid(watcher_, nullptr, 0) < 0 && errno == EINTR) continue;
-    close(held);
-  }
-  /// That of this process, for as long as anybody has it.
-  static std::shared_ptr<Root> of_this_process() {
-    static std::mutex guard;
-    static std::weak_ptr<Root> last;
-    const std::lock_guard lock(guard);
-    std::shared_ptr<Root> root = last.lock();
-    if (root == nullptr || root->process_ != getpid()) last = root = std::make_shared<Root>();
-    return root;
-  }
-
-  std::string path;
-  int held = -1;
-  std::atomic<int> folders{0};
-
- private:
-  void remove_all() const {
-    std::error_code ignored;
-    std::filesystem::remove_all(path, ignored);
-  }
-  // In a session of its own: what ends a terminal, or all in it, does not end the shell.
-  int watch() {
-    int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0) return errno;
-    held = ends[1];
-    posix_spawn_file_actions_t files;
-    posix_spawn_file_actions_init(&files);
-    posix_spawn_file_actions_adddup2(&files, ends[0], STDIN_FILENO);
-    for (const int out : {STDOUT_FILENO, STDERR_FILENO}) {
-      posix_spawn_file_actions_addopen(&files, out, "/dev/null", O_WRONLY, 0);
-    }
-    posix_spawn_file_actions_addclosefrom_np(&files, STDERR_FILENO + 1);
-    posix_spawnattr_t how;
-    posix_spawnattr_init(&how);
-    posix_spawnattr_setflags(&how, POSIX_SPAWN_SETSID);
-    const std::vector<std::string> words{
-        "sh", "-c", "trap '' HUP INT TERM; read _; exec rm -rf -- \"$0\"", path};
-    const int error =
-        posix_spawn(&watcher_, "/bin/sh", &files, &how, pointers(words).data(), environ);
-    posix_spawnattr_destroy(&how);
-    posix_spawn_file_actions_destroy(&files);
-    close(ends[0]);
-    if (error != 0) close(held);
-    return error;
-  }
-
-  pid_t process_ = getpid(), watcher_ = -1;
-};
-
-Scratch::Scratch()
-    : root_(Root::of_this_process()), path_(fmt::format("{}/{}", root_->path, root_->folders++)) {
-  if (mkdir(path_.c_str(), 0700) != 0) refuse_for_scratch(errno);
-  require_room(path_);
-}
-Scratch::~Scratch() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-int Scratch::held() const { return root_->held; }
 
 }  // namespace cosim

@@ -4,12 +4,10 @@
 
 #include <atomic>
 #include <chrono>
-#include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "tb/support/interrupt.h"
+#include "tb/support/scratch.h"
 
 namespace cosim {
 
@@ -39,31 +37,5 @@ Ended run_all_the_same(const std::vector<std::string>& words);
 
 /// Whether a shell would find the program; it is not run.
 bool is_installed(const std::string& program);
-
-/// InputError, which names the folder that it lies in, where this one has no room for another file.
-void require_room(const std::filesystem::path& folder);
-
-/// A folder for temporary files, removed with this object, also after a signal that interrupts, and
-/// where this program is killed, with its last process. It lies in $TMPDIR, or in /tmp where
-/// there is none or where its name has a space or another character that tools cannot take.
-/// InputError where there is no room.
-class Scratch {
- public:
-  Scratch();
-  ~Scratch();
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
-  /// Open for as long as its files are needed, in the processes that need them.
-  int held() const;
-
- private:
-  class Root;
-
-  InterruptGuard interrupts_;
-  std::shared_ptr<Root> root_;
-  std::filesystem::path path_;
-};
 
 }  // namespace cosim

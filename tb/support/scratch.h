@@ -1,0 +1,37 @@
+// Folders for temporary files, which go with this program however it ends.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "tb/support/interrupt.h"
+
+namespace cosim {
+
+/// InputError, which names the folder that it lies in, where this one has no room for another file.
+void require_room(const std::filesystem::path& folder);
+
+/// A folder for temporary files, removed with this object, also after a signal that interrupts, and
+/// where this program is killed, with its last process. It lies in $TMPDIR, or in /tmp where
+/// there is none or where its name has a space or another character that tools cannot take.
+/// InputError where there is no room.
+class Scratch {
+ public:
+  Scratch();
+  ~Scratch();
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  const std::filesystem::path& path() const { return path_; }
+
+  /// Open for as long as its files are needed, in the processes that need them.
+  int held() const;
+
+ private:
+  class Root;
+
+  InterruptGuard interrupts_;
+  std::shared_ptr<Root> root_;
+  std::filesystem::path path_;
+};
+
+}  // namespace cosim

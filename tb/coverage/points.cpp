@@ -28,6 +28,18 @@ Number number_in(const std::string& text, const std::string& line) {
   return number;
 }
 
+// What Verilator writes as "__024" is "$", and so on.
+std::string name_in(std::string text) {
+  for (std::size_t at = 0; (at = text.find("__0", at)) != std::string::npos; ++at) {
+    unsigned char c = 0;
+    const char* const code = text.data() + at + 3;
+    const auto end =
+        std::from_chars(code, std::min<const char*>(code + 2, text.data() + text.size()), c, 16);
+    if (end.ptr == code + 2 && c > ' ') text.replace(at, 5, 1, static_cast<char>(c));
+  }
+  return text;
+}
+
 // "TOP.top.a.b" or, of several instances, "TOP.top.*".
 std::string below_top(const std::string& path) {
   const std::size_t top = path.find('.');
@@ -55,9 +67,9 @@ Point point_in(const std::string& line) {
           has['f'],
           number_in<int>(has['l'], line),
           number_in<int>(has['n'], line),
-          has['o'],
+          name_in(has['o']),
           number_in<std::uint64_t>(line.substr(end + 2), line),
-          {below_top(has['h'])}};
+          {below_top(name_in(has['h']))}};
 }
 
 }  // namespace

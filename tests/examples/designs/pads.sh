@@ -2,6 +2,8 @@
 # Mutants of the RTL whose pins are split are found or proved equal, and two versions of it are compared.
 if [[ $solvers ]]; then
   ends 0 mutate pads FAULT=0 --mutants 20
+  ends 0 cover pads FAULT=0 --hostile 5000 --close
+  says_like 'pads.v:15: never toggles: unreachable, proved: sda[$]out'
   # shellcheck disable=SC2154  # designs_test.sh says it
   rtl=$designs/pads.v
   echo 'module CLKBUF(output O, input I); assign O = I; endmodule' > clkbuf.v

@@ -36,7 +36,7 @@ TEST_F(CoveragePoints, OfAllInstancesAndFilesAreAddedUp) {
                              counted("toggle", 12, "count[3]", "TOP.top.two.part", 4) +
                              counted("line", 7, "block", "TOP.top.one", 0));
   write("Vpart_W8.13.0", counted("toggle", 12, "count[3]", "TOP.top.one", 5) +
-                             counted("toggle", 12, "count__024a[4]", "TOP.top.one", 0));
+                             counted("toggle", 12, "word__024a[4]", "TOP.top.one", 0));
   const Points all = read();
   ASSERT_EQ(all.rtl.size(), 3);
   EXPECT_EQ(all.rtl[0].kind, "line");
@@ -49,7 +49,7 @@ TEST_F(CoveragePoints, OfAllInstancesAndFilesAreAddedUp) {
   EXPECT_EQ(all.rtl[1].what, "count[3]");
   EXPECT_EQ(all.rtl[1].hits, 12);
   EXPECT_EQ(all.rtl[1].instances, (std::vector<std::string>{"one", "two.part"}));
-  EXPECT_EQ(all.rtl[2].what, "count$a[4]");
+  EXPECT_EQ(all.rtl[2].what, "word$a[4]");
   EXPECT_EQ(all.rtl[2].hits, 0);
   EXPECT_TRUE(all.cases.empty());
 }

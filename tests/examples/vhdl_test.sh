@@ -119,6 +119,14 @@ printf '%s\n' 'entity store4_tb is end entity; architecture a of store4_tb is' \
   'begin dut: store4 port map (clk); end architecture;' > store4_tb.vhd
 "$program" new alone store4_tb.vhd store4.vhd > said
 grep -qx 'store4_tb.vhd: a testbench, left out' said
+# What another entity has an instance of is made with that one, for it alone has no width.
+cat > wrap.v << 'RTL'
+module wrap(input wire clk, input wire rst_n, input wire [7:0] d, output wire [7:0] q);
+  top one(.CLK(clk), .RST_N(rst_n), .D(d), .Q(q));
+endmodule
+RTL
+"$program" new wrapped wrap.v rtl/*.vhd* > said
+grep -qF 'bits.at("one.below.kept")' wrapped/wrapped.h
 grep -qF 'return {.rst = 1}; }' alone/alone.h
 
 # Two versions are compared, with a parameter, and one of them may be Verilog.

@@ -152,18 +152,26 @@ CheckerOf<Design, Word> checker_for(const typename Design::Params& p, const JobO
   }
 }
 
-/// What a field of these records holds of a number: its lowest bits, as in lanes.
-constexpr Word held_of(const Field& field, Word number) {
-  if (field.width == 0) return 0;
-  const Word code = low_bits(number, field.width);
-  return is_signed(field) ? from_twos_complement(code, field.width) : code;
-}
+/// What the fields of such a record hold of numbers: their lowest bits, as in lanes.
 template <class Record>
-constexpr Record held_of(const std::array<Field, Record::size>& fields, Record record) {
-  for_each_cell<Record>(
-      [&](auto cell, std::size_t i) { cell(record) = held_of(fields[i], cell(record)); });
-  return record;
-}
+class Held {
+ public:
+  explicit constexpr Held(const std::array<Field, Record::size>& fields) {
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+      codes_[i] = ones(fields[i].width);
+      signs_[i] = is_signed(fields[i]) ? codes_[i] ^ codes_[i] >> 1 : 0;
+    }
+  }
+  constexpr Record of(Record record) const {
+    for_each_cell<Record>([&](auto cell, std::size_t i) {
+      cell(record) = subtract((cell(record) & codes_[i]) ^ signs_[i], signs_[i]);
+    });
+    return record;
+  }
+
+ private:
+  std::array<Word, Record::size> codes_{}, signs_{};  // all its bits, and the one of the sign
+};
 
 /// A job that is longer is taken for one that waits for ever: so many clocks, or
 /// Design::most_clocks.
@@ -185,7 +193,7 @@ class JobHost {
 
   /// `jobs` must outlive the host.
   JobHost(const Params& p, std::span<const Job> jobs)
-      : p_(p), jobs_(jobs), driver_fields_(DriverOf<Design, Word>::fields(p)) {}
+      : p_(p), jobs_(jobs), held_(DriverOf<Design, Word>::fields(p)) {}
 
   /// The inputs of the next clock; false when the last job is over. `seen`: the outputs of the
   /// clock before (of no meaning on the first call). InputError where a job is too long.
@@ -194,7 +202,7 @@ class JobHost {
     bool begins = is_first_;
     if (!is_first_) {
       const auto turn = driven(p_, task_, driver_, seen);
-      driver_ = held_of(driver_fields_, turn.driver);
+      driver_ = held_.of(turn.driver);
       begins = turn.over;
       job_ += turn.over;
     }
@@ -235,7 +243,7 @@ class JobHost {
   bool is_first_ = true;
   TaskOf<Design, Word> task_{};
   DriverOf<Design, Word> driver_{};
-  std::array<Field, DriverOf<Design, Word>::size> driver_fields_;
+  Held<DriverOf<Design, Word>> held_;
 };
 
 }  // namespace cosim

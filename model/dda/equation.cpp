@@ -90,6 +90,11 @@ double off_circle(const Equation& curve, Real value, Real from_centre) {
 
 }  // namespace
 
+bool is_line_or_circle(const Job& job) {
+  const Equation curve(job.start);
+  return curve.is_line() || curve.is_circle();
+}
+
 double deviation_by(const Job& job, std::int64_t twice) {
   if (twice == 0) return 0;
   const Equation curve(job.start);

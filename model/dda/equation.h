@@ -13,7 +13,8 @@ namespace cosim::dda {
 /// where that is within an eighth of the distance, else the distance. Finite, whatever the job.
 double deviation(const Job& job, Point at);
 
-/// The same of a line or a circle, where twice the left side of its equation has this value.
+bool is_line_or_circle(const Job& job);
+/// The same of one of these, where twice the left side of its equation has this value.
 double deviation_by(const Job& job, std::int64_t twice);
 
 /// The curve's point next to `at`, to the digits of a picture; one of them where there are several.

@@ -149,7 +149,7 @@ class DesignBench : public Bench<Design> {
       const std::vector<Job> all = typed(jobs);
       JobCheck<Design> check(params(), all);
       result.run = open(power_up)->draw(all, check);
-      result.checked = check.finish();
+      result.checked = check.so_far();
     }
     return result;
   }

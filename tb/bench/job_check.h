@@ -12,19 +12,28 @@
 
 namespace cosim {
 
-/// What is taken of jobs beside their check: nothing.
+/// What is measured of jobs beside their check: nothing.
 template <class Design>
 struct NoFigures {
-  static constexpr std::size_t first = CheckerOf<Design, Word>::size;
-  void add(const typename Design::Params&, const JobOf<Design>&, const CheckerOf<Design, Word>&) {}
+  using Params = typename Design::Params;
+  using Job = JobOf<Design>;
+  using Checker = CheckerOf<Design, Word>;
+  /// The first cell of the checker that end_in_lane() reads.
+  static constexpr std::size_t first = Checker::size;
+  /// A clock of a job, and the checker after it.
+  void clock(const Params&, const Job&, const Checker&,
+             const typename Design::template Outputs<Word>&) {}
+  /// The end of a job whose clocks were seen.
+  void end(const Params&, const Job&, const Checker&) {}
+  /// Of one that ran in a lane, unseen.
+  void end_in_lane(const Params&, const Job&, const Checker&) {}
+  /// Counts no jobs.
   Checked checked() const { return {}; }
 };
 
 /// Counts the jobs that were driven to their end and, where the design has a check, keeps what it
 /// first found wrong: "idle=3 byte=65, clock 7: checked since=0 byte=0, and then ready=1 tx=1".
-///
-/// Figures has, as NoFigures, the number of the checker's first cell that it reads, add(p, job,
-/// checker) of a job at its end, and checked(), which counts no jobs.
+/// Figures measures, and has what NoFigures has.
 template <class Design, class Figures = NoFigures<Design>>
 class JobCheck final : public Observer<Design> {
  public:
@@ -34,10 +43,7 @@ class JobCheck final : public Observer<Design> {
 
   /// `jobs` must outlive it.
   JobCheck(const typename Design::Params& p, std::span<const Job> jobs)
-      : p_(p),
-        jobs_(jobs),
-        driver_fields_(Driver::fields(p)),
-        checker_fields_(Checker::fields(p)) {}
+      : p_(p), jobs_(jobs), held_driver_(Driver::fields(p)), held_checker_(Checker::fields(p)) {}
 
   void clock(std::size_t job, const Compared<Design>& seen) override {
     if (clock_ == 0) {
@@ -52,12 +58,13 @@ class JobCheck final : public Observer<Design> {
         fail(job, "checked " + detail::named_values(p_, checker_) + ", and then " +
                       detail::named_values(p_, seen.outputs));
       }
-      checker_ = held_of(checker_fields_, verdict.checker);
+      checker_ = held_checker_.of(verdict.checker);
     }
-    driver_ = held_of(driver_fields_, turn.driver);
+    driver_ = held_driver_.of(turn.driver);
+    figures_.clock(p_, jobs_[job], checker_, seen.outputs);
     ++clock_;
     if (!turn.over) return;
-    figures_.add(p_, jobs_[job], checker_);
+    figures_.end(p_, jobs_[job], checker_);
     ++jobs_over_;
     clock_ = 0;
   }
@@ -67,7 +74,6 @@ class JobCheck final : public Observer<Design> {
     found.error = error_;
     return found;
   }
-  Checked finish() const { return so_far(); }
 
  private:
   void fail(std::size_t job, const std::string& why) {
@@ -84,8 +90,8 @@ class JobCheck final : public Observer<Design> {
   TaskOf<Design, Word> task_{};
   Driver driver_{};
   Checker checker_{};
-  std::array<Field, Driver::size> driver_fields_;
-  [[maybe_unused]] std::array<Field, Checker::size> checker_fields_;
+  Held<Driver> held_driver_;
+  [[maybe_unused]] Held<Checker> held_checker_;
 };
 
 }  // namespace cosim

@@ -70,7 +70,7 @@ auto one_by_one(std::vector<Job> all) {
   };
 }
 
-/// Figures: as JobCheck has them.
+/// Figures as JobCheck has them.
 template <class Design, class Figures = NoFigures<Design>>
 class LaneJobsOf final : public LaneJobs {
   using Params = typename Design::Params;
@@ -106,7 +106,8 @@ class LaneJobsOf final : public LaneJobs {
  private:
   class AtWork final : public JobsAtWork {
    public:
-    AtWork(const LaneJobsOf& all, std::size_t lanes) : all_(all), lanes_(lanes) {}
+    AtWork(const LaneJobsOf& all, std::size_t lanes)
+        : all_(all), held_(Checker::fields(all.p_)), lanes_(lanes) {}
     void open(std::size_t lane, std::uint64_t i) override { lanes_[lane].next = all_.jobs_(i); }
     bool next(std::size_t lane, std::span<Word> codes) override {
       Lane& at = lanes_[lane];
@@ -118,12 +119,11 @@ class LaneJobsOf final : public LaneJobs {
     }
     void over(std::size_t lane, std::span<const Word> figures) override {
       Checker checker{};
-      const auto fields = Checker::fields(all_.p_);
       std::size_t first = Figures::first;
       for_each_cell<Checker>([&](auto cell, std::size_t i) {
-        if (i >= first) cell(checker) = held_of(fields[i], figures[i - first]);
+        if (i >= first) cell(checker) = figures[i - first];
       });
-      figures_.add(all_.p_, lanes_[lane].job, checker);
+      figures_.end_in_lane(all_.p_, lanes_[lane].job, held_.of(checker));
       ++jobs_;
     }
     Checked checked() const override {
@@ -138,6 +138,7 @@ class LaneJobsOf final : public LaneJobs {
       Job job;
     };
     const LaneJobsOf& all_;
+    Held<Checker> held_;
     std::vector<Lane> lanes_;
     Figures figures_;
     std::uint64_t jobs_ = 0;

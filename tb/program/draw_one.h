@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tb/bench/job_check.h"
 #include "tb/bench/table.h"
 #include "tb/plot/plot.h"
 #include "tb/program/conclude.h"
@@ -17,7 +18,6 @@
 #include "tb/program/outputs.h"
 #include "tb/program/wave.h"
 #include "tb/support/output_file.h"
-#include "tb/sweep/path_check.h"
 #include "tb/sweep/progress.h"
 
 namespace cosim::cli {
@@ -31,7 +31,6 @@ struct OneRun {
   std::string work;  ///< what the job is, in one line
   const typename HostOf<Design>::Job& job;
   Extent extent;
-  PathCheck<Design>& check;
   /// Makes what writes the rows of --csv.
   std::function<std::unique_ptr<Observer<Design>>(OutputFile&)> rows;
   GridPoint from;
@@ -58,8 +57,9 @@ class Watch final : public Observer<Design> {
   RunProgress progress_;
 };
 
-/// Runs it, prints and writes what the options ask for: the exit status.
-template <class Design>
+/// Runs it, prints and writes what the options ask for: the exit status. Figures as JobCheck has
+/// them.
+template <class Design, class Figures>
 int draw_one(const OneRun<Design>& one) {
   const Common& common = one.common;
   const Bench<Design>& bench = one.bench;
@@ -73,7 +73,8 @@ int draw_one(const OneRun<Design>& one) {
   fmt::print("{}: {}\n", bench.title(), one.work);
   announce_csv(common, one.extent);
   Watch<Design> watch(common, bench.title(), one.extent);
-  Observers<Design> observers{&one.check, rows.get(), &watch};
+  JobCheck<Design, Figures> check(bench.params(), {&one.job, 1});
+  Observers<Design> observers{&check, rows.get(), &watch};
   if (common.plot) observers.add(points);
   std::unique_ptr<Table<Design>> table;
   if (common.table) observers.add(*(table = std::make_unique<Table<Design>>(bench.params())));
@@ -84,7 +85,7 @@ int draw_one(const OneRun<Design>& one) {
   if (common.plot) draw_plot(*common.plot, {one.work, {one.ideal(path.marks)}, {path}});
   const Looks looks = draw_wave(common, bench, one.work, *session, run.mismatch);
   csv.close();
-  const Outcome outcome = outcome_of(bench, one.work, std::move(run), one.check);
+  const Outcome outcome = outcome_of(bench, one.work, std::move(run), check);
   fmt::print("drawn: {}\n", measured_text(outcome.result));
   return conclude({outcome}, common, "{}", looks);
 }

@@ -99,21 +99,21 @@ TEST(Includes, AreToldApart) {
          {"model/dda/curve.h", "model/core/value.h", "model/plane/point.h"});
   expect(false, "model/dda/job.h",
          {"model/circular/arc.h", "model/toolpath/piece.h", "tb/support/show.h",
-          "tb/designs/dda/check.h", "tests/support/root.h"});
+          "tb/designs/dda/figures.h", "tests/support/root.h"});
   expect(true, "model/toolpath/walk.cpp", {"model/linear/oracle.h", "model/toolpath/plan.h"});
   expect(false, "model/core/fields.h", {"model/plane/point.h", "model/dda/job.h"});
   expect(true, "tb/proof/claims.h", {"model/core/fields.h", "tb/support/process.h"});
   expect(false, "tb/proof/claims.h",
-         {"model/plane/point.h", "model/linear/machine.h", "tb/designs/linear/check.h",
+         {"model/plane/point.h", "model/linear/machine.h", "tb/designs/linear/figures.h",
           "tb/studies/comparison/work.h", "tests/support/root.h"});
-  expect(true, "tb/designs/dda/check.h",
+  expect(true, "tb/designs/dda/figures.h",
          {"model/dda/job.h", "model/core/fields.h", "model/plane/point.h",
           "tb/designs/dda/sweeps.h", "tb/sweep/sweep.h"});
-  expect(false, "tb/designs/dda/check.h",
-         {"model/linear/job.h", "model/toolpath/plan.h", "tb/designs/linear/check.h",
+  expect(false, "tb/designs/dda/figures.h",
+         {"model/linear/job.h", "model/toolpath/plan.h", "tb/designs/linear/figures.h",
           "tb/studies/comparison/work.h"});
   expect(true, "tb/studies/toolpath/path_run.h",
-         {"model/linear/job.h", "tb/designs/circular/check.h", "tb/studies/comparison/work.h"});
+         {"model/linear/job.h", "tb/designs/circular/figures.h", "tb/studies/comparison/work.h"});
 }
 
 }  // namespace

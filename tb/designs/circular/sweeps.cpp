@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <utility>
 
-#include "tb/bench/lane_jobs.h"
-#include "tb/designs/circular/check.h"
-#include "tb/designs/circular/lanes.h"
+#include "tb/designs/circular/figures.h"
+#include "tb/sweep/drawn_sweep.h"
 
 namespace cosim::circular {
 namespace {
@@ -24,20 +22,14 @@ using Arcs = std::function<bool(Arc&)>;
 Sweep over_radii(const CircularBench& bench, const char* name, std::int64_t first,
                  std::int64_t last, std::uint64_t cases_a_lane,
                  Arcs (*arcs_of)(std::int64_t radius)) {
-  const auto arcs_at = [first, arcs_of](std::uint64_t i) {
-    return arcs_of(first + static_cast<std::int64_t>(i));
-  };
-  const auto run = [&bench, first, arcs_at](std::uint64_t i) {
-    const std::vector<Arc> arcs = all_of<Arc>(arcs_at(i));
-    Result result = run_arcs(bench, arcs, static_cast<std::uint32_t>(i));
-    result.failed =
-        fmt::format("R = {}, {} arcs", first + static_cast<std::int64_t>(i), arcs.size());
-    return result;
-  };
-  Sweep sweep{fmt::format("{}, R = {} to {}", name, first, last),
-              static_cast<std::uint64_t>(last - first + 1), run};
-  sweep.in_lanes = std::make_shared<LaneArcs>(bench.params(), arcs_at, cases_a_lane);
-  return sweep;
+  const auto radius = [first](std::uint64_t i) { return first + static_cast<std::int64_t>(i); };
+  return drawn_sweep<ArcFigures>(
+      bench, fmt::format("{}, R = {} to {}", name, first, last),
+      static_cast<std::uint64_t>(last - first + 1),
+      [=](std::uint64_t i) { return arcs_of(radius(i)); }, cases_a_lane,
+      [=](std::uint64_t i) {
+        return fmt::format("R = {}, {} arcs", radius(i), all_of<Arc>(arcs_of(radius(i))).size());
+      });
 }
 
 // The points of every_start(), one after the other.
@@ -71,11 +63,6 @@ class Starts {
 };
 
 }  // namespace
-
-Result run_arcs(const CircularBench& bench, std::span<const Arc> arcs, std::uint32_t power_up) {
-  Check check(arcs);
-  return result_of(bench.open(power_up)->draw(arcs, check), check);
-}
 
 std::vector<Point> every_start(std::uint64_t radius2) {
   std::vector<Point> starts;
@@ -150,20 +137,13 @@ Arc random_arc(const Params& p, std::uint64_t seed, std::uint64_t i) {
 }
 
 Sweep random_arcs(const CircularBench& bench, std::uint64_t seed, std::uint64_t count) {
-  const auto run = [&bench, seed](std::uint64_t i) {
-    const Arc arc = random_arc(bench.params(), seed, i);
-    Result result = run_arcs(bench, {&arc, 1}, static_cast<std::uint32_t>(i));
-    result.failed =
-        fmt::format("R^2 = {} from ({}, {}), {} steps, seed {}", arc.radius2, arc.from.x,
-                    arc.from.y, arc.count ? fmt::format("{}", *arc.count) : "all", seed);
-    return result;
-  };
-  Sweep sweep{"random arcs", count, run};
-  const auto arcs_at = [p = bench.params(), seed](std::uint64_t i) {
-    return one_by_one<Arc>({random_arc(p, seed, i)});
-  };
-  sweep.in_lanes = std::make_shared<LaneArcs>(bench.params(), arcs_at, 128);
-  return sweep;
+  return drawn_sweep_of_one<ArcFigures>(
+      bench, "random arcs", count,
+      [p = bench.params(), seed](std::uint64_t i) { return random_arc(p, seed, i); },
+      [seed](const Arc& arc) {
+        return fmt::format("R^2 = {} from ({}, {}), {} steps, seed {}", arc.radius2, arc.from.x,
+                           arc.from.y, arc.count ? fmt::format("{}", *arc.count) : "all", seed);
+      });
 }
 
 }  // namespace cosim::circular

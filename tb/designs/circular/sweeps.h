@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "model/circular/job.h"
@@ -12,9 +11,6 @@
 namespace cosim::circular {
 
 using CircularBench = Bench<Design>;
-
-/// Runs arcs one after the other on one machine.
-Result run_arcs(const CircularBench& bench, std::span<const Arc> arcs, std::uint32_t power_up);
 
 /// Every lattice point of the first quadrant next to the circle, (R, 0) first, (0, R) last.
 std::vector<Point> every_start(std::uint64_t radius2);

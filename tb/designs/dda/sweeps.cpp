@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <memory>
+#include <string>
 #include <utility>
-#include <vector>
 
 #include "model/core/input_error.h"
-#include "tb/bench/lane_jobs.h"
-#include "tb/designs/dda/lanes.h"
+#include "tb/designs/dda/figures.h"
+#include "tb/sweep/drawn_sweep.h"
 
 namespace cosim::dda {
 namespace {
@@ -69,26 +68,11 @@ void give_up(const Params& p, Random& random, Job& job) {
 
 using Jobs = std::function<bool(Job&)>;
 
-// A sweep whose cases are these jobs, one at a time or in lanes.
-template <class Describe>
-Sweep swept(const DdaBench& bench, const char* name, std::uint64_t cases, JobsOf<Job> jobs,
-            std::uint64_t cases_a_lane, Describe describe) {
-  const auto run = [&bench, jobs, describe](std::uint64_t i) {
-    Result result = run_jobs(bench, all_of<Job>(jobs(i)), static_cast<std::uint32_t>(i));
-    result.failed = describe(i);
-    return result;
-  };
-  Sweep sweep{name, cases, run};
-  sweep.in_lanes = std::make_shared<LaneCurves>(bench.params(), std::move(jobs), cases_a_lane);
-  return sweep;
+std::string with_seed(const Params& p, const Job& job, std::uint64_t seed) {
+  return fmt::format("{}, seed {}", describe(p, job), seed);
 }
 
 }  // namespace
-
-Result run_jobs(const DdaBench& bench, std::span<const Job> jobs, std::uint32_t power_up) {
-  Check check(bench.params(), jobs);
-  return result_of(bench.open(power_up)->draw(jobs, check), check);
-}
 
 Sweep every_line(const DdaBench& bench) {
   const std::int64_t most = ones(bench.params().width);
@@ -102,10 +86,11 @@ Sweep every_line(const DdaBench& bench) {
       return true;
     };
   };
-  return swept(bench, "every DX with every DY", static_cast<std::uint64_t>(2 * most + 1), lines_of,
-               1, [most](std::uint64_t i) {
-                 return fmt::format("DX = {} with every DY", static_cast<std::int64_t>(i) - most);
-               });
+  return drawn_sweep<CurveFigures>(
+      bench, "every DX with every DY", static_cast<std::uint64_t>(2 * most + 1), lines_of, 1,
+      [most](std::uint64_t i) {
+        return fmt::format("DX = {} with every DY", static_cast<std::int64_t>(i) - most);
+      });
 }
 
 Sweep every_quarter(const DdaBench& bench) {
@@ -117,9 +102,9 @@ Sweep every_quarter(const DdaBench& bench) {
       return true;
     };
   };
-  return swept(bench, "every quarter from (R, 0)",
-               static_cast<std::uint64_t>(ones(bench.params().width)), quarters_of, 1,
-               [](std::uint64_t i) { return fmt::format("R = {}", i + 1); });
+  return drawn_sweep<CurveFigures>(
+      bench, "every quarter from (R, 0)", static_cast<std::uint64_t>(ones(bench.params().width)),
+      quarters_of, 1, [](std::uint64_t i) { return fmt::format("R = {}", i + 1); });
 }
 
 Job random_job(const Params& p, std::uint64_t seed, std::uint64_t i) {
@@ -158,26 +143,19 @@ Sweep random_lines_and_arcs(const DdaBench& bench, std::uint64_t seed, std::uint
     give_up(p, random, job);
     return job;
   };
-  const auto jobs_of = [one](std::uint64_t i) -> Jobs {
-    return [one, i, is_over = false](Job& job) mutable {
-      if (std::exchange(is_over, true)) return false;
-      job = one(i);
-      return true;
-    };
-  };
-  return swept(bench, "random lines and arcs", count, jobs_of, 128, [=, &bench](std::uint64_t i) {
-    return fmt::format("{}, seed {}", describe(bench.params(), one(i)), seed);
-  });
+  return drawn_sweep_of_one<CurveFigures>(
+      bench, "random lines and arcs", count, one,
+      [p = bench.params(), seed](const Job& job) { return with_seed(p, job, seed); });
 }
 
 Sweep random_jobs(const DdaBench& bench, std::uint64_t seed, std::uint64_t count) {
-  const auto run = [&bench, seed](std::uint64_t i) {
-    const Job job = random_job(bench.params(), seed, i);
-    Result result = run_jobs(bench, {&job, 1}, static_cast<std::uint32_t>(i));
-    result.failed = fmt::format("{}, seed {}", describe(bench.params(), job), seed);
-    return result;
-  };
-  return {"random lines, arcs and conics", count, run};
+  const Params p = bench.params();
+  Sweep sweep = drawn_sweep_of_one<CurveFigures>(
+      bench, "random lines, arcs and conics", count,
+      [=](std::uint64_t i) { return random_job(p, seed, i); },
+      [=](const Job& job) { return with_seed(p, job, seed); });
+  sweep.in_lanes = nullptr;  // of conics they measure no deviation
+  return sweep;
 }
 
 }  // namespace cosim::dda

@@ -2,17 +2,14 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
-#include "tb/designs/dda/check.h"
+#include "model/dda/job.h"
+#include "tb/bench/bench.h"
 #include "tb/sweep/sweep.h"
 
 namespace cosim::dda {
 
 using DdaBench = Bench<Design>;
-
-/// Runs jobs one after the other on one machine.
-Result run_jobs(const DdaBench& bench, std::span<const Job> jobs, std::uint32_t power_up);
 
 /// Every DX with every DY of the width, to all four sides, normalised and not, with either update
 /// and either preload; a case is one DX.

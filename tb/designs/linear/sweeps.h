@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
-#include <string>
 
 #include "model/linear/job.h"
 #include "tb/bench/bench.h"
@@ -12,9 +10,6 @@
 namespace cosim::linear {
 
 using LinearBench = Bench<Design>;
-
-/// Runs lines one after the other on one machine.
-Result run_lines(const LinearBench& bench, std::span<const Job> jobs, std::uint32_t power_up);
 
 /// Every BP with every UK; a case is one BP. For m <= 12.
 Sweep every_line(const LinearBench& bench);

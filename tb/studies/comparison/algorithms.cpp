@@ -6,9 +6,10 @@
 #include "model/prior_art/rate_multiplier.h"
 #include "model/prior_art/single_axis_circle.h"
 #include "model/prior_art/su875343.h"
-#include "tb/designs/circular/check.h"
-#include "tb/designs/dda/check.h"
-#include "tb/designs/linear/check.h"
+#include "tb/bench/job_check.h"
+#include "tb/designs/circular/figures.h"
+#include "tb/designs/dda/figures.h"
+#include "tb/designs/linear/figures.h"
 
 namespace cosim::compare {
 namespace {
@@ -81,9 +82,10 @@ class DdaFollower final : public Observer<dda::Design>, Follower {
   Point step_;
 };
 
-template <class Design, class Job, class Follow, class Check>
+template <class Figures, class Design, class Job, class Follow>
 Drawing in_lockstep(const Bench<Design>& bench, std::uint32_t power_up, const Job& job,
-                    Drawing& drawing, Follow& follower, Check& check) {
+                    Drawing& drawing, Follow& follower) {
+  JobCheck<Design, Figures> check(bench.params(), {&job, 1});
   Observers<Design> observers{&follower, &check};
   Run run = bench.open(power_up)->draw({&job, 1}, observers);
   drawing.bench = &bench;
@@ -99,8 +101,8 @@ Drawing by_words(const Machines& machines, const Line& line) {
   const linear::Job job{{line.major, rule(p.m, line.major, line.minor)}, {}};
   Drawing drawing{{{0, 0}}, 0, nullptr, {}};
   LineFollower follower(drawing, p);
-  linear::Check check(p, {&job, 1});
-  return in_lockstep(*machines.linear, machines.power_up, job, drawing, follower, check);
+  return in_lockstep<linear::LineFigures>(*machines.linear, machines.power_up, job, drawing,
+                                          follower);
 }
 
 Drawing by_su1665343(const Machines& machines, const Arc& arc) {
@@ -109,8 +111,8 @@ Drawing by_su1665343(const Machines& machines, const Arc& arc) {
   if (!whole) job.count = circular::steps_to(arc.from, arc.radius2, arc.to);
   Drawing drawing{{arc.from}, 0, nullptr, {}};
   ArcFollower follower(drawing);
-  circular::Check check({&job, 1});
-  return in_lockstep(*machines.circular, machines.power_up, job, drawing, follower, check);
+  return in_lockstep<circular::ArcFigures>(*machines.circular, machines.power_up, job, drawing,
+                                           follower);
 }
 
 template <class Work, class MakeJob>
@@ -118,8 +120,7 @@ Drawing by_dda(const Machines& machines, Point from, const MakeJob& make_job) {
   const dda::Job job = make_job(machines.dda->params());
   Drawing drawing{{from}, 0, nullptr, {}};
   DdaFollower follower(drawing);
-  dda::Check check(machines.dda->params(), {&job, 1});
-  return in_lockstep(*machines.dda, machines.power_up, job, drawing, follower, check);
+  return in_lockstep<dda::CurveFigures>(*machines.dda, machines.power_up, job, drawing, follower);
 }
 
 template <dda::Preload preload>

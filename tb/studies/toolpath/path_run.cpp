@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "tb/designs/circular/check.h"
-#include "tb/designs/linear/check.h"
+#include "tb/bench/job_check.h"
+#include "tb/designs/circular/figures.h"
+#include "tb/designs/linear/figures.h"
 
 namespace cosim {
 namespace {
@@ -47,9 +48,10 @@ class PenOf final : public Observer<Design> {
   typename Design::Params p_;
 };
 
-template <class Check, class Design, class Job>
-void draw_piece(Session<Design>& session, const Job& job, Check check, Observer<Design>& pen,
-                Result& sum) {
+template <class Figures, class Design>
+void draw_piece(Session<Design>& session, const typename Design::Params& p,
+                const JobOf<Design>& job, Observer<Design>& pen, Result& sum) {
+  JobCheck<Design, Figures> check(p, {&job, 1});
   Observers<Design> both{&check, &pen};
   Run run = session.draw({&job, 1}, both);
   add(sum, result_of(std::move(run), check));
@@ -87,11 +89,11 @@ PathResult PathRun::draw(const toolpath::Plan& plan, const StepSink& sink) {
       if (const auto* line = std::get_if<toolpath::LineJob>(&piece.job)) {
         const linear::Job job{{line->major, code_(line_params_.m, line->major, line->minor)}, {}};
         last = &result.lines;
-        draw_piece(*lines_, job, linear::Check(line_params_, {&job, 1}), line_pen, *last);
+        draw_piece<linear::LineFigures>(*lines_, line_params_, job, line_pen, *last);
       } else {
         const auto& arc = std::get<circular::Arc>(piece.job);
         last = &result.arcs;
-        draw_piece(*arcs_, arc, circular::Check({&arc, 1}), arc_pen, *last);
+        draw_piece<circular::ArcFigures>(*arcs_, arc_params_, arc, arc_pen, *last);
       }
       if (!last->match()) {
         last->failed = name;

@@ -7,9 +7,9 @@
 #include "model/circular/arc.h"
 #include "model/circular/oracle.h"
 #include "model/core/input_error.h"
-#include "tb/designs/circular/check.h"
 #include "tb/designs/circular/cli/curve.h"
 #include "tb/designs/circular/cli/shape.h"
+#include "tb/designs/circular/figures.h"
 #include "tb/designs/circular/sweeps.h"
 #include "tb/program/command.h"
 #include "tb/program/common.h"
@@ -86,9 +86,8 @@ int run(const ArcOptions& o) {
   const circular::Arc arc = parse_arc(o);
   const auto& bench = circular::bench_for(o.shape.shape(), circular::width_needed(arc.radius2));
   const GridPoint from{arc.from.x, arc.from.y};
-  circular::Check check({&arc, 1});
-  return draw_one<circular::Design>(
-      {o.common, power_up, bench, describe(o, arc), arc, extent_of(arc), check,
+  return draw_one<circular::Design, circular::ArcFigures>(
+      {o.common, power_up, bench, describe(o, arc), arc, extent_of(arc),
        step_rows(bench, from, &circular::Outputs<Word>::running), from,
        [&](GridPoint at) {
          return circular::radial_deviation({at.x, at.y}, arc.radius2);

@@ -7,9 +7,9 @@
 
 #include "model/core/input_error.h"
 #include "model/dda/equation.h"
-#include "tb/designs/dda/check.h"
 #include "tb/designs/dda/cli/settings.h"
 #include "tb/designs/dda/cli/shape.h"
+#include "tb/designs/dda/figures.h"
 #include "tb/designs/dda/sweeps.h"
 #include "tb/program/command.h"
 #include "tb/program/common.h"
@@ -143,10 +143,9 @@ int run(const DdaOptions& o) {
   const Work work = parse_work(o);
   const auto [chosen, job] = chosen_for(o.shape.shape(), work);
   const auto& bench = *chosen;
-  dda::Check check(bench.params(), {&job, 1});
   const GridPoint from{job.start.x, job.start.y};
-  return draw_one<dda::Design>(
-      {o.common, power_up, bench, work.text, job, extent_of(bench.params(), job), check,
+  return draw_one<dda::Design, dda::CurveFigures>(
+      {o.common, power_up, bench, work.text, job, extent_of(bench.params(), job),
        step_rows(bench, from, &dda::Outputs<Word>::busy), from,
        [drawn = &job](GridPoint at) {
          return deviation(*drawn, {at.x, at.y});

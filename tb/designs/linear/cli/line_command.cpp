@@ -5,9 +5,9 @@
 
 #include "model/core/input_error.h"
 #include "model/linear/oracle.h"
-#include "tb/designs/linear/check.h"
 #include "tb/designs/linear/cli/code_option.h"
 #include "tb/designs/linear/cli/shape.h"
+#include "tb/designs/linear/figures.h"
 #include "tb/designs/linear/sweeps.h"
 #include "tb/program/command.h"
 #include "tb/program/common.h"
@@ -79,15 +79,13 @@ int run(const LineOptions& o) {
       fmt::format("BP = {}, MP = {}, UK = {:0{}b}{}", major, code.minor, code.code, p.m,
                   code.rule.empty() ? "" : " (" + code.rule + ")");
   const linear::Job job{{major, code.code}, {}};
-  linear::Check check(p, {&job, 1});
-  return draw_one<linear::Design>(
+  return draw_one<linear::Design, linear::LineFigures>(
       {o.common,
        power_up,
        bench,
        work,
        job,
        extent,
-       check,
        [&](OutputFile& csv) { return std::make_unique<Rows>(csv, p.word()); },
        {0, 0},
        [&](GridPoint at) { return linear::deviation(major, code.minor, at.x, at.y); },

@@ -1,10 +1,10 @@
 // Arcs in lanes.
 #include <gtest/gtest.h>
 
-#include "tb/bench/lane_jobs.h"
 #include "model/core/input_error.h"
-#include "tb/designs/circular/lanes.h"
+#include "tb/designs/circular/figures.h"
 #include "tb/designs/circular/sweeps.h"
+#include "tb/sweep/drawn_sweep.h"
 #include "tests/support/lane_sweeps.h"
 
 namespace cosim::circular {
@@ -23,20 +23,12 @@ TEST(CircularLanes, SumUpToTheSweepsOfOneCaseAtATime) {
 
 // The check finds wrong what RTL and model agree on: here an arc that begins off the circle.
 TEST(CircularLanes, AreJudgedByTheOracle) {
-  Sweep sweep = random_arcs(smallest(), 1, 5000);
-  const auto arc_at = [](std::uint64_t i) {
-    Arc arc = random_arc(smallest().params(), 1, i);
-    if (i == 4321) arc = {{9, 0}, 144, {}};
-    return arc;
-  };
-  sweep.run = [=](std::uint64_t i) {
-    const Arc arc = arc_at(i);
-    Result result = run_arcs(smallest(), {&arc, 1}, 1);
-    result.failed = "case";
-    return result;
-  };
-  sweep.in_lanes = std::make_shared<LaneArcs>(
-      smallest().params(), [=](std::uint64_t i) { return one_by_one<Arc>({arc_at(i)}); }, 32);
+  const Sweep sweep = drawn_sweep_of_one<ArcFigures>(
+      smallest(), "arcs", 5000,
+      [](std::uint64_t i) {
+        return i == 4321 ? Arc{{9, 0}, 144, {}} : random_arc(smallest().params(), 1, i);
+      },
+      [](const Arc&) { return "case"; });
   const Result alone = run_sweep(sweep, 1);
   EXPECT_EQ(alone.cases, 4322U);
   EXPECT_FALSE(alone.mismatch);

@@ -1,5 +1,7 @@
 // The RTL of the circular interpolator in lockstep with its model, every register and output on
 // every clock, and against the oracle.
+#include "tb/designs/circular/figures.h"
+#include "tb/sweep/drawn_sweep.h"
 #include "tests/designs/circular/counts.h"
 #include "tests/designs/circular/printed.h"
 #include "tests/tb/shape.h"
@@ -46,7 +48,7 @@ class LargestQuarter : public testing::TestWithParam<Param> {};
 TEST_P(LargestQuarter, Matches) {
   const std::int64_t radius = ones(GetParam()->params().width);
   const std::vector<Arc> arcs = {{{radius, 0}, static_cast<std::uint64_t>(radius * radius), {}}};
-  const Result result = run_arcs(*GetParam(), arcs, 1);
+  const Result result = drawn<ArcFigures, Design>(*GetParam(), arcs, 1);
   EXPECT_TRUE(result.match()) << test::explain(result);
   EXPECT_NEAR(static_cast<double>(result.checked.count("steps")),
               std::numbers::sqrt2 * static_cast<double>(radius), 2);

@@ -66,7 +66,7 @@ fault("The host gives a line up a word late" linear/drive.h
   [[!(d.words < t.words)]] [[d.words > t.words]])
 
 fault("The check of jobs knows no last word" linear/checker.h
-  [[(words == whole) & !(rest < V(q))]] [[words == whole]])
+  [[is_last & !(rest < V(q))]] [[is_last]])
 fault("The check of jobs takes even positions for odd ones" linear/checker.h
   [[is_even = is_even & !bit(q, i - 1);]] [[is_even = is_even & bit(q, i - 1);]])
 fault("The check of jobs does not count the words" linear/checker.h

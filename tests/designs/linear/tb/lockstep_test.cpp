@@ -1,5 +1,7 @@
 // The RTL of the linear interpolator in lockstep with its model, every register and output on every
 // clock, and against the oracle.
+#include "tb/designs/linear/figures.h"
+#include "tb/sweep/drawn_sweep.h"
 #include "tests/designs/linear/counts.h"
 #include "tests/designs/linear/printed.h"
 #include "tests/tb/shape.h"
@@ -51,7 +53,7 @@ TEST_P(LongestLine, Matches) {
   const std::vector<Job> jobs = {{{longest, every_bit}, {}}, {{longest / 2 + 1, every_other}, {}}};
   const auto positions = static_cast<std::uint64_t>(longest + longest / 2 + 1);
 
-  const Result result = run_lines(*GetParam(), jobs, 1);
+  const Result result = drawn<LineFigures, Design>(*GetParam(), jobs, 1);
   EXPECT_TRUE(result.match()) << test::explain(result);
   EXPECT_EQ(result.checked.jobs, jobs.size());
   EXPECT_EQ(result.checked.count("steps"), positions);

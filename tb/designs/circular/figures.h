@@ -1,0 +1,28 @@
+// What is measured of arcs, see tb/bench/job_check.h.
+#pragma once
+
+#include <algorithm>
+
+#include "model/circular/job.h"
+#include "model/circular/oracle.h"
+#include "model/circular/steps.h"
+#include "tb/sweep/path_figures.h"
+
+namespace cosim::circular {
+
+struct ArcFigures : PathFigures {
+  static constexpr std::size_t first = Checker<Word>::index_steps;
+  void clock(const Params&, const Arc&, const Checker<Word>&, const Outputs<Word>& seen) {
+    steps += step_of(seen) == Point{} ? 0 : 1;
+  }
+  void end(const Params&, const Arc& arc, const Checker<Word>& c) {
+    deviates(std::max(radial_deviation_by(c.least, arc.radius2),
+                      radial_deviation_by(c.most, arc.radius2)));
+  }
+  void end_in_lane(const Params& p, const Arc& arc, const Checker<Word>& c) {
+    steps += static_cast<std::uint64_t>(c.steps);
+    end(p, arc, c);
+  }
+};
+
+}  // namespace cosim::circular

@@ -58,6 +58,11 @@ cosim_words_for_tools(here [==[$word]==])
 END
   refused "yosys cannot be given the name" cmake -P words.cmake
 done
+for words in 'my-fifo' 'fifo NAMESPACE "acme::;int"'; do
+  printf '%s\n' 'set(VERILATOR_ROOT x)' "include($sources/tb/package/design.cmake)" \
+    "cosim_add_design($words SOURCES none.v MODEL none.h)" > add.cmake
+  refused "names" cmake -P add.cmake
+done
 mkdir 'of a design'
 cp "$sources/rtl/${shape[0]}"/*.v 'of a design'
 cat > loop.cmake << END

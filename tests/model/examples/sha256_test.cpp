@@ -7,7 +7,7 @@
 
 #include "examples/sha256/sha256.h"
 
-namespace cosim::sha256 {
+namespace sha256_model {
 namespace {
 
 // Section 5.1.1: the message, a bit 1, zeros, its length in bits.
@@ -60,4 +60,4 @@ TEST(Sha256, AMessageBeginsWhereTheOneBeforeItEnds) {
 }
 
 }  // namespace
-}  // namespace cosim::sha256
+}  // namespace sha256_model

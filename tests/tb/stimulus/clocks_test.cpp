@@ -13,8 +13,8 @@
 namespace cosim::test {
 namespace {
 
-using domains::Design;
-using domains::Inputs;
+using domains_model::Design;
+using domains_model::Inputs;
 
 TEST(Clocks, AllTakeTheirEdgeWhereTheDesignRestsOrIsCleared) {
   static_assert(clocks_of<Design> == 2);
@@ -29,7 +29,7 @@ TEST(Clocks, AreDrawnAsClocksRun) {
   int idle = 0;              // stretches in which nothing moves
   int rare = 0, on_end = 0;  // stretches with few edges; the longest row of edges among others
   for (std::uint64_t index = 0; index < 200; ++index) {
-    HostileStimulus<Design> hostile(domains::Params{}, {7, index, 1024});
+    HostileStimulus<Design> hostile(domains_model::Params{}, {7, index, 1024});
     int row = 0, turns = 0, edges = 0, any = 0, together = 0, clock = 0;
     Word last = 0;
     for (Inputs<Word> in; hostile.next(in, {}); ++clock) {

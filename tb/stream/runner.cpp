@@ -24,6 +24,7 @@ StreamRunner::StreamRunner(const StreamShape& shape, StreamDut& dut)
     has_latency_ |= shape.out[s].latency >= 0;
     is_steady_ |= shape.out[s].steady;
   }
+  is_plain_ &= givers_.size() == 1 && takers_.size() == 1;
   due_.resize(takers_.size());
 }
 
@@ -131,8 +132,10 @@ inline bool StreamRunner::ends(bool moved) {
 }
 
 template <bool plain>
-[[gnu::always_inline]] inline bool StreamRunner::clock(std::span<Giver> givers,
-                                                        std::span<Taker> takers) {
+[[gnu::always_inline]] inline bool StreamRunner::clock() {
+  constexpr std::size_t number = plain ? 1 : std::dynamic_extent;
+  const std::span<Giver, number> givers(givers_);
+  const std::span<Taker, number> takers(takers_);
   for (Giver& g : givers) g.drive<plain>(noise_);
   for (Taker& t : takers) t.drive<plain>();
   nets_.clock.set(false);
@@ -168,7 +171,7 @@ template <bool plain>
 // A silence is listened to until it ends.
 template <bool plain>
 void StreamRunner::run_clocks() {
-  while ((result_.clocks < order_->budget || quiet_ > 0) && clock<plain>(givers_, takers_)) continue;
+  while ((result_.clocks < order_->budget || quiet_ > 0) && clock<plain>()) continue;
 }
 
 // What is taken by the end of this clock.

@@ -34,7 +34,7 @@ class StreamRunner {
   template <bool plain>
   void run_clocks();
   template <bool plain>
-  bool clock(std::span<Giver> givers, std::span<Taker> takers);
+  bool clock();
   void note_taken();
   void found(Kind kind, bool goes_in, std::size_t stream, std::size_t number, std::size_t cell = 0);
   void eval();

@@ -1,7 +1,7 @@
 // One interface, clock by clock: drive() before the design settles, sample() after it, advance()
 // after the rising edge. It is kept from case to case, and start() begins one: a clock looks
-// nothing up and allocates nothing. The three are compiled twice: `plain` is for where each
-// interface of the design is_plain(), which leaves half of what they ask out.
+// nothing up and allocates nothing. The three are compiled twice: `plain` is for a design of one
+// stream in and one out that are is_plain(), which leaves half of what they ask out.
 #pragma once
 
 #include <cstddef>

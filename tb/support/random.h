@@ -42,7 +42,9 @@ class Random {
     const Word uniform = low_bits(static_cast<Word>(next()), width);
     // Without a jump, which nothing could predict: of 16 kinds the first two are 0, four more have
     // a single bit; seven shift that, or what is uniform, and four are inverted.
-    const auto is = [kind = r & 15](unsigned kinds) { return static_cast<Word>(kinds >> kind & 1); };
+    const auto is = [kind = r & 15](unsigned kinds) {
+      return static_cast<Word>(kinds >> kind & 1);
+    };
     const auto place = static_cast<int>((r >> 8) % static_cast<unsigned>(width) & -is(0x07f0));
     const Word value = shift_left(is(0x003c), place) | shift_right(uniform & -is(0xffc0), place);
     return low_bits(value ^ -is(0x042a), width);

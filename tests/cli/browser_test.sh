@@ -5,15 +5,12 @@
 # not be wider than the window, all its figures must be drawn, and the clock of a difference must be
 # in sight. The pictures go to the folder PICTURES.
 # Status: 0 so it is; 1 not; 77, saying so, without Chromium.
-set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 program=$1 faulty=$2 pictures=$3
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 browser=$(command -v chromium-headless-shell || command -v chromium) || {
   echo "skipped: no Chromium; scripts/setup page brings one"
   exit 77
 }
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
 mkdir -p "$pictures"
 
 plot=()

@@ -3,11 +3,9 @@
 # each misprint too, and both views of the folder that is left show it. GTKWave loads the view of each
 # smallest stimulus, and of the first fault the one of the whole case.
 # Status: that of load_views.sh.
-set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 program=$1 design=$2 views=()
 variants=$(cd "$(dirname "${BASH_SOURCE[0]}")/../designs/$design/rtl/variants" && pwd)
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
 
 for spec in "$variants"/{faults,errata}/*.cmake; do
   name=$design/${spec#"$variants/"}

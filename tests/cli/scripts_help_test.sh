@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # Every script of scripts/ prints its purpose, the same with -h and --help, without any package or
 # build. Also after other words, unless the script passes its words on.
-set -euo pipefail
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 
 for script in "$root"/scripts/*; do
   [[ -x $script ]] || continue

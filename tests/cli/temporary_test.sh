@@ -4,23 +4,12 @@
 # Commands that run other programs, with a TMPDIR whose name tools cannot take, and with one that is
 # full: they end with their verdict, or with 2 and one line that names the folder.
 # Status: 0 so, 1 not, 77 without yosys, z3 or cvc5, or where no file system may be mounted.
-set -euo pipefail
-
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 program=$(realpath "$1")
-for tool in yosys z3 cvc5; do
-  command -v "$tool" > /dev/null || { echo "skipped: no $tool" && exit 77; }
-done
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch"
+needs yosys z3 cvc5
+cd "$folder"
 cp "$root/examples/counter/counter.v" .
 
-fails() {
-  cat said
-  printf 'not so: %s\n' "$*"
-  exit 1
-}
 # each CHECK: of each command with its words; lanes are made anew in a folder of their own.
 each() {
   "$1" prove linear M=5 N=2
@@ -34,7 +23,7 @@ matches() {
   TMPDIR=$tmp "$program" "$@" > said 2>&1 || fails "$* ends with 0 where TMPDIR is '$tmp'"
 }
 if [[ ${INSIDE-} != yes ]]; then
-  for tmp in "$scratch/with a space" "$scratch/it's \"\$(touch pwned)\"; touch pwned #"; do
+  for tmp in "$folder/with a space" "$folder/it's \"\$(touch pwned)\"; touch pwned #"; do
     mkdir "$tmp"
     each matches
     [[ ! -e pwned && ! $(ls -A "$tmp") ]] || fails "nothing is run of the name, or left there"
@@ -55,9 +44,9 @@ refused() {
     $(wc -l < said) == 1 ]] || fails "$* names the folder in one line, of $size kB; it is $status"
   [[ ! $(ls -A "$tmp") ]] || fails "$* leaves nothing in the folder"
 }
-tmp=$scratch/small
+tmp=$folder/small
 mkdir "$tmp"
-trap 'umount "$tmp" 2> "$scratch/said" || true; rm -rf "$scratch"' EXIT
+trap 'umount "$tmp" 2> "$folder/said" || true; rm -rf "$folder"' EXIT
 for size in 16 68 100 200; do
   mount -t tmpfs -o "size=${size}k" small "$tmp"
   each refused

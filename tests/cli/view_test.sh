@@ -2,10 +2,7 @@
 # view_test.sh PROGRAM [COSIM ARGUMENTS...]: draws a wave and has GTKWave load its view. $COSIM_VARIANT
 # names a variant for a program that takes one, and must then be found.
 # Status: that of load_views.sh.
-set -euo pipefail
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 expected=0 status=0
 [[ -z ${COSIM_VARIANT-} ]] || expected=1
 "$@" --wave "$folder/w.fst" --failures "$folder" || status=$?

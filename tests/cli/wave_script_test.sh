@@ -1,13 +1,8 @@
 #!/usr/bin/env bash
 # wave_script_test.sh PROGRAM: what `PROGRAM wave` and scripts/wave render without a display, and what they
 # refuse, in one clear line, with status 2. Status 77 where it cannot be tried.
-set -euo pipefail
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-for tool in gtkwave Xvfb; do
-  command -v "$tool" > /dev/null || { echo "skipped: there is no $tool"; exit 77; }
-done
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
+needs gtkwave Xvfb
 unset DISPLAY WAYLAND_DISPLAY
 
 # rendered NAME COMMAND...: with --shot it makes a picture that is not empty.

@@ -3,13 +3,8 @@
 #
 # All small faults of a small queue between two clocks are found, or proved to be none, those at the pins of
 # its memory too; none is of a clock pin. Status: 0 so, 1 not.
-set -euo pipefail
-
-given=$(realpath "$1")
-here=$(cd "$(dirname "$0")" && pwd)
-# shellcheck source=tests/support/program.sh
-source "$here/../support/program.sh"
-program=$given
+program=$(realpath "$1")
+source "$(dirname "${BASH_SOURCE[0]}")/../support/program.sh"
 
 for tool in yosys cvc5 z3; do
   command -v "$tool" > /dev/null || { echo "no $tool: no mutants" && exit 0; }

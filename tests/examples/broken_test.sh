@@ -4,12 +4,8 @@
 # A misspelt name of what a model may have stops the build. One design that cannot be used stops nothing
 # of the others of its program, and where it is asked for it ends in its line: one whose table lacks a
 # register, and one that yosys cannot read. PREFIX: where the harness is installed. Status: 0 so, 1 not.
-set -euo pipefail
-
 prefix=$(realpath "$1")
-root=$(cd "$(dirname "$0")/../.." && pwd)
-# shellcheck source=tests/support/program.sh
-source "$root/tests/support/program.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../support/program.sh"
 
 # as NAME LINE FILE: the counter by another name, with one more line.
 cp "$root"/examples/counter/counter.* .
@@ -28,7 +24,7 @@ if ! cmake -S . -B build -G Ninja "-DCMAKE_PREFIX_PATH=$prefix" > log 2>&1 ||
   tail -50 log
   exit 1
 fi
-program=$scratch/build/counter_cosim
+program=$folder/build/counter_cosim
 if grep -q _machines log; then fails "what only a proof needs waits for one"; fi
 
 # A misspelt name stops the build.

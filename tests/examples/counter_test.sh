@@ -3,13 +3,8 @@
 #
 # What the sweeps of examples/counter reach of its RTL: all of it, and of few clocks a line says what
 # they do not reach. Status: 0 so, 1 not.
-set -euo pipefail
-
-given=$(realpath "$1")
-here=$(cd "$(dirname "$0")" && pwd)
-# shellcheck source=tests/support/program.sh
-source "$here/../support/program.sh"
-program=$given
+program=$(realpath "$1")
+source "$(dirname "${BASH_SOURCE[0]}")/../support/program.sh"
 
 ends 0 cover counter W=4 --report all.json --counts left
 says_like '^counter, 1 shape: reached ([0-9]+) of \1 lines, ([0-9]+) of \2 toggles$'

@@ -6,12 +6,9 @@
 # meant (FAULT=0), and find and shrink the planted fault (FAULT=1), which the smallest stimulus shows
 # again; the proof proves the one and refutes the other, or refuses both. Then designs/NAME.sh, what
 # is particular to a design. PROGRAM: one that was built already. Status: 0 so, 1 not.
-set -euo pipefail
-
 here=$(cd "$(dirname "$0")" && pwd)
 designs=$here/designs
-# shellcheck source=tests/support/program.sh
-source "$here/../support/program.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../support/program.sh"
 program_of designs "$designs" "$@"
 
 solvers=yes

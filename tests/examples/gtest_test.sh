@@ -2,11 +2,8 @@
 # gtest_test.sh
 #
 # What cosim_add_gtest() cannot do is one line when CMake runs. Status: 0 so, 1 not.
-set -euo pipefail
-
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 functions=$(cd "$(dirname "$0")/../../tb/package" && pwd)/design.cmake
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 
 # refused LINE CALL: the call ends CMake, and that is what it says.

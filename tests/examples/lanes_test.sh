@@ -5,13 +5,8 @@
 # lanes: the same report and the same end. Those that do not run in lanes say why in one line. As a
 # regression in lanes the report is the same in every byte, however it is cut.
 # Status: 0 so, 1 not.
-set -euo pipefail
-
-given=$(realpath "$1")
-here=$(cd "$(dirname "$0")" && pwd)
-# shellcheck source=tests/support/program.sh
-source "$here/../support/program.sh"
-program=$given
+program=$(realpath "$1")
+source "$(dirname "${BASH_SOURCE[0]}")/../support/program.sh"
 shift
 
 ends 0 list

@@ -4,11 +4,8 @@
 # What a model may leave out is found by its name: one that is nearly such a name is refused, in a line
 # that says where and what is meant, in struct Design and beside it, and in a header that is included.
 # Names of a model's own are none of it. Status: 0 so, 1 not.
-set -euo pipefail
-
 root=$(realpath "$1")
-# shellcheck source=tests/support/program.sh
-source "$root/tests/support/program.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../support/program.sh"
 program=perl
 uart=$root/examples/uart/uart.h
 # refused FROM TO LINE [MODEL]: a model, the uart's, with one name for another, included by the header that

@@ -4,12 +4,9 @@
 # What `cosim new` takes of small modules, and what it refuses in one line: clocks, resets, latches,
 # hostile names, options. SOURCES: the project's folder.
 # Status: 0 so, 1 not, 77 where yosys is not installed.
-set -euo pipefail
-
-command -v yosys > /dev/null || { echo "skipped: no yosys" && exit 77; }
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
+needs yosys
 program=$1 sources=$2
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 mkdir pair
 cat > part.v << 'RTL'

@@ -4,12 +4,9 @@
 # `cosim new` reads ports, parameters and registers out of RTL, with --stream the streams among its
 # ports. SOURCES: the project's folder.
 # Status: 0 so, 1 not, 77 where yosys is not installed.
-set -euo pipefail
-
-command -v yosys > /dev/null || { echo "skipped: no yosys" && exit 77; }
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
+needs yosys
 program=$1 sources=$2
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 
 # A register below the top, one that a port is wired to, a width that follows a parameter, one that

@@ -4,11 +4,8 @@
 # Draws RTL with registers in all kinds of places, and variables that are none among them, and looks
 # that cosim_read_rtl() finds exactly the bits that hold a state. SOURCES is the project's folder.
 # Status: 0 so, 1 not; then the RTL is printed.
-set -euo pipefail
-
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 sources=$1 draws=${2:-6} RANDOM=${3:-1}
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 cat > read.cmake << END
 include($sources/tb/dut/rtl.cmake)

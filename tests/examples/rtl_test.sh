@@ -4,11 +4,8 @@
 # What cosim_add_design() reads out of RTL when CMake configures: registers, with the nets that carry
 # them, and asynchronous resets; and what it refuses, in one line that names the net. SOURCES is the
 # project's folder. Status: 0 so, 1 not.
-set -euo pipefail
-
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 sources=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 cat > read.cmake << END
 include($sources/tb/dut/rtl.cmake)

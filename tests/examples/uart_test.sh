@@ -4,13 +4,8 @@
 # What a program of somebody's own does beside its CTest tests, on that of examples/uart: its name in
 # what it says, jobs, waves, lint, mutants, and bad input of each.
 # Status: 0 so, 1 not.
-set -euo pipefail
-
-given=$(realpath "$1")
-here=$(cd "$(dirname "$0")" && pwd)
-# shellcheck source=tests/support/program.sh
-source "$here/../support/program.sh"
-program=$given
+program=$(realpath "$1")
+source "$(dirname "${BASH_SOURCE[0]}")/../support/program.sh"
 # refuses LINE WORDS...: it ends with 2, and that is all that it says.
 refuses() {
   local line="uart_cosim: $1"

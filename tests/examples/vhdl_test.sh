@@ -4,12 +4,9 @@
 # `cosim new` reads VHDL: packages, entities in any order of files, generics, registers by the names
 # of their signals; VHDL below Verilog; and what GHDL says of VHDL that it does not read is one line.
 # Status: 0 so, 1 not, 77 where ghdl is not installed.
-set -euo pipefail
-
-command -v ghdl > /dev/null || { echo "skipped: no ghdl" && exit 77; }
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
+needs ghdl
 program=$1
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 
 mkdir rtl

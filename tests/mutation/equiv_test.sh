@@ -6,14 +6,9 @@
 # registers that lockstep sees: they are outputs here. One of each kind at least is among them. A fault of
 # a clock is another machine too, which equiv refuses to compare.
 # Status: 0 so, 1 not, 77 where a tool is not installed.
-set -euo pipefail
-
-for tool in yosys cvc5 z3; do
-  command -v "$tool" > /dev/null || { echo "skipped: no $tool" && exit 77; }
-done
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
+needs yosys cvc5 z3
 cosim=$1 program=$2 shape=$3 count=$4 nets=$5
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
 
 "$program" "$shape" "$count" "$folder/results.json"
 "$program" "$shape" "$count" --verilog "$folder/planted.v"

@@ -4,15 +4,10 @@
 # A run over mutants, killed at 12 random moments, ends with the same results as one that was not,
 # except for the seconds; its results file is never incomplete.
 # Status: 0 so, 1 not, 77 where a solver is not installed.
-set -euo pipefail
-
-for tool in cvc5 z3; do
-  command -v "$tool" > /dev/null || { echo "skipped: no $tool" && exit 77; }
-done
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
+needs cvc5 z3
 
 program=("$@")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
 
 # results FILE: what must be the same.
 results() { grep -v '"seconds"' "$1"; }

@@ -5,12 +5,9 @@
 # a folder that describes it and from which it can be proved. Before that, engines that there are not
 # are refused: status 2, and nothing is written.
 # Status: 0 so, 1 not, 77 where a solver is not installed.
-set -euo pipefail
-
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 cosim=$1
 program=("${@:2}")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
 status=0
 "${program[@]}" "$folder/results.json" --engines cec,nobody 2> "$folder/said" || status=$?
 ((status == 2)) || { echo "status $status with an engine that there is not" && exit 1; }

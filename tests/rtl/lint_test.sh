@@ -2,15 +2,9 @@
 # scripts/lint finds faults: each is planted in a copy of the RTL, or in a small tree of C++ and
 # scripts, and the tools that are to see it must say what it is.
 # Status: 0 all seen, 1 not, 77 where a tool is not installed.
-set -euo pipefail
-
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-for tool in verilator iverilog yosys clang-tidy cppcheck shellcheck; do
-  command -v "$tool" > /dev/null || { echo "skipped: no $tool" && exit 77; }
-done
-
-copy=$(mktemp -d)
-trap 'rm -rf "$copy"' EXIT
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
+needs verilator iverilog yosys clang-tidy cppcheck shellcheck
+copy=$folder
 cp -r "$root/rtl/circular" "$copy"
 echo 'circular W=8' > "$copy/shipped.txt"
 top=$copy/circular/circular.v

@@ -3,14 +3,10 @@
 #
 # scripts/netlist proves the netlists of small machines, by `equiv` of PROGRAM, which finds faults that
 # are planted in them. Status: 0 all as expected, 1 not, 77 where yosys is not installed.
-set -euo pipefail
-
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 program=$(realpath "$1")
-command -v yosys > /dev/null || { echo "skipped: no yosys" && exit 77; }
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-export COSIM_FAILURES=$scratch/failures
+needs yosys
+export COSIM_FAILURES=$folder/failures
 failures=0 output=
 
 # expect TITLE STATUS PATTERN COMMAND...: it ends so and says that.
@@ -35,11 +31,11 @@ check() {
 
 # fault TITLE SED [ASSIGNMENT]: planted in the netlist of the circular machine, with an assignment added
 # to its top module.
-circular=$scratch/circular.v
+circular=$folder/circular.v
 fault() {
   sed -E "$2; /^module circular/,\$ s/^endmodule/${3:+assign $3;} endmodule/" "$circular" \
-    > "$scratch/fault.v"
-  expect "$1" 1 '^circular: different' check "$scratch/fault.v" 4
+    > "$folder/fault.v"
+  expect "$1" 1 '^circular: different' check "$folder/fault.v" 4
 }
 
 # The first shape of each design.

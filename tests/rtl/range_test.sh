@@ -2,14 +2,9 @@
 # Each machine is elaborated at the ends of its parameters' ranges, and one beyond them it is refused
 # with the sentence that says the range, by each tool and as its first error.
 # Status: 0 so it is, 1 not, 77 where a tool of the RTL is not installed.
-set -euo pipefail
-
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 cd "$(dirname "${BASH_SOURCE[0]}")/../../rtl"
-for tool in verilator iverilog yosys; do
-  command -v "$tool" > /dev/null || { echo "skipped: no $tool" && exit 77; }
-done
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+needs verilator iverilog yosys
 failures=0
 
 # elaborate TOOL TOP NAME=VALUE...
@@ -21,7 +16,7 @@ elaborate() {
       verilator --lint-only -Wall --top-module "$top" "${@/#/-G}" "$top"/*.v 2>&1 |
         sed -E '/^- (V e r i l a t i o n|Verilator:) /d' # what newer ones report of their work
       ;;
-    iverilog) iverilog -Wall -g2005 -s "$top" "${@/#/-P$top.}" -o "$scratch/vvp" "$top"/*.v ;;
+    iverilog) iverilog -Wall -g2005 -s "$top" "${@/#/-P$top.}" -o "$folder/vvp" "$top"/*.v ;;
     yosys) yosys -q -p "read_verilog $top/*.v; hierarchy -check -top $top ${chparam[*]/=/ }" ;;
   esac 2>&1
 }

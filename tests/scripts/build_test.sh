@@ -2,11 +2,7 @@
 # CMake runs again when a tool was installed or removed, and from the start with another compiler, but
 # not otherwise. Tested with a CMake that only prints its arguments.
 # Status: 0 so, 1 not.
-set -euo pipefail
-
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 mkdir "$folder/scripts" "$folder/bin"
 cp "$root/scripts/lib.sh" "$folder/scripts"
 for tool in bash basename dirname mkdir flock grep mktemp cat rm nproc tee; do

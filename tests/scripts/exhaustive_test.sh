@@ -4,23 +4,14 @@
 # scripts/exhaustive on the shapes of this program, killed with all that it started and gone on with:
 # its report is that of a run that nobody cut, and what was done is not done again.
 # Status: 0 so, 1 not, 77 without yosys or without the design.
-set -euo pipefail
-
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 program=$1 hash_of=$2
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-command -v yosys > /dev/null || { echo "skipped: no yosys" && exit 77; }
+needs yosys
 [[ -d $root/rtl/dda ]] || { echo "skipped: not here: the DDA, whose sweeps are long enough to be cut" && exit 77; }
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-fails() {
-  cat "$scratch/said"
-  echo "not so: $*"
-  exit 1
-}
-
-cut=$scratch/cut state=$scratch/cut/dda.checkpoint
+cd "$folder"
+cut=$folder/cut state=$folder/cut/dda.checkpoint
 exhaustive() {
-  exec setsid "$root/scripts/exhaustive" --program "$program" --folder "$1" dda > "$scratch/said" 2>&1
+  exec setsid "$root/scripts/exhaustive" --program "$program" --folder "$1" dda > said 2>&1
 }
 whole() { (exhaustive "$1") || fails "it ends with 0"; }
 
@@ -45,8 +36,8 @@ hash=$(sed -nE 's/.*"state":(.*)\}$/\1/p' "$state" | tr -d '\n' | "$hash_of")
 sed -i -E "s/\"hash\":\"[0-9a-f]*\"/\"hash\":\"$hash\"/" "$state"
 whole "$cut"
 [[ ! -e $state ]] || fails "what was kept goes with the end"
-whole "$scratch/uncut"
-sed "s/: $deviation$/: 1.5/" "$scratch/uncut/dda.json" | diff - "$cut/dda.json" ||
+whole "$folder/uncut"
+sed "s/: $deviation$/: 1.5/" "$folder/uncut/dda.json" | diff - "$cut/dda.json" ||
   fails "the reports are the same"
 whole "$cut"
-grep -q '^dda: done before' "$scratch/said" || fails "what is done is not done again"
+grep -q '^dda: done before' said || fails "what is done is not done again"

@@ -2,15 +2,11 @@
 # scripts/fresh sees what a command changes of the system, and leaves nothing behind, interrupted or
 # not. On a machine of a few programs, made by a debootstrap of its own.
 # Status: 0 so, 1 not, 77 where that cannot be tried.
-set -euo pipefail
-
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 unshare --mount --pid --fork true 2> /dev/null ||
   { echo "skipped: not here: no right to make a machine in a folder" && exit 77; }
 git -C "$root" rev-parse HEAD > /dev/null 2>&1 ||
   { echo "skipped: not here: the project is no clone" && exit 77; }
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
 mkdir "$folder/bin" "$folder/tmp"
 cat > "$folder/bin/debootstrap" << 'DEBOOTSTRAP'
 #!/usr/bin/env bash

@@ -4,12 +4,9 @@
 # A name that holds commands of yosys, gnuplot or a shell is taken for that name, or refused, wherever a
 # script or CMake gives it to one of them; nothing in it is run. SOURCES: the project's folder. Status: 0 so, 1 not, 77 where yosys is not installed.
 # shellcheck disable=SC2016  # what is in the names is to be run by nobody
-set -euo pipefail
-
-command -v yosys > /dev/null || { echo "skipped: no yosys" && exit 77; }
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
+needs yosys
 sources=$(realpath "$1")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
 cd "$folder"
 read -ra shape < <(grep -m1 '^[^#]' "$sources/rtl/shipped.txt")
 

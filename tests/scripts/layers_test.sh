@@ -4,11 +4,7 @@
 # as the argument of a command. In prose the word may be a word: "a linear search". First on a small tree
 # with such lines, then on the project.
 # Status: 0 so it is, 1 not, with FILE:LINE:TEXT of each find.
-set -euo pipefail
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 # pattern NAMES: an expression of lines that name one of NAMES, a|b|c.
 pattern() {
   local begins='(^|[^[:alnum:]_])' ends='([^[:alnum:]_]|$)'

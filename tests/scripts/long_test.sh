@@ -1,9 +1,7 @@
 #!/usr/bin/env bash
 # long_test.sh BUILD: every line of the files long.txt is the name of a test of this build folder.
 # Status: 0 so, 1 not.
-set -euo pipefail
-
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 names=$(ctest --test-dir "$1" -N | sed -n 's/^ *Test *#[0-9]*: //p')
 status=0
 while IFS= read -r file; do

@@ -5,22 +5,13 @@
 # with 2 and one line that names what is missing. Builds take no time here: the program COSIM is put
 # where it is built, and other programs are stand-ins that need yosys, as theirs do.
 # Status: 0 so, 1 not.
-set -euo pipefail
-
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 cosim=$(realpath "$1")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
 tree=$folder/tree bin=$folder/bin
 mkdir "$tree" "$bin"
 cp -r "$root"/{scripts,rtl,docs,examples,tests,CMakeLists.txt} "$tree"
 mkdir -p "$tree/tb/report" && cp "$root/tb/report/page.css" "$tree/tb/report"
 unset COSIM_RECORDED COSIM_FAILURES COSIM CXX DISPLAY WAYLAND_DISPLAY "${!CCACHE_@}" "${!CMAKE_@}"
-
-fails() {
-  printf 'not so: %s\n' "$*"
-  exit 1
-}
 
 # packages SET...: the packages of these sets, by what setup says where there are none of Debian.
 mkdir "$folder/none"

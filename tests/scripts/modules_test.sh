@@ -3,13 +3,9 @@
 #
 # scripts/modules --build makes a project of each module in a folder, builds it against the package that
 # was built in BUILD, and says where its hostile clocks stop. Status: 0 so, 1 not, 77 without yosys.
-set -euo pipefail
-
-command -v yosys > /dev/null || { echo "skipped: no yosys" && exit 77; }
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch"
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
+needs yosys
+cd "$folder"
 cmake --install "$1" --prefix prefix > log
 mkdir rtl
 # One that counts, one that does nothing, as an empty model does, one that is refused, one that has a

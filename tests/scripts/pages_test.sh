@@ -4,10 +4,7 @@
 # do after reading it, and no page holds a @PLACE@ that is still to be filled in. First on a small tree
 # where each is wrong, then on the project. And a script whose table a page has says which row differs.
 # Status: 0 so it is, 1 not, with a line for each find.
-set -euo pipefail
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 most=130
 
 # text FILE: its lines outside of fenced blocks, without `code`.

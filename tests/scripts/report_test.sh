@@ -2,10 +2,8 @@
 # What a script leaves by record(), and the page that scripts/report makes of it, on a small tree:
 # what passed, what failed, what could not run, what was not run, what is older than the sources, and
 # the failures that were kept. Status: 0 so, 1 not.
-set -euo pipefail
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-tree=$(mktemp -d)
-trap 'rm -rf "$tree"' EXIT
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
+tree=$folder
 unset COSIM_RECORDED COSIM_FAILURES
 
 mkdir -p "$tree"/{scripts,model,rtl,tests,examples,tb/report}
@@ -28,7 +26,6 @@ script never "Never" 'true'
 sed -i 's/^record/(($#)) || record/' "$tree/scripts/never" # where it is not recorded always
 find "$tree" -exec touch -d '1 hour ago' {} +
 
-fails() { echo "not so: $*" && exit 1; }
 has() { grep -qF -- "$1" "$tree/build/report/index.html" || fails "the page has: $1"; }
 has_not() { ! grep -qF -- "$1" "$tree/build/report/index.html" || fails "the page has not: $1"; }
 ends() {

@@ -1,10 +1,7 @@
 #!/usr/bin/env bash
 # What tb/rooms.cmake finds in a small project: designs in the order of shipped.txt, studies by name, and
 # without those that need something missing, each reported in a line. Status: 0 so it is, 1 not.
-set -euo pipefail
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 cd "$folder"
 
 mkdir -p {rtl,model,tb/designs}/{second,first} tb/designs/unshipped model/{core,brought,other}

@@ -1,11 +1,7 @@
 #!/usr/bin/env bash
 # scripts/test names each test that was skipped, with its reason, and fails if the scripts should have
 # prevented the reason; and says how many long tests it left out. Status: 0 so, 1 not.
-set -euo pipefail
-
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 failures=0
 
 # expect STATUS LINES TESTS [ARGUMENT]...: scripts/test on these tests of ctest ends so and has these

@@ -5,11 +5,8 @@
 # where none is, against it. What is as it should be passes; each planted fault is found, said by its
 # name, and shrunk to so few transactions; its stimulus shows it again, and draws it. PROGRAM: one that
 # was built already. Status: 0 so, 1 not.
-set -euo pipefail
-
 here=$(cd "$(dirname "$0")" && pwd)
-# shellcheck source=tests/support/program.sh
-source "$here/../support/program.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/../support/program.sh"
 program_of streams "$here/designs" "$@"
 ((${#chosen[@]} > 0)) || chosen=(loses doubles hangs slow wrong bends asks idles sha256 word pairs divider
   credits blocks packets serial stack keeps asserts asserted guarded)

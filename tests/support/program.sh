@@ -1,11 +1,11 @@
 # shellcheck shell=bash
-# For tests of a program of somebody's own designs: a folder `scratch`, which is the present one and
-# goes with the script, and what the program is asked and says.
+# For tests of a program of somebody's own designs: as head.sh, `folder` being the present one, and
+# what the program is asked and says.
+# shellcheck source=tests/support/head.sh
+source "$(dirname "${BASH_SOURCE[0]}")/head.sh"
 before=$PWD
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
-cd "$scratch" || exit 1
-program='' chosen=()
+cd "$folder"
+program=${program-} chosen=()
 
 # program_of TARGET SOURCES --built FOLDER | --program PROGRAM [NAME...]: `program` is PROGRAM, or made
 # of the project in SOURCES against the harness that was built in FOLDER. `chosen` are the NAMEs, and
@@ -23,22 +23,16 @@ program_of() {
 # build_program TARGET BUILD SOURCES [OPTION...]: installs the harness that was built in BUILD, and
 # builds against it, all files at once, for the headers cost more than the designs.
 build_program() {
-  cmake --install "$2" --prefix "$scratch/prefix" > "$scratch/log"
-  if ! cmake -S "$3" -B "$scratch/build" -G Ninja "-DCMAKE_PREFIX_PATH=$scratch/prefix" \
-    -DCMAKE_UNITY_BUILD=ON "${@:4}" > "$scratch/log" 2>&1 ||
-    ! cmake --build "$scratch/build" -j "$(nproc)" >> "$scratch/log" 2>&1; then
-    tail -50 "$scratch/log"
+  cmake --install "$2" --prefix "$folder/prefix" > "$folder/log"
+  if ! cmake -S "$3" -B "$folder/build" -G Ninja "-DCMAKE_PREFIX_PATH=$folder/prefix" \
+    -DCMAKE_UNITY_BUILD=ON "${@:4}" > "$folder/log" 2>&1 ||
+    ! cmake --build "$folder/build" -j "$(nproc)" >> "$folder/log" 2>&1; then
+    tail -50 "$folder/log"
     exit 1
   fi
-  program=$scratch/build/$1
+  program=$folder/build/$1
 }
 
-# fails TEXT...: what was not so, and what was said last.
-fails() {
-  cat said
-  printf 'not so: %s\n' "$*"
-  exit 1
-}
 # ends STATUS WORDS...: the program, which has no display, ends with that status; what it says is in
 # `said`.
 ends() {

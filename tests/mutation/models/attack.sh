@@ -5,16 +5,13 @@
 # fails. Prints a table and the faults that no test saw; writes mutation/models.json (of the slice:
 # models_slice.json), an object a fault with `fault`, its number, `model`, `file`, `what`, and `seen`
 # with the test, empty where none did. Status: 0 all seen, 1 not, 2 could not be run.
-set -euo pipefail
-
+source "$(dirname "${BASH_SOURCE[0]}")/../../support/head.sh"
 folder=$1 set=$2
 program=$folder/tests/mutation/models/faulty_models
 list=$folder/tests/mutation/models/faults.txt
 results=$folder/mutation/models.json
 [[ $set == full ]] || results=$folder/mutation/models_slice.json
 mkdir -p "$folder/mutation"
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
 
 # A fault may leave a machine that never ends. Seconds of a processor, for a busy one is slow: all
 # the tests take 12.
@@ -26,7 +23,7 @@ largest=2000000
 long='*AgainstOracle*:ValueTypes*:*Reachable*:*Accuracy.OfALine*:*NeverWraps*'
 # attack NUMBER: the test that saw the fault, and how long it took, to files of its number.
 attack() {
-  local number=$1 begin=$EPOCHREALTIME status=0 log=$scratch/$1.log filter
+  local number=$1 begin=$EPOCHREALTIME status=0 log=$folder/$1.log filter
   for filter in "-$long" "$long"; do
     { (ulimit -t "$longest" -v "$largest" && COSIM_FAULT=$number exec "$program" --gtest_fail_fast \
       --gtest_color=no --gtest_filter="$filter") > "$log" 2>&1; } 2> /dev/null || status=$?
@@ -36,12 +33,12 @@ attack() {
     0) ;;
     1) sed -nE 's/^\[  FAILED  \] ([^ ,]+).*/\1/p' "$log" | head -n 1 ;;
     *) sed -nE 's/^\[ RUN      \] (.*)/\1/p' "$log" | tail -n 1 ;;  # it crashed or never ended
-  esac > "$scratch/$number"
-  awk -v a="$begin" -v b="$EPOCHREALTIME" 'BEGIN { print b - a }' > "$scratch/$number.time"
+  esac > "$folder/$number"
+  awk -v a="$begin" -v b="$EPOCHREALTIME" 'BEGIN { print b - a }' > "$folder/$number.time"
 }
 
-if [[ $set == full ]] && ! "$program" --gtest_brief=1 > "$scratch/log" 2>&1; then
-  cat "$scratch/log" >&2
+if [[ $set == full ]] && ! "$program" --gtest_brief=1 > "$folder/log" 2>&1; then
+  cat "$folder/log" >&2
   echo "attack.sh: the tests fail without a fault" >&2
   exit 2
 fi
@@ -58,15 +55,15 @@ wait
 for number in "${numbers[@]}"; do
   IFS=$'\t' read -r _ model file what < <(sed -n "${number}p" "$list")
   printf '%s\t%s\t%s\t%s\t%s\t%s\n' \
-    "$number" "$model" "$file" "$what" "$(< "$scratch/$number")" "$(< "$scratch/$number.time")"
-done > "$scratch/all"
+    "$number" "$model" "$file" "$what" "$(< "$folder/$number")" "$(< "$folder/$number.time")"
+done > "$folder/all"
 awk -F'\t' '
   function pair(name, value) { return sprintf("\"%s\": \"%s\"", name, value) }
   { row = sprintf(" {\"fault\": %d, %s, %s, %s, %s}", $1, pair("model", $2), pair("file", $3),
       pair("what", $4), pair("seen", $5))
     rows = rows (NR == 1 ? "" : ",\n") row }
-  END { print "[\n" rows "\n]" }' "$scratch/all" > "$scratch/json"
-mv "$scratch/json" "$results"
+  END { print "[\n" rows "\n]" }' "$folder/all" > "$folder/json"
+mv "$folder/json" "$results"
 
 echo '| model | planted faults | seen without the RTL | not seen | seconds |'
 echo '| --- | --- | --- | --- | --- |'
@@ -78,6 +75,6 @@ awk -F'\t' '
       m = order[i]
       printf "| %s | %d | %d | %d | %.0f |\n", m, all[m], seen[m], all[m] - seen[m], time[m]
     }
-  }' "$scratch/all"
+  }' "$folder/all"
 awk -F'\t' '$5 == "" { print "not seen: " $3 ": " $4 " (COSIM_FAULT=" $1 ")"; missed = 1 }
-  END { exit missed }' "$scratch/all"
+  END { exit missed }' "$folder/all"

@@ -1,11 +1,8 @@
 #!/usr/bin/env bash
 # claims_test.sh PROGRAM: the known figures of the claims are reached, and the tables of them and of the
 # largest errors of lines in docs/comparison.md are what the program measures.
-set -euo pipefail
-
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../.." && pwd)
-measured=$(mktemp)
-trap 'rm -f "$measured"' EXIT
+source "$(dirname "${BASH_SOURCE[0]}")/../../support/head.sh"
+measured=$folder/measured
 status=0
 "$1" > "$measured" || status=$?
 diff <(sed -n '/^| claim /,/^$/p; /^| lines of /,/^$/{/^|/p}' "$root/docs/comparison.md") \

@@ -4,11 +4,9 @@
 # sentence names, and every file and folder. Words in capitals stand for anything. First on a page where
 # each is wrong, then on the project.
 # Status: 0 so it is, 1 not, with a line for each find.
-set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/../../support/head.sh"
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd "$here/../../.." && pwd)
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
 program=$(realpath "$1")
 cd "$root"
 

@@ -2,11 +2,8 @@
 # figures_test.sh PROGRAM: figures in README and the pages of docs/ that follow from the project's files
 # or that PROGRAM counts in no time are what they say. Those of the claims have a test of their own.
 # Status: 0 so it is, 1 not, with a line for each sentence or row that a page does not have.
-set -euo pipefail
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../.." && pwd)
+source "$(dirname "${BASH_SOURCE[0]}")/../../support/head.sh"
 program=$(realpath "$1")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
 cd "$root"
 
 # says PAGE TEXT...: it has each text, wherever its lines break.

@@ -5,11 +5,8 @@
 # for any lines. COMMAND is `cosim ARGUMENTS`, or scripts/cosim, or `cat FILE`; with COSIM_VARIANT=NAME
 # before it the RTL has that fault. The commands of a page share a folder. First on pages that are wrong.
 # Status: 0 so it is, 1 not, with what is printed in place of what is shown.
-set -euo pipefail
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../.." && pwd)
+source "$(dirname "${BASH_SOURCE[0]}")/../../support/head.sh"
 program=$(realpath "$1") variant=$(realpath "$2")
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
 unset COSIM_VARIANT COSIM_FAILURES
 
 # run COMMAND: it, in the folder of the page.

@@ -42,6 +42,8 @@ class Queue final : public StreamDut {
       if (std::string(f.name) == "x_ready") all.push_back(net(x_ready_));
       if (std::string(f.name) == "y_valid") all.push_back(net(y_valid_));
       if (std::string(f.name) == "y_data") all.push_back(net(y_data_, 8));
+      if (std::string(f.name) == "z_valid") all.push_back(net(y_valid_));
+      if (std::string(f.name) == "z_data") all.push_back(net(y_data_, 8));
       if (std::string(f.name) == "rst") all.push_back(net(rst_));
     };
     for (const Field& f : ports.inputs) add(f);
@@ -108,6 +110,7 @@ struct Setting {
   int latency = 1;
   Word waits = 0;  ///< ready of each waits for valid
   bool steady = false;
+  bool twofold = false;  ///< a second stream comes out, z, which is y where nothing waits
 };
 
 class Case {
@@ -120,9 +123,10 @@ class Case {
     const Field data{"data", 8, Format::bits, "", "", 0, "data"};
     shape_.add({.name = "x"}, true, {&data, 1});
     shape_.add({.name = "y", .latency = s.latency, .steady = s.steady}, false, {&data, 1});
+    if (s.twofold) shape_.add({.name = "z", .has_ready = false}, false, {&data, 1});
     given_.given.emplace_back(1);
     given_.in.emplace_back();
-    given_.out.emplace_back();
+    given_.out.resize(shape_.out.size());
     for (Word n = 0; n < 10; ++n) {
       const Word in = n * 7, out = n * 7 + 1;
       given_.given[0].push({&in, 1});
@@ -131,6 +135,7 @@ class Case {
       given_.out[0].waits.push_back(s.waits);
       expected_[0].push({&out, 1});
     }
+    expected_.resize(shape_.out.size(), expected_[0]);
   }
 
   StreamResult run(std::uint64_t budget = 100000) {
@@ -168,6 +173,12 @@ TEST(StreamRun, AQueueThatDoesItRightPassesWithAndWithoutStalls) {
     // One clock each and its stall, one before the first, and some behind the last.
     EXPECT_GE(result.clocks, 10 * (1 + static_cast<std::uint64_t>(stall)) + 17);
   }
+}
+
+TEST(StreamRun, EachOfTwoStreamsIsTaken) {
+  const StreamResult result = Case({.twofold = true}).run();
+  EXPECT_FALSE(result.finding);
+  EXPECT_EQ(result.transactions, 20U);
 }
 
 TEST(StreamRun, AnotherValueIsFoundWhereItIs) {

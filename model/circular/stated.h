@@ -8,12 +8,6 @@
 
 namespace cosim::circular {
 
-/// Nothing: RTL and model stay equal from every state that registers() can encode.
-template <class V>
-constexpr std::array<Stated<V>, 0> invariant(const Params&, const State<V>&) {
-  return {};
-}
-
 /// True of every state after a reset, and no matter to RTL and model: what a mutant may rest on.
 template <class V>
 constexpr std::array<Stated<V>, 1> reached(const Params&, const State<V>& s) {

@@ -5,7 +5,7 @@
 #include <array>
 
 #include "model/circular/steps.h"
-#include "model/core/probe.h"
+#include "model/plane/path_probes.h"
 
 namespace cosim::circular {
 
@@ -15,15 +15,7 @@ class View {
   static constexpr std::array phases{"idle", "sector 1", "change", "sector 2", "end"};
   static constexpr std::array steps{"-", "Y+", "X-", "X- Y+"};
 
-  static constexpr std::array<Probe, 4> probes(const Params&) {
-    using enum Probe::Kind;
-    constexpr const char* path = "Path, in steps";
-    constexpr int position = 40;  // bits
-    return {{{"phase", words, "words", "", 4, {}, Probe::Side::expected, phases},
-             {"step", words, "words", "", 4, {}, Probe::Side::actual, steps},
-             {"x", analog, "path", path, position, Format::twos_complement},
-             {"y", analog, "path", path, position, Format::twos_complement}}};
-  }
+  static constexpr auto probes(const Params&) { return plane::path_probes(phases, steps); }
 
   /// One clock: the state before it and the outputs during it.
   void clock(const Params&, const State<Word>& s, const Outputs<Word>& out) {

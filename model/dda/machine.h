@@ -243,18 +243,8 @@ struct Design {
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {
     return {{{"W", p.width}}};
   }
-  /// Inputs of a clock on which nothing is asked of the machine.
-  static constexpr Inputs<Word> rest() { return {}; }
   /// Inputs of a clock that clears every register, whatever it held.
-  static constexpr Inputs<Word> reset_inputs() {
-    Inputs<Word> in = rest();
-    in.rst = 1;
-    return in;
-  }
-  template <class V>
-  static constexpr State<V> reset_state() {
-    return {};
-  }
+  static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
 };
 
 }  // namespace cosim::dda

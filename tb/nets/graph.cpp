@@ -57,6 +57,12 @@ Bit Graph::mux(Bit a, Bit b, Bit c) {
   return made(Gate::mux, a, b, c);
 }
 
+Bit Graph::differ(std::span<const Bit> a, std::span<const Bit> b) {
+  Bit any = no;
+  for (std::size_t i = 0; i < a.size(); ++i) any = or_of(any, xor_of(a[i], b[i]));
+  return any;
+}
+
 Bit Graph::lut(std::span<const Bit> of, std::uint64_t table) {
   if (of.empty()) return (table & 1) != 0 ? yes : no;
   // The last bit chooses between the halves of the table.

@@ -12,6 +12,10 @@ namespace cosim::nets {
 using Wire = WireOf<Number>;
 using Named = NamedOf<Number>;
 
+inline Bit where_compared(Graph& graph, const Wire& w, Bit wrong) {
+  return w.when ? graph.and_of(*w.when, wrong) : wrong;
+}
+
 /// A machine's nets. Its free bits are its inputs' and then its state's, as their fields have them,
 /// lowest bit first.
 struct Model {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "model/core/input_error.h"
 #include "tb/bench/bench.h"
 #include "tb/program/command.h"
 
@@ -50,6 +51,16 @@ std::vector<const Bench<Design>*> matching(const Shape& shape) {
     found.push_back(&dynamic_cast<const Bench<Design>&>(*bench));
   }
   return found;
+}
+
+/// The first of these whose parameters fit. InputError with why(the last one) where none do.
+template <class Design, class Fits, class Why>
+const Bench<Design>& first_that(const Shape& shape, Fits fits, Why why) {
+  const auto found = matching<Design>(shape);
+  for (const auto* bench : found) {
+    if (fits(bench->params())) return *bench;
+  }
+  throw InputError(why(*found.back()));
 }
 
 }  // namespace cosim::cli

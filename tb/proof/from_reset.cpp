@@ -145,20 +145,20 @@ class ProductMaker {
                         return label_of(a.field) == label_of(b.field);
                       });
   }
-  Code taken_over(std::size_t i, const Code& nets) {
+  static Code at(const std::vector<std::size_t>& places, const Code& nets) {
     Code code;
-    for (const std::size_t net : registers_[i]) code.push_back(nets[net]);
+    for (const std::size_t net : places) code.push_back(nets[net]);
+    return code;
+  }
+  Code taken_over(std::size_t i, const Code& nets) {
+    Code code = at(registers_[i], nets);
     if (m_.state[i].field.format != Format::ones_complement) return code;
     const nets::Number sign = nets::Number::unsigned_code(graph_, {code.back()});
     return (nets::Number::signed_code(graph_, code) + sign).code(static_cast<int>(code.size()));
   }
 
   Bit differs(const nets::Wire& w, const std::vector<std::size_t>& rtl, const Code& nets) {
-    Bit any = no;
-    for (std::size_t b = 0; b < rtl.size(); ++b) {
-      any = graph_.or_of(any, graph_.xor_of(w.code[b], nets[rtl[b]]));
-    }
-    return w.when ? graph_.and_of(*w.when, any) : any;
+    return where_compared(graph_, w, graph_.differ(w.code, at(rtl, nets)));
   }
 
   void ask_all(const Code& nets) {

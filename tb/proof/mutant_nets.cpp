@@ -57,7 +57,7 @@ class Maker {
     const auto differ = [&](const std::vector<nets::Wire>& wires, const std::vector<Row>& a,
                             const std::vector<Row>& b) {
       for (std::size_t i = 0; i < wires.size(); ++i) {
-        wrong = graph().or_of(wrong, where_compared(wires[i], differs(a[i], b[i])));
+        wrong = graph().or_of(wrong, where_compared(graph(), wires[i], graph().differ(a[i], b[i])));
       }
     };
     differ(machine_.after, original_.after, with.after);
@@ -85,16 +85,6 @@ class Maker {
     const Bit bit = graph().input();
     q_.inputs.push_back({fmt::format("free.{}", q_.inputs.size()), bit});
     return bit;
-  }
-  Bit differs(const Row& a, const Row& b) {
-    Bit any = no;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      any = graph().or_of(any, graph().xor_of(a[i], b[i]));
-    }
-    return any;
-  }
-  Bit where_compared(const nets::Wire& w, Bit wrong) {
-    return w.when ? graph().and_of(*w.when, wrong) : wrong;
   }
 
   // By net: flip-flops hold `held`; inputs are the model's, or free.
@@ -159,7 +149,7 @@ class Maker {
       const nets::Wire& w = machine_.registers[i];
       for (std::size_t b = 0; b < registers_[i].size(); ++b) {
         const Bit wrong = graph().xor_of(now[registers_[i][b]], w.code[b]);
-        step.given = graph().and_of(step.given, !where_compared(w, wrong));
+        step.given = graph().and_of(step.given, !where_compared(graph(), w, wrong));
       }
     }
     step.outputs = in(now, outputs_);
@@ -176,7 +166,7 @@ class Maker {
     for (std::size_t i = 0; i < after.size(); ++i) {
       const nets::Wire& w = machine_.reset_state[i];
       if (w.field.unreset) continue;  // whatever it holds, the model takes it over
-      wrong = graph().or_of(wrong, where_compared(w, differs(after[i], w.code)));
+      wrong = graph().or_of(wrong, where_compared(graph(), w, graph().differ(after[i], w.code)));
     }
     return wrong;
   }

@@ -102,16 +102,6 @@ class NetQuestion {
     return bits_of(next);
   }
 
-  Bit differs(const Code& a, const Code& b) {
-    Bit any = no;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      any = graph().or_of(any, graph().xor_of(a[i], b[i]));
-    }
-    return any;
-  }
-  Bit where_compared(const nets::Wire& w, Bit wrong) {
-    return w.when ? graph().and_of(*w.when, wrong) : wrong;
-  }
   Bit any_fails(const std::vector<nets::Named>& all) {
     Bit any = no;
     for (const nets::Named& n : all) any = graph().or_of(any, !n.condition);
@@ -181,7 +171,8 @@ NetQuestions nets_of_base_case(const nets::Model& model, const RtlNets& rtl) {
   q.clock(resets ? q.anything() : q.at_first());
   for (const nets::Wire& given : m.reset_inputs) {
     for (const nets::Wire& w : m.inputs) {
-      if (label_of(w.field) == label_of(given.field)) q.assume(!q.differs(w.code, given.code));
+      if (label_of(w.field) == label_of(given.field))
+        q.assume(!q.graph().differ(w.code, given.code));
     }
   }
   for (int i = 1; i < m.reset_clocks; ++i) q.reset_again();
@@ -189,10 +180,11 @@ NetQuestions nets_of_base_case(const nets::Model& model, const RtlNets& rtl) {
     const nets::Wire& w = m.reset_state[i];
     if (w.field.unreset) continue;
     const Code held = resets ? q.after(i) : q.shown(i);
-    wrong = q.graph().or_of(wrong, q.where_compared(w, q.differs(w.code, held)));
+    wrong = q.graph().or_of(wrong, where_compared(q.graph(), w, q.graph().differ(w.code, held)));
     // A longer reset may take the model through states of its own.
     if (m.reset_clocks != 1) continue;
-    wrong = q.graph().or_of(wrong, q.where_compared(w, q.differs(m.after[i].code, w.code)));
+    wrong = q.graph().or_of(
+        wrong, where_compared(q.graph(), w, q.graph().differ(m.after[i].code, w.code)));
   }
   q.ask(resets ? "any clock" : "at first", wrong);
   return q.take();
@@ -212,7 +204,7 @@ NetQuestions nets_of_step(const nets::Model& model, const RtlNets& rtl) {
   const auto compare = [&](const char* what, const nets::Wire& w, const Code& actual) {
     q.show(term_of("model", w.field) + what, w.code);
     q.show(term_of("rtl", w.field) + what, actual);
-    wrong = q.graph().or_of(wrong, q.where_compared(w, q.differs(w.code, actual)));
+    wrong = q.graph().or_of(wrong, where_compared(q.graph(), w, q.graph().differ(w.code, actual)));
   };
   for (std::size_t i = 0; i < m.after.size(); ++i) compare(kAfter, m.after[i], q.after(i));
   for (std::size_t i = 0; i < m.seen.size(); ++i) compare(kSeen, m.seen[i], q.shown(i));

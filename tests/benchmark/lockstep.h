@@ -28,7 +28,7 @@ template <class Adapter, class Job>
 auto inputs_of(const std::vector<Job>& jobs) {
   using Design = typename Adapter::Design;
   std::vector<typename Design::template Inputs<Word>> inputs{Design::reset_inputs()};
-  auto state = Design::template reset_state<Word>();
+  auto state = reset_state_of<Design, Word>();
   typename Design::template Outputs<Word> seen;
   typename Design::template Inputs<Word> in;
   HostOf<Design> host(Adapter::params, jobs);
@@ -73,7 +73,7 @@ void compared(benchmark::State& state, const InputList<Adapter>& list) {
   const Source<typename Design::template Inputs<Word>> source{&list};
   Adapter dut(1);
   for (auto _ : state) {
-    auto model = Design::template reset_state<Word>();
+    auto model = reset_state_of<Design, Word>();
     dut.drive(Design::reset_inputs());
     dut.eval(false);
     dut.eval(true);

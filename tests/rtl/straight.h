@@ -46,7 +46,7 @@ Record<Design> play(const Variant<Design>& variant, const Script<Design>& script
 
 template <class Design>
 Record<Design> predict(const typename Design::Params& p, const Script<Design>& script) {
-  auto state = Design::template reset_state<Word>();
+  auto state = reset_state_of<Design, Word>();
   Record<Design> record;
   for (const auto& in : script) {
     const auto step = Design::next(p, state, in);

@@ -24,7 +24,7 @@ class ModelAdapter {
   typename D::template Registers<Word> registers() const { return D::registers(P, state_); }
 
  private:
-  typename D::template State<Word> state_ = D::template reset_state<Word>();
+  typename D::template State<Word> state_ = reset_state_of<D, Word>();
   typename D::template Inputs<Word> in_{};
   bool clk_ = false;
 };

@@ -22,7 +22,7 @@ class ModelMachine {
   }
   Registers registers() const { return Design::registers(p_, state); }
 
-  typename Design::template State<Word> state = Design::template reset_state<Word>();
+  typename Design::template State<Word> state = reset_state_of<Design, Word>();
 
  private:
   typename Design::Params p_;

@@ -22,10 +22,8 @@ void expect_fits(const Record& record, const Params& p) {
 /// What a design states of its state, in model/NAME/stated.h.
 template <class Params, class State>
 void expect_stated(const Params& p, const State& s) {
-  for (const auto& [sentence, holds] : invariant(p, s)) ASSERT_TRUE(holds) << sentence;
-  if constexpr (requires { reached(p, s); }) {
-    for (const auto& [sentence, holds] : reached(p, s)) ASSERT_TRUE(holds) << sentence;
-  }
+  for (const auto& [sentence, holds] : invariant_of<Word>(p, s)) ASSERT_TRUE(holds) << sentence;
+  for (const auto& [sentence, holds] : reached_of<Word>(p, s)) ASSERT_TRUE(holds) << sentence;
 }
 
 /// Hostile clocks on the model in each of its shapes: all that it shows fits its fields.

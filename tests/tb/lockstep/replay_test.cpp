@@ -22,7 +22,7 @@ Stimulus hostile(const Bench<Design>& bench, const HostileCase& c) {
 template <class Design>
 std::vector<typename Design::template State<Word>> states(const Bench<Design>& bench,
                                                           const Stimulus& s) {
-  std::vector<typename Design::template State<Word>> all{Design::template reset_state<Word>()};
+  std::vector<typename Design::template State<Word>> all{reset_state_of<Design, Word>()};
   Rows<Design> rows(bench.params(), s);
   typename Design::template Inputs<Word> in;
   while (rows.next(in, {})) all.push_back(Design::next(bench.params(), all.back(), in).state);

@@ -1,14 +1,24 @@
 // The shape of the circular design on the command line.
 #pragma once
 
+#include <fmt/core.h>
+
 #include "model/circular/job.h"
 #include "tb/program/shape.h"
 
 namespace cosim::circular {
 
-std::vector<cli::ShapeOption> shape_options();
+inline std::vector<cli::ShapeOption> shape_options() {
+  return {{"W", "--width", 2, "Circular machine: bits of a coordinate"}};
+}
 
 /// The smallest built one of that shape at least `width` wide. InputError where none is.
-const Bench<Design>& bench_for(const cli::Shape& shape, int width);
+inline const Bench<Design>& bench_for(const cli::Shape& shape, int width) {
+  return cli::first_that<Design>(
+      shape, [=](const Params& p) { return width <= p.width; },
+      [=](const Bench<Design>& last) {
+        return fmt::format("an arc that needs {} bits does not fit {}", width, last.title());
+      });
+}
 
 }  // namespace cosim::circular

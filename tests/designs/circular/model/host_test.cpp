@@ -42,7 +42,7 @@ TEST(CircularHost, LoadsAndStartsOnOneClock) {
   ASSERT_TRUE(host.next(in, {1, 1, 1}));  // what was seen has no meaning here
   EXPECT_EQ(to_words(in), (Words<Inputs<Word>>{0, 1, 10, 0, 11, 0, 1, 0}));
   ASSERT_TRUE(host.next(in, {0, 0, 0}));
-  EXPECT_EQ(to_words(in), to_words(Design::rest()));
+  EXPECT_EQ(to_words(in), to_words(rest_of<Design>()));
 }
 
 // From (8, 9): F = 4.75, X - 1 = 7, X - Y = -1; from (2, 12): F = 144 - 1 - 12.5^2 = -13.25,

@@ -16,7 +16,7 @@ using Machine = test::ModelMachine<Design>;
 constexpr Params kParams{4};
 constexpr Words<Registers<Word>> kCleared = {0, 0, 0b00000011, 0, 0};  // F = +0.75
 
-In rest() { return Design::rest(); }
+In rest() { return rest_of<Design>(); }
 In start(In in = rest()) {
   in.start = 1;
   return in;

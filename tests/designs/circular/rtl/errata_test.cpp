@@ -29,7 +29,7 @@ std::uint64_t square(std::int64_t radius) { return static_cast<std::uint64_t>(ra
 
 Pins load(int width, std::int64_t radius) {
   const Setup s = setup({radius, 0}, square(radius));
-  Pins in = Design::rest();
+  Pins in = rest_of<Design>();
   in.load = 1;
   in.f = low_bits(s.f, width + 2);
   in.ct7 = to_ones_complement(s.ct7, width + 1);
@@ -41,7 +41,7 @@ Pins load(int width, std::int64_t radius) {
 Script arc(int width, std::int64_t radius, std::int64_t clocks) {
   Script script = {load(width, radius)};
   script[0].start = 1;
-  script.resize(static_cast<std::size_t>(clocks) + 1, Design::rest());
+  script.resize(static_cast<std::size_t>(clocks) + 1, rest_of<Design>());
   return script;
 }
 /// To its end: no arc has more than 2R steps.
@@ -203,7 +203,7 @@ Script disturbed(const Pins& request) {
 }
 
 Pins level34() {
-  Pins in = Design::rest();
+  Pins in = rest_of<Design>();
   in.sector2 = 1;
   return in;
 }
@@ -230,7 +230,7 @@ TEST(CircularW4Errata, C10IsFoundByLockstep) {
 }
 
 TEST(CircularW4Errata, C10AsShippedLetsNoRequestDisturbAnArc) {
-  Pins start = Design::rest();
+  Pins start = rest_of<Design>();
   start.start = 1;
   Pins all = load(4, 5);
   all.start = all.sector2 = 1;

@@ -6,15 +6,10 @@
 namespace cosim::circular {
 namespace {
 
-TEST(CircularNetlist, MatchesOnHostileClocks) {
+TEST(CircularNetlist, MatchesOnHostileClocksAndDrawsEveryArc) {
   const auto* bench = test::netlist<Design>();
   if (bench == nullptr) GTEST_SKIP() << "no yosys";
   test::expect_match_on_hostile_clocks(*bench);
-}
-
-TEST(CircularNetlist, DrawsEveryArc) {
-  const auto* bench = test::netlist<Design>();
-  if (bench == nullptr) GTEST_SKIP() << "no yosys";
   printed::expect_tables(*bench);
   counted::expect_every_start(*bench, ones(bench->params().width));
   counted::expect_every_stop(*bench, ones(bench->params().width));

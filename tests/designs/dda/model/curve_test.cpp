@@ -272,7 +272,7 @@ TEST(DdaHost, WritesTheModesThenEveryRegister) {
     EXPECT_EQ(to_words(in), (Words<Inputs<Word>>{0, 1, address, data[address], address == 11, 0}));
   }
   ASSERT_TRUE(host.next(in, {}));
-  EXPECT_EQ(to_words(in), to_words(Design::rest()));
+  EXPECT_EQ(to_words(in), to_words(rest_of<Design>()));
   EXPECT_FALSE(host.next(in, {}));  // not busy: over
 }
 

@@ -22,7 +22,7 @@ constexpr Params kParams{4};
 Word wrapped(Word v) { return ((v + 16) % 32 + 32) % 32 - 16; }
 Word floor_16(Word v) { return v < 0 ? -((15 - v) / 16) : v / 16; }
 
-In rest() { return Design::rest(); }
+In rest() { return rest_of<Design>(); }
 In write(Word address, Word data) {
   In in = rest();
   in.write = 1;

@@ -6,15 +6,10 @@
 namespace cosim::linear {
 namespace {
 
-TEST(LinearNetlist, MatchesOnHostileClocks) {
+TEST(LinearNetlist, MatchesOnHostileClocksAndDrawsEveryLine) {
   const auto* bench = test::netlist<Design>();
   if (bench == nullptr) GTEST_SKIP() << "no yosys";
   test::expect_match_on_hostile_clocks(*bench);
-}
-
-TEST(LinearNetlist, DrawsEveryLine) {
-  const auto* bench = test::netlist<Design>();
-  if (bench == nullptr) GTEST_SKIP() << "no yosys";
   printed::expect_table3(*bench);
   counted::expect_every_line(*bench);
 }

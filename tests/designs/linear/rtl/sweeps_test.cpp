@@ -1,6 +1,7 @@
-// The ends of the parameters' ranges that rtl/shipped.txt leaves out: all that fits is drawn.
+// Sweeps on RTL at the ends of the parameters' ranges that rtl/shipped.txt leaves out, and on RTL with
+// a fault.
 #include "tb/designs/linear/sweeps.h"
-#include "tests/rtl/variant.h"
+#include "tests/rtl/variant_lanes.h"
 #include "tests/support/sweeps.h"
 
 namespace cosim::linear {
@@ -12,6 +13,11 @@ TEST(Narrowest, LinearDrawsEveryLine) {
     const auto sizes = std::uint64_t{1} << bench.params().m;
     EXPECT_EQ(test::expect_match(every_line(bench)).checked.jobs, sizes * sizes);
   }
+}
+
+TEST(LinearLanesOfJobs, FindWhatOneAtATimeFinds) {
+  const auto& v = test::variant<Design>("faults/rom2_entry");
+  test::expect_jobs_find(v, random_lines(*v.bench, 1, 20'000));
 }
 
 }  // namespace

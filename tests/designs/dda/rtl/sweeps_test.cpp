@@ -1,6 +1,7 @@
-// The ends of the parameters' ranges that rtl/shipped.txt leaves out: all that fits is drawn.
+// Sweeps on RTL at the ends of the parameters' ranges that rtl/shipped.txt leaves out, and on RTL with
+// a fault.
 #include "tb/designs/dda/sweeps.h"
-#include "tests/rtl/variant.h"
+#include "tests/rtl/variant_lanes.h"
 #include "tests/support/sweeps.h"
 
 namespace cosim::dda {
@@ -11,6 +12,11 @@ TEST(Narrowest, DdaDrawsEveryLineAndQuarter) {
   test::expect_match(every_line(bench));
   EXPECT_EQ(test::expect_match(every_quarter(bench)).checked.jobs, 4U * 3);
   test::expect_match(random_jobs(bench, 1, 500));
+}
+
+TEST(DdaLanesOfJobs, FindWhatOneAtATimeFinds) {
+  const auto& v = test::variant<Design>("faults/half_backwards_shifted");
+  test::expect_jobs_find(v, random_lines_and_arcs(*v.bench, 1, 20'000));
 }
 
 }  // namespace

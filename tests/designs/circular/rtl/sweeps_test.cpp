@@ -1,5 +1,5 @@
-// Sweeps on RTL at the ends of the parameters' ranges that rtl/shipped.txt leaves out, and on RTL with
-// a fault.
+// Sweeps on RTL at the ends of the parameters' ranges that rtl/shipped.txt leaves out, and on RTL
+// with a fault.
 #include "tb/designs/circular/sweeps.h"
 #include "tests/rtl/variant_lanes.h"
 #include "tests/support/sweeps.h"

@@ -31,6 +31,7 @@ if [[ $solvers ]]; then
   for rule in "${rules[@]}"; do says "assumed of the inputs: $rule"; done
   # A number is held on the clock after that of a counterexample too, from a state that is not met soon.
   mkdir late
+  # shellcheck disable=SC2154  # designs_test.sh says it
   sed 's/FAULT != 0 && by == 3.d5/\&total/' "$designs/handshake.v" > late/handshake.v
   ends 1 prove handshake FAULT=0 --rtl late --limit 2 --failures failures
   says "from this state, under these inputs"

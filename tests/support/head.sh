@@ -4,6 +4,7 @@ set -euo pipefail
 # shellcheck disable=SC2034 # for the test
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 folder=$(mktemp -d)
+readonly folder
 trap 'rm -rf "$folder"' EXIT
 
 # fails TEXT...: what was not so, and what was said last.

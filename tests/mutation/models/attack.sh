@@ -6,12 +6,12 @@
 # models_slice.json), an object a fault with `fault`, its number, `model`, `file`, `what`, and `seen`
 # with the test, empty where none did. Status: 0 all seen, 1 not, 2 could not be run.
 source "$(dirname "${BASH_SOURCE[0]}")/../../support/head.sh"
-folder=$1 set=$2
-program=$folder/tests/mutation/models/faulty_models
-list=$folder/tests/mutation/models/faults.txt
-results=$folder/mutation/models.json
-[[ $set == full ]] || results=$folder/mutation/models_slice.json
-mkdir -p "$folder/mutation"
+build=$1 set=$2
+program=$build/tests/mutation/models/faulty_models
+list=$build/tests/mutation/models/faults.txt
+results=$build/mutation/models.json
+[[ $set == full ]] || results=$build/mutation/models_slice.json
+mkdir -p "$build/mutation"
 
 # A fault may leave a machine that never ends. Seconds of a processor, for a busy one is slow: all
 # the tests take 12.

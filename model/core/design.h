@@ -115,8 +115,8 @@ constexpr auto parameters_of(const typename Design::Params& p) {
   }
 }
 
-/// Registers of the RTL that no table names and that are not compared: Design::unobserved, an array
-/// of paths and patterns such as "debug.*"; none by default.
+/// Registers and outputs of the RTL that no table names and that are not compared:
+/// Design::unobserved, an array of paths and patterns such as "debug.*"; none by default.
 template <class Design>
 constexpr auto unobserved_of() {
   if constexpr (requires { Design::unobserved; }) {

@@ -73,9 +73,14 @@ class AnyBench {
   virtual std::vector<Field> inputs() const = 0;
   /// What a row of a stimulus is, a noun.
   virtual const char* row() const { return "clock"; }
-  /// Registers of the RTL that are not compared, by their paths.
+  /// Registers and outputs of the RTL that are not compared, by their paths, and as the model names
+  /// them.
   const std::vector<std::string>& unobserved() const { return unobserved_; }
-  void set_unobserved(std::vector<std::string> registers) { unobserved_ = std::move(registers); }
+  const std::vector<std::string>& patterns() const { return patterns_; }
+  void set_unobserved(std::vector<std::string> signals, std::vector<std::string> patterns) {
+    unobserved_ = std::move(signals);
+    patterns_ = std::move(patterns);
+  }
   /// What is assumed of the inputs, sentences.
   virtual std::vector<std::string> assumed() const = 0;
   /// What a wave shows beside the fields.
@@ -152,7 +157,7 @@ class AnyBench {
   std::string title() const;
 
  private:
-  std::vector<std::string> unobserved_;
+  std::vector<std::string> unobserved_, patterns_;
 };
 
 /// InputError if it was not built as `shape`, what the RTL was built as: its model has other

@@ -11,6 +11,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/dut/named_adapter.h"
+#include "tb/dut/registers.h"
 #include "tb/support/place.h"
 
 namespace cosim {
@@ -249,6 +250,7 @@ std::vector<Net> find_ports(const std::vector<PortNet>& of_rtl, const Ports& por
     const auto open = std::find(port.taken.begin(), port.taken.end(), false);
     if (open == port.taken.end()) continue;
     if (std::find(port.taken.begin(), port.taken.end(), true) == port.taken.end()) {
+      if (!port.net->is_input && matches_any(ports.unobserved, name)) continue;
       unnamed.push_back(fmt::format("an {} {}", way, name));
       continue;
     }

@@ -65,14 +65,15 @@ struct Ports {
   std::string title;  ///< of the shape, for errors
   const char* clock;  ///< the pin's name, "" where there is none, or several, which are inputs
   std::vector<Field> inputs, outputs;
-  const char* extra = "";        ///< an input that no table names, or ""
-  std::string_view clocks = "";  ///< of several: lines "NAME" or "falling NAME"
+  const char* extra = "";                 ///< an input that no table names, or ""
+  std::string_view clocks = "";           ///< of several: lines "NAME" or "falling NAME"
+  std::vector<std::string> unobserved{};  ///< patterns of outputs that no table need name
 };
 
 /// The cells of the pins in the order of `ports`: inputs, then outputs, then the clock, one that
 /// lies nowhere where there is none. InputError if a port of the RTL, or a bit of one, is in
-/// neither table, if one in a table is no such port, if a width differs, and if the inputs that are
-/// clocks are not `clocks`.
+/// neither table and not `unobserved`, if one in a table is no such port, if a width differs, and
+/// if the inputs that are clocks are not `clocks`.
 std::vector<Net> find_ports(const std::vector<PortNet>& of_rtl, const Ports& ports);
 /// The cells of the design's registers and memories; of a net that carries a register's value, as
 /// `text` says, which is of rtl.pl, those of the register. InputError if there is no net of that

@@ -119,21 +119,30 @@ std::vector<std::string> left_of(const Register& r) {
 
 }  // namespace
 
-std::vector<std::string> unobserved_registers(const RtlText& text, const std::vector<Field>& fields,
-                                              const std::vector<std::string>& patterns) {
+bool matches_any(const std::vector<std::string>& patterns, std::string_view name) {
+  return std::any_of(patterns.begin(), patterns.end(),
+                     [&](const std::string& pattern) { return matches(pattern, name); });
+}
+
+std::vector<std::string> unobserved_signals(const RtlText& text, const std::vector<Field>& fields,
+                                            const std::vector<std::string>& patterns,
+                                            const std::vector<Field>& outputs) {
   const auto rows = rows_of(fields);
   std::vector<std::string> unobserved, missing;
   std::vector<bool> used(patterns.size());
+  const auto is_allowed = [&](std::string_view name) {
+    bool allowed = false;
+    for (std::size_t i = 0; i < patterns.size(); ++i) {
+      if (matches(patterns[i], name)) allowed = used[i] = true;
+    }
+    return allowed;
+  };
   for (const auto& words : lines_of(text.registers)) {
     Register r = register_of(words);
     for (const auto& row : rows) close(r, row, text.title);
     if (std::find(r.open.begin(), r.open.end(), true) == r.open.end()) continue;
     for (const std::string& part : left_of(r)) {
-      bool allowed = false;
-      for (std::size_t i = 0; i < patterns.size(); ++i) {
-        if (!matches(patterns[i], r.name) && !matches(patterns[i], part)) continue;
-        allowed = used[i] = true;
-      }
+      const bool whole = is_allowed(r.name), allowed = is_allowed(part) || whole;
       if (!allowed && r.net.words < 0) {
         throw InputError(fmt::format(
             "{}: register {}: a memory of more dimensions than one can only be in unobserved",
@@ -141,6 +150,16 @@ std::vector<std::string> unobserved_registers(const RtlText& text, const std::ve
       }
       (allowed ? unobserved : missing).push_back(part);
     }
+  }
+  // Of one that is neither in a row nor allowed, find_ports() says so.
+  for (const auto& words : lines_of(text.outputs)) {
+    const std::string& name = words.front();
+    const bool has_row = std::any_of(outputs.begin(), outputs.end(),
+                                     [&](const Field& f) { return net_path(f.net).path == name; });
+    if (has_row || !is_allowed(name)) continue;
+    const bool is_there =  // as a register
+        std::find(unobserved.begin(), unobserved.end(), name) != unobserved.end();
+    if (!is_there) unobserved.push_back(name);
   }
   if (missing.size() == 1) {
     throw InputError(fmt::format(
@@ -154,9 +173,9 @@ std::vector<std::string> unobserved_registers(const RtlText& text, const std::ve
   }
   const auto unused = std::find(used.begin(), used.end(), false);
   if (unused != used.end()) {
-    throw InputError(
-        fmt::format("{}: unobserved has {}, and the RTL has no such register beside the tables",
-                    text.title, patterns[static_cast<std::size_t>(unused - used.begin())]));
+    throw InputError(fmt::format(
+        "{}: unobserved has {}, and the RTL has no such register or output beside the tables",
+        text.title, patterns[static_cast<std::size_t>(unused - used.begin())]));
   }
   return unobserved;
 }

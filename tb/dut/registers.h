@@ -10,11 +10,12 @@
 
 namespace cosim {
 
-/// The registers and asynchronous resets as rtl.pl prints them, without the first word.
+/// The registers, asynchronous resets and outputs as rtl.pl prints them, without the first word.
 struct RtlText {
-  std::string title;           ///< of the shape, for errors
-  std::string_view registers;  ///< lines "PATH WIDTH WORDS BITS [NET WIDTH WORDS LOW]..."
-  std::string_view resets;     ///< lines "NAME" or "low NAME", "inner NAME" of a register
+  std::string title;              ///< of the shape, for errors
+  std::string_view registers;     ///< lines "PATH WIDTH WORDS BITS [NET WIDTH WORDS LOW]..."
+  std::string_view resets;        ///< lines "NAME" or "low NAME", "inner NAME" of a register
+  std::string_view outputs = "";  ///< lines "NAME"
 };
 
 /// An input that reset_inputs() sets otherwise than rest(), and how.
@@ -26,9 +27,13 @@ struct ResetPin {
 /// The registers of which some bit holds a state, is in no field and is allowed by a pattern, by
 /// their paths, with those bits where fields have others: "count[7:4]", "store[3:1]" of a memory. A
 /// pattern is such a path, with bits or without; a * in it stands for anything. InputError where
-/// there is a bit that neither a field nor a pattern names, and where a pattern names none.
-std::vector<std::string> unobserved_registers(const RtlText& text, const std::vector<Field>& fields,
-                                              const std::vector<std::string>& patterns);
+/// there is a bit that neither a field nor a pattern names, and where a pattern names none. Then
+/// the outputs that a pattern names and no row of `outputs`.
+std::vector<std::string> unobserved_signals(const RtlText& text, const std::vector<Field>& fields,
+                                            const std::vector<std::string>& patterns,
+                                            const std::vector<Field>& outputs = {});
+
+bool matches_any(const std::vector<std::string>& patterns, std::string_view name);
 
 /// When the resets of a design act, and on what.
 enum class Resets {
@@ -46,7 +51,7 @@ void require_resets(const RtlText& text, Resets resets, const std::vector<ResetP
 void require_taken_over(const RtlText& text, const std::vector<Field>& registers,
                         const std::vector<Field>& state);
 
-/// All three for a design; its unobserved registers.
+/// All three for a design; its unobserved registers and outputs.
 template <class Design>
 std::vector<std::string> require_registers(const RtlText& text, const typename Design::Params& p) {
   const auto held = Design::template Registers<Word>::fields(p);
@@ -67,7 +72,9 @@ std::vector<std::string> require_registers(const RtlText& text, const typename D
                  pins);
   const auto state = Design::template State<Word>::fields(p);
   require_taken_over(text, {held.begin(), held.end()}, {state.begin(), state.end()});
-  return unobserved_registers(text, {held.begin(), held.end()}, {patterns.begin(), patterns.end()});
+  const auto seen = Design::template Outputs<Word>::fields(p);
+  return unobserved_signals(text, {held.begin(), held.end()}, {patterns.begin(), patterns.end()},
+                            {seen.begin(), seen.end()});
 }
 
 }  // namespace cosim

@@ -9,6 +9,7 @@
 #                      and its words, 0 where it is no memory, -1 where no table can have it; those of
 #                      its bits that hold a state, "7:4,0:0", the words of a memory one behind the
 #                      other; and the nets that carry its value, from their bit LOW up
+#   output NAME        an output
 #   reset NAME         an input that resets some of them asynchronously, "low NAME" where it is low
 #   inner NAME         a register that does, likewise
 #   loop NAME          a net that may be in a combinational loop
@@ -317,6 +318,7 @@ for my $register (sort keys %registers) {
       grep { $_ ne $register && $info{$_} } sort keys %$carriers;
     print join(' ', 'register', $register, shape_text($register), ranges($registers{$register}), @nets), "\n";
 }
+print "output $_->{has}{name}\n" for grep { ($_->{has}{dir} // '') eq 'output' } @{$top->{in}};
 print "reset $_\n" for sort keys %resets;
 print "inner $_\n" for sort keys %inner;
 my %is_falling = map { $_ => ($way_of->{$_} // 'POS') ne 'POS' } @clocks;

@@ -75,7 +75,7 @@ struct MachineOf {
   int reset_clocks = 1;
   std::vector<Wire> begins;             ///< the state after that
   std::vector<Wire> reset_state;        ///< the registers after that
-  std::vector<std::string> unobserved;  ///< registers that are not compared
+  std::vector<std::string> unobserved;  ///< registers and outputs that are not compared
   std::vector<Named> invariant_in_reset;
 };
 

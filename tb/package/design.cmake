@@ -232,6 +232,7 @@ function(cosim_add_design NAME)
       "  static constexpr const char* clocks = \"${rtl_of_clocks}\";\n"
       "  static constexpr const char* registers = \"${rtl_of_registers}\";\n"
       "  static constexpr const char* resets = \"${rtl_of_resets}\";\n"
+      "  static constexpr const char* outputs = \"${rtl_of_outputs}\";\n"
       "};\n")
     string(APPEND ADD_BENCHES "  add_benches(all, add_shape<V${ID}, I${ID}, Trait_${ID}>);\n")
     string(APPEND ADD_MACHINES

@@ -27,8 +27,11 @@ std::vector<std::unique_ptr<AnyBench>> named_benches() {
   if constexpr (!HasStreams<Design> || StepsOn<Design, Word>) {
     auto bench = std::make_unique<FastBench<NamedAdapter<Top, Trait>>>(
         open_maker<Design>(open_class<Open, Trait>(), Trait::params));
+    const auto patterns = unobserved_of<Design>();
     bench->set_unobserved(
-        require_registers<Design>({Trait::title, Trait::registers, Trait::resets}, Trait::params));
+        require_registers<Design>({Trait::title, Trait::registers, Trait::resets, Trait::outputs},
+                                  Trait::params),
+        {patterns.begin(), patterns.end()});
     all.push_back(std::move(bench));
   }
 #ifdef COSIM_WITHOUT_STREAMS

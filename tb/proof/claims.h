@@ -19,10 +19,10 @@
 // Under an asynchronous reset what the registers show during a clock is claimed as well: yosys
 // makes of such a register one that is reset by the clock, and of its net a choice by the reset.
 //
-// Where registers of the RTL are unobserved, the model has no place for all that a state of the RTL
-// is, and in place of the first two there is one:
+// Where registers or outputs of the RTL are unobserved, the model has no place for all that a state
+// of the RTL is, and in place of the first two there is one:
 //
-//   reset   from reset on outputs, and the registers that are compared, are always the same
+//   reset   from reset on outputs and registers that are compared are always the same
 //
 // The first two are an induction over the clocks: nothing else is assumed of the inputs, and no
 // bound is set. The others show that the hypotheses of the second can be met.
@@ -62,7 +62,7 @@ struct Claim {
 };
 
 /// All that is claimed of a machine, as scripts and as nets. InputError as below, of a machine with
-/// no unobserved registers.
+/// nothing unobserved.
 std::vector<Claim> claims_of(const MachineFormula& machine, const nets::Model& model,
                              const Source& source);
 

@@ -166,8 +166,8 @@ std::string comparison_text(const std::vector<Outcome>& outcomes) {
                         clocks == 1 ? "the one" : fmt::format("each of {}", clocks),
                         clocks == 1 ? "" : "s");
     if (const auto& left = bench->unobserved(); !left.empty()) {
-      text += fmt::format("unobserved{}: {}: {}\n", of, count(left.size(), "register"),
-                          fmt::join(left, ", "));
+      text += fmt::format("unobserved{}: {}: {}\n", of, count(left.size(), "signal"),
+                          fmt::join(bench->patterns(), ", "));
     }
     for (const std::string& rule : bench->assumed()) {
       text += fmt::format("assumed of the inputs{}: {}\n", of, rule);

@@ -33,7 +33,7 @@ std::string swept_text(const Result& result);
 std::string compared_signals(const AnyBench& bench);
 
 /// What was compared and over how many clocks, one line a design, with its name if there are
-/// several, a line on registers that are not compared, one for each thing that is assumed of its
+/// several, a line on what is not compared, one for each thing that is assumed of its
 /// inputs, and one for each field that was not compared on every clock. Lines end in '\n', here and
 /// below.
 std::string comparison_text(const std::vector<Outcome>& outcomes);
@@ -45,7 +45,7 @@ std::string verdict_text(const std::vector<Outcome>& outcomes);
 /// measures of the design's check under their names, `compared_signals`, `seed`, where they do not
 /// match `mismatch`, and `runs`, an object for each outcome; where
 /// something is assumed of the inputs `assumed`, sentences; where
-/// registers are not compared `unobserved`, their paths; where
+/// registers or outputs are not compared `unobserved`, their paths; where
 /// something was not always compared `left_out`, the number of clocks under each name, and
 /// `never_compared`, the names of what was left out on all of them. Over several outcomes clocks
 /// are added up, measures are combined as they say, mismatch is the first, and parameters is an

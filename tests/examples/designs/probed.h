@@ -28,7 +28,7 @@ struct Design {
   COSIM_DESIGN(probed_model);
   static constexpr const char* name = "probed";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
-  static constexpr std::array unobserved{"debug.*"};
+  static constexpr std::array unobserved{"debug.*", "spare"};
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {
     return {{{"FAULT", p.fault}}};
   }

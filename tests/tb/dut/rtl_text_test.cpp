@@ -26,18 +26,18 @@ const RtlText kText{"made W=4",
 const Field store[] = {field("store[0]"), field("store[1]"), field("store[2]"), field("store[3]")};
 
 TEST(Unobserved, IsWhatPatternsAllowAndNoFieldNames) {
-  EXPECT_EQ(unobserved_registers(
+  EXPECT_EQ(unobserved_signals(
                 kText, {field("count"), store[0], store[1], store[2], store[3], field("top[5:2]")},
                 {"debug.*"}),
             (Names{"debug.a", "debug.b.c"}));
   EXPECT_EQ(
-      unobserved_registers(kText, {field("count"), field("top", 8)}, {"*.a", "st*re", "debug.b.c"}),
+      unobserved_signals(kText, {field("count"), field("top", 8)}, {"*.a", "st*re", "debug.b.c"}),
       (Names{"store", "debug.a", "debug.b.c"}));
 }
 
 // What is said where the tables have these fields, and debug.* is in unobserved.
 std::string refused(const std::vector<Field>& fields) {
-  return test::error_of([&] { unobserved_registers(kText, fields, {"debug.*"}); });
+  return test::error_of([&] { unobserved_signals(kText, fields, {"debug.*"}); });
 }
 std::string escapes(const std::string& part) {
   return "made W=4: the RTL has a register " + part +
@@ -74,30 +74,42 @@ TEST(Unobserved, SoIsEveryOtherBit) {
 
 TEST(Unobserved, MayBeSomeBits) {
   const std::vector<Field> some{field("count[1:0]", 2), store[1], store[2], field("sub.out")};
-  EXPECT_EQ(unobserved_registers(kText, some, {"debug.*", "count[3:2]", "store"}),
+  EXPECT_EQ(unobserved_signals(kText, some, {"debug.*", "count[3:2]", "store"}),
             (Names{"count[3:2]", "store[0]", "store[3]", "debug.a", "debug.b.c"}));
   EXPECT_EQ(test::error_of([&] {
-              unobserved_registers(kText, some, {"debug.*", "count[3:2]", "store[0]"});
+              unobserved_signals(kText, some, {"debug.*", "count[3:2]", "store[0]"});
             }),
             escapes("store[3]"));
 }
 
 TEST(Unobserved, BitsThatHoldNoStateNeedNoField) {
   const RtlText part{"made", "mixed 8 0 7:4,0:0", ""};
-  EXPECT_EQ(unobserved_registers(part, {field("mixed[7:4]"), field("mixed[0]", 1)}, {}), Names{});
-  EXPECT_EQ(unobserved_registers(part, {field("mixed[7:4]")}, {"mixed"}), Names{"mixed[0]"});
+  EXPECT_EQ(unobserved_signals(part, {field("mixed[7:4]"), field("mixed[0]", 1)}, {}), Names{});
+  EXPECT_EQ(unobserved_signals(part, {field("mixed[7:4]")}, {"mixed"}), Names{"mixed[0]"});
 }
 
 TEST(Unobserved, SoIsAMemoryOfSeveralDimensions) {
   const RtlText deep{"made", "count 4 0 3:0\ngrid 64 -1 63:0", ""};
-  EXPECT_EQ(unobserved_registers(deep, {field("count")}, {"grid"}), Names{"grid"});
+  EXPECT_EQ(unobserved_signals(deep, {field("count")}, {"grid"}), Names{"grid"});
   for (const std::vector<Field>& fields :
        {std::vector<Field>{field("count")}, {field("count"), field("grid")}}) {
-    const std::string refused = test::error_of([&] { unobserved_registers(deep, fields, {}); });
+    const std::string refused = test::error_of([&] { unobserved_signals(deep, fields, {}); });
     EXPECT_TRUE(refused.ends_with(
         "register grid: a memory of more dimensions than one can only be in unobserved"))
         << refused;
   }
+}
+
+TEST(Unobserved, SoIsAnOutputThatNoRowNames) {
+  const RtlText made{"made", "q 1 0 0:0", "", "q\nspare\nspared"};
+  const std::vector<Field> spared{field("spared[3:0]")};
+  EXPECT_EQ(unobserved_signals(made, {}, {"*"}, spared), (Names{"q", "spare"}));
+  EXPECT_EQ(unobserved_signals(made, {field("q", 1)}, {"spare"}, spared), Names{"spare"});
+  EXPECT_EQ(test::error_of([&] {
+              unobserved_signals(made, {}, {"q", "spared"}, spared);
+            }),
+            "made: unobserved has spared, and the RTL has no such register or output beside the "
+            "tables");
 }
 
 TEST(Unobserved, APatternThatNamesNothingIsRefused) {
@@ -105,10 +117,10 @@ TEST(Unobserved, APatternThatNamesNothingIsRefused) {
                                   store[2],       store[3], field("top", 8)};
   for (const char* pattern : {"debug", "debug.x*", "count", "count[1:0]", "*.d"}) {
     EXPECT_EQ(test::error_of([&] {
-                unobserved_registers(kText, fields, {"debug.*", pattern});
+                unobserved_signals(kText, fields, {"debug.*", pattern});
               }),
               std::string("made W=4: unobserved has ") + pattern +
-                  ", and the RTL has no such register beside the tables");
+                  ", and the RTL has no such register or output beside the tables");
   }
 }
 

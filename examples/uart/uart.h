@@ -101,11 +101,11 @@ constexpr cosim::Verdict<Checker, V> checked(const Params& p, const Job<V>& job,
 struct Design {
   COSIM_DESIGN(uart_model);
   template <class V>
-  using Job = uart::Job<V>;
+  using Job = uart_model::Job<V>;
   template <class V>
-  using Driver = uart::Driver<V>;
+  using Driver = uart_model::Driver<V>;
   template <class V>
-  using Checker = uart::Checker<V>;
+  using Checker = uart_model::Checker<V>;
   static constexpr const char* name = "uart";
   static constexpr Inputs<Word> rest() { return {.rst_n = 1}; }
   static constexpr Inputs<Word> reset_inputs() { return {.rst_n = 0}; }

@@ -92,11 +92,11 @@ constexpr Verdict<Checker, V> checked(const Params&, const Job<V>&, const Driver
 struct Design {
   COSIM_DESIGN(serial_model);
   template <class V>
-  using Job = serial::Job<V>;
+  using Job = serial_model::Job<V>;
   template <class V>
-  using Driver = serial::Driver<V>;
+  using Driver = serial_model::Driver<V>;
   template <class V>
-  using Checker = serial::Checker<V>;
+  using Checker = serial_model::Checker<V>;
   static constexpr const char* name = "serial";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array<Parameter, 1> parameters(const Params& p) {

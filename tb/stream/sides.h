@@ -66,7 +66,7 @@ struct Giver {
     } else if (!offers && left() && (plain || (!waits && (i.credits == 0 || credits > 0)))) {
       offers = true;
       const auto words = (*given)[taken];
-      for (std::size_t c = 0; c < words.size(); ++c) nets.cells[c].set(words[c]);
+      for (std::size_t c = 0; c < nets.cells.size(); ++c) nets.cells[c].set(words[c]);
     }
     if (!plain && own) return drive_own();
     nets.valid.set(offers);

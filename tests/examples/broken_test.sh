@@ -30,7 +30,7 @@ if grep -q _machines log; then fails "what only a proof needs waits for one"; fi
 # A misspelt name stops the build.
 sed -i 's/reset_inputs/reset_input/' counter.h
 if cmake --build build > said 2>&1; then fails "it does not build"; fi
-says "counter.h:30: reset_input in struct Design means nothing: is reset_inputs meant?"
+says "counter.h:32: reset_input in struct Design means nothing: is reset_inputs meant?"
 sed -i 's/reset_input\b/reset_inputs/' counter.h
 cmake --build build > log 2>&1 || fails "it builds again"
 

@@ -44,7 +44,7 @@ ends 0 wave quiet.stim --out quiet.fst
 [[ -s quiet.fst && -s quiet.gtkw ]] || fails "wave draws a stimulus"
 ends 0 wave uart D=16 --hostile 20 --out hostile.fst
 says "uart D=16: hostile clocks, seed 1"
-refuses "there is no display; --out FILE.fst draws without one" wave uart
+refuses "there is no display; --shot FILE.png and --out FILE.fst draw without one" wave uart
 refuses "none.stim: no such file" wave none.stim
 refuses "failures: there is no failure in it" wave --out it.fst
 refuses "--hostile: needs a design, not a file" wave quiet.stim --hostile 5 --out it.fst

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "tb/support/finite.h"
@@ -113,15 +114,21 @@ std::vector<const AnyBench*> designs(const std::vector<Outcome>& outcomes) {
   return found;
 }
 
-// All runs of that, their clocks and what was left out.
-Result sum_of(const std::vector<Outcome>& outcomes, const std::string& looked) {
-  Result sum;
+// All runs of that: their clocks, and on how many each signal was left out, an array once.
+struct LeftOut {
+  std::uint64_t clocks = 0;
+  std::map<std::string, std::uint64_t> signals;
+};
+LeftOut left_out_of(const std::vector<Outcome>& outcomes, const std::string& looked) {
+  LeftOut sum;
   for (const Outcome& o : outcomes) {
     if (looked_at(*o.bench) != looked) continue;
-    Result one;
-    one.clocks = o.result.clocks;
-    one.left_out = o.result.left_out;
-    add(sum, std::move(one));
+    sum.clocks += o.result.clocks;
+    // Shapes have arrays of other lengths.
+    const std::vector<Field> fields = o.bench->compared();
+    for (std::size_t i = 0; i < o.result.left_out.size(); ++i) {
+      if (fields[i].index <= 0) sum.signals[fields[i].name] += o.result.left_out[i];
+    }
   }
   return sum;
 }
@@ -159,8 +166,7 @@ std::string comparison_text(const std::vector<Outcome>& outcomes) {
   std::string text;
   const auto benches = designs(outcomes);
   for (const AnyBench* bench : benches) {
-    const Result sum = sum_of(outcomes, looked_at(*bench));
-    const std::uint64_t clocks = sum.clocks;
+    const auto [clocks, signals] = left_out_of(outcomes, looked_at(*bench));
     const std::string of = benches.size() > 1 ? " of " + looked_at(*bench) : "";
     text += fmt::format("compared: {}{} on {} clock{}\n", compared_signals(*bench), of,
                         clocks == 1 ? "the one" : fmt::format("each of {}", clocks),
@@ -172,15 +178,12 @@ std::string comparison_text(const std::vector<Outcome>& outcomes) {
     for (const std::string& rule : bench->assumed()) {
       text += fmt::format("assumed of the inputs{}: {}\n", of, rule);
     }
-    const std::vector<Field> fields = bench->compared();
-    for (std::size_t i = 0; i < sum.left_out.size(); ++i) {
-      const std::uint64_t left_out = sum.left_out[i];
-      if (left_out == 0 || fields[i].index > 0) continue;
+    for (const auto& [name, left_out] : signals) {
+      if (left_out == 0) continue;
       text += left_out == clocks
-                  ? fmt::format("never compared{}: {}, it means nothing on any clock\n", of,
-                                fields[i].name)
+                  ? fmt::format("never compared{}: {}, it means nothing on any clock\n", of, name)
                   : fmt::format("left out{}: {} on {} of the clocks, where it means nothing\n", of,
-                                fields[i].name, left_out);
+                                name, left_out);
     }
   }
   return text;

@@ -24,7 +24,8 @@ struct Result {
   bool match() const { return !mismatch && checked.error.empty(); }
 };
 
-/// Adds two results; the first failure stays.
+/// Adds two results; the first failure stays. What was left out is by place: of one bench, or read
+/// by nobody.
 inline void add(Result& sum, Result one) {
   if (sum.match() && !one.match()) {
     sum.mismatch = std::move(one.mismatch);
@@ -34,7 +35,7 @@ inline void add(Result& sum, Result one) {
   }
   sum.cases += one.cases;
   sum.clocks += one.clocks;
-  if (sum.left_out.empty()) sum.left_out.resize(one.left_out.size());
+  if (sum.left_out.size() < one.left_out.size()) sum.left_out.resize(one.left_out.size());
   for (std::size_t i = 0; i < one.left_out.size(); ++i) sum.left_out[i] += one.left_out[i];
   add(sum.checked, one.checked);
 }

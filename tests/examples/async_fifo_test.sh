@@ -2,10 +2,13 @@
 # async_fifo_test.sh PROGRAM
 #
 # All small faults of a small queue between two clocks are found, or proved to be none, those at the pins of
-# its memory too; none is of a clock pin. Status: 0 so, 1 not.
+# its memory too; none is of a clock pin. What was left out is added up by name, for its shapes have memories
+# of other lengths. Status: 0 so, 1 not.
 program=$(realpath "$1")
 source "$(dirname "${BASH_SOURCE[0]}")/../support/program.sh"
 
+ends 0 sweep async_fifo --hostile 20000 --report all.json
+says "left out: r_data on $(awk '/"r_data": [0-9]/ { n += $2 } END { print n }' all.json) of the clocks"
 for tool in yosys cvc5 z3; do
   command -v "$tool" > /dev/null || { echo "no $tool: no mutants" && exit 0; }
 done

@@ -61,6 +61,15 @@ TEST(Report, HasNoFigureThatIsNotFinite) {
   }
 }
 
+// As those of two shapes, one of which has more words of a memory.
+TEST(Results, OfMoreSignalsAreAdded) {
+  Result sum = good(3), one = good(4);
+  sum.left_out = {1};
+  one.left_out = {2, 3};
+  add(sum, one);
+  EXPECT_EQ(sum.left_out, (std::vector<std::uint64_t>{3, 3}));
+}
+
 TEST(ReportText, CountsTheSignals) {
   EXPECT_EQ(compared_signals(lines()), "9 registers and 4 outputs");
   EXPECT_EQ(compared_signals(arcs()), "5 registers and 3 outputs");

@@ -1,3 +1,6 @@
+// A clock is four netlists one behind the other: what draws the inputs, the RTL, the model and, of
+// jobs, what answers. Each is mapped to cells of three inputs by itself; the outputs of one are
+// inputs of the next. All bits that stay until the next clock are planes of the memory.
 #include "tb/lanes/code.h"
 
 #include <fmt/core.h>

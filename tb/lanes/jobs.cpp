@@ -1,3 +1,8 @@
+// All lanes run until one is done, or differs: then that lane alone is given its next job or case,
+// and all go on (dynamic refill). A case begins in the state after a reset, which was computed
+// once, and is copied into the lanes that begin. Where a register keeps what it powered up with,
+// that state is computed for each case. After a failure only the cases before it go on, so that the
+// first of all is found.
 #include "tb/lanes/jobs.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,5 @@
+// Words of random bits, one a case, become planes, one a bit: a square of 64 by 64 bits is turned
+// by halves, quarters and so on (Hacker's Delight, transposing a bit matrix).
 #include "tb/lanes/player.h"
 
 #include <algorithm>

@@ -1,3 +1,8 @@
+// An order: from each end (a comparison, a store) depth first to all that it needs, of several
+// values first the one that needs the most registers (Sethi-Ullman numbers, of a graph in place of
+// a tree); an end runs as soon as all that it reads is there. Registers in that order: the value
+// that is used again last leaves (Belady's rule). The order of the ends is then improved by local
+// search: some that follow each other go to another place, and what is not worse stays.
 #include "tb/lanes/schedule.h"
 
 #include <algorithm>

@@ -1,3 +1,7 @@
+// Cases run as many at a time as there are lanes. A lane that differs stops those of higher
+// numbers, until the first case that differs is known. That one is run again in lockstep, by
+// itself: it must differ on the same clock. The code of a shape is kept under a hash of all that it
+// follows from.
 #include "tb/lanes/sweep.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,6 @@
+// From cheap to dear: a few cases for all; of those left, a proof that they are the same machine;
+// the question whether one can be told apart from reset on, for a few seconds; all cases; that
+// question again, for longer. What is decided is asked nothing more.
 #include "tb/mutation/campaign.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,4 @@
+// The order is drawn (Fisher-Yates), then the first of it that lanes kill are taken.
 #include "tb/mutation/drawn.h"
 
 #include <fmt/core.h>

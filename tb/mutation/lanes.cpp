@@ -1,3 +1,7 @@
+// Parallel fault simulation: one fault in each lane of a word, all under the same inputs, each
+// compared with the model. What does not depend on a fault of these lanes is folded once for all
+// (constants, and gates alike). A fault of a clock's net becomes lanes in which a flip-flop takes
+// the other edge, or none.
 #include "tb/mutation/lanes.h"
 
 #include <fmt/core.h>

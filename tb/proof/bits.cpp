@@ -1,3 +1,7 @@
+// Symbolic execution with bounds: beside its formula each symbol has the least and the most that it
+// can be (interval arithmetic). So a sum is as wide as its values need and no wider, and a
+// comparison that the bounds decide is a constant. What may leave the machine word has the bounds
+// of that word.
 #include "tb/proof/bits.h"
 
 #include <fmt/core.h>

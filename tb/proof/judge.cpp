@@ -1,3 +1,6 @@
+// The engine that is quick on nets goes first, and what it refutes is decided: a mutant that can be
+// told apart is only not counted as equal. "The same" needs two engines; so only what the first
+// could not refute is given to the others, one after the other until enough agree.
 #include "tb/proof/judge.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,6 @@
+// The RTL is placed in one graph again for each mutant, its number a constant. Constants are folded
+// and equal gates are there once (structural hashing), so that each is only what its fault changes;
+// many are decided by that alone. What is left of all is one question for an engine.
 #include "tb/proof/mutant_nets.h"
 
 #include <fmt/core.h>

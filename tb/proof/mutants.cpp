@@ -1,3 +1,5 @@
+// Two copies of the RTL, one with the mutant, from the same state (register correspondence by
+// name): one step of induction. Flip-flops that are no register's are free on both sides.
 #include "tb/proof/mutants.h"
 
 #include <fmt/core.h>

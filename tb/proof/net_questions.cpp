@@ -1,3 +1,6 @@
+// Model and RTL in one graph with structural hashing, so that what both have alike is there once. A
+// question is a miter: one bit that holds where anything differs. The step begins in any state, the
+// RTL's flip-flops holding what the model says; the base case is the clocks of the reset, unrolled.
 #include "tb/proof/net_questions.h"
 
 #include <fmt/core.h>

@@ -1,10 +1,4 @@
 // Engines on claims side by side: who is asked what next, and who is stopped.
-//
-// A question goes to as many engines as must agree, and each try has a slice of time. What a slice
-// did not decide goes to another engine, and then to all of them anew with four times the time; so
-// one that never answers holds up none that would (a portfolio, as of SAT solvers). Where a thread
-// has nothing else to do the other engines begin at once. Who has not answered when enough have is
-// stopped.
 #pragma once
 
 #include <cstddef>

@@ -1,3 +1,6 @@
+// A claim that is cut into questions is proved where each of them has as many votes as are needed,
+// and refuted where one has. Two engines that contradict each other decide nothing: a conflict,
+// which is told.
 #include "tb/proof/votes.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,5 @@
+// A log that is only appended to, a line a shard, each with a hash of itself: a line that is cut
+// off is seen, and what comes behind it is still read.
 #include "tb/regress/results.h"
 
 #include <fcntl.h>

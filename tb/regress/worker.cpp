@@ -1,3 +1,5 @@
+// A shard has a checkpoint, which is removed once its line is appended: a worker that is killed
+// between the two leaves a shard that is run again. Its line is then there twice, and counts once.
 #include "tb/regress/worker.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,5 @@
+// A new file is written beside the old one and takes its place in one step (atomic replace). It has
+// a hash of itself and names its work and program: another one does not go on from it.
 #include "tb/sweep/checkpoint.h"
 
 #include <fmt/core.h>

@@ -1,3 +1,7 @@
+// Cases finish in any order and are added up in theirs, so that the sum does not depend on the
+// threads: one that is early waits for those before it, and where too many wait, its thread does. A
+// failure is an end for all cases behind it; those before it are finished, and the first failure is
+// the one that is told.
 #include "tb/sweep/sweep.h"
 
 #include <fmt/core.h>

@@ -1,5 +1,5 @@
 // Any value on any pin on any clock: RTL and model agree all the same, for a million clocks of
-// every shape one case at a time, and in lanes for ten thousand million of a shape of each design.
+// every shape one case at a time, and in lanes for 10^10 of a shape of each design.
 #include "tests/support/sweeps.h"
 #include "tests/tb/shape.h"
 

@@ -135,7 +135,7 @@ struct Pin {
 
 namespace pin {
 
-/// A reset: high, or low, for so many clocks at the start of each case, then the other level.
+/// A reset: high, or low, for `clocks` clocks at the start of each case, then the other level.
 constexpr Pin reset(const char* port, int clocks = 2) {
   return {port, Pin::Kind::reset, 1, 1, clocks};
 }

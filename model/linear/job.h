@@ -15,7 +15,7 @@ namespace cosim::linear {
 /// A line to draw.
 struct Job {
   Line line;
-  /// Give the line up through input 17 after so many words, >= 0; a number past the end of the
+  /// Give the line up through input 17 after this many words, >= 0; a number past the end of the
   /// line gives nothing up.
   std::optional<std::int64_t> words;
 };

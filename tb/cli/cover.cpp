@@ -242,13 +242,13 @@ void add_cover(const Command& program, const Registry& registry) {
   command.text("--random", o->random, "JOBS",
                "How many random jobs, where the design declares some; default 1000");
   command.text("--counts", o->counts, "FOLDER",
-               "Leave the counts there, a new folder, for verilator_coverage");
+               "Leave the counts in this new folder, for verilator_coverage");
   command.flag("--close", o->close,
                "Ask whether what is left can ever happen: a stimulus, or a proof");
   command.text("--seconds", o->seconds, "S",
-               "How long the engine may look, for each shape; default 60");
+               "How long the engine may search, for each shape; default 60");
   command.text("--stimuli", o->stimuli, "FOLDER",
-               "Where the stimuli go that it finds; default stimuli");
+               "Where the stimuli that it finds are written; default stimuli");
   add_common(command, o->common);
   command.footer(fmt::format(
       "Lines, toggles of each bit and cover statements are counted by Verilator, over all "

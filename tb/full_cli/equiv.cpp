@@ -259,7 +259,8 @@ void add_equiv(const Command& program) {
   command.arguments("FILE", o->files, "With --rev: the files of the new RTL");
   command.texts("--gold", o->gold, "FILE", "The files of the old RTL");
   command.texts("--gate", o->gate, "FILE", "The files of the new RTL");
-  command.text("--rev", o->rev, "REV", "The old RTL is what git has of the files in that revision");
+  command.text("--rev", o->rev, "REV",
+               "The old RTL: the same files as git has them in revision REV");
   command.text("--top", o->top, "NAME", "The module that is compared");
   command.text("--gold-top", o->gold_top, "NAME", "What it is called in the old RTL");
   command.text("--gate-top", o->gate_top, "NAME", "What it is called in the new RTL");
@@ -271,10 +272,11 @@ void add_equiv(const Command& program) {
   command.each("--include", o->include_dirs, "DIR", "Where `include finds its files");
   command.each("--define", o->defines, "NAME[=VALUE]", "A definition, in both");
   command.text("--reset", o->reset, "PIN[=0|1]", "The reset, and the level that resets");
-  command.text("--reset-clocks", o->reset_clocks, "N", "For how many clocks it resets; default 3");
+  command.text("--reset-clocks", o->reset_clocks, "N",
+               "Clocks for which the reset is given; default 3");
   command.each("--tie", o->tied, "PIN=VALUE", "An input that has that value");
   command.each("--ignore", o->ignored, "PIN", "An output that is not compared");
-  command.each("--map", o->renamed, "OLD=NEW", "A port of another name in the new RTL");
+  command.each("--map", o->renamed, "OLD=NEW", "A port that has another name in the new RTL");
   command.each("--assume", o->assumed, "EXPRESSION",
                "Verilog over the old RTL's ports, true on every clock after the reset");
   command.text("--latency", o->latency, "N", "The new outputs come N clocks later");
@@ -284,7 +286,7 @@ void add_equiv(const Command& program) {
   command.text("--jobs", o->jobs, "J",
                "Engines at a time; default 4, or one a core where there are more");
   add_report(command, o->common);
-  add_html(command, o->common, "of a difference the wave");
+  add_html(command, o->common, "the wave of a difference");
   add_failures(command, o->common);
   command.footer(
       fmt::format("Needs yosys. Exit status: 0 equal, 1 different, 2 bad input, 3 undecided.\n"

@@ -126,7 +126,7 @@ void add_mutate(const Command& program, const Registry& registry) {
   command.text("--report", o->common.report, "FILE", "Write what became of each as JSON");
   command.footer(fmt::format(
       "Needs yosys, which plants them, a compiler, and cvc5 and z3 for the proofs.\n"
-      "What no stimulus finds is asked from reset; a stimulus that does is kept in DIR.\n"
+      "Where no stimulus finds a mutant, an engine looks for one, from reset; it is kept in DIR.\n"
       "Exit status: 0 none survived, 1 some did, 2 bad input.\n"
       "Example: {} mutate {} --mutants 20",
       program_name(), benches().front()->built_as()));

@@ -197,9 +197,9 @@ void add_new(const Command& program) {
   command.text("--top", o->top, "NAME",
                "The top module, where files have several that could be it");
   command.text("--clock", o->clock, "PIN[,PIN]",
-               "Its clock, or its clocks, where they are not to be found");
+               "Its clock, or its clocks, where they cannot be found");
   command.text("--reset", o->reset, "PIN",
-               "Its reset at the clock, where its name does not say it");
+               "Its synchronous reset, where the name does not show it");
   command.each("--param", o->parameters, "NAME=VALUE",
                "A parameter of the top, a number or a word: the shape that is built");
   command.each("--include", o->includes, "DIR", "A folder with the headers that `include names");

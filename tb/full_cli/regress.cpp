@@ -193,7 +193,7 @@ void add_regress(const Command& program, const Registry& registry) {
                "Only work on parts of the run in DIR, with one of these three:");
   command.text("--only", o->only, "LIST", "With --work: these parts, such as 0-3,7");
   command.text("--list", o->list, "FILE",
-               "With --work: of the lines in FILE the parts of this task of a job array");
+               "With --work: the parts on one line of FILE, that of this task of a job array");
   command.flag("--merge", o->merge, "With --work: no part, only put the report together");
   command.footer(
       "Killed anywhere, a run goes on with --resume and ends with the same report.json.\n"

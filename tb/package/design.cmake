@@ -21,10 +21,10 @@
 #     [THEOREMS name...]           and cosim::name::theorems(), tb/proof/theorems.h
 #     [JOBS design=header...])     what more its mutants are attacked with, tb/mutation/cases.h
 #   cosim_add_tests(TARGET         CTest tests of its designs, each with its kind as its label:
-#     [HOSTILE clocks]             NAME.hostile, so many hostile clocks a shape (100000); NAME.proof,
+#     [HOSTILE clocks]             NAME.hostile, that many hostile clocks a shape (100000); NAME.proof,
 #                                  unless it is UNPROVED
-#     [RANDOM jobs]                NAME.random, so many random jobs a shape, of designs that have jobs
-#     [MUTANTS n]                  NAME.mutants, so many small faults a shape, each found or proved to
+#     [RANDOM jobs]                NAME.random, that many random jobs a shape, of designs that have jobs
+#     [MUTANTS n]                  NAME.mutants, that many small faults a shape, each found or proved to
 #                                  be none; not of a design that is UNPROVED
 #     [REGRESSIONS folder])        NAME.regression.FILE, for each FILE.stim in the folder: RTL and
 #                                  model must not differ on it

@@ -96,7 +96,7 @@ class MutateKind final : public regress::Kind {
     return {
         "mutate",
         {{"mutate", Type::text, "A design, or a line of 'list'; each mutant is to be found"},
-         {"mutants", Type::number, "At most so many of each that is built; default 100", 1, 65535},
+         {"mutants", Type::number, "At most N for each shape that is built; default 100", 1, 65535},
          {"programs", Type::words,
           "Instead of building any: programs that attack mutants, from the plan's folder"},
          {"unproved", Type::yes, "Prove none to be equal: what is not killed survives"}}};

@@ -18,15 +18,11 @@ std::string AnyBench::title() const {
 }
 
 std::string AnyBench::text_of(const HostileCase& c) const {
-  return fmt::format("{} hostile clocks, seed {}", c.clocks, c.seed);
+  return fmt::format("{} {}, seed {}", c.clocks, tables_.hostile_rows, c.seed);
 }
 
 Stimulus AnyBench::hostile(const HostileCase& /*c*/) const {
   throw InputError(design() + ": only a stimulus of it can be drawn");
-}
-
-std::string AnyBench::compared_text() const {
-  return fmt::format("{} registers and {} outputs", registers(), compared().size() - registers());
 }
 
 WavePicture AnyBench::draw_wave(const std::string& path, const Stimulus& stimulus,

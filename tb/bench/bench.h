@@ -50,6 +50,31 @@ struct ResetInputs {
   int clocks = 0;
 };
 
+/// What the tables of a design say at one set of parameters, without its types.
+struct BenchTables {
+  std::string design, source;
+  std::vector<Parameter> parameters;
+  /// What of the design it looks at, where another bench of the same RTL looks at the rest; else
+  /// "".
+  std::string view;
+  /// The registers and outputs compared on every clock, registers first, and how many these are.
+  std::vector<Field> compared;
+  std::size_t registers = 0;
+  std::string compared_text;  ///< all that is compared, in words
+  std::vector<Field> inputs;
+  const char* row = "clock";         ///< what a row of a stimulus is, a noun
+  std::vector<std::string> assumed;  ///< of the inputs, sentences
+  std::vector<Probe> probes;         ///< what a wave shows beside the fields
+  std::vector<Word> rest;            ///< the inputs of an idle clock
+  /// The fields of the model's state, and the state after a reset.
+  std::vector<Field> state;
+  std::vector<Word> reset_state;
+  ResetInputs reset_inputs;
+  std::string hostile_text;          ///< what hostile clocks are, in words
+  std::string hostile_rows;          ///< and so many of them: "hostile clocks"
+  std::vector<JobField> job_fields;  ///< of a job, where jobs are declared by a table (job.h)
+};
+
 /// What every bench can say of itself.
 class AnyBench {
  public:
@@ -58,21 +83,24 @@ class AnyBench {
   AnyBench& operator=(const AnyBench&) = delete;
   virtual ~AnyBench() = default;
 
-  virtual std::string design() const = 0;
-  virtual std::string source() const = 0;
-  virtual std::vector<Parameter> parameters() const = 0;
-  /// What of the design it looks at, where another bench of the same RTL looks at the rest; else
-  /// "".
-  virtual std::string view() const { return ""; }
-  /// The registers and outputs compared on every clock, registers first.
-  virtual std::vector<Field> compared() const = 0;
-  /// How many of them are registers.
-  virtual std::size_t registers() const = 0;
-  /// All that is compared, in words.
-  virtual std::string compared_text() const;
-  virtual std::vector<Field> inputs() const = 0;
-  /// What a row of a stimulus is, a noun.
-  virtual const char* row() const { return "clock"; }
+  // BenchTables says what each is.
+  const std::string& design() const { return tables_.design; }
+  const std::string& source() const { return tables_.source; }
+  const std::vector<Parameter>& parameters() const { return tables_.parameters; }
+  const std::string& view() const { return tables_.view; }
+  const std::vector<Field>& compared() const { return tables_.compared; }
+  std::size_t registers() const { return tables_.registers; }
+  const std::string& compared_text() const { return tables_.compared_text; }
+  const std::vector<Field>& inputs() const { return tables_.inputs; }
+  const char* row() const { return tables_.row; }
+  const std::vector<std::string>& assumed() const { return tables_.assumed; }
+  const std::vector<Probe>& probes() const { return tables_.probes; }
+  const std::vector<Word>& rest() const { return tables_.rest; }
+  const std::vector<Field>& state() const { return tables_.state; }
+  const std::vector<Word>& reset_state() const { return tables_.reset_state; }
+  const ResetInputs& reset_inputs() const { return tables_.reset_inputs; }
+  const std::string& hostile_text() const { return tables_.hostile_text; }
+  const std::vector<JobField>& job_fields() const { return tables_.job_fields; }
   /// Registers and outputs of the RTL that are not compared, by their paths, and as the model names
   /// them.
   const std::vector<std::string>& unobserved() const { return unobserved_; }
@@ -81,39 +109,26 @@ class AnyBench {
     unobserved_ = std::move(signals);
     patterns_ = std::move(patterns);
   }
-  /// What is assumed of the inputs, sentences.
-  virtual std::vector<std::string> assumed() const = 0;
-  /// What a wave shows beside the fields.
-  virtual std::vector<Probe> probes() const = 0;
-  /// The inputs of an idle clock.
-  virtual std::vector<Word> rest() const = 0;
+
   /// The inputs of a clock with as little to do as is legal, after one with `inputs` in `state`.
   virtual std::vector<Word> idle_after(const std::vector<Word>& /*state*/,
                                        const std::vector<Word>& /*inputs*/) const {
     return rest();
   }
-  /// The fields of the model's state, and the state after a reset.
-  virtual std::vector<Field> state() const = 0;
-  virtual std::vector<Word> reset_state() const = 0;
   /// What the RTL's registers hold when a case begins, on a machine powered up at random from
   /// `power_up`: after a reset, or initially.
   virtual std::vector<Word> begun(std::uint32_t /*power_up*/) const { return {}; }
-  /// What hostile clocks are, in words.
-  virtual std::string hostile_text() const { return "any value on any pin on any clock"; }
-  /// One case of them, in words.
-  virtual std::string text_of(const HostileCase& c) const;
-  /// Runs hostile clocks.
+  /// One case of hostile clocks, in words.
+  std::string text_of(const HostileCase& c) const;
+  /// Runs them.
   virtual Run run_hostile(const HostileCase& c) const = 0;
   /// The inputs of these, as a stimulus. InputError of a bench that cannot tell them before.
   virtual Stimulus hostile(const HostileCase& c) const;
-  virtual ResetInputs reset_inputs() const { return {}; }
   /// Runs them before `watch`, as far as it wants. InputError where RTL and model differ.
   virtual void watch_hostile(const HostileCase& /*c*/, const Watch& /*watch*/) const {}
   /// Runs a stimulus that starts from a reset, likewise.
   virtual void watch_stimulus(const Stimulus& /*s*/, const Watch& /*watch*/) const {}
 
-  /// The fields of a job, of a design that declares its jobs by a table (job.h); else empty.
-  virtual std::vector<JobField> job_fields() const { return {}; }
   /// "idle=3 byte=65; idle=0 byte=1"
   virtual std::string describe(const JobList& /*jobs*/) const { return {}; }
   /// Drives declared jobs one after the other on a machine powered up at random from `power_up`,
@@ -155,6 +170,9 @@ class AnyBench {
   std::string built_as() const;
   /// The same, and the view.
   std::string title() const;
+
+ protected:
+  BenchTables tables_;
 
  private:
   std::vector<std::string> unobserved_, patterns_;

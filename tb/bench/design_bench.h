@@ -1,5 +1,5 @@
-// The bench of any shape. Hostile clocks and jobs run for long: where it pays they are compiled for
-// each shape (FastBench). Everything else is compiled once for a design.
+// The bench of any shape. Hostile clocks and jobs run for long: where it pays their loop is
+// compiled for each shape (loop.h). Everything else is compiled once for a design.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 #include <vector>
+
+#include <fmt/core.h>
 
 #include "tb/bench/bench.h"
 #include "tb/bench/job_check.h"
@@ -21,50 +23,20 @@
 namespace cosim {
 
 /// A bench whose RTL is what `dut` makes. `instrumented` makes the same with its whole hierarchy
-/// open and with registers that can be loaded, for replays and waves.
+/// open and with registers that can be loaded, for replays and waves; `loop` is for long runs.
 template <class Design>
-class DesignBench : public Bench<Design> {
+class DesignBench final : public Bench<Design> {
   using Host = HostOf<Design>;
   using Job = typename Host::Job;
 
  public:
   explicit DesignBench(const DutMaker<Design>& dut) : DesignBench(dut, dut) {}
-  DesignBench(const DutMaker<Design>& dut, const DutMaker<Design>& instrumented)
-      : dut_(dut), instrumented_(instrumented) {}
+  DesignBench(const DutMaker<Design>& dut, const DutMaker<Design>& instrumented,
+              LoopMaker<Design> loop = short_loop<Design>)
+      : dut_(dut), instrumented_(instrumented), make_loop_(std::move(loop)) {
+    this->tables_ = tables();
+  }
 
-  std::string design() const override { return Design::name; }
-  std::string source() const override { return source_of<Design>(); }
-  std::vector<Parameter> parameters() const override {
-    const auto list = parameters_of<Design>(dut_.params);
-    return {list.begin(), list.end()};
-  }
-  std::vector<Field> inputs() const override {
-    return fields<typename Design::template Inputs<Word>>();
-  }
-  std::vector<Field> state() const override {
-    return fields<typename Design::template State<Word>>();
-  }
-  std::vector<Field> compared() const override {
-    auto all = fields<typename Design::template Registers<Word>>();
-    const auto outputs = fields<typename Design::template Outputs<Word>>();
-    all.insert(all.end(), outputs.begin(), outputs.end());
-    return all;
-  }
-  std::vector<std::string> assumed() const override {
-    std::vector<std::string> all;
-    const auto rules =
-        legal_of<Word>(dut_.params, reset_state_of<Design, Word>(), rest_of<Design>());
-    for (const Stated<Word>& rule : rules) all.emplace_back(rule.sentence);
-    return all;
-  }
-  std::vector<Probe> probes() const override {
-    const auto list = ViewOf<Design>::probes(dut_.params);
-    return {list.begin(), list.end()};
-  }
-  std::size_t registers() const override {
-    return fields<typename Design::template Registers<Word>>().size();
-  }
-  std::vector<Word> rest() const override { return words(rest_of<Design>()); }
   std::vector<Word> idle_after(const std::vector<Word>& state,
                                const std::vector<Word>& inputs) const override {
     using State = typename Design::template State<Word>;
@@ -73,7 +45,6 @@ class DesignBench : public Bench<Design> {
                                              Cells<Inputs>(dut_.params).record(inputs));
     return words(idle_of<Design, Word>(dut_.params, after.state));
   }
-  std::vector<Word> reset_state() const override { return words(reset_state_of<Design, Word>()); }
   std::vector<Word> begun(std::uint32_t power_up) const override {
     return words(AnyLockstep<Design>(start(power_up)).dut().registers());
   }
@@ -85,10 +56,6 @@ class DesignBench : public Bench<Design> {
     return dut_.make(power_up);
   }
 
-  std::string hostile_text() const override {
-    return assumed().empty() ? AnyBench::hostile_text()
-                             : "any value that its rules allow on any pin on any clock";
-  }
   Run run_hostile(const HostileCase& c) const override {
     const HostileStimulus<Design> hostile(params(), c);
     draw_if_wanted(*this,
@@ -110,11 +77,6 @@ class DesignBench : public Bench<Design> {
   std::unique_ptr<Session<Design>> open(std::uint32_t power_up) const override {
     return std::make_unique<HostSession>(*this, power_up);
   }
-  ResetInputs reset_inputs() const override {
-    if constexpr (has_reset<Design>)
-      return {words(reset_inputs_of<Design>()), reset_clocks_of<Design>()};
-    return {words(rest_of<Design>()), 0};
-  }
   void watch_hostile(const HostileCase& c, const Watch& watch) const override {
     follow(HostileStimulus<Design>(params(), c), c.power_up(), watch);
   }
@@ -129,13 +91,6 @@ class DesignBench : public Bench<Design> {
     watch_drawn(typed(jobs), power_up, watch);
   }
 
-  std::vector<JobField> job_fields() const override {
-    if constexpr (DeclaresJobs<Design>) {
-      const auto list = Job::job_fields(dut_.params);
-      return {list.begin(), list.end()};
-    }
-    return {};
-  }
   std::string describe(const JobList& jobs) const override {
     std::string text;
     for (const Job& job : typed(jobs)) {
@@ -180,19 +135,50 @@ class DesignBench : public Bench<Design> {
     return ran(s.state ? instrumented_ : dut_, s).differs;
   }
   void show(const Stimulus& s, Window around, WaveSink& sink) const override {
-    record_wave(instrumented_, s, around,
-                {this->title(), inputs(), compared(), registers(), probes()}, sink);
-  }
-
- protected:
-  /// A new lockstep that has just been reset.
-  virtual std::unique_ptr<Loop<Design>> loop(std::uint32_t power_up) const = 0;
-
-  typename AnyAdapter<Design>::PowerUp start(std::uint32_t power_up) const {
-    return {dut_, power_up};
+    record_wave(
+        instrumented_, s, around,
+        {this->title(), this->inputs(), this->compared(), this->registers(), this->probes()}, sink);
   }
 
  private:
+  std::unique_ptr<Loop<Design>> loop(std::uint32_t power_up) const {
+    return make_loop_(dut_, power_up);
+  }
+  typename AnyAdapter<Design>::PowerUp start(std::uint32_t power_up) const {
+    return {dut_, power_up};
+  }
+  BenchTables tables() const {
+    using State = typename Design::template State<Word>;
+    const auto list = [](const auto& all) { return std::vector(all.begin(), all.end()); };
+    BenchTables t;
+    t.design = Design::name;
+    t.source = source_of<Design>();
+    t.parameters = list(parameters_of<Design>(dut_.params));
+    t.compared = fields<typename Design::template Registers<Word>>();
+    t.registers = t.compared.size();
+    const auto outputs = fields<typename Design::template Outputs<Word>>();
+    t.compared.insert(t.compared.end(), outputs.begin(), outputs.end());
+    t.compared_text = fmt::format("{} registers and {} outputs", t.registers, outputs.size());
+    t.inputs = fields<typename Design::template Inputs<Word>>();
+    t.state = fields<State>();
+    const State reset = reset_state_of<Design, Word>();
+    t.reset_state = words(reset);
+    t.rest = words(rest_of<Design>());
+    t.reset_inputs = {t.rest, 0};
+    if constexpr (has_reset<Design>) {
+      t.reset_inputs = {words(reset_inputs_of<Design>()), reset_clocks_of<Design>()};
+    }
+    for (const auto& rule : legal_of<Word>(dut_.params, reset, rest_of<Design>())) {
+      t.assumed.emplace_back(rule.sentence);
+    }
+    t.probes = list(ViewOf<Design>::probes(dut_.params));
+    t.hostile_text = t.assumed.empty() ? "any value on any pin on any clock"
+                                       : "any value that its rules allow on any pin on any clock";
+    t.hostile_rows = "hostile clocks";
+    if constexpr (DeclaresJobs<Design>) t.job_fields = list(Job::job_fields(dut_.params));
+    return t;
+  }
+
   class HostSession final : public Session<Design> {
    public:
     HostSession(const DesignBench& bench, std::uint32_t power_up)
@@ -285,42 +271,7 @@ class DesignBench : public Bench<Design> {
   }
 
   DutMaker<Design> dut_, instrumented_;
-};
-
-/// For short runs: nothing is compiled for a shape.
-template <class Design>
-class ShortBench : public DesignBench<Design> {
- public:
-  using DesignBench<Design>::DesignBench;
-
- protected:
-  std::unique_ptr<Loop<Design>> loop(std::uint32_t power_up) const override {
-    return std::make_unique<AdapterLoop<AnyAdapter<Design>>>(this->start(power_up));
-  }
-};
-
-/// The bench of one adapter, for short runs.
-template <class Adapter>
-class AdapterBench final : public ShortBench<typename Adapter::Design> {
- public:
-  AdapterBench() : ShortBench<typename Adapter::Design>(dut_maker<Adapter>()) {}
-};
-
-/// The same with loops compiled for this adapter, for long runs.
-template <class Adapter>
-class FastBench final : public DesignBench<typename Adapter::Design> {
-  using Design = typename Adapter::Design;
-
- public:
-  FastBench() : FastBench(dut_maker<Adapter>()) {}
-  /// `instrumented` as DesignBench has it.
-  explicit FastBench(const DutMaker<Design>& instrumented)
-      : DesignBench<Design>(dut_maker<Adapter>(), instrumented) {}
-
- protected:
-  std::unique_ptr<Loop<Design>> loop(std::uint32_t power_up) const override {
-    return std::make_unique<AdapterLoop<Adapter>>(power_up);
-  }
+  LoopMaker<Design> make_loop_;
 };
 
 }  // namespace cosim

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <vector>
 
 #include "tb/bench/bench.h"
@@ -19,6 +21,11 @@ class Loop {
   /// So far, as of a Run.
   virtual std::vector<std::uint64_t> left_out() const = 0;
 };
+
+/// Makes one that has just been reset.
+template <class Design>
+using LoopMaker =
+    std::function<std::unique_ptr<Loop<Design>>(const DutMaker<Design>&, std::uint32_t power_up)>;
 
 template <class Adapter>
 class AdapterLoop final : public Loop<typename Adapter::Design> {
@@ -39,5 +46,18 @@ class AdapterLoop final : public Loop<typename Adapter::Design> {
  private:
   Lockstep<Adapter> lockstep_;
 };
+
+/// For short runs: compiled once for a design.
+template <class Design>
+std::unique_ptr<Loop<Design>> short_loop(const DutMaker<Design>& dut, std::uint32_t power_up) {
+  using Any = AnyAdapter<Design>;
+  return std::make_unique<AdapterLoop<Any>>(typename Any::PowerUp{dut, power_up});
+}
+/// For long runs: compiled for this adapter.
+template <class Adapter>
+std::unique_ptr<Loop<typename Adapter::Design>> fast_loop(
+    const DutMaker<typename Adapter::Design>& /*dut*/, std::uint32_t power_up) {
+  return std::make_unique<AdapterLoop<Adapter>>(power_up);
+}
 
 }  // namespace cosim

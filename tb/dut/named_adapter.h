@@ -19,6 +19,7 @@
 #include "model/core/design.h"
 #include "model/core/reset.h"
 #include "tb/dut/adapter.h"
+#include "tb/dut/dut.h"
 #include "tb/dut/nets.h"
 #include "tb/dut/said.h"
 
@@ -102,7 +103,8 @@ class CellPlaces {
 /// `Trait` has Design, params, and the names of the shape and of the clock: title, clock ("": it
 /// has none, or several, in clocks as Ports has them).
 template <class Top, class Trait>
-class NamedAdapter : public VerilatedInstance<Top, has_reset<typename Trait::Design>> {
+class NamedAdapter : public Dut<typename Trait::Design>,
+                     public VerilatedInstance<Top, has_reset<typename Trait::Design>> {
   using Base = VerilatedInstance<Top, has_reset<typename Trait::Design>>;
 
  public:
@@ -114,7 +116,7 @@ class NamedAdapter : public VerilatedInstance<Top, has_reset<typename Trait::Des
 
   explicit NamedAdapter(std::uint32_t power_up) : Base(power_up) {}
 
-  void eval([[maybe_unused]] bool clk) {
+  void eval([[maybe_unused]] bool clk) final {
     if constexpr (has_clock) {
       constexpr std::ptrdiff_t known = known_place<Top>(Trait::clock, true, 1);
       const std::ptrdiff_t clock = known >= 0 ? known : places_.clock;
@@ -128,18 +130,19 @@ class NamedAdapter : public VerilatedInstance<Top, has_reset<typename Trait::Des
     if (rtl_said) [[unlikely]]
       hear();
   }
-  const RtlSaid* said() const { return said_ ? &*said_ : nullptr; }
-  void begin() {
+  const RtlSaid* said() const final { return said_ ? &*said_ : nullptr; }
+  std::vector<Signal> signals() const final { return Base::signals(Trait::clock); }
+  void begin() final {
     said_.reset();
     Base::begin();
   }
   /// Of several clocks the next eval() makes levels.
-  void drive(const Inputs& in) {
+  void drive(const Inputs& in) final {
     places_.inputs.write(base_, in);
     if constexpr (clocks_of<Design> != 0) given_ = in;
   }
-  Outputs outputs() const { return places_.outputs.read(base_); }
-  Registers registers() const { return places_.registers.read(base_); }
+  Outputs outputs() const final { return places_.outputs.read(base_); }
+  Registers registers() const final { return places_.registers.read(base_); }
 
  private:
   static constexpr bool has_clock = *Trait::clock != '\0';

@@ -81,7 +81,7 @@ class BothSubject final : public VerilatedSubject {
   const Cases& cases() const override { return cases_; }
 
  private:
-  AdapterSubject<NamedAdapter<Top, Trait>, AdapterBench> clocks_;
+  AdapterSubject<NamedAdapter<Top, Trait>> clocks_;
   StreamSubject<Top, Trait> streams_;
   Cases cases_;
 };
@@ -94,8 +94,7 @@ std::unique_ptr<Subject> named_subject(std::string verilog, const std::string& l
   } else if constexpr (HasStreams<typename Trait::Design>) {
     return std::make_unique<StreamSubject<Top, Trait>>(std::move(verilog), list);
   } else {
-    return std::make_unique<AdapterSubject<NamedAdapter<Top, Trait>, AdapterBench>>(
-        std::move(verilog), list);
+    return std::make_unique<AdapterSubject<NamedAdapter<Top, Trait>>>(std::move(verilog), list);
   }
 }
 

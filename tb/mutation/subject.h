@@ -77,8 +77,7 @@ class MutantAdapter : public Base {
   static inline thread_local unsigned chosen = 0;
 };
 
-/// `BenchOf`: the bench of an adapter.
-template <class Base, template <class...> class BenchOf = FastBench>
+template <class Base>
 class AdapterSubject final : public VerilatedSubject {
   using Adapter = MutantAdapter<Base>;
 
@@ -90,7 +89,7 @@ class AdapterSubject final : public VerilatedSubject {
   const Cases& cases() const override { return cases_; }
 
  private:
-  BenchOf<Adapter> bench_;
+  DesignBench<typename Base::Design> bench_{dut_maker<Adapter>()};
   Cases cases_ = cases_of<typename Base::Design>(bench_);
 };
 

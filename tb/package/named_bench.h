@@ -25,8 +25,10 @@ std::vector<std::unique_ptr<AnyBench>> named_benches() {
   using Design = typename Trait::Design;
   std::vector<std::unique_ptr<AnyBench>> all;
   if constexpr (!HasStreams<Design> || StepsOn<Design, Word>) {
-    auto bench = std::make_unique<FastBench<NamedAdapter<Top, Trait>>>(
-        open_maker<Design>(open_class<Open, Trait>(), Trait::params));
+    using Adapter = NamedAdapter<Top, Trait>;
+    auto bench = std::make_unique<DesignBench<Design>>(
+        dut_maker<Adapter>(), open_maker<Design>(open_class<Open, Trait>(), Trait::params),
+        fast_loop<Adapter>);
     const auto patterns = unobserved_of<Design>();
     bench->set_unobserved(
         require_registers<Design>({Trait::title, Trait::registers, Trait::resets, Trait::outputs},

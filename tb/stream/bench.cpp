@@ -71,7 +71,7 @@ struct AnyStreamBench::Rig {
     runner.emplace(bench.shape_, *machine);
   }
   const char* first_broken() const {
-    for (std::size_t s = 0; s < given.given.size() && !bench.assumed_.empty(); ++s) {
+    for (std::size_t s = 0; s < given.given.size() && !bench.assumed().empty(); ++s) {
       const Sequence& all = given.given[s];
       for (std::size_t n = 0; n < all.size(); ++n) {
         if (const char* rule = bench.broken_rule(s, all[n])) return rule;
@@ -112,28 +112,22 @@ class AnyStreamBench::Borrowed {
 AnyStreamBench::AnyStreamBench() = default;
 AnyStreamBench::~AnyStreamBench() = default;
 
-std::vector<Field> AnyStreamBench::compared() const {
-  std::vector<Field> all;
-  for (const Interface& i : shape_.out) all.insert(all.end(), i.cells.begin(), i.cells.end());
-  return all;
-}
-
-std::string AnyStreamBench::compared_text() const {
-  std::string names;
-  for (const Interface& i : shape_.out) names += (names.empty() ? "" : ", ") + i.name;
-  return "values and order of all that comes out at " + names;
-}
-
-std::string AnyStreamBench::text_of(const HostileCase& c) const {
-  return fmt::format("{} clocks of transactions, seed {}", c.clocks, c.seed);
-}
-
-std::vector<Word> AnyStreamBench::rest() const {
-  return std::vector<Word>(shape_.columns().size(), 0);
+void AnyStreamBench::fill_tables() {
+  BenchTables& t = tables_;
+  t.compared_text = "values and order of all that comes out at ";
+  for (const Interface& i : shape_.out) {
+    t.compared.insert(t.compared.end(), i.cells.begin(), i.cells.end());
+    t.compared_text += (&i == &shape_.out.front() ? "" : ", ") + i.name;
+  }
+  t.inputs = shape_.columns();
+  t.row = "transaction";
+  t.rest.assign(t.inputs.size(), 0);
+  t.hostile_text = "random transactions with random stalls";
+  t.hostile_rows = "clocks of transactions";
 }
 
 MayGo AnyStreamBench::may_go() const {
-  if (assumed_.empty()) return {};
+  if (assumed().empty()) return {};
   return [this](std::size_t s, std::span<const Word> words) { return !broken_rule(s, words); };
 }
 

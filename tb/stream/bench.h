@@ -24,22 +24,6 @@ class AnyStreamBench : public AnyBench {
   AnyStreamBench();
   ~AnyStreamBench() override;
 
-  std::string design() const override { return shape_.design; }
-  std::string source() const override { return ""; }
-  std::vector<Parameter> parameters() const override { return shape_.parameters; }
-  std::vector<Field> compared() const override;
-  std::size_t registers() const override { return 0; }
-  std::string compared_text() const override;
-  std::vector<Field> inputs() const override { return shape_.columns(); }
-  const char* row() const override { return "transaction"; }
-  std::vector<std::string> assumed() const override { return assumed_; }
-  std::vector<Probe> probes() const override { return {}; }
-  std::vector<Word> rest() const override;
-  std::vector<Field> state() const override { return {}; }
-  std::vector<Word> reset_state() const override { return {}; }
-  std::string view() const override { return view_; }
-  std::string hostile_text() const override { return "random transactions with random stalls"; }
-  std::string text_of(const HostileCase& c) const override;
   Run run_hostile(const HostileCase& c) const override;
   Run replay(const Stimulus& stimulus, Window window) const override;
   std::optional<std::uint64_t> first_difference(const Stimulus& stimulus) const override;
@@ -62,9 +46,10 @@ class AnyStreamBench : public AnyBench {
   virtual const char* broken_rule(std::size_t s, std::span<const Word> words) const = 0;
 
  protected:
+  /// What of the tables follows from shape_: to be called once that is there.
+  void fill_tables();
+
   StreamShape shape_;
-  std::vector<std::string> assumed_;
-  std::string view_;
 
  private:
   struct Rig;

@@ -52,9 +52,8 @@ struct StreamShape {
   StreamShape(const StreamShape&) = delete;
   StreamShape& operator=(const StreamShape&) = delete;
 
-  std::string title, design;
+  std::string title;
   const char* clock = "";
-  std::vector<Parameter> parameters;
   std::vector<Interface> in, out;
   std::vector<Pin> pins;
   std::uint64_t watchdog = 1000;  ///< clocks for which nothing may move while something should

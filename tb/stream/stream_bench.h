@@ -53,11 +53,11 @@ class StreamBench final : public AnyStreamBench {
 
  public:
   StreamBench() {
-    if constexpr (StepsOn<Design, Word>) view_ = "streams";
-    shape_.design = Design::name;
+    if constexpr (StepsOn<Design, Word>) tables_.view = "streams";
+    tables_.design = Design::name;
     shape_.clock = Trait::clock;
     const auto parameters = parameters_of<Design>(Trait::params);
-    shape_.parameters.assign(parameters.begin(), parameters.end());
+    tables_.parameters.assign(parameters.begin(), parameters.end());
     shape_.title = title();
     if constexpr (requires { Design::watchdog; }) shape_.watchdog = Design::watchdog;
     if constexpr (requires { Design::pins(Trait::params); }) {
@@ -78,6 +78,7 @@ class StreamBench final : public AnyStreamBench {
     add(out, false, Numbers<Out>());
     [&]<std::size_t... S>(std::index_sequence<S...>) { (add_rules<S>(), ...); }
     (Numbers<In>());
+    fill_tables();
   }
 
   std::unique_ptr<StreamDut> dut(std::uint32_t power_up) const override {
@@ -145,7 +146,7 @@ class StreamBench final : public AnyStreamBench {
   void add_rules() {
     if constexpr (has_rules<S>) {
       for (const auto& rule : Design::legal(Trait::params, RecordOf<S, In>{})) {
-        assumed_.push_back(shape_.in[S].name + ": " + rule.sentence);
+        tables_.assumed.push_back(shape_.in[S].name + ": " + rule.sentence);
       }
     }
   }

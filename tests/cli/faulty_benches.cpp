@@ -23,7 +23,7 @@ class FaultyAdapter : public test::ModelAdapter<D, P> {
   explicit FaultyAdapter(std::uint32_t power_up) : Base(power_up) {
     if (std::getenv("COSIM_FAULTY_THROWS") != nullptr) throw 7;
   }
-  void eval(bool clk) {
+  void eval(bool clk) override {
     edges_ += clk ? 1 : 0;
     if (const char* file = std::getenv("COSIM_FAULTY_LOOPS"); file != nullptr && edges_ > first) {
       std::ofstream(file) << "it loops\n";
@@ -31,7 +31,7 @@ class FaultyAdapter : public test::ModelAdapter<D, P> {
     }
     Base::eval(clk);
   }
-  Registers registers() const {
+  Registers registers() const override {
     auto words = to_words(Base::registers());
     if (edges_ > first) words[index] ^= 1;  // edge 1 is the reset's
     return from_words<Registers>(words);
@@ -50,12 +50,13 @@ const std::vector<std::unique_ptr<AnyBench>>& benches() {
     constexpr linear::Params narrow{5, 2}, wide{32, 26};
     constexpr std::size_t counter4 = 3, ct7 = 3;
     std::vector<std::unique_ptr<AnyBench>> all;
-    all.push_back(std::make_unique<AdapterBench<test::ModelAdapter<Linear, narrow>>>());
-    all.push_back(std::make_unique<AdapterBench<FaultyAdapter<Linear, wide, 20, counter4>>>());
-    all.push_back(
-        std::make_unique<AdapterBench<test::ModelAdapter<Circular, circular::Params{4}>>>());
-    all.push_back(
-        std::make_unique<AdapterBench<FaultyAdapter<Circular, circular::Params{32}, 20, ct7>>>());
+    const auto add = [&]<class D>(const DutMaker<D>& dut) {
+      all.push_back(std::make_unique<DesignBench<D>>(dut));
+    };
+    add(dut_maker<test::ModelAdapter<Linear, narrow>>());
+    add(dut_maker<FaultyAdapter<Linear, wide, 20, counter4>>());
+    add(dut_maker<test::ModelAdapter<Circular, circular::Params{4}>>());
+    add(dut_maker<FaultyAdapter<Circular, circular::Params{32}, 20, ct7>>());
     return all;
   }();
   return list;

@@ -9,7 +9,7 @@ namespace cosim::fuzz {
 
 template <class D, typename D::Params P>
 std::unique_ptr<AnyBench> bench() {
-  return std::make_unique<AdapterBench<test::ModelAdapter<D, P>>>();
+  return std::make_unique<DesignBench<D>>(dut_maker<test::ModelAdapter<D, P>>());
 }
 
 }  // namespace cosim::fuzz

@@ -8,7 +8,7 @@ namespace cosim::test {
 template <class Design>
 std::unique_ptr<Bench<Design>> bench_of(const OpenClass& variant,
                                         const typename Design::Params& p) {
-  return std::make_unique<ShortBench<Design>>(open_maker<Design>(variant, p));
+  return std::make_unique<DesignBench<Design>>(open_maker<Design>(variant, p));
 }
 
 // Never called: here the compiler makes those of all designs.

@@ -42,25 +42,24 @@ struct Design {
 
 // Its sum is 1 more from `faulty` on.
 template <Word faulty>
-class Rtl {
+class Rtl final : public Dut<Design> {
  public:
-  using Design = counted::Design;
   static constexpr Params params{};
 
   explicit Rtl(std::uint32_t) {}
-  void drive(const Inputs<Word>& in) { in_ = in; }
-  void eval(bool clk) {
+  void drive(const Inputs& in) override { in_ = in; }
+  void eval(bool clk) override {
     if (clk && !clk_) state_ = next(params, state_, in_).state;
     clk_ = clk;
   }
-  Outputs<Word> outputs() const {
+  Outputs outputs() const override {
     return {next(params, state_, in_).outputs.sum + (state_.total >= faulty ? 1 : 0)};
   }
-  State<Word> registers() const { return state_; }
+  State<Word> registers() const override { return state_; }
 
  private:
   State<Word> state_{};
-  Inputs<Word> in_{};
+  Inputs in_{};
   bool clk_ = false;
 };
 
@@ -72,8 +71,8 @@ namespace {
 using In = Inputs<Word>;
 using Out = Outputs<Word>;
 
-const AdapterBench<Rtl<1000>> good;
-const AdapterBench<Rtl<20>> bad;
+const DesignBench<Design> good(dut_maker<Rtl<1000>>());
+const DesignBench<Design> bad(dut_maker<Rtl<20>>());
 
 TEST(Directed, DrivesClocksAndTells) {
   Directed<Design> bench(good);

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tb/dut/dut.h"
 #include "tb/lockstep/lockstep.h"
 
 namespace cosim::test {
@@ -51,20 +52,19 @@ struct Design {
 // where it is below 6, then of the outputs.
 std::size_t turned = 0;
 
-class Adapter {
+class Adapter final : public Dut<Design> {
  public:
-  using Design = masked::Design;
   static constexpr Params params{};
 
   explicit Adapter(int) {}
-  void drive(const Inputs<Word>& in) { in_ = in; }
-  void eval(bool clk) {
+  void drive(const Inputs& in) override { in_ = in; }
+  void eval(bool clk) override {
     if (clk) state_ = next<Word>(params, state_, in_).state;
   }
-  Outputs<Word> outputs() const {
+  Outputs outputs() const override {
     return wrong(next<Word>(params, state_, in_).outputs, State<Word>::size);
   }
-  State<Word> registers() const { return wrong(state_, 0); }
+  State<Word> registers() const override { return wrong(state_, 0); }
 
  private:
   template <class Record>
@@ -75,7 +75,7 @@ class Adapter {
   }
 
   State<Word> state_{};
-  Inputs<Word> in_{};
+  Inputs in_{};
 };
 
 }  // namespace masked

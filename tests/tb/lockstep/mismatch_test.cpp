@@ -29,12 +29,14 @@ class FaultyAdapter : public test::ModelAdapter<D, P> {
 
  public:
   using Base::Base;
-  void eval(bool clk) {
+  void eval(bool clk) override {
     edges_ += clk;
     Base::eval(clk);
   }
-  auto registers() const { return turned(Base::registers(), 0); }
-  auto outputs() const { return turned(Base::outputs(), D::template Registers<Word>::size); }
+  typename Base::Registers registers() const override { return turned(Base::registers(), 0); }
+  typename Base::Outputs outputs() const override {
+    return turned(Base::outputs(), Base::Registers::size);
+  }
 
  private:
   template <class Record>
@@ -52,9 +54,14 @@ class FaultyAdapter : public test::ModelAdapter<D, P> {
 constexpr std::uint64_t kEver = ~std::uint64_t{0};
 constexpr std::size_t kCt7 = 3, kCt8 = 4, kStepY = 6;  // t4 t16 f ct7 ct8 running step_y step_x
 
+template <class D, typename D::Params P, Fault F>
+DesignBench<D> faulty() {
+  return DesignBench<D>(dut_maker<FaultyAdapter<D, P, F>>());
+}
+
 template <Fault F>
 Mismatch drawn(const std::vector<circular::Arc>& arcs, std::uint64_t clocks) {
-  const AdapterBench<FaultyAdapter<circular::Design, circular::Params{4}, F>> bench;
+  const auto bench = faulty<circular::Design, circular::Params{4}, F>();
   Observers<circular::Design> nobody({});
   const auto run = bench.open(1)->draw(arcs, nobody);
   EXPECT_EQ(run.clocks, clocks);
@@ -118,9 +125,7 @@ TEST(Mismatch, RegistersComeBeforeOutputs) {
 }
 
 TEST(Mismatch, CountsClocksFromTheSessionsStart) {
-  const AdapterBench<
-      FaultyAdapter<circular::Design, circular::Params{4}, Fault{30, kEver, kCt7, 0}>>
-      bench;
+  const auto bench = faulty<circular::Design, circular::Params{4}, Fault{30, kEver, kCt7, 0}>();
   Observers<circular::Design> nobody({});
   const auto session = bench.open(1);
   EXPECT_FALSE(session->draw(kR12, nobody).mismatch);
@@ -134,8 +139,7 @@ TEST(Mismatch, CountsClocksFromTheSessionsStart) {
 }
 
 TEST(Mismatch, IsSeenUnderHostileClocks) {
-  const AdapterBench<FaultyAdapter<linear::Design, linear::Params{5, 2}, Fault{777, 777, 4, 2}>>
-      bench;
+  const auto bench = faulty<linear::Design, linear::Params{5, 2}, Fault{777, 777, 4, 2}>();
   const auto run = bench.run_hostile({1, 0, 1000});
   EXPECT_EQ(run.clocks, 778U);
   ASSERT_TRUE(run.mismatch);
@@ -149,9 +153,7 @@ TEST(Mismatch, IsSeenUnderHostileClocks) {
 template <std::size_t signal>
 void expect_every_bit_seen() {
   const auto bench_with = []<int bit>() {
-    const AdapterBench<
-        FaultyAdapter<circular::Design, circular::Params{4}, Fault{3, 3, signal, bit}>>
-        bench;
+    const auto bench = faulty<circular::Design, circular::Params{4}, Fault{3, 3, signal, bit}>();
     const auto run = bench.run_hostile({1, 0, 10});
     EXPECT_EQ(run.clocks, 4U) << bench.compared()[signal].name << " bit " << bit;
     ASSERT_TRUE(run.mismatch);

@@ -80,7 +80,7 @@ class OnceFaulty : public ModelAdapter<D, P> {
 
  public:
   explicit OnceFaulty(std::uint32_t power_up) : Base(power_up), wrong_(instances_++ == 0) {}
-  Registers registers() const {
+  Registers registers() const override {
     auto words = to_words(Base::registers());
     if (wrong_) words[0] ^= 1;
     return from_words<Registers>(words);
@@ -105,9 +105,9 @@ void expect_unsteady(RunIt run) {
 
 TEST(Replay, OfACaseThatPassesWhenItRunsAgainIsRefused) {
   using D = circular::Design;
-  const AdapterBench<OnceFaulty<D, circular::Params{4}>> hostile_one;
+  const DesignBench<D> hostile_one(dut_maker<OnceFaulty<D, circular::Params{4}>>());
   expect_unsteady([&] { hostile_one.run_hostile({1, 0, 100}); });
-  const AdapterBench<OnceFaulty<D, circular::Params{5}>> replayed_one;
+  const DesignBench<D> replayed_one(dut_maker<OnceFaulty<D, circular::Params{5}>>());
   const AnyBench& b = replayed_one;
   const Stimulus s{b.title(), "", 1, {}, {b.rest(), b.rest()}};
   expect_unsteady([&] { b.replay(s, Window{}); });

@@ -2,6 +2,7 @@
 // registers.
 #include <gtest/gtest.h>
 
+#include "tb/dut/dut.h"
 #include "tb/lockstep/lockstep.h"
 
 namespace cosim::test {
@@ -38,16 +39,15 @@ struct Design {
 };
 
 // RTL that holds 5, 9 and -3, whose code is 13.
-class Adapter {
+class Adapter final : public Dut<Design> {
  public:
-  using Design = kept::Design;
   static constexpr Params params{};
 
   explicit Adapter(int) {}
-  void drive(const Inputs<Word>&) {}
-  void eval(bool) {}
-  Outputs<Word> outputs() const { return {9, 13}; }
-  Registers<Word> registers() const { return {{5, 9}, 13}; }
+  void drive(const Inputs&) override {}
+  void eval(bool) override {}
+  Outputs outputs() const override { return {9, 13}; }
+  Registers registers() const override { return {{5, 9}, 13}; }
 };
 
 }  // namespace kept

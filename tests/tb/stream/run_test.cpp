@@ -116,7 +116,7 @@ struct Setting {
 class Case {
  public:
   explicit Case(const Setting& s) : setting_(s) {
-    shape_.title = shape_.design = "queue";
+    shape_.title = "queue";
     shape_.clock = "clk";
     shape_.watchdog = 50;
     shape_.pins = {pin::reset("rst")};

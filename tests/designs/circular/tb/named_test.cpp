@@ -26,7 +26,7 @@ struct Trait {
 using Named = NamedAdapter<IcircularW4, Trait>;
 
 TEST(NamedAdapter, IsInLockstep) {
-  const AdapterBench<Named> bench;
+  const DesignBench<Design> bench(dut_maker<Named>());
   for (std::uint64_t i = 0; i < 20; ++i) {
     const auto run = bench.run_hostile({1, i, 1000});
     ASSERT_FALSE(run.mismatch) << to_text(*run.mismatch);
@@ -59,7 +59,7 @@ TEST(NamedAdapter, RestartedIsWhatANewOneIs) {
 }
 
 TEST(NamedAdapter, IsOfTheShapeThatItsModelNames) {
-  const AdapterBench<Named> bench;
+  const DesignBench<Design> bench(dut_maker<Named>());
   require_shape(bench, Trait::title);
   for (const char* other : {"circular W=8", "circular", "arc W=4", "circular V=4"}) {
     EXPECT_THROW(require_shape(bench, other), InputError) << other;

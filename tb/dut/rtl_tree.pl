@@ -55,14 +55,17 @@ sub constant {
     my $value = hex $1;
     return $value >= 2**31 && $node->{has}{name} =~ /^32&apos;s/ ? $value - 2**32 : $value;
 }
-sub elements {
+# The two bounds of a range: numbers with a sign, for [N-1:0] of an unsigned N of 0 is [-1:0].
+sub bounds {
     my ($range) = grep { $_->{tag} eq 'range' } @{$_[0]{in}};
-    my ($left, $right) = map { constant($_) } @{$range->{in}};
+    return map { defined && $_ >= 2**31 ? $_ - 2**32 : $_ } map { constant($_) } @{$range->{in}};
+}
+sub elements {
+    my ($left, $right) = bounds($_[0]);
     return defined $right ? abs($left - $right) + 1 : 1;
 }
 sub first_of {
-    my ($range) = grep { $_->{tag} eq 'range' } @{$_[0]{in}};
-    return (sort { $a <=> $b } map { constant($_) // 0 } @{$range->{in}})[0] // 0;
+    return (sort { $a <=> $b } map { $_ // 0 } bounds($_[0]))[0] // 0;
 }
 # All bits of a type.
 sub size_of {

@@ -129,6 +129,11 @@ endmodule
 RTL
 found 'both[0].bit_of 1 0 0:0\nboth[1].bit_of 1 0 0:0\ncount 2 0 1:0\nkept 4 0 3:0\nlast 1 0 0:0\none.held 1 0 0:0 one.out 1 0 0 top 1 0 0\nstore 4 4 15:0\nsum 4 0 3:0|low rst_n'
 
+# [N-1:0] of an unsigned N of 0 is [-1:0], not two to the 32nd.
+printf 'module made #(parameter int unsigned N = 0)(input wire clk, input wire [N-1:0][3:0] d,
+output reg [N-1:0][3:0] q); always_ff @(posedge clk) q <= d; endmodule\n' > made.sv
+(ulimit -v 2000000 && found 'q 8 0 7:0|')
+
 # Several clocks, each on one edge; and one that is to be an input of the model.
 options=('-DCLOCKS=clk,other,')
 rtl 'always @(posedge clk) q <= d; always @(posedge other) r <= d;'

@@ -58,4 +58,19 @@ cat said
 [[ $status == 1 ]]
 grep -q '^counts .* accepted, does not build: CMake Error at CMakeLists.txt:3 (message): it is broken$' said
 grep -qx '1 of them do not build or run' said
+
+# One that is refused behind lines of its progress, and one of which nothing is proved.
+cat > slow << 'SH'
+#!/bin/sh
+[ "$5" = nothing ] || { echo "60 s: $5: reading it"; echo "cosim: new: q: a latch"; exit 2; } >&2
+mkdir made
+echo "made/: 1 input, 1 output, 0 registers"
+echo "made/made.h: yosys cannot read the RTL: rtl.sv:2: ERROR: syntax error: nothing is proved of it"
+SH
+chmod +x slow
+"$root/scripts/modules" --program ./slow --only latched --only nothing rtl > said || true
+cat said
+grep -q '^latched .* s  cosim: new: q: a latch$' said
+grep -q '^nothing .* s  accepted, yosys cannot read the RTL: rtl.sv:2: ERROR: syntax error: nothing is proved of it$' said
+grep -qx '1 of them yosys cannot read' said
 echo "as expected"

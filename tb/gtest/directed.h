@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "tb/bench/bench.h"
+#include "tb/gtest/present_test.h"
 #include "tb/stimulus/legal.h"
 
 namespace cosim {
@@ -31,14 +32,6 @@ class Differ : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
-
-/// The test that runs at present, as its framework knows it.
-struct PresentTest {
-  std::string name;     ///< one line
-  bool failed = false;  ///< something that it expected is not so
-};
-/// Asked when a Directed begins and when it ends. cosim_add_gtest() sets it.
-inline PresentTest (*present_test)() = nullptr;
 
 /// What a Directed did: its clocks, and what becomes of them.
 class DirectedRecord {

@@ -180,7 +180,8 @@ Found found_in(const RtlQuestion& question) {
   if (const fs::path unread = work / "unread.txt"; fs::exists(unread)) {
     found.unread = read_file(unread.string());
   }
-  follow_parameters(found, is, question, reader, scratch.path() / "tried", line);
+  follow_parameters(found, is, question, {reader, read_file((work / "verilator.txt").string())},
+                    scratch.path() / "tried", line);
   for (const FoundParameter& p : question.parameters) {
     const auto same = std::find_if(found.parameters.begin(), found.parameters.end(),
                                    [&](const FoundParameter& q) { return q.name == p.name; });

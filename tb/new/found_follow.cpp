@@ -81,7 +81,7 @@ void put(FoundSize& size, const std::string& p, long value, const Points& points
 }  // namespace
 
 void follow_parameters(Found& found, const FoundShape& shape, const RtlQuestion& question,
-                       const std::filesystem::path& reader, const std::filesystem::path& work,
+                       const RtlReader& reader, const std::filesystem::path& work,
                        StateLine& line) {
   constexpr long most = 1L << 24;
   std::map<std::string, std::vector<Tried>> tried;

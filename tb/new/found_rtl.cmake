@@ -4,7 +4,8 @@
 #   SHAPE          parameters, as of cosim_add_design()
 #   BLACKBOXES     modules that no file has, "A,B"
 #   FILES, OPTIONS of Verilator; YOSYS, its options for yosys
-#   WORK           where the answer is to be: shape.txt, found.txt, and error.txt, one line
+#   WORK           where the answer is to be: tree.xml, found.txt, verilator.txt, the program that
+#                  reads RTL, unread.txt as of cosim_read_netlist(), and error.txt, one line
 include(${CMAKE_CURRENT_LIST_DIR}/rtl.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/shape.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/verilog.cmake)
@@ -15,10 +16,12 @@ function(message kind)
   endif()
   _message(${kind} ${ARGN})
 endfunction()
-find_program(VERILATOR_BIN verilator HINTS $ENV{VERILATOR_ROOT}/bin)
+# The program itself: the script in front of it takes five times as long as a small design.
+find_program(VERILATOR_BIN NAMES verilator_bin verilator HINTS $ENV{VERILATOR_ROOT}/bin)
 if(NOT VERILATOR_BIN)
   message(FATAL_ERROR "needs verilator")
 endif()
+file(WRITE ${WORK}/verilator.txt ${VERILATOR_BIN})
 cosim_shape(shape new "${SHAPE}")
 cosim_verilog_of(FILES new ${TOP} ${WORK} "${shape_title}" "${BLACKBOXES}" ${FILES})
 list(JOIN FILES "\" \"" files)

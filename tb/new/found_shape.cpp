@@ -8,6 +8,7 @@
 
 #include "model/core/input_error.h"
 #include "rtl_reader.h"
+#include "tb/new/new_sources.h"
 #include "tb/support/output_file.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
@@ -98,15 +99,24 @@ std::string as_plain_verilog(std::vector<std::string>& files, const std::string&
 }
 
 std::optional<FoundShape> shape_with(const RtlQuestion& question, const std::string& other,
-                                     long value, const std::filesystem::path& reader,
+                                     long value, const RtlReader& reader,
                                      const std::filesystem::path& work) {
   std::filesystem::create_directories(work);
   const std::string tree = (work / "tree.xml").string();
-  std::vector<std::string> words{"env",       "-C",           question.folder.string(),
-                                 "verilator", "--xml-only",   "--xml-output",
-                                 tree,        "--top-module", question.top,
-                                 "-Mdir",     work.string(),  "-Wno-fatal",
-                                 "-Wno-lint", "-Wno-style"};
+  std::vector<std::string> words{"env",
+                                 "-C",
+                                 question.folder.string(),
+                                 reader.verilator,
+                                 "--xml-only",
+                                 "--xml-output",
+                                 tree,
+                                 "--top-module",
+                                 question.top,
+                                 "-Mdir",
+                                 work.string(),
+                                 "-Wno-fatal",
+                                 "-Wno-lint",
+                                 "-Wno-style"};
   words.insert(words.end(), question.options.begin(), question.options.end());
   for (const FoundParameter& p : question.parameters) {
     if (p.name == other) continue;
@@ -118,11 +128,11 @@ std::optional<FoundShape> shape_with(const RtlQuestion& question, const std::str
     if (p.name != other) parameters.push_back(p.name + '=' + p.value);
   }
   const std::string wrong = as_plain_verilog(files, question.top, parameters, question.blackboxes,
-                                             question.folder, reader, work / "vhdl.v");
+                                             question.folder, reader.folder, work / "vhdl.v");
   if (!wrong.empty()) return std::nullopt;
   words.insert(words.end(), files.begin(), files.end());
   if (cosim::run_program(words).status != 0) return std::nullopt;
-  const Ended ended = cosim::run_program({"perl", (reader / "rtl_shape.pl").string(), tree});
+  const Ended ended = cosim::run_program({"perl", (reader.folder / "rtl_shape.pl").string(), tree});
   if (ended.status != 0) return std::nullopt;
   return shape_of(ended.text);
 }

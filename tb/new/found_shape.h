@@ -38,16 +38,21 @@ std::string as_plain_verilog(std::vector<std::string>& files, const std::string&
                              const std::filesystem::path& reader,
                              const std::filesystem::path& made);
 
+/// What reads RTL.
+struct RtlReader {
+  std::filesystem::path folder;  ///< that of write_reader()
+  std::string verilator;         ///< the program
+};
+
 /// The shape with another value of a parameter; none where Verilator does not read it so. `work`: a
-/// folder for it alone; `reader`: that of write_reader().
+/// folder for it alone.
 std::optional<FoundShape> shape_with(const RtlQuestion& question, const std::string& other,
-                                     long value, const std::filesystem::path& reader,
+                                     long value, const RtlReader& reader,
                                      const std::filesystem::path& work);
 
 /// Tries other values of each parameter: sizes of `found` that follow one get their text, and
 /// parameters that follow others are left out of it. `line` shows how many were tried.
 void follow_parameters(Found& found, const FoundShape& shape, const RtlQuestion& question,
-                       const std::filesystem::path& reader, const std::filesystem::path& work,
-                       StateLine& line);
+                       const RtlReader& reader, const std::filesystem::path& work, StateLine& line);
 
 }  // namespace cosim::cli

@@ -5,6 +5,7 @@
 # not be wider than the window, all its figures must be drawn, and the clock of a difference must be
 # in sight. The pictures go to the folder PICTURES.
 # Status: 0 so it is; 1 not; 77, saying so, without Chromium.
+# Needs: linear, circular
 source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 program=$1 faulty=$2 pictures=$3
 browser=$(command -v chromium-headless-shell || command -v chromium) || {

@@ -1,5 +1,6 @@
 // What a careless or hostile person hands in for a file: it works, or one line says what is wrong;
 // and it never takes more memory than a few times what the file holds.
+// Needs: linear, circular, toolpath
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 

@@ -1,4 +1,5 @@
 // cosim equiv: every planted fault of a shipped design is another machine, seen at its outputs.
+// Needs: linear
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // Benches with the model in the RTL's place, right at the smallest width and wrong at the largest
 // from one clock on: so that the program has a mismatch to show.
+// Needs: linear, circular
 #include <unistd.h>
 
 #include <cstdlib>

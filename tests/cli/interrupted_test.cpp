@@ -1,4 +1,5 @@
 // Ctrl-C in a sweep: it says what it had finished, and leaves nothing behind.
+// Needs: linear, circular
 #include <gtest/gtest.h>
 
 #include <csignal>

@@ -1,4 +1,5 @@
 // A sweep that is killed goes on from its checkpoint and ends as if nothing had happened.
+// Needs: linear
 #include <gtest/gtest.h>
 
 #include <chrono>

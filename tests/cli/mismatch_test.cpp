@@ -1,4 +1,5 @@
 // A mismatch from end to end, on benches that go wrong on clock 20 (faulty_benches.cpp).
+// Needs: linear, circular, toolpath
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

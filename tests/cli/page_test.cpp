@@ -1,4 +1,5 @@
 // report.html and --html, as text. tests/cli/browser_test.sh opens them.
+// Needs: linear, circular, toolpath
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>

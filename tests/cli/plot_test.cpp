@@ -1,4 +1,5 @@
 // --plot: a picture is drawn, or one line says why not. What it shows: picture_test.cpp.
+// Needs: linear, circular
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Ctrl-C in a proof: the program that it waits for is ended, and its folder gone.
+// Needs: linear, circular
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 

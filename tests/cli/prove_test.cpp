@@ -1,5 +1,6 @@
 // cosim prove from end to end: what it prints and leaves where RTL and model are the same, and
 // where they are not.
+// Needs: linear, circular
 #include <gtest/gtest.h>
 
 #include <cstdlib>

@@ -1,4 +1,5 @@
 // Bad input: one line on standard error that says what is wrong, status 2, and no file touched.
+// Needs: linear, circular, toolpath
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 

@@ -1,4 +1,5 @@
 // The report: the keys that other programs read, and their types.
+// Needs: linear, circular, toolpath
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 // The small form of the program: what it does itself and what it becomes the full one for look the
 // same.
+// Needs: circular
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // Files and streams that cannot be written, or are wanted for something else.
+// Needs: linear, circular, toolpath
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>

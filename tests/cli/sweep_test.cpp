@@ -1,4 +1,5 @@
 // Sweeps: what they say they ran, and that a seed gives the same again.
+// Needs: linear, circular
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // The bar of a sweep on a terminal, and nothing of it elsewhere.
+// Needs: linear, circular
 #include <gtest/gtest.h>
 
 #include <csignal>

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # wave_script_test.sh PROGRAM: what `PROGRAM wave` and scripts/wave render without a display, and what they
 # refuse, in one clear line, with status 2. Status 77 where it cannot be tried.
+# Needs: circular
 source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 needs gtkwave Xvfb
 unset DISPLAY WAYLAND_DISPLAY

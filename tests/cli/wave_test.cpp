@@ -1,4 +1,5 @@
 // --wave, the folder of a failure, and replay, as a person meets them.
+// Needs: linear, circular, toolpath
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 #include <unistd.h>

@@ -1,4 +1,5 @@
 // Regressions in which something does not hold, or cannot be run.
+// Needs: linear, circular
 #include "tests/regress/run.h"
 
 namespace cosim::cli {

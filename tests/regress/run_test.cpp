@@ -1,4 +1,5 @@
 // A regression ends in the same report however it is cut, killed and gone on with.
+// Needs: linear
 #include <csignal>
 #include <fstream>
 #include <random>

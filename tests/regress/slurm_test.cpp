@@ -1,5 +1,6 @@
 // What is asked of Slurm, with programs in its place that run every job at once. On a real one:
 // scripts/test --slurm.
+// Needs: linear
 #include <cstdlib>
 #include <filesystem>
 

@@ -2,6 +2,7 @@
 # scripts/lint finds faults: each is planted in a copy of the RTL, or in a small tree of C++ and
 # scripts, and the tools that are to see it must say what it is.
 # Status: 0 all seen, 1 not, 77 where a tool is not installed.
+# Needs: circular
 source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 needs verilator iverilog yosys clang-tidy cppcheck shellcheck
 copy=$folder

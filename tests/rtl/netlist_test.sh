@@ -3,6 +3,7 @@
 #
 # scripts/netlist proves the netlists of small machines, by `equiv` of PROGRAM, which finds faults that
 # are planted in them. Status: 0 all as expected, 1 not, 77 where yosys is not installed.
+# Needs: circular
 source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 program=$(realpath "$1")
 needs yosys

@@ -3,11 +3,11 @@
 #
 # scripts/exhaustive on the shapes of this program, killed with all that it started and gone on with:
 # its report is that of a run that nobody cut, and what was done is not done again.
-# Status: 0 so, 1 not, 77 without yosys or without the design.
+# Status: 0 so, 1 not, 77 without yosys.
+# Needs: dda
 source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 program=$1 hash_of=$2
 needs yosys
-[[ -d $root/rtl/dda ]] || { echo "skipped: not here: the DDA, whose sweeps are long enough to be cut" && exit 77; }
 cd "$folder"
 cut=$folder/cut state=$folder/cut/dda.checkpoint
 exhaustive() {

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # The harness names no design: no line of its files has the name of one in rtl/shipped.txt where it names
 # a design: as a scope, a folder, a file, a class of Verilator, a text in quotes, beside a parameter or
-# as the argument of a command. In prose the word may be a word: "a linear search". First on a small tree
-# with such lines, then on the project.
+# as the argument of a command. In prose the word may be a word: "a linear search". A test of the harness
+# that names one says so. First on a small tree with such lines, then on the project.
 # Status: 0 so it is, 1 not, with FILE:LINE:TEXT of each find.
 source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 # pattern NAMES: an expression of lines that name one of NAMES, a|b|c.
@@ -32,6 +32,20 @@ finds() {
     xargs grep -nHE "$(pattern "$names")" || true
 }
 
+# unsaid TREE: tests of the harness that name a design which their line "Needs: NAME, NAME" has not.
+unsaid() {
+  cd "$1"
+  local names name file
+  names=$(sed -E '/^(#|$)/d; s/ .*//' rtl/shipped.txt | sort -u)
+  for name in $names; do
+    find tests -type f \( -name '*_test.cpp' -o -path '*/fuzz/targets/*.cpp' -o -name '*_test.sh' \) |
+      grep -vE '^tests/(designs|studies|model|scripts|examples)/' | LC_ALL=C sort |
+      xargs grep -lE "$(pattern "$name")" | while read -r file; do
+      grep -qE "^(//|#) Needs: (.*, )?$name(,|$)" "$file" || echo "$file: does not say: Needs: $name"
+    done
+  done
+}
+
 tree=$folder/tree
 mkdir -p "$tree"/{rtl,scripts,model/{core,first},tb/{cli,designs/first,studies/both},tests/{cli,designs}}
 cd "$tree"
@@ -51,6 +65,13 @@ diff - <(finds "$tree") <<- 'END'
 	tests/CMakeLists.txt:1:cosim sweep second
 END
 
-found=$(finds "$root")
+# A line for another design is none for this one.
+printf '// Needs: first\nfirst::Design; "second"\n' > tests/cli/y_test.cpp
+diff - <(unsaid "$tree") <<- 'END'
+	tests/cli/x_test.cpp: does not say: Needs: second
+	tests/cli/y_test.cpp: does not say: Needs: second
+END
+
+found=$(finds "$root" && unsaid "$root")
 [[ -z $found ]] || { echo "$found" && exit 1; }
 echo "as expected"

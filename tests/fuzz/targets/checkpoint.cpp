@@ -1,4 +1,5 @@
 // The state in a checkpoint, with a hash that fits: the sweeps go on from it, or it is refused.
+// Needs: linear
 #include "model/linear/job.h"
 #include "tb/program/sweep_checkpoint.h"
 #include "tests/fuzz/machines.h"

@@ -1,4 +1,5 @@
 // Lines of results with hashes that fit: what they say comes to the report, or is refused.
+// Needs: linear
 #include <sstream>
 
 #include "model/linear/job.h"

@@ -1,4 +1,5 @@
 // A stimulus file: what is read comes back from its own text, and runs.
+// Needs: linear, circular
 #include "tb/bench/stimulus_text.h"
 
 #include "model/circular/job.h"

@@ -1,4 +1,5 @@
 // The benches that are built, and what a session on one says of its clocks.
+// Needs: linear, circular
 #include <gtest/gtest.h>
 
 #include <algorithm>

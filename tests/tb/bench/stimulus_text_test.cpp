@@ -1,4 +1,5 @@
 // A stimulus as a file: it comes back the same, and what is none is refused in one line.
+// Needs: linear, circular
 #include "tb/bench/stimulus_text.h"
 
 #include <gtest/gtest.h>

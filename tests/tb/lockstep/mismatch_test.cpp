@@ -1,5 +1,6 @@
 // A difference planted on purpose: the model in the RTL's place with a bit turned over from one
 // clock on. What is reported of it, and how it reads.
+// Needs: linear, circular
 #include "tb/lockstep/mismatch.h"
 
 #include <gtest/gtest.h>

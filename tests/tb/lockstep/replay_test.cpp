@@ -1,4 +1,5 @@
 // A stimulus runs as what it was recorded from, and from a state in its middle as from its start.
+// Needs: linear, circular
 #include "tb/lockstep/replay.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 // The proof of the RTL as shipped, at the smallest widths; and that each part of it is needed.
+// Needs: linear
 #include "tb/proof/claims.h"
 
 #include <gtest/gtest.h>

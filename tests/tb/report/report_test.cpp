@@ -1,4 +1,5 @@
 // What a run says of itself, in words and as JSON.
+// Needs: linear, circular
 #include "tb/report/report.h"
 
 #include <gtest/gtest.h>

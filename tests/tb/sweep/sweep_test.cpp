@@ -1,4 +1,5 @@
 // Sweeps made up for the purpose: which case is reported, the sums, what is thrown.
+// Needs: circular
 #include "tb/sweep/sweep.h"
 
 #include <gtest/gtest.h>

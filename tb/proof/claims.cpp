@@ -76,7 +76,7 @@ namespace {
 class OneClock {
  public:
   OneClock(const std::string& what, const MachineFormula& m, const Rtl& rtl)
-      : question(m, rtl, false), claim{what, Answer::unsat, {}, {}} {
+      : question(m, rtl, false), claim{what, Answer::unsat, {}, {}}, by_arms_(m.parts.empty()) {
     question.assume_hypotheses();
     for (const Wire& w : m.inputs) claim.terms.push_back(w.code.text());
     for (const Wire& w : m.state) claim.terms.push_back(w.code.text());
@@ -88,11 +88,14 @@ class OneClock {
   Expression differs(const char* what, const Wire& w, const Expression& actual) {
     claim.terms.push_back(term_of("model", w.field) + what);
     claim.terms.push_back(term_of("rtl", w.field) + what);
-    return question.differs(what, w, actual);
+    return question.differs(what, w, actual, by_arms_);
   }
 
   Question question;
   Claim claim;
+
+ private:
+  bool by_arms_;  // parts of the model's own cut it otherwise
 };
 
 }  // namespace
@@ -199,8 +202,7 @@ std::vector<Claim> claims_of(const MachineFormula& m, const nets::Model& model,
   };
   std::vector<Claim> all, asserts;
   if (m.unobserved.empty()) {
-    const Rtl rtl(source);
-    const RtlNets rtl_nets(source);
+    const auto [rtl, rtl_nets] = read_both(source);
     all.push_back(both(claim_base_case(m, rtl), nets_of_base_case(model, rtl_nets)));
     all.push_back(both(claim_step(m, rtl), nets_of_step(model, rtl_nets)));
     if (!rtl.asserted().empty()) asserts.push_back(claim_asserts(m, rtl));

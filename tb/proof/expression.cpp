@@ -2,7 +2,15 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <string_view>
+
 namespace cosim::proof {
+namespace {
+
+constexpr std::string_view kDeclare = "(declare-const ", kEquation = "(assert (= ";
+
+}  // namespace
 
 std::string bit_vector(int width) { return fmt::format("(_ BitVec {})", width); }
 
@@ -15,7 +23,33 @@ Expression disjunction(const Expression& a, const Expression& b) { return {"or",
 Expression equal(const Expression& a, const Expression& b) { return {"=", boolean, {a, b}}; }
 
 std::string definition(const std::string& name, const std::string& sort, const std::string& term) {
-  return fmt::format("(declare-const {0} {1})\n(assert (= {0} {2}))\n", name, sort, term);
+  return fmt::format("{0}{1} {2})\n{3}{1} {4}))\n", kDeclare, name, sort, kEquation, term);
+}
+
+std::string with_definitions(const std::string& script) {
+  std::string text;
+  std::string_view left(script);
+  const auto take_line = [&] {
+    const std::string_view line = left.substr(0, left.find('\n'));
+    left.remove_prefix(std::min(line.size() + 1, left.size()));
+    return line;
+  };
+  while (!left.empty()) {
+    const std::string_view line = take_line();
+    // "NAME SORT": a sort is "Bool" or in parentheses.
+    const std::string_view both = line.substr(std::min(line.size(), kDeclare.size()));
+    const std::size_t sort = std::min(both.rfind(" ("), both.rfind(' '));
+    const std::string head = fmt::format("{}{} ", kEquation, both.substr(0, sort));
+    if (line.starts_with(kDeclare) && left.starts_with(head)) {
+      const std::string_view term = take_line().substr(head.size());
+      text += fmt::format("(define-fun {} () {} {})\n", both.substr(0, sort),
+                          both.substr(sort + 1, both.size() - sort - 2),
+                          term.substr(0, term.size() - 2));
+    } else {
+      text += fmt::format("{}\n", line);
+    }
+  }
+  return text;
 }
 
 Script::Script(const std::string& logic)

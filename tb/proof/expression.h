@@ -43,9 +43,16 @@ Expression disjunction(const Expression& a, const Expression& b);
 Expression equal(const Expression& a, const Expression& b);
 Expression truth(bool value);
 
+/// A term that is one of two.
+struct Choice {
+  Expression condition, then, otherwise;
+};
+
 /// Lines that give a term a name: a free symbol and an equation, which cvc5 takes much better than
 /// a definition.
 std::string definition(const std::string& name, const std::string& sort, const std::string& term);
+/// A script with definitions in place of these.
+std::string with_definitions(const std::string& script);
 
 /// A script for a solver. Each application is defined once under a name of its own, in order and
 /// without parameters: no let, no quantifier, no function.

@@ -36,6 +36,7 @@ class Race {
       for (std::size_t i = 0; i < course.opinions.size(); ++i) {
         course.begun[i].resize(course.opinions[i].solved.size());
         course.enough.emplace_back(course.opinions[i].solved.size());
+        course.all_enough.emplace_back(false);
       }
       for (std::size_t n = 0; n < needed; ++n) begin_next(c);
     }
@@ -52,7 +53,8 @@ class Race {
 
  private:
   struct Try {
-    std::size_t claim = 0, opinion = 0, question = 0;
+    std::size_t claim = 0, opinion = 0;
+    std::vector<std::size_t> questions{};
     int seconds = 1;
     std::size_t size = 0;  // of what is asked, a measure of the time it takes
   };
@@ -60,6 +62,7 @@ class Race {
     std::vector<Opinion> opinions;
     std::vector<std::vector<bool>> begun;              // by opinion and question
     std::deque<std::deque<std::atomic<bool>>> enough;  // likewise: no answer is needed any more
+    std::deque<std::atomic<bool>> all_enough;          // by opinion: of no question
     bool is_settled = false, is_told = false;
     int running = 0;
   };
@@ -74,21 +77,37 @@ class Race {
     told_(c, std::move(opinions));
   }
 
+  static bool takes_many(Engine engine) {
+    return engine != Engine::cec && solver_of(engine).takes_many;
+  }
   static std::size_t questions(Engine engine, const Claim& claim) {
     return engine == Engine::cec ? 1 : claim.queries.size();
   }
 
-  bool begin(std::size_t c, std::size_t opinion, std::size_t question) {
+  // One of these after the other, or at a time where the engine takes many.
+  bool begin(std::size_t c, std::size_t opinion, std::vector<std::size_t> questions) {
     Course& course = courses_[c];
-    if (course.begun[opinion][question] || course.enough[opinion][question]) return false;
-    course.begun[opinion][question] = true;
+    const Engine engine = course.opinions[opinion].engine;
+    std::erase_if(questions, [&](std::size_t q) {
+      return course.begun[opinion][q] || course.enough[opinion][q];
+    });
+    if (questions.empty()) return false;
+    for (const std::size_t q : questions) course.begun[opinion][q] = true;
+    if (takes_many(engine)) {
+      put_off(c, opinion, questions, asking_.slice);
+    } else {
+      for (const std::size_t q : questions) put_off(c, opinion, {q}, asking_.slice);
+    }
+    return true;
+  }
+  void put_off(std::size_t c, std::size_t opinion, const std::vector<std::size_t>& questions,
+               int seconds) {
     constexpr std::size_t of_a_gate = 40;  // characters in a script
     const Claim& claim = *claims_[c];
-    const std::size_t size = course.opinions[opinion].engine == Engine::cec
-                                 ? of_a_gate * claim.nets->graph.gates().size()
-                                 : claim.queries[question].script.size();
-    pending_.push_back({c, opinion, question, std::min(asking_.slice, asking_.limit), size});
-    return true;
+    const bool is_nets = courses_[c].opinions[opinion].engine == Engine::cec;
+    std::size_t size = is_nets ? of_a_gate * claim.nets->graph.gates().size() : 0;
+    for (const std::size_t q : questions) size += is_nets ? 0 : claim.queries[q].script.size();
+    pending_.push_back({c, opinion, questions, std::min(seconds, asking_.limit), size});
   }
 
   // The first engine that has not begun, on what is not answered; on one question of the scripts
@@ -96,22 +115,23 @@ class Race {
   bool begin_next(std::size_t c, const std::size_t* question = nullptr) {
     const Course& course = courses_[c];
     for (std::size_t o = 0; o < course.opinions.size(); ++o) {
-      bool any = false;
+      const bool of_scripts = course.opinions[o].engine != Engine::cec;
+      std::vector<std::size_t> questions;
       for (std::size_t q = 0; q < course.opinions[o].solved.size(); ++q) {
-        const bool of_scripts = course.opinions[o].engine != Engine::cec;
-        if (question != nullptr && of_scripts && q != *question) continue;
-        any = begin(c, o, q) || any;
+        if (question == nullptr || !of_scripts || q == *question) questions.push_back(q);
       }
-      if (any) return true;
+      if (begin(c, o, std::move(questions))) return true;
     }
     return false;
   }
 
   bool take(Try& next) {
     const std::scoped_lock lock(guard_);
-    std::erase_if(pending_, [&](const Try& t) {
-      return bool{courses_[t.claim].enough[t.opinion][t.question]};
-    });
+    for (Try& t : pending_) {
+      std::erase_if(t.questions,
+                    [&](std::size_t q) { return bool{courses_[t.claim].enough[t.opinion][q]}; });
+    }
+    std::erase_if(pending_, [](const Try& t) { return t.questions.empty(); });
     for (std::size_t c = 0; pending_.empty() && c < claims_.size(); ++c) {
       if (!courses_[c].is_settled) begin_next(c);
     }
@@ -127,38 +147,51 @@ class Race {
     return true;
   }
 
-  Solved ask(const Try& t) {
+  std::vector<Solved> ask(const Try& t) {
     const Claim& claim = *claims_[t.claim];
     Course& course = courses_[t.claim];
     const Engine engine = course.opinions[t.opinion].engine;
-    const std::atomic<bool>* enough = &course.enough[t.opinion][t.question];
-    if (engine == Engine::cec) return solve(*claim.nets, t.seconds, enough);
-    const Query& query = claim.queries[t.question];
-    return solve(solver_of(engine), query.script, t.seconds, query.eager, enough);
+    if (t.questions.size() > 1) {
+      std::vector<std::string> scripts;
+      for (const std::size_t q : t.questions) scripts.push_back(claim.queries[q].script);
+      const bool eager = claim.queries[t.questions.front()].eager;  // as all of a claim
+      return solve_all(solver_of(engine), scripts, t.seconds, eager, &course.all_enough[t.opinion]);
+    }
+    const std::size_t question = t.questions.front();
+    const std::atomic<bool>* enough = &course.enough[t.opinion][question];
+    if (engine == Engine::cec) return {solve(*claim.nets, t.seconds, enough)};
+    const Query& query = claim.queries[question];
+    return {solve(solver_of(engine), query.script, t.seconds, query.eager, enough)};
   }
 
-  void put(const Try& t, Solved solved) {
+  void put(const Try& t, std::vector<Solved> all) {
     const std::scoped_lock lock(guard_);
-    Course& course = courses_[t.claim];
-    Solved& own = course.opinions[t.opinion].solved[t.question];
-    solved.seconds += own.seconds;
-    own = std::move(solved);
-    const bool answered = own.answer == Answer::sat || own.answer == Answer::unsat;
-    if (own.answer == Answer::timed_out && t.seconds < asking_.limit) {
-      own.answer = Answer::stopped;  // till it is asked again
-      pending_.push_back(t);
-      pending_.back().seconds = std::min(kLonger * t.seconds, asking_.limit);
-    }
-    if (!answered) {
-      const bool of_scripts = course.opinions[t.opinion].engine != Engine::cec;
-      begin_next(t.claim, of_scripts ? &t.question : nullptr);
-    }
+    for (std::size_t i = 0; i < all.size(); ++i) put(t, t.questions[i], std::move(all[i]));
     stop_enough(t.claim);
+    Course& course = courses_[t.claim];
     const auto waits = [&](const Try& one) { return one.claim == t.claim; };
     if (--course.running > 0) return;
     if (course.is_settled ||
         (std::none_of(pending_.begin(), pending_.end(), waits) && !begin_next(t.claim)))
       tell(t.claim);
+  }
+  void put(const Try& t, std::size_t question, Solved solved) {
+    const Opinion& opinion = courses_[t.claim].opinions[t.opinion];
+    Solved& own = courses_[t.claim].opinions[t.opinion].solved[question];
+    solved.seconds += own.seconds;
+    own = std::move(solved);
+    if (own.answer == Answer::sat || own.answer == Answer::unsat) return;
+    const bool was_alone = t.questions.size() == 1;
+    const bool was_too_long = own.answer == Answer::timed_out;
+    if (!was_alone && (was_too_long || own.answer == Answer::failed)) {
+      own.answer = Answer::stopped;  // by what stood before it; till it is asked again, alone
+      return put_off(t.claim, t.opinion, {question}, t.seconds);
+    }
+    if (was_too_long && t.seconds < asking_.limit) {
+      own.answer = Answer::stopped;  // till it is asked again
+      put_off(t.claim, t.opinion, {question}, kLonger * t.seconds);
+    }
+    begin_next(t.claim, opinion.engine != Engine::cec ? &question : nullptr);
   }
 
   // Tells those that need not answer any more.
@@ -170,6 +203,8 @@ class Race {
       for (std::size_t q = 0; q < course.enough[o].size(); ++q) {
         if (votes.settled || (of_scripts && votes.enough[q])) course.enough[o][q] = true;
       }
+      course.all_enough[o] = std::all_of(course.enough[o].begin(), course.enough[o].end(),
+                                         [](const auto& is) -> bool { return is; });
     }
     course.is_settled = course.is_settled || votes.settled;
   }

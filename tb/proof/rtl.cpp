@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <sstream>
+#include <string_view>
 
 #include "model/core/input_error.h"
 #include "tb/proof/first_word.h"
@@ -17,6 +18,8 @@ namespace cosim::proof {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kFormulas = "rtl.smt2";
 
 int width_of(const std::string& sort) {
   return sort == boolean ? 1 : std::stoi(sort.substr(sort.find_last_of(' ')));
@@ -43,21 +46,16 @@ std::string commands_for_assertions() {
   return has_checks ? "chformal -lower; chformal -early; opt_clean" : "chformal -early; opt_clean";
 }
 
-std::string written_by_yosys(const Source& source) {
-  const Scratch scratch;
-  const fs::path file = scratch.path() / "rtl.smt2";
-  // What is undefined is free in the formula.
-  run_yosys(flat_commands(source) + step_commands(source, scratch.path()) + "; async2sync; " +
-                commands_for_assertions() + "; dffunmap; setundef -anyseq; write_smt2 -wires " +
-                file.string(),
-            source.top);
-  return read_file(file.string());
-}
-
 }  // namespace
 
-Rtl::Rtl(const Source& source)
-    : Rtl(source.top, written_by_yosys(source), source.asynchronous_reset) {}
+// What is undefined is free in the formula.
+std::string formula_commands(const Source& source, const fs::path& folder) {
+  return step_commands(source, folder) + "; async2sync; " + commands_for_assertions() +
+         "; dffunmap; setundef -anyseq; write_smt2 -wires " + (folder / kFormulas).string();
+}
+Rtl formulas_in(const fs::path& folder, const Source& source) {
+  return {source.top, read_file((folder / kFormulas).string()), source.asynchronous_reset};
+}
 
 Rtl::Rtl(std::string top, const std::string& smt2, bool asynchronous_reset)
     : top_(std::move(top)), asynchronous_reset_(asynchronous_reset) {
@@ -166,6 +164,28 @@ Expression on_next_clock(const Expression& term) {
   std::vector<Expression> parts;
   for (const Expression& p : term.parts()) parts.push_back(on_next_clock(p));
   return {term.text(), term.sort(), parts};
+}
+
+std::optional<Choice> Rtl::choice(const std::string& symbol) const {
+  auto of = wires_.find(symbol);
+  const Wire* wire = nullptr;
+  for (; of != wires_.end(); of = wires_.find(wire->body)) wire = &of->second;
+  constexpr std::string_view head = "(ite ";
+  if (wire == nullptr || wire->sort == boolean || !wire->body.starts_with(head)) return {};
+  const std::string_view body(wire->body);
+  std::vector<std::string> parts;
+  int depth = 0;
+  bool is_quoted = false;
+  for (std::size_t begin = head.size(), i = begin; i < body.size(); ++i) {
+    if (body[i] == '|') is_quoted = !is_quoted;
+    if (is_quoted) continue;
+    if (depth == 0 && (body[i] == ' ' || body[i] == ')')) {
+      parts.emplace_back(body.substr(begin, i - begin));
+      begin = i + 1;
+    }
+    depth += body[i] == '(' ? 1 : body[i] == ')' ? -1 : 0;
+  }
+  return Choice{{parts.at(0), boolean}, {parts.at(1), wire->sort}, {parts.at(2), wire->sort}};
 }
 
 int Rtl::first_word(const std::string& memory) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,6 @@ namespace cosim::proof {
 /// register and each input is a symbol, and all else is defined from them.
 class Rtl {
  public:
-  /// Runs yosys on `source`. InputError where it cannot be run or finds no such machine.
-  explicit Rtl(const Source& source);
   /// Reads what yosys wrote of the machine `top`. Under an asynchronous reset a register's net is
   /// made of the register and, where the reset is given, of a constant; pieces() then looks
   /// through.
@@ -48,6 +47,8 @@ class Rtl {
   int width(const std::string& wire) const;
   /// The number that the RTL gives the first word of a memory; 0 where there is no such memory.
   int first_word(const std::string& memory) const;
+  /// What a symbol of the definitions chooses between; none where it is no choice.
+  std::optional<Choice> choice(const std::string& symbol) const;
   /// A wire of the top, as a code of its width. InputError where there is none.
   Expression wire(const std::string& name) const;
 
@@ -72,6 +73,12 @@ class Rtl {
   bool in_relation_ = false;
   bool in_initial_ = false;
 };
+
+/// For yosys, behind flat_commands(): those, with "; " before them, that write the formulas of
+/// `source` into a folder; and the formulas that stand there. InputError where they are of no
+/// machine.
+std::string formula_commands(const Source& source, const std::filesystem::path& folder);
+Rtl formulas_in(const std::filesystem::path& folder, const Source& source);
 
 /// A term, or definitions, with the symbols of the clock after.
 std::string on_next_clock(const std::string& text);

@@ -9,6 +9,7 @@
 #include "model/core/input_error.h"
 #include "tb/nets/blif.h"
 #include "tb/proof/first_word.h"
+#include "tb/proof/gates.h"
 #include "tb/proof/steps.h"
 #include "tb/support/output_file.h"
 #include "tb/support/process.h"
@@ -17,11 +18,14 @@
 namespace cosim::proof {
 namespace {
 
+namespace fs = std::filesystem;
+
+constexpr const char *kNets = "rtl.blif", *kWires = "rtl.wires";
 constexpr const char *kUnmet = ".cosim_unmet", *kCovered = ".cosim_covered";
 
 // For yosys: each assertion and each cover statement a net, where they are kept, and all else of
 // that kind away.
-std::string commands_for_stated(const Source& source, const std::filesystem::path& folder) {
+std::string commands_for_stated(const Source& source, const fs::path& folder) {
   if (!source.keeps_statements) return "; chformal -remove";
   const std::string file = (folder / "stated.v").string();
   OutputFile out(file);
@@ -49,23 +53,37 @@ bool is_like(std::string_view text, std::string_view pattern) {
   return false;
 }
 
+// What is undefined in the RTL is free. What a gate leaves undefined, as a word that is not there,
+// is 0, as in the formulas.
+std::string net_commands(const Source& source, const fs::path& folder) {
+  return commands_for_stated(source, folder) + step_commands(source, folder) +
+         "; async2sync; setundef -undriven -anyseq" + gate_commands(folder) +
+         "; dfflegalize -cell $_DFF_P_ 01 -cell $_DFF_N_ 01; setundef -zero; opt_expr; opt_clean; "
+         "setundef -undriven -zero; " +
+         fmt::format("write_blif {}; dump -o {} w:*", (folder / kNets).string(),
+                     (folder / kWires).string());
+}
+RtlNets written_nets(const fs::path& folder, const Source& source) {
+  return {source.top, read_file((folder / kNets).string()), read_file((folder / kWires).string()),
+          source.asynchronous_reset};
+}
+
 }  // namespace
+
+BothWays read_both(const Source& source) {
+  const Scratch scratch;
+  const fs::path folder = scratch.path();
+  run_yosys(flat_commands(source) + "; design -save flat" + formula_commands(source, folder) +
+                "; design -load flat" + net_commands(source, folder),
+            source.top);
+  return {formulas_in(folder, source), written_nets(folder, source)};
+}
 
 RtlNets::RtlNets(const Source& source)
     : RtlNets([&] {
         const Scratch scratch;
-        const std::string blif = (scratch.path() / "rtl.blif").string();
-        const std::string wires = (scratch.path() / "rtl.wires").string();
-        // What is undefined in the RTL is free. What a gate leaves undefined, as a word that is not
-        // there, is 0, as in the formulas.
-        run_yosys(flat_commands(source) + commands_for_stated(source, scratch.path()) +
-                      step_commands(source, scratch.path()) +
-                      "; async2sync; setundef -undriven -anyseq; techmap; dfflegalize "
-                      "-cell $_DFF_P_ 01 -cell $_DFF_N_ 01; setundef -zero; opt_expr; "
-                      "opt_clean; setundef -undriven -zero; " +
-                      fmt::format("write_blif {}; dump -o {} w:*", blif, wires),
-                  source.top);
-        return RtlNets(source.top, read_file(blif), read_file(wires), source.asynchronous_reset);
+        run_yosys(flat_commands(source) + net_commands(source, scratch.path()), source.top);
+        return written_nets(scratch.path(), source);
       }()) {}
 
 RtlNets::RtlNets(const std::string& top, const std::string& blif, const std::string& wires,

@@ -63,4 +63,11 @@ class RtlNets {
   std::vector<std::optional<std::size_t>> shown_;
 };
 
+/// A machine on both roads, by one run of yosys. InputError as of each.
+struct BothWays {
+  Rtl formulas;
+  RtlNets nets;
+};
+BothWays read_both(const Source& source);
+
 }  // namespace cosim::proof

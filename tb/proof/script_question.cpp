@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "model/core/input_error.h"
+#include "tb/proof/arms.h"
 #include "tb/proof/terms.h"
 
 namespace cosim::proof {
@@ -120,10 +121,14 @@ void Question::assume_hypotheses() {
   }
 }
 
-Expression Question::differs(const char* what, const Wire& expected, const Expression& actual) {
+Expression Question::differs(const char* what, const Wire& expected, const Expression& actual,
+                             bool by_arms) {
   const Expression e = script_.define(term_of("model", expected.field) + what, expected.code);
   const Expression a = script_.define(term_of("rtl", expected.field) + what, actual);
-  return where_compared(expected, negation(equal(e, a)));
+  // Those of an array are many, and each is little work.
+  const bool is_easy = expected.field.width == 1 || expected.field.index >= 0;
+  return where_compared(
+      expected, by_arms && !is_easy ? differ(expected.code, actual, rtl_) : negation(equal(e, a)));
 }
 
 void Question::reset_again() {

@@ -23,8 +23,9 @@ class Question {
   void assume_hypotheses();
 
   /// Whether a field differs that is compared, with names for both sides that a reader of the
-  /// script finds: model.FIELD, rtl.FIELD and `what`.
-  Expression differs(const char* what, const Wire& expected, const Expression& actual);
+  /// script finds: model.FIELD, rtl.FIELD and `what`. By their arms (arms.h) where that is asked.
+  Expression differs(const char* what, const Wire& expected, const Expression& actual,
+                     bool by_arms = false);
   /// What the RTL gives for output number i during the clock.
   Expression output(std::size_t i) const { return during(rtl_, at_.outputs[i]); }
   /// What register number i shows during the first clock, and holds after the clock that the

@@ -1,8 +1,12 @@
 #include "tb/proof/solver.h"
 
+#include <fmt/core.h>
+
+#include <algorithm>
 #include <sstream>
 #include <vector>
 
+#include "tb/proof/expression.h"
 #include "tb/support/output_file.h"
 #include "tb/support/pattern.h"
 #include "tb/support/process.h"
@@ -11,6 +15,7 @@ namespace cosim::proof {
 namespace {
 
 constexpr int kMissing = 127;
+constexpr const char* kNext = "next-script";
 
 std::map<std::string, std::string> values_in(const std::string& text) {
   static const Pattern pair(
@@ -42,6 +47,39 @@ Ended run(const Solver& solver, const std::string& script, int limit, const std:
   return ended;
 }
 
+std::string given_to(const Solver& solver, const std::string& script, bool eager) {
+  return eager && solver.wants_definitions ? with_definitions(script) : script;
+}
+
+bool is_set(const std::atomic<bool>* flag) { return flag != nullptr && *flag; }
+
+// What a solver said of a script. Where that `is_all` it said, how it ended counts as well.
+Solved said(const Ended& ended, const std::string& text, bool is_all,
+            const std::atomic<bool>* no_more) {
+  Solved solved;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line == "sat") {
+      solved.answers.push_back(Answer::sat);
+    } else if (line == "unsat") {
+      solved.answers.push_back(Answer::unsat);
+    } else if (line == "unknown") {
+      solved.answers.push_back(Answer::unknown);
+    } else if (solved.said.empty()) {
+      solved.said = line;  // anything else spoils the answers
+    }
+  }
+  if (is_all && ended.timed_out) {
+    solved.answer = is_set(no_more) ? Answer::stopped : Answer::timed_out;
+  } else if (is_all && ended.status == kMissing) {
+    solved.answer = Answer::missing;
+  } else if ((!is_all || ended.status == 0) && solved.said.empty() && !solved.answers.empty()) {
+    solved.answer = solved.answers.front();
+  }
+  if (solved.answer == Answer::failed) solved.answers.clear();
+  return solved;
+}
+
 }  // namespace
 
 std::string to_text(Answer answer) {
@@ -68,41 +106,42 @@ const std::vector<Solver>& solvers() {
   // Conditions as words of one bit take cvc5 a third of the time where long sums are compared, and
   // several times as long for what is easy.
   static const std::vector<Solver> list = {
-      {"cvc5", "cvc5 --lang=smt2", "--bitblast=eager", "--bool-to-bv=all"}, {"z3", "z3 -smt2"}};
+      {"cvc5", "cvc5 --lang=smt2", "--bitblast=eager", "--bool-to-bv=all"},
+      {"z3", "z3 -smt2", "", "", true, true}};
   return list;
 }
 
 Solved solve(const Solver& solver, const std::string& script, int limit, bool eager,
              const std::atomic<bool>* no_more) {
-  Solved solved;
+  const std::string given = given_to(solver, script, eager);
+  double seconds = 0;
   const bool twice = eager && !solver.harder.empty() && limit > kSoon;
-  const auto is_stopped = [&] { return no_more != nullptr && *no_more; };
-  Ended ended = run(solver, script, twice ? kSoon : limit, eager ? solver.eager : "",
-                    solved.seconds, no_more);
-  if (twice && ended.timed_out && !is_stopped()) {
-    ended = run(solver, script, limit - kSoon, solver.eager + ' ' + solver.harder, solved.seconds,
-                no_more);
+  Ended ended =
+      run(solver, given, twice ? kSoon : limit, eager ? solver.eager : "", seconds, no_more);
+  if (twice && ended.timed_out && !is_set(no_more)) {
+    ended = run(solver, given, limit - kSoon, solver.eager + ' ' + solver.harder, seconds, no_more);
   }
-  std::istringstream lines(ended.text);
-  for (std::string line; std::getline(lines, line);) {
-    if (line == "sat") {
-      solved.answers.push_back(Answer::sat);
-    } else if (line == "unsat") {
-      solved.answers.push_back(Answer::unsat);
-    } else if (line == "unknown") {
-      solved.answers.push_back(Answer::unknown);
-    } else if (solved.said.empty()) {
-      solved.said = line;  // anything else spoils the answers
-    }
+  Solved solved = said(ended, ended.text, true, no_more);
+  solved.seconds = seconds;
+  return solved;
+}
+
+std::vector<Solved> solve_all(const Solver& solver, const std::vector<std::string>& scripts,
+                              int limit, bool eager, const std::atomic<bool>* no_more) {
+  std::string all;
+  for (const std::string& script : scripts) {
+    all += given_to(solver, script, eager) + fmt::format("(echo \"{}\")\n(reset)\n", kNext);
   }
-  if (ended.timed_out) {
-    solved.answer = is_stopped() ? Answer::stopped : Answer::timed_out;
-  } else if (ended.status == kMissing) {
-    solved.answer = Answer::missing;
-  } else if (ended.status == 0 && solved.said.empty() && !solved.answers.empty()) {
-    solved.answer = solved.answers.front();
+  double seconds = 0;
+  const Ended ended = run(solver, all, limit, "", seconds, no_more);
+  std::vector<Solved> solved;
+  for (std::size_t begin = 0; solved.size() < scripts.size();) {
+    const std::size_t end = std::min(ended.text.find(kNext, begin), ended.text.size());
+    const bool is_last = end == ended.text.size();
+    solved.push_back(said(ended, ended.text.substr(begin, end - begin), is_last, no_more));
+    begin = is_last ? end : ended.text.find('\n', end) + 1;
   }
-  if (solved.answer == Answer::failed) solved.answers.clear();
+  solved.front().seconds = seconds;
   return solved;
 }
 

@@ -30,6 +30,10 @@ struct Solver {
   /// What to add as well where that gave no answer in kSoon seconds of processor time; may be
   /// empty.
   std::string harder = "";
+  /// Whether it takes several scripts at a time: to start it takes longer than an easy script.
+  bool takes_many = false;
+  /// Whether it takes definitions better than equations where a script is `eager`.
+  bool wants_definitions = false;
 };
 constexpr int kSoon = 3;
 
@@ -50,6 +54,12 @@ struct Solved {
 /// It is stopped when `no_more` becomes true.
 Solved solve(const Solver& solver, const std::string& script, int limit, bool eager = false,
              const std::atomic<bool>* no_more = nullptr);
+
+/// The same of several scripts, which a solver that takes many is given at a time. The seconds are
+/// those of the first.
+std::vector<Solved> solve_all(const Solver& solver, const std::vector<std::string>& scripts,
+                              int limit, bool eager = false,
+                              const std::atomic<bool>* no_more = nullptr);
 
 /// What the terms are where the one question of a script is answered with "sat"; empty where not.
 std::map<std::string, std::string> values(const Solver& solver, const std::string& script,

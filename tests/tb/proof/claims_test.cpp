@@ -29,7 +29,7 @@ std::vector<BuiltMachine> smallest() {
 }
 
 Rtl rtl_of(const MachineFormula& m) {
-  return Rtl(source_in(test::project_root() / "rtl", m.design, m.parameters));
+  return read_both(source_in(test::project_root() / "rtl", m.design, m.parameters)).formulas;
 }
 
 Decision decided(const Claim& claim) {
@@ -202,7 +202,7 @@ TEST(Source, ThatIsNoneIsRefused) {
   if (!can_prove()) GTEST_SKIP() << "needs yosys, cvc5 and z3";
   Source source = source_in(test::project_root() / "rtl", "linear", {{"M", 5}, {"N", 2}});
   source.top = "no_such_module";
-  EXPECT_THROW(Rtl{source}, InputError);
+  EXPECT_THROW(read_both(source), InputError);
 }
 
 }  // namespace

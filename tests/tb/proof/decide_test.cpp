@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "model/core/input_error.h"
+#include "tb/proof/votes.h"
 #include "tb/support/process.h"
 
 namespace cosim::proof {
@@ -214,6 +215,16 @@ TEST(Decision, AsksTheThirdWhereTwoDoNotDo) {
   EXPECT_EQ(asked({Engine::cec, Engine::z3, Engine::cvc5}, with_nets), "cec z3 cvc5 ");
 }
 
+// z3 is asked both at a time: of a script that spoils the others each is asked again alone.
+TEST(Decision, ComesOfEachScriptAloneWhereManyCannotBeRead) {
+  const Claim two{"two", Answer::unsat, {{{"first"}, "("}, {{"second"}, kFalse}}, {}};
+  const Decision d = decide({&two}, {{Engine::z3}, 10, 1}).front();
+  const std::vector<Solved>& solved = d.opinions.front().solved;
+  if (solved.front().answer == Answer::missing) GTEST_SKIP() << "needs z3";
+  EXPECT_EQ(solved.front().answer, Answer::failed);
+  EXPECT_EQ(solved.back().answer, Answer::unsat);
+}
+
 TEST(Solver, ThatIsMissingIsSaidToBe) {
   EXPECT_EQ(solve({"none", "no_such_solver"}, kFalse, 10).answer, Answer::missing);
 }
@@ -251,6 +262,25 @@ TEST(Solver, ThatSaysMoreThanAnAnswerHasNotUnderstood) {
     EXPECT_EQ(solved.answer, Answer::failed) << s.name;
     EXPECT_FALSE(solved.said.empty());
   }
+}
+TEST(Solver, AnswersManyScriptsAtATime) {
+  const Solver& z3 = solver_of(Engine::z3);
+  const auto all = solve_all(z3, {kFalse, kTrue, "(check-set)\n", kFalse}, 10);
+  if (all.front().answer == Answer::missing) GTEST_SKIP() << "needs z3";
+  std::vector<Answer> answers;
+  for (const Solved& s : all) answers.push_back(s.answer);
+  EXPECT_EQ(answers, (std::vector{Answer::unsat, Answer::sat, Answer::failed, Answer::unsat}));
+  EXPECT_FALSE(all[2].said.empty());
+  EXPECT_GT(all.front().seconds, 0);
+}
+// What one said before it was stopped counts, and nothing counts of what it had not come to.
+TEST(Solver, ThatIsStoppedAmongManyHasAnsweredTheFirst) {
+  const std::string script = "reset() { :; }\necho unsat\n";
+  const Solver shell{"shell", "bash"};
+  const auto all = solve_all(shell, {script, "while :; do :; done\n", kFalse}, 1);
+  std::vector<Answer> answers;
+  for (const Solved& s : all) answers.push_back(s.answer);
+  EXPECT_EQ(answers, (std::vector{Answer::unsat, Answer::timed_out, Answer::timed_out}));
 }
 TEST(Solver, AnswersAQuestion) {
   for (const Solver& s : solvers()) {

@@ -5,7 +5,9 @@
 #include <algorithm>
 
 #include "model/core/input_error.h"
+#include "tb/equiv/clocks.h"
 #include "tb/equiv/product.h"
+#include "tb/equiv/resets.h"
 #include "tb/proof/reach.h"
 #include "tb/support/output_file.h"
 #include "tb/support/pattern.h"
@@ -92,10 +94,7 @@ proof::Ever on_a_clock(const Question& q) {
   proof::Aig::Lit all = 1;
   for (const Assumption& one : q.assumed) {
     const auto input = [&](const Name& name) {
-      if (const auto tied = q.tied.find(name.first); tied != q.tied.end()) {
-        return static_cast<proof::Aig::Lit>(static_cast<unsigned>(tied->second) >> name.second &
-                                            1U);
-      }
+      if (const auto tied = tied_bit(q, name)) return proof::Aig::Lit{*tied};
       const auto [at, is_new] = inputs.try_emplace(name, 0);
       if (is_new) at->second = graph.input();
       return at->second;
@@ -136,6 +135,7 @@ bool are_met(Question& q) {
                                       [](const Assumption& one) { return one.of_outputs; });
   if (of_outputs) {
     for (Side* side : {&q.gold, &q.gate}) side->make_gates(Memories::registers, q.steps, q.budget);
+    find_resets(q);
   }
   const proof::Ever ever = of_outputs ? from_reset(q) : on_a_clock(q);
   if (ever != proof::Ever::never) return ever == proof::Ever::yes;

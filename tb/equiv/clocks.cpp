@@ -76,6 +76,13 @@ std::string gold_name(const Question& q, const std::string& port) {
   return port;
 }
 
+std::optional<bool> tied_bit(const Question& q, const Name& name) {
+  const auto at = q.tied.find(name.first);
+  if (at == q.tied.end()) return {};
+  const auto bit = static_cast<std::size_t>(name.second);
+  return bit < at->second.size() && at->second[at->second.size() - 1 - bit] == '1';
+}
+
 std::size_t first_compared(const Question& q) {
   return static_cast<std::size_t>(q.reset_clocks) + static_cast<std::size_t>(q.latency);
 }

@@ -1,6 +1,7 @@
 // The stimulus of a difference, clock by clock, as words of ports.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -15,6 +16,9 @@ namespace cosim::equiv {
 std::string gate_name(const Question& question, const std::string& port);
 /// What the old RTL calls a port of the new one.
 std::string gold_name(const Question& question, const std::string& port);
+
+/// A bit of an input, by the old name, that has a value; none where it is free.
+std::optional<bool> tied_bit(const Question& question, const Name& name);
 
 /// Makes the answer `different`: the clocks that `reached` has and those after them. `open`: bits
 /// of outputs that other values of the old RTL's x would make others.

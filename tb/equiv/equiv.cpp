@@ -9,9 +9,11 @@
 #include "tb/equiv/clocks.h"
 #include "tb/equiv/product.h"
 #include "tb/equiv/replay.h"
+#include "tb/equiv/resets.h"
 #include "tb/equiv/unknown.h"
 #include "tb/proof/reach.h"
 #include "tb/support/parallel.h"
+#include "tb/support/words.h"
 
 namespace cosim::equiv {
 namespace {
@@ -45,7 +47,41 @@ void find_lacking(const Question& q, const Widths& gold, const Widths& gate, boo
   }
 }
 
+// What the options name.
+void require_named(const Question& q) {
+  for (const auto& [pin, value] : q.tied) {
+    const std::string other = gate_name(q, pin);
+    const bool is_old = q.gold.inputs.contains(pin);
+    if (!is_old && !q.gate.inputs.contains(other)) {
+      throw InputError(fmt::format("--tie: {} is no input", in_quotes(pin)));
+    }
+    const int width = is_old ? q.gold.inputs.at(pin) : q.gate.inputs.at(other);
+    if (value.size() > static_cast<std::size_t>(width)) {
+      throw InputError(fmt::format("--tie: {} has {}, and the value {}", in_quotes(pin),
+                                   count(static_cast<std::uint64_t>(width), "bit"), value.size()));
+    }
+    const bool is_clock = q.gold.clocks.contains(pin) || q.gate.clocks.contains(other);
+    if (is_clock && (!q.steps || value != "0")) {
+      throw InputError(fmt::format("--tie: {} is a clock", in_quotes(pin)));
+    }
+  }
+  for (const std::string& pin : q.ignored) {
+    if (!q.gold.outputs.contains(pin) && !q.gate.outputs.contains(pin)) {
+      throw InputError(fmt::format("--ignore: {} is no output", in_quotes(pin)));
+    }
+  }
+  for (const auto& [pin, other] : q.renamed) {
+    if (!q.gold.declared.contains(pin)) {
+      throw InputError(fmt::format("--map: the old RTL has no port {}", in_quotes(pin)));
+    }
+    if (!q.gate.declared.contains(other)) {
+      throw InputError(fmt::format("--map: the new RTL has no port {}", in_quotes(other)));
+    }
+  }
+}
+
 void require_ports(const Question& q) {
+  require_named(q);
   std::vector<std::string> lacking;
   find_lacking(q, q.gold.inputs, q.gate.inputs, true, lacking);
   find_lacking(q, q.gold.outputs, q.gate.outputs, false, lacking);
@@ -106,6 +142,7 @@ void make_gates(Question& q, Memories how) {
     return true;
   });
   q.gate.name_as(q.gold);
+  find_resets(q);
 }
 
 // In this share of the time that is left, and no more than so many seconds.

@@ -19,11 +19,16 @@
 namespace cosim::equiv {
 
 struct Question {
-  Side gold, gate;                               ///< the old RTL and the new one
-  std::string reset{};                           ///< an input; empty: initial values alone
-  bool reset_active = true;                      ///< the level that resets
-  int reset_clocks = 3;                          ///< >= 0
-  std::map<std::string, int> tied{};             ///< inputs that have a value, of either side
+  Side gold, gate;  ///< the old RTL and the new one
+  /// The inputs that are to reset, and the level that does, where it is given. Empty: resets.h
+  /// finds them.
+  std::map<std::string, std::optional<bool>> wanted_resets{};
+  /// Those that do, and the level; empty: initial values alone. None while they are not known.
+  std::optional<std::map<std::string, bool>> resets{};
+  int reset_clocks = 3;  ///< >= 0
+  /// Inputs that have a value, of either side: binary, the highest bit first, no wider than the
+  /// input.
+  std::map<std::string, std::string> tied{};
   std::vector<std::string> ignored{};            ///< outputs that are not compared
   std::map<std::string, std::string> renamed{};  ///< ports of the old RTL as the new one calls them
   std::vector<Assumption> assumed{};             ///< of the clocks after the reset

@@ -185,17 +185,17 @@ class Builder {
     if (is_gate) port = gold_name(q_, port);
     // The one clock may have another name in the other.
     if (is_clock && !q_.steps && !q_.gold.clocks.empty()) port = q_.gold.clocks.begin()->first;
-    if (const auto tied = q_.tied.find(port); tied != q_.tied.end()) {
-      return static_cast<Lit>((static_cast<unsigned>(tied->second) >> name.second) & 1U);
-    }
+    if (const auto tied = tied_bit(q_, {port, name.second})) return *tied ? 1 : 0;
     const auto [at, is_new] = product_.inputs.try_emplace({port, name.second}, 0);
     if (is_new) {
-      at->second = port == q_.reset ? graph_.seldom() : graph_.input(port);
+      const auto reset = q_.resets->find(port);
+      const bool is_reset = reset != q_.resets->end();
+      at->second = is_reset ? graph_.seldom() : graph_.input(port);
       product_.widths[port] = side.inputs.at(name.first);
       if (is_clock && q_.steps) at->second = graph_.or_of(at->second, resets_);
-      if (port == q_.reset) {
+      if (is_reset) {
         const Lit resets = graph_.or_of(at->second, resets_);
-        at->second = q_.reset_active ? resets : Aig::inverted(resets);
+        at->second = reset->second ? resets : Aig::inverted(resets);
       }
     }
     return at->second;

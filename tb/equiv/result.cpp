@@ -24,6 +24,17 @@ const char* word_of(Verdict verdict) {
                                          : "undecided";
 }
 
+// A binary number, short.
+std::string hexadecimal(const std::string& binary) {
+  if (binary.size() <= 3) return std::to_string(std::stoi(binary, nullptr, 2));
+  std::string digits;
+  for (std::size_t end = binary.size(), begin = 0; end > 0; end = begin) {
+    begin = end > 4 ? end - 4 : 0;
+    digits.insert(0, fmt::format("{:x}", std::stoi(binary.substr(begin, end - begin), nullptr, 2)));
+  }
+  return "0x" + digits;
+}
+
 // "q 1 clock later, r 2 clocks earlier"
 std::string late_text(const Answer& a) {
   std::string text;
@@ -83,10 +94,15 @@ Page page(const std::string& top, const Question& q, const Answer& a) {
 }  // namespace
 
 std::string assumed_text(const Question& q) {
-  std::string text =
-      q.reset.empty() ? "no reset: from the initial values"
-                      : fmt::format("from reset: {} is {} for {}", q.reset, q.reset_active ? 1 : 0,
-                                    clocks_text(static_cast<std::size_t>(q.reset_clocks)));
+  std::string text = q.resets ? "no reset: from the initial values" : "from any state";
+  if (q.resets && !q.resets->empty()) {
+    std::string list;
+    for (const auto& [pin, level] : *q.resets) {
+      list += fmt::format("{}{} is {}", list.empty() ? "" : " and ", pin, level ? 1 : 0);
+    }
+    text = fmt::format("from reset: {} for {}", list,
+                       clocks_text(static_cast<std::size_t>(q.reset_clocks)));
+  }
   if (q.steps) {
     std::set<std::string> clocks;
     for (const auto& [clock, falls] : q.gold.clocks) clocks.insert(clock);
@@ -104,7 +120,8 @@ std::string assumed_text(const Question& q) {
   if (!any.empty()) {
     text += fmt::format("; without an initial value, so any: {}", count(any.size(), "register"));
   }
-  for (const auto& [pin, value] : q.tied) text += fmt::format("; {} is {}", pin, value);
+  for (const auto& [pin, value] : q.tied)
+    text += fmt::format("; {} is {}", pin, hexadecimal(value));
   for (const std::string& pin : q.ignored) text += fmt::format("; {} is not compared", pin);
   for (const Assumption& one : q.assumed) text += "; assumed: " + one_line(one.text);
   if (q.latency > 0) {

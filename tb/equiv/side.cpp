@@ -105,6 +105,11 @@ std::string error_of(std::string text, const Files& files, const fs::path& scrat
       replace((folder.path() / name).string(), files.files[i].string());
     }
   }
+  static const Pattern missing(
+      R"(.*Module `\\(\S+)' referenced in .* is not part of the design.*)");
+  if (const Pattern::Parts part = missing.whole(text); !part.empty()) {
+    text += fmt::format(" Give a file that has it, or --blackbox {}", part[1]);
+  }
   return one_line(text);
 }
 
@@ -263,6 +268,11 @@ void Side::ports(const std::string& json) {
     } else if (type.starts_with("$") && pins.contains("CLK")) {
       const std::string polarity = about.at("CLK_POLARITY");
       clocked(pins.at("CLK").front(), polarity.back() == '0');
+      if (!pins.contains("ARST")) continue;
+      if (const auto at = port_of.find(pins.at("ARST").front()); at != port_of.end()) {
+        const std::string active = about.at("ARST_POLARITY");
+        asynchronous_resets[at->second] = active.back() == '1';
+      }
     }
   }
   for (const auto& [port, falls] : clocks) {

@@ -77,7 +77,8 @@ class Side {
   std::map<std::string, std::string> declared;  ///< of ports: "signed [7:4]", as in their Verilog
   std::map<std::string, bool> clocks;    ///< inputs; true: its registers take over when it falls
   std::set<std::string> clocks_as_data;  ///< those that are read by more than registers
-  bool sets_and_resets = false;          ///< a register has an asynchronous set and a reset
+  std::map<std::string, bool> asynchronous_resets;  ///< inputs, and the level
+  bool sets_and_resets = false;  ///< a register has an asynchronous set and a reset
   std::vector<Memory> memories;
   std::vector<Register> registers;
   std::size_t unknowns = 0;  ///< bits that the RTL leaves x

@@ -43,7 +43,7 @@ std::string testbench(const Question& q, const Answer& a, bool is_gate, const st
   };
   for (const auto& [port, width] : side.inputs) {
     if (const auto tied = q.tied.find(port); tied != q.tied.end()) {
-      pin(port, fmt::format("{}'d{}", width, tied->second));
+      pin(port, fmt::format("{}'b{}", width, tied->second));
     } else if (const auto clock = side.clocks.find(port); clock != side.clocks.end()) {
       pin(port, fmt::format("{}{}", clock->second ? "~" : "",
                             q.steps ? "(cosim_clock & in_" + port + ")" : "cosim_clock"));
@@ -83,7 +83,7 @@ std::string testbench(const Question& q, const Answer& a, bool is_gate, const st
       const auto tied = q.tied.find(port);
       text += fmt::format(", .{}({})", port,
                           tied != q.tied.end()
-                              ? fmt::format("{}'d{}", side.inputs.at(port), tied->second)
+                              ? fmt::format("{}'b{}", side.inputs.at(port), tied->second)
                           : side.inputs.contains(port) ? "in_" + port
                                                        : "out_" + port);
     }

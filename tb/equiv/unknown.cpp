@@ -59,9 +59,7 @@ class Unrolled {
     if (const auto at = input_at_.find(name); at != input_at_.end()) {
       return values_[clock_][at->second] ? 1 : 0;
     }
-    const auto tied = q_.tied.find(name.first);
-    if (tied == q_.tied.end()) return 0;  // the clock
-    return (static_cast<unsigned>(tied->second) >> name.second) & 1U;
+    return tied_bit(q_, name).value_or(false) ? 1 : 0;  // else it is the clock
   }
   std::vector<Lit> at_first() {
     std::vector<Lit> state;

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
-#include <set>
 
 #include "model/core/input_error.h"
 #include "tb/equiv/result.h"
@@ -20,6 +20,7 @@
 #include "tb/support/interrupt.h"
 #include "tb/support/output_file.h"
 #include "tb/support/parallel.h"
+#include "tb/support/pattern.h"
 #include "tb/support/process.h"
 #include "tb/support/words.h"
 #include "tb/sweep/progress.h"
@@ -32,9 +33,9 @@ namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
 struct EquivOptions {
-  Words gold, gate, files, cells, parameters, gold_parameters, gate_parameters, include_dirs,
-      defines, tied, ignored, renamed, assumed;
-  Text rev, top, gold_top, gate_top, seconds, jobs, reset, reset_clocks, latency;
+  Words gold, gate, files, cells, blackboxes, parameters, gold_parameters, gate_parameters,
+      include_dirs, defines, resets, tied, ignored, renamed, assumed;
+  Text rev, top, gold_top, gate_top, seconds, jobs, reset_clocks, latency;
   bool netlists = false;
   Common common;
 };
@@ -102,44 +103,39 @@ equiv::Side side(const EquivOptions& o, const Words& files, const Text& own_top,
   all.folder = folder;
   Words verilog = files;
   verilog.insert(verilog.end(), o.cells.begin(), o.cells.end());
-  const std::string wrong =
-      as_plain_verilog(verilog, all.top, all.parameters, {}, ".", made.parent_path(), made);
+  const std::string wrong = as_plain_verilog(verilog, all.top, all.parameters, o.blackboxes, ".",
+                                             made.parent_path(), made);
   if (!wrong.empty()) throw InputError("equiv: " + wrong);
   all.files.assign(verilog.begin(), verilog.end());
   return {all, what, budget};
 }
 
-void find_reset(const EquivOptions& o, equiv::Question& q) {
-  static const std::set<std::string> high{"rst",   "reset", "clear",    "clr",
-                                          "rst_i", "i_rst", "wb_rst_i", "i_reset"};
-  static const std::set<std::string> low{"rst_n", "reset_n", "rstn",   "resetn",
-                                         "nrst",  "aresetn", "rst_ni", "i_rst_n"};
-  q.reset_clocks = o.reset_clocks ? number("--reset-clocks", *o.reset_clocks, 0, 1000) : 3;
-  if (o.reset) {
-    const std::size_t at = o.reset->find('=');
-    q.reset = o.reset->substr(0, at);
-    q.reset_active = at == std::string::npos
-                         ? !low.contains(q.reset)
-                         : number("--reset", o.reset->substr(at + 1), 0, 1) == 1;
-    if (!q.gold.inputs.contains(q.reset) || q.gold.inputs.at(q.reset) != 1) {
-      throw InputError(fmt::format("--reset: {} is no input of one bit", in_quotes(q.reset)));
-    }
-    if (q.gold.clocks.contains(q.reset)) {
-      throw InputError(fmt::format("--reset: {} is a clock", in_quotes(q.reset)));
-    }
+// A whole number, decimal or as 0x..., in binary digits.
+std::string binary(const std::string& option, const std::string& text) {
+  static const Pattern hexadecimal("0[xX]([0-9a-fA-F]+)");
+  std::string bits;
+  if (const Pattern::Parts part = hexadecimal.whole(text); !part.empty()) {
+    for (const char digit : part[1])
+      bits += fmt::format("{:04b}", std::stoi(std::string{digit}, nullptr, 16));
   } else {
-    for (const auto& [port, width] : q.gold.inputs) {
-      std::string name = port;
-      std::transform(name.begin(), name.end(), name.begin(),
-                     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-      const bool is_reset = high.contains(name) || low.contains(name);
-      if (width != 1 || !is_reset || q.gold.clocks.contains(port)) continue;
-      q.reset = port;
-      q.reset_active = high.contains(name);
-      break;
+    bits = fmt::format("{:b}", whole(option, text, 0, std::numeric_limits<std::uint64_t>::max()));
+  }
+  return bits.substr(std::min(bits.find('1'), bits.size() - 1));
+}
+
+void name_resets(const EquivOptions& o, equiv::Question& q) {
+  if (o.reset_clocks) q.reset_clocks = number("--reset-clocks", *o.reset_clocks, 0, 1000);
+  for (const std::string& text : o.resets) {
+    const std::string pin = text.substr(0, text.find('='));
+    std::optional<bool>& level = q.wanted_resets[pin];
+    if (pin != text) level = number("--reset", text.substr(pin.size() + 1), 0, 1) == 1;
+    if (!q.gold.inputs.contains(pin) || q.gold.inputs.at(pin) != 1) {
+      throw InputError(fmt::format("--reset: {} is no input of one bit", in_quotes(pin)));
+    }
+    if (q.gold.clocks.contains(pin)) {
+      throw InputError(fmt::format("--reset: {} is a clock", in_quotes(pin)));
     }
   }
-  if (q.reset.empty()) q.reset_clocks = 0;
 }
 
 // The verdict holds even if the difference cannot be kept. The page of what is kept, or "".
@@ -230,12 +226,12 @@ int run(const EquivOptions& o) {
   q.wave_before = o.common.window().before;
   for (const std::string& text : o.tied) {
     const auto [pin, value] = halves("--tie", text, "PIN=VALUE");
-    q.tied[pin] = number("--tie", value, 0, 999999999);
+    q.tied[pin] = binary("--tie", value);
   }
   q.ignored = o.ignored;
   for (const std::string& text : o.renamed) q.renamed.insert(halves("--map", text, "OLD=NEW"));
   q.steps = equiv::has_several_clocks(q);
-  find_reset(o, q);
+  name_resets(o, q);
   q.verilator = !o.netlists;
   try {
     q.assumed = equiv::assumptions(o.assumed, q.gold, budget);
@@ -265,13 +261,15 @@ void add_equiv(const Command& program) {
   command.text("--gold-top", o->gold_top, "NAME", "What it is called in the old RTL");
   command.text("--gate-top", o->gate_top, "NAME", "What it is called in the new RTL");
   command.texts("--cells", o->cells, "FILE", "Cells that both may use, of a netlist");
+  command.each("--blackbox", o->blackboxes, "NAME",
+               "A module that no file has: what goes to its pins is compared");
   command.each("--param", o->parameters, "NAME=VALUE", "A parameter of the module, in both");
   command.each("--gold-param", o->gold_parameters, "NAME=VALUE",
                "One of the old RTL alone: a netlist has none");
   command.each("--gate-param", o->gate_parameters, "NAME=VALUE", "One of the new RTL alone");
   command.each("--include", o->include_dirs, "DIR", "Where `include finds its files");
   command.each("--define", o->defines, "NAME[=VALUE]", "A definition, in both");
-  command.text("--reset", o->reset, "PIN[=0|1]", "The reset, and the level that resets");
+  command.each("--reset", o->resets, "PIN[=0|1]", "A reset, and the level that resets");
   command.text("--reset-clocks", o->reset_clocks, "N",
                "Clocks for which the reset is given; default 3");
   command.each("--tie", o->tied, "PIN=VALUE", "An input that has that value");

@@ -117,6 +117,44 @@ TEST(Equiv, PortsThatOneSideLacksAreTiedIgnoredOrRenamed) {
                    {"--map", "q=y", "--tie", "off=1", "--ignore", "more"});
 }
 
+TEST(Equiv, AnInputIsHeldAtAValueOfAnyWidth) {
+  const auto rtl = [](const std::string& bits) {
+    return module_of(", input [69:0] d, output [69:0] q", "assign q = " + bits + ";");
+  };
+  expect_equal(rtl("d"), rtl("70'd5"), {"--tie", "d=5"});
+  expect_equal(rtl("d"), rtl("70'h3f_8000_0001_0000_0000"), {"--tie", "d=0x3f8000000100000000"});
+  expect_different(rtl("d"), rtl("70'd5"), "q is ", {"--tie", "d=4"});
+  expect_refused(equiv(rtl("d"), rtl("d"), {"--tie", "d=0x400000000000000000"}),
+                 "--tie: 'd' has 70 bits, and the value 71");
+}
+
+TEST(Equiv, OptionsNamePortsThatThereAre) {
+  const std::string rtl =
+      module_of(", input d, output reg q", "always @(posedge clk) q <= rst ? 0 : d;");
+  expect_refused(equiv(rtl, rtl, {"--tie", "e=1"}), "--tie: 'e' is no input");
+  expect_refused(equiv(rtl, rtl, {"--tie", "clk=1"}), "--tie: 'clk' is a clock");
+  expect_refused(equiv(rtl, rtl, {"--ignore", "d"}), "--ignore: 'd' is no output");
+  expect_refused(equiv(rtl, rtl, {"--map", "e=d"}), "--map: the old RTL has no port 'e'");
+  expect_refused(equiv(rtl, rtl, {"--map", "d=e"}), "--map: the new RTL has no port 'e'");
+}
+
+// What goes to its pins is compared, and what comes from them is any value, the same in both.
+TEST(Equiv, AModuleThatNoFileHas) {
+  const auto rtl = [](const std::string& to, const std::string& from) {
+    return module_of(", input [1:0] d, output reg q",
+                     "wire o; wire [1:0] w = " + to +
+                         "; PAD pad(.I(w), .O(o)); always @(posedge clk) q <= " + from + ";");
+  };
+  const std::string one = rtl("d + 1", "o ^ d[0]");
+  expect_refused(equiv(one, one), "Give a file that has it, or --blackbox PAD");
+  const Arguments box{"--blackbox", "PAD"};
+  expect_equal(one, rtl("{d[1] ^ d[0], ~d[0]}", "d[0] ? ~o : o"), box);
+  expect_different(one, rtl("d - 1", "o ^ d[0]"), "pad$I is ", box);
+  expect_different(one, rtl("d + 1", "o | d[0]"), "q is ", box);
+  expect_refused(equiv(one, module_of(", input [1:0] d, output reg q", ""), box),
+                 "PAD: a blackbox that m has no instance of");
+}
+
 TEST(Equiv, RefusesWhatItCannotCompareInALine) {
   const std::string good = module_of(", input d, output reg q", "always @(posedge clk) q <= d;");
   const auto refused = [&](const std::string& rtl, const std::string& said) {

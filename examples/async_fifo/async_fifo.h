@@ -16,13 +16,15 @@ struct Params {
   constexpr int count() const { return bits + 1; }
 };
 
-#define ASYNC_FIFO_INPUTS(FIELD)                   \
-  FIELD(rst_n, 1, flag, "", "0 empties it")        \
-  FIELD(w_clk, 1, rises, "", "the writer's clock") \
-  FIELD(w_valid, 1, flag, "", "there is a word")   \
-  FIELD(w_data, p.width, bits, "", "the word")     \
-  FIELD(r_clk, 1, rises, "", "the reader's clock") \
-  FIELD(r_ready, 1, flag, "", "a word can be taken")
+#define ASYNC_FIFO_INPUTS(FIELD)                                                                  \
+  FIELD(rst_n, 1, flag, "", "0 empties it")                                                       \
+  FIELD(w_clk, 1, rises, "", "the writer's clock")                                                \
+  FIELD(w_valid, 1, flag, "", "there is a word")                                                  \
+  FIELD(w_data, p.width, bits, "", "the word")                                                    \
+  FIELD(r_clk, 1, rises, "", "the reader's clock")                                                \
+  FIELD(r_ready, 1, flag, "", "a word can be taken")                                              \
+  FIELD(r_first_new, p.count(), bits.synchronizer("r_first"), "", "bits that take the new value") \
+  FIELD(w_first_new, p.count(), bits.synchronizer("w_first"), "", "bits that take the new value")
 #define ASYNC_FIFO_OUTPUTS(FIELD)                         \
   FIELD(w_ready, 1, flag, "", "there is room for a word") \
   FIELD(r_valid, 1, flag, "", "there is a word")          \

@@ -45,6 +45,9 @@ struct Field {
   bool is_word = false;    ///< of an element: it is a word of one wide number
   Edge edge = Edge::none;  ///< of an input that is a clock: where registers take it
   bool is_placed = false;  ///< at() says its net, be it the field's own name
+  /// Of an input that is no pin: the register of the state, the first of a synchronizer, whose bits
+  /// it has take the new value (synchronizer.h); null of any other.
+  const char* synchronizer = nullptr;
 };
 
 /// The name for a person and in files: "count", of an element "store[3]", of a word of a wide

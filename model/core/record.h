@@ -12,6 +12,11 @@
 // An input that is a clock, one of several, has the format `rises`, or `falls` where registers take
 // its falling edge: 1 on a step on which it does, in a row of width 1.
 //
+// An input in whose bits a synchronizer takes the new value of what it samples, and is no pin, is
+// synchronizer("REGISTER"), in a row as wide as that register (synchronizer.h):
+//
+//   FIELD(w_first_new, 4, bits.synchronizer("w_first"), "", "bits that take the new value")
+//
 // array<N>(n) makes it an array of n elements of `width` bits each, n <= N and n may use p:
 // the member is an Array<V, N>. In the RTL it is a memory, element i its word i, or a net whose
 // bits the elements fill from bit 0 up. words<N>() makes it one number of `width` bits in words of
@@ -38,18 +43,20 @@ namespace cosim {
 namespace row {
 
 /// N: the most elements of an array; 0 for a field that is none. e: of a clock, where registers
-/// take it.
-template <int N, Edge e = Edge::none>
+/// take it. of_synchronizer: it is no pin.
+template <int N, Edge e = Edge::none, bool of_synchronizer = false>
 struct Notation {
   static constexpr int capacity = N;
   static constexpr Edge edge = e;
+  static constexpr bool is_choice = of_synchronizer;
 
   Format format;
   int fraction = 0;
   const char* net = nullptr;
   bool is_unreset = false;
-  int count = N;          ///< elements of an array
-  bool is_split = false;  ///< the width is that of all elements together
+  int count = N;                          ///< elements of an array
+  bool is_split = false;                  ///< the width is that of all elements together
+  const char* synchronizer_of = nullptr;  ///< the register's name
 
   constexpr Notation with_fraction(int bits) const {
     Notation n = *this;
@@ -65,6 +72,10 @@ struct Notation {
     Notation n = *this;
     n.is_unreset = true;
     return n;
+  }
+  constexpr Notation<0, Edge::none, true> synchronizer(const char* name) const {
+    static_assert(N == 0 && e == Edge::none, "a synchronizer is no array, and no clock");
+    return {format, fraction, net, is_unreset, 0, false, name};
   }
   template <int M>
   constexpr Notation<M> array(int elements = M) const {
@@ -95,21 +106,22 @@ constexpr std::size_t more_cells(int capacity) {
 }
 
 /// How many elements of an array of N a shape has.
-template <int N, Edge e>
-constexpr int elements(const Notation<N, e>& n, int width) {
+template <int N, Edge e, bool choice>
+constexpr int elements(const Notation<N, e, choice>& n, int width) {
   return n.is_split ? (width + word_width - 1) / word_width : n.count;
 }
 
 /// The field, or the cells of an array of N.
-template <int N, Edge e>
-constexpr auto field(const char* name, int width, const Notation<N, e>& n, const char* source,
-                     const char* meaning, const char* net) {
+template <int N, Edge e, bool choice>
+constexpr auto field(const char* name, int width, const Notation<N, e, choice>& n,
+                     const char* source, const char* meaning, const char* net) {
   if (e != Edge::none && width != 1) throw InputError(std::string(name) + ": a clock has 1 bit");
   Field whole{
       name,        width, n.format, source, meaning, n.fraction, n.net == nullptr ? net : n.net,
       n.is_unreset};
   whole.edge = e;
   whole.is_placed = n.net != nullptr;
+  whole.synchronizer = n.synchronizer_of;
   if constexpr (N == 0) {
     return whole;
   } else {
@@ -181,6 +193,8 @@ constexpr void trim(Array<V, N>& array, const Notation<N>& n, int width) {
 #define COSIM_PLUS(name, width, format, source, meaning) +capacity_##name
 #define COSIM_PLUS_CLOCK(name, width, format, source, meaning) \
   +(decltype(::cosim::row::format)::edge != ::cosim::Edge::none)
+#define COSIM_PLUS_CHOICE(name, width, format, source, meaning) \
+  +decltype(::cosim::row::format)::is_choice
 #define COSIM_RAISE(name, width, format, source, meaning) \
   ::cosim::row::raise<decltype(::cosim::row::format)>(r.name);
 #define COSIM_MEMBER(name, width, format, source, meaning) \
@@ -211,6 +225,7 @@ constexpr void trim(Array<V, N>& array, const Notation<N>& n, int width) {
     [[maybe_unused]] static const Params p;                                                    \
     enum Capacity : int { TABLE(COSIM_CAPACITY) sum = 0 TABLE(COSIM_PLUS) };                   \
     enum Clocks : int { clocks = 0 TABLE(COSIM_PLUS_CLOCK) };                                  \
+    enum Choices : int { choices = 0 TABLE(COSIM_PLUS_CHOICE) };                               \
     /* Every clock takes its edge. */                                                          \
     template <class R>                                                                         \
     static constexpr void raise_clocks([[maybe_unused]] R& r) {                                \

@@ -41,9 +41,11 @@ class DesignBench final : public Bench<Design> {
                                const std::vector<Word>& inputs) const override {
     using State = typename Design::template State<Word>;
     using Inputs = typename Design::template Inputs<Word>;
-    const auto after = clocked<Design, Word>(dut_.params, Cells<State>(dut_.params).record(state),
-                                             Cells<Inputs>(dut_.params).record(inputs));
-    return words(idle_of<Design, Word>(dut_.params, after.state));
+    const auto before = Cells<State>(dut_.params).record(state);
+    const auto in = Cells<Inputs>(dut_.params).record(inputs);
+    const auto after = clocked<Design, Word>(dut_.params, before, in).state;
+    return words(idle_of<Design, Word>(
+        dut_.params, Synchronizers<Design>(dut_.params).taken(dut_.params, before, in, after)));
   }
   std::vector<Word> begun(std::uint32_t power_up) const override {
     return words(AnyLockstep<Design>(start(power_up)).dut().registers());

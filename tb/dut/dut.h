@@ -37,6 +37,10 @@ class Dut {
   virtual Registers registers() const = 0;
   /// Sets a register before the first eval; of a DUT whose maker says that it can.
   virtual void load(const Field& /*field*/, Word /*value*/) {}
+  /// Whether turn() does what it says; where not, synchronizers take the old value.
+  virtual bool turns() const { return false; }
+  /// Turns these bits of registers over, after an edge.
+  virtual void turn(const Registers& /*bits*/) {}
   /// Every signal of the hierarchy; empty if the instance does not show them.
   virtual std::vector<Signal> signals() const { return {}; }
   /// What the RTL said of itself since it was made or began; null: nothing.
@@ -80,6 +84,8 @@ class AnyAdapter {
   typename D::template Outputs<Word> outputs() const { return dut_->outputs(); }
   typename D::template Registers<Word> registers() const { return dut_->registers(); }
   void load(const Field& field, Word value) { dut_->load(field, value); }
+  bool turns() const { return dut_->turns(); }
+  void turn(const typename D::template Registers<Word>& bits) { dut_->turn(bits); }
   std::vector<Signal> signals() const { return dut_->signals(); }
   const RtlSaid* said() const { return dut_->said(); }
   void begin() { dut_->begin(); }

@@ -18,6 +18,7 @@
 
 #include "model/core/design.h"
 #include "model/core/reset.h"
+#include "model/core/synchronizer.h"
 #include "tb/dut/adapter.h"
 #include "tb/dut/dut.h"
 #include "tb/dut/nets.h"
@@ -143,6 +144,17 @@ class NamedAdapter : public Dut<typename Trait::Design>,
   }
   Outputs outputs() const final { return places_.outputs.read(base_); }
   Registers registers() const final { return places_.registers.read(base_); }
+  bool turns() const override { return true; }
+  void turn(const Registers& bits) final {
+    const auto words = to_words(bits);
+    for (std::size_t i = 0; i < places_.sources.size(); ++i) {
+      if (words[i] == 0) continue;
+      const Source& source = places_.sources[i];
+      Net n = source.net;
+      n.data = base_ + source.at;
+      n.set(n.get() ^ words[i]);
+    }
+  }
 
  private:
   static constexpr bool has_clock = *Trait::clock != '\0';
@@ -150,11 +162,17 @@ class NamedAdapter : public Dut<typename Trait::Design>,
   static constexpr auto seen = Outputs::fields(params);
   static constexpr auto held = Registers::fields(params);
 
+  // What carries a register's value may be another net than the register.
+  struct Source {
+    Net net;
+    std::ptrdiff_t at;
+  };
   struct Places {
     CellPlaces<Top, Inputs, driven, true> inputs;
     CellPlaces<Top, Outputs, seen, true> outputs;
     CellPlaces<Top, Registers, held, false> registers;
     std::ptrdiff_t clock;
+    std::vector<Source> sources;  // of a design with synchronizers, by cell
   };
   // The member of each input that is a clock, and its number.
   template <class Visit>
@@ -178,7 +196,17 @@ class NamedAdapter : public Dut<typename Trait::Design>,
     return {{base, ports.data()},
             {base, ports.data() + driven.size()},
             {base, registers.data()},
-            has_clock ? static_cast<std::byte*>(ports.back().data) - base : 0};
+            has_clock ? static_cast<std::byte*>(ports.back().data) - base : 0,
+            sources(base, context)};
+  }
+  static std::vector<Source> sources(const std::byte* base, VerilatedContext& context) {
+    std::vector<Source> all;
+    if constexpr (synchronizers_of<Design> != 0) {
+      for (const Net& n : find_registers(context, Trait::title, held, Trait::registers)) {
+        all.push_back({n, n.data == nullptr ? 0 : static_cast<std::byte*>(n.data) - base});
+      }
+    }
+    return all;
   }
   static const Places& places(Top& top, VerilatedContext& context) {
     static const Places all = find(top, context);

@@ -232,7 +232,11 @@ std::vector<Net> find_ports(const std::vector<PortNet>& of_rtl, const Ports& por
   };
   const auto take_all = [&](const char* what, const std::vector<Field>& table, bool goes_in) {
     for (const auto& row : rows_of(table)) {
-      take(what, row, goes_in);
+      if (row.front().synchronizer == nullptr) {
+        take(what, row, goes_in);
+      } else {
+        nets.emplace_back();  // it is no pin
+      }
       nets.resize(nets.size() + absent_after(table, row));
     }
   };

@@ -115,14 +115,20 @@ class OpenDut final : public Dut<Design> {
   /// another one.
   void load(const Field& field, Word value) override {
     const auto held = Registers::fields(params_);
-    if (sources_.empty()) {
-      eval(false);
-      sources_ = find_registers(instance_->context(), class_.title, held, class_.registers);
-    }
+    if (sources_.empty()) eval(false);
+    find_sources();
     for (std::size_t i = 0; i < held.size(); ++i) {
       if (held[i].index == field.index && std::string_view(held[i].name) == field.name) {
         sources_[i].set(value);
       }
+    }
+  }
+  bool turns() const override { return true; }
+  void turn(const Registers& bits) override {
+    find_sources();
+    const auto words = to_words(bits);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      if (words[i] != 0) sources_[i].set(sources_[i].get() ^ words[i]);
     }
   }
   std::vector<Signal> signals() const override {
@@ -150,6 +156,11 @@ class OpenDut final : public Dut<Design> {
     std::string_view name;
     bool falls;
   };
+  void find_sources() {
+    if (!sources_.empty()) return;
+    sources_ = find_registers(instance_->context(), class_.title, Registers::fields(params_),
+                              class_.registers);
+  }
   template <class Record>
   static Record read(const Net* nets) {
     Record r;
@@ -162,7 +173,7 @@ class OpenDut final : public Dut<Design> {
   std::unique_ptr<OpenInstance> instance_;
   std::vector<Net> ports_;  // inputs, outputs, the clock
   std::vector<Net> registers_;
-  std::vector<Net> sources_;  // what is loaded, once something is
+  std::vector<Net> sources_;  // what is loaded or turned over, once something is
   std::vector<Clock> clocks_;
   Words<Inputs> given_{};
   std::optional<RtlSaid> said_;

@@ -14,7 +14,7 @@ sub likely_clock {
     @left = @nets if @left != 1;
     return if @left != 1;
     my $input = input_of($left[0], 0);
-    refuse(one_held($p) . ": its clock is $left[0], which is no input") if $input eq '';
+    refuse(one_held($p) . ': ' . no_clock($left[0])) if $input eq '';
     return $input;
 }
 sub one_held { return (sort keys %{$_[0]{held}})[0] }
@@ -55,7 +55,7 @@ sub give_clocks {
         if (@own != 1) {
             my ($way, $net) = $others[0] ? @{$others[0]} : ('', join ' and ', map { $_->[1] } @own);
             refuse("$named: a register on the falling edge of $net") if $way eq 'NEG' && @others == 1;
-            refuse("$named: its clock is $net, which is no input") if $net !~ / / && no_input($net);
+            refuse("$named: " . no_clock($net)) if $net !~ / / && no_input($net);
             refuse("$named: its clock is $net, and $of_design");
         }
         my ($way, $clock) = @{$own[0]};
@@ -80,6 +80,15 @@ sub require_plain {
         refuse("$net: a clock that is read as a value") if $valued{$net};
     }
     return;
+}
+# What is said of a clock that is no input: what makes it too, a clock gate or a divider that is an instance.
+sub no_clock {
+    my ($net) = @_;
+    my %reach = map { $_ => carriers($_) } keys %info;
+    my ($from) = sort { keys %{$reach{$b}} <=> keys %{$reach{$a}} || $a cmp $b }
+      grep { exists $reach{$_}{$net} } keys %reach;
+    my $maker = ($from // $net) ne $net ? ", made by $from" : '';
+    return "its clock is $net$maker, which is no input";
 }
 sub no_input { return input_of($_[0], 0) . input_of($_[0], 1) eq '' }
 

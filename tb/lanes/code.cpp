@@ -6,6 +6,7 @@
 #include <fmt/core.h>
 
 #include <map>
+#include <span>
 
 #include "model/core/input_error.h"
 #include "tb/lanes/mapped.h"
@@ -91,7 +92,7 @@ class Maker {
   void map() {
     std::vector<Bit> in, out;
     for (const nets::Port& p : played_.model.ports) in.push_back(p.bit);
-    for (const auto* wires : {&registers(), &machine_.outputs, &machine_.next}) {
+    for (const auto* wires : {&registers(), &machine_.outputs, &machine_.next, &machine_.turned}) {
       for (const Wire& w : *wires) append(out, w.code);
     }
     for (const auto* wires : {&registers(), &machine_.outputs}) {
@@ -148,13 +149,37 @@ class Maker {
   std::size_t state_bits() const { return flip_flops_ - code_.layout.state; }
   std::size_t flip_flop_bits() const { return rtl_.cells().flip_flops.size(); }
 
-  std::vector<Value> clock_rtl(Straight& code, std::vector<Value> in) {
-    planes(code, in, flip_flops_, flip_flop_bits());
-    auto out = code.add(rtl_cells_, in);
-    for (std::size_t i = 0; i < flip_flop_bits(); ++i) {
-      code.store(flip_flops_ + i, out[out.size() - flip_flop_bits() + i]);
+  // Of the model's inputs those that are pins, then the flip-flops.
+  std::vector<Value> rtl(Straight& code, const std::vector<Value>& inputs) {
+    std::vector<Value> in;
+    std::size_t at = 0;
+    for (const Wire& w : machine_.inputs) {
+      for (std::size_t b = 0; b < w.code.size(); ++b, ++at) {
+        if (w.field.synchronizer == nullptr) in.push_back(inputs[at]);
+      }
     }
-    return out;
+    planes(code, in, flip_flops_, flip_flop_bits());
+    return code.add(rtl_cells_, in);
+  }
+  // What the flip-flops hold after a clock that gave `out`, with the bits of registers turned over
+  // that `turned` says, one behind the other; empty: none.
+  void store(Straight& code, const std::vector<Value>& out, std::span<const Value> turned) {
+    std::vector<Value> next(out.end() - static_cast<std::ptrdiff_t>(flip_flop_bits()), out.end());
+    std::size_t at = 0;
+    for (std::size_t r = 0; r < registers_.size() && !turned.empty(); ++r) {
+      for (const std::size_t net : registers_[r]) {
+        const Value is = turned[at++];
+        if (is == zero) continue;
+        const auto shown = rtl_.shown(net);
+        if (!shown) {
+          throw InputError(machine_.design + ": register " + label_of(registers()[r].field) +
+                           " is no flip-flops by itself");
+        }
+        constexpr std::uint8_t differ = 0x66;
+        next[*shown] = code.cell(differ, next[*shown], is, zero);
+      }
+    }
+    for (std::size_t i = 0; i < next.size(); ++i) code.store(flip_flops_ + i, next[i]);
   }
 
   void make_clock() {
@@ -168,11 +193,11 @@ class Maker {
       if (draw.after[i] != draw.held[i]) code.store(i, drawn[pins + i]);
     }
     std::vector<Value> in(drawn.begin(), drawn.begin() + static_cast<std::ptrdiff_t>(pins));
-    const auto actual = clock_rtl(code, in);
+    const auto actual = rtl(code, in);
     planes(code, in, code_.layout.state, state_bits());
     const auto expected = code.add(model_cells_, in);
 
-    std::size_t at = 0, when = expected.size() - registers_.size() - outputs_.size(), counter = 0;
+    std::size_t at = 0, when = when_first(expected), counter = 0;
     for (const auto* all : {&registers_, &outputs_}) {
       for (const auto& wire : *all) {
         for (std::size_t b = 0; b < wire.size(); ++b, ++at) {
@@ -185,7 +210,13 @@ class Maker {
     }
     for (std::size_t i = 0; i < state_bits(); ++i)
       code.store(code_.layout.state + i, expected[at + i]);
+    const std::size_t turned = when_first(expected) - at - state_bits();
+    store(code, actual, std::span(expected).subspan(at + state_bits(), turned));
     if (played_.draw.answer) answer(code, std::move(held), expected);
+  }
+  // What the model gives last are the conditions under which all is compared.
+  std::size_t when_first(const std::vector<Value>& expected) const {
+    return expected.size() - registers_.size() - outputs_.size();
   }
   // The outputs stand behind the registers.
   void answer(Straight& code, std::vector<Value> held, const std::vector<Value>& expected) {
@@ -224,14 +255,12 @@ class Maker {
   void make_reset() {
     code_.reset_clocks = machine_.reset_clocks;
     code_.is_asked = played_.draw.answer.has_value();
-    clock_rtl(code_.reset, reset_inputs());
+    store(code_.reset, rtl(code_.reset, reset_inputs()), {});
   }
   // Of a register's code the number that the model's state has by the same name.
   void make_take_over() {
     Straight& code = code_.take_over;
-    std::vector<Value> in = reset_inputs();
-    planes(code, in, flip_flops_, flip_flop_bits());
-    const auto held = code.add(rtl_cells_, in);
+    const auto held = rtl(code, reset_inputs());
     std::map<std::string, std::size_t> places;
     std::size_t at = 0;
     for (const Wire& w : machine_.state) {

@@ -42,7 +42,7 @@ std::string key_of(const std::string& title, const nets::Played& played,
   const auto add = [](std::vector<nets::Port>& ports, const std::vector<nets::Bit>& bits) {
     for (const nets::Bit bit : bits) ports.push_back({fmt::format("p{}", ports.size()), bit});
   };
-  for (const auto* wires : {&m.registers, &m.seen, &m.outputs, &m.next}) {
+  for (const auto* wires : {&m.registers, &m.seen, &m.outputs, &m.turned, &m.next}) {
     for (const nets::Wire& w : *wires) {
       add(out, w.code);
       if (w.when) add(out, {*w.when});

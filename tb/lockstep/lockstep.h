@@ -12,7 +12,9 @@
 #include "model/core/design.h"
 #include "model/core/fields.h"
 #include "model/core/reset.h"
+#include "model/core/synchronizer.h"
 #include "tb/dut/counts.h"
+#include "tb/dut/dut.h"
 #include "tb/lockstep/compare_mask.h"
 
 /// Inlines all calls in a function, and compiles it for speed in a file that is not. Not under the
@@ -124,8 +126,12 @@ class Lockstep {
       bits |= difference(expected_.outputs, dut_.outputs());
     }
     sample(std::as_const(expected_), read());
-    copy_fields(dut_.params, state_, step.state);
-    dut_.eval(true);
+    if constexpr (Taking::any) {
+      take(in, step.state);
+    } else {
+      copy_fields(dut_.params, state_, step.state);
+      dut_.eval(true);
+    }
     bits |= dut_.said() != nullptr ? 1 : 0;
     return bits == 0;
   }
@@ -142,6 +148,19 @@ class Lockstep {
   const CompareMask<Design>& mask() const { return mask_; }
 
  private:
+  using Taking = Synchronizers<Design>;
+
+  /// The rising edge, where synchronizers that take the old value make the model's state `old`.
+  void take(const Inputs& in, const State& old) {
+    const auto& p = dut_.params;
+    const State taken = dut_.turns() ? taking_.taken(p, state_, in, old) : old;
+    dut_.eval(true);
+    auto bits = Design::registers(p, old);
+    const auto held = Design::registers(p, taken);
+    for_each_cell<decltype(bits)>([&](auto cell, std::size_t) { cell(bits) ^= cell(held); });
+    dut_.turn(bits);
+    copy_fields(p, state_, taken);
+  }
   Compared<Design> read() const { return {dut_.registers(), dut_.outputs()}; }
   /// Gives the model what the RTL holds where no reset reaches. Such a register is a field of the
   /// state by the same name.
@@ -173,6 +192,7 @@ class Lockstep {
   Adapter dut_;
   State state_;
   CompareMask<Design> mask_;
+  Taking taking_{dut_.params};
   Compared<Design> expected_{};
 };
 

@@ -114,11 +114,12 @@ template <class Design, class Source>
   auto state = reset_state_of<Design, Word>();
   typename Design::template Inputs<Word> in;
   typename Design::template Outputs<Word> out{};
+  const Synchronizers<Design> taking(p);
   while (stimulus.clocks.size() < clocks && next_inputs<Design>(source, p, state, in, out)) {
     stimulus.clocks.push_back(inputs.words(in));
     const auto step = clocked<Design, Word>(p, state, in);
     out = step.outputs;
-    copy_fields(p, state, step.state);
+    copy_fields(p, state, taking.taken(p, state, in, step.state));
   }
   return stimulus;
 }

@@ -67,13 +67,15 @@ class VerilatedSubject : public Subject {
   std::vector<std::string> mutants_;
 };
 
-/// An adapter whose RTL has the input `mutsel`.
+/// An adapter whose RTL has the input `mutsel`. Between a register and its net there may be a
+/// mutant: synchronizers take the old value.
 template <class Base>
 class MutantAdapter : public Base {
  public:
   explicit MutantAdapter(std::uint32_t power_up) : Base(power_up) {
     this->top().mutsel = static_cast<std::uint16_t>(chosen);
   }
+  bool turns() const final { return false; }
   static inline thread_local unsigned chosen = 0;
 };
 

@@ -11,6 +11,7 @@
 #include "model/core/design.h"
 #include "model/core/fields.h"
 #include "model/core/reset.h"
+#include "model/core/synchronizer.h"
 
 namespace cosim::nets {
 
@@ -63,12 +64,16 @@ struct MachineOf {
   /// Under an asynchronous reset, what they must show during it; else empty.
   std::vector<Wire> seen;
   std::vector<Wire> outputs;  ///< during it
-  std::vector<Wire> after;    ///< what the registers must hold after it
-  std::vector<Wire> next;     ///< the state after it
-  std::vector<Named> parts;   ///< they cover all clocks and are easier one by one
-  std::vector<Named> cases;   ///< what may happen on a clock; each must be possible
-  std::vector<Named> legal;   ///< what is assumed of the inputs of a clock
-  std::vector<Named> idle;    ///< the same of the inputs that the model says are legal always
+  /// What the registers must hold after it, where synchronizers take the old value.
+  std::vector<Wire> after;
+  /// Of each register the bits that are the others there, by what synchronizers take; empty of a
+  /// design without any. RTL knows nothing of it.
+  std::vector<Wire> turned;
+  std::vector<Wire> next;    ///< the state after it, with what they take
+  std::vector<Named> parts;  ///< they cover all clocks and are easier one by one
+  std::vector<Named> cases;  ///< what may happen on a clock; each must be possible
+  std::vector<Named> legal;  ///< what is assumed of the inputs of a clock
+  std::vector<Named> idle;   ///< the same of the inputs that the model says are legal always
   /// The inputs that reset the machine, with the values they have then, and on how many clocks they
   /// are given. None for a machine that begins at its initial values.
   std::vector<Wire> reset_inputs;
@@ -184,16 +189,25 @@ MachineOf<V> machine_of(const typename Design::Params& p, FreeState free_state,
   const auto seen = seen_state<Design, V>(p, s, in);
   auto step = clocked<Design, V>(p, s, in);
   State::trim(p, step.state);
+  const auto after = Synchronizers<Design>(p).taken(p, s, in, step.state);
   m.invariant = detail::whole_invariant<Design, V>(p, s);
-  m.invariant_after = detail::whole_invariant<Design, V>(p, step.state);
+  m.invariant_after = detail::whole_invariant<Design, V>(p, after);
   m.reached = named<V>(reached_of<V>(p, s));
-  m.reached_after = named<V>(reached_of<V>(p, step.state));
+  m.reached_after = named<V>(reached_of<V>(p, after));
   m.registers = detail::registers_in<Design, V>(p, s);
   m.outputs = compared_when<V>(wires<V>(step.outputs, output_fields),
                                outputs_compared_of<V>(p, seen, in, step.outputs));
   if (is_reset_asynchronous<Design>()) m.seen = detail::registers_in<Design, V>(p, seen);
-  m.after = detail::registers_in<Design, V>(p, step.state);
-  m.next = wires<V>(step.state, state_fields);
+  const auto register_fields = Design::template Registers<Word>::fields(p);
+  auto held = Design::registers(p, step.state);
+  m.after = compared_when<V>(wires<V>(held, register_fields), registers_compared_of<V>(p, after));
+  if constexpr (Synchronizers<Design>::any) {
+    const auto taken = Design::registers(p, after);
+    for_each_cell<decltype(held)>(
+        [&](auto cell, std::size_t) { cell(held) = cell(held) ^ cell(taken); });
+    m.turned = wires<V>(held, register_fields);
+  }
+  m.next = wires<V>(after, state_fields);
   m.parts = named<V>(parts_of<V>(p, s));
   m.cases = named<V>(cases_of<V>(p, s, in));
   m.legal = named<V>(legal_of<V>(p, s, in));

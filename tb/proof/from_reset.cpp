@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "model/core/input_error.h"
 #include "tb/proof/located.h"
 #include "tb/proof/translated.h"
 
@@ -59,6 +60,7 @@ class ProductMaker {
     for (std::size_t i = 0; i < now.size(); ++i) {
       registers_now_.push_back({now[i], first[i], nets[flip_flops[i].next]});
     }
+    turn();
     add_state(first);
     ask_all(nets);
     for (const Watched& one : watched_) asked_[Happens::watched].emplace_back("", seen(one, nets));
@@ -98,6 +100,25 @@ class ProductMaker {
     }
     return placed(graph_, cells, std::move(given));
   }
+
+  // What synchronizers take. RTL with mutants takes the old value: they may stand between a
+  // register and its net.
+  void turn() {
+    for (std::size_t i = 0; i < m_.turned.size() && !has_mutants(); ++i) {
+      for (std::size_t b = 0; b < registers_[i].size(); ++b) {
+        const Bit turned = m_.turned[i].code[b];
+        if (turned == no) continue;
+        const auto shown = rtl_.shown(registers_[i][b]);
+        if (!shown) {
+          throw InputError(fmt::format("{}: register {} is no flip-flops by itself", m_.design,
+                                       label_of(m_.turned[i].field)));
+        }
+        Bit& next = registers_now_[*shown].next;
+        next = graph_.xor_of(next, turned);
+      }
+    }
+  }
+  bool has_mutants() const { return rtl_.width("mutsel") != 0; }
 
   // What the flip-flops hold when the first clock begins.
   Code after_reset() {
@@ -214,7 +235,9 @@ class ProductMaker {
       const bool is_word = w.code.size() > 1;
       for (const Bit bit : w.code) {
         if (bit.is_constant()) continue;
-        if (turned < 2) {
+        if (w.field.synchronizer != nullptr && has_mutants()) {
+          lits.give(bit, 0);
+        } else if (turned < 2) {
           lits.give(bit, product_.graph.seldom() ^ turned);
         } else {
           lits.give(bit,

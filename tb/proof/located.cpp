@@ -22,6 +22,10 @@ std::vector<RtlCell> located_fields(const WiresOf& rtl, const std::string& desig
                                     const std::vector<Field>& fields) {
   std::vector<RtlCell> all;
   for (const auto& row : rows_of(fields)) {
+    if (row.front().synchronizer != nullptr) {  // it is no pin
+      all.push_back({"", 0, 0});
+      continue;
+    }
     const std::string path = net_path(row.front().net).path;
     RtlNet net{rtl.width(path)};
     const int first = rtl.first_word(path);

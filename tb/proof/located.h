@@ -23,7 +23,8 @@ struct WiresOf {
   std::function<int(const std::string&)> width, first_word;
 };
 /// The cells of a table, which `kind` names in errors: input, output or register. A memory's word
-/// is a wire of its own. InputError where the RTL has no such wire or one of another width.
+/// is a wire of its own. An input that is no pin is 0 bits of none. InputError where the RTL has no
+/// such wire or one of another width.
 std::vector<RtlCell> located_fields(const WiresOf& rtl, const std::string& design, const char* kind,
                                     const std::vector<Field>& fields);
 /// The same of wires.

@@ -52,6 +52,16 @@ rtl 'always @(posedge clk) q <= d; always @(posedge other) r <= d;'
 refused "made: r: its clock is other, and that of the design is clk"
 rtl 'wire gated = clk & d; always @(posedge gated) q <= d;'
 refused "made: q: its clock is gated, which is no input"
+# A gate or a divider that is an instance is named.
+printf 'module icg(input wire clk, en, output wire gclk); reg held;
+  always @* if (!clk) held = en; assign gclk = clk & held; endmodule
+module made(input wire clk, en, d, output reg q);
+  wire g; icg gate(.clk(clk), .en(en), .gclk(g)); always @(posedge g) q <= d; endmodule\n' > made.sv
+refused "made: q: its clock is g, made by gate.gclk, which is no input"
+printf 'module half(input wire clk, output reg by2); always @(posedge clk) by2 <= !by2; endmodule
+module made(input wire clk, d, output reg q);
+  wire slow; half divider(.clk(clk), .by2(slow)); always @(posedge slow) q <= d; endmodule\n' > made.sv
+refused "made: q: its clock is slow, made by divider.by2, which is no input"
 rtl 'always @(negedge clk) q <= d;'
 refused "made: q: a register on the falling edge of clk"
 rtl 'always @* if (other) q = d; always @(posedge clk) r <= q;'

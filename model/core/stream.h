@@ -41,6 +41,9 @@
 
 #include "model/core/record.h"
 
+/// Only a file that has read this one needs what the harness has for streams.
+#define COSIM_STREAMS
+
 namespace cosim {
 
 /// A design that has a stream model. It may have a step beside it, design.h: then all is compared.

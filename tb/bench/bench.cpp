@@ -59,6 +59,15 @@ void add_benches(std::vector<std::unique_ptr<AnyBench>>& all,
   }
 }
 
+const std::vector<std::unique_ptr<AnyBench>>& benches_by(const AddBenches* add) {
+  static const auto list = [&] {
+    std::vector<std::unique_ptr<AnyBench>> all;
+    for (; *add != nullptr; ++add) (*add)(all);
+    return all;
+  }();
+  return list;
+}
+
 void require_shape(const AnyBench& bench, const std::string& shape) {
   if (bench.built_as() == shape) return;
   throw InputError(

@@ -14,7 +14,9 @@
 
 #include "model/core/job.h"
 #include "model/core/probe.h"
+#include "tb/bench/by_hand.h"
 #include "tb/bench/checked.h"
+#include "tb/bench/list.h"
 #include "tb/dut/dut.h"
 #include "tb/lockstep/run.h"
 #include "tb/stimulus/hostile.h"
@@ -147,6 +149,10 @@ class AnyBench {
     return {};
   }
 
+  /// RTL and model for a test by hand, on a machine powered up at random from `power_up`: a
+  /// ByHand<Design>; null where what is compared is not clocks.
+  virtual std::unique_ptr<AnyByHand> by_hand(std::uint32_t /*power_up*/) const { return {}; }
+
   /// Runs a stimulus of this machine, to its end or to the first difference. InputError if it
   /// starts from a state and the machine cannot be set to one.
   virtual Run replay(const Stimulus& stimulus, Window window = {}) const = 0;
@@ -233,9 +239,6 @@ class Bench : public AnyBench {
   /// The DUT alone, without a model.
   virtual std::unique_ptr<Dut<Design>> dut(std::uint32_t power_up) const = 0;
 };
-
-/// Every bench that was built, in the order of rtl/shipped.txt.
-const std::vector<std::unique_ptr<AnyBench>>& benches();
 
 /// A design that was built and cannot be used. The first call of benches(), which is without it,
 /// finds that.

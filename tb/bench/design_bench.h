@@ -54,6 +54,9 @@ class DesignBench final : public Bench<Design> {
   std::unique_ptr<AnyLockstep<Design>> lockstep(std::uint32_t power_up) const override {
     return std::make_unique<AnyLockstep<Design>>(start(power_up));
   }
+  std::unique_ptr<AnyByHand> by_hand(std::uint32_t power_up) const override {
+    return std::make_unique<HandLockstep>(start(power_up));
+  }
   std::unique_ptr<Dut<Design>> dut(std::uint32_t power_up) const override {
     return dut_.make(power_up);
   }
@@ -80,14 +83,14 @@ class DesignBench final : public Bench<Design> {
     return std::make_unique<HostSession>(*this, power_up);
   }
   void watch_hostile(const HostileCase& c, const Watch& watch) const override {
-    follow(HostileStimulus<Design>(params(), c), c.power_up(), watch);
+    follow(source_of<Design>(params(), HostileStimulus<Design>(params(), c)), c.power_up(), watch);
   }
   void watch_stimulus(const Stimulus& s, const Watch& watch) const override {
-    follow(Rows<Design>(params(), s), s.power_up, watch);
+    follow(source_of<Design>(params(), Rows<Design>(params(), s)), s.power_up, watch);
   }
   void watch_drawn(std::span<const Job> jobs, std::uint32_t power_up,
                    const Watch& watch) const override {
-    follow(Host(params(), jobs), power_up, watch);
+    follow(source_of<Design>(params(), Host(params(), jobs)), power_up, watch);
   }
   void watch_jobs(const JobList& jobs, std::uint32_t power_up, const Watch& watch) const override {
     watch_drawn(typed(jobs), power_up, watch);
@@ -181,6 +184,24 @@ class DesignBench final : public Bench<Design> {
     return t;
   }
 
+  class HandLockstep final : public ByHand<Design> {
+   public:
+    using typename ByHand<Design>::Inputs;
+    using typename ByHand<Design>::Outputs;
+    using typename ByHand<Design>::State;
+
+    explicit HandLockstep(const typename AnyAdapter<Design>::PowerUp& start) : both_(start) {}
+    const char* broken_rule(const Inputs& in) const override {
+      return cosim::broken_rule<Design>(both_.dut().params, both_.state(), in);
+    }
+    bool clock(const Inputs& in) override { return both_.clock(in); }
+    const Outputs& out() const override { return both_.expected().outputs; }
+    const State& state() const override { return both_.state(); }
+
+   private:
+    AnyLockstep<Design> both_;
+  };
+
   class HostSession final : public Session<Design> {
    public:
     HostSession(const DesignBench& bench, std::uint32_t power_up)
@@ -220,14 +241,13 @@ class DesignBench final : public Bench<Design> {
     std::vector<Job> history_;  // to come to the same clock again
   };
 
-  template <class Source>
-  void follow(Source source, std::uint32_t power_up, const Watch& watch) const {
+  void follow(const InputSource<Design>& source, std::uint32_t power_up, const Watch& watch) const {
     const Cells<typename Design::template Registers<Word>> registers(dut_.params);
     const Cells<typename Design::template Outputs<Word>> outputs(dut_.params);
     AnyLockstep<Design> both(start(power_up));
     typename Design::template Inputs<Word> in;
     Watched seen;
-    while (next_inputs<Design>(source, dut_.params, both.state(), in, both.expected().outputs)) {
+    while (source(both.state(), in, both.expected().outputs)) {
       if (!both.clock(in)) throw InputError(this->title() + ": RTL and model differ");
       seen.inputs = words(in);
       seen.expected = registers.words(both.expected().registers);
@@ -244,7 +264,8 @@ class DesignBench final : public Bench<Design> {
   template <class Source>
   Mismatch examined(const Source& source, std::uint64_t clock, std::uint32_t power_up) const {
     AnyLockstep<Design> again(start(power_up));
-    Mismatch mismatch = examine(again, source, clock, Window{}, this->title());
+    Mismatch mismatch =
+        examine(again, source_of<Design>(params(), source), clock, Window{}, this->title());
     mismatch.bench = this;
     mismatch.stimulus.power_up = power_up;
     return mismatch;

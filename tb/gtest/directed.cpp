@@ -3,11 +3,14 @@
 #include <fmt/core.h>
 
 #include <cstdlib>
+#include <string_view>
 
 #include "model/core/input_error.h"
+#include "tb/bench/bench.h"
 #include "tb/bench/stimulus_text.h"
 #include "tb/bench/wanted.h"
 #include "tb/report/failure.h"
+#include "tb/stimulus/legal.h"
 #include "tb/support/draft.h"
 #include "tb/support/words.h"
 #include "tb/wave/picture.h"
@@ -23,13 +26,18 @@ FailureOptions where_kept() {
 
 }  // namespace
 
-std::size_t directed_choice(const std::vector<const AnyBench*>& benches, const std::string& design,
-                            const std::string& shape) {
+const AnyBench& directed_choice(const std::vector<const AnyBench*>& benches,
+                                const std::string& design, const std::string& shape) {
+  std::vector<const AnyBench*> own;
+  for (const AnyBench* bench : benches) {
+    if (bench->design() == design && std::string_view(bench->row()) == "clock")
+      own.push_back(bench);
+  }
   std::string there;
-  for (std::size_t i = 0; i < benches.size(); ++i) {
-    const std::string title = benches[i]->title();
-    const bool is_only = shape.empty() && benches.size() == 1;
-    if (is_only || title == design + ' ' + shape) return i;
+  for (const AnyBench* bench : own) {
+    const std::string title = bench->title();
+    const bool is_only = shape.empty() && own.size() == 1;
+    if (is_only || title == design + ' ' + shape) return *bench;
     there += (there.empty() ? "" : ", ") + title;
   }
   throw InputError(fmt::format("{}: {}; there is {}", design,
@@ -46,7 +54,12 @@ DirectedRecord::DirectedRecord(const AnyBench& bench, std::uint32_t power_up)
   stimulus_.power_up = power_up;
 }
 
-void DirectedRecord::clock(const std::vector<Word>& inputs) {
+std::unique_ptr<AnyByHand> DirectedRecord::begin() const {
+  return bench_.by_hand(stimulus_.power_up);
+}
+
+void DirectedRecord::clock(const std::vector<Word>& inputs, const char* broken) {
+  IllegalClock{clocks(), broken}.refuse(bench_.title());
   for (std::size_t i = 0; i < fields_.size(); ++i) {
     const Field& pin = fields_[i];
     if (pin.width < 1 || low_bits(inputs[i], pin.width) == inputs[i]) continue;

@@ -20,9 +20,11 @@
 #include <string>
 #include <vector>
 
-#include "tb/bench/bench.h"
+#include "model/core/design.h"
+#include "tb/bench/by_hand.h"
+#include "tb/bench/list.h"
 #include "tb/gtest/present_test.h"
-#include "tb/stimulus/legal.h"
+#include "tb/stimulus/stimulus.h"
 
 namespace cosim {
 
@@ -38,8 +40,11 @@ class DirectedRecord {
  public:
   DirectedRecord(const AnyBench& bench, std::uint32_t power_up);
 
-  /// One clock more. InputError where a value is not one of its pin.
-  void clock(const std::vector<Word>& inputs);
+  /// RTL and model. InputError of a bench that has no clocks.
+  std::unique_ptr<AnyByHand> begin() const;
+  /// One clock more; `broken` is the rule that its inputs break, null where they break none.
+  /// InputError where they do, and where a value is not one of its pin.
+  void clock(const std::vector<Word>& inputs, const char* broken);
   std::uint64_t clocks() const { return stimulus_.clocks.size(); }
   /// Keeps the failure. Throws Differ.
   [[noreturn]] void differs();
@@ -57,10 +62,10 @@ class DirectedRecord {
   bool kept_ = false;
 };
 
-/// The one of `shape`, "W=4"; where that is "", the only one. InputError where there
-/// is none or there are several.
-std::size_t directed_choice(const std::vector<const AnyBench*>& benches, const std::string& design,
-                            const std::string& shape);
+/// The one of `design` at `shape`, "W=4"; where that is "", the only one. InputError where there is
+/// none or there are several.
+const AnyBench& directed_choice(const std::vector<const AnyBench*>& benches,
+                                const std::string& design, const std::string& shape);
 
 template <class Design>
 class Directed {
@@ -77,8 +82,10 @@ class Directed {
   /// no reset reaches hold values drawn from the seed power_up.
   explicit Directed(const std::string& shape = "", std::uint32_t power_up = 1)
       : Directed(chosen(shape), power_up) {}
-  explicit Directed(const Bench<Design>& bench, std::uint32_t power_up = 1)
-      : bench_(bench), record_(bench, power_up), lockstep_(bench.lockstep(power_up)) {}
+  explicit Directed(const AnyBench& bench, std::uint32_t power_up = 1)
+      : record_(bench, power_up),
+        any_(record_.begin()),
+        both_(dynamic_cast<ByHand<Design>&>(*any_)) {}
   ~Directed() { record_.finish(); }
   Directed(const Directed&) = delete;
   Directed& operator=(const Directed&) = delete;
@@ -91,10 +98,8 @@ class Directed {
   const Outputs& clock() {
     for (const Driver& drive : drivers_) drive(in, out());
     const auto words = to_words(in);
-    const IllegalClock illegal{record_.clocks(), broken_rule<Design>(bench_.params(), state(), in)};
-    illegal.refuse(bench_.title());
-    record_.clock({words.begin(), words.end()});
-    if (!lockstep_->clock(in)) record_.differs();
+    record_.clock({words.begin(), words.end()}, both_.broken_rule(in));
+    if (!both_.clock(in)) record_.differs();
     for (const Monitor& watch : monitors_) watch(in, out());
     return out();
   }
@@ -113,9 +118,9 @@ class Directed {
   }
 
   /// The outputs of the last clock; all 0 before the first.
-  const Outputs& out() const { return lockstep_->expected().outputs; }
+  const Outputs& out() const { return both_.out(); }
   /// The state before the next clock.
-  const State& state() const { return lockstep_->state(); }
+  const State& state() const { return both_.state(); }
 
   /// From now on calls `driver` before each clock, `monitor` after it; several of them in the order
   /// in which they were added.
@@ -123,14 +128,15 @@ class Directed {
   void watch(Monitor monitor) { monitors_.push_back(std::move(monitor)); }
 
  private:
-  static const Bench<Design>& chosen(const std::string& shape) {
-    const auto all = benches_of<Design>();
-    return *all[directed_choice({all.begin(), all.end()}, Design::name, shape)];
+  static const AnyBench& chosen(const std::string& shape) {
+    std::vector<const AnyBench*> all;
+    for (const auto& bench : benches()) all.push_back(bench.get());
+    return directed_choice(all, Design::name, shape);
   }
 
-  const Bench<Design>& bench_;
   DirectedRecord record_;
-  std::unique_ptr<AnyLockstep<Design>> lockstep_;
+  std::unique_ptr<AnyByHand> any_;
+  ByHand<Design>& both_;
   std::vector<Driver> drivers_;
   std::vector<Monitor> monitors_;
 };

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string_view>
 #include <type_traits>
-#include <utility>
 
 #include "model/core/design.h"
 #include "model/core/fields.h"
@@ -102,10 +102,30 @@ class Lockstep {
 
   /// One clock: drives, settles, compares, then the rising edge. False where anything differs, or
   /// where the RTL says that something is wrong; the clock is completed all the same, so that the
-  /// clocks after a difference can be shown. `sample(expected, actual)` is called before the edge.
-  /// Flattened, so that the model sees its parameters as constants.
-  template <class Sample>
-  COSIM_FLATTEN bool clock(const Inputs& in, Sample&& sample) {
+  /// clocks after a difference can be shown.
+  bool clock(const Inputs& in) {
+    return clocked_with(in, [](const Lockstep&) {});
+  }
+  /// Sees what both gave, before the edge.
+  using Sample =
+      std::function<void(const Compared<Design>& expected, const Compared<Design>& actual)>;
+  bool clock(const Inputs& in, const Sample& sample) {
+    return clocked_with(in, [&](const Lockstep& both) {
+      sample(both.expected_, {both.dut_.registers(), both.dut_.outputs()});
+    });
+  }
+
+  /// The model's state before the next clock.
+  const State& state() const { return state_; }
+  const Adapter& dut() const { return dut_; }
+  /// What the model gave on the last clock.
+  const Compared<Design>& expected() const { return expected_; }
+  /// What of it was compared on the last clock.
+  const CompareMask<Design>& mask() const { return mask_; }
+
+ private:
+  template <class Look>
+  bool clocked_with(const Inputs& in, Look look) {
     dut_.drive(in);
     dut_.eval(false);
     const auto& seen = seen_state<Design, Word>(dut_.params, state_, in);
@@ -125,7 +145,7 @@ class Lockstep {
     } else {
       bits |= difference(expected_.outputs, dut_.outputs());
     }
-    sample(std::as_const(expected_), read());
+    look(*this);
     if constexpr (Taking::any) {
       take(in, step.state);
     } else {
@@ -135,19 +155,7 @@ class Lockstep {
     bits |= dut_.said() != nullptr ? 1 : 0;
     return bits == 0;
   }
-  bool clock(const Inputs& in) {
-    return clock(in, [](const auto&, const auto&) {});
-  }
 
-  /// The model's state before the next clock.
-  const State& state() const { return state_; }
-  const Adapter& dut() const { return dut_; }
-  /// What the model gave on the last clock.
-  const Compared<Design>& expected() const { return expected_; }
-  /// What of it was compared on the last clock.
-  const CompareMask<Design>& mask() const { return mask_; }
-
- private:
   using Taking = Synchronizers<Design>;
 
   /// The rising edge, where synchronizers that take the old value make the model's state `old`.
@@ -161,7 +169,6 @@ class Lockstep {
     dut_.turn(bits);
     copy_fields(p, state_, taken);
   }
-  Compared<Design> read() const { return {dut_.registers(), dut_.outputs()}; }
   /// Gives the model what the RTL holds where no reset reaches. Such a register is a field of the
   /// state by the same name.
   void take_over() {

@@ -97,16 +97,18 @@ template <class Design>
   if (const auto clock = came.differs) {
     result.clocks = *clock + 1;
     const auto again = started(maker, s);
-    result.mismatch = examine(*again, Rows<Design>(maker.params, s), *clock, window, s.machine);
+    result.mismatch =
+        examine(*again, source_of<Design>(maker.params, Rows<Design>(maker.params, s)), *clock,
+                window, s.machine);
     result.mismatch->stimulus = s;
   }
   return result;
 }
 
-/// The inputs that `source` gives when it sees the model in place of the RTL, as a stimulus of at
-/// most `clocks` clocks.
-template <class Design, class Source>
-[[gnu::cold]] Stimulus recorded(const typename Design::Params& p, Source source,
+namespace detail {
+
+template <class Design>
+[[gnu::cold]] Stimulus recorded(const typename Design::Params& p, const InputSource<Design>& source,
                                 std::uint32_t power_up, std::uint64_t clocks) {
   Stimulus stimulus;
   stimulus.power_up = power_up;
@@ -115,13 +117,23 @@ template <class Design, class Source>
   typename Design::template Inputs<Word> in;
   typename Design::template Outputs<Word> out{};
   const Synchronizers<Design> taking(p);
-  while (stimulus.clocks.size() < clocks && next_inputs<Design>(source, p, state, in, out)) {
+  while (stimulus.clocks.size() < clocks && source(state, in, out)) {
     stimulus.clocks.push_back(inputs.words(in));
     const auto step = clocked<Design, Word>(p, state, in);
     out = step.outputs;
     copy_fields(p, state, taking.taken(p, state, in, step.state));
   }
   return stimulus;
+}
+
+}  // namespace detail
+
+/// The inputs that `source` gives when it sees the model in place of the RTL, as a stimulus of at
+/// most `clocks` clocks.
+template <class Design, class Source>
+Stimulus recorded(const typename Design::Params& p, const Source& source, std::uint32_t power_up,
+                  std::uint64_t clocks) {
+  return detail::recorded<Design>(p, source_of<Design>(p, source), power_up, clocks);
 }
 
 /// The smallest case found that fails as `jobs` do: fewer jobs, then smaller ones.

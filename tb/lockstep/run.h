@@ -64,9 +64,9 @@ inline constexpr std::uint64_t most_kept = 1U << 20;
 /// `window.after` clocks past `clock`, the first that differs. Keeps every signal of the window,
 /// and the inputs of the longer range that a wave shows. InputError, which names `title`, where
 /// they do not differ on that clock now, or sooner.
-template <class Design, class Source>
-[[gnu::cold]] Mismatch examine(AnyLockstep<Design>& lockstep, Source source, std::uint64_t clock,
-                               Window window, const std::string& title) {
+template <class Design>
+[[gnu::cold]] Mismatch examine(AnyLockstep<Design>& lockstep, const InputSource<Design>& source,
+                               std::uint64_t clock, Window window, const std::string& title) {
   const auto& p = lockstep.dut().params;
   Mismatch m;
   m.clock = clock;
@@ -84,7 +84,7 @@ template <class Design, class Source>
     if (c == kept && c != 0) {
       m.stimulus.state = Cells<typename Design::template State<Word>>(p).words(lockstep.state());
     }
-    if (!next_inputs<Design>(source, p, lockstep.state(), in, lockstep.expected().outputs)) break;
+    if (!source(lockstep.state(), in, lockstep.expected().outputs)) break;
     Compared<Design> actual;
     const bool same = lockstep.clock(in, [&](const auto&, const auto& rtl) { actual = rtl; });
     if (c <= clock && same != (c < clock)) refuse_unsteady(title);

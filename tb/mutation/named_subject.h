@@ -9,6 +9,7 @@
 
 #include "tb/mutation/subject.h"
 #include "tb/package/named_bench.h"
+#include "tb/stream/stream_bench.h"
 
 namespace cosim::mutation {
 

@@ -6,12 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "model/core/stream.h"
 #include "tb/bench/design_bench.h"
 #include "tb/dut/named_adapter.h"
 #include "tb/dut/open_dut.h"
 #include "tb/dut/registers.h"
-#ifndef COSIM_WITHOUT_STREAMS  // a program whose designs have none
+#ifdef COSIM_STREAMS  // the model, which is read before, has read model/core/stream.h
 #include "tb/stream/stream_bench.h"
 #endif
 
@@ -24,7 +23,12 @@ template <class Top, class Open, class Trait>
 std::vector<std::unique_ptr<AnyBench>> named_benches() {
   using Design = typename Trait::Design;
   std::vector<std::unique_ptr<AnyBench>> all;
-  if constexpr (!HasStreams<Design> || StepsOn<Design, Word>) {
+#ifdef COSIM_STREAMS
+  constexpr bool has_streams = HasStreams<Design>;
+#else
+  constexpr bool has_streams = false;
+#endif
+  if constexpr (!has_streams || StepsOn<Design, Word>) {
     using Adapter = NamedAdapter<Top, Trait>;
     auto bench = std::make_unique<DesignBench<Design>>(
         dut_maker<Adapter>(), open_maker<Design>(open_class<Open, Trait>(), Trait::params),
@@ -36,10 +40,8 @@ std::vector<std::unique_ptr<AnyBench>> named_benches() {
         {patterns.begin(), patterns.end()});
     all.push_back(std::move(bench));
   }
-#ifdef COSIM_WITHOUT_STREAMS
-  static_assert(!HasStreams<Design>, "this program is built without streams");
-#else
-  if constexpr (HasStreams<Design>) {
+#ifdef COSIM_STREAMS
+  if constexpr (has_streams) {
     all.push_back(
         std::make_unique<StreamBench<Trait, VerilatedStreamDut<Top>, VerilatedStreamDut<Open>>>());
   }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
+#include <utility>
 
 #include "model/core/design.h"
 #include "model/core/input_error.h"
@@ -39,6 +41,21 @@ constexpr bool next_inputs(Source& source, const typename Design::Params& p,
     }
     return true;
   }
+}
+
+/// Any source, for what is compiled once a design: sets the inputs of the next clock in the model's
+/// state s, the outputs of the clock before being `last`; false at its end.
+template <class Design>
+using InputSource = std::function<bool(const typename Design::template State<Word>& s,
+                                       typename Design::template Inputs<Word>& in,
+                                       const typename Design::template Outputs<Word>& last)>;
+
+/// A copy of `source` as one.
+template <class Design, class Source>
+InputSource<Design> source_of(const typename Design::Params& p, Source source) {
+  return [p, source = std::move(source)](const auto& s, auto& in, const auto& last) mutable {
+    return next_inputs<Design>(source, p, s, in, last);
+  };
 }
 
 /// Where a stimulus ended because its next clock breaks a rule.

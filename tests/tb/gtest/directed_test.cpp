@@ -124,7 +124,7 @@ TEST(Directed, RefusesInputsThatNeverCome) {
 TEST(Directed, RefusesAShapeThatIsNotBuilt) {
   EXPECT_EQ(test::error_of([] { const Directed<Design> bench("W=9"); }),
             "counted: no shape W=9; there is none");
-  EXPECT_EQ(directed_choice({&good}, "counted", ""), 0U);
+  EXPECT_EQ(&directed_choice({&good}, "counted", ""), &good);
   EXPECT_THROW(directed_choice({&good, &bad}, "counted", ""), InputError);
 }
 

@@ -1,0 +1,34 @@
+// RTL and model in lockstep as a test by hand sees them: this, the design and a few headers of the
+// standard library are all that such a test reads.
+#pragma once
+
+#include "model/core/fields.h"
+
+namespace cosim {
+
+/// Of whatever design.
+class AnyByHand {
+ public:
+  virtual ~AnyByHand() = default;
+};
+
+/// Both were just reset.
+template <class Design>
+class ByHand : public AnyByHand {
+ public:
+  using Inputs = typename Design::template Inputs<Word>;
+  using Outputs = typename Design::template Outputs<Word>;
+  using State = typename Design::template State<Word>;
+
+  /// The first rule of the design that the inputs break now, a sentence; null where they break
+  /// none.
+  virtual const char* broken_rule(const Inputs& in) const = 0;
+  /// One clock; false where RTL and model differ.
+  virtual bool clock(const Inputs& in) = 0;
+  /// The model's outputs on the last clock; all 0 before the first.
+  virtual const Outputs& out() const = 0;
+  /// The model's state before the next clock.
+  virtual const State& state() const = 0;
+};
+
+}  // namespace cosim

@@ -18,5 +18,5 @@ function(cosim_on_demand KIND FILE)
   target_link_libraries(${program} PRIVATE ${ARGN} ${D_LIBRARIES} cosim::stream cosim::dut
     cosim::runtime_parts cosim::runtime)
   set_property(GLOBAL APPEND PROPERTY COSIM_ON_DEMAND
-    "    {Kind::${KIND}, \"${TITLE}\", \"${program}\", \"${FOLDER}\"},\n")
+    "    {BuiltOnDemand::Kind::${KIND}, \"${TITLE}\", \"${program}\", \"${FOLDER}\"},\n")
 endfunction()

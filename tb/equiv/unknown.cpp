@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "tb/equiv/clocks.h"
 #include "tb/support/random.h"
 
 namespace cosim::equiv {

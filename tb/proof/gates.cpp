@@ -1,6 +1,6 @@
 // Sums and comparisons by a carry that goes from bit to bit (ripple carry), as a model's graph has
-// them (nets/number.cpp): equal sums are then equal gates, which is most of the work of who proves
-// both the same, and gates are half as many as those of yosys's own, which look ahead (Brent-Kung).
+// them (nets/number.cpp): sums of both sides are then alike gate by gate. Those of yosys's own look
+// ahead (Brent-Kung), and are more gates, which take longer to make.
 #include "tb/proof/gates.h"
 
 #include "tb/support/output_file.h"

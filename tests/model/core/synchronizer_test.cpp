@@ -9,7 +9,7 @@
 #include "tb/stimulus/hostile.h"
 #include "tests/support/error_of.h"
 
-namespace cosim::test {
+namespace cosim::sync_test {
 namespace crossed {
 
 struct Params {};
@@ -97,8 +97,8 @@ TEST(Synchronizer, TakesNothingElse) {
 }
 
 TEST(Synchronizer, NamesAFieldOfTheStateOfItsWidth) {
-  EXPECT_EQ(error_of([] { Synchronizers<unnamed::Design>({2}); }), "");
-  EXPECT_EQ(error_of([] { Synchronizers<unnamed::Design>({3}); }),
+  EXPECT_EQ(test::error_of([] { Synchronizers<unnamed::Design>({2}); }), "");
+  EXPECT_EQ(test::error_of([] { Synchronizers<unnamed::Design>({3}); }),
             "unnamed: input taken: the state has no held of 3 bits");
 }
 
@@ -121,4 +121,4 @@ TEST(Synchronizer, ShowsAHostileStimulusThatManyBitsCross) {
 }
 
 }  // namespace
-}  // namespace cosim::test
+}  // namespace cosim::sync_test

@@ -10,6 +10,7 @@
 #include "tb/support/output_file.h"
 #include "tb/support/pattern.h"
 #include "tb/support/process.h"
+#include "tb/support/scratch.h"
 
 namespace cosim::proof {
 namespace {
@@ -31,8 +32,13 @@ Ended run(const Solver& solver, const std::string& script, int limit, const std:
   const Scratch scratch;
   const std::string name = (scratch.path() / "script.smt2").string();
   OutputFile file(name);
-  file.text(script);
-  file.close();
+  try {
+    file.text(script);
+    file.close();
+  } catch (const InputError&) {
+    require_room(scratch.path());  // what was written of it is still there
+    throw;
+  }
 
   std::vector<std::string> words;
   std::istringstream command(solver.command + ' ' + options);

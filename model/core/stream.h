@@ -61,6 +61,7 @@ struct StreamPorts {
   const char* ready = nullptr;   ///< PREFIXready
   const char* credit = nullptr;  ///< PREFIXcredit
   const char* done = nullptr;    ///< none
+  const char* clock = nullptr;   ///< that of the design, where it has one
   bool has_ready = true;
   int credits = 0;      ///< 0: no credits
   int latency = -1;     ///< clocks; -1: any
@@ -89,6 +90,8 @@ struct Stream {
   constexpr Stream prefix(const char* text) const { return with(&StreamPorts::prefix, text); }
   constexpr Stream valid(const char* port) const { return with(&StreamPorts::valid, port); }
   constexpr Stream ready(const char* port) const { return with(&StreamPorts::ready, port); }
+  /// Of a design with several clocks, each interface: it gives and takes on the edges of this one.
+  constexpr Stream clock(const char* port) const { return with(&StreamPorts::clock, port); }
   /// There is no ready: the side that takes can always take.
   constexpr Stream always_ready() const { return with(&StreamPorts::has_ready, false); }
   /// Credits in place of ready: the side that gives may give `n` transactions, and one more for

@@ -145,10 +145,6 @@ int run(const NewOptions& o) {
     if (o.stream && found.clocks.empty()) {
       throw InputError("new: " + found.top + " has no register: nothing of it is a stream");
     }
-    if (o.stream && found.clocks_are_inputs()) {
-      throw InputError("new: --stream: of one clock, which rises; " + found.top +
-                       (found.clocks.size() > 1 ? " has several" : " has one that falls"));
-    }
     begun = o.stream ? stream_model(name, found) : lockstep_model(name, found, o.plain);
     project.write(name + ".h", begun.text);
     design = design_of(name, found, rtl.sources, model, rtl.has_headers, o.defines, o.blackboxes);

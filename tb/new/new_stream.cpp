@@ -104,7 +104,7 @@ std::vector<FoundNet> share_out(std::vector<FoundStream>& streams, const Found& 
   for (const FoundNet& port : goes_in ? f.inputs : f.outputs) {
     const std::string stem = stem_of(port.name);
     FoundStream* owner = nullptr;
-    bool is_handshake = is_reset(f, port.name);
+    bool is_handshake = is_reset(f, port.name) || port.edge != Edge::none;
     for (FoundStream& s : streams) {
       for (const std::string* other : {&s.valid, &s.ready, &s.credit, &s.done}) {
         is_handshake |= port.name == *other;
@@ -126,9 +126,25 @@ std::vector<FoundNet> share_out(std::vector<FoundStream>& streams, const Found& 
   return left;
 }
 
+// Of several clocks the one whose name begins most like that of the stream; empty where none does,
+// or two do alike.
+std::string clock_like(const FoundStream& s, const Found& f) {
+  std::string best;
+  std::size_t most = 0;
+  for (const FoundClock& c : f.clocks) {
+    const std::string name = s.name();
+    const auto end = std::mismatch(name.begin(), name.end(), c.name.begin(), c.name.end());
+    const auto same = static_cast<std::size_t>(end.first - name.begin());
+    if (same >= most) best = same > most ? c.name : "";
+    most = std::max(most, same);
+  }
+  return best;
+}
+
 // stream<XData>("x") and what is to be said of it besides.
-std::string text_of(const FoundStream& s) {
+std::string text_of(const FoundStream& s, const std::string& clock) {
   std::string text = fmt::format("stream<{}>(\"{}\")", s.record(), s.name());
+  if (!clock.empty()) text += fmt::format(".clock(\"{}\")", clock);
   if (s.prefix != s.name() + "_") text += fmt::format(".prefix(\"{}\")", s.prefix);
   if (s.valid != s.prefix + "valid") text += fmt::format(".valid(\"{}\")", s.valid);
   if (!s.done.empty()) return text + fmt::format(".until(\"{}\")", s.done);
@@ -197,7 +213,13 @@ BegunModel stream_model(const std::string& name, const Found& f) {
     if (!s.credit.empty())
       model.left.push_back("how many credits " + s.name() + " has is to be said");
     records += fmt::format("COSIM_RECORD({}, {}, Params);\n", s.record(), table);
-    (s.goes_in ? in : out).push_back(text_of(s));
+    std::string clock = f.clocks.size() > 1 ? clock_like(s, f) : "";
+    if (f.clocks.size() > 1 && clock.empty()) {
+      clock = f.clocks.front().name;
+      model.left.push_back("the clock of " + s.name() + " is to be looked at; it is taken to be " +
+                           clock);
+    }
+    (s.goes_in ? in : out).push_back(text_of(s, clock));
     const std::string all = fmt::format("std::vector<{}<Word>>", s.record());
     if (s.goes_in) {
       given.push_back(fmt::format("[[maybe_unused]] const {}& {}", all, s.name()));

@@ -23,6 +23,14 @@ class Collector {
       add(drives, field, name);
     }
   }
+  /// One of several.
+  void clock(const StreamClock& c) {
+    Field field{c.port.c_str(), 1, Format::flag, "", "", 0, c.port.c_str()};
+    field.edge = c.falls ? Edge::falling : Edge::rising;
+    add(true, field, c.port);
+    clocks_ += (c.falls ? "falling " : "") + c.port + '\n';
+    ports.clocks = clocks_;
+  }
   void cells(std::span<const Field> cells, bool drives) {
     for (const Field& f : cells) add(drives, f, "");
   }
@@ -56,6 +64,7 @@ class Collector {
     (drives ? driven_names_ : read_names_).push_back(name);
   }
   std::set<std::string> seen_;
+  std::string clocks_;  // as Ports has them
   std::vector<std::string> driven_names_, read_names_;
 };
 
@@ -64,7 +73,10 @@ class Collector {
 StreamNets::StreamNets(const StreamShape& shape, StreamDut& dut) {
   Collector all;
   all.ports.title = shape.title;
-  all.ports.clock = shape.clock;
+  all.ports.clock = shape.clocks.size() == 1 ? shape.clocks.front().port.c_str() : "";
+  for (const StreamClock& c : shape.clocks) {
+    if (shape.clocks.size() > 1) all.clock(c);
+  }
   const auto handshake = [&](const Interface& i) {
     all.one(i.valid.c_str(), i.goes_in);
     all.one(i.ready.c_str(), !i.goes_in);
@@ -80,7 +92,10 @@ StreamNets::StreamNets(const StreamShape& shape, StreamDut& dut) {
 
   const std::vector<Net> nets = dut.nets(all.ports);
   all.take(nets);
-  clock = BitNet(nets.back());
+  if (shape.clocks.size() == 1) clocks.emplace_back(nets.back());
+  for (const StreamClock& c : shape.clocks) {
+    if (shape.clocks.size() > 1) clocks.push_back(all.one(c.port));
+  }
   std::size_t driven = 0, read = 0;
   const auto found = [&](const Interface& i) {
     InterfaceNets n{all.one(i.valid), all.one(i.ready), all.one(i.credit), all.one(i.done), {}};

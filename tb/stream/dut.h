@@ -76,7 +76,7 @@ struct StreamNets {
 
   std::vector<InterfaceNets> in, out;
   std::vector<std::vector<Net>> pins;  ///< words of 64 bits each
-  BitNet clock;
+  std::vector<BitNet> clocks;
 };
 
 }  // namespace cosim

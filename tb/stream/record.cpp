@@ -19,6 +19,11 @@ TraceRecorder::TraceRecorder(const StreamShape& shape, const StreamFinding& find
   Mismatch& m = mismatch_;
   m.clock = finding.clock;
   m.first = finding.clock > window.before ? finding.clock - window.before : 0;
+  for (const StreamClock& c : shape.clocks) {
+    if (shape.clocks.size() == 1) break;
+    const Field edge{c.port.c_str(), 1, Format::flag, "", ""};
+    m.traces.push_back({edge, Trace::Kind::input, {}, {}});
+  }
   for (const Interface& i : shape.in) add(i);
   for (const Interface& i : shape.out) add(i);
 }
@@ -48,11 +53,18 @@ void TraceRecorder::keep(std::size_t& at, const Interface& i, const InterfaceSee
   }
 }
 
-bool TraceRecorder::clock(std::uint64_t clock, const std::vector<InterfaceSeen>& in,
+bool TraceRecorder::clock(std::uint64_t clock, const std::vector<Word>& edges,
+                          const std::vector<InterfaceSeen>& in,
                           const std::vector<InterfaceSeen>& out) {
   Mismatch& m = mismatch_;
   if (clock < m.first) return true;
   std::size_t at = 0;
+  for (const Word edge : edges) {
+    Trace& t = m.traces[at++];
+    t.expected.push_back(edge);
+    t.actual.push_back(edge);
+    t.left_out.push_back(false);
+  }
   for (std::size_t s = 0; s < in.size(); ++s) keep(at, shape_.in[s], in[s]);
   for (std::size_t s = 0; s < out.size(); ++s) keep(at, shape_.out[s], out[s]);
   if (clock == m.clock) {
@@ -71,7 +83,15 @@ bool TraceRecorder::clock(std::uint64_t clock, const std::vector<InterfaceSeen>&
 
 WaveRecorder::WaveRecorder(const StreamShape& shape, const std::string& title, const StreamDut& dut,
                            const StreamResult& known, Window around, WaveSink& sink)
-    : finding_(known.finding), rtl_(dut.signals()), sink_(sink) {
+    : finding_(known.finding), rtl_(dut.signals()), edges_(shape.clocks.size()), sink_(sink) {
+  for (Signal& s : rtl_) {
+    for (std::size_t c = 0; c < shape.clocks.size(); ++c) {
+      if (s.scope.size() != 1 || s.name != shape.clocks[c].port) continue;
+      s.is_clock = true;
+      if (shape.clocks.size() > 1) s.takes_edge = &edges_[c];
+      s.falls = shape.clocks[c].falls;
+    }
+  }
   shape_.title = title;
   const auto add = [&](const Interface& i) {
     const auto seen = [&](const char* what, int width, Format format) {
@@ -89,6 +109,12 @@ WaveRecorder::WaveRecorder(const StreamShape& shape, const std::string& title, c
     shape_.compared.push_back({kept(i.name + "_fails"), 1, Format::flag, "", ""});
     shape_.parts.push_back({i.name, shape_.inputs.size(), shape_.compared.size()});
   };
+  if (shape.clocks.size() > 1) {
+    for (const StreamClock& c : shape.clocks) {
+      shape_.inputs.push_back({kept(c.port), 1, Format::flag, "", ""});
+    }
+    shape_.parts.push_back({"clocks", shape_.inputs.size(), 0});
+  }
   for (const Interface& i : shape.in) add(i);
   for (const Interface& i : shape.out) add(i);
 
@@ -106,12 +132,15 @@ WaveRecorder::WaveRecorder(const StreamShape& shape, const std::string& title, c
   sink_.begin(shape_, range_, rtl_);
 }
 
-bool WaveRecorder::clock(std::uint64_t clock, const std::vector<InterfaceSeen>& in,
+bool WaveRecorder::clock(std::uint64_t clock, const std::vector<Word>& edges,
+                         const std::vector<InterfaceSeen>& in,
                          const std::vector<InterfaceSeen>& out) {
+  std::copy(edges.begin(), edges.end(), edges_.begin());
   if (clock < range_.first) return true;
   const StreamFinding* found = at(finding_, clock);
   WaveClock now;
   now.clock = clock;
+  now.inputs = edges;
   const auto add = [&](bool goes_in, std::size_t s, const InterfaceSeen& seen) {
     now.inputs.insert(now.inputs.end(),
                       {seen.valid ? 1 : 0, seen.ready ? 1 : 0, static_cast<Word>(seen.number)});

@@ -15,8 +15,8 @@ namespace cosim {
 class TraceRecorder final : public StreamObserver {
  public:
   TraceRecorder(const StreamShape& shape, const StreamFinding& finding, Window window);
-  bool clock(std::uint64_t clock, const std::vector<InterfaceSeen>& in,
-             const std::vector<InterfaceSeen>& out) override;
+  bool clock(std::uint64_t clock, const std::vector<Word>& edges,
+             const std::vector<InterfaceSeen>& in, const std::vector<InterfaceSeen>& out) override;
   Mismatch take() { return std::move(mismatch_); }
 
  private:
@@ -30,15 +30,16 @@ class TraceRecorder final : public StreamObserver {
   Mismatch mismatch_;
 };
 
-/// The RTL's hierarchy, and of each interface valid, ready, the number of its transaction, its
-/// fields, those expected, and NAME_fails, which is 1 where the finding is.
+/// The RTL's hierarchy, of several clocks on which steps they take their edge, and of each
+/// interface valid, ready, the number of its transaction, its fields, those expected, and
+/// NAME_fails, which is 1 where the finding is.
 class WaveRecorder final : public StreamObserver {
  public:
   /// Of a run of `dut` that goes as `known`, for `sink`: all of it or what is around its finding.
   WaveRecorder(const StreamShape& shape, const std::string& title, const StreamDut& dut,
                const StreamResult& known, Window around, WaveSink& sink);
-  bool clock(std::uint64_t clock, const std::vector<InterfaceSeen>& in,
-             const std::vector<InterfaceSeen>& out) override;
+  bool clock(std::uint64_t clock, const std::vector<Word>& edges,
+             const std::vector<InterfaceSeen>& in, const std::vector<InterfaceSeen>& out) override;
   void end() { sink_.end(range_); }
 
  private:
@@ -49,6 +50,7 @@ class WaveRecorder final : public StreamObserver {
   WaveShape shape_;
   WaveRange range_;
   std::vector<Signal> rtl_;
+  std::vector<Word> edges_;  // of several clocks, on the clock that is shown
   WaveSink& sink_;
 };
 

@@ -56,7 +56,10 @@ class StreamObserver {
  public:
   virtual ~StreamObserver() = default;
   /// False: seen enough.
-  virtual bool clock(std::uint64_t clock, const std::vector<InterfaceSeen>& in,
+  /// `edges`: of each of several clocks 1 where it takes its edge; on a clock without that of its
+  /// own an interface stands still. Empty where there is one.
+  virtual bool clock(std::uint64_t clock, const std::vector<Word>& edges,
+                     const std::vector<InterfaceSeen>& in,
                      const std::vector<InterfaceSeen>& out) = 0;
 };
 

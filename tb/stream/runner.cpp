@@ -25,6 +25,8 @@ StreamRunner::StreamRunner(const StreamShape& shape, StreamDut& dut)
     is_steady_ |= shape.out[s].steady;
   }
   is_plain_ &= givers_.size() == 1 && takers_.size() == 1;
+  is_plain_ &= shape.clocks.size() == 1 && !shape.clocks.front().falls;
+  if (shape.clocks.size() > 1) edges_ = std::make_unique<EdgesDrawn>(shape.clocks.size());
   due_.resize(takers_.size());
 }
 
@@ -46,6 +48,7 @@ void StreamRunner::start() {
     takers_[s].start(order_->expected[s], order_->given.out[s]);
   }
   noise_ = Random(order_->noise);
+  if (edges_) edges_->start(order_->noise);
   held_ = false;
   quiet_ = moved_at_ = longest_ = drained_ = 0;
   gathered_.clear();
@@ -54,11 +57,21 @@ void StreamRunner::start() {
   if (has_latency_) note_taken();
 }
 
-void StreamRunner::edge() {
-  nets_.clock.set(false);
-  dut_.eval();
-  nets_.clock.set(true);
-  dut_.eval();
+// Before its edge, or after it, each clock that takes one has another level.
+template <bool plain>
+inline void StreamRunner::set_clocks(bool after) {
+  if (plain) return nets_.clocks.front().set(after);
+  for (std::size_t c = 0; c < nets_.clocks.size(); ++c) {
+    const bool takes = !edges_ || edges_->edges()[c] != 0;
+    nets_.clocks[c].set((after && takes) != shape_.clocks[c].falls);
+  }
+}
+
+// Whose clock does not take its edge stands still.
+void StreamRunner::draw_edges() {
+  const std::vector<Word>& edges = edges_->step();
+  for (Giver& g : givers_) g.stands = edges[g.i.clock] == 0;
+  for (Taker& t : takers_) t.stands = edges[t.i.clock] == 0;
 }
 
 void StreamRunner::reset() {
@@ -88,7 +101,14 @@ void StreamRunner::reset() {
       if (pin.kind != Pin::Kind::reset) continue;
       nets_.pins[p].front().set(c < pin.clocks ? pin.value : 1 - pin.value);
     }
-    if (c < clocks) edge();
+    // A clock lasts until each of them has had its edge.
+    for (bool lasts = c < clocks; lasts; lasts = edges_ && !edges_->all_were()) {
+      if (edges_) draw_edges();
+      set_clocks<false>(false);
+      dut_.eval();
+      set_clocks<false>(true);
+      dut_.eval();
+    }
   }
 }
 
@@ -106,7 +126,7 @@ inline void StreamRunner::listen(bool moved) {
   }
   if (moved || held_) {
     moved_at_ = result_.clocks + 1;
-  } else {
+  } else if (!edges_ || edges_->all_were()) {
     ++quiet_;
   }
   if (quiet_ >= shape_.watchdog && pending()) [[unlikely]]
@@ -128,7 +148,8 @@ inline bool StreamRunner::ends(bool moved) {
     drained_ = 0;
     return false;
   }
-  return ++drained_ > longest_ + 16;
+  if (!edges_ || edges_->all_were()) ++drained_;
+  return drained_ > longest_ + 16;
 }
 
 template <bool plain>
@@ -136,9 +157,10 @@ template <bool plain>
   constexpr std::size_t number = plain ? 1 : std::dynamic_extent;
   const std::span<Giver, number> givers(givers_);
   const std::span<Taker, number> takers(takers_);
+  if (!plain && edges_) draw_edges();
   for (Giver& g : givers) g.drive<plain>(noise_);
   for (Taker& t : takers) t.drive<plain>();
-  nets_.clock.set(false);
+  set_clocks<plain>(false);
   eval();
   // What the harness itself holds back is no hang.
   bool moved = false;
@@ -154,11 +176,11 @@ template <bool plain>
     t.sample<plain>();
     moved |= t.moved;
     held_ |= t.held_back();
-    judge<plain>(t);
+    if (plain || !t.stands) judge<plain>(t);
   }
   listen(moved);
   const bool more = order_->observer == nullptr || show();
-  nets_.clock.set(true);
+  set_clocks<plain>(true);
   eval();
   ++result_.clocks;
   if (moved || (!plain && is_steady_)) {
@@ -271,7 +293,8 @@ bool StreamRunner::show() {
   std::vector<InterfaceSeen> in, out;
   for (const Giver& g : givers_) in.push_back(seen_of(g));
   for (const Taker& t : takers_) out.push_back(seen_of(t));
-  return order_->observer->clock(result_.clocks, in, out);
+  static const std::vector<Word> none;
+  return order_->observer->clock(result_.clocks, edges_ ? edges_->edges() : none, in, out);
 }
 
 }  // namespace cosim

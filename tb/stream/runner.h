@@ -3,9 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "tb/stream/dut.h"
+#include "tb/stream/edges.h"
 #include "tb/stream/run.h"
 #include "tb/stream/shape.h"
 #include "tb/stream/sides.h"
@@ -29,7 +31,9 @@ class StreamRunner {
   using Kind = StreamFinding::Kind;
 
   void start();
-  void edge();
+  template <bool plain>
+  void set_clocks(bool after);
+  void draw_edges();
   void reset();
   template <bool plain>
   void run_clocks();
@@ -63,6 +67,7 @@ class StreamRunner {
   StreamNets nets_;
   std::vector<Giver> givers_;
   std::vector<Taker> takers_;
+  std::unique_ptr<EdgesDrawn> edges_;  // where there are several clocks
   bool has_latency_ = false, is_steady_ = false, is_plain_ = true;
 
   // Of the case that runs.
@@ -71,7 +76,7 @@ class StreamRunner {
   std::vector<std::size_t> taken_;  // of each giver, after each clock on which one was taken
   std::vector<std::size_t> due_;    // of each taker, by the last answer
   bool held_ = false;               // by the harness, on this clock
-  std::uint64_t quiet_ = 0;         // clocks since something moved or was held
+  std::uint64_t quiet_ = 0;         // clocks since something moved or was held; of several, of each
   std::uint64_t moved_at_ = 0;      // the clock after that
   std::uint64_t longest_ = 0, drained_ = 0;
   std::vector<Sequence> gathered_;

@@ -3,10 +3,22 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "model/core/input_error.h"
 
 namespace cosim {
+
+void StreamShape::set_clocks(const char* one, std::string_view several) {
+  clocks.clear();
+  if (*one != '\0') clocks.push_back({one});
+  std::istringstream lines{std::string(several)};
+  for (std::string line; std::getline(lines, line);) {
+    const std::string mark = "falling ";
+    const bool falls = line.starts_with(mark);
+    clocks.push_back({falls ? line.substr(mark.size()) : line, falls});
+  }
+}
 
 void StreamShape::add(const StreamPorts& ports, bool goes_in, std::span<const Field> cells,
                       OwnDriver own) {
@@ -37,6 +49,16 @@ void StreamShape::add(const StreamPorts& ports, bool goes_in, std::span<const Fi
     refuse("with a driver of its own it has no credit(), until() or rising()");
   }
   if (!goes_in && !i.done.empty()) refuse("until() is of streams that go in");
+  const auto clock = std::find_if(clocks.begin(), clocks.end(), [&](const StreamClock& c) {
+    return ports.clock != nullptr && c.port == ports.clock;
+  });
+  if (clock != clocks.end()) {
+    i.clock = static_cast<std::size_t>(clock - clocks.begin());
+  } else if (ports.clock != nullptr) {
+    refuse(fmt::format("clock(\"{}\"): the design has no such clock", ports.clock));
+  } else if (clocks.size() > 1) {
+    refuse("the design has several clocks; clock(\"PORT\") says which is that of the stream");
+  }
 
   if (goes_in) column({kept(i.name + "_give"), 1, Format::flag, "", "there is a transaction"});
   if (i.can_stall() || goes_in) {

@@ -13,6 +13,7 @@
 #include <deque>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "model/core/fields.h"
@@ -31,6 +32,7 @@ struct Interface {
   bool goes_in = true;
   std::vector<Field> cells;  ///< of a transaction; named as in a case, x_FIELD, with their ports
   std::string valid, ready, credit, done;
+  std::size_t clock = 0;  ///< its number among those of the design
   int credits = 0;
   int latency = -1;
   bool pulse = false, steady = false;
@@ -47,17 +49,25 @@ struct Interface {
   bool can_wait() const { return !goes_in && !ready.empty(); }
 };
 
+/// A clock of a design.
+struct StreamClock {
+  std::string port;
+  bool falls = false;  ///< registers take the falling edge
+};
+
 struct StreamShape {
   StreamShape() = default;
   StreamShape(const StreamShape&) = delete;
   StreamShape& operator=(const StreamShape&) = delete;
 
   std::string title;
-  const char* clock = "";
+  std::vector<StreamClock> clocks;
   std::vector<Interface> in, out;
   std::vector<Pin> pins;
   std::uint64_t watchdog = 1000;  ///< clocks for which nothing may move while something should
 
+  /// The clock `one`, or where that is empty `several`, in lines as Ports has them.
+  void set_clocks(const char* one, std::string_view several);
   /// Adds an interface with the cells of its record. InputError where that cannot be.
   void add(const StreamPorts& ports, bool goes_in, std::span<const Field> cells,
            OwnDriver own = {});

@@ -40,6 +40,7 @@ struct Giver {
   bool offers = false;  // valid is high
   bool waits = false;   // for done
   bool moved = false;   // on this clock
+  bool stands = false;  // this clock is none of its own
   std::unique_ptr<OwnGiver> own{};
   std::vector<Word> pins{};  // of its own driver
 
@@ -49,7 +50,7 @@ struct Giver {
     stalls = &side.stalls;
     taken = 0;
     credits = i.credits;
-    offers = waits = moved = false;
+    offers = waits = moved = stands = false;
     own = i.own.giver ? i.own.giver() : nullptr;
     next();
   }
@@ -60,6 +61,7 @@ struct Giver {
 
   template <bool plain>
   void drive(Random& noise) {
+    if (!plain && stands) return;
     if (stalled != 0) {
       --stalled;
       offers = false;
@@ -83,6 +85,10 @@ struct Giver {
   }
   template <bool plain>
   void sample() {
+    if (!plain && stands) {
+      moved = false;
+      return;
+    }
     if (!plain && own) {
       moved = own->took(read(nets.reads, pins)) && offers;
       return;
@@ -118,7 +124,8 @@ struct Taker {
   std::vector<Word> returns{};  // of each that came: clocks until its credit goes back
   std::size_t returned = 0;     // so many of them have gone
   bool valid = false, ready = false, moved = false, before = false, offered = false;
-  bool stays = false;  // a pulse that came before is still high
+  bool stays = false;   // a pulse that came before is still high
+  bool stands = false;  // this clock is none of its own
   std::vector<Word> words{}, last{};
   std::unique_ptr<OwnTaker> own{};
   std::vector<Word> pins{};  // of its own driver
@@ -138,7 +145,7 @@ struct Taker {
     credits = i.credits;
     returns.clear();
     noted.clear();
-    valid = ready = moved = before = offered = stays = false;
+    valid = ready = moved = before = offered = stays = stands = false;
     // A run that was cut short may have left some behind.
     words.clear();
     last.clear();
@@ -169,6 +176,7 @@ struct Taker {
 
   template <bool plain>
   void drive() {
+    if (!plain && stands) return;
     if (has_ready) {
       ready = stalled == 0 && !waits;
       if (stalled != 0) --stalled;
@@ -195,6 +203,10 @@ struct Taker {
   }
   template <bool plain>
   void sample() {
+    if (!plain && stands) {
+      moved = false;
+      return;
+    }
     if (!plain && own) {
       moved = valid = own->came(read(nets.reads, pins), words);
       return;
@@ -211,6 +223,7 @@ struct Taker {
   }
   template <bool plain>
   void advance() {
+    if (!plain && stands) return;
     offered = valid && !moved;
     if (!plain && valid && i.steady) last = words;
     if (!moved) return;

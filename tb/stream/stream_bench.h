@@ -55,7 +55,11 @@ class StreamBench final : public AnyStreamBench {
   StreamBench() {
     if constexpr (StepsOn<Design, Word>) tables_.view = "streams";
     tables_.design = Design::name;
-    shape_.clock = Trait::clock;
+    if constexpr (requires { Trait::clocks; }) {
+      shape_.set_clocks(Trait::clock, Trait::clocks);
+    } else {
+      shape_.set_clocks(Trait::clock, "");
+    }
     const auto parameters = parameters_of<Design>(Trait::params);
     tables_.parameters.assign(parameters.begin(), parameters.end());
     shape_.title = title();

@@ -22,6 +22,7 @@ unset WAYLAND_DISPLAY
 cd "$1" && mkfifo display || exit
 Xvfb -displayfd 3 -noreset -nolisten tcp -screen 0 1600x1100x24 3> display &
 read -r number < display && cd "$(dirname "$2")" || exit
+export XDG_CACHE_HOME=$1  # GTK's settings
 DISPLAY=:$number exec gtkwave --rcvar 'hide_sst on' -S "$1/shot.tcl" "$(basename "$2")" "$(basename "$3")"
 )sh";
 

@@ -85,7 +85,8 @@ refused "new: q: its clock is half, which is no input" made made.v
 rtl 'wire gated = clk & d; always @(posedge gated) q <= w[0]; always @(posedge other) r <= w[1];'
 refused "new: q: its clock is gated, which is no input" made made.v
 rtl 'always @(posedge clk) q <= d; always @(posedge other) r <= d;'
-refused "new: --stream: of one clock, which rises; made has several" made made.v --stream
+refused "new: made: no stream goes in: it has no input whose name ends in valid or vld, and not both start and done" \
+  made made.v --stream
 rtl 'wire x = !other; always @(posedge clk or posedge x) if (x) q <= 0; else q <= d;
      always @(posedge clk or negedge other) if (!other) r <= 0; else r <= d;'
 "$program" new made made.v > said

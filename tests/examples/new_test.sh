@@ -300,6 +300,21 @@ diff - <(sed -n '/stream</p' divider/divider.h) << 'STREAMS'
     return stream<InData>("in").prefix("").valid("start").until("done");
     return stream<OutData>("out").prefix("").valid("done").rising();
 STREAMS
+
+# Of several clocks that of a stream is the one of a name like it, or is to be looked at.
+"$program" new queue "$sources/examples/async_fifo/async_fifo.v" --stream > said
+! grep -q 'is to be looked at' said
+"$program" new crosses "$sources/tests/stream/designs/crosses.v" --stream >> said
+diff - <(sed -n '/stream</p' {queue/queue,crosses/crosses}.h; grep 'looked at' said; grep -o 'CLOCKS.* MODEL' {queue,crosses}/CMakeLists.txt) << 'CLOCKS'
+    return stream<WData>("w").clock("w_clk");
+    return stream<RData>("r").clock("r_clk");
+    return stream<XData>("x").clock("fast");
+    return stream<YData>("y").clock("fast");
+crosses/crosses.h: the clock of x is to be looked at; it is taken to be fast
+crosses/crosses.h: the clock of y is to be looked at; it is taken to be fast
+queue/CMakeLists.txt:CLOCKS r_clk w_clk MODEL
+crosses/CMakeLists.txt:CLOCKS fast slow MODEL
+CLOCKS
 sed -i 's,/[*] how many at the start [*]/,2,' mixed/mixed.h
 printf '#include "%s"\n' {mixed/mixed,divider/divider,flow/flow}.h |
   "${CXX:-c++}" -std=c++20 -Wall -Wextra -Werror -fsyntax-only -I . -I "$sources" -x c++ -

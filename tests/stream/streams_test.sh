@@ -9,7 +9,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 source "$(dirname "${BASH_SOURCE[0]}")/../support/program.sh"
 program_of streams "$here/designs" "$@"
 ((${#chosen[@]} > 0)) || chosen=(loses doubles hangs slow wrong bends asks idles sha256 word pairs divider
-  credits blocks packets serial stack keeps asserts asserted guarded)
+  credits blocks packets serial stack keeps crosses asserts asserted guarded)
 
 # found DESIGN KIND MOST: the fault is found, of that kind, and its smallest stimulus has at most MOST
 # transactions, and shows it again.
@@ -99,6 +99,11 @@ try_serial() { both serial 'another value: out' 1; }
 try_stack() { both stack 'reordered: y number 0 comes after number 1' 2; }
 # What no reset reaches is what it was at power-up, whatever ran before: the case shows it again by itself.
 try_keeps() { both keeps 'another value: y number 0' 1; }
+# Where the writer is faster, which words are lost; the wave has both clocks.
+try_crosses() {
+  both crosses '(lost|another value): y number [0-9]*' 8
+  grep -q '>slow<' kept/*/report.html || fails "the page shows on which clocks it has its edge"
+}
 try_credits() { both credits 'credit: out number [0-9]* comes without any' 6; }
 try_packets() { both packets 'another value: sum' 3; }
 try_divider() {

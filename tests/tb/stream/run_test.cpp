@@ -117,7 +117,7 @@ class Case {
  public:
   explicit Case(const Setting& s) : setting_(s) {
     shape_.title = "queue";
-    shape_.clock = "clk";
+    shape_.set_clocks("clk", "");
     shape_.watchdog = 50;
     shape_.pins = {pin::reset("rst")};
     const Field data{"data", 8, Format::bits, "", "", 0, "data"};

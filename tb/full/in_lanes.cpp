@@ -20,13 +20,17 @@ namespace fs = std::filesystem;
 
 constexpr std::array widths{512, 256, 64};
 
+// The streams of a design whose step runs in lanes.
+bool is_beside_a_step(const AnyBench& bench) { return !bench.view().empty(); }
+
 fs::path library_of(const fs::path& prepared, int lanes) {
   return prepared / fmt::format("{}.so", lanes);
 }
 
 std::unique_ptr<lanes::Built> made(const AnyBench& bench, const Sweep& sweep, bool is_hostile,
                                    int lanes) {
-  const proof::BuiltMachine& machine = machine_of(bench);
+  proof::BuiltMachine machine = machine_of(bench);
+  machine.streams |= is_beside_a_step(bench);
   if (machine.played == nullptr || machine.streams) {
     throw InputError(fmt::format("{}: does not run in lanes: it has {}", bench.title(),
                                  model_without_formula(machine)));
@@ -63,7 +67,7 @@ Sweep in_lanes(const AnyBench& bench, const Sweep& sweep, std::uint64_t seed, st
   try {
     built = made(bench, sweep, clocks != 0, asked.value_or(lanes::widest()));
   } catch (const InputError& error) {
-    if (asked) throw;
+    if (asked && !is_beside_a_step(bench)) throw;
     fmt::print("{}; one case at a time\n", error.what());
     return sweep;
   }
@@ -91,7 +95,7 @@ void prepare_lanes(const AnyBench& bench, const Sweep& sweep, std::uint64_t cloc
       fs::copy_file(library, library_of(prepared, lanes));
     }
   } catch (const InputError& error) {
-    if (asked) throw;
+    if (asked && !is_beside_a_step(bench)) throw;
     fmt::print("{}; one case at a time\n", error.what());
   }
 }

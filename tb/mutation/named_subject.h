@@ -1,5 +1,5 @@
-// The mutants of a shape whose nets are found by name: in lockstep where its model is a step, with
-// random transactions where it is a function of streams.
+// The mutants of a shape whose model is a function of streams alone: random transactions. Where
+// there is a step beside it they run in lanes, which compare every register on every clock.
 #pragma once
 
 #include <memory>
@@ -55,48 +55,5 @@ class StreamSubject final : public VerilatedSubject {
   StreamBench<Trait, MutantStreamDut<Top>> bench_;
   Cases cases_;
 };
-
-/// Attacked with both.
-template <class Top, class Trait>
-class BothSubject final : public VerilatedSubject {
- public:
-  BothSubject(const std::string& verilog, const std::string& list)
-      : VerilatedSubject(verilog, list), clocks_(verilog, list), streams_(verilog, list) {
-    const auto add = [&](const Cases& of, bool quick) {
-      const auto middle = of.all.begin() + static_cast<std::ptrdiff_t>(of.quick);
-      cases_.all.insert(cases_.all.end(), quick ? of.all.begin() : middle,
-                        quick ? middle : of.all.end());
-    };
-    for (const bool quick : {true, false}) {
-      add(clocks_.cases(), quick);
-      add(streams_.cases(), quick);
-      if (quick) cases_.quick = cases_.all.size();
-    }
-  }
-
-  const AnyBench& bench() const override { return clocks_.bench(); }
-  void choose(unsigned mutant) const override {
-    clocks_.choose(mutant);
-    streams_.choose(mutant);
-  }
-  const Cases& cases() const override { return cases_; }
-
- private:
-  AdapterSubject<NamedAdapter<Top, Trait>> clocks_;
-  StreamSubject<Top, Trait> streams_;
-  Cases cases_;
-};
-
-/// Top: the Verilated class. `verilog`, `list`: the mutants, as Subject has them.
-template <class Top, class Trait>
-std::unique_ptr<Subject> named_subject(std::string verilog, const std::string& list) {
-  if constexpr (HasStreams<typename Trait::Design> && StepsOn<typename Trait::Design, Word>) {
-    return std::make_unique<BothSubject<Top, Trait>>(verilog, list);
-  } else if constexpr (HasStreams<typename Trait::Design>) {
-    return std::make_unique<StreamSubject<Top, Trait>>(std::move(verilog), list);
-  } else {
-    return std::make_unique<AdapterSubject<NamedAdapter<Top, Trait>>>(std::move(verilog), list);
-  }
-}
 
 }  // namespace cosim::mutation

@@ -21,7 +21,7 @@ struct BuiltMachine {
   MachineFormula (*formula)();
   nets::Model (*nets)();
   Source source;         ///< the RTL it was built from
-  bool streams = false;  ///< it has a stream model
+  bool streams = false;  ///< it has a stream model alone, without a step
   /// All that runs in lanes; null where there are no nets.
   nets::Played (*played)() = nullptr;
   /// What drives and checks its jobs; null where there are no nets.
@@ -41,7 +41,8 @@ template <class Trait>
 BuiltMachine built_machine(Source source) {
   using Design = typename Trait::Design;
   source.clocks_are_inputs = clocks_of<Design> != 0;
-  BuiltMachine machine{Trait::title, nullptr, nullptr, std::move(source), HasStreams<Design>};
+  BuiltMachine machine{Trait::title, nullptr, nullptr, std::move(source),
+                       HasStreams<Design> && !StepsOn<Design, Word>};
   if constexpr (requires { Trait::resets; }) {
     machine.resets_itself = std::string_view(Trait::resets).find("inner ") != std::string::npos;
   }

@@ -6,14 +6,15 @@ source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 needs gtkwave Xvfb
 unset DISPLAY WAYLAND_DISPLAY
 
-# rendered NAME COMMAND...: with --shot it makes a picture that is not empty.
+# rendered NAME COMMAND...: with --shot it makes a picture that is not empty, and GTKWave keeps nothing at home.
 rendered() {
   local picture=$folder/$1.png
-  "${@:2}" --shot "$picture"
+  HOME=$folder/home "${@:2}" --shot "$picture"
+  [[ ! -e $folder/home/.cache/dconf ]] || fails "GTK keeps its settings at home"
   [[ $(head -c 4 "$picture" | tail -c 3) == PNG && $(stat -c %s "$picture") -gt 10000 ]] ||
     { echo "${*:2} --shot $picture: no picture" && exit 1; }
 }
-mkdir "$folder/failure"
+mkdir "$folder/failure" "$folder/home"
 "$1" arc --radius 12 --wave "$folder/failure/wave.fst" > "$folder/said"
 rendered wave "$1" wave "$folder/failure/wave.fst"
 (cd "$folder" && rendered drawn "$1" wave circular W=4 --hostile 20 --out drawn.fst)

@@ -17,6 +17,15 @@ const Json& top_of(const Json& netlist) {
 
 Json& top_of(Json& netlist) { return const_cast<Json&>(top_of(static_cast<const Json&>(netlist))); }
 
+namespace {
+
+// Of the attributes that are left once processes are cells, those that yosys takes a meaning from.
+bool is_meant(const std::string& attribute) {
+  return attribute == "\\init" || attribute == "\\blackbox" || attribute == "\\whitebox";
+}
+
+}  // namespace
+
 std::string form_of(const std::string& rtlil) {
   std::map<std::string, std::size_t> numbers;
   std::string form;
@@ -27,11 +36,11 @@ std::string form_of(const std::string& rtlil) {
     if (!(words >> first) || first == "autoidx" || first == "module" || first.starts_with('#')) {
       continue;
     }
-    // Text may hold anything, and stays as it is.
-    if (first == "attribute" || first == "parameter") {
-      if (line.find("attribute \\src ") == std::string::npos) form += line + '\n';
-      continue;
-    }
+    // Text may hold anything, and stays as it is. What a person or a synthesizer is told in an
+    // attribute is no part of what the RTL does.
+    if (first == "attribute") words >> word;
+    if (first == "parameter" || (first == "attribute" && is_meant(word))) form += line + '\n';
+    if (first == "parameter" || first == "attribute") continue;
     form += first;
     if (first == "cell" && words >> word) form += ' ' + word;  // of which kind
     while (words >> word) {

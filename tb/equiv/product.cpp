@@ -263,6 +263,9 @@ class Builder {
     for (int bit = 0; bit < memory.reads * memory.address; ++bit) {
       any = graph_.or_of(any, other("RD_ADDR", bit));
     }
+    if (memory.writes != q_.gate.memories[j].writes) {
+      return graph_.or_of(any, leave_another(i, gold, j, gate));
+    }
     for (int w = 0; w < memory.writes; ++w) {
       Lit written = 0;
       for (int bit = w * memory.width; bit < (w + 1) * memory.width; ++bit) {
@@ -276,6 +279,49 @@ class Builder {
       }
     }
     return any;
+  }
+
+  // Whether they leave another word at some address, whichever it is, however many ports write it.
+  Lit leave_another(std::size_t i, const Side::Made& gold, std::size_t j, const Side::Made& gate) {
+    const Memory &old = q_.gold.memories[i], &now = q_.gate.memories[j];
+    std::vector<Lit> address;
+    for (int bit = 0; bit < old.address; ++bit) address.push_back(graph_.input());
+    const Left left = left_by(old, i, gold, address), other = left_by(now, j, gate, address);
+    Lit any = 0;
+    for (std::size_t bit = 0; bit < left.written.size(); ++bit) {
+      const Lit differs = graph_.xor_of(left.data[bit], other.data[bit]);
+      any = graph_.or_of(any, graph_.xor_of(left.written[bit], other.written[bit]));
+      any = graph_.or_of(any, graph_.and_of(left.written[bit], differs));
+    }
+    return any;
+  }
+  // What the ports of one leave at that address; the last that writes there decides, as in
+  // memory_map.
+  struct Left {
+    std::vector<Lit> written, data;
+  };
+  Left left_by(const Memory& memory, std::size_t m, const Side::Made& made,
+               const std::vector<Lit>& address) {
+    const auto width = static_cast<std::size_t>(memory.width);
+    Left left{std::vector<Lit>(width, 0), std::vector<Lit>(width, 0)};
+    for (int w = 0; w < memory.writes; ++w) {
+      const auto of = [&](const char* port, int bits, int bit) {
+        return made.outputs.at({memory_port(m, port), w * bits + bit});
+      };
+      Lit here = 1;
+      for (int bit = 0; bit < memory.address; ++bit) {
+        const Lit other = graph_.xor_of(of("WR_ADDR", memory.address, bit),
+                                        address[static_cast<std::size_t>(bit)]);
+        here = graph_.and_of(here, Aig::inverted(other));
+      }
+      for (int bit = 0; bit < memory.width; ++bit) {
+        const auto at = static_cast<std::size_t>(bit);
+        const Lit writes = graph_.and_of(here, of("WR_EN", memory.width, bit));
+        left.written[at] = graph_.or_of(left.written[at], writes);
+        left.data[at] = graph_.choose(writes, of("WR_DATA", memory.width, bit), left.data[at]);
+      }
+    }
+    return left;
   }
 
   // While it resets, and until the first outputs of the new RTL can have come.

@@ -126,6 +126,17 @@ std::string declaration(const Json& port) {
   return text;
 }
 
+// Whether it is part of what a memory is, and is the same in one that can take its place. How it is
+// written is told by what comes of it, and a mask that is empty has as many bits as there are
+// ports.
+bool is_of_shape(const std::string& name, const std::string& value) {
+  if (name == "WR_WIDE_CONTINUATION" || name == "RD_TRANSPARENCY_MASK" ||
+      name == "RD_COLLISION_X_MASK") {
+    return value.find('1') != std::string::npos;
+  }
+  return name != "MEMID" && !name.starts_with("WR_");
+}
+
 // Whether an input of one bit goes anywhere else than to the clocks of registers and memories.
 bool is_read(const Json& module, const Json& bit) {
   const auto has = [&](const Json& bits) {
@@ -259,7 +270,8 @@ void Side::ports(const std::string& json) {
       const std::string first = about.at("INIT");
       std::string shape;
       for (const auto& [name, value] : about.items()) {
-        if (name != "MEMID") shape += value.get<std::string>() + ' ';
+        const auto text = value.get<std::string>();
+        if (is_of_shape(name, text)) shape += name + ' ' + text + ' ';
       }
       memories.push_back({cell_name, shape, first.find('x') != std::string::npos,
                           whole_number(about.at("WIDTH")), whole_number(about.at("ABITS")),

@@ -38,7 +38,7 @@ struct Register {
 
 struct Memory {
   std::string name;
-  std::string shape;           ///< equal texts: the same words, ports and initial contents
+  std::string shape;           ///< equal texts: the same words, reads and initial contents
   bool any = false;            ///< some of it has no initial value
   int width = 0, address = 0;  ///< bits of a word and of an address
   int reads = 0, writes = 0;   ///< ports

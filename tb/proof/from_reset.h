@@ -7,31 +7,13 @@
 #include <functional>
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "tb/nets/model.h"
+#include "tb/proof/product.h"
 #include "tb/proof/reach.h"
 #include "tb/proof/reach_each.h"
-#include "tb/proof/rtl_nets.h"
 
 namespace cosim::proof {
-
-/// What may be asked of a machine from its reset on.
-enum class Happens {
-  differ,     ///< a register or an output that is compared differs, or the invariant is broken
-  stuck,      ///< no input is legal, although the model says which are
-  assertion,  ///< what the RTL asserts is not so
-  watched,    ///< one of what FromReset was given to watch
-};
-
-/// Something that a clock may have.
-struct Watched {
-  std::vector<std::size_t> toggles =
-      {};                               ///< nets of the RTL: one is not what it was a clock before
-  std::vector<std::size_t> holds = {};  ///< nets of the RTL: one is 1
-  std::string model_case = {};          ///< of the model's cases, by its name: it is so
-};
 
 struct HappensFromReset {
   Reached reached;
@@ -62,12 +44,6 @@ class FromReset {
   /// Each that is watched, as of reach_each().
   WatchedFromReset ask_watched(std::chrono::steady_clock::time_point until, unsigned jobs,
                                const std::function<void(std::size_t)>& left) const;
-
-  struct Product {
-    Aig graph;
-    std::vector<std::vector<Aig::Lit>> inputs;  ///< of the model, lowest bit first
-    std::map<Happens, std::vector<std::pair<std::string, Aig::Lit>>> asked;
-  };
 
  private:
   std::vector<std::vector<Word>> words_of(const std::vector<std::vector<bool>>& inputs) const;

@@ -30,6 +30,11 @@ TEST(Equiv, TheSameNetlistNeedsNoEngine) {
   const Ended same = equiv(one, "// moved\n\n" + one);
   EXPECT_EQ(same.status, 0) << same.out;
   EXPECT_NE(same.out.find("equal for ever, by the same netlist"), std::string::npos) << same.out;
+  const Ended told = equiv(one, module_of(", input [7:0] a, b, (* mark = 1 *) output reg [7:0] q",
+                                          "(* told = \"so\" *) always @(posedge clk) "
+                                          "q <= rst ? 0 : a * b + 1;"));
+  EXPECT_EQ(told.status, 0) << told.out;
+  EXPECT_NE(told.out.find("by the same netlist"), std::string::npos) << told.out;
   expect_different(one,
                    module_of(", input [7:0] a, b, output reg [7:0] q",
                              "always @(posedge clk) q <= rst ? 0 : a * b + 2;"),
@@ -192,6 +197,32 @@ TEST(Equiv, AMemoryThatGetsTheSameIsOne) {
   expect_different(rtl("store", "3", "d"), rtl("store", "3", "d & ~8"), "q is ");
   // Of another name it holds other values before anything is written; those of the old are x.
   expect_equal(rtl("store", "1", "d"), rtl("other", "1", "d"));
+}
+
+// What counts is what they leave in it, not how many statements write it.
+TEST(Equiv, AMemoryIsOneHoweverManyPortsWriteIt) {
+  const auto rtl = [](const std::string& writes) {
+    return module_of(
+        ", input we, sel, input [11:0] w, v, r, input [31:0] d, output reg [31:0] q",
+        "reg [31:0] store[0:4095]; always @(posedge clk) begin " + writes + " q <= store[r]; end");
+  };
+  const std::string one = rtl("if (we) store[sel ? v : w] <= sel ? ~d : d;");
+  const std::string two = rtl("if (we && sel) store[v] <= ~d; if (we && !sel) store[w] <= d;");
+  const Ended ended = equiv(one, two);
+  EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+  EXPECT_NE(ended.out.find("by memories that get the same"), std::string::npos) << ended.out;
+  // The last one that writes decides.
+  const auto small = [&](const std::string& writes) {
+    std::string text = rtl(writes);
+    return text.replace(text.find("4095"), 4, "3");
+  };
+  expect_equal(small("store[w] <= d; store[v] <= 0;"),
+               small("if (w != v) store[w] <= d; store[v] <= 0;"));
+  expect_different(small("store[w] <= d; store[v] <= 0;"), small("store[v] <= 0; store[w] <= d;"),
+                   "q is ");
+  expect_different(small("if (we) store[w] <= d;"),
+                   small("if (we && sel) store[w] <= d; if (we && !sel) store[w] <= d & ~8;"),
+                   "q is ");
 }
 
 TEST(Equiv, AGcdAndItsNetlist) {

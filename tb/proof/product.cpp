@@ -1,0 +1,319 @@
+// The product of the two machines. The clocks of the reset are not part of it: they are written out
+// in front of it (unrolled), from any state of the RTL that its initial values allow, and what
+// comes of them is what its registers begin as. A bit that is the same whatever was before is a
+// constant there; any other is chosen on the first clock.
+#include "tb/proof/product.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "model/core/input_error.h"
+#include "tb/proof/located.h"
+#include "tb/proof/translated.h"
+
+namespace cosim::proof {
+namespace {
+
+using nets::Bit;
+using nets::no;
+using nets::yes;
+using Lit = Aig::Lit;
+using Code = std::vector<Bit>;
+
+class ProductMaker {
+ public:
+  ProductMaker(const nets::Model& model, const RtlNets& rtl,
+               const std::map<std::string, Word>& tied, const std::vector<Watched>& watched)
+      : m_(model.machine),
+        rtl_(rtl),
+        watched_(watched),
+        graph_(model.graph),
+        free_(model.graph.inputs()) {
+    for (const RtlCell& cell : located(rtl, m_.design, "input", m_.inputs)) {
+      inputs_.push_back(nets_of(cell));
+    }
+    for (const auto& [port, value] : tied) {
+      for (int b = 0; b < rtl.width(port); ++b)
+        tied_.emplace_back(rtl.net(port, b), cosim::bit(value, b));
+    }
+    const auto wires = [&](const char* kind, const std::vector<nets::Wire>& table) {
+      std::vector<std::vector<std::size_t>> all;
+      for (const RtlCell& cell : located(rtl, m_.design, kind, table)) {
+        all.push_back(nets_of(cell));
+      }
+      return all;
+    };
+    registers_ = wires("register", m_.registers);
+    outputs_ = wires("output", m_.outputs);
+  }
+
+  Product make() {
+    const Code first = after_reset();
+    // The clock that all is asked of.
+    Code now;
+    for (std::size_t i = 0; i < first.size(); ++i) now.push_back(graph_.input());
+    const Code nets = clock(now, codes_of(m_.inputs));
+    const auto& flip_flops = rtl_.cells().flip_flops;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      registers_now_.push_back({now[i], first[i], nets[flip_flops[i].next]});
+    }
+    turn();
+    add_state(first);
+    ask_all(nets);
+    for (const Watched& one : watched_) asked_[Happens::watched].emplace_back("", seen(one, nets));
+    translate();
+    return std::move(product_);
+  }
+
+ private:
+  struct Register {
+    Bit now, first, next;
+  };
+  using Asked = std::vector<std::pair<std::string, Bit>>;
+
+  std::vector<std::size_t> nets_of(const RtlCell& cell) const {
+    std::vector<std::size_t> all;
+    for (int b = 0; b < cell.width; ++b) all.push_back(rtl_.net(cell.wire, cell.low + b));
+    return all;
+  }
+  static std::vector<Code> codes_of(const std::vector<nets::Wire>& wires) {
+    std::vector<Code> all;
+    for (const nets::Wire& w : wires) all.push_back(w.code);
+    return all;
+  }
+
+  Code clock(const Code& flip_flops, const std::vector<Code>& inputs) {
+    const nets::Cells& cells = rtl_.cells();
+    Code given(cells.nets.size());
+    for (const auto* nets : {&cells.inputs, &cells.free}) {
+      for (const std::size_t net : *nets) given[net] = graph_.input();
+    }
+    for (const auto& [net, value] : tied_) given[net] = value ? yes : no;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      for (std::size_t b = 0; b < inputs_[i].size(); ++b) given[inputs_[i][b]] = inputs[i][b];
+    }
+    for (std::size_t i = 0; i < flip_flops.size(); ++i) {
+      given[cells.flip_flops[i].now] = flip_flops[i];
+    }
+    return placed(graph_, cells, std::move(given));
+  }
+
+  // What synchronizers take. RTL with mutants takes the old value: they may stand between a
+  // register and its net.
+  void turn() {
+    for (std::size_t i = 0; i < m_.turned.size() && !has_mutants(); ++i) {
+      for (std::size_t b = 0; b < registers_[i].size(); ++b) {
+        const Bit turned = m_.turned[i].code[b];
+        if (turned == no) continue;
+        const auto shown = rtl_.shown(registers_[i][b]);
+        if (!shown) {
+          throw InputError(fmt::format("{}: register {} is no flip-flops by itself", m_.design,
+                                       label_of(m_.turned[i].field)));
+        }
+        Bit& next = registers_now_[*shown].next;
+        next = graph_.xor_of(next, turned);
+      }
+    }
+  }
+  bool has_mutants() const { return rtl_.width("mutsel") != 0; }
+
+  // What the flip-flops hold when the first clock begins.
+  Code after_reset() {
+    const auto& flip_flops = rtl_.cells().flip_flops;
+    Code held;
+    for (const auto& f : flip_flops) {
+      held.push_back(f.initial == '0' ? no : f.initial == '1' ? yes : graph_.input());
+    }
+    for (int i = 0; i < m_.reset_clocks; ++i) {
+      std::vector<Code> inputs;
+      for (const nets::Wire& w : m_.inputs) {
+        Code code;
+        for (std::size_t b = 0; b < w.code.size(); ++b) code.push_back(graph_.input());
+        for (const nets::Wire& given : m_.reset_inputs) {
+          if (label_of(given.field) == label_of(w.field)) code = given.code;
+        }
+        inputs.push_back(std::move(code));
+      }
+      const Code nets = clock(held, inputs);
+      for (std::size_t f = 0; f < held.size(); ++f) held[f] = nets[flip_flops[f].next];
+    }
+    return held;
+  }
+
+  // The model's registers. It takes over from the RTL what no reset reaches, as in lockstep.
+  void add_state(const Code& first) {
+    std::size_t at = 0;
+    for (const nets::Wire& w : m_.inputs) at += w.code.size();
+    std::optional<Code> nets;  // of the RTL as it begins
+    for (std::size_t i = 0; i < m_.state.size(); ++i) {
+      Code begins = m_.begins[i].code;
+      if (m_.state[i].field.unreset && is_taken_over()) {
+        if (!nets) nets = clock(first, codes_of(m_.inputs));
+        begins = taken_over(i, *nets);
+      }
+      for (std::size_t b = 0; b < begins.size(); ++b) {
+        registers_now_.push_back({free_[at++], begins[b], m_.next[i].code[b]});
+      }
+    }
+  }
+  // Where its registers are its state.
+  bool is_taken_over() const {
+    return std::equal(m_.state.begin(), m_.state.end(), m_.registers.begin(), m_.registers.end(),
+                      [](const nets::Wire& a, const nets::Wire& b) {
+                        return label_of(a.field) == label_of(b.field);
+                      });
+  }
+  static Code at(const std::vector<std::size_t>& places, const Code& nets) {
+    Code code;
+    for (const std::size_t net : places) code.push_back(nets[net]);
+    return code;
+  }
+  Code taken_over(std::size_t i, const Code& nets) {
+    Code code = at(registers_[i], nets);
+    if (m_.state[i].field.format != Format::ones_complement) return code;
+    const nets::Number sign = nets::Number::unsigned_code(graph_, {code.back()});
+    return (nets::Number::signed_code(graph_, code) + sign).code(static_cast<int>(code.size()));
+  }
+
+  Bit differs(const nets::Wire& w, const std::vector<std::size_t>& rtl, const Code& nets) {
+    return where_compared(graph_, w, graph_.differ(w.code, at(rtl, nets)));
+  }
+
+  void ask_all(const Code& nets) {
+    Asked& differ = asked_[Happens::differ];
+    const auto& shown = m_.seen.empty() ? m_.registers : m_.seen;
+    for (std::size_t i = 0; i < shown.size(); ++i) {
+      differ.emplace_back("register " + label_of(shown[i].field),
+                          differs(shown[i], registers_[i], nets));
+    }
+    for (std::size_t i = 0; i < m_.outputs.size(); ++i) {
+      differ.emplace_back("output " + label_of(m_.outputs[i].field),
+                          differs(m_.outputs[i], outputs_[i], nets));
+    }
+    // The first says that the fields have room; a code has it always.
+    const auto& after = m_.invariant_after.front();
+    differ.emplace_back("not so after it: " + after.name, !after.condition);
+    for (std::size_t i = 1; i < m_.invariant.size(); ++i) {
+      differ.emplace_back("not so: " + m_.invariant[i].name, !m_.invariant[i].condition);
+    }
+    for (const nets::Named& n : m_.idle) {
+      asked_[Happens::stuck].emplace_back("idle inputs are not legal: " + n.name, !n.condition);
+    }
+    for (const auto& [name, net] : rtl_.unmet()) {
+      // On the first clock such a one tells of the clock before, which is one of the reset.
+      const Bit unmet = rtl_.is_sampled(net) ? graph_.and_of(is_later_, nets[net]) : nets[net];
+      asked_[Happens::assertion].emplace_back("not so: assertion " + name, unmet);
+    }
+    for (const nets::Named& n : m_.legal) legal_ = graph_.and_of(legal_, n.condition);
+  }
+
+  // Whether it happens on this clock. Of the clock before, which a net that toggles is compared
+  // with, the first one knows nothing.
+  Bit seen(const Watched& one, const Code& nets) {
+    Bit any = no;
+    for (const std::size_t net : one.toggles) {
+      const Bit before = graph_.input();
+      registers_now_.push_back({before, no, nets[net]});
+      any = graph_.or_of(any, graph_.and_of(is_later_, graph_.xor_of(before, nets[net])));
+    }
+    for (const std::size_t net : one.holds) {
+      const Bit holds = nets[net];
+      any = graph_.or_of(any, rtl_.is_sampled(net) ? graph_.and_of(is_later_, holds) : holds);
+    }
+    for (const nets::Named& n : m_.cases) {
+      if (n.name == one.model_case) any = graph_.or_of(any, n.condition);
+    }
+    return any;
+  }
+
+  void translate() {
+    Translated lits(graph_, product_.graph);
+    const auto give = [&](const nets::Wire& w, Lit turned) {
+      const bool is_word = w.code.size() > 1;
+      for (const Bit bit : w.code) {
+        if (bit.is_constant()) continue;
+        if (w.field.synchronizer != nullptr && has_mutants()) {
+          lits.give(bit, 0);
+        } else if (turned < 2) {
+          lits.give(bit, product_.graph.seldom() ^ turned);
+        } else {
+          lits.give(bit,
+                    is_word ? product_.graph.input(label_of(w.field)) : product_.graph.input());
+        }
+      }
+    };
+    for (const nets::Wire& w : m_.inputs) give(w, resets_at(w) ? Lit{!*resets_at(w)} : Lit{2});
+
+    Code firsts;
+    for (const Register& r : registers_now_) firsts.push_back(r.first);
+    lits.make(firsts);
+    Aig& graph = product_.graph;
+    const Lit is_first = graph.latch(true);
+    graph.next(is_first, 0);
+    lits.give(is_later_, is_first ^ 1);
+    std::vector<Lit> latches;
+    for (const Register& r : registers_now_) {
+      const Lit first = lits.of(r.first);
+      latches.push_back(graph.latch(first == 1));
+      lits.give(r.now, first < 2 ? latches.back() : graph.choose(is_first, first, latches.back()));
+    }
+    Code roots{legal_};
+    for (const Register& r : registers_now_) roots.push_back(r.next);
+    for (const auto& [what, bits] : asked_) {
+      for (const auto& [name, bit] : bits) roots.push_back(bit);
+    }
+    lits.make(roots);
+    for (std::size_t i = 0; i < latches.size(); ++i) {
+      graph.next(latches[i], lits.of(registers_now_[i].next));
+    }
+    // All clocks so far, this one too; of a stuck one only those before.
+    const Lit was_legal = legal_ == yes ? 1 : graph.latch(true);
+    const Lit is_legal = graph.and_of(was_legal, lits.of(legal_));
+    if (legal_ != yes) graph.next(was_legal, is_legal);
+    for (const auto& [what, bits] : asked_) {
+      for (const auto& [name, bit] : bits) {
+        const Lit allowed = what == Happens::stuck ? was_legal : is_legal;
+        product_.asked[what].emplace_back(name, graph.and_of(allowed, lits.of(bit)));
+      }
+    }
+    for (const nets::Wire& w : m_.inputs) {
+      auto& own = product_.inputs.emplace_back();
+      for (const Bit bit : w.code) own.push_back(lits.of(bit));
+    }
+  }
+
+  // What an input of one bit is in a reset, if it is part of it.
+  std::optional<bool> resets_at(const nets::Wire& w) const {
+    for (const nets::Wire& given : m_.reset_inputs) {
+      if (label_of(given.field) == label_of(w.field) && w.code.size() == 1 &&
+          w.field.edge == cosim::Edge::none) {
+        return given.code.front() == yes;
+      }
+    }
+    return std::nullopt;
+  }
+
+  const nets::MachineOf<nets::Number>& m_;
+  const RtlNets& rtl_;
+  const std::vector<Watched>& watched_;
+  nets::Graph graph_;
+  Bit is_later_ = graph_.input();  // than the first clock
+  Code free_;                      // of the model
+  Product product_;
+  std::vector<std::vector<std::size_t>> inputs_, registers_, outputs_;  // nets of the RTL
+  std::vector<std::pair<std::size_t, bool>> tied_;
+  std::vector<Register> registers_now_;
+  std::map<Happens, Asked> asked_;
+  Bit legal_ = yes;
+};
+
+}  // namespace
+
+Product product_of(const nets::Model& model, const RtlNets& rtl,
+                   const std::map<std::string, Word>& tied, const std::vector<Watched>& watched) {
+  return ProductMaker(model, rtl, tied, watched).make();
+}
+
+}  // namespace cosim::proof

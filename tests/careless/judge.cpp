@@ -11,11 +11,16 @@ namespace fs = std::filesystem;
 
 constexpr long most_memory = 1'500'000'000;
 
+bool has(const Case& one, const char* argument) {
+  return std::find(one.arguments.begin(), one.arguments.end(), argument) != one.arguments.end();
+}
+
 // The files that an argument may stand for, as paths below the scratch folder: its own, those that
 // are made from its name, and all in a folder of that name.
 class Asked {
  public:
   Asked(const Case& one, const Scratch& scratch) : killed_(one.signal == SIGKILL) {
+    if (has(one, "regress")) folders_.emplace_back("work/regressions/");  // where no folder is named
     for (const auto& named : one.named) {
       if (named.value.empty()) continue;
       // A name may be too long to be looked for.
@@ -62,11 +67,10 @@ void check_status(const Case& one, const Came& came, std::vector<std::string>& f
       (one.out == Stream::gone || one.err == Stream::gone) && came.status == 128 + SIGPIPE;
   if (came.hung) found.push_back("does not end on signal " + std::to_string(one.signal));
   if (came.hung || by_signal || by_pipe) return;
-  // What may say 1 of designs that are as they should be: a time that is over, a bit not reached.
+  // What may say 1 of designs that are as they should be: a time that is over, a bit not reached, a
+  // plan of what fails.
   const bool verdict =
-      std::any_of(one.arguments.begin(), one.arguments.end(), [](const std::string& argument) {
-        return argument == "prove" || argument == "cover" || argument == "mutate";
-      });
+      has(one, "prove") || has(one, "cover") || has(one, "mutate") || has(one, "regress");
   if (came.status != 0 && came.status != 2 && !(came.status == 1 && verdict)) {
     found.push_back("status " + std::to_string(came.status));
   }

@@ -20,7 +20,8 @@ bool has(const Case& one, const char* argument) {
 class Asked {
  public:
   Asked(const Case& one, const Scratch& scratch) : killed_(one.signal == SIGKILL) {
-    if (has(one, "regress")) folders_.emplace_back("work/regressions/");  // where no folder is named
+    if (has(one, "regress"))
+      folders_.emplace_back("work/regressions/");  // where no folder is named
     for (const auto& named : one.named) {
       if (named.value.empty()) continue;
       // A name may be too long to be looked for.

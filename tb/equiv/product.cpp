@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "tb/equiv/clocks.h"
+#include "tb/equiv/memories.h"
 
 namespace cosim::equiv {
 namespace {
@@ -74,7 +75,8 @@ class Builder {
     Lit strays = 0;
     for (const auto& [i, j] : memories_) {
       for (const Side::Made& gold : made_golds) {
-        strays = graph_.or_of(strays, strays_of(i, gold, j, made_gate));
+        strays = graph_.or_of(strays, strays_of(graph_, {q_.gold.memories[i], i, gold},
+                                                {q_.gate.memories[j], j, made_gate}));
       }
     }
     // What is in a memory has to be the same before there is an output too, and what is in a
@@ -248,80 +250,6 @@ class Builder {
       pins[memory_port(is_gate ? j : i, "RD_DATA")] = memory_port(i, "RD_DATA");
     }
     return pins;
-  }
-
-  // Whether another word is written, or another address read.
-  Lit strays_of(std::size_t i, const Side::Made& gold, std::size_t j, const Side::Made& gate) {
-    const Memory& memory = q_.gold.memories[i];
-    const auto of = [](const Side::Made& made, std::size_t m, const char* port, int bit) {
-      return made.outputs.at({memory_port(m, port), bit});
-    };
-    const auto other = [&](const char* port, int bit) {
-      return graph_.xor_of(of(gold, i, port, bit), of(gate, j, port, bit));
-    };
-    Lit any = 0;
-    for (int bit = 0; bit < memory.reads * memory.address; ++bit) {
-      any = graph_.or_of(any, other("RD_ADDR", bit));
-    }
-    if (memory.writes != q_.gate.memories[j].writes) {
-      return graph_.or_of(any, leave_another(i, gold, j, gate));
-    }
-    for (int w = 0; w < memory.writes; ++w) {
-      Lit written = 0;
-      for (int bit = w * memory.width; bit < (w + 1) * memory.width; ++bit) {
-        const Lit enable = of(gold, i, "WR_EN", bit);
-        written = graph_.or_of(written, enable);
-        any = graph_.or_of(any, other("WR_EN", bit));
-        any = graph_.or_of(any, graph_.and_of(enable, other("WR_DATA", bit)));
-      }
-      for (int bit = w * memory.address; bit < (w + 1) * memory.address; ++bit) {
-        any = graph_.or_of(any, graph_.and_of(written, other("WR_ADDR", bit)));
-      }
-    }
-    return any;
-  }
-
-  // Whether they leave another word at some address, whichever it is, however many ports write it.
-  Lit leave_another(std::size_t i, const Side::Made& gold, std::size_t j, const Side::Made& gate) {
-    const Memory &old = q_.gold.memories[i], &now = q_.gate.memories[j];
-    std::vector<Lit> address;
-    for (int bit = 0; bit < old.address; ++bit) address.push_back(graph_.input());
-    const Left left = left_by(old, i, gold, address), other = left_by(now, j, gate, address);
-    Lit any = 0;
-    for (std::size_t bit = 0; bit < left.written.size(); ++bit) {
-      const Lit differs = graph_.xor_of(left.data[bit], other.data[bit]);
-      any = graph_.or_of(any, graph_.xor_of(left.written[bit], other.written[bit]));
-      any = graph_.or_of(any, graph_.and_of(left.written[bit], differs));
-    }
-    return any;
-  }
-  // What the ports of one leave at that address; the last that writes there decides, as in
-  // memory_map.
-  struct Left {
-    std::vector<Lit> written, data;
-  };
-  Left left_by(const Memory& memory, std::size_t m, const Side::Made& made,
-               const std::vector<Lit>& address) {
-    const auto width = static_cast<std::size_t>(memory.width);
-    Left left{std::vector<Lit>(width, 0), std::vector<Lit>(width, 0)};
-    for (int w = 0; w < memory.writes; ++w) {
-      const auto of = [&](const char* port, int bits, int bit) {
-        return made.outputs.at({memory_port(m, port), w * bits + bit});
-      };
-      Lit here = 1;
-      for (int bit = 0; bit < memory.address; ++bit) {
-        const Lit other = graph_.xor_of(of("WR_ADDR", memory.address, bit),
-                                        address[static_cast<std::size_t>(bit)]);
-        here = graph_.and_of(here, Aig::inverted(other));
-      }
-      for (int bit = 0; bit < memory.width; ++bit) {
-        const auto at = static_cast<std::size_t>(bit);
-        const Lit writes = graph_.and_of(here, of("WR_EN", memory.width, bit));
-        left.written[at] = graph_.or_of(left.written[at], writes);
-        left.data[at] = graph_.choose(writes, of("WR_DATA", memory.width, bit), left.data[at]);
-      }
-    }
-    return left;
   }
 
   // While it resets, and until the first outputs of the new RTL can have come.

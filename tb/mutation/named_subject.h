@@ -1,5 +1,6 @@
 // The mutants of a shape whose model is a function of streams alone: random transactions. Where
-// there is a step beside it they run in lanes, which compare every register on every clock.
+// there is a step beside it they run in lanes, which compare every register of its table on every
+// clock.
 #pragma once
 
 #include <memory>

@@ -10,6 +10,7 @@
 #include "tb/equiv/product.h"
 #include "tb/equiv/replay.h"
 #include "tb/equiv/resets.h"
+#include "tb/equiv/ternary.h"
 #include "tb/equiv/unknown.h"
 #include "tb/proof/reach.h"
 #include "tb/support/parallel.h"
@@ -182,14 +183,22 @@ bool is_equal_by_names(const Question& q, const Pairs& memories, Answer& answer)
   return true;
 }
 
-// With the memories of both as one: equal, or nothing is known.
-bool is_equal_by_memories(const Question& q, const Pairs& memories, Answer& answer) {
+// With the memories of both as one: equal, or different whatever is read and is x, or nothing is
+// known.
+bool is_decided_by_memories(const Question& q, const Pairs& memories, Answer& answer) {
   if (!is_equal_by_names(q, memories, answer)) {
     // The rest is for what comes after; most of what is equal is so here, or it differs soon.
     constexpr double share = 0.7;
     const Product product = product_of(q, Registers::two, {}, memories);
     const auto reached = reach(q, product, share);
-    if (reached.ever != proof::Ever::never) return false;
+    if (reached.ever != proof::Ever::never) {
+      const Product ternary = whatever_is_free(product_of(q, Registers::two, {{}, true}, memories));
+      const auto differs = reach(q, ternary, share);
+      if (differs.ever != proof::Ever::yes) return false;
+      answer.by = differs.by;
+      show(q, ternary, differs, {}, answer);
+      return true;
+    }
     take_equal(q, product, reached, answer);
   }
   answer.by = "memories that get the same, " + answer.by;
@@ -241,7 +250,7 @@ void compare_all(Question& q, Answer& answer) {
   const Pairs memories = memory_pairs(q);
   if (!memories.empty()) {
     make_gates(q, Memories::cut);
-    if (is_equal_by_memories(q, memories, answer)) return;
+    if (is_decided_by_memories(q, memories, answer)) return;
   }
   make_gates(q, Memories::registers);
   // The registers that both have by name are equal nearly always: then one clock from any state is

@@ -24,6 +24,7 @@ class Builder {
       : q_(q),
         one_(registers == Registers::one),
         any_(!unknown.fillers.empty()),
+        free_(unknown.free),
         fillers_(unknown.fillers),
         memories_(memories) {}
 
@@ -58,7 +59,7 @@ class Builder {
     for (std::size_t c = 0; c < copies; ++c) {
       Lits unknown(q_.gold.unknowns);
       for (std::size_t i = 0; i < unknown.size(); ++i) {
-        unknown[i] = any_ ? filler(c, i) : as_many ? gate_unknown[i] : 0;
+        unknown[i] = any_ ? filler(c, i) : free_ ? free() : as_many ? gate_unknown[i] : 0;
       }
       golds.push_back(gold_copy(c));
       made_golds.push_back(make(q_.gold, golds.back(), unknown, false));
@@ -86,7 +87,8 @@ class Builder {
         strays = graph_.or_of(strays, graph_.xor_of(made_golds[0].next[i], made_gate.next[j]));
       }
     }
-    product_.bad = graph_.or_of(strays, graph_.and_of(bad, Aig::inverted(settling())));
+    product_.differ = graph_.and_of(bad, Aig::inverted(settling()));
+    product_.bad = graph_.or_of(strays, product_.differ);
     assume(made_golds.front());
     product_.matched = pairs_.size();
     product_.beginnings = shared_;
@@ -114,6 +116,12 @@ class Builder {
     return clocks_[t];
   }
 
+  Lit free() {
+    const Lit input = graph_.input();
+    product_.free.insert(input);
+    return input;
+  }
+
   bool any_in_both(const Register& gold) const {
     const auto partner = gate_names_.find(gold.name);
     return partner != gate_names_.end() && partner->second->any;
@@ -138,7 +146,7 @@ class Builder {
         copy.state.push_back(starting(at->second, latch));
       } else {
         product_.alone_any = true;
-        copy.state.push_back(starting(any_ ? filler(c, alone++, true) : graph_.input(), latch));
+        copy.state.push_back(starting(any_ ? filler(c, alone++, true) : free(), latch));
       }
     }
     return copy;
@@ -178,7 +186,7 @@ class Builder {
     std::string port = name.first;
     if (const auto pins = read_pins(is_gate); pins.contains(port)) {
       const auto [at, is_new] = reads_.try_emplace({pins.at(port), name.second}, 0);
-      if (is_new) at->second = graph_.input();
+      if (is_new) at->second = free();
       return at->second;
     }
     const auto clock = side.clocks.find(port);
@@ -239,7 +247,7 @@ class Builder {
       holds = graph_.and_of(before, holds);
       graph_.next(before, holds);
     }
-    product_.bad = graph_.and_of(product_.bad, holds);
+    for (Lit* bad : {&product_.bad, &product_.differ}) *bad = graph_.and_of(*bad, holds);
     product_.held = graph_.and_of(holds, Aig::inverted(resets_));
   }
 
@@ -292,7 +300,7 @@ class Builder {
   }
 
   const Question& q_;
-  bool one_, any_;
+  bool one_, any_, free_;
   bool clock_rests_ = true;  ///< a clock that is read is as it is before its edge
   const std::vector<Filler>& fillers_;
   const Pairs& memories_;

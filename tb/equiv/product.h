@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,9 +15,11 @@ namespace cosim::equiv {
 
 struct Product {
   proof::Aig graph;
-  proof::Aig::Lit bad = 0;                     ///< an output differs
-  std::map<Name, proof::Aig::Lit> inputs;      ///< as both get them
-  std::map<std::string, int> widths;           ///< of the inputs
+  proof::Aig::Lit bad = 0;                 ///< an output differs, or what is cut
+  proof::Aig::Lit differ = 0;              ///< an output differs
+  std::set<proof::Aig::Lit> free;          ///< what memories that are one read, and the old RTL's x
+  std::map<Name, proof::Aig::Lit> inputs;  ///< as both get them
+  std::map<std::string, int> widths;       ///< of the inputs
   std::map<Name, proof::Aig::Lit> beginnings;  ///< of registers of that name, the same in both
   std::map<Name, proof::Aig::Lit> gold, gate;  ///< the outputs that are compared, by the old names
   std::map<Name, proof::Aig::Lit> any;         ///< the old RTL says x
@@ -43,9 +46,11 @@ using Filler = std::vector<std::vector<bool>>;
 
 /// What the old RTL's x is.
 struct Unknown {
-  /// Without any, what the new RTL's is where they have as many, else 0: one of its values. With
-  /// some, the old RTL is there once for each: an output that is another with one of them is `any`.
-  std::vector<Filler> fillers;
+  /// Without any, and not free, what the new RTL's is where they have as many, else 0: one of its
+  /// values. With some, the old RTL is there once for each: an output that is another with one of
+  /// them is `any`.
+  std::vector<Filler> fillers = {};
+  bool free = false;  ///< without fillers: any value, and Product::free has it
 };
 
 Product product_of(const Question& question, Registers registers, const Unknown& unknown,

@@ -63,15 +63,6 @@ std::string csv_of(const Answer& a) {
   return csv + "\n";
 }
 
-// What an equal rests on beside what decided, behind it; nothing where two engines decided.
-std::string check_text(const Answer& a) {
-  if (!a.check) return "";
-  if (a.check->solver.empty()) return "; that rests on abc alone: " + a.check->missing;
-  std::string what = count(a.check->equalities, "equal signal");
-  if (a.check->clauses > 0) what += " and " + count(a.check->clauses, "clause");
-  return fmt::format("; checked by {}: {}", a.check->solver, what);
-}
-
 Json check_json(const Answer& a) {
   if (!a.check) return nullptr;
   return {{"by", a.check->solver},
@@ -133,7 +124,8 @@ std::string assumed_text(const Question& q) {
 
 std::string verdict_text(const std::string& top, const Question&, const Answer& a) {
   if (a.verdict == Verdict::equal) {
-    return fmt::format("{}: equal for ever, by {}{}\n", top, a.by, check_text(a));
+    return fmt::format("{}: equal for ever, by {}{}\n", top, a.by,
+                       a.check ? "; " + to_text(*a.check) : "");
   }
   if (a.verdict == Verdict::undecided) {
     const std::string first =

@@ -2,11 +2,19 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "tb/proof/explain.h"
 
 namespace cosim::cli {
+namespace {
+
+// A proof is checked for as long as it took, but no less and no more than so long.
+constexpr std::chrono::steady_clock::duration check_least = std::chrono::seconds(2),
+                                              check_most = std::chrono::seconds(10);
+
+}  // namespace
 
 std::optional<Refuted> refuted(const proof::MachineFormula& formula, const AnyBench& bench,
                                const proof::Claim& claim, const proof::Decision& decision,
@@ -21,11 +29,18 @@ std::optional<Refuted> refuted(const proof::MachineFormula& formula, const AnyBe
 
 FromResetAnswer asked_from_reset(const proof::FromReset& machine, proof::Happens what,
                                  const AnyBench& bench, std::chrono::seconds limit, unsigned jobs) {
-  proof::HappensFromReset found = machine.ask(what, std::chrono::steady_clock::now() + limit, jobs);
+  const auto began = std::chrono::steady_clock::now();
+  proof::HappensFromReset found = machine.ask(what, began + limit, jobs);
   FromResetAnswer answer;
   answer.ever = found.reached.ever;
   if (answer.ever == proof::Ever::never) {
     answer.verdict = "proved from reset by " + found.reached.by;
+    if (found.reached.engines == 0) return answer;
+    const auto now = std::chrono::steady_clock::now();
+    const auto checked =
+        machine.check(what, now + std::clamp(now - began, check_least, check_most));
+    answer.verdict += "; " + to_text(checked);
+    answer.is_checked = !checked.solver.empty();
     return answer;
   }
   if (answer.ever == proof::Ever::open) {

@@ -30,13 +30,15 @@ std::optional<Refuted> refuted(const proof::MachineFormula& formula, const AnyBe
 struct FromResetAnswer {
   proof::Ever ever = proof::Ever::open;
   std::string verdict;  ///< "proved from reset by ...", "REFUTED from reset: ...", "UNDECIDED: ..."
+  bool is_checked = false;  ///< of never: it rests on a solver too that is none of abc's
   /// Of yes: what happens on its last clock, the stimulus that makes it so, and its run in
   /// lockstep.
   std::vector<std::string> what;
   Stimulus stimulus;
   Run run;
 };
-/// Asks it for so many seconds at the most. InputError where there is no yosys-abc.
+/// Asks it for so many seconds at the most, and checks a proof for ten more. InputError where there
+/// is no yosys-abc.
 FromResetAnswer asked_from_reset(const proof::FromReset& machine, proof::Happens what,
                                  const AnyBench& bench, std::chrono::seconds limit, unsigned jobs);
 

@@ -76,7 +76,8 @@ void add_prove(const Command& program, const Registry& registry) {
   command.footer(
       "Needs yosys, and two of yosys-abc (cec), z3 and cvc5. What two of them prove is proved;\n"
       "the third is asked where the first two do not decide. One that is named alone decides.\n"
-      "What is not proved for every state is then asked from reset, by yosys-abc alone.\n"
+      "What is not proved for every state is then asked from reset, by yosys-abc; that proof is\n"
+      "checked by cadical, or z3, where an inductive invariant is found in time.\n"
       "Example: " +
       program_name() + " prove " + proof::built_machines().front().title);
   command.action([o, &registry] { return run(*o, registry); });

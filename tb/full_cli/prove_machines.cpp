@@ -222,13 +222,14 @@ int prove_machines(const ProveOptions& o, const proof::Asking& asking) {
   std::fflush(stdout);
   decide(rows, asking);
 
-  std::size_t proved = 0, from_reset = 0;
+  std::size_t proved = 0, from_reset = 0, by_abc_alone = 0;
   bool more_time_helps = false;
   const Row* explained = nullptr;  // the first that can be
   for (const Row& row : rows) {
     const bool was_asked = row.from_reset != nullptr;
     proved += row.decision.proved ? 1 : 0;
     from_reset += row.decision.proved && was_asked ? 1 : 0;
+    by_abc_alone += row.decision.proved && was_asked && !row.from_reset->is_checked ? 1 : 0;
     if (row.decision.proved) continue;
     more_time_helps = more_time_helps || proof::timed_out({row.decision}) ||
                       (was_asked && row.from_reset->ever == proof::Ever::open);
@@ -240,10 +241,13 @@ int prove_machines(const ProveOptions& o, const proof::Asking& asking) {
       asking.engines.size() == 1   ? "by " + proof::listed(asking.engines) + " alone"
       : asking.engines.size() == 2 ? "each by " + proof::listed(asking.engines)
                                    : "each by two of " + proof::listed(asking.engines);
-  fmt::print(
-      "{} of {} proved, {}{}, in {:.1f} s\n", proved, count(rows.size(), "claim"), by,
-      from_reset == 0 ? "" : fmt::format(", but {} from reset by yosys-abc alone", from_reset),
-      took.count());
+  fmt::print("{} of {} proved, {}{}, in {:.1f} s\n", proved, count(rows.size(), "claim"), by,
+             from_reset == 0 ? ""
+             : by_abc_alone == 0
+                 ? fmt::format(", but {} from reset by yosys-abc, checked", from_reset)
+                 : fmt::format(", but {} from reset, {} of them by yosys-abc alone", from_reset,
+                               by_abc_alone),
+             took.count());
   if (more_time_helps) say_limit(asking.limit);
   return proved == rows.size() ? 0 : 1;
 }

@@ -24,29 +24,35 @@ std::vector<std::vector<Word>> FromReset::words_of(
   return clocks;
 }
 
+FromReset::Any FromReset::any_of(Happens what) const {
+  Any any{product_.graph};
+  for (const auto& [name, lit] : product_.asked.at(what)) any.bad = any.graph.or_of(any.bad, lit);
+  return any;
+}
+
 HappensFromReset FromReset::ask(Happens what, std::chrono::steady_clock::time_point until,
                                 unsigned jobs) const {
   HappensFromReset all;
-  const auto at = product_.asked.find(what);
-  if (at == product_.asked.end()) {
+  if (!product_.asked.contains(what)) {
     all.reached = {Ever::never, "nothing to be asked", {}, false, 0};
     return all;
   }
-  Aig graph = product_.graph;
-  Lit bad = 0;
-  std::vector<Lit> each;
-  for (const auto& [name, lit] : at->second) {
-    bad = graph.or_of(bad, lit);
-    each.push_back(lit);
-  }
-  all.reached = reach(graph, bad, until, jobs);
+  const Any any = any_of(what);
+  all.reached = reach(any.graph, any.bad, until, jobs);
   if (all.reached.ever != Ever::yes) return all;
   all.clocks = words_of(all.reached.inputs);
-  const auto last = graph.run(all.reached.inputs, each).back();
+  std::vector<Lit> each;
+  for (const auto& [name, lit] : product_.asked.at(what)) each.push_back(lit);
+  const auto last = any.graph.run(all.reached.inputs, each).back();
   for (std::size_t i = 0; i < each.size(); ++i) {
-    if (last[i]) all.what.push_back(at->second[i].first);
+    if (last[i]) all.what.push_back(product_.asked.at(what)[i].first);
   }
   return all;
+}
+
+Invariant FromReset::check(Happens what, std::chrono::steady_clock::time_point until) const {
+  const Any any = any_of(what);
+  return invariant_of(any.graph, any.bad, until);
 }
 
 WatchedFromReset FromReset::ask_watched(std::chrono::steady_clock::time_point until, unsigned jobs,

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tb/proof/invariant.h"
 #include "tb/proof/product.h"
 #include "tb/proof/reach.h"
 #include "tb/proof/reach_each.h"
@@ -41,11 +42,19 @@ class FromReset {
   /// Ends when it is `until`. InputError as of reach().
   HappensFromReset ask(Happens what, std::chrono::steady_clock::time_point until,
                        unsigned jobs) const;
+  /// Of what never happens: looks for a proof that other engines find and a solver checks, until
+  /// then.
+  Invariant check(Happens what, std::chrono::steady_clock::time_point until) const;
   /// Each that is watched, as of reach_each().
   WatchedFromReset ask_watched(std::chrono::steady_clock::time_point until, unsigned jobs,
                                const std::function<void(std::size_t)>& left) const;
 
  private:
+  struct Any {
+    Aig graph;
+    Aig::Lit bad = 0;
+  };
+  Any any_of(Happens what) const;
   std::vector<std::vector<Word>> words_of(const std::vector<std::vector<bool>>& inputs) const;
 
   Product product_;

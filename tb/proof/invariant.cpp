@@ -15,6 +15,7 @@
 #include "tb/support/output_file.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
+#include "tb/support/words.h"
 
 namespace cosim::proof {
 namespace {
@@ -144,6 +145,13 @@ Invariant invariant_of(const Aig& graph, Lit bad, Clock::time_point until) {
     invariant.missing = "no invariant in time";
   }
   return invariant;
+}
+
+std::string to_text(const Invariant& invariant) {
+  if (invariant.solver.empty()) return "that rests on abc alone: " + invariant.missing;
+  std::string what = count(invariant.equalities, "equal signal");
+  if (invariant.clauses > 0) what += " and " + count(invariant.clauses, "clause");
+  return fmt::format("checked by {}: {}", invariant.solver, what);
 }
 
 }  // namespace cosim::proof

@@ -199,6 +199,30 @@ TEST(Equiv, AMemoryThatGetsTheSameIsOne) {
   expect_equal(rtl("store", "1", "d"), rtl("other", "1", "d"));
 }
 
+// To make registers of it would take minutes.
+TEST(Equiv, ADifferenceThatNoMemoryIsPartOf) {
+  const auto rtl = [](const std::string& writes, const std::string& counts) {
+    return module_of(
+        ", input we, input [11:0] w, r, input [31:0] d, output reg [31:0] q, "
+        "output reg [2:0] n",
+        "reg [31:0] store[0:4095]; always @(posedge clk) begin if (" + writes +
+            ") store[w] <= d; q <= store[r]; n <= rst ? 0 : n + " + counts + "; end");
+  };
+  expect_different(rtl("we", "we"), rtl("we && n != 5", "(we && n != 7)"), "n is ");
+}
+
+TEST(Equiv, WhatIsReadIsAnyValueOnlyIfTheMemoryHoldsIt) {
+  const auto rtl = [](const std::string& value) {
+    return module_of(
+        ", input [1:0] w, input r, d, output reg q, p",
+        "reg store[0:3]; wire x = store[{r, 1'b0}]; initial begin store[0] = 0; "
+        "store[1] = 0; store[2] = 0; store[3] = 0; {p, q} = 0; end always @(posedge clk) begin "
+        "store[w | 1] <= d; p <= x; q <= " +
+            value + "; end");
+  };
+  expect_equal(rtl("x"), rtl("0"));
+}
+
 // What counts is what they leave in it, not how many statements write it.
 TEST(Equiv, AMemoryIsOneHoweverManyPortsWriteIt) {
   const auto rtl = [](const std::string& writes) {

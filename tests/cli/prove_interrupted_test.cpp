@@ -87,6 +87,25 @@ TEST_P(InterruptedProof, EndsWhatIsAskedFromReset) {
   EXPECT_EQ(e.out.find("inductive step"), std::string::npos) << e.out;
 }
 
+// While it reads, while the engines look, and while a difference is replayed: no folder is kept.
+TEST_P(InterruptedProof, EndsAComparison) {
+  const auto rtl = [&](const char* name, const std::string& next) {
+    return folder_.write(name,
+                         "module m(input clk, input [7:0] d, output reg [7:0] q);\n"
+                         "always @(posedge clk) q <= " +
+                             next + ";\nendmodule\n");
+  };
+  const Arguments compared{
+      "equiv", "--gold",     rtl("gold.v", "d + 1"), "--gate", rtl("gate.v", "d + 2"), "--top",
+      "m",     "--failures", folder_.path("kept")};
+  for (const char* tool : {"verilator", "yosys-abc", "yosys"}) {
+    stand_in(tool);
+    expect_ended(compared);
+    fs::remove(folder_.path(std::string("bin/") + tool));
+    EXPECT_FALSE(folder_.holds("kept")) << tool;
+  }
+}
+
 TEST_P(InterruptedProof, EndsGnuplot) {
   stand_in("gnuplot", "[ \"$1\" != --version ] || exit 0");
   expect_ended({"line", "--major", "5", "--minor", "3", "--plot", folder_.path("plot.svg")});

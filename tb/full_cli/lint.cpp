@@ -8,6 +8,7 @@
 #include "tb/full/machine_of.h"
 #include "tb/full_cli/commands.h"
 #include "tb/program/chosen.h"
+#include "tb/support/pattern.h"
 #include "tb/support/process.h"
 #include "tb/support/words.h"
 
@@ -66,6 +67,19 @@ std::string findings(const Ended& ended) {
   return text;
 }
 
+// Whether Verilator reads it: all that it may have is warnings.
+bool is_read(const Ended& ended) {
+  static const Pattern error(R"((^|\n)%Error(?!: Exiting due to \d+ warning))");
+  return ended.status != 127 && !error.in(ended.text);
+}
+
+// The line in which Icarus Verilog or yosys says that it cannot read a file; empty where it can.
+std::string unread(const Ended& ended) {
+  static const Pattern line(R"([^\n]+:\d+: (syntax error|sorry: |ERROR: )[^\n]*)");
+  const auto lines = line.all(ended.text);
+  return ended.status == 0 || lines.empty() ? "" : lines.front().front();
+}
+
 int run(const Words& words) {
   const InterruptGuard interrupts;
   bool clean = true;
@@ -78,6 +92,7 @@ int run(const Words& words) {
     // What they leave where they are stopped, and what yosys keeps in a home, goes with the
     // scratch.
     const std::string own = scratch.path().string();
+    bool verilator_reads = false;
     for (const auto& [tool, arguments] : tools) {
       Words command{"env", "HOME=" + own, "TMPDIR=" + own};
       command.insert(command.end(), arguments.begin(), arguments.end());
@@ -85,11 +100,14 @@ int run(const Words& words) {
       std::string result = "clean";
       if (ended.status == 127) {
         result = "skipped: not installed";
+      } else if (const std::string line = unread(ended); verilator_reads && !line.empty()) {
+        result = "skipped: it does not read this: " + line;
       } else if (const std::string text = findings(ended); !text.empty()) {
         result = "findings:\n" + text;
         result.pop_back();
         clean = false;
       }
+      if (arguments.front() == "verilator") verilator_reads = is_read(ended);
       fmt::print("{:<24} {:<16} {}\n", bench->built_as(), tool, result);
     }
   }
@@ -103,7 +121,8 @@ void add_lint(const Command& program) {
   const Command command = program.sub(lint_command.name, lint_command.help);
   command.arguments("MACHINE", *words, "A design, or a line of 'list'; default all");
   command.footer(fmt::format(
-      "Runs Verilator with all warnings, and Icarus Verilog and yosys where they are installed.\n"
+      "Runs Verilator with all warnings, and Icarus Verilog and yosys where they are installed\n"
+      "and read the RTL.\n"
       "Exit status: 0 no finding, 1 findings, 2 bad input.\n"
       "Example: {} lint {}",
       program_name(), benches().front()->design()));

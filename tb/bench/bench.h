@@ -85,6 +85,7 @@ class AnyBench {
   AnyBench& operator=(const AnyBench&) = delete;
   virtual ~AnyBench() = default;
 
+  const BenchTables& tables() const { return tables_; }
   // BenchTables says what each is.
   const std::string& design() const { return tables_.design; }
   const std::string& source() const { return tables_.source; }

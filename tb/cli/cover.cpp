@@ -232,7 +232,7 @@ int run(const CoverOptions& o, const Registry& registry) {
 }  // namespace
 
 void add_cover(const Command& program, const Registry& registry) {
-  if (registry.covers().empty()) return;
+  if (!registry.has_designs()) return;
   auto o = std::make_shared<CoverOptions>();
   const Command command = program.sub(
       "cover", "Which lines and bits of the RTL, and which cases, the sweeps never reach");

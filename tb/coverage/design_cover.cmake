@@ -1,9 +1,9 @@
 # What the sweeps of a design of somebody's own reach: a program for each shape, its RTL Verilated
 # with counters, which make it several times slower. Built when the command `cover` asks for it.
 include_guard(GLOBAL)
-include(${CMAKE_CURRENT_LIST_DIR}/../package/design_on_demand.cmake)
 
-# To be called by cosim_add_design() for a shape, whose variables it uses.
+# The program cover_ID, of which Registry::covers() knows. To be called by cosim_add_design() for a shape,
+# whose variables it uses.
 function(cosim_shape_cover)
   set(FOLDER ${CMAKE_CURRENT_BINARY_DIR}/cover/${ID})
   set(COVERED Vcover_${ID})
@@ -19,6 +19,19 @@ function(cosim_shape_cover)
     WORKING_DIRECTORY ${FOLDER} DEPENDS ${rtl} ${included} VERBATIM
     COMMENT "Counters for ${TITLE}")
   configure_file(${root}/tb/coverage/named_cover_of.cpp.in ${FOLDER}/cover_of.cpp @ONLY)
-  cosim_on_demand(cover ${FOLDER}/counted.cpp)
-  target_compile_definitions(cover_${ID} PRIVATE COSIM_COVERAGE VM_COVERAGE=1)
+  set_source_files_properties(${FOLDER}/cover_of.cpp PROPERTIES OBJECT_DEPENDS ${FOLDER}/counted.cpp)
+  set(program cover_${ID})
+  add_executable(${program} EXCLUDE_FROM_ALL ${FOLDER}/cover_of.cpp ${FOLDER}/counted.cpp)
+  set_target_properties(${program} PROPERTIES
+    UNITY_BUILD OFF RUNTIME_OUTPUT_DIRECTORY ${FOLDER})
+  target_compile_features(${program} PRIVATE cxx_std_20)
+  # Run for a few thousand clocks: not compiled for speed.
+  target_compile_options(${program} PRIVATE -O1)
+  target_compile_definitions(${program} PRIVATE COSIM_COVERAGE VM_COVERAGE=1)
+  target_include_directories(${program} SYSTEM PRIVATE
+    ${FOLDER} ${FOLDER}/verilated ${CMAKE_CURRENT_BINARY_DIR})
+  target_link_libraries(${program} PRIVATE ${D_LIBRARIES} cosim::stream cosim::dut
+    cosim::runtime_parts cosim::runtime)
+  set_property(GLOBAL APPEND PROPERTY COSIM_ON_DEMAND
+    "    {BuiltOnDemand::Kind::cover, \"${TITLE}\", \"${program}\", \"${FOLDER}\"},\n")
 endfunction()

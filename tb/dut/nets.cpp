@@ -143,7 +143,7 @@ std::string named(const char* what, const Field& field) {
 // The inputs of a table that are clocks are those that the RTL's text has.
 void require_clocks(const Ports& ports) {
   std::map<std::string, Edge> left;
-  std::istringstream lines{std::string(ports.clocks)};
+  std::istringstream lines{ports.clocks};
   for (std::string line; std::getline(lines, line);) {
     const std::string_view mark = "falling ";
     const bool falls = line.starts_with(mark);

@@ -62,11 +62,11 @@ struct Net {
 
 /// What a design says of its pins.
 struct Ports {
-  std::string title;  ///< of the shape, for errors
-  const char* clock;  ///< the pin's name, "" where there is none, or several, which are inputs
-  std::vector<Field> inputs, outputs;
+  std::string title;       ///< of the shape, for errors
+  const char* clock = "";  ///< the pin's name, "" where there is none, or several, which are inputs
+  std::vector<Field> inputs = {}, outputs = {};
   const char* extra = "";                 ///< an input that no table names, or ""
-  std::string_view clocks = "";           ///< of several: lines "NAME" or "falling NAME"
+  std::string clocks = "";                ///< of several: lines "NAME" or "falling NAME"
   std::vector<std::string> unobserved{};  ///< patterns of outputs that no table need name
 };
 

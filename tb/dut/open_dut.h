@@ -82,8 +82,12 @@ class OpenDut final : public Dut<Design> {
       : class_(of), params_(p), instance_(of.make(power_up)) {
     const auto driven = Inputs::fields(p);
     const auto seen = Outputs::fields(p);
-    Ports given{of.title, of.clock, {driven.begin(), driven.end()}, {seen.begin(), seen.end()},
-                "",       of.clocks};
+    Ports given{of.title,
+                of.clock,
+                {driven.begin(), driven.end()},
+                {seen.begin(), seen.end()},
+                "",
+                std::string(of.clocks)};
     for (const char* pattern : unobserved_of<Design>()) given.unobserved.emplace_back(pattern);
     ports_ = find_ports(instance_->ports(), given);
     registers_ = find_registers(instance_->context(), of.title, Registers::fields(p));

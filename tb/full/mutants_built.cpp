@@ -4,55 +4,28 @@
 
 #include <filesystem>
 #include <sstream>
-#include <utility>
 
 #include "model/core/input_error.h"
-#include "tb/full/machine_of.h"
-#include "tb/program/chosen.h"
 #include "tb/program/on_demand.h"
-#include "tb/support/place.h"
+#include "tb/report/failure.h"
 #include "tb/support/quoted.h"
+#include "tb/support/replace_file.h"
 
 namespace cosim::cli {
-namespace {
 
-// What plant.sh is given of a machine.
-void give_rtl(const OnDemand& program, const AnyBench& bench, std::uint64_t mutants) {
-  give(program, "read.ys", proof::commands_to_elaborate(source_of(bench)) + '\n');
-  give(program, "count.txt", fmt::format("{}\n", mutants));
-  std::string kept, last;
-  const auto fields = bench.compared();
-  for (std::size_t i = 0; i < bench.registers(); ++i) {
-    const std::string net = net_path(fields[i].net).path;
-    if (net != std::exchange(last, net)) kept += net + '\n';
-  }
-  give(program, "kept.txt", kept);
-}
-
-// A file that starts the program on a shape and so many mutants.
-std::string started(const OnDemand& of_shape, const std::string& program, const std::string& shape,
-                    std::uint64_t mutants) {
-  const std::string file = fmt::format("{}_{}", of_shape.target, mutants);
-  give(of_shape, file,
-       fmt::format("#!/bin/sh\nexec {} {} {} \"$@\"\n", for_shell(program), for_shell(shape),
-                   mutants));
-  const std::filesystem::path path = std::filesystem::path(of_shape.folder) / file;
-  std::filesystem::permissions(path, std::filesystem::perms::owner_exec,
-                               std::filesystem::perm_options::add);
-  return path.string();
-}
-
-}  // namespace
+namespace fs = std::filesystem;
 
 std::string built_mutants(const Registry& registry, const AnyBench& bench, std::uint64_t mutants) {
-  const OnDemand& program = on_demand(registry.mutants(), bench.built_as());
-  if (!machine_of(bench).streams) {
-    build(registry, registry.attacks());
-    return started(program, path_of(registry.attacks()), bench.built_as(), mutants);
-  }
-  give_rtl(program, bench, mutants);
-  build(registry, program);
-  return path_of(program);
+  const OnDemand& attacks = registry.attacks();
+  build(registry, attacks);
+  const fs::path folder = fs::path(attacks.folder) / "mutants";
+  fs::create_directories(folder);
+  const fs::path file = folder / failure_name(bench, fmt::format("{} mutants", mutants));
+  replace_file(file.string(),
+               fmt::format("#!/bin/sh\nexec {} {} {} \"$@\"\n", for_shell(path_of(attacks)),
+                           for_shell(bench.built_as()), mutants));
+  fs::permissions(file, fs::perms::owner_exec, fs::perm_options::add);
+  return file.string();
 }
 
 Ended run_mutants(const std::string& program, const std::vector<std::string>& words) {
@@ -61,7 +34,7 @@ Ended run_mutants(const std::string& program, const std::vector<std::string>& wo
   Ended ended = cosim::run_program(all);
   if (ended.status != 0 && ended.status != 1) {
     const std::string line = ended.text.substr(0, ended.text.find('\n'));
-    throw InputError(fmt::format("{}: {}", std::filesystem::path(program).filename().string(),
+    throw InputError(fmt::format("{}: {}", fs::path(program).filename().string(),
                                  line.empty() ? "cannot be run" : line));
   }
   return ended;

@@ -11,8 +11,8 @@
 
 namespace cosim::cli {
 
-/// Has at most so many mutants planted in the machine's RTL and their program built; its path.
-/// InputError where that fails.
+/// Builds what attacks mutants; the path of a program that does so with at most so many of this
+/// machine. InputError where that fails.
 std::string built_mutants(const Registry& registry, const AnyBench& bench, std::uint64_t mutants);
 
 /// Runs it, or another such program, with these words. InputError where it cannot be run, or ends

@@ -114,7 +114,7 @@ int run(const MutateOptions& o, const Registry& registry) {
 }  // namespace
 
 void add_mutate(const Command& program, const Registry& registry) {
-  if (registry.mutants().empty()) return;
+  if (!registry.has_designs()) return;
   auto o = std::make_shared<MutateOptions>();
   const Command command = program.sub(mutate_command.name, mutate_command.help);
   command.arguments("MACHINE", o->words, "A design, or a line of 'list'; default all");

@@ -1,24 +1,122 @@
 #include "tb/mutation/built.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
-#include <memory>
 #include <numeric>
-#include <string_view>
-#include <utility>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "model/core/input_error.h"
+#include "tb/mutation/campaign.h"
 #include "tb/mutation/drawn.h"
-#include "tb/mutation/lanes_subject.h"
+#include "tb/mutation/from_reset.h"
+#include "tb/mutation/survivor.h"
+#include "tb/proof/judge.h"
 #include "tb/proof/machines.h"
+#include "tb/support/interrupt.h"
+#include "tb/support/parallel.h"
 #include "tb/support/place.h"
+#include "tb/support/process.h"
+#include "tb/support/replace_file.h"
 
 namespace cosim::mutation {
 namespace {
+
+constexpr int kLimit = 60;  // seconds of an engine for one mutant
+
+// cvc5 before z3, for most often it sees at once what two copies of a machine have in common.
+const std::vector<proof::Engine> kEngines{proof::Engine::cec, proof::Engine::cvc5,
+                                          proof::Engine::z3};
+
+/// The engines, on the formulas and nets of a subject's model; nobody where there are none.
+class Asked {
+ public:
+  Asked(const Subject& subject, const proof::BuiltMachine& machine, bool any,
+        const std::vector<proof::Engine>& which)
+      : subject_(subject) {
+    if (!any) return;
+    formula_ = machine.formula();
+    if (machine.nets != nullptr) nets_ = machine.nets();
+    judge_.emplace(formula_, nets_ ? &*nets_ : nullptr,
+                   proof::Asking{.engines = which, .limit = kLimit});
+  }
+
+  std::vector<bool> prove(const std::vector<unsigned>& mutants) {
+    if (!judge_) return std::vector<bool>(mutants.size());
+    std::vector<bool> proved;
+    const Scratch scratch;
+    for (const auto& judged : judge_->judge(written(mutants, scratch), mutants)) {
+      proved.push_back(judged.same);
+    }
+    return proved;
+  }
+  std::string told_apart(unsigned mutant) const {
+    const Scratch scratch;
+    return judge_ ? judge_->told_apart(written({mutant}, scratch), mutant) : "";
+  }
+
+ private:
+  std::filesystem::path written(const std::vector<unsigned>& mutants,
+                                const Scratch& scratch) const {
+    const auto verilog = scratch.path() / "mutants.v";
+    subject_.write_verilog(mutants, verilog);
+    return verilog;
+  }
+
+  const Subject& subject_;
+  proof::MachineFormula formula_;
+  std::optional<nets::Model> nets_;
+  std::optional<proof::Judge> judge_;
+};
+
+struct Options {
+  std::string shape, results, failures = "failures", prover = "scripts/prove";
+  std::optional<std::string> verilog, engines;
+  std::optional<unsigned> draw;
+  bool unproved = false, about = false;
+  unsigned mutants = 0, threads = cosim::cores();
+  Part part;
+};
+
+int campaign_on(const Subject& subject, const proof::BuiltMachine& machine, const Options& o) {
+  if (o.about) {
+    fmt::print("{}\n{}\n", subject.bench().title(), subject.mutants().size());
+    return 0;
+  }
+  if (o.results.empty()) throw InputError("RESULTS is required");
+  const auto which = o.engines ? proof::engines_of(*o.engines) : kEngines;
+  std::string work = fmt::format("{} mutants of {}, {} from {}", subject.mutants().size(),
+                                 subject.bench().title(), o.part.count, o.part.first);
+  for (const proof::Engine e : which) work += ", " + to_text(e);
+  Checkpoint checkpoint(o.results + kept_as, work);
+  const bool proves = !o.unproved && machine.formula != nullptr;
+  const Asker asker = [&](unsigned mutant, std::chrono::seconds limit) {
+    if (!proves || machine.nets == nullptr) return Outcome{};
+    return from_reset(subject, machine, mutant, limit, o.failures);
+  };
+  Asked asked(subject, machine, proves, which);
+  const Prover prover = [&](const auto& mutants) { return asked.prove(mutants); };
+  const Campaign campaign = run_campaign(subject, prover, asker, o.threads, checkpoint, o.part);
+  replace_file(o.results, to_json(subject, campaign));
+  checkpoint.done();
+  for (std::size_t i = 0; i < campaign.outcomes.size(); ++i) {
+    const auto mutant = static_cast<unsigned>(campaign.first + i);
+    if (campaign.outcomes[i].stimulus == from_reset_case) {
+      fmt::print("found from reset: {}, stimulus kept in: {}\n", subject.mutants()[mutant - 1],
+                 stimulus_of(subject, mutant, o.failures).string());
+    }
+    if (campaign.outcomes[i].end != Outcome::End::survived) continue;
+    const auto kept =
+        leave_survivor(subject, mutant, o.prover, asked.told_apart(mutant), o.failures);
+    fmt::print("survived: {}, kept in: {}\n", subject.mutants()[mutant - 1], kept.string());
+  }
+  return campaign.count(Outcome::End::survived) == 0 ? 0 : 1;
+}
 
 // Registers that yosys would lose are named to it.
 std::vector<std::string> registers_of(const AnyBench& bench) {
@@ -31,43 +129,70 @@ std::vector<std::string> registers_of(const AnyBench& bench) {
   return nets;
 }
 
-std::unique_ptr<LanesSubject> built_subject(Cases (*cases)(const AnyBench&),
-                                            const std::string& title, unsigned count) {
-  for (const auto& bench : benches()) {
-    if (bench->title() != title) continue;
-    for (const auto& machine : proof::built_machines()) {
-      if (machine.title != title) continue;
-      proof::Source source = machine.source;
-      source.parameters = bench->parameters();
-      source.kept = registers_of(*bench);
-      return std::make_unique<LanesSubject>(*bench, cases(*bench), source, count);
-    }
+template <class All, class IsIt>
+const auto& one_of(const All& all, const std::string& title, IsIt is_it) {
+  const auto found = std::find_if(all.begin(), all.end(), is_it);
+  if (found == all.end()) throw InputError(title + ": is not built");
+  return *found;
+}
+
+int run(const Options& o, Cases (*cases)(const AnyBench&)) {
+  const AnyBench& bench =
+      *one_of(benches(), o.shape, [&](const auto& b) { return b->title() == o.shape; });
+  const proof::BuiltMachine& machine =
+      one_of(proof::built_machines(), o.shape, [&](const auto& m) { return m.title == o.shape; });
+  proof::Source source = machine.source;
+  source.parameters = bench.parameters();
+  source.kept = registers_of(bench);
+  const Subject subject(bench, cases(bench), source, o.mutants);
+  if (o.draw) {
+    draw(subject, *o.draw, o.results);
+    return 0;
   }
-  throw InputError(title + ": is not built");
+  if (!o.verilog) return campaign_on(subject, machine, o);
+  std::vector<unsigned> all(subject.mutants().size());
+  std::iota(all.begin(), all.end(), 1U);
+  subject.write_verilog(all, *o.verilog);
+  return 0;
 }
 
 }  // namespace
 
 int main_of_built(Cases (*cases)(const AnyBench&), int argc, char** argv) {
-  if (argc < 3) {
-    fmt::print(stderr, "mutants: needs a shape and a number of mutants\n");
-    return 2;
-  }
+  CLI::App app{
+      "Attacks the mutants of a shape.\n"
+      "Status: 0 none survived, 1 some did, 2 could not be run."};
+  Options o;
+  app.add_option("SHAPE", o.shape, "Design and parameters")->required();
+  app.add_option("MUTANTS", o.mutants, "At most so many")
+      ->required()
+      ->check(CLI::Range(1U, most_mutants));
+  app.add_option("RESULTS", o.results, "Write the outcomes to this file, as JSON");
+  app.add_flag("--about", o.about, "Only print two lines: of what, and how many");
+  app.add_option("--verilog", o.verilog, "Only write RTL that has them to this file");
+  app.add_option("--draw", o.draw, "Only draw so many that lanes kill, into the folder RESULTS");
+  app.add_option("--first", o.part.first, "The first mutant; default 1")
+      ->check(CLI::Range(1U, most_mutants));
+  app.add_option("--count", o.part.count, "How many from there; default all")
+      ->check(CLI::Range(1U, most_mutants));
+  app.add_flag("--unproved", o.unproved,
+               "Prove no mutant to be the same: what is not killed survives");
+  app.add_option("--engines", o.engines,
+                 "Which prove, in this order; default cec,cvc5,z3, of which two have to agree; one "
+                 "alone decides by itself")
+      ->type_name("A,B,C");
+  app.add_option("--prover", o.prover, "How a survivor's folder calls what proves");
+  app.add_option("--failures", o.failures, "Where a survivor leaves its folder");
+  app.add_option("--jobs", o.threads, "Threads")->check(CLI::Range(1, 1024));
   try {
-    const auto subject = built_subject(cases, argv[1], static_cast<unsigned>(std::atoi(argv[2])));
-    if (argc == 5 && std::string_view(argv[3]) == "--verilog") {
-      std::vector<unsigned> all(subject->mutants().size());
-      std::iota(all.begin(), all.end(), 1U);
-      subject->write_verilog(all, argv[4]);
-      return 0;
-    }
-    if (argc == 6 && std::string_view(argv[3]) == "--draw") {
-      draw(*subject, static_cast<std::size_t>(std::atoi(argv[4])), argv[5]);
-      return 0;
-    }
-    return main_of(*subject, argc - 2, argv + 2);
+    app.parse(argc, argv);
+    return run(o, cases);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  } catch (const Interrupted& interrupted) {
+    return 128 + interrupted.signal;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "mutants: {}\n", error.what());
+    fmt::print(stderr, "{}\n", error.what());
     return 2;
   }
 }

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "model/core/input_error.h"
+#include "tb/report/report.h"
 #include "tb/support/json.h"
 #include "tb/support/parallel.h"
 #include "tb/support/words.h"
@@ -166,14 +167,7 @@ Campaign run_campaign(const Subject& subject, const Prover& prover, const Asker&
 std::string to_json(const Subject& subject, const Campaign& campaign) {
   Json top;
   top["design"] = subject.bench().design();
-  for (const Parameter& p : subject.bench().parameters()) {
-    auto& value = top["parameters"][p.name];
-    if (p.text != nullptr) {
-      value = p.text;
-    } else {
-      value = p.value;
-    }
-  }
+  top["parameters"] = parameters(subject.bench());
   top["mutants"] = campaign.outcomes.size();
   top["killed"] = campaign.count(End::killed);
   top["equivalent"] = campaign.count(End::equivalent);

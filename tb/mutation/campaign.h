@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/mutation/mutants.h"
+#include "tb/mutation/subject.h"
 #include "tb/sweep/checkpoint.h"
 
 namespace cosim::mutation {

@@ -139,23 +139,9 @@ void add_disturbed(std::vector<Case>& all, const Bench<Design>& bench, std::uint
   });
 }
 
-/// Cases of any bench in lockstep, which must outlive them: hostile clocks and, where its design
-/// declares jobs, random ones, by turns, and disturbed ones.
-inline Cases cases_of(const AnyBench& bench) {
-  Cases cases;
-  const auto add = [&](std::uint64_t first, std::uint64_t last) {
-    for (std::uint64_t i = first; i < last; ++i) {
-      cases.all.push_back(hostile(bench, i));
-      if (!bench.job_fields().empty()) cases.all.push_back(declared(bench, i));
-    }
-  };
-  add(0, quick_cases);
-  add_disturbed(cases.all, bench, 0, quick_disturbed);
-  cases.quick = cases.all.size();
-  add(quick_cases, thorough_cases);
-  add_disturbed(cases.all, bench, quick_disturbed, thorough_cases);
-  return cases;
-}
+/// Cases of any bench, which must outlive them. In lockstep: hostile clocks and, where its design
+/// declares jobs, random ones, by turns, and disturbed ones. Of streams: random transactions.
+Cases cases_of(const AnyBench& bench);
 
 /// Cases first .. last - 1 of hostile clocks and of random jobs, by turns.
 template <class Design>

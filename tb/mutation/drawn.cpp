@@ -12,10 +12,12 @@
 #include "tb/support/json_at.h"
 #include "tb/support/parallel.h"
 #include "tb/support/random.h"
+#include "tb/support/read_file.h"
+#include "tb/support/replace_file.h"
 
 namespace cosim::mutation {
 
-void draw(const LanesSubject& subject, std::size_t count, const std::filesystem::path& folder) {
+void draw(const Subject& subject, std::size_t count, const std::filesystem::path& folder) {
   std::vector<unsigned> numbers(subject.mutants().size());
   std::iota(numbers.begin(), numbers.end(), 1U);
   Random random(campaign_seed);
@@ -49,10 +51,10 @@ void draw(const LanesSubject& subject, std::size_t count, const std::filesystem:
   replace_file((folder / "drawn.json").string(), json_text(list, 1) + '\n');
 }
 
-int check_drawn(const VerilatedSubject& subject, const std::filesystem::path& folder) {
+int check_drawn(const VerilatedMutants& mutants, const std::filesystem::path& folder) {
   const std::string file = (folder / "drawn.json").string();
   const std::vector<JsonAt> list = JsonAt(file, read_file(file)).list();
-  const auto& cases = subject.cases().all;
+  const auto& cases = mutants.cases().all;
   std::size_t same = 0, not_reset = 0;
   std::mutex guard;
   in_parallel(list.size(), cores(), [&](std::uint64_t i) {
@@ -66,8 +68,8 @@ int check_drawn(const VerilatedSubject& subject, const std::filesystem::path& fo
         std::find_if(cases.begin(), cases.end(), [&](const Case& c) { return c.name == stimulus; });
     const auto first = static_cast<std::size_t>(only - cases.begin());
     const Outcome o = cleared && only != cases.end()
-                          ? subject.attack(mutant, first, first + 1)
-                          : subject.attack(mutant, 0, subject.cases().quick);
+                          ? mutants.attack(mutant, first, first + 1)
+                          : mutants.attack(mutant, 0, mutants.cases().quick);
     const bool killed = o.end == Outcome::End::killed;
     const bool as_drawn =
         killed && o.stimulus == stimulus && o.clock == clock && o.signal == signal;
@@ -85,7 +87,7 @@ int check_drawn(const VerilatedSubject& subject, const std::filesystem::path& fo
   fmt::print(
       "{}: of {} mutants that lanes killed lockstep kills {} by the same case on the same clock at "
       "the same signal, and {} that a reset leaves as they powered up\n",
-      subject.bench().title(), list.size(), same, not_reset);
+      mutants.bench().title(), list.size(), same, not_reset);
   return same + not_reset == list.size() && !list.empty() ? 0 : 1;
 }
 

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <filesystem>
 
-#include "tb/mutation/mutants.h"
+#include "tb/mutation/subject.h"
 #include "tb/proof/machines.h"
 
 namespace cosim::mutation {

@@ -36,13 +36,16 @@ Plane lut(std::span<const Plane> of, std::uint64_t table) {
 
 }  // namespace
 
-PlantedNets::PlantedNets(const AnyBench& bench, proof::RtlNets nets)
-    : bench_(bench), nets_(std::move(nets)), compared_(bench.compared()) {
-  const auto registers = compared_.begin() + static_cast<std::ptrdiff_t>(bench.registers());
-  inputs_ = nets_of("input", bench.inputs());
+PlantedNets::PlantedNets(std::string title, const BenchTables& tables, proof::RtlNets nets)
+    : title_(std::move(title)),
+      nets_(std::move(nets)),
+      compared_(tables.compared),
+      reset_inputs_(tables.reset_inputs) {
+  const auto registers = compared_.begin() + static_cast<std::ptrdiff_t>(tables.registers);
+  inputs_ = nets_of("input", tables.inputs);
   wires_ = nets_of("register", {compared_.begin(), registers});
   for (auto& wire : nets_of("output", {registers, compared_.end()})) wires_.push_back(wire);
-  if (nets_.width("mutsel") != mutsel_bits) throw InputError(bench.title() + ": no mutants");
+  if (nets_.width("mutsel") != mutsel_bits) throw InputError(title_ + ": no mutants");
   for (int i = 0; i < mutsel_bits; ++i) mutsel_.push_back(nets_.net("mutsel", i));
 
   std::vector<bool> is_known(nets_.cells().nets.size());
@@ -58,10 +61,10 @@ PlantedNets::PlantedNets(const AnyBench& bench, proof::RtlNets nets)
   for (const auto& f : nets_.cells().flip_flops) {
     flip_flop_clocks_.push_back(f.clock.empty() ? every_step : numbers.at(f.clock));
   }
-  find_unreset();
+  find_unreset(tables.registers);
 }
 
-void PlantedNets::find_unreset() {
+void PlantedNets::find_unreset(std::size_t registers) {
   nets::Graph graph;
   std::vector<Bit> given(nets_.cells().nets.size(), nets::no);
   for (const auto& input : inputs_) {
@@ -73,7 +76,7 @@ void PlantedNets::find_unreset() {
     flip_flops[held.gate()] = i;
   }
   const auto bits = placed(graph, nets_.cells(), given);
-  for (std::size_t i = 0; i < bench_.registers(); ++i) {
+  for (std::size_t i = 0; i < registers; ++i) {
     for (std::size_t b = 0; compared_[i].unreset && b < wires_[i].size(); ++b) {
       const Bit bit = bits[wires_[i][b]];
       const auto own = flip_flops.find(bit.gate());
@@ -88,7 +91,7 @@ std::vector<std::vector<std::size_t>> PlantedNets::nets_of(const char* kind,
   const auto cells =
       proof::located_fields({[&](const std::string& wire) { return nets_.width(wire); },
                              [&](const std::string& memory) { return nets_.first_word(memory); }},
-                            bench_.design(), kind, fields);
+                            title_, kind, fields);
   std::vector<std::vector<std::size_t>> all;
   for (const proof::RtlCell& c : cells) {
     auto& wire = all.emplace_back();
@@ -166,7 +169,7 @@ void Lanes::place(const std::vector<unsigned>& numbers) {
     if (is_made[net] || low[net] == none) return bits[net];
     const Plane& plane = constants_[low[net]];
     if (plane != constants_[high[net]]) {
-      throw InputError(rtl_.bench_.title() + ": its RTL reads the clock");
+      throw InputError(rtl_.title_ + ": its RTL reads the clock");
     }
     is_made[net] = true;
     if (!(plane & all_).any()) return bits[net] = nets::no;
@@ -201,7 +204,7 @@ void Lanes::find_edges(const std::vector<std::uint32_t>& low,
       continue;
     }
     if (low[net] == none) {
-      throw InputError(rtl_.bench_.title() + ": its RTL makes a clock of its own");
+      throw InputError(rtl_.title_ + ": its RTL makes a clock of its own");
     }
     const Plane before = constants_[low[net]], behind = constants_[high[net]];
     edges_.push_back({~before & behind, before & ~behind});
@@ -209,19 +212,34 @@ void Lanes::find_edges(const std::vector<std::uint32_t>& low,
   }
 }
 
-void Lanes::drive(const std::vector<Word>& inputs) {
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    for (std::size_t b = 0; b < inputs_[i].size(); ++b) {
-      planes_->give(inputs_[i][b], Plane::all(bit(inputs[i], static_cast<int>(b))));
-    }
+void Lanes::drive(std::size_t input, Word value) {
+  const std::vector<Bit>& bits = inputs_[input];
+  for (std::size_t b = 0; b < bits.size(); ++b) {
+    planes_->give(bits[b], Plane::all(bit(value, static_cast<int>(b))));
   }
 }
 
+void Lanes::drive(const std::vector<Word>& inputs) {
+  for (std::size_t i = 0; i < inputs.size(); ++i) drive(i, inputs[i]);
+}
+
 // The clock falls as the inputs of the next one are given: what is clocked by that edge sees them.
-void Lanes::fall() {
-  if (falling_.empty() || std::exchange(is_first_, false)) return;
+void Lanes::settle() {
+  if (!falling_.empty() && !std::exchange(is_first_, false)) {
+    planes_->run();
+    planes_->edge(falling_);
+  }
   planes_->run();
-  planes_->edge(falling_);
+}
+
+void Lanes::rise() { planes_->edge(rising_); }
+
+Word Lanes::value(std::size_t compared, std::size_t lane) const {
+  return planes_->value(compared_[compared], lane);
+}
+
+Plane Lanes::differing(std::size_t compared, Word value) const {
+  return planes_->differing(compared_[compared], value);
 }
 
 void Lanes::power_up(const std::vector<bool>& held) {
@@ -235,12 +253,10 @@ void Lanes::power_up(const std::vector<bool>& held) {
 }
 
 void Lanes::reset() {
-  const ResetInputs reset_inputs = rtl_.bench_.reset_inputs();
-  for (int i = 0; i < reset_inputs.clocks; ++i) {
-    drive(reset_inputs.inputs);
-    fall();
-    planes_->run();
-    planes_->edge(rising_);
+  for (int i = 0; i < rtl_.reset_inputs_.clocks; ++i) {
+    drive(rtl_.reset_inputs_.inputs);
+    settle();
+    rise();
   }
 }
 
@@ -278,13 +294,12 @@ std::vector<Lanes::Killed> Lanes::clock(const Watched& seen) {
     }
   }
   drive(seen.inputs);
-  fall();
-  planes_->run();
+  settle();
 
   std::vector<Killed> killed;
   for (std::size_t i = 0; i < compared_.size(); ++i) {
     if (!seen.is_compared[i]) continue;
-    const Plane different = planes_->differing(compared_[i], seen.expected[i]) & at_work_;
+    const Plane different = differing(i, seen.expected[i]) & at_work_;
     if (!different.any()) continue;
     for (std::size_t w = 0; w < different.words.size(); ++w) {
       for (std::uint64_t left = different.words[w]; left != 0; left &= left - 1) {
@@ -294,8 +309,7 @@ std::vector<Lanes::Killed> Lanes::clock(const Watched& seen) {
     }
     at_work_ = at_work_ & ~different;
   }
-  planes_->edge(rising_);
-  is_first_ = false;
+  rise();
   return killed;
 }
 

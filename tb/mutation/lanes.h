@@ -16,21 +16,21 @@
 
 namespace cosim::mutation {
 
-/// The nets of RTL with mutants planted in it, tied to the tables of its bench.
+/// The nets of RTL with mutants planted in it, tied to tables of its pins and registers.
 class PlantedNets {
  public:
-  /// `bench`, of the RTL without mutants, must outlive it. InputError where the RTL is not what its
-  /// tables say.
-  PlantedNets(const AnyBench& bench, proof::RtlNets nets);
+  /// `title` is for errors. InputError where the RTL is not what the tables say.
+  PlantedNets(std::string title, const BenchTables& tables, proof::RtlNets nets);
 
  private:
   friend class Lanes;
   std::vector<std::vector<std::size_t>> nets_of(const char* kind, const std::vector<Field>& fields);
-  void find_unreset();
+  void find_unreset(std::size_t registers);
 
-  const AnyBench& bench_;
+  std::string title_;
   proof::RtlNets nets_;
   std::vector<Field> compared_;
+  ResetInputs reset_inputs_;
   std::vector<std::vector<std::size_t>> inputs_, wires_;  // of inputs, and of what is compared
   std::vector<std::size_t> mutsel_, clocks_;              // all other inputs are clocks
   // The net of each; of one of several clocks none, for it takes its next value on every step.
@@ -62,6 +62,16 @@ class Lanes {
   };
   /// The next clock. The lanes at work on which RTL and model differ; they are at work no longer.
   std::vector<Killed> clock(const Watched& seen);
+
+  /// The same by hand: sets an input; settles with the clock low; has it rise.
+  void drive(std::size_t input, Word value);
+  void settle();
+  void rise();
+  /// What is compared, by its number, in a lane since the last settle(), and the lanes where it is
+  /// something else.
+  Word value(std::size_t compared, std::size_t lane) const;
+  nets::Plane differing(std::size_t compared, Word value) const;
+
   /// The lanes in which what a reset leaves depends on how the RTL powered up, of which
   /// some are tried.
   nets::Plane not_reset();
@@ -74,7 +84,6 @@ class Lanes {
   void power_up(const std::vector<bool>& held);
   void reset();
   void drive(const std::vector<Word>& inputs);
-  void fall();
 
   const PlantedNets& rtl_;
   nets::Graph graph_;

@@ -1,6 +1,6 @@
 # Mutants of the RTL that lanes killed, in Verilated classes: for scripts/mutate --drawn. Of every design in
 # rtl/shipped.txt two shapes: the first, that of the source's example, and the last of 16 bits.
-set(here ${CMAKE_CURRENT_LIST_DIR})
+set(drawn_of ${CMAKE_CURRENT_LIST_DIR}/drawn_of.cpp.in)
 
 # add_drawn(SHAPE COUNT DRAWN): the program drawn_SHAPE_DRAWN, which runs DRAWN of COUNT mutants in lockstep,
 # one at a time.
@@ -12,12 +12,16 @@ function(add_drawn shape count drawn)
   file(GLOB rtl CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/${DESIGN}/*.v)
   add_custom_command(OUTPUT ${FOLDER}/mutants.cpp
     COMMAND cosim_mutants ${shape} ${count} --draw ${drawn} ${FOLDER}
-    COMMAND ${here}/verilate.sh ${FOLDER} ${PREFIX} ${DESIGN} --vpi --public-flat-rw
-    COMMAND ${CMAKE_COMMAND} -DOUTPUT=${FOLDER}/${PREFIX}_ports.h -P ${PROJECT_SOURCE_DIR}/tb/dut/ports.cmake
-      ${FOLDER}/verilated/${PREFIX}.h
-    DEPENDS cosim_mutants ${here}/verilate.sh ${rtl} VERBATIM
+    COMMAND ${CMAKE_COMMAND} -E rm -rf verilated
+    COMMAND ${VERILATOR_BIN} --cc --top-module ${DESIGN} --prefix ${PREFIX} --Mdir verilated
+      -Wno-fatal -Wno-lint -Wno-style --x-initial unique --x-assign unique --noassert
+      --vpi --public-flat-rw mutants.v
+    COMMAND bash -c [[printf '#include "%s"\n' verilated/*.cpp > mutants.cpp]]
+    COMMAND ${CMAKE_COMMAND} -DOUTPUT=${PREFIX}_ports.h -P ${PROJECT_SOURCE_DIR}/tb/dut/ports.cmake
+      verilated/${PREFIX}.h
+    WORKING_DIRECTORY ${FOLDER} DEPENDS cosim_mutants ${rtl} VERBATIM
     COMMENT "Drawing mutants of ${shape}")
-  configure_file(${here}/drawn_of.cpp.in ${FOLDER}/drawn_of.cpp @ONLY)
+  configure_file(${drawn_of} ${FOLDER}/drawn_of.cpp @ONLY)
   set_source_files_properties(${FOLDER}/drawn_of.cpp PROPERTIES
     OBJECT_DEPENDS ${FOLDER}/mutants.cpp)
   set(name drawn_${ID}_${drawn})

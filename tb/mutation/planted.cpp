@@ -11,6 +11,7 @@
 #include "tb/support/output_file.h"
 #include "tb/support/pattern.h"
 #include "tb/support/process.h"
+#include "tb/support/quoted.h"
 #include "tb/support/read_file.h"
 
 namespace cosim::mutation {
@@ -90,7 +91,7 @@ proof::RtlNets Planted::nets(const std::vector<unsigned>& numbers) const {
 
 void Planted::write_verilog(const std::vector<unsigned>& numbers,
                             const std::filesystem::path& file) const {
-  run(numbers, "write_verilog -noattr " + file.string());
+  run(numbers, "write_verilog -noattr " + word_for_yosys(file.string()));
 }
 
 }  // namespace cosim::mutation

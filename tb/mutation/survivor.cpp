@@ -5,6 +5,7 @@
 #include <map>
 
 #include "tb/report/failure.h"
+#include "tb/report/report.h"
 #include "tb/support/draft.h"
 #include "tb/support/json.h"
 #include "tb/support/process.h"
@@ -34,14 +35,7 @@ std::filesystem::path leave_survivor(const Subject& subject, unsigned mutant,
                                         (draft.target() / "mutants.v").string(), mutant);
 
   Json json{{"verdict", "survived"}, {"design", subject.bench().design()}};
-  for (const Parameter& p : subject.bench().parameters()) {
-    auto& value = json["parameters"][p.name];
-    if (p.text != nullptr) {
-      value = p.text;
-    } else {
-      value = p.value;
-    }
-  }
+  json["parameters"] = parameters(subject.bench());
   json["mutant"] = mutant;
   json["what"] = what;
   json["prove"] = prove;

@@ -7,7 +7,7 @@
 
 #include <filesystem>
 
-#include "tb/mutation/mutants.h"
+#include "tb/mutation/subject.h"
 
 namespace cosim::mutation {
 

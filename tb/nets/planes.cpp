@@ -160,6 +160,16 @@ Plane Planes::get(Bit root) const {
   return root.is_inverted() ? ~p : p;
 }
 
+Word Planes::value(std::span<const PlaneRoot> roots, std::size_t lane) const {
+  const std::uint64_t* const of_lane = words(memory_) + lane / 64;
+  std::uint64_t value = 0;
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    const std::uint64_t bit = of_lane[roots[i].at * words_] >> (lane % 64) & 1;
+    value |= (bit ^ (roots[i].is_inverted ? 1 : 0)) << i;
+  }
+  return static_cast<Word>(value);
+}
+
 void Planes::run() {
   if (is_narrow()) {
     run_on(steps_, ends_, words(memory_));

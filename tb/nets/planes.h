@@ -84,6 +84,8 @@ class Planes {
   }
   /// An edge of the clock: all take at once what the last run made.
   void edge(std::span<const PlaneFlipFlop> flip_flops);
+  /// The number that roots, lowest first, are in a lane that is run.
+  Word value(std::span<const PlaneRoot> roots, std::size_t lane) const;
   /// The lanes that are run in which roots, lowest first, are not `value`.
   Plane differing(std::span<const PlaneRoot> roots, Word value) const;
   /// How many gates are run.

@@ -44,7 +44,6 @@ set_property(GLOBAL PROPERTY COSIM_ROOT "${CMAKE_CURRENT_LIST_DIR}/../..")
 include(${CMAKE_CURRENT_LIST_DIR}/design_control.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/design_program.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../gtest/design_gtest.cmake)  # cosim_add_gtest(): tests by hand
-include(${CMAKE_CURRENT_LIST_DIR}/../mutation/design_mutants.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../coverage/design_cover.cmake)
 
 # Files that are there, as absolute paths.
@@ -238,7 +237,6 @@ function(cosim_add_design NAME)
     string(APPEND ADD_MACHINES
       "  all.push_back(proof::built_machine<Trait_${ID}>(\n"
       "      {{\"${FILES}\"}, \"${TOP}\", {}, {}, {${FOLDERS}}, {${DEFINES}}, {${shape_constants}}}));\n")
-    cosim_shape_mutants()
     cosim_shape_cover()
   endforeach()
   list(TRANSFORM prefixes PREPEND V OUTPUT_VARIABLE classes)

@@ -7,7 +7,7 @@ class Registry;
 
 /// An OnDemand of the registry.
 struct BuiltOnDemand {
-  enum class Kind { full, attacks, mutants, cover };
+  enum class Kind { full, attacks, cover };
   Kind kind;
   const char *title, *target, *folder;
 };

@@ -8,8 +8,6 @@
 #include "model/core/input_error.h"
 #include "tb/support/file_lock.h"
 #include "tb/support/process.h"
-#include "tb/support/read_file.h"
-#include "tb/support/replace_file.h"
 
 namespace cosim::cli {
 namespace {
@@ -23,12 +21,6 @@ const OnDemand& on_demand(const std::vector<OnDemand>& all, const std::string& t
       std::find_if(all.begin(), all.end(), [&](const OnDemand& o) { return o.title == title; });
   if (found == all.end()) throw InputError(title + ": there is no such program for it");
   return *found;
-}
-
-void give(const OnDemand& program, const std::string& file, const std::string& text) {
-  const std::string path = (fs::path(program.folder) / file).string();
-  if (fs::exists(path) && read_file(path) == text) return;
-  replace_file(path, text);
 }
 
 void build(const Registry& registry, const OnDemand& program) {

@@ -12,9 +12,6 @@ namespace cosim::cli {
 /// That of the title. InputError where there is none.
 const OnDemand& on_demand(const std::vector<OnDemand>& all, const std::string& title);
 
-/// Writes the file in its folder, unless it holds that text already.
-void give(const OnDemand& program, const std::string& file, const std::string& text);
-
 /// Builds it. InputError where that fails, with what was said on standard error.
 void build(const Registry& registry, const OnDemand& program);
 

@@ -17,9 +17,6 @@ const Registry& registry() {
         case BuiltOnDemand::Kind::attacks:
           registry.attacks(program);
           break;
-        case BuiltOnDemand::Kind::mutants:
-          registry.mutants(program);
-          break;
         case BuiltOnDemand::Kind::cover:
           registry.cover(program);
           break;

@@ -63,19 +63,18 @@ class Registry {
     cmake_ = std::move(cmake);
     build_ = std::move(folder);
   }
-  /// The full program, full.h; one that attacks mutants of any shape in lockstep, and one for each
-  /// of streams.
+  /// The full program, full.h; one that attacks mutants of any shape; and one for each shape that
+  /// counts what is reached.
   void full(OnDemand program) { full_ = std::move(program); }
   void attacks(OnDemand program) { attacks_ = std::move(program); }
-  void mutants(OnDemand program) { mutants_.push_back(std::move(program)); }
   void cover(OnDemand program) { covers_.push_back(std::move(program)); }
 
   const std::string& cmake() const { return cmake_; }
   const std::string& build_folder() const { return build_; }
   const OnDemand& full() const { return full_; }
   const OnDemand& attacks() const { return attacks_; }
-  const std::vector<OnDemand>& mutants() const { return mutants_; }
   const std::vector<OnDemand>& covers() const { return covers_; }
+  bool has_designs() const { return !covers_.empty(); }
   const std::vector<std::function<void(const Command&)>>& commands() const { return commands_; }
   const std::vector<DesignSweeps>& sweeps() const { return sweeps_; }
   const std::vector<Example>& examples() const { return examples_; }
@@ -87,7 +86,7 @@ class Registry {
   std::vector<Example> examples_;
   std::string cmake_, build_;
   OnDemand full_, attacks_;
-  std::vector<OnDemand> mutants_, covers_;
+  std::vector<OnDemand> covers_;
 };
 
 /// Makes a function of the design's own benches one of any bench.

@@ -41,6 +41,7 @@ template <class Trait>
 BuiltMachine built_machine(Source source) {
   using Design = typename Trait::Design;
   source.clocks_are_inputs = clocks_of<Design> != 0;
+  if constexpr (requires { Trait::clocks; }) source.clocks_are_inputs |= *Trait::clocks != '\0';
   BuiltMachine machine{Trait::title, nullptr, nullptr, std::move(source),
                        HasStreams<Design> && !StepsOn<Design, Word>};
   if constexpr (requires { Trait::resets; }) {

@@ -13,13 +13,6 @@
 #include "tb/support/words.h"
 
 namespace cosim {
-namespace {
-
-Json signal_names(const AnyBench& bench) {
-  Json names = Json::array();
-  for (const Field& f : bench.compared()) names.push_back(label_of(f));
-  return names;
-}
 
 Json parameters(const AnyBench& bench) {
   Json object = Json::object();
@@ -27,6 +20,14 @@ Json parameters(const AnyBench& bench) {
     object[p.name] = p.text != nullptr ? Json(p.text) : Json(p.value);
   }
   return object;
+}
+
+namespace {
+
+Json signal_names(const AnyBench& bench) {
+  Json names = Json::array();
+  for (const Field& f : bench.compared()) names.push_back(label_of(f));
+  return names;
 }
 
 Json mismatch(const Result& r) {

@@ -6,9 +6,13 @@
 #include <vector>
 
 #include "tb/bench/bench.h"
+#include "tb/support/json_fwd.h"
 #include "tb/sweep/sweep.h"
 
 namespace cosim {
+
+/// The parameters of its shape by their names, an object.
+Json parameters(const AnyBench& bench);
 
 /// The outcome of one run on one bench.
 struct Outcome {

@@ -45,7 +45,7 @@ void hand_over(const Registry& registry) {
 
 void add_commands(const Command& program, const Registry& registry) {
   for (const FullCommand& command : full_commands) {
-    if (command.name != std::string_view("mutate") || !registry.mutants().empty()) {
+    if (command.name != std::string_view("mutate") || registry.has_designs()) {
       program.sub(command.name, command.help);
     }
   }

@@ -21,7 +21,10 @@ constexpr std::uint64_t no_budget = ~std::uint64_t{0};
 
 /// A case, what must come of it, and an instance to run it on: all kept from case to case.
 struct AnyStreamBench::Rig {
-  explicit Rig(const AnyStreamBench& b) : bench(b), given(b.shape_) {}
+  /// `other`: to be run on in place of instances of the bench; it can restart.
+  explicit Rig(const AnyStreamBench& b, StreamDut* other = nullptr) : bench(b), given(b.shape_) {
+    if (other != nullptr) runner.emplace(b.shape_, *(dut = other));
+  }
 
   void load(const Stimulus& s) {
     given.clear();
@@ -44,8 +47,24 @@ struct AnyStreamBench::Rig {
                                  bench.title(), broken));
   }
   StreamResult run(std::uint64_t budget) {
-    if (!machine || !machine->restart(power_up)) make();
+    if (dut == nullptr || !dut->restart(power_up)) make();
     return runner->run(order(budget, false));
+  }
+  /// Runs a hostile case up to the first finding. Gives that, the number of its case, and the
+  /// clocks of those before it.
+  struct Hostile {
+    StreamResult last;
+    std::uint64_t number = 0, clocks = 0;
+  };
+  Hostile run(const HostileCase& c) {
+    // Every case has a clock at least.
+    for (Hostile all;; ++all.number) {
+      draw(c, all.number);
+      all.last = run(c.clocks - all.clocks);
+      if (all.last.finding) return all;
+      all.clocks += all.last.clocks;
+      if (all.clocks >= c.clocks) return all;
+    }
   }
   /// On a new instance.
   StreamResult run_anew(bool gather, StreamObserver* observer = nullptr) {
@@ -68,7 +87,7 @@ struct AnyStreamBench::Rig {
     // First: with it goes the context that Verilator then takes for this thread's.
     machine.reset();
     machine = bench.dut(power_up);
-    runner.emplace(bench.shape_, *machine);
+    runner.emplace(bench.shape_, *(dut = machine.get()));
   }
   const char* first_broken() const {
     for (std::size_t s = 0; s < given.given.size() && !bench.assumed().empty(); ++s) {
@@ -81,6 +100,7 @@ struct AnyStreamBench::Rig {
   }
 
   std::unique_ptr<StreamDut> machine;
+  StreamDut* dut = nullptr;
   std::optional<StreamRunner> runner;
 };
 
@@ -137,22 +157,19 @@ Stimulus AnyStreamBench::drawn(const HostileCase& c, std::uint64_t number) const
 
 Run AnyStreamBench::run_hostile(const HostileCase& c) const {
   draw_if_wanted(*this, [&] { return drawn(c, 0); });
-  Borrowed rig(*this);
+  const Rig::Hostile all = Borrowed(*this)->run(c);
   Run run;
-  // Every case has a clock at least.
-  for (std::uint64_t number = 0; run.clocks < c.clocks; ++number) {
-    rig->draw(c, number);
-    const StreamResult result = rig->run(c.clocks - run.clocks);
-    if (!result.finding) {
-      run.clocks += result.clocks;
-      continue;
-    }
-    Run failed = replay(drawn(c, number), Window{});
-    if (!failed.mismatch) refuse_unsteady(title());
-    failed.clocks += run.clocks;
-    return failed;
+  if (all.last.finding) {
+    run = replay(drawn(c, all.number), Window{});
+    if (!run.mismatch) refuse_unsteady(title());
   }
+  run.clocks += all.clocks;
   return run;
+}
+
+std::optional<StreamFinding> AnyStreamBench::finding_on(StreamDut& other,
+                                                        const HostileCase& c) const {
+  return Rig(*this, &other).run(c).last.finding;
 }
 
 Run AnyStreamBench::replay(const Stimulus& stimulus, Window window) const {

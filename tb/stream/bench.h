@@ -31,6 +31,9 @@ class AnyStreamBench : public AnyBench {
                                                       std::size_t n) const override;
   void show(const Stimulus& stimulus, Window around, WaveSink& sink) const override;
 
+  /// The first finding of a hostile case on RTL with the same ports, which can restart().
+  std::optional<StreamFinding> finding_on(StreamDut& other, const HostileCase& c) const;
+
   const StreamShape& shape() const { return shape_; }
   /// A new instance of the RTL.
   virtual std::unique_ptr<StreamDut> dut(std::uint32_t power_up) const = 0;

@@ -12,27 +12,18 @@ namespace {
 // Collects the ports, each once: the done of one stream may be the valid of another.
 class Collector {
  public:
-  /// `name` lives as long as the shape.
-  void one(const char* name, bool drives, int width = 1) {
-    if (*name == '\0' || !seen_.insert(name).second) return;
-    Field field{name, width, Format::bits, "", "", 0, name};
-    if (width <= row::word_width) return add(drives, field, name);
-    field.is_word = true;
-    for (field.index = 0; field.low < width; ++field.index, field.low += row::word_width) {
-      field.width = std::min(row::word_width, width - field.low);
-      add(drives, field, name);
+  explicit Collector(const StreamShape& shape) {
+    ports.title = shape.title;
+    if (!shape.clocks.empty() && !shape.clocks_are_inputs()) {
+      ports.clock = shape.clocks.front().port.c_str();
     }
-  }
-  /// One of several.
-  void clock(const StreamClock& c) {
-    Field field{c.port.c_str(), 1, Format::flag, "", "", 0, c.port.c_str()};
-    field.edge = c.falls ? Edge::falling : Edge::rising;
-    add(true, field, c.port);
-    clocks_ += (c.falls ? "falling " : "") + c.port + '\n';
-    ports.clocks = clocks_;
-  }
-  void cells(std::span<const Field> cells, bool drives) {
-    for (const Field& f : cells) add(drives, f, "");
+    for (const StreamClock& c : shape.clocks) {
+      if (shape.clocks_are_inputs()) clock(c);
+    }
+    for (const auto* side : {&shape.in, &shape.out}) {
+      for (const Interface& i : *side) interface(i);
+    }
+    for (const Pin& p : shape.pins) one(p.port, p.kind != Pin::Kind::unread, p.width);
   }
 
   // The nets in the order in which they were asked for.
@@ -59,42 +50,52 @@ class Collector {
   }
 
  private:
+  /// `name` lives as long as the shape.
+  void one(const char* name, bool drives, int width = 1) {
+    if (*name == '\0' || !seen_.insert(name).second) return;
+    Field field{name, width, Format::bits, "", "", 0, name};
+    if (width <= row::word_width) return add(drives, field, name);
+    field.is_word = true;
+    for (field.index = 0; field.low < width; ++field.index, field.low += row::word_width) {
+      field.width = std::min(row::word_width, width - field.low);
+      add(drives, field, name);
+    }
+  }
+  void clock(const StreamClock& c) {
+    Field field{c.port.c_str(), 1, Format::flag, "", "", 0, c.port.c_str()};
+    field.edge = c.falls ? Edge::falling : Edge::rising;
+    add(true, field, c.port);
+    ports.clocks += (c.falls ? "falling " : "") + c.port + '\n';
+  }
+  void interface(const Interface& i) {
+    one(i.valid.c_str(), i.goes_in);
+    one(i.ready.c_str(), !i.goes_in);
+    one(i.credit.c_str(), !i.goes_in);
+    one(i.done.c_str(), false);
+    if (!i.own.is_there()) {
+      for (const Field& f : i.cells) add(i.goes_in, f, "");
+    }
+    for (const Pin& p : i.own.drives) one(p.port, true, p.width);
+    for (const Pin& p : i.own.reads) one(p.port, false, p.width);
+  }
   void add(bool drives, const Field& field, const std::string& name) {
     (drives ? ports.inputs : ports.outputs).push_back(field);
     (drives ? driven_names_ : read_names_).push_back(name);
   }
   std::set<std::string> seen_;
-  std::string clocks_;  // as Ports has them
   std::vector<std::string> driven_names_, read_names_;
 };
 
 }  // namespace
 
-StreamNets::StreamNets(const StreamShape& shape, StreamDut& dut) {
-  Collector all;
-  all.ports.title = shape.title;
-  all.ports.clock = shape.clocks.size() == 1 ? shape.clocks.front().port.c_str() : "";
-  for (const StreamClock& c : shape.clocks) {
-    if (shape.clocks.size() > 1) all.clock(c);
-  }
-  const auto handshake = [&](const Interface& i) {
-    all.one(i.valid.c_str(), i.goes_in);
-    all.one(i.ready.c_str(), !i.goes_in);
-    all.one(i.credit.c_str(), !i.goes_in);
-    all.one(i.done.c_str(), false);
-    if (!i.own.is_there()) all.cells(i.cells, i.goes_in);
-    for (const Pin& p : i.own.drives) all.one(p.port, true, p.width);
-    for (const Pin& p : i.own.reads) all.one(p.port, false, p.width);
-  };
-  for (const Interface& i : shape.in) handshake(i);
-  for (const Interface& i : shape.out) handshake(i);
-  for (const Pin& p : shape.pins) all.one(p.port, p.kind != Pin::Kind::unread, p.width);
+Ports ports_of(const StreamShape& shape) { return Collector(shape).ports; }
 
+StreamNets::StreamNets(const StreamShape& shape, StreamDut& dut) {
+  Collector all(shape);
   const std::vector<Net> nets = dut.nets(all.ports);
   all.take(nets);
-  if (shape.clocks.size() == 1) clocks.emplace_back(nets.back());
   for (const StreamClock& c : shape.clocks) {
-    if (shape.clocks.size() > 1) clocks.push_back(all.one(c.port));
+    clocks.push_back(shape.clocks_are_inputs() ? all.one(c.port) : BitNet(nets.back()));
   }
   std::size_t driven = 0, read = 0;
   const auto found = [&](const Interface& i) {

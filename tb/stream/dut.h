@@ -49,6 +49,9 @@ class VerilatedStreamDut : public StreamDut, protected VerilatedInstance<Top, fa
   std::string clock_;
 };
 
+/// The ports that a shape names, as find_ports() takes them; it outlives them.
+Ports ports_of(const StreamShape& shape);
+
 /// A port of one bit, which has a byte of its own, or none, which is 0.
 class BitNet {
  public:

@@ -66,6 +66,11 @@ std::string wrong_value(const std::string& stream, std::size_t n, const Sequence
 
 }  // namespace
 
+std::string signal_of(const StreamShape& shape, const StreamFinding& finding) {
+  const Interface& i = (finding.goes_in ? shape.in : shape.out)[finding.stream];
+  return finding.kind == Kind::value ? label_of(i.cells[finding.cell]) : i.name;
+}
+
 std::string to_text(const StreamShape& shape, const StreamOrder& order,
                     const StreamResult& result) {
   const StreamFinding& f = *result.finding;

@@ -68,12 +68,10 @@ bool TraceRecorder::clock(std::uint64_t clock, const std::vector<Word>& edges,
   for (std::size_t s = 0; s < in.size(); ++s) keep(at, shape_.in[s], in[s]);
   for (std::size_t s = 0; s < out.size(); ++s) keep(at, shape_.out[s], out[s]);
   if (clock == m.clock) {
-    const Interface& i = (finding_.goes_in ? shape_.in : shape_.out)[finding_.stream];
-    m.signal = i.name;
+    m.signal = signal_of(shape_, finding_);
     if (finding_.kind == StreamFinding::Kind::value) {
       const InterfaceSeen& seen = out[finding_.stream];
-      m.field = i.cells[finding_.cell];
-      m.signal = label_of(m.field);
+      m.field = shape_.out[finding_.stream].cells[finding_.cell];
       m.expected = seen.expected[finding_.cell];
       m.actual = seen.actual[finding_.cell];
     }
@@ -125,9 +123,8 @@ WaveRecorder::WaveRecorder(const StreamShape& shape, const std::string& title, c
     range_.first = finding_->clock > around.before ? finding_->clock - around.before : 0;
     range_.last = finding_->clock + around.after;
     range_.clocks = std::max(range_.clocks, range_.last + 1);
-    const Interface& i = (finding_->goes_in ? shape.in : shape.out)[finding_->stream];
-    range_.signal = finding_->kind == StreamFinding::Kind::value ? label_of(i.cells[finding_->cell])
-                                                                 : i.name + "_fails";
+    range_.signal = signal_of(shape, *finding_);
+    if (finding_->kind != StreamFinding::Kind::value) range_.signal += "_fails";
   }
   sink_.begin(shape_, range_, rtl_);
 }

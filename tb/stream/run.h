@@ -37,6 +37,9 @@ struct StreamFinding {
   std::optional<std::size_t> waits = {};
 };
 
+/// The signal that it names: of a value its cell, else its stream.
+std::string signal_of(const StreamShape& shape, const StreamFinding& finding);
+
 struct StreamResult {
   std::uint64_t clocks = 0;
   std::uint64_t transactions = 0;  ///< that came out

@@ -71,6 +71,10 @@ struct StreamShape {
   /// Adds an interface with the cells of its record. InputError where that cannot be.
   void add(const StreamPorts& ports, bool goes_in, std::span<const Field> cells,
            OwnDriver own = {});
+  /// Each says whether it takes its edge: several, or one whose registers take the falling edge.
+  bool clocks_are_inputs() const {
+    return clocks.size() > 1 || (clocks.size() == 1 && clocks.front().falls);
+  }
   /// The columns of a case.
   const std::vector<Field>& columns() const { return columns_; }
 

@@ -44,10 +44,7 @@ if command -v gnuplot > /dev/null; then
   done
 fi
 
-# Where mutants are planted, and what CMake has of a design.
-mkdir $'a; exec -- touch pwned'
-refused "yosys cannot be given that name" bash "$sources/tb/mutation/plant.sh" \
-  $'a; exec -- touch pwned' V top 3
+# What CMake has of a design.
 for word in 'top; exec -- touch pwned' $'A="x' $'A\nexec' '#'; do
   cat > words.cmake << END
 include($sources/tb/dut/rtl.cmake)

@@ -103,6 +103,11 @@ try_keeps() { both keeps 'another value: y number 0' 1; }
 try_crosses() {
   both crosses '(lost|another value): y number [0-9]*' 8
   grep -q '>slow<' kept/*/report.html || fails "the page shows on which clocks it has its edge"
+  # In the nets each of its clocks says whether it takes its edge.
+  if command -v yosys > /dev/null; then
+    ends 1 mutate crosses FAULT=0 --mutants 40
+    says_like '^crosses FAULT=0: 40 mutants: 3[0-9] killed, 0 proved equal, [1-9] survived$'
+  fi
 }
 try_credits() { both credits 'credit: out number [0-9]* comes without any' 6; }
 try_packets() { both packets 'another value: sum' 3; }

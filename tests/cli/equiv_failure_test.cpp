@@ -70,10 +70,10 @@ TEST_F(EquivFailure, LeavesAPageAndAWave) {
   EXPECT_NE(kept("wave.gtkw").find("+{q old} cosim.old.q[3:0]"), std::string::npos);
   if (!test::can_read_waves()) GTEST_SKIP() << "no fst2vcd";
   const Json last = report()["stimulus"].back();
-  EXPECT_EQ(at("cosim.old.q", 4), last["old"]["q"]);
-  EXPECT_EQ(at("cosim.new.q", 4), last["new"]["q"]);
-  EXPECT_EQ(at("cosim.old.wide", 4), last["old"]["wide"]);
-  EXPECT_EQ(at("cosim.inputs.d", 4), last["inputs"]["d"]);
+  EXPECT_EQ(Json(at("cosim.old.q", 4)), last["old"]["q"]);
+  EXPECT_EQ(Json(at("cosim.new.q", 4)), last["new"]["q"]);
+  EXPECT_EQ(Json(at("cosim.old.wide", 4)), last["old"]["wide"]);
+  EXPECT_EQ(Json(at("cosim.inputs.d", 4)), last["inputs"]["d"]);
   EXPECT_EQ(at("cosim.mismatch.q", 4), "1");
   EXPECT_EQ(at("cosim.mismatch.q", 3), "0");
 }
@@ -116,10 +116,10 @@ TEST_F(EquivReplayWave, DrawsTheHierarchiesOfBoth) {
   ASSERT_EQ(ended.status, 1) << ended.out << ended.err;
   EXPECT_NE(ended.out.find("replayed in Verilator"), std::string::npos) << ended.out;
   const Json last = report()["stimulus"].back();
-  EXPECT_EQ(at("old.p.s", 4), last["old"]["q"]);
-  EXPECT_EQ(at("new.p.s", 4), last["new"]["q"]);
+  EXPECT_EQ(Json(at("old.p.s", 4)), last["old"]["q"]);
+  EXPECT_EQ(Json(at("new.p.s", 4)), last["new"]["q"]);
   EXPECT_EQ(at("old.p.s", 3), "0000");
-  EXPECT_EQ(at("new.p.d", 4), last["inputs"]["d"]);
+  EXPECT_EQ(Json(at("new.p.d", 4)), last["inputs"]["d"]);
 }
 
 }  // namespace

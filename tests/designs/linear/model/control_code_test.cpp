@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "model/core/input_error.h"
-#include "model/core/wide.h"
 
 namespace cosim::linear {
 namespace {
@@ -215,35 +214,6 @@ TEST(ControlCodeBadLine, IsNamedInOneLine) {
             "a line with 9 steps on its major axis has 0 to 9 on the minor axis, not -1");
   EXPECT_EQ(complaint(0, 0, 0), "a control code has 1 to 32 bits, not 0");
   EXPECT_EQ(complaint(33, 1, 1), "a control code has 1 to 32 bits, not 33");
-}
-
-// The same sums in as many bits as they may have, on both sides of 30.
-TEST(ControlCodeArithmetic, HoldsTheLargestDeviations) {
-  const auto wide = [](int m, std::int64_t major, Code code) {
-    const Int128 minor = minor_steps(m, major, code);
-    Int128 prefix = 0, high = 0, low = 0, free_high = 0, free_low = 0;
-    for (int j = 0; major >> j != 0; ++j) {
-      const int bit = steps_at(m, code, std::int64_t{1} << j);
-      const Int128 gain = major * (prefix + bit) - (minor << j);
-      if ((major >> j & 1) != 0) {
-        high = std::max(free_high, high + gain);
-        low = std::min(free_low, low + gain);
-      }
-      (gain > 0 ? free_high : free_low) += gain;
-      prefix = 2 * prefix + bit;
-    }
-    return static_cast<std::uint64_t>(std::max(high, -low));
-  };
-  for (const int bits : {29, 30, 31}) {
-    for (const std::int64_t major : {std::int64_t{1} << (bits - 1), (std::int64_t{1} << bits) - 1,
-                                     std::int64_t{0x5555'5555} >> (31 - bits)}) {
-      for (const Code code : {Code{1}, Code{0x5555'5555}, Code{0xaaaa'aaaa}, Code{0xffff'ffff}}) {
-        const Deviation d = max_deviation(32, major, code);
-        EXPECT_EQ(Uint128{d.whole} * d.denominator + d.numerator, wide(32, major, code))
-            << major << ' ' << code;
-      }
-    }
-  }
 }
 
 TEST(ControlCodeArithmetic, IsTotal) {

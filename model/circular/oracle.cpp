@@ -37,4 +37,9 @@ double radial_deviation_by(std::int64_t excess, std::uint64_t radius2) {
   return apart(static_cast<Uint128>(radius2) + static_cast<Uint128>(excess), radius2);
 }
 
+double about_radial_deviation_by(std::int64_t excess, std::uint64_t radius2) {
+  const auto at = static_cast<double>(radius2), by = static_cast<double>(excess);
+  return std::fabs(by) / (std::sqrt(at + by) + std::sqrt(at));
+}
+
 }  // namespace cosim::circular

@@ -23,5 +23,7 @@ Point next_point(Point p, std::uint64_t radius2);
 double radial_deviation(Point p, std::uint64_t radius2);
 /// The same of a point whose x^2 + y^2 is so much more than radius2; at least -radius2.
 double radial_deviation_by(std::int64_t excess, std::uint64_t radius2);
+/// That, within a millionth of it, at once; or no number.
+double about_radial_deviation_by(std::int64_t excess, std::uint64_t radius2);
 
 }  // namespace cosim::circular

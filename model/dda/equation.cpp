@@ -91,8 +91,7 @@ double off_circle(const Equation& curve, Real value, Real from_centre) {
 }  // namespace
 
 bool is_line_or_circle(const Job& job) {
-  const Equation curve(job.start);
-  return curve.is_line() || curve.is_circle();
+  return job.start.b == 0 && job.start.two_a == job.start.two_c;
 }
 
 double deviation_by(const Job& job, std::int64_t twice) {
@@ -105,6 +104,14 @@ double deviation_by(const Job& job, std::int64_t twice) {
   }
   const Real radius = std::hypot(curve.x0, curve.y0) / std::fabs(curve.two_a);
   return off_circle(curve, value, std::sqrt(radius * radius + 2 * value / curve.two_a));
+}
+
+double about_deviation_by(const Job& job, std::int64_t twice) {
+  const auto by = static_cast<double>(twice), a = static_cast<double>(job.start.two_a);
+  const auto x = static_cast<double>(job.start.rate_x), y = static_cast<double>(job.start.rate_y);
+  if (a == 0) return std::fabs(by) / 2 / std::max(std::fabs(x), std::fabs(y));
+  const double radius2 = (x * x + y * y) / (a * a);
+  return std::fabs(by / a) / (std::sqrt(radius2 + by / a) + std::sqrt(radius2));
 }
 
 double deviation(const Job& job, Point at) {

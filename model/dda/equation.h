@@ -16,6 +16,8 @@ double deviation(const Job& job, Point at);
 bool is_line_or_circle(const Job& job);
 /// The same of one of these, where twice the left side of its equation has this value.
 double deviation_by(const Job& job, std::int64_t twice);
+/// That, within a millionth of it, at once; or no number.
+double about_deviation_by(const Job& job, std::int64_t twice);
 
 /// The curve's point next to `at`, to the digits of a picture; one of them where there are several.
 std::pair<double, double> on_curve(const Job& job, Point at);

@@ -7,16 +7,16 @@ namespace {
 
 using Start = State<Word>;
 
-Word word_at(const Params& p, const Start& s, int address) {
-  if (address == 0) return s.sequential + 2 * s.normalise + 4 * s.free;
-  return to_words(registers(p, s))[Start::index_sx + static_cast<std::size_t>(address) - 1];
-}
-
 }  // namespace
 
 Task<Word> task_of(const Params& p, const Job& job) {
+  const Start& s = job.start;
+  const auto words = to_words(registers(p, s));
   Task<Word> task;
-  for (int i = 0; i < addresses; ++i) task.words[i] = word_at(p, job.start, i);
+  task.words[0] = s.sequential + 2 * s.normalise + 4 * s.free;
+  for (int i = 1; i < addresses; ++i) {
+    task.words[i] = words[Start::index_sx + static_cast<std::size_t>(i) - 1];
+  }
   task.counted = job.clocks.has_value();
   task.clocks = job.clocks.value_or(0);
   return task;

@@ -94,26 +94,35 @@ bool operator<(const Deviation& a, const Deviation& b) {
 //   gain_j = BP * (the sum of a_i * 2^(j-i) for i <= j, + a_(j+1)) - MP * 2^j
 // to BP times the difference. The positions 0 .. BP mod 2^(j+1) with BP_j = 1 are those with q_j =
 // 0 and all lower bits free, and those with q_j = 1 and the lower bits up to BP mod 2^j.
-Deviation max_deviation(int m, std::int64_t major, Code code) {
-  if (major <= 0) return {};
-  const Int128 minor = minor_steps(m, major, code);
-  Int128 prefix = 0;                   // the sum of a_i * 2^(j-i) for i <= j
-  Int128 high = 0, low = 0;            // the extremes over 0 .. BP mod 2^j
-  Int128 free_high = 0, free_low = 0;  // and over 0 .. 2^j - 1
+//
+// All of it is below 4 * BP^2 where BP is not 0, so that 64 bits hold what is of 30.
+template <class Int>
+Deviation max_deviation_in(int m, std::int64_t major, Code code) {
+  const Int minor = minor_steps(m, major, code);
+  Int prefix = 0;                   // the sum of a_i * 2^(j-i) for i <= j
+  Int high = 0, low = 0;            // the extremes over 0 .. BP mod 2^j
+  Int free_high = 0, free_low = 0;  // and over 0 .. 2^j - 1
   for (int j = 0; major >> j != 0; ++j) {
     const int bit = code_bit(m, code, j + 1);
-    const Int128 gain = major * (prefix + bit) - minor * (Int128{1} << j);
-    if ((major >> j & 1) != 0) {
-      high = std::max(free_high, high + gain);
-      low = std::min(free_low, low + gain);
-    }
-    free_high += std::max<Int128>(gain, 0);
-    free_low += std::min<Int128>(gain, 0);
+    const Int gain = major * (prefix + bit) - minor * (Int{1} << j);
+    // Without a jump, which nothing could predict: all ones where the bit is 1, where the gain is
+    // below 0.
+    const Int is_one = -static_cast<Int>(major >> j & 1), is_below = -static_cast<Int>(gain < 0);
+    high += is_one & (std::max(free_high, high + gain) - high);
+    low += is_one & (std::min(free_low, low + gain) - low);
+    free_high += gain & ~is_below;
+    free_low += gain & is_below;
     prefix = 2 * prefix + bit;
   }
-  const Int128 worst = std::max(high, -low);
+  const Int worst = std::max(high, -low);
   return {static_cast<std::uint64_t>(worst / major), static_cast<std::uint64_t>(worst % major),
           static_cast<std::uint64_t>(major)};
+}
+
+Deviation max_deviation(int m, std::int64_t major, Code code) {
+  if (major <= 0) return {};
+  return major >> 30 == 0 ? max_deviation_in<std::int64_t>(m, major, code)
+                          : max_deviation_in<Int128>(m, major, code);
 }
 
 }  // namespace cosim::linear

@@ -77,11 +77,12 @@ Built::Built(fs::path from)
   reset = reinterpret_cast<Act>(dlsym(handle_, "cosim_lanes_reset"));
   take_over = reinterpret_cast<Act>(dlsym(handle_, "cosim_lanes_take_over"));
   choose = reinterpret_cast<Choose>(dlsym(handle_, "cosim_lanes_choose"));
+  clear = reinterpret_cast<Clear>(dlsym(handle_, "cosim_lanes_clear"));
   run = reinterpret_cast<Run>(dlsym(handle_, "cosim_lanes_run"));
   const void* own = dlsym(handle_, "cosim_lanes");
   const void* text = dlsym(handle_, "cosim_lanes_layout");
-  if (reset == nullptr || take_over == nullptr || choose == nullptr || run == nullptr ||
-      own == nullptr || text == nullptr) {
+  if (reset == nullptr || take_over == nullptr || choose == nullptr || clear == nullptr ||
+      run == nullptr || own == nullptr || text == nullptr) {
     dlclose(handle_);
     throw InputError(library.string() + ": no lanes in it");
   }

@@ -21,6 +21,7 @@ class Built {
   using Act = void (*)(std::uint64_t* planes);
   using Choose = void (*)(std::uint64_t* planes, const std::uint64_t* which,
                           const std::uint64_t* from, std::uint64_t count);
+  using Clear = void (*)(std::uint64_t* planes, const std::uint64_t* which, std::uint64_t count);
   using Run = std::int64_t (*)(std::uint64_t* planes, const std::uint64_t* active,
                                std::uint64_t from, std::uint64_t to, std::uint64_t* differ,
                                std::uint64_t* left_out);
@@ -36,6 +37,7 @@ class Built {
   Layout layout;
   Act reset = nullptr, take_over = nullptr;
   Choose choose = nullptr;
+  Clear clear = nullptr;
   Run run = nullptr;
 
  private:

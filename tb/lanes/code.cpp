@@ -1,15 +1,18 @@
 // A clock is four netlists one behind the other: what draws the inputs, the RTL, the model and, of
 // jobs, what answers. Each is mapped to cells of three inputs by itself; the outputs of one are
-// inputs of the next. All bits that stay until the next clock are planes of the memory.
+// inputs of the next, and pins that are drawn as constants fold what they lead to. All bits that
+// stay until the next clock are planes of the memory.
 #include "tb/lanes/code.h"
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <map>
 #include <span>
 
 #include "model/core/input_error.h"
 #include "tb/lanes/mapped.h"
+#include "tb/lanes/quiet.h"
 #include "tb/proof/located.h"
 
 namespace cosim::lanes {
@@ -18,7 +21,7 @@ namespace {
 using nets::Bit;
 using nets::Wire;
 
-/// The cells of all three, and where their values go.
+/// The cells of all, and where their values go.
 class Maker {
  public:
   Maker(const nets::Played& played, const proof::RtlNets& rtl)
@@ -27,14 +30,23 @@ class Maker {
       if (f.edge == "fe") throw InputError(machine_.design + ": a flip-flop of the falling edge");
     }
     lay_out();
-    map();
   }
 
   Code take() {
-    make_clock();
-    if (!played_.draw.stretch.held.empty()) make_stretch();
-    make_reset();
-    make_take_over();
+    const nets::Draw& draw = played_.draw;
+    make_clock(code_.clock, draw.clock, draw.answer ? &*draw.answer : nullptr);
+    if (const auto quiet = quiet_of(draw)) {
+      make_clock(code_.quiet, quiet->draw, &quiet->answer);
+      code_.loud.compare(drawn("loud", code_.loud, quiet->loud).front(), zero);
+      code_.has_quiet = true;
+    }
+    if (!draw.stretch.held.empty()) drawn("stretch", code_.stretch, draw.stretch);
+    code_.reset_clocks = machine_.reset_clocks;
+    code_.is_asked = draw.answer.has_value();
+    const nets::Cells reset = rtl_cells(reset_inputs());
+    const std::size_t pins = pins_of(reset_inputs()).size();
+    store(code_.reset, rtl(code_.reset, reset, std::vector<Value>(pins, zero)), {});
+    make_take_over(reset);
     return std::move(code_);
   }
 
@@ -89,37 +101,29 @@ class Maker {
     return all;
   }
 
-  void map() {
+  // The model's cells. An input that is drawn as a constant is that one.
+  nets::Cells model_cells(const std::vector<Bit>& inputs) const {
+    nets::Graph graph;
+    std::map<std::size_t, Bit> known;
     std::vector<Bit> in, out;
-    for (const nets::Port& p : played_.model.ports) in.push_back(p.bit);
+    for (const nets::Port& p : played_.model.ports) {
+      const Bit drawn = in.size() < inputs.size() ? inputs[in.size()] : p.bit;
+      in.push_back(graph.input());
+      known[p.bit.gate()] = drawn.is_constant() ? drawn : in.back();
+    }
+    const auto gates = placed(graph, played_.model.graph, known);
+    const auto add = [&](Bit bit) { out.push_back(nets::placed_at(gates, bit)); };
     for (const auto* wires : {&registers(), &machine_.outputs, &machine_.next, &machine_.turned}) {
-      for (const Wire& w : *wires) append(out, w.code);
+      for (const Wire& w : *wires) std::for_each(w.code.begin(), w.code.end(), add);
     }
     for (const auto* wires : {&registers(), &machine_.outputs}) {
-      for (const Wire& w : *wires) out.push_back(w.when.value_or(nets::yes));
+      for (const Wire& w : *wires) add(w.when.value_or(nets::yes));
     }
-    model_cells_ = mapped("model", played_.model.graph, in, out);
-
-    const nets::DrawStep& clock = played_.draw.clock;
-    out = clock.inputs;
-    append(out, clock.after);
-    clock_cells_ = mapped("draw", clock.graph, clock.held, out);
-    if (!played_.draw.stretch.held.empty()) {
-      stretch_cells_ = mapped("stretch", played_.draw.stretch.graph, played_.draw.stretch.held,
-                              played_.draw.stretch.after);
-    }
-    if (const auto& answer = played_.draw.answer) {
-      in = answer->held;
-      append(in, answer->seen);
-      out = answer->after;
-      out.push_back(answer->wrong);
-      answer_cells_ = mapped("answer", answer->graph, in, out);
-    }
-    map_rtl();
+    return mapped("model", graph, in, out);
   }
-  // Its inputs are those of the tables and then the flip-flops; its outputs what is compared and
-  // then the flip-flops after the clock.
-  void map_rtl() {
+  // The RTL's. Its inputs are those of the tables and then the flip-flops; its outputs what is
+  // compared and then the flip-flops after the clock.
+  nets::Cells rtl_cells(const std::vector<Bit>& inputs) const {
     const nets::Cells& cells = rtl_.cells();
     nets::Graph graph;
     std::vector<Bit> given(cells.nets.size(), nets::no), in, out;
@@ -127,8 +131,13 @@ class Maker {
       given[net] = graph.input();
       in.push_back(given[net]);
     };
+    const auto pins = pins_of(inputs);
     for (const auto& i : located(rtl_, machine_.design, "input", machine_.inputs)) {
-      for (const std::size_t net : nets_of(i)) is_free(net);
+      for (const std::size_t net : nets_of(i)) {
+        is_free(net);
+        const Bit is = pins.at(in.size() - 1);
+        if (is.is_constant()) given[net] = is;
+      }
     }
     for (const auto& f : cells.flip_flops) is_free(f.now);
     const auto nets = placed(graph, cells, given);
@@ -138,7 +147,19 @@ class Maker {
       }
     }
     for (const auto& f : cells.flip_flops) out.push_back(nets[f.next]);
-    rtl_cells_ = mapped("rtl", graph, in, out);
+    return mapped("rtl", graph, in, out);
+  }
+  // Of the model's inputs those that are pins.
+  template <class T>
+  std::vector<T> pins_of(const std::vector<T>& inputs) const {
+    std::vector<T> pins;
+    std::size_t at = 0;
+    for (const Wire& w : machine_.inputs) {
+      for (std::size_t b = 0; b < w.code.size(); ++b, ++at) {
+        if (w.field.synchronizer == nullptr) pins.push_back(inputs[at]);
+      }
+    }
+    return pins;
   }
 
   // The values of so many planes from one on.
@@ -149,17 +170,23 @@ class Maker {
   std::size_t state_bits() const { return flip_flops_ - code_.layout.state; }
   std::size_t flip_flop_bits() const { return rtl_.cells().flip_flops.size(); }
 
-  // Of the model's inputs those that are pins, then the flip-flops.
-  std::vector<Value> rtl(Straight& code, const std::vector<Value>& inputs) {
-    std::vector<Value> in;
-    std::size_t at = 0;
-    for (const Wire& w : machine_.inputs) {
-      for (std::size_t b = 0; b < w.code.size(); ++b, ++at) {
-        if (w.field.synchronizer == nullptr) in.push_back(inputs[at]);
-      }
-    }
+  // What the RTL gives where its pins have these values.
+  std::vector<Value> rtl(Straight& code, const nets::Cells& cells, std::vector<Value> in) const {
     planes(code, in, flip_flops_, flip_flop_bits());
-    return code.add(rtl_cells_, in);
+    return code.add(cells, in);
+  }
+  // The inputs that a step draws; what it goes on from then is stored.
+  static std::vector<Value> drawn(const char* name, Straight& code, const nets::DrawStep& step) {
+    std::vector<Value> held;
+    planes(code, held, 0, step.held.size());
+    std::vector<Bit> out = step.inputs;
+    append(out, step.after);
+    std::vector<Value> values = code.add(mapped(name, step.graph, step.held, out), held);
+    for (std::size_t i = 0; i < step.after.size(); ++i) {
+      if (step.after[i] != step.held[i]) code.store(i, values[step.inputs.size() + i]);
+    }
+    values.resize(step.inputs.size());
+    return values;
   }
   // What the flip-flops hold after a clock that gave `out`, with the bits of registers turned over
   // that `turned` says, one behind the other; empty: none.
@@ -182,20 +209,12 @@ class Maker {
     for (std::size_t i = 0; i < next.size(); ++i) code.store(flip_flops_ + i, next[i]);
   }
 
-  void make_clock() {
-    Straight& code = code_.clock;
-    const nets::DrawStep& draw = played_.draw.clock;
-    std::vector<Value> held;
-    planes(code, held, 0, draw.held.size());
-    const auto drawn = code.add(clock_cells_, held);
-    const std::size_t pins = draw.inputs.size();
-    for (std::size_t i = 0; i < draw.held.size(); ++i) {
-      if (draw.after[i] != draw.held[i]) code.store(i, drawn[pins + i]);
-    }
-    std::vector<Value> in(drawn.begin(), drawn.begin() + static_cast<std::ptrdiff_t>(pins));
-    const auto actual = rtl(code, in);
+  // `answer`: of jobs alone.
+  void make_clock(Straight& code, const nets::DrawStep& draw, const nets::Answer* answer) {
+    std::vector<Value> in = drawn("draw", code, draw);
+    const auto actual = rtl(code, rtl_cells(draw.inputs), pins_of(in));
     planes(code, in, code_.layout.state, state_bits());
-    const auto expected = code.add(model_cells_, in);
+    const auto expected = code.add(model_cells(draw.inputs), in);
 
     std::size_t at = 0, when = when_first(expected), counter = 0;
     for (const auto* all : {&registers_, &outputs_}) {
@@ -212,55 +231,44 @@ class Maker {
       code.store(code_.layout.state + i, expected[at + i]);
     const std::size_t turned = when_first(expected) - at - state_bits();
     store(code, actual, std::span(expected).subspan(at + state_bits(), turned));
-    if (played_.draw.answer) answer(code, std::move(held), expected);
+    if (answer != nullptr) answered(code, *answer, expected);
   }
   // What the model gives last are the conditions under which all is compared.
   std::size_t when_first(const std::vector<Value>& expected) const {
     return expected.size() - registers_.size() - outputs_.size();
   }
   // The outputs stand behind the registers.
-  void answer(Straight& code, std::vector<Value> held, const std::vector<Value>& expected) {
+  void answered(Straight& code, const nets::Answer& answer, const std::vector<Value>& expected) {
     std::size_t first = 0, count = 0;
     for (const auto& wire : registers_) first += wire.size();
     for (const auto& wire : outputs_) count += wire.size();
-    const std::size_t planes = held.size();
-    for (std::size_t i = 0; i < count; ++i) held.push_back(expected[first + i]);
-    const auto after = code.add(answer_cells_, held);
-    for (std::size_t i = 0; i < planes; ++i) {
-      if (played_.draw.answer->after[i] != played_.draw.answer->held[i]) code.store(i, after[i]);
-    }
-    code.compare(after[planes], zero);
-  }
-
-  void make_stretch() {
-    Straight& code = code_.stretch;
-    const nets::DrawStep& draw = played_.draw.stretch;
     std::vector<Value> held;
-    planes(code, held, 0, draw.held.size());
-    const auto after = code.add(stretch_cells_, held);
-    for (std::size_t i = 0; i < draw.held.size(); ++i) {
-      if (draw.after[i] != draw.held[i]) code.store(i, after[i]);
+    const std::size_t planes_held = answer.held.size();
+    planes(code, held, 0, planes_held);
+    for (std::size_t i = 0; i < count; ++i) held.push_back(expected[first + i]);
+    std::vector<Bit> in = answer.held, out = answer.after;
+    append(in, answer.seen);
+    out.push_back(answer.wrong);
+    const auto after = code.add(mapped("answer", answer.graph, in, out), held);
+    for (std::size_t i = 0; i < planes_held; ++i) {
+      if (answer.after[i] != answer.held[i]) code.store(i, after[i]);
     }
+    code.compare(after[planes_held], zero);
   }
 
-  std::vector<Value> reset_inputs() const {
-    std::vector<Value> in;
+  std::vector<Bit> reset_inputs() const {
+    std::vector<Bit> in;
     for (std::size_t i = 0; i < machine_.inputs.size(); ++i) {
       for (std::size_t b = 0; b < machine_.inputs[i].code.size(); ++b) {
-        in.push_back(bit(played_.reset_inputs[i], static_cast<int>(b)) ? one : zero);
+        in.push_back(bit(played_.reset_inputs[i], static_cast<int>(b)) ? nets::yes : nets::no);
       }
     }
     return in;
   }
-  void make_reset() {
-    code_.reset_clocks = machine_.reset_clocks;
-    code_.is_asked = played_.draw.answer.has_value();
-    store(code_.reset, rtl(code_.reset, reset_inputs()), {});
-  }
   // Of a register's code the number that the model's state has by the same name.
-  void make_take_over() {
+  void make_take_over(const nets::Cells& reset) {
     Straight& code = code_.take_over;
-    const auto held = rtl(code, reset_inputs());
+    const auto held = rtl(code, reset, std::vector<Value>(pins_of(reset_inputs()).size(), zero));
     std::map<std::string, std::size_t> places;
     std::size_t at = 0;
     for (const Wire& w : machine_.state) {
@@ -287,7 +295,6 @@ class Maker {
   Code code_;
   std::size_t flip_flops_ = 0;                                 // their first plane
   std::vector<std::vector<std::size_t>> registers_, outputs_;  // the RTL's nets
-  nets::Cells model_cells_, clock_cells_, stretch_cells_, answer_cells_, rtl_cells_;
 };
 
 }  // namespace

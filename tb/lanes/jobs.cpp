@@ -1,8 +1,10 @@
-// All lanes run until one is done, or differs: then that lane alone is given its next job or case,
-// and all go on (dynamic refill). A case begins in the state after a reset, which was computed
-// once, and is copied into the lanes that begin. Where a register keeps what it powered up with,
-// that state is computed for each case. After a failure only the cases before it go on, so that the
-// first of all is found.
+// All lanes run until one is done, or differs: one whose case goes on is given its next job, and
+// all go on. Where a sixteenth of the lanes have come to the end of their cases, all of these begin
+// the next ones together (dynamic refill): so what begins cases is done for many at a time, and the
+// clocks on which any lane writes and starts come together, too (quiet.h). A case begins in the
+// state after a reset, which was computed once, and is copied into the lanes that begin. Where a
+// register keeps what it powered up with, that state is computed for each case. After a failure
+// only the cases before it go on, so that the first of all is found.
 #include "tb/lanes/jobs.h"
 
 #include <fmt/core.h>
@@ -17,6 +19,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/bench/lane_jobs.h"
+#include "tb/lanes/lane_bits.h"
 #include "tb/lanes/sweep.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/random.h"
@@ -34,12 +37,14 @@ class JobPlayer {
         at_work_(jobs.begin(static_cast<std::size_t>(built.lanes))),
         words_(static_cast<std::size_t>(built.lanes) / 64),
         lanes_(static_cast<std::size_t>(built.lanes)),
-        codes_(layout_.begins.size()),
-        figures_(layout_.figure_widths.size()),
+        begins_(layout_.begins),
+        figures_(layout_.figure_widths),
+        codes_(std::max(layout_.begins.size(), layout_.figure_widths.size())),
+        packed_(lanes_.size() * begins_.words()),
         most_clocks_(jobs.most_clocks()),
         left_out_(built.layout.counters) {
     constexpr std::size_t line = 64;
-    const std::size_t all = planes() + 3 + 2 * machine_planes();
+    const std::size_t all = planes() + 4 + 2 * machine_planes();
     const std::size_t bytes = all * words_ * sizeof(std::uint64_t);
     memory_.reset(
         static_cast<std::uint64_t*>(std::aligned_alloc(line, (bytes + line - 1) / line * line)));
@@ -47,7 +52,8 @@ class JobPlayer {
     active_ = &memory_[planes() * words_];
     differ_ = active_ + words_;
     fresh_ = differ_ + words_;
-    reset_state_ = fresh_ + words_;
+    begun_ = fresh_ + words_;
+    reset_state_ = begun_ + words_;
     kept_ = reset_state_ + machine_planes() * words_;
     std::fill_n(memory_.get(), all * words_, 0);
     reset();
@@ -63,11 +69,13 @@ class JobPlayer {
   std::optional<Failed> run(std::uint64_t first, std::uint64_t count) {
     next_ = first;
     end_ = first + count;
-    for (std::size_t lane = 0; lane < lanes_.size(); ++lane) begin_case(lane);
     constexpr std::uint64_t some = 1 << 10;
-    while (working_ > 0) {
+    const std::size_t few = lanes_.size() / 16;
+    while (true) {
       InterruptGuard::check();
-      put_fresh();
+      if (lanes_.size() - working_ >= few) begin_cases();
+      if (working_ == 0) break;
+      put_begun();
       if (clock_ >= next_look_) find_endless(clock_ + some);
       const std::int64_t at =
           built_.run(memory_.get(), active_, clock_, clock_ + some, differ_, left_out_.data());
@@ -126,9 +134,23 @@ class JobPlayer {
     return true;
   }
 
+  // What jobs begin with is written, all else of them is 0.
+  void put_begun() {
+    if (!any_begun_) return;
+    built_.clear(&memory_[words_], begun_, built_.layout.state - 1);
+    for (std::size_t w = 0; w < words_; ++w) {
+      for (std::uint64_t left = begun_[w]; left != 0; left &= left - 1) {
+        const std::size_t lane = 64 * w + static_cast<std::size_t>(std::countr_zero(left));
+        begins_.put(&packed_[lane * begins_.words()], &memory_[words_], words_, lane);
+      }
+    }
+    std::fill_n(begun_, words_, 0);
+    any_begun_ = false;
+    if (any_fresh_) put_fresh();
+  }
+
   // Those that begin a case are as after a reset.
   void put_fresh() {
-    if (!any_fresh_) return;
     std::uint64_t* machine = &memory_[built_.layout.state * words_];
     built_.choose(machine, fresh_, reset_state_, machine_planes());
     if (!is_reset_) {
@@ -159,20 +181,23 @@ class JobPlayer {
 
   static std::uint64_t bit_of(std::size_t lane) { return std::uint64_t{1} << (lane % 64); }
 
-  // The next case that has a job, or nothing.
+  // In all lanes without a case the next ones that have a job.
+  void begin_cases() {
+    for (std::size_t lane = 0; lane < lanes_.size() && next_ < end_ && !failed_; ++lane) {
+      if ((active_[lane / 64] & bit_of(lane)) == 0) begin_case(lane);
+    }
+  }
   void begin_case(std::size_t lane) {
-    const bool was_working = (active_[lane / 64] & bit_of(lane)) != 0;
-    while (next_ < end_ && !failed_) {
+    while (next_ < end_) {
       lanes_[lane] = {next_, clock_, clock_};
       at_work_->open(lane, next_++);
       if (!begin_job(lane)) continue;
       fresh_[lane / 64] |= bit_of(lane);
       any_fresh_ = true;
-      if (!was_working) ++working_;
       active_[lane / 64] |= bit_of(lane);
+      ++working_;
       return;
     }
-    if (was_working) retire(lane);
   }
   void retire(std::size_t lane) {
     active_[lane / 64] &= ~bit_of(lane);
@@ -180,32 +205,20 @@ class JobPlayer {
   }
 
   bool begin_job(std::size_t lane) {
-    if (!at_work_->next(lane, codes_)) return false;
+    if (!at_work_->next(lane, std::span(codes_).first(layout_.begins.size()))) return false;
+    begins_.pack(codes_, &packed_[lane * begins_.words()]);
     lanes_[lane].job = clock_;
-    std::uint64_t* word = &memory_[words_ + lane / 64];
-    const std::uint64_t own = bit_of(lane);
-    for (std::size_t i = 0; i < codes_.size(); ++i) {
-      auto code = static_cast<std::uint64_t>(codes_[i]);
-      for (int b = 0; b < layout_.begins[i]; ++b, code >>= 1, word += words_) {
-        *word = (*word & ~own) | (own & (0 - (code & 1)));
-      }
-    }
+    begun_[lane / 64] |= bit_of(lane);
+    any_begun_ = true;
     return true;
   }
 
   void job_over(std::size_t lane) {
-    const std::uint64_t* word = &memory_[layout_.figures * words_ + lane / 64];
-    for (std::size_t i = 0; i < figures_.size(); ++i) {
-      std::uint64_t code = 0;
-      for (int b = 0; b < layout_.figure_widths[i]; ++b, word += words_) {
-        code |= (*word >> (lane % 64) & 1) << b;
-      }
-      figures_[i] = static_cast<Word>(code);
-    }
-    at_work_->over(lane, figures_);
+    figures_.get(&memory_[layout_.figures * words_], words_, lane, codes_);
+    at_work_->over(lane, std::span(codes_).first(layout_.figure_widths.size()));
     if (begin_job(lane)) return;
     clocks_ += clock_ - lanes_[lane].begun;
-    begin_case(lane);
+    retire(lane);
   }
 
   // Cases behind it are of no interest any more.
@@ -229,15 +242,17 @@ class JobPlayer {
   std::unique_ptr<JobsAtWork> at_work_;
   std::size_t words_;  // a plane
   std::vector<Lane> lanes_;
-  std::vector<Word> codes_, figures_;
+  Packed begins_, figures_;
+  std::vector<Word> codes_;            // of one lane
+  std::vector<std::uint64_t> packed_;  // of each lane that begins a job
   std::uint64_t most_clocks_;
   std::vector<std::uint64_t> left_out_;
-  // The planes; who is at work, who differs, who begins; the planes of a reset machine, and of the
-  // others while some begin.
+  // The planes; who is at work, who differs, who begins a case, and who a job; the planes of a
+  // reset machine, and of the others while some begin.
   std::unique_ptr<std::uint64_t[], Free> memory_;
-  std::uint64_t *active_ = nullptr, *differ_ = nullptr, *fresh_ = nullptr, *reset_state_ = nullptr,
-                *kept_ = nullptr;
-  bool is_reset_ = false, any_fresh_ = false;
+  std::uint64_t *active_ = nullptr, *differ_ = nullptr, *fresh_ = nullptr, *begun_ = nullptr,
+                *reset_state_ = nullptr, *kept_ = nullptr;
+  bool is_reset_ = false, any_fresh_ = false, any_begun_ = false;
   std::size_t working_ = 0;
   std::uint64_t next_ = 0, end_ = 0, clock_ = 0, next_look_ = 0, clocks_ = 0;
   std::optional<Failed> failed_;

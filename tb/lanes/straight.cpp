@@ -116,6 +116,7 @@ class Straight::Writer {
     }
     loaded_.assign(left_.size(), 0);
     std::string all = fmt::format("  V t[{}];\n", std::max<std::size_t>(schedule.places, 1));
+    auto before = Move::What::run;
     for (const Move& move : schedule.moves) {
       switch (move.what) {
         case Move::What::run:
@@ -128,7 +129,9 @@ class Straight::Writer {
                                        ? fmt::format("m[{}]", code_.cells_[move.of].plane)
                                        : fmt::format("t[{}]", move.place);
           ++loaded_[move.of];
-          all += fmt::format("  FORGET;\n  const V {} = {};\n", name(move.of), from);
+          // An instruction takes one that nothing stands between.
+          if (before != Move::What::load) all += "  FORGET;\n";
+          all += fmt::format("  const V {} = {};\n", name(move.of), from);
           break;
         }
         case Move::What::leave:
@@ -137,6 +140,7 @@ class Straight::Writer {
             all += fmt::format("  t[{}] = {};\n", move.place, name(move.of));
           }
       }
+      before = move.what;
     }
     return all;
   }

@@ -29,7 +29,9 @@ class Straight {
   std::vector<Value> add(const nets::Cells& cells, std::span<const Value> inputs);
 
   /// Plane number i holds the value after the code.
-  void store(std::size_t i, Value value) { stores_.push_back({i, value}); }
+  void store(std::size_t i, Value value) {
+    if (value != plane(i)) stores_.push_back({i, value});
+  }
   /// Lanes where the values differ, and `when` holds, are among those that the code gives.
   void compare(Value a, Value b, Value when = one);
   /// Counter number i counts the lanes at work in which the value does not hold.

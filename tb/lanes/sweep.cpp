@@ -65,7 +65,8 @@ std::string key_of(const std::string& title, const nets::Played& played,
     add(held, answer->seen);
     add(out, answer->after);
     add(out, {answer->wrong});
-    key += to_blif("answer", answer->graph, held, out);
+    add(out, answer->rest);
+    key += to_blif("answer", answer->graph, held, out) + fmt::format("{}\n", answer->driver);
   }
   for (const auto* codes : {&played.reset_state, &played.reset_inputs}) {
     for (const Word code : *codes) key += fmt::format("{} ", code);

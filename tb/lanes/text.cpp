@@ -115,10 +115,13 @@ std::string function(const char* name, const Straight& body, int lanes) {
 }  // namespace
 
 std::string to_text(const Code& code, int lanes) {
-  return fmt::format("#define COSIM_LANES {}\n{}{}{}{}{}", lanes, prelude,
-                     function("stretch", code.stretch, lanes), function("reset", code.reset, lanes),
-                     function("take_over", code.take_over, lanes),
-                     function("clock", code.clock, lanes)) +
+  std::string functions =
+      function("stretch", code.stretch, lanes) + function("reset", code.reset, lanes) +
+      function("take_over", code.take_over, lanes) + function("clock", code.clock, lanes);
+  if (code.has_quiet) {
+    functions += function("loud", code.loud, lanes) + function("quiet", code.quiet, lanes);
+  }
+  return fmt::format("#define COSIM_LANES {}\n{}{}", lanes, prelude, functions) +
          fmt::format(R"(extern "C" {{
 extern const int cosim_lanes;
 extern const char cosim_lanes_layout[];
@@ -132,11 +135,14 @@ extern "C" void cosim_lanes_take_over(V* m) {{ take_over(m, V{{}}, nullptr); }}
 extern "C" void cosim_lanes_choose(V* m, const V* which, const V* from, std::uint64_t planes) {{
   for (std::uint64_t i = 0; i < planes; ++i) m[i] = m[i] ^ (*which & (m[i] ^ from[i]));
 }}
+extern "C" void cosim_lanes_clear(V* m, const V* which, std::uint64_t planes) {{
+  for (std::uint64_t i = 0; i < planes; ++i) m[i] &= ~*which;
+}}
 extern "C" std::int64_t cosim_lanes_run(V* m, const V* active, std::uint64_t from, std::uint64_t to,
                                         V* differ, std::uint64_t* left_out) {{
   for (std::uint64_t at = from; at < to; ++at) {{
     if (at % {} == 0) stretch(m, *active, left_out);
-    const V d = clock(m, *active, left_out);
+    const V d = {};
     if (any({})) {{
       *differ = d;
       return static_cast<std::int64_t>(at);
@@ -146,6 +152,9 @@ extern "C" std::int64_t cosim_lanes_run(V* m, const V* active, std::uint64_t fro
 }}
 )",
                      to_text(code.layout), code.reset_clocks, HostileCase::stretch,
+                     code.has_quiet ? "(any(loud(m, *active, left_out)) ? clock : quiet)(m, "
+                                      "*active, left_out)"
+                                    : "clock(m, *active, left_out)",
                      code.is_asked ? "d | (m[0] & *active)" : "d");
 }
 

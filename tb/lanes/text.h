@@ -10,10 +10,13 @@ namespace cosim::lanes {
 
 /// What the code of a shape is made of. The memory is the same for all.
 struct Code {
-  Straight clock;      ///< draws the inputs, clocks and compares RTL and model
+  Straight clock;  ///< draws the inputs, clocks and compares RTL and model
+  Straight quiet;  ///< the same where `loud` gives no lane (quiet.h), if there is such a clock
+  Straight loud;
   Straight stretch;    ///< before the first clock of a stretch: draws how often pins change
   Straight reset;      ///< one clock of the RTL alone, with the inputs that reset it
   Straight take_over;  ///< behind the last of them: what the model takes over from the RTL
+  bool has_quiet = false;
   int reset_clocks = 0;
   bool is_asked = false;  ///< plane number 0 says in which lanes a job is over
   Layout layout;
@@ -28,6 +31,8 @@ struct Code {
 ///   void cosim_lanes_take_over(V* m)                     gives the model what no reset reaches
 ///   void cosim_lanes_choose(V* m, const V* which, const V* from, uint64_t planes)
 ///                                                        takes over these lanes
+///   void cosim_lanes_clear(V* m, const V* which, uint64_t planes)
+///                                                        makes these lanes 0
 ///   int64_t cosim_lanes_run(V* m, const V* active, uint64_t from, uint64_t to, V* differ,
 ///                           uint64_t* left_out)
 ///

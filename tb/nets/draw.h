@@ -25,6 +25,8 @@ struct Answer {
   std::vector<Bit> seen;   ///< free: the outputs that the shape has, one behind the other
   std::vector<Bit> after;  ///< what is held then
   Bit wrong;               ///< an error, beside what differs
+  std::size_t driver = 0;  ///< which of `held` is the first of the driver's
+  std::vector<Bit> rest;   ///< the inputs of a clock at rest
 };
 
 struct Draw {

@@ -1,5 +1,6 @@
 #include "tb/nets/graph.h"
 
+#include <stdexcept>
 #include <utility>
 
 namespace cosim::nets {
@@ -69,6 +70,29 @@ Bit Graph::lut(std::span<const Bit> of, std::uint64_t table) {
   const std::size_t half = std::size_t{1} << (of.size() - 1);
   const auto rest = of.first(of.size() - 1);
   return mux(of.back(), lut(rest, table >> half), lut(rest, table));
+}
+
+std::vector<Bit> placed(Graph& graph, const Graph& from, const std::map<std::size_t, Bit>& known) {
+  std::vector<Bit> all;
+  all.reserve(from.gates().size());
+  for (const Graph::Made& gate : from.gates()) {
+    const auto at = [&](Bit bit) { return placed_at(all, bit); };
+    const auto is = known.find(all.size());
+    if (is != known.end()) {
+      all.push_back(is->second);
+    } else if (gate.kind == Gate::constant) {
+      all.push_back(no);
+    } else if (gate.kind == Gate::and_gate) {
+      all.push_back(graph.and_of(at(gate.a), at(gate.b)));
+    } else if (gate.kind == Gate::xor_gate) {
+      all.push_back(graph.xor_of(at(gate.a), at(gate.b)));
+    } else if (gate.kind == Gate::mux) {
+      all.push_back(graph.mux(at(gate.a), at(gate.b), at(gate.c)));
+    } else {
+      throw std::logic_error("nets: a free bit of a graph is not known in another");
+    }
+  }
+  return all;
 }
 
 std::vector<std::uint64_t> run(const Graph& graph, std::span<const std::uint64_t> inputs) {

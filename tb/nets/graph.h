@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <unordered_map>
 #include <vector>
@@ -73,6 +74,14 @@ class Graph {
   std::vector<Bit> inputs_;
   std::unordered_map<Made, std::uint32_t, Hash, Same> known_;
 };
+
+/// Puts the gates of another graph into this one, and gives what each is here, by number. `known`:
+/// what those are that are not to be made, the free ones among them.
+std::vector<Bit> placed(Graph& graph, const Graph& from, const std::map<std::size_t, Bit>& known);
+/// What a bit of `from` is here.
+inline Bit placed_at(const std::vector<Bit>& gates, Bit bit) {
+  return bit.is_inverted() ? !gates[bit.gate()] : gates[bit.gate()];
+}
 
 /// 64 runs of a graph at once: what each gate gives, by number, where input number i is given
 /// inputs[i]; bit r of each word is run r.

@@ -57,11 +57,13 @@ struct HeldJob {
   TaskOf<Design, Number> task;
   CheckerOf<Design, Number> checker;
   DriverOf<Design, Number> driver;
+  std::size_t first_of_driver;
 
   HeldJob(const typename Design::Params& p, Graph& graph, std::vector<Bit>& held) {
     held.push_back(graph.input());
     free_code(p, graph, task, held);
     free_code(p, graph, checker, held);
+    first_of_driver = held.size();
     free_code(p, graph, driver, held);
   }
   std::vector<Bit> after(const typename Design::Params& p, const Truth& over) const {
@@ -96,6 +98,8 @@ Draw draw_of_jobs(const typename Design::Params& p) {
   }
   job.driver = select_record(turn.over, DriverOf<Design, Number>{}, turn.driver);
   answer.after = job.after(p, turn.over);
+  answer.driver = job.first_of_driver;
+  detail::add_code(p, rest_on<Design, Number>(), answer.rest);
   return draw;
 }
 

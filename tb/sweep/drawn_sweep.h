@@ -41,7 +41,14 @@ Sweep drawn_sweep_of_one(const Bench<Design>& bench, const char* name, std::uint
                          OneJob one, Describe describe) {
   constexpr std::uint64_t cases_a_lane = 128;
   return drawn_sweep<Figures>(
-      bench, name, cases, [one](std::uint64_t i) { return one_by_one<JobOf<Design>>({one(i)}); },
+      bench, name, cases,
+      [one](std::uint64_t i) {
+        return [one, i, is_over = false](JobOf<Design>& job) mutable {
+          if (is_over) return false;
+          job = one(i);
+          return is_over = true;
+        };
+      },
       cases_a_lane, [one, describe](std::uint64_t i) { return describe(one(i)); });
 }
 

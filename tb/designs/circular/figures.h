@@ -1,8 +1,6 @@
 // What is measured of arcs, see tb/bench/job_check.h.
 #pragma once
 
-#include <algorithm>
-
 #include "model/circular/job.h"
 #include "model/circular/oracle.h"
 #include "model/circular/steps.h"
@@ -16,8 +14,10 @@ struct ArcFigures : PathFigures {
     steps += step_of(seen) == Point{} ? 0 : 1;
   }
   void end(const Params&, const Arc& arc, const Checker<Word>& c) {
-    deviates(std::max(radial_deviation_by(c.least, arc.radius2),
-                      radial_deviation_by(c.most, arc.radius2)));
+    for (const Word excess : {c.least, c.most}) {
+      deviates(about_radial_deviation_by(excess, arc.radius2),
+               [&] { return radial_deviation_by(excess, arc.radius2); });
+    }
   }
   void end_in_lane(const Params& p, const Arc& arc, const Checker<Word>& c) {
     steps += static_cast<std::uint64_t>(c.steps);

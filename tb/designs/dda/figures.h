@@ -1,8 +1,6 @@
 // What is measured of curves, see tb/bench/job_check.h.
 #pragma once
 
-#include <algorithm>
-
 #include "model/dda/equation.h"
 #include "model/dda/job.h"
 #include "model/dda/steps.h"
@@ -20,7 +18,9 @@ struct CurveFigures : PathFigures {
   void end(const Params& p, const Job& job, const Checker<Word>& c) {
     if (!is_line_or_circle(job)) return;
     const Word scale = Word{1} << shifts_of(p, job);
-    deviates(std::max(deviation_by(job, c.least / scale), deviation_by(job, c.most / scale)));
+    for (const Word twice : {c.least / scale, c.most / scale}) {
+      deviates(about_deviation_by(job, twice), [&] { return deviation_by(job, twice); });
+    }
   }
   void end_in_lane(const Params& p, const Job& job, const Checker<Word>& c) {
     steps += static_cast<std::uint64_t>(c.steps);

@@ -172,5 +172,20 @@ TEST(CircularOracleRadialDeviation, KeepsItsDigitsAtTheLargestRadius) {
   EXPECT_DOUBLE_EQ(radial_deviation({kMin, kMin}, 0), std::ldexp(std::sqrt(2.0), 63));
 }
 
+// From one step inside to one outside; a start may be off the circle, and at the centre.
+TEST(Deviation, IsKnownAboutAtOnce) {
+  for (const std::uint64_t radius : {1ULL, 2ULL, 23ULL, 65'535ULL, 4'294'967'295ULL}) {
+    const std::uint64_t radius2 = radius * radius;
+    const auto step = static_cast<std::int64_t>(2 * radius);
+    for (const std::int64_t excess : {-step, -step / 2, std::int64_t{-1}, std::int64_t{0},
+                                      std::int64_t{1}, step / 3, step, 5 * step}) {
+      if (excess < 0 && radius2 < static_cast<std::uint64_t>(-excess)) continue;
+      const double exact = radial_deviation_by(excess, radius2);
+      EXPECT_NEAR(about_radial_deviation_by(excess, radius2), exact, 1e-7 * exact)
+          << radius << ' ' << excess;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cosim::circular

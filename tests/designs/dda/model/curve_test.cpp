@@ -17,6 +17,20 @@ namespace {
 
 constexpr Params kP{8};
 
+TEST(DdaCurve, DeviationIsKnownAboutAtOnce) {
+  const Params p{16};
+  for (const Job& job :
+       {line(p, {27, -9}, {}), line(p, {-65'535, 1}, {}), arc(p, {12, 0}, {0, 12}, {}),
+        arc(p, {52'428, 39'321}, {39'321, 52'428}, {}), circle(p, 1, {}, 9)}) {
+    for (const std::int64_t twice : {-100'000, -77, -1, 0, 1, 8, 100'000}) {
+      const double exact = deviation_by(job, twice);
+      if (!(exact >= 0)) continue;  // so far inside there is no circle
+      if (twice == 0) EXPECT_EQ(about_deviation_by(job, twice), 0);
+      EXPECT_NEAR(about_deviation_by(job, twice), exact, 1e-7 * exact) << twice;
+    }
+  }
+}
+
 TEST(DdaCurve, OfALine) {
   const Job job = line(kP, {27, -9}, {});
   EXPECT_EQ(to_words(job.start), (Words<State<Word>>{0, 0, 1, 0, 0, 255, 27, -9, 0, 0, 27, 9}));

@@ -75,10 +75,14 @@ std::string top_of(VerilatedContext& context) {
   return "TOP";
 }
 
+// Newer versions of Verilator write a name that the RTL escapes as it stands there.
 const VerilatedVar* var_in(const VerilatedScope* scope, const std::string& name) {
   if (scope == nullptr || scope->varsp() == nullptr) return nullptr;
-  const auto found = scope->varsp()->find(name.c_str());
-  return found == scope->varsp()->end() ? nullptr : &found->second;
+  for (const std::string& spelled : {name, '\\' + name + ' '}) {
+    const auto found = scope->varsp()->find(spelled.c_str());
+    if (found != scope->varsp()->end()) return &found->second;
+  }
+  return nullptr;
 }
 
 // A register: a net or a memory, or in RTL that a tool has written a net for each word of a memory.

@@ -149,12 +149,13 @@ function(cosim_power_up_again variable header class)
   set(${variable} "" PARENT_SCOPE)
   cmake_path(GET header PARENT_PATH folder)
   file(READ ${folder}/${class}__Syms.h text)
-  string(CONCAT all "// INTERNAL STATE\n *${class}[*] const __Vm_modelp;\n *bool __Vm_didInit = false;\n\n"
+  string(CONCAT all "// INTERNAL STATE\n *${class}[*] const __Vm_modelp;\n( *VlDeleter __Vm_deleter;\n)?"
+    " *bool __Vm_didInit = false;\n\n"
     " *// MODULE INSTANCE STATE\n([^/]*)")
   if(NOT text MATCHES "${all}")
     return()
   endif()
-  string(REGEX MATCHALL "[A-Za-z0-9_]+ +[A-Za-z0-9_]+" modules "${CMAKE_MATCH_1}")
+  string(REGEX MATCHALL "[A-Za-z0-9_]+ +[A-Za-z0-9_]+" modules "${CMAKE_MATCH_2}")
   set(name "[A-Za-z0-9_]+")
   string(CONCAT plain "VL_(IN|OUT|INOUT)[0-9W]*[(][^\n]*[)]|static constexpr [^\n]*|struct {|}|VlTriggerVec<[0-9]+> ${name}"
     "|(VlUnpacked<)*([CSIQ]Data|VlWide<[0-9]+>|double)(/[*][0-9:]+[*]/)?(, [0-9]+>)* ${name}")

@@ -54,6 +54,15 @@ std::string memory_port(std::size_t memory, const char* port) {
   return fmt::format("cosim.memory{}.{}", memory, port);
 }
 
+// An output that is an input: newer versions of yosys write no map of that. Its two inverters are
+// no gates in AIGER.
+constexpr const char* buffer = R"(module cosim_buffer(input A, output Y);
+  wire n;
+  \$_NOT_ first(.A(A), .Y(n));
+  \$_NOT_ second(.A(n), .Y(Y));
+endmodule
+)";
+
 void Side::make_gates(Memories how, bool steps, const Budget& budget) {
   const fs::path own = scratch_->path();
   const std::string name = word_for_yosys(own.string());
@@ -70,11 +79,15 @@ void Side::make_gates(Memories how, bool steps, const Budget& budget) {
     // It names its file as it is.
     script += "opt_clean" + proof::step_commands(source, name) + "\n";
   }
+  OutputFile file((own / "buffer.v").string());
+  file.text(buffer);
+  file.close();
   // What is of no use then is left where it is: to clean so many gates takes as long as to make
   // them.
   script += fmt::format(
       "opt -full; async2sync; dffunmap; opt_clean; simplemap; techmap; dffunmap\n"
       "opt_clean; setundef -anyseq; aigmap\n"
+      "insbuf -buf cosim_buffer A Y; techmap -map {0}/buffer.v\n"
       "write_aiger -ascii -symbols -no-startoffset -vmap {0}/top.map {0}/top.aag\n",
       name);
   yosys(script, budget);

@@ -258,10 +258,11 @@ TEST(Equiv, AGcdAndItsNetlist) {
                          " (y != 0) begin if (x < y) begin x <= y; y <= x; end else x <= x - y;"
                          " end"));
   const std::string netlist = folder.path("netlist.v");
-  const std::string make = "env -u HOME -u XDG_STATE_HOME yosys -q -p 'read_verilog " + gcd +
-                           "; synth -flatten -top m; abc -g AND,XOR,MUX; opt_clean; write_verilog "
-                           "-noattr " +
-                           netlist + "'";
+  // A list with commas is one word in a script alone.
+  const std::string script = folder.write(
+      "synth.ys", "read_verilog " + gcd + "\nsynth -flatten -top m\nabc -g AND,XOR,MUX\n" +
+                      "opt_clean\nwrite_verilog -noattr " + netlist + "\n");
+  const std::string make = "env -u HOME -u XDG_STATE_HOME yosys -q " + script;
   ASSERT_EQ(std::system(make.c_str()), 0);
   const Ended ended = cosim({"equiv", "--gold", gcd, "--gate", netlist, "--top", "m"});
   EXPECT_EQ(ended.status, 0) << ended.out << ended.err;

@@ -54,8 +54,8 @@ std::string memory_port(std::size_t memory, const char* port) {
   return fmt::format("cosim.memory{}.{}", memory, port);
 }
 
-// An output that is an input: newer versions of yosys write no map of that. Its two inverters are
-// no gates in AIGER.
+// Between an input and an output that are one net: newer versions of yosys write no map of that.
+// The two inverters are no gates in AIGER.
 constexpr const char* buffer = R"(module cosim_buffer(input A, output Y);
   wire n;
   \$_NOT_ first(.A(A), .Y(n));
@@ -87,7 +87,7 @@ void Side::make_gates(Memories how, bool steps, const Budget& budget) {
   script += fmt::format(
       "opt -full; async2sync; dffunmap; opt_clean; simplemap; techmap; dffunmap\n"
       "opt_clean; setundef -anyseq; aigmap\n"
-      "insbuf -buf cosim_buffer A Y; techmap -map {0}/buffer.v\n"
+      "insbuf -buf cosim_buffer A Y i:* %co1 o:* %i; techmap -map {0}/buffer.v\n"
       "write_aiger -ascii -symbols -no-startoffset -vmap {0}/top.map {0}/top.aag\n",
       name);
   yosys(script, budget);

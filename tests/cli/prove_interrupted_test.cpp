@@ -121,11 +121,12 @@ TEST(ProofAtItsLimit, SaysWhatToDo) {
   const Folder folder;
   const std::string path = std::getenv("PATH");
   fs::create_directory(folder.path("bin"));
-  // One question takes a solver more time than there is, all others none.
-  const std::string solver = "#!/bin/sh\nmkdir " + folder.path("once") +
-                             " 2> /dev/null && exec sha256sum /dev/zero\necho unsat\n";
-  for (const char* name : {"bin/cvc5", "bin/z3"}) {
-    chmod(folder.write(name, solver).c_str(), 0700);
+  // One question takes cvc5, which is asked one at a time, more time than there is. No answer of
+  // others is one that settles it before that.
+  const std::string slow =
+      "mkdir " + folder.path("once") + " 2> /dev/null && exec sha256sum /dev/zero\n";
+  for (const auto& [name, first] : {std::pair("bin/cvc5", slow), {"bin/z3", std::string()}}) {
+    chmod(folder.write(name, "#!/bin/sh\n" + first + "echo unknown\n").c_str(), 0700);
   }
   setenv("PATH", (folder.path("bin") + ':' + path).c_str(), 1);
   const Ended e = cosim({"prove", "--theorems", "linear", "--limit", "1"});

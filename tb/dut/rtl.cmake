@@ -18,7 +18,7 @@ function(cosim_read_rtl prefix what top clock folder)
   find_program(COSIM_PERL perl REQUIRED)
   file(MAKE_DIRECTORY ${folder})
   set(verilator ${VERILATOR_BIN} --top-module ${top} -Mdir ${folder} -Wno-fatal -Wno-lint -Wno-style
-    ${R_OPTIONS})
+    --no-timing -Werror-STMTDLY ${R_OPTIONS})
   execute_process(COMMAND ${verilator} --xml-only --xml-output ${folder}/tree.xml ${R_FILES}
     RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
   if(status)
@@ -31,6 +31,10 @@ function(cosim_read_rtl prefix what top clock folder)
       message(FATAL_ERROR "${what}: ${CMAKE_MATCH_1}: no file has the module ${CMAKE_MATCH_2}: give a file that "
         "models it, or make a blackbox of it, whose pins become ports: cosim new --blackbox ${CMAKE_MATCH_2}, in "
         "CMake BLACKBOXES ${CMAKE_MATCH_2}")
+    endif()
+    if(error MATCHES "Error-(NOTIMING|STMTDLY): ([^ ]*/)?([^ /:]+:[0-9]+):")
+      message(FATAL_ERROR "${what}: ${CMAKE_MATCH_3}: waits, as a testbench does and no circuit; only the delay of "
+        "an assignment (q <= #1 d) is left out")
     endif()
     message(FATAL_ERROR "${what}: Verilator cannot read it: ${error}")
   endif()
@@ -49,7 +53,7 @@ function(cosim_read_rtl prefix what top clock folder)
     -e "s{/\\*\\s*verilator lint_off\\b.*?\\*/}{}g; s{\\balways_latch\\b}{always @*}g"
     ${folder}/plain.sv COMMAND_ERROR_IS_FATAL ANY)
   execute_process(
-    COMMAND ${verilator} --lint-only -Wwarn-LATCH -Wwarn-UNOPTFLAT --timing ${folder}/plain.sv
+    COMMAND ${verilator} --lint-only -Wwarn-LATCH -Wwarn-UNOPTFLAT ${folder}/plain.sv
     RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
   if(status)
     string(REGEX MATCH "%Error[^\n]*" error "${said}")

@@ -30,7 +30,8 @@ std::string given(const Parameter& p) {
 }
 
 Words verilator(const proof::Source& source) {
-  Words words{"verilator", "--lint-only", "-Wall", "--top-module", source.top};
+  Words words{"verilator",      "--lint-only",  "-Wall",   "--no-timing",
+              "-Wno-ASSIGNDLY", "--top-module", source.top};
   for (const Parameter& p : source.parameters) {
     words.push_back(fmt::format("-G{}={}", p.name, given(p)));
   }

@@ -116,7 +116,8 @@ std::optional<FoundShape> shape_with(const RtlQuestion& question, const std::str
                                  work.string(),
                                  "-Wno-fatal",
                                  "-Wno-lint",
-                                 "-Wno-style"};
+                                 "-Wno-style",
+                                 "--no-timing"};
   words.insert(words.end(), question.options.begin(), question.options.end());
   for (const FoundParameter& p : question.parameters) {
     if (p.name == other) continue;

@@ -52,6 +52,13 @@ rtl 'always @(posedge clk) q <= d; always @(posedge other) r <= d;'
 refused "made: r: its clock is other, and that of the design is clk"
 rtl 'wire gated = clk & d; always @(posedge gated) q <= d;'
 refused "made: q: its clock is gated, which is no input"
+# A delay of an assignment is left out, as by a synthesizer; what waits is no circuit.
+rtl 'always @(posedge clk) q <= #1 d; assign #2 r = q;'
+found 'q 1 0 0:0 r 1 0 0|'
+rtl 'always @(posedge clk) begin #1 q <= d; end'
+refused "made: made.sv:2: waits, as a testbench does and no circuit"
+rtl 'initial forever @(posedge clk) q = d;'
+refused "made: made.sv:2: waits, as a testbench does"
 # A gate or a divider that is an instance is named.
 printf 'module icg(input wire clk, en, output wire gclk); reg held;
   always @* if (!clk) held = en; assign gclk = clk & held; endmodule

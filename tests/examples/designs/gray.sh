@@ -15,6 +15,7 @@ ends 0 replay a.stim
 # From a state the reset acts at once, too.
 printf 'cosim stimulus 1\nmachine gray FAULT=0\nstate count=9 odd=1 all=7\nclock rst_n en\n0 0 1\n1-3 1 1\n4 0 0\nend\n' > a.stim
 ends 0 replay a.stim
+ends 0 lint gray FAULT=0
 if [[ $solvers ]]; then
   ends 0 prove gray FAULT=0
   says "a reset makes them the same, but for all"

@@ -1,5 +1,5 @@
 // A Gray counter with an asynchronous reset, active low, and a count of its clocks that no reset
-// reaches.
+// reaches. The delays are left out by all that read them.
 module gray #(parameter FAULT = 0) (
     input  wire       clock,
     input  wire       rst_n,
@@ -16,7 +16,7 @@ module gray #(parameter FAULT = 0) (
     else if (en) count <= count + 4'd1;
   wire rst = !rst_n;
   always @(posedge clock or posedge rst)
-    if (rst) odd <= 1'b0;
-    else if (en) odd <= !odd ^ (FAULT != 0 && count == 4'd12);
-  always @(posedge clock) all <= all + {3'b000, en};
+    if (rst) odd <= #1 1'b0;
+    else if (en) odd <= #1 !odd ^ (FAULT != 0 && count == 4'd12);
+  always @(posedge clock) all <= #1 all + {3'b000, en};
 endmodule

@@ -18,7 +18,7 @@ module lock #(parameter FAULT = 0) (
       open_q   <= 1'b0;
       clocks_q <= 4'd0;
     end else begin
-      half_q   <= code == 16'hc0de;
+      half_q   <= #1 code == 16'hc0de;
       last_q   <= code == 16'hbeef;
       open_q   <= open_q | half_q & code == 16'hbeef;
       clocks_q <= clocks_q + (FAULT != 0 && clocks_q == 4'd5 ? 4'd2 : 4'd1);

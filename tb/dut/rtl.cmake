@@ -36,6 +36,10 @@ function(cosim_read_rtl prefix what top clock folder)
       message(FATAL_ERROR "${what}: ${CMAKE_MATCH_3}: waits, as a testbench does and no circuit; only the delay of "
         "an assignment (q <= #1 d) is left out")
     endif()
+    if(error MATCHES "Parameter without initial value is never given value[^']*'([^']*)'")
+      message(FATAL_ERROR "${what}: the parameter ${CMAKE_MATCH_1} has no value of its own: give it one: cosim new "
+        "--param ${CMAKE_MATCH_1}=VALUE, in CMake SHAPES \"${CMAKE_MATCH_1}=VALUE\"")
+    endif()
     message(FATAL_ERROR "${what}: Verilator cannot read it: ${error}")
   endif()
   # What it warns of, be it told in the RTL not to; a latch that is meant to be one is one too.

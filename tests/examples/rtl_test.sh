@@ -92,6 +92,9 @@ rtl 'reg n; always @(posedge clk) n <= d; wire up = !n;
 found 'n 1 0 0:0\nq 1 0 0:0\nr 1 0 0:0|other\ninner low n'
 rtl 'always @(posedge clk) q <= d'
 refused "made: Verilator cannot read it: %Error: "
+printf 'module made #(parameter N)(input wire clk, d, output reg q); always @(posedge clk) q <= d ^ N;
+endmodule\n' > made.sv
+refused "made: the parameter N has no value of its own"
 if command -v yosys > /dev/null; then
   rtl 'wire y, z; assign y = z ^ d; assign z = y & w[0]; always @(posedge clk) q <= y;'
   refused "made: y: a combinational loop"

@@ -11,8 +11,8 @@ function(cosim_shape_cover)
   add_custom_command(OUTPUT ${FOLDER}/counted.cpp
     COMMAND ${CMAKE_COMMAND} -E rm -rf verilated
     COMMAND ${VERILATOR_BIN} --cc --top-module ${TOP} --prefix ${COVERED} --Mdir verilated
-      ${generics} ${options} -Wno-fatal -Wno-lint -Wno-style --no-timing --x-initial unique
-      --x-assign unique --assert --vpi --public-flat-rw
+      ${generics} ${options} ${rtl_of_unrolled} -Wno-fatal -Wno-lint -Wno-style --no-timing
+      --x-initial unique --x-assign unique --assert --vpi --public-flat-rw
       --coverage-line --coverage-toggle --coverage-user --coverage-max-width 65536 ${rtl}
     COMMAND bash -c [[printf '#include "%s"\n' verilated/*.cpp > counted.cpp]]
     COMMAND ${CMAKE_COMMAND} -DOUTPUT=${COVERED}_ports.h -P ${root}/tb/dut/ports.cmake verilated/${COVERED}.h

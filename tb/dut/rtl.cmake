@@ -5,9 +5,9 @@ set_property(GLOBAL PROPERTY COSIM_RTL_READER "${CMAKE_CURRENT_LIST_DIR}/rtl.pl"
 # cosim_read_rtl(PREFIX WHAT TOP CLOCK FOLDER FILES... OPTIONS word... YOSYS commands...)
 #
 # Sets PREFIX_registers, the text of rtl.pl on the registers, its lines joined by \n, PREFIX_resets, the
-# asynchronous ones, "inner NAME" of a register that is one, PREFIX_clocks and PREFIX_outputs. An error, one line
-# that begins with WHAT, where the RTL has what no design can have. OPTIONS are Verilator's; YOSYS is what makes
-# yosys read the same. Another one where Verilator does not write its tree: no design goes unchecked.
+# asynchronous ones, "inner NAME" of a register that is one, PREFIX_clocks and PREFIX_outputs; and PREFIX_unrolled, options that Verilator
+# needs to build it. An error, one line that begins with WHAT, where the RTL has what no design can have. OPTIONS are
+# Verilator's; YOSYS is what makes yosys read the same. Another one where Verilator does not write its tree: no design goes unchecked.
 function(cosim_read_rtl prefix what top clock folder)
   cmake_parse_arguments(PARSE_ARGV 5 R "" "YOSYS" "FILES;OPTIONS")
   set(${prefix}_registers "" PARENT_SCOPE)
@@ -18,8 +18,8 @@ function(cosim_read_rtl prefix what top clock folder)
   find_program(COSIM_PERL perl REQUIRED)
   file(MAKE_DIRECTORY ${folder})
   set(verilator ${VERILATOR_BIN} --top-module ${top} -Mdir ${folder} -Wno-fatal -Wno-lint -Wno-style
-    --no-timing -Werror-STMTDLY ${R_OPTIONS})
-  execute_process(COMMAND ${verilator} --xml-only --xml-output ${folder}/tree.xml ${R_FILES}
+    --no-timing ${R_OPTIONS})
+  execute_process(COMMAND ${verilator} -Werror-STMTDLY --xml-only --xml-output ${folder}/tree.xml ${R_FILES}
     RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
   if(status)
     string(REGEX MATCH "%Error[^\n]*" error "${said}")
@@ -56,9 +56,16 @@ function(cosim_read_rtl prefix what top clock folder)
   execute_process(COMMAND ${COSIM_PERL} -pi
     -e "s{/\\*\\s*verilator lint_off\\b.*?\\*/}{}g; s{\\balways_latch\\b}{always @*}g"
     ${folder}/plain.sv COMMAND_ERROR_IS_FATAL ANY)
-  execute_process(
-    COMMAND ${verilator} --lint-only -Wwarn-LATCH -Wwarn-UNOPTFLAT ${folder}/plain.sv
-    RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
+  # What writes an array with `<=` in a loop must be unrolled; the loops of others had better not be.
+  foreach(unrolled "" "--unroll-count;65536;--unroll-stmts;1000000")
+    execute_process(
+      COMMAND ${verilator} ${unrolled} --lint-only -Wwarn-LATCH -Wwarn-UNOPTFLAT ${folder}/plain.sv
+      RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
+    if(NOT said MATCHES "%Error-BLKLOOPINIT")
+      break()
+    endif()
+  endforeach()
+  set(${prefix}_unrolled ${unrolled} PARENT_SCOPE)
   if(status)
     string(REGEX MATCH "%Error[^\n]*" error "${said}")
     message(FATAL_ERROR "${what}: Verilator cannot lint it: ${error}")

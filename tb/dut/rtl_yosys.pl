@@ -52,6 +52,8 @@ while (defined(my $bit = shift @left)) {
 print "memory $_\n" for sort keys %memories;
 for my $cell (values %{$top->{cells}}) {
     my ($kind) = $cell->{type} =~ /^\$.*(ff|latch|sr)/ or next;
+    # One that is open at all times is none.
+    next if $kind eq 'latch' && ($cell->{connections}{EN}[0] // '') eq substr $cell->{parameters}{EN_POLARITY} // 'x', -1;
     my ($q, $d) = map { $cell->{connections}{$_} // [] } qw(Q D);
     # A constant, "0", "1" or "x", that is driven besides is no place where one holds anything.
     for my $i (grep { $q->[$_] !~ /^[01xz]$/ && $live{$q->[$_]} && $names{$q->[$_]} } 0 .. $#$q) {

@@ -211,7 +211,7 @@ function(cosim_add_design NAME)
       list(POP_FRONT netlists verilated)
       set(verilated_options)
     endif()
-    list(APPEND verilated_options -Wno-fatal --no-timing --x-initial unique --x-assign unique --assert --vpi)
+    list(APPEND verilated_options -Wno-fatal --no-timing ${rtl_of_unrolled} --x-initial unique --x-assign unique --assert --vpi)
     cosim_control_file(control ${ID} "${rtl_of_registers}" "${model_text}")
     verilate(${NAME}_verilated PREFIX V${ID} TOP_MODULE ${TOP}
       SOURCES ${control} ${verilated} VERILATOR_ARGS ${verilated_options} -O3)

@@ -59,6 +59,30 @@ rtl 'always @(posedge clk) begin #1 q <= d; end'
 refused "made: made.sv:2: waits, as a testbench does and no circuit"
 rtl 'initial forever @(posedge clk) q = d;'
 refused "made: made.sv:2: waits, as a testbench does"
+rtl 'always @(posedge clk) begin if (other) begin /* verilator lint_off STMTDLY */ #5; $display("no"); end q <= d; end'
+found 'q 1 0 0:0|'
+# More words than Verilator unrolls by itself.
+rtl 'reg [7:0] m [0:199]; integer i; always @(posedge clk) if (other) for (i = 0; i < 200; i = i + 1) m[i] <= w;
+     else r <= m[w][0];'
+found 'm 8 200 1599:0\nr 1 0 0:0|'
+# yosys makes a latch of it that is always open.
+rtl 'reg [0:0] u; reg [1:0] e [0:1]; integer i, j, o;
+     always @(*) begin
+       o = 0;
+       for (i = 0; i < 2; i = i + 1) begin
+         e[i][i] = 1;
+         for (j = i + 1; j < 2; j = j + 1) e[i][j] = d;
+         for (j = 0; j < i; j = j + 1) e[i][j] = !e[j][i];
+         o = o + 1 - i;
+       end
+       o = 0;
+       for (i = 0; i < 2; i = i + 1) begin
+         for (j = i + 1; j < 2; j = j + 1) u[o + j - i - 1] = e[i][j];
+         o = o + 1 - i;
+       end
+     end
+     always @(posedge clk) q <= u;'
+found 'q 1 0 0:0|'
 # A gate or a divider that is an instance is named.
 printf 'module icg(input wire clk, en, output wire gclk); reg held;
   always @* if (!clk) held = en; assign gclk = clk & held; endmodule

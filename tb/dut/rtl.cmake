@@ -61,11 +61,11 @@ function(cosim_read_rtl prefix what top clock folder)
     execute_process(
       COMMAND ${verilator} ${unrolled} --lint-only -Wwarn-LATCH -Wwarn-UNOPTFLAT ${folder}/plain.sv
       RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
+    set(${prefix}_unrolled ${unrolled} PARENT_SCOPE)
     if(NOT said MATCHES "%Error-BLKLOOPINIT")
       break()
     endif()
   endforeach()
-  set(${prefix}_unrolled ${unrolled} PARENT_SCOPE)
   if(status)
     string(REGEX MATCH "%Error[^\n]*" error "${said}")
     message(FATAL_ERROR "${what}: Verilator cannot lint it: ${error}")

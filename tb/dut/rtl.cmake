@@ -33,7 +33,7 @@ function(cosim_read_rtl prefix what top clock folder)
         "CMake BLACKBOXES ${CMAKE_MATCH_2}")
     endif()
     if(error MATCHES "Error-(NOTIMING|STMTDLY): ([^ ]*/)?([^ /:]+:[0-9]+):")
-      message(FATAL_ERROR "${what}: ${CMAKE_MATCH_3}: waits, as a testbench does and no circuit; only the delay of "
+      message(FATAL_ERROR "${what}: ${CMAKE_MATCH_3}: waits, as a testbench does and no circuit. Only the delay of "
         "an assignment (q <= #1 d) is left out")
     endif()
     if(error MATCHES "Parameter without initial value is never given value[^']*'([^']*)'")

@@ -59,8 +59,8 @@ rtl 'always @(posedge clk) begin #1 q <= d; end'
 refused "made: made.sv:2: waits, as a testbench does and no circuit"
 rtl 'initial forever @(posedge clk) q = d;'
 refused "made: made.sv:2: waits, as a testbench does"
-rtl 'always @(posedge clk) begin if (other) begin /* verilator lint_off STMTDLY */ #5; $display("no"); end q <= d; end'
-found 'q 1 0 0:0|'
+rtl 'always @(posedge clk) begin if (other) begin /* verilator lint_off STMTDLY */ #5; r <= w[0]; end q <= d; end'
+found 'q 1 0 0:0\nr 1 0 0:0|'
 # More words than Verilator unrolls by itself.
 rtl 'reg [7:0] m [0:199]; integer i; always @(posedge clk) if (other) for (i = 0; i < 200; i = i + 1) m[i] <= w;
      else r <= m[w][0];'

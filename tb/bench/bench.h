@@ -154,6 +154,9 @@ class AnyBench {
   /// ByHand<Design>; null where what is compared is not clocks.
   virtual std::unique_ptr<AnyByHand> by_hand(std::uint32_t /*power_up*/) const { return {}; }
 
+  /// Makes what replays and waves need besides, which they do themselves where it is missing: for
+  /// where there is no compiler later. InputError where that fails.
+  virtual void prepare_replays() const {}
   /// Runs a stimulus of this machine, to its end or to the first difference. InputError if it
   /// starts from a state and the machine cannot be set to one.
   virtual Run replay(const Stimulus& stimulus, Window window = {}) const = 0;

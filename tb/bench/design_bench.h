@@ -130,6 +130,7 @@ class DesignBench final : public Bench<Design> {
     return titled(recorded<Design>(params(), Host(params(), all), power_up, most));
   }
 
+  void prepare_replays() const override { instrumented_.make(1); }
   Run replay(const Stimulus& s, Window window) const override {
     Run result = replayed(instrumented_, s, window);
     if (result.mismatch) result.mismatch->bench = this;

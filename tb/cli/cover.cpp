@@ -112,12 +112,11 @@ Json closed(const Points& points, const Answers& answers) {
           {"not_asked", sums[Answer::not_asked]}};
 }
 
-// Runs the counted program of a shape, which leaves its counts in the folder. False where RTL and
-// model differ.
+// Runs the counted program of a shape, which is built, and leaves its counts in the folder. False
+// where RTL and model differ.
 bool counted(const Registry& registry, const AnyBench& bench, const std::string& folder,
              const std::vector<std::string>& words) {
   const OnDemand& program = on_demand(registry.covers(), bench.built_as());
-  build(registry, program);
   std::vector<std::string> command{path_of(program), folder};
   command.insert(command.end(), words.begin(), words.end());
   const Ended ended = cosim::run_program(command);
@@ -154,6 +153,11 @@ Json covered(const CoverOptions& o, const Registry& registry, const Benches& ben
         differed = !counted(registry, bench, folder_of(bench), words) || differed;
         return coverage::read_points(counts);
       }};
+  std::vector<OnDemand> programs;
+  for (const AnyBench* bench : benches) {
+    programs.push_back(on_demand(registry.covers(), bench->built_as()));
+  }
+  build(registry, programs);
   for (const AnyBench* bench : benches) {
     fs::create_directory(folder_of(*bench));
     differed = !counted(registry, *bench, folder_of(*bench), work) || differed;

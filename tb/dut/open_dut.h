@@ -1,6 +1,6 @@
-// A DUT whose class is Verilated with the whole hierarchy open (--vpi --public-flat-rw), for
-// replays, waves and tests. The class is data here, and its cells are looked up by name in each
-// instance: what stands below is compiled once for a design, not for each shape.
+// A DUT whose class is open as a whole, for replays, waves and tests. The class is data here, and
+// its cells are looked up by name in each instance: what stands below is compiled once for a
+// design, not for each shape.
 #pragma once
 
 #include <cstddef>
@@ -16,20 +16,11 @@
 #include "tb/dut/adapter.h"
 #include "tb/dut/dut.h"
 #include "tb/dut/nets.h"
+#include "tb/dut/open_instance.h"
+#include "tb/dut/open_library.h"
 #include "tb/dut/said.h"
 
 namespace cosim {
-
-/// An instance of any class.
-class OpenInstance {
- public:
-  virtual ~OpenInstance() = default;
-  virtual VerilatedContext& context() = 0;
-  virtual std::vector<PortNet> ports() = 0;
-  virtual void eval() = 0;
-  virtual void begin() = 0;
-  virtual std::vector<Signal> signals(const std::string& clock) const = 0;
-};
 
 /// A class, and what its shape's Trait says of it: see NamedAdapter.
 struct OpenClass {
@@ -40,34 +31,26 @@ struct OpenClass {
   bool loads = true;             ///< registers can be set
 };
 
-namespace detail {
-
-template <class Top, bool is_reset>
-class OpenInstanceOf final : public OpenInstance, VerilatedInstance<Top, is_reset> {
-  using Base = VerilatedInstance<Top, is_reset>;
-
- public:
-  explicit OpenInstanceOf(std::uint32_t power_up) : Base(power_up) {}
-  VerilatedContext& context() override { return Base::context(); }
-  std::vector<PortNet> ports() override { return ports_of(this->top()); }
-  void eval() override { this->top().eval(); }
-  void begin() override { Base::begin(); }
-  std::vector<Signal> signals(const std::string& clock) const override {
-    return Base::signals(clock);
-  }
-};
-
-}  // namespace detail
-
-template <class Top, class Trait>
-OpenClass open_class() {
-  OpenClass all{[](std::uint32_t power_up) -> std::unique_ptr<OpenInstance> {
-                  constexpr bool is_reset = has_reset<typename Trait::Design>;
-                  return std::make_unique<detail::OpenInstanceOf<Top, is_reset>>(power_up);
-                },
-                Trait::title, Trait::clock, Trait::registers};
+template <class Trait>
+OpenClass open_class_by(std::unique_ptr<OpenInstance> (*make)(std::uint32_t power_up)) {
+  OpenClass all{make, Trait::title, Trait::clock, Trait::registers};
   if constexpr (requires { Trait::clocks; }) all.clocks = Trait::clocks;
   return all;
+}
+/// Top, which the program has.
+template <class Top, class Trait>
+OpenClass open_class() {
+  return open_class_by<Trait>([](std::uint32_t power_up) -> std::unique_ptr<OpenInstance> {
+    return std::make_unique<OpenInstanceOf<Top, has_reset<typename Trait::Design>>>(power_up);
+  });
+}
+/// That of the shape in `library`.
+template <class Trait, const OpenLibrary& library>
+OpenClass open_class_in() {
+  return open_class_by<Trait>([](std::uint32_t power_up) {
+    static const MakeOpen make = open_maker_in(library, Trait::id);
+    return std::unique_ptr<OpenInstance>(make(power_up));
+  });
 }
 
 template <class Design>
@@ -136,7 +119,7 @@ class OpenDut final : public Dut<Design> {
     }
   }
   std::vector<Signal> signals() const override {
-    auto all = instance_->signals(class_.clock);
+    auto all = signals_of(instance_->context(), class_.clock);
     for (const Clock& c : clocks_) {
       for (Signal& s : all) {
         if (s.name != c.name) continue;

@@ -5,9 +5,10 @@ set_property(GLOBAL PROPERTY COSIM_RTL_READER "${CMAKE_CURRENT_LIST_DIR}/rtl.pl"
 # cosim_read_rtl(PREFIX WHAT TOP CLOCK FOLDER FILES... OPTIONS word... YOSYS commands...)
 #
 # Sets PREFIX_registers, the text of rtl.pl on the registers, its lines joined by \n, PREFIX_resets, the
-# asynchronous ones, "inner NAME" of a register that is one, PREFIX_clocks and PREFIX_outputs; and PREFIX_unrolled,
-# options that Verilator needs to build it. An error, one line that begins with WHAT, where the RTL has what no
-# design can have. OPTIONS are Verilator's; YOSYS is what makes yosys read the same. Another one where Verilator
+# asynchronous ones, "inner NAME" of a register that is one, PREFIX_clocks and PREFIX_outputs; PREFIX_unrolled,
+# options that Verilator needs to build it; and PREFIX_hash, of all that it read. An error, one line that begins
+# with WHAT, where the RTL has what no design can have. OPTIONS are Verilator's; YOSYS is what makes yosys
+# read the same. Another one where Verilator
 # does not write its tree: no design goes unchecked.
 function(cosim_read_rtl prefix what top clock folder)
   cmake_parse_arguments(PARSE_ARGV 5 R "" "YOSYS" "FILES;OPTIONS")
@@ -57,6 +58,8 @@ function(cosim_read_rtl prefix what top clock folder)
   execute_process(COMMAND ${COSIM_PERL} -pi
     -e "s{/\\*\\s*verilator lint_off\\b.*?\\*/}{}g; s{\\balways_latch\\b}{always @*}g"
     ${folder}/plain.sv COMMAND_ERROR_IS_FATAL ANY)
+  file(SHA256 ${folder}/plain.sv hash)
+  set(${prefix}_hash ${hash} PARENT_SCOPE)
   # What writes an array with `<=` in a loop must be unrolled; the loops of others had better not be.
   foreach(unrolled "" "--unroll-count;65536;--unroll-stmts;1000000")
     execute_process(

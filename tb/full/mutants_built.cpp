@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 std::string built_mutants(const Registry& registry, const AnyBench& bench, std::uint64_t mutants) {
   const OnDemand& attacks = registry.attacks();
-  build(registry, attacks);
+  build(registry, {attacks});
   const fs::path folder = fs::path(attacks.folder) / "mutants";
   fs::create_directories(folder);
   const fs::path file = folder / failure_name(bench, fmt::format("{} mutants", mutants));

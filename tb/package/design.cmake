@@ -42,6 +42,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/../dut/shape.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../dut/verilog.cmake)
 set_property(GLOBAL PROPERTY COSIM_ROOT "${CMAKE_CURRENT_LIST_DIR}/../..")
 include(${CMAKE_CURRENT_LIST_DIR}/design_control.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/design_open.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/design_program.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../gtest/design_gtest.cmake)  # cosim_add_gtest(): tests by hand
 include(${CMAKE_CURRENT_LIST_DIR}/../coverage/design_cover.cmake)
@@ -63,7 +64,7 @@ endfunction()
 # time. Newer Verilators refuse two classes in one file, by a macro, for the sake of precompiled
 # headers, which are not used here.
 function(cosim_verilated_library target)
-  add_library(${target} STATIC)
+  add_library(${target} ${ARGN})
   set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX
     UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 40
     UNITY_BUILD_CODE_AFTER_INCLUDE "#undef VL_PCH_INCLUDED")
@@ -166,10 +167,9 @@ function(cosim_add_design NAME)
 
   get_property(root GLOBAL PROPERTY COSIM_ROOT)
   # For long runs: of the registers alone it is told where they are. And with the whole hierarchy open,
-  # for replays and waves: several times slower.
-  cosim_verilated_library(${NAME}_verilated)
-  cosim_verilated_library(${NAME}_open)
-  target_compile_options(${NAME}_open PRIVATE -O1)
+  # for replays and waves: several times slower, and built when the first of them asks for it.
+  cosim_verilated_library(${NAME}_verilated STATIC)
+  cosim_verilated_library(${NAME}_open MODULE EXCLUDE_FROM_ALL)
   # What looks like a name that a model may have, and is none, is an error when it is built.
   set(names ${CMAKE_CURRENT_BINARY_DIR}/${NAME}.names)
   add_custom_command(OUTPUT ${names} DEPFILE ${names}.d VERBATIM
@@ -178,6 +178,9 @@ function(cosim_add_design NAME)
   target_sources(${NAME}_verilated PRIVATE ${names})
   set(SHAPES "")
   set(VERILATED_INCLUDES "")
+  set(OPEN_INCLUDES "")
+  set(OPEN_MAKERS "")
+  set(open_made_of "")
   set(ADD_BENCHES "")
   set(ADD_MACHINES "")
   set(prefixes)
@@ -218,7 +221,17 @@ function(cosim_add_design NAME)
     verilate(${NAME}_open PREFIX I${ID} TOP_MODULE ${TOP}
       SOURCES ${verilated} VERILATOR_ARGS ${verilated_options} --public-flat-rw)
     list(APPEND prefixes ${ID})
-    string(APPEND VERILATED_INCLUDES "#include \"V${ID}_ports.h\"\n#include \"I${ID}_ports.h\"\n")
+    string(APPEND VERILATED_INCLUDES "#include \"V${ID}_ports.h\"\n")
+    string(APPEND OPEN_INCLUDES "#include \"I${ID}_ports.h\"\n")
+    string(APPEND OPEN_MAKERS
+      "extern \"C\" cosim::OpenInstance* open_${ID}(std::uint32_t power_up) {\n"
+      "  return new cosim::OpenInstanceOf<I${ID}, true>(power_up);\n"
+      "}\n")
+    set(netlist_hash)
+    if(D_NETLISTS)
+      file(SHA256 ${verilated} netlist_hash)
+    endif()
+    string(APPEND open_made_of "${ID} ${rtl_of_hash} ${netlist_hash} ${verilated_options}\n")
     if(NOT D_CLOCKS)
       set(rtl_of_clocks "")
     endif()
@@ -227,13 +240,14 @@ function(cosim_add_design NAME)
       "  using Design = ::${D_NAMESPACE}::Design;\n"
       "  static constexpr Design::Params params{${shape_values}};\n"
       "  static constexpr const char* title = \"${TITLE}\";\n"
+      "  static constexpr const char* id = \"${ID}\";\n"
       "  static constexpr const char* clock = \"${CLOCK}\";\n"
       "  static constexpr const char* clocks = \"${rtl_of_clocks}\";\n"
       "  static constexpr const char* registers = \"${rtl_of_registers}\";\n"
       "  static constexpr const char* resets = \"${rtl_of_resets}\";\n"
       "  static constexpr const char* outputs = \"${rtl_of_outputs}\";\n"
       "};\n")
-    string(APPEND ADD_BENCHES "  add_benches(all, add_shape<V${ID}, I${ID}, Trait_${ID}>);\n")
+    string(APPEND ADD_BENCHES "  add_benches(all, add_shape<V${ID}, Trait_${ID}, open_library>);\n")
     string(APPEND ADD_MACHINES
       "  all.push_back(proof::built_machine<Trait_${ID}>(\n"
       "      {{\"${FILES}\"}, \"${TOP}\", {}, {}, {${FOLDERS}}, {${DEFINES}}, {${shape_constants}}}));\n")
@@ -244,6 +258,7 @@ function(cosim_add_design NAME)
   list(TRANSFORM prefixes PREPEND I OUTPUT_VARIABLE classes)
   cosim_ports(${NAME}_open ${classes})
   cosim_without_runtime(${NAME}_verilated ${NAME}_open)
+  cosim_open_library("${open_made_of}")
   # The lockstep of all shapes is one file, and what is proved of them another.
   configure_file(${root}/tb/package/named_shapes.h.in ${CMAKE_CURRENT_BINARY_DIR}/${NAME}_shapes.h @ONLY)
   foreach(kind benches machines)
@@ -251,7 +266,7 @@ function(cosim_add_design NAME)
     configure_file(${root}/tb/package/named_${kind}_of.cpp.in ${source} @ONLY)
     set_property(GLOBAL APPEND PROPERTY COSIM_SOURCES_OF_${kind} ${source})
   endforeach()
-  set_property(GLOBAL APPEND PROPERTY COSIM_VERILATED ${NAME}_verilated ${NAME}_open)
+  set_property(GLOBAL APPEND PROPERTY COSIM_VERILATED ${NAME}_verilated)
   set_property(GLOBAL APPEND PROPERTY COSIM_LIBRARIES ${D_LIBRARIES})
   set_property(GLOBAL APPEND PROPERTY COSIM_DESIGNS ${NAME})
   set_property(GLOBAL PROPERTY COSIM_NAMESPACE_OF_${NAME} ${D_NAMESPACE})

@@ -54,6 +54,9 @@ function(cosim_program TARGET)
     ${LIBRARIES} ${spare} cosim::dut cosim::harness ${VERILATED} cosim::runtime)
   # But for the loops over clocks, which say so themselves (COSIM_FLATTEN), nothing in it needs speed.
   target_compile_options(${TARGET}_benches PRIVATE $<$<CXX_COMPILER_ID:GNU>:-O1>)
+  if(designs)  # what is loaded later takes Verilator's library from the program
+    target_link_options(${TARGET}_benches INTERFACE -rdynamic)
+  endif()
   cosim_list("proof::BuiltMachine")
   set(THEOREMS "")
   foreach(name IN LISTS P_THEOREMS)

@@ -16,11 +16,11 @@
 
 namespace cosim {
 
-/// Top: the Verilated class, Open: that with its whole hierarchy open. Trait has Design, params,
+/// Top: the Verilated class; open: that with its whole hierarchy open. Trait has Design, params,
 /// title and clock, and what the RTL's text says of its registers and resets. InputError where that
 /// does not fit a model in lockstep.
-template <class Top, class Open, class Trait>
-std::vector<std::unique_ptr<AnyBench>> named_benches() {
+template <class Top, class Trait>
+std::vector<std::unique_ptr<AnyBench>> named_benches(const OpenClass& open) {
   using Design = typename Trait::Design;
   std::vector<std::unique_ptr<AnyBench>> all;
 #ifdef COSIM_STREAMS
@@ -31,8 +31,7 @@ std::vector<std::unique_ptr<AnyBench>> named_benches() {
   if constexpr (!has_streams || StepsOn<Design, Word>) {
     using Adapter = NamedAdapter<Top, Trait>;
     auto bench = std::make_unique<DesignBench<Design>>(
-        dut_maker<Adapter>(), open_maker<Design>(open_class<Open, Trait>(), Trait::params),
-        fast_loop<Adapter>);
+        dut_maker<Adapter>(), open_maker<Design>(open, Trait::params), fast_loop<Adapter>);
     const auto patterns = unobserved_of<Design>();
     bench->set_unobserved(
         require_registers<Design>({Trait::title, Trait::registers, Trait::resets, Trait::outputs},
@@ -42,17 +41,16 @@ std::vector<std::unique_ptr<AnyBench>> named_benches() {
   }
 #ifdef COSIM_STREAMS
   if constexpr (has_streams) {
-    all.push_back(
-        std::make_unique<StreamBench<Trait, VerilatedStreamDut<Top>, VerilatedStreamDut<Open>>>());
+    all.push_back(std::make_unique<StreamBench<Trait, VerilatedStreamDut<Top>>>(open));
   }
 #endif
   return all;
 }
 
 /// Adds them to `all`. InputError where the model names another shape than Trait.
-template <class Top, class Open, class Trait>
+template <class Top, class Trait, const OpenLibrary& library>
 void add_shape(std::vector<std::unique_ptr<AnyBench>>& all) {
-  for (auto& bench : named_benches<Top, Open, Trait>()) {
+  for (auto& bench : named_benches<Top, Trait>(open_class_in<Trait, library>())) {
     require_shape(*bench, Trait::title);
     all.push_back(std::move(bench));
   }

@@ -12,8 +12,8 @@ namespace cosim::cli {
 /// That of the title. InputError where there is none.
 const OnDemand& on_demand(const std::vector<OnDemand>& all, const std::string& title);
 
-/// Builds it. InputError where that fails, with what was said on standard error.
-void build(const Registry& registry, const OnDemand& program);
+/// Builds them at once. InputError where that fails, with what was said on standard error.
+void build(const Registry& registry, const std::vector<OnDemand>& programs);
 
 /// Where it is then.
 std::string path_of(const OnDemand& program);

@@ -54,7 +54,7 @@ struct Asking {
   std::vector<Engine> engines = all_engines();
   int limit = 300;    ///< seconds of processor time for one answer
   unsigned jobs = 1;  ///< questions at a time
-  int slice = 4;  ///< seconds of the first try of a question; each later one has four times more
+  int slice = 6;  ///< seconds of the first try of a question; each later one has four times more
 };
 
 /// Told what came of a claim as soon as that is known, one at a time.

@@ -185,7 +185,9 @@ class Race {
     const bool was_too_long = own.answer == Answer::timed_out;
     if (!was_alone && (was_too_long || own.answer == Answer::failed)) {
       own.answer = Answer::stopped;  // by what stood before it; till it is asked again, alone
-      return put_off(t.claim, t.opinion, {question}, t.seconds);
+      put_off(t.claim, t.opinion, {question}, was_too_long ? kLonger * t.seconds : t.seconds);
+      if (was_too_long) begin_next(t.claim, &question);
+      return;
     }
     if (was_too_long && t.seconds < asking_.limit) {
       own.answer = Answer::stopped;  // till it is asked again

@@ -27,15 +27,9 @@ struct Solver {
   std::string command;
   /// What to add where wide words are cut up and joined rather than added; may be empty.
   std::string eager = "";
-  /// What to add as well where that gave no answer in kSoon seconds of processor time; may be
-  /// empty.
-  std::string harder = "";
   /// Whether it takes several scripts at a time: to start it takes longer than an easy script.
   bool takes_many = false;
-  /// Whether it takes definitions better than equations where a script is `eager`.
-  bool wants_definitions = false;
 };
-constexpr int kSoon = 3;
 
 /// cvc5 and z3.
 const std::vector<Solver>& solvers();

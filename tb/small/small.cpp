@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <string_view>
+#include <vector>
 
 #include "model/core/input_error.h"
 #include "tb/program/full.h"
@@ -24,17 +25,23 @@ bool is_full(std::string_view word) {
   throw InputError(path + ": cannot be run");
 }
 
-void become_full(const Registry& registry) {
+// `besides`: built with it, for both to be there sooner.
+void become_full_with(const Registry& registry, std::vector<OnDemand> besides) {
   if (isatty(STDERR_FILENO) != 0 && !std::filesystem::exists(path_of(registry.full()))) {
     fmt::print(stderr, "Building what this needs, once\n");
   }
-  build(registry, registry.full());
+  besides.insert(besides.begin(), registry.full());
+  build(registry, besides);
   run_full(registry);
 }
+void become_full(const Registry& registry) { become_full_with(registry, {}); }
 
 void hand_over(const Registry& registry) {
   char** argv = command_line();
   if (argv[0] == nullptr || argv[1] == nullptr) return;
+  if (argv[1] == std::string_view("mutate") && argv[2] != nullptr && argv[2][0] != '-') {
+    become_full_with(registry, {registry.attacks()});
+  }
   if (is_full(argv[1])) become_full(registry);
   // A shell completes what is typed: nothing is built for that.
   const bool completes = std::string_view(argv[1]) == "--complete" && argv[2] != nullptr;

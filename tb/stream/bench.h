@@ -25,6 +25,7 @@ class AnyStreamBench : public AnyBench {
   ~AnyStreamBench() override;
 
   Run run_hostile(const HostileCase& c) const override;
+  void prepare_replays() const override { open_dut(1); }
   Run replay(const Stimulus& stimulus, Window window) const override;
   std::optional<std::uint64_t> first_difference(const Stimulus& stimulus) const override;
   std::vector<std::vector<std::vector<Word>>> without(const std::vector<std::vector<Word>>& rows,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tb/dut/named_adapter.h"
+#include "tb/dut/open_dut.h"
 #include "tb/stream/shape.h"
 
 namespace cosim {
@@ -37,16 +38,28 @@ class VerilatedStreamDut : public StreamDut, protected VerilatedInstance<Top, fa
  public:
   explicit VerilatedStreamDut(std::uint32_t power_up) : Base(power_up) {}
   std::vector<Net> nets(const Ports& ports) override {
-    clock_ = ports.clock;
     return find_ports(ports_of(this->top()), ports);
   }
   void eval() override { this->top().eval(); }
   bool restart(std::uint32_t power_up) override { return Base::restart(power_up); }
   void begin() override { Base::begin(); }
-  std::vector<Signal> signals() const override { return Base::signals(clock_); }
+};
+
+/// One whose whole hierarchy is open.
+class OpenStreamDut final : public StreamDut {
+ public:
+  OpenStreamDut(const OpenClass& of, std::uint32_t power_up)
+      : clock_(of.clock), instance_(of.make(power_up)) {}
+  std::vector<Net> nets(const Ports& ports) override {
+    return find_ports(instance_->ports(), ports);
+  }
+  void eval() override { instance_->eval(); }
+  void begin() override { instance_->begin(); }
+  std::vector<Signal> signals() const override { return signals_of(instance_->context(), clock_); }
 
  private:
-  std::string clock_;
+  const char* clock_;
+  std::unique_ptr<OpenInstance> instance_;
 };
 
 /// The ports that a shape names, as find_ports() takes them; it outlives them.

@@ -39,9 +39,8 @@ constexpr auto as_tuple(T one) {
 
 }  // namespace detail
 
-/// Trait has Design, params, and the names of the shape and of the clock. Instance is the RTL, and
-/// Open the same with its whole hierarchy open.
-template <class Trait, class Instance, class Open = Instance>
+/// Trait has Design, params, and the names of the shape and of the clock. Instance is the RTL.
+template <class Trait, class Instance>
 class StreamBench final : public AnyStreamBench {
   using Design = typename Trait::Design;
   using In = decltype(detail::as_tuple(Design::in(Trait::params)));
@@ -52,7 +51,8 @@ class StreamBench final : public AnyStreamBench {
   using Numbers = std::make_index_sequence<std::tuple_size_v<Side>>;
 
  public:
-  StreamBench() {
+  /// `open`: the same with its whole hierarchy open, where there is one.
+  explicit StreamBench(std::optional<OpenClass> open = {}) : open_(open) {
     if constexpr (StepsOn<Design, Word>) tables_.view = "streams";
     tables_.design = Design::name;
     if constexpr (requires { Trait::clocks; }) {
@@ -89,7 +89,8 @@ class StreamBench final : public AnyStreamBench {
     return std::make_unique<Instance>(power_up);
   }
   std::unique_ptr<StreamDut> open_dut(std::uint32_t power_up) const override {
-    return std::make_unique<Open>(power_up);
+    if (!open_) return dut(power_up);
+    return std::make_unique<OpenStreamDut>(*open_, power_up);
   }
 
   void expect(const std::vector<Sequence>& given, std::vector<Sequence>& all) const override {
@@ -164,6 +165,8 @@ class StreamBench final : public AnyStreamBench {
     }
     return nullptr;
   }
+
+  std::optional<OpenClass> open_;
 };
 
 }  // namespace cosim

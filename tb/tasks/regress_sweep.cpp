@@ -35,6 +35,7 @@ class SweepWork final : public regress::Work {
 
   bool ends_at_failure() const override { return true; }
   void prepare(const std::filesystem::path& prepared, bool elsewhere) const override {
+    if (elsewhere) bench_.prepare_replays();
     prepare_lanes(bench_, sweep_, clocks_, lanes_, elsewhere, prepared);
   }
   Json run(std::uint64_t first, std::uint64_t last, const regress::Place& place) const override;

@@ -2,7 +2,7 @@
 // does, and refuses tables that are not the RTL's.
 #include "tb/dut/named_adapter.h"
 
-#include <IcircularW4_ports.h>
+#include <VcircularW4_ports.h>
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -23,7 +23,7 @@ struct Trait {
   static constexpr const char* clock = "clk";
   static constexpr const char* registers = "";
 };
-using Named = NamedAdapter<IcircularW4, Trait>;
+using Named = NamedAdapter<VcircularW4, Trait>;
 
 TEST(NamedAdapter, IsInLockstep) {
   const DesignBench<Design> bench(dut_maker<Named>());
@@ -66,7 +66,7 @@ TEST(NamedAdapter, IsOfTheShapeThatItsModelNames) {
   }
 }
 
-class Instance : public VerilatedInstance<IcircularW4> {
+class Instance : public VerilatedInstance<VcircularW4> {
  public:
   Instance() : VerilatedInstance(1) {}
   using VerilatedInstance::context;

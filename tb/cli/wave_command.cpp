@@ -81,8 +81,7 @@ void check_shot(const std::string& file) {
 }
 
 // Draws it; the wave.
-std::string drawn(WaveOptions& o, const fs::path& scratch) {
-  const Replay drawn = read(o);
+std::string draw(WaveOptions& o, const Replay& drawn, const fs::path& scratch) {
   if (!o.common.wave) o.common.wave = (scratch / "wave.fst").string();
   check_extent(o.common, {drawn.stimulus.clocks.size(), 0, 0, 0});
   check_outputs(o.common, "", {drawn.bench});
@@ -104,11 +103,13 @@ int run(WaveOptions o) {
   if (is_drawn && !fs::exists(view_file(wave))) {
     throw InputError(view_file(wave) + ": no such file, the view of " + wave);
   }
+  std::optional<Replay> replay;
+  if (!is_drawn) replay = read(o);
   if (opens && !given("DISPLAY") && !given("WAYLAND_DISPLAY")) {
     throw InputError("there is no display; --shot FILE.png and --out FILE.fst draw without one");
   }
   const Scratch scratch;
-  const std::string shown = is_drawn ? wave : drawn(o, scratch.path());
+  const std::string shown = is_drawn ? wave : draw(o, *replay, scratch.path());
   if (o.shot) {
     shoot(shown, *o.shot);
     fmt::print("picture: {}\n", *o.shot);

@@ -16,6 +16,7 @@
 #include "tb/program/registry.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/leftover.h"
+#include "tb/support/stack.h"
 #include "tb/support/words.h"
 
 namespace {
@@ -82,6 +83,7 @@ char** cosim::cli::command_line() { return arguments; }
 
 int cosim::cli::run_form(int argc, char** argv, const Form& form) {
   chosen_form = &form;
+  cosim::allow_large_records();
   arguments = argv;
   hold_standard_streams();
   cosim::remove_leftovers_on_signals();

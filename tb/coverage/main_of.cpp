@@ -10,6 +10,7 @@
 
 #include "tb/bench/stimulus_text.h"
 #include "tb/support/parallel.h"
+#include "tb/support/stack.h"
 #include "tb/support/words.h"
 #include "tb/sweep/sweep.h"
 
@@ -40,6 +41,7 @@ int replay(const std::vector<std::unique_ptr<AnyBench>>& benches, const std::str
 }  // namespace
 
 int main_of(const std::vector<std::unique_ptr<AnyBench>>& benches, int argc, char** argv) {
+  allow_large_records();
   const std::vector<std::string> words(argv, argv + argc);
   try {
     setenv("COSIM_COVERAGE", words.at(1).c_str(), 1);

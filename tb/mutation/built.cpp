@@ -23,6 +23,7 @@
 #include "tb/support/place.h"
 #include "tb/support/process.h"
 #include "tb/support/replace_file.h"
+#include "tb/support/stack.h"
 
 namespace cosim::mutation {
 namespace {
@@ -159,6 +160,7 @@ int run(const Options& o, Cases (*cases)(const AnyBench&)) {
 }  // namespace
 
 int main_of_built(Cases (*cases)(const AnyBench&), int argc, char** argv) {
+  allow_large_records();
   CLI::App app{
       "Attacks the mutants of a shape.\n"
       "Status: 0 none survived, 1 some did, 2 could not be run."};

@@ -43,7 +43,7 @@ class Asked {
     if (!any) return;
     formula_ = machine.formula();
     if (machine.nets != nullptr) nets_ = machine.nets();
-    judge_.emplace(formula_, nets_ ? &*nets_ : nullptr,
+    judge_.emplace(formula_, nets_ ? &*nets_ : nullptr, machine.source.top,
                    proof::Asking{.engines = which, .limit = kLimit});
   }
 

@@ -31,8 +31,9 @@ Judged judged_by_abc(Answer answer) {
 
 }  // namespace
 
-Judge::Judge(const MachineFormula& machine, const nets::Model* model, Asking asking)
-    : machine_(machine), model_(model), asking_(std::move(asking)) {
+Judge::Judge(const MachineFormula& machine, const nets::Model* model, std::string top,
+             Asking asking)
+    : machine_(machine), model_(model), top_(std::move(top)), asking_(std::move(asking)) {
   // Under an asynchronous reset the nets of registers are more than flip-flops.
   if (!machine_.seen.empty()) model_ = nullptr;
   if (model_ == nullptr) std::erase(asking_.engines, Engine::cec);
@@ -55,7 +56,7 @@ void Judge::ask_reached() {
 // One of each mutant.
 std::vector<std::vector<Opinion>> Judge::opinions_of_abc(
     const fs::path& verilog, const std::vector<unsigned>& numbers) const {
-  Source source{{fs::absolute(verilog)}, machine_.design, {}};
+  Source source{{fs::absolute(verilog)}, top_, {}};
   source.clocks_are_inputs = machine_.clocks_are_inputs;
   for (const Wire& w : machine_.registers) {
     if (w.field.index <= 0) source.kept.push_back(net_path(w.field.net).path);

@@ -23,7 +23,8 @@ struct Judged {
 class Judge {
  public:
   /// `model`: the machine as nets; null where yosys-abc is not to be asked. Both must outlive it.
-  Judge(const MachineFormula& machine, const nets::Model* model, Asking asking);
+  /// `top`: the module of the RTL.
+  Judge(const MachineFormula& machine, const nets::Model* model, std::string top, Asking asking);
 
   /// Those of a Verilog file as of Mutants; none is decided where what the model says of the states
   /// that are reached is not proved. May be called from several threads. InputError where an
@@ -43,6 +44,7 @@ class Judge {
 
   const MachineFormula& machine_;
   const nets::Model* model_;
+  std::string top_;
   Asking asking_;
   std::once_flag once_;
   std::string not_reached_;  // why what is said of all states reached does not hold by induction

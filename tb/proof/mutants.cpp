@@ -189,10 +189,10 @@ Mutants::Mutants(const MachineFormula& machine, const fs::path& verilog,
   source.clocks_are_inputs = machine.clocks_are_inputs;
   // Before prep for registers that nothing reads, after it for those it makes of memories.
   std::string commands = fmt::format(
-      "read_verilog {0}; setattr -set keep 1 {2}; prep -flatten -nomem -top {1}; "
-      "memory_collect; memory_map; rename -top machine; setattr -set keep 1 {2}{3}; "
+      "read_verilog {0}; setattr -set keep 1 {1}; prep -flatten -nomem -auto-top; "
+      "memory_collect; memory_map; rename -top machine; setattr -set keep 1 {1}{2}; "
       "async2sync; dffunmap; setundef -anyseq; ",
-      file_for_yosys(verilog), machine.design, kept, step_commands(source, scratch.path()));
+      file_for_yosys(verilog), kept, step_commands(source, scratch.path()));
   std::vector<unsigned> all{0};
   all.insert(all.end(), numbers.begin(), numbers.end());
   for (const unsigned k : all) {

@@ -1,5 +1,5 @@
 // A register of an AXI stream: its data is not reset. The fault: it takes a byte while it is full.
-module skid #(parameter FAULT = 0) (
+module skid_buffer #(parameter FAULT = 0) (
     input  wire       clk,
     input  wire       rst,
     input  wire       in_valid,

@@ -45,6 +45,7 @@ void need_tools(bool unproved) {
 std::string end_of(const JsonAt& mutant) {
   const std::string end = mutant.at("end").text();
   if (end == "equivalent") return "proved equal";
+  if (end == "unread") return "reaches nothing that is compared";
   if (end != "killed") return end;
   return fmt::format("killed by {}, clock {}, {}", mutant.at("stimulus").text(),
                      mutant.at("clock").whole(), mutant.at("signal").text());
@@ -81,9 +82,11 @@ Json attacked(const MutateOptions& o, const Registry& registry, const AnyBench& 
     return run_mutants(program, words);
   }();
   const JsonAt outcome(results, read_file(results));
-  fmt::print("{}: {}: {} killed, {} proved equal, {} survived\n", bench.built_as(),
+  const std::uint64_t unread = outcome.at("unread").whole();
+  fmt::print("{}: {}: {} killed, {} proved equal, {} survived{}\n", bench.built_as(),
              count(outcome.at("mutants").whole(), "mutant"), outcome.at("killed").whole(),
-             outcome.at("equivalent").whole(), outcome.at("survived").whole());
+             outcome.at("equivalent").whole(), outcome.at("survived").whole(),
+             unread == 0 ? "" : fmt::format(", {} can reach nothing that is compared", unread));
   if (o.list) {
     for (const JsonAt& mutant : outcome.at("outcomes").list()) {
       fmt::print("  {}: {}: {}\n", mutant.at("mutant").whole(), mutant.at("what").text(),

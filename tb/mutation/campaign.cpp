@@ -22,7 +22,7 @@ namespace cosim::mutation {
 using End = Outcome::End;
 
 // In the order of Outcome::End.
-constexpr std::array kEnds = {"open", "killed", "equivalent", "survived"};
+constexpr std::array kEnds = {"open", "killed", "equivalent", "survived", "unread"};
 
 void to_json(Json& json, End end) { json = kEnds[static_cast<std::size_t>(end)]; }
 void to_json(Json& json, const Outcome& o) {
@@ -172,6 +172,7 @@ std::string to_json(const Subject& subject, const Campaign& campaign) {
   top["killed"] = campaign.count(End::killed);
   top["equivalent"] = campaign.count(End::equivalent);
   top["survived"] = campaign.count(End::survived);
+  top["unread"] = campaign.count(End::unread);
   top["seconds"] = campaign.seconds;
   top["outcomes"] = Json::array();
   for (std::size_t i = 0; i < campaign.outcomes.size(); ++i) {

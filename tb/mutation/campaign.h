@@ -43,8 +43,9 @@ Campaign run_campaign(const Subject& subject, const Prover& prover, const Asker&
 inline constexpr const char* kept_as = ".part";
 
 /// The campaign as JSON text: an object with `design`, `parameters`, `mutants`, `killed`,
-/// `equivalent`, `survived`, `seconds`, and `outcomes`, an object for each mutant with `mutant`,
-/// its number, `what` and `end`, and where it was killed `stimulus`, `clock` and `signal`.
+/// `equivalent`, `survived`, `unread`, `seconds`, and `outcomes`, an object for each mutant with
+/// `mutant`, its number, `what` and `end`, and where it was killed `stimulus`, `clock` and
+/// `signal`.
 std::string to_json(const Subject& subject, const Campaign& campaign);
 
 }  // namespace cosim::mutation

@@ -30,7 +30,7 @@ void draw(const Subject& subject, std::size_t count, const std::filesystem::path
   std::map<unsigned, Outcome> killed;
   subject.attack(numbers, 0, subject.cases().quick, cores(), [&](unsigned mutant, Outcome outcome) {
     const std::lock_guard lock(guard);
-    killed[mutant] = std::move(outcome);
+    if (outcome.end == Outcome::End::killed) killed[mutant] = std::move(outcome);
   });
   std::erase_if(numbers, [&](unsigned k) { return !killed.contains(k); });
   numbers.resize(std::min(numbers.size(), count));

@@ -285,6 +285,39 @@ Plane Lanes::not_reset() {
   return depends & all_;
 }
 
+// The cone of influence: back from what is compared, through flip-flops too.
+Plane Lanes::unread() const {
+  const auto& gates = graph_.gates();
+  std::unordered_map<std::size_t, Bit> next;  // of what a flip-flop holds, by gate
+  for (std::size_t i = 0; i < held_.size(); ++i) next[held_[i].gate()] = next_[i];
+  std::vector<bool> is_in(gates.size());
+  std::vector<std::size_t> left;
+  const auto add = [&](Bit bit) {
+    if (is_in[bit.gate()]) return;
+    is_in[bit.gate()] = true;
+    left.push_back(bit.gate());
+  };
+  for (const auto& wire : wires_) std::for_each(wire.begin(), wire.end(), add);
+  while (!left.empty()) {
+    const std::size_t gate = left.back();
+    left.pop_back();
+    for (const Bit bit : {gates[gate].a, gates[gate].b, gates[gate].c}) add(bit);
+    if (const auto held = next.find(gate); held != next.end()) add(held->second);
+  }
+  Plane changing, reaching;
+  const auto add_where_other = [&](Bit bit, const Plane& plane) {
+    const Plane other = plane ^ Plane::all(plane.lane(0));
+    changing = changing | other;
+    if (is_in[bit.gate()]) reaching = reaching | other;
+  };
+  for (const auto& [bit, plane] : controls_) add_where_other(bit, plane);
+  for (std::size_t i = 0; i < held_.size(); ++i) {
+    add_where_other(held_[i], edges_[i].rising);
+    add_where_other(held_[i], edges_[i].falling);
+  }
+  return changing & ~reaching & all_;
+}
+
 std::vector<Lanes::Killed> Lanes::clock(const Watched& seen) {
   // The model has taken over what no reset reaches.
   if (std::exchange(takes_over_, false)) {

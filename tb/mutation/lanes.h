@@ -75,6 +75,9 @@ class Lanes {
   /// The lanes in which what a reset leaves depends on how the RTL powered up, of which
   /// some are tried.
   nets::Plane not_reset();
+  /// The lanes whose mutant changes a net, but has no way to anything that is compared, on that
+  /// clock or a later one. Number 0, no mutant, must be in lane 0.
+  nets::Plane unread() const;
   std::size_t gates() const { return planes_->gates(); }
 
  private:

@@ -23,6 +23,7 @@ struct Outcome {
     killed,      ///< RTL and model differed
     equivalent,  ///< proved to be the same machine
     survived,    ///< neither, after all stimuli
+    unread,      ///< it has no way to anything that is compared
   };
   End end = End::open;
   std::string stimulus;     ///< killed: by what

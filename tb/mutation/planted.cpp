@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <sstream>
 #include <utility>
 
@@ -32,13 +33,27 @@ constexpr const char* of_clock = "([A-Z]+_)?CLK";
 Planted::Planted(proof::Source source, unsigned count) : source_(std::move(source)) {
   const Scratch scratch;
   const std::string list = (scratch.path() / "all.txt").string();
-  proof::run_yosys(prepared() + fmt::format("; mutate -list {} -seed 1 -o {}", count, list),
+  const std::string memories = (scratch.path() / "memories.txt").string();
+  proof::run_yosys(prepared() + fmt::format("; mutate -list {} -seed 1 -o {}; select -write {} "
+                                            "t:$mem_v2 r:WR_PORTS>1 %i",
+                                            count, list, memories),
                    source_.top);
+  // Where one write port comes before another, yosys takes none whose clock is another.
+  std::vector<std::string> write_clocks;
+  std::istringstream names(read_file(memories));
+  for (std::string name; std::getline(names, name);) {
+    write_clocks.push_back(
+        fmt::format(" -cell {} -port WR_CLK ", name.substr(source_.top.size() + 1)));
+  }
   static const Pattern said(R"(^mutate |-module \S+ )");
   std::istringstream lines(read_file(list));
   for (std::string line; std::getline(lines, line);) {
     if (is_of(of_read_port, line)) continue;
     if (source_.clocks_are_inputs && is_of(of_clock, line)) continue;
+    if (std::any_of(write_clocks.begin(), write_clocks.end(),
+                    [&](const auto& of) { return line.find(of) != std::string::npos; })) {
+      continue;
+    }
     commands_.push_back(line);
     std::string words = said.replaced(line, "");
     for (const auto& file : source_.files) {

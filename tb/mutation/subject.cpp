@@ -29,17 +29,26 @@ std::vector<std::vector<unsigned>> shares_of(const std::vector<unsigned>& mutant
 class Attack {
  public:
   Attack(const AnyBench& bench, const Planted& planted, std::vector<unsigned> mutants,
-         const Decide& killed)
-      : bench_(bench),
-        rtl_(planted_nets(bench, planted.nets(mutants))),
-        left_(std::move(mutants)),
-        killed_(killed) {}
+         const Decide& decide)
+      : bench_(bench), rtl_(planted_nets(bench, planted.nets(mutants))), decide_(decide) {
+    for (auto& some : shares_of(mutants, nets::plane_lanes - 1)) {
+      some.insert(some.begin(), 0);
+      const nets::Plane unread = Lanes(rtl_, some).unread();
+      for (std::size_t l = 1; l < some.size(); ++l) {
+        if (unread.lane(l)) {
+          decide_(some[l], {Outcome::End::unread, "", 0, ""});
+        } else {
+          left_.push_back(some[l]);
+        }
+      }
+    }
+  }
 
   void run(const Case& c) {
     fill();
     std::vector<unsigned> left;
     for (const auto& batch : batches_) {
-      batch->run(c, killed_);
+      batch->run(c, decide_);
       for (const unsigned mutant : batch->mutants) {
         if (mutant != 0) left.push_back(mutant);
       }
@@ -62,7 +71,7 @@ class Attack {
   const AnyBench& bench_;
   PlantedNets rtl_;
   std::vector<unsigned> left_;
-  const Decide& killed_;
+  const Decide& decide_;
   std::vector<std::unique_ptr<Batch>> batches_;
   std::size_t filled_ = 0;
 };
@@ -70,13 +79,13 @@ class Attack {
 }  // namespace
 
 void Subject::attack(const std::vector<unsigned>& mutants, std::size_t first, std::size_t last,
-                     unsigned threads, const Decide& killed) const {
+                     unsigned threads, const Decide& decide) const {
   // Fewer than a word of lanes take as long as one.
   const auto shares = shares_of(
       mutants,
       std::clamp<std::size_t>((mutants.size() + threads - 1) / threads, 64, planted_at_once));
   in_parallel(shares.size(), threads, [&](std::uint64_t i) {
-    Attack attack(bench_, planted_, shares[i], killed);
+    Attack attack(bench_, planted_, shares[i], decide);
     for (std::size_t c = first; c < last && !attack.is_done(); ++c) attack.run(cases_.all[c]);
     return true;
   });
@@ -84,8 +93,8 @@ void Subject::attack(const std::vector<unsigned>& mutants, std::size_t first, st
 
 Outcome Subject::attack(unsigned mutant, const Case& one) const {
   Outcome outcome;
-  const Decide killed = [&](unsigned, Outcome is) { outcome = std::move(is); };
-  Attack(bench_, planted_, {mutant}, killed).run(one);
+  const Decide decide = [&](unsigned, Outcome is) { outcome = std::move(is); };
+  Attack(bench_, planted_, {mutant}, decide).run(one);
   return outcome;
 }
 

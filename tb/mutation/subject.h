@@ -29,10 +29,11 @@ class Subject {
     planted_.write_verilog(mutants, file);
   }
   /// Runs cases first .. last - 1 on each of these mutants, on `threads` threads, until one kills
-  /// it; calls killed(mutant, outcome), from several threads, for those that are killed. InputError
-  /// where RTL and model differ without a mutant.
+  /// it; calls decide(mutant, outcome), from several threads, for those that are killed, and for
+  /// those that are unread, which are given no case. InputError where RTL and model differ without
+  /// a mutant.
   void attack(const std::vector<unsigned>& mutants, std::size_t first, std::size_t last,
-              unsigned threads, const Decide& killed) const;
+              unsigned threads, const Decide& decide) const;
   /// One case on one of them, on the calling thread; open where it does not kill it.
   Outcome attack(unsigned mutant, const Case& one) const;
   /// Those of the mutants that a reset leaves as they powered up, in part; of a bench in lockstep.

@@ -53,7 +53,8 @@ class MutateWork final : public regress::Work {
 
   Json merged(const std::vector<regress::Part>& parts) const override {
     Json outcomes = Json::array();
-    std::map<std::string, std::uint64_t> ends{{"killed", 0}, {"equivalent", 0}, {"survived", 0}};
+    std::map<std::string, std::uint64_t> ends{
+        {"killed", 0}, {"equivalent", 0}, {"survived", 0}, {"unread", 0}};
     for (const regress::Part& part : parts) {
       for (const JsonAt& one : part.result.at("outcomes").list(part.units(), part.units())) {
         const JsonAt end = one.at("end");
@@ -62,11 +63,9 @@ class MutateWork final : public regress::Work {
         outcomes.push_back(one.json());
       }
     }
-    return {{"mutants", outcomes.size()},
-            {"killed", ends["killed"]},
-            {"equivalent", ends["equivalent"]},
-            {"survived", ends["survived"]},
-            {"outcomes", outcomes}};
+    return {{"mutants", outcomes.size()},       {"killed", ends["killed"]},
+            {"equivalent", ends["equivalent"]}, {"survived", ends["survived"]},
+            {"unread", ends["unread"]},         {"outcomes", outcomes}};
   }
 
  private:

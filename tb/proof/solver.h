@@ -29,6 +29,8 @@ struct Solver {
   std::string eager = "";
   /// Whether it takes several scripts at a time: to start it takes longer than an easy script.
   bool takes_many = false;
+  /// Whether it reads thousands of `let`, one in the other.
+  bool takes_lets = false;
 };
 
 /// cvc5 and z3.

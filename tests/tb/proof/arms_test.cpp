@@ -73,5 +73,18 @@ TEST(Definitions, StandForFreeSymbolsWithEquations) {
                 ends);
 }
 
+TEST(Definitions, OrLetsStandForFreeSymbolsWithEquations) {
+  const std::string head = "(set-logic QF_BV)\n(declare-const |a b| (_ BitVec 4))\n";
+  EXPECT_EQ(with_lets(head + "(assert (bvult |a b| #b0100))\n" +
+                      definition("|c d|", kWord, "(bvadd |a b| #b0001)") +
+                      definition("e", boolean, "(= |c d| |a b|)") +
+                      "(declare-const f Bool)\n(assert e)\n(assert f)\n(check-sat)\n"),
+            head +
+                "(declare-const f Bool)\n"
+                "(assert (let ((|c d| (bvadd |a b| #b0001)))\n"
+                "(let ((e (= |c d| |a b|)))\n"
+                "(and true (bvult |a b| #b0100) e f))))\n(check-sat)\n");
+}
+
 }  // namespace
 }  // namespace cosim::proof

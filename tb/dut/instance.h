@@ -85,15 +85,24 @@ class Instance {
   std::unique_ptr<Top> top_;
 };
 
-/// Verilator counts coverage in each instance of a class. When coverage is measured, instances are
-/// kept and used again, and write their counts when the process ends; one of a design that no input
-/// resets cannot be used again, and writes them at once.
+/// Instances that are no longer used. To make a context and an instance takes as long as thousands
+/// of clocks. Where coverage is measured, Verilator counts it in each instance: those write their
+/// counts when the process ends; one of a design that no input resets cannot be used again, and
+/// writes them at once.
 template <class Top>
 class SpareInstances {
  public:
+  static constexpr bool are_kept = coverage::measured || can_power_up<Top>;
+
   static SpareInstances& instance() {
-    static SpareInstances all;
-    return all;
+    if constexpr (coverage::measured) {
+      static SpareInstances all;
+      return all;
+    } else {
+      // Never destroyed: as a process ends, Verilator's tables may go before the instances.
+      static auto* const all = new SpareInstances;
+      return *all;
+    }
   }
   std::unique_ptr<Instance<Top>> take() {
     const std::lock_guard lock(guard_);
@@ -103,12 +112,14 @@ class SpareInstances {
     return machine;
   }
   void give(std::unique_ptr<Instance<Top>> machine) {
-    machine->count_from_here();
+    if constexpr (coverage::measured) machine->count_from_here();
     const std::lock_guard lock(guard_);
     spare_.push_back(std::move(machine));
   }
   ~SpareInstances() {
-    for (const auto& machine : spare_) machine->leave_counts("");
+    if constexpr (coverage::measured) {
+      for (const auto& machine : spare_) machine->leave_counts("");
+    }
   }
 
  private:
@@ -120,17 +131,19 @@ class SpareInstances {
 /// place of those from `power_up`.
 template <class Top>
 std::unique_ptr<Instance<Top>> acquire(std::uint32_t power_up) {
-  if constexpr (coverage::measured) {
-    if (auto spare = SpareInstances<Top>::instance().take()) return spare;
+  if constexpr (SpareInstances<Top>::are_kept) {
+    auto spare = SpareInstances<Top>::instance().take();
+    if (spare && (coverage::measured || spare->restart(power_up))) return spare;
   }
   return std::make_unique<Instance<Top>>(power_up);
 }
 
-/// To be called when a machine is no longer used; `again`: it may be used again.
+/// To be called when a machine is no longer used; `again`: it may be used again where coverage is
+/// measured.
 template <class Top>
 void release([[maybe_unused]] std::unique_ptr<Instance<Top>> machine, [[maybe_unused]] bool again) {
-  if constexpr (coverage::measured) {
-    if (!again) return machine->leave_counts("");
+  if constexpr (SpareInstances<Top>::are_kept) {
+    if (coverage::measured && !again) return machine->leave_counts("");
     SpareInstances<Top>::instance().give(std::move(machine));
   }
 }

@@ -16,8 +16,8 @@ namespace {
 using namespace cosim;
 
 struct Trait {
-  using Design = fir::Design;
-  static constexpr fir::Params params{12, 3};
+  using Design = fir_model::Design;
+  static constexpr fir_model::Params params{12, 3};
   static constexpr const char* title = "fir W=12 STAGES=3";
   static constexpr const char* clock = "clk";
 };

@@ -28,7 +28,7 @@ std::vector<std::vector<unsigned>> shares_of(const std::vector<unsigned>& mutant
 // Some mutants case by case, each lane with one that no case has killed so far.
 class Attack {
  public:
-  Attack(const AnyBench& bench, const Planted& planted, std::vector<unsigned> mutants,
+  Attack(const AnyBench& bench, const Planted& planted, const std::vector<unsigned>& mutants,
          const Decide& decide)
       : bench_(bench), rtl_(planted_nets(bench, planted.nets(mutants))), decide_(decide) {
     for (auto& some : shares_of(mutants, nets::plane_lanes - 1)) {

@@ -42,8 +42,7 @@ Planted::Planted(proof::Source source, unsigned count) : source_(std::move(sourc
   std::vector<std::string> write_clocks;
   std::istringstream names(read_file(memories));
   for (std::string name; std::getline(names, name);) {
-    write_clocks.push_back(
-        fmt::format(" -cell {} -port WR_CLK ", name.substr(source_.top.size() + 1)));
+    write_clocks.push_back(fmt::format(" -cell {} -port WR_CLK ", name.substr(name.find('/') + 1)));
   }
   static const Pattern said(R"(^mutate |-module \S+ )");
   std::istringstream lines(read_file(list));

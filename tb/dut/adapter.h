@@ -22,11 +22,12 @@ std::vector<Signal> signals_of(VerilatedContext& context, const std::string& clo
 
 /// Owns one instance of a Verilated class. Its registers power up at random from `power_up`, so
 /// that a register that no reset reaches shows. `is_reset`: its inputs can reset it for sure.
-template <class Top, bool is_reset = true>
+/// `restarts`: it may be one that was used before and powers up again.
+template <class Top, bool is_reset = true, bool restarts = false>
 class VerilatedInstance {
  public:
-  explicit VerilatedInstance(std::uint32_t power_up) : machine_(acquire<Top>(power_up)) {}
-  ~VerilatedInstance() { release(std::move(machine_), is_reset); }
+  explicit VerilatedInstance(std::uint32_t power_up) : machine_(acquire<Top, restarts>(power_up)) {}
+  ~VerilatedInstance() { release<Top, restarts>(std::move(machine_), is_reset); }
   VerilatedInstance(const VerilatedInstance&) = delete;
   VerilatedInstance& operator=(const VerilatedInstance&) = delete;
 

@@ -92,8 +92,6 @@ class Instance {
 template <class Top>
 class SpareInstances {
  public:
-  static constexpr bool are_kept = coverage::measured || can_power_up<Top>;
-
   static SpareInstances& instance() {
     if constexpr (coverage::measured) {
       static SpareInstances all;
@@ -127,11 +125,15 @@ class SpareInstances {
   std::vector<std::unique_ptr<Instance<Top>>> spare_;
 };
 
+/// Whether instances are kept: of those that `restarts` where they can be made as new.
+template <class Top, bool restarts>
+inline constexpr bool are_kept = coverage::measured || (restarts && can_power_up<Top>);
+
 /// A machine to use. When coverage is measured, its registers may hold values of an earlier use in
 /// place of those from `power_up`.
-template <class Top>
+template <class Top, bool restarts>
 std::unique_ptr<Instance<Top>> acquire(std::uint32_t power_up) {
-  if constexpr (SpareInstances<Top>::are_kept) {
+  if constexpr (are_kept<Top, restarts>) {
     auto spare = SpareInstances<Top>::instance().take();
     if (spare && (coverage::measured || spare->restart(power_up))) return spare;
   }
@@ -140,9 +142,9 @@ std::unique_ptr<Instance<Top>> acquire(std::uint32_t power_up) {
 
 /// To be called when a machine is no longer used; `again`: it may be used again where coverage is
 /// measured.
-template <class Top>
+template <class Top, bool restarts>
 void release([[maybe_unused]] std::unique_ptr<Instance<Top>> machine, [[maybe_unused]] bool again) {
-  if constexpr (SpareInstances<Top>::are_kept) {
+  if constexpr (are_kept<Top, restarts>) {
     if (coverage::measured && !again) return machine->leave_counts("");
     SpareInstances<Top>::instance().give(std::move(machine));
   }

@@ -105,8 +105,8 @@ class CellPlaces {
 /// has none, or several, in clocks as Ports has them).
 template <class Top, class Trait>
 class NamedAdapter : public Dut<typename Trait::Design>,
-                     public VerilatedInstance<Top, has_reset<typename Trait::Design>> {
-  using Base = VerilatedInstance<Top, has_reset<typename Trait::Design>>;
+                     public VerilatedInstance<Top, has_reset<typename Trait::Design>, true> {
+  using Base = VerilatedInstance<Top, has_reset<typename Trait::Design>, true>;
 
  public:
   using Design = typename Trait::Design;

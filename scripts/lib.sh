@@ -6,6 +6,8 @@
 #   help WORDS...        where one of the words is -h or --help: usage, and the end of the script
 #   quietly COMMAND...   COMMAND, its output only where it fails; on a terminal, one moving line
 #   build PRESET TARGET  configures where needed, then builds, quietly
+#   ready PRESET TARGET SET...  what these sets of scripts/setup are, then that is built; or status 2
+#   help_with COMMAND WORDS...  as help, with what `cosim COMMAND` says of itself where it is built
 #   on_page PAGE COLUMNS copies a table in Markdown from standard input, and says of each row whether the
 #                        page of docs/ has another one in the first COLUMNS columns
 #   record NAME TITLE COMMAND  the rest of the script leaves what it prints for scripts/report
@@ -30,6 +32,16 @@ help() {
   local word
   for word; do
     [[ $word != -h && $word != --help ]] || { usage && exit; }
+  done
+}
+
+help_with() {
+  local word
+  for word in "${@:2}"; do
+    [[ $word == -h || $word == --help ]] || continue
+    usage
+    [[ ! -x $root/build/cosim ]] || { echo && "$root/build/cosim" "$1" --help; }
+    exit
   done
 }
 
@@ -99,6 +111,11 @@ build() (
     configure "$preset" "$folder" "$target" &&
     quietly cmake --build --preset "$preset" --target "$target" -j "$(nproc)"
 )
+
+ready() {
+  "$root/scripts/setup" "${@:3}" || exit
+  build "$1" "$2" || die "the build failed"
+}
 
 # record NAME TITLE COMMAND: runs the caller once more, with its own arguments, below this one, and
 # ends with its status. What that prints is printed, and left in build/results/NAME, below five

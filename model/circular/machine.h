@@ -3,8 +3,6 @@
 // the RTL holds for them.
 #pragma once
 
-#include <string>
-
 #include "model/circular/ones_complement.h"
 #include "model/core/design.h"
 #include "model/core/record.h"
@@ -151,29 +149,17 @@ constexpr Registers<V> registers(const Params& p, const State<V>& s) {
   return r;
 }
 
-// What it is given to do, and the device outside: job.h.
+// What it is given to do, and the device outside: job.h. What a person wants to see of it: view.h.
 struct Arc;
-template <class V>
-struct Task;
-template <class V>
-struct Driver;
-template <class V>
-struct Checker;
-class View;  // what a person wants to see of it, view.h
+using Job = Arc;
+COSIM_JOB_TYPES;
 
 /// The design as one type, for code that is generic over designs.
 struct Design {
   COSIM_DESIGN(circular);
-  using Job = circular::Arc;
-  template <class V>
-  using Task = circular::Task<V>;
-  template <class V>
-  using Driver = circular::Driver<V>;
-  template <class V>
-  using Checker = circular::Checker<V>;
+  COSIM_DESIGN_JOBS(circular);
   /// Of a job: there are none that wait for ever.
   static constexpr std::uint64_t most_clocks = std::uint64_t{1} << 40;
-  using View = circular::View;
   static constexpr const char* name = "circular";
   static constexpr const char* source = "SU 1665343";
 

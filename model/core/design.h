@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <span>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 #include "model/core/bit_strings.h"
@@ -137,70 +136,29 @@ constexpr const char* source_of() {
 }
 
 // What a model may state beside its step: each is a function of that name, found by its arguments.
-
-template <class V, class Params, class State>
-constexpr auto invariant_of(const Params& p, const State& s) {
-  if constexpr (requires { invariant(p, s); }) {
-    return invariant(p, s);
-  } else {
-    return std::array<Stated<V>, 0>{};
-  }
-}
-template <class V, class Params, class State>
-constexpr auto reached_of(const Params& p, const State& s) {
-  if constexpr (requires { reached(p, s); }) {
-    return reached(p, s);
-  } else {
-    return std::array<Stated<V>, 0>{};
-  }
-}
-template <class V, class Params, class State>
-constexpr auto parts_of(const Params& p, const State& s) {
-  if constexpr (requires { parts(p, s); }) {
-    return parts(p, s);
-  } else {
-    return std::array<Stated<V>, 0>{};
-  }
-}
-template <class V, class Params, class State, class Inputs>
-constexpr auto cases_of(const Params& p, const State& s, const Inputs& in) {
-  if constexpr (requires { cases(p, s, in); }) {
-    return cases(p, s, in);
-  } else {
-    return std::array<Stated<V>, 0>{};
-  }
-}
-
-template <class V, class Params, class State, class Inputs>
-constexpr auto legal_of(const Params& p, const State& s, const Inputs& in) {
-  if constexpr (requires { legal(p, s, in); }) {
-    return legal(p, s, in);
-  } else {
-    return std::array<Stated<V>, 0>{};
-  }
-}
-
+// Of one that it does not have: nothing.
+#define COSIM_STATED(NAME, FUNCTION)               \
+  template <class V, class... Arguments>           \
+  constexpr auto NAME(const Arguments&... of) {    \
+    if constexpr (requires { FUNCTION(of...); }) { \
+      return FUNCTION(of...);                      \
+    } else {                                       \
+      return std::array<Stated<V>, 0>{};           \
+    }                                              \
+  }                                                \
+  static_assert(true, "so that a semicolon stands behind it")
+COSIM_STATED(invariant_of, invariant);  // (p, s)
+COSIM_STATED(reached_of, reached);      // (p, s)
+COSIM_STATED(parts_of, parts);          // (p, s)
+COSIM_STATED(cases_of, cases);          // (p, s, in)
+COSIM_STATED(legal_of, legal);          // (p, s, in)
 /// Registers that mean something in some states only: compared(p, s), the name of each with the
 /// condition.
-template <class V, class Params, class State>
-constexpr auto registers_compared_of(const Params& p, const State& s) {
-  if constexpr (requires { compared(p, s); }) {
-    return compared(p, s);
-  } else {
-    return std::array<Stated<V>, 0>{};
-  }
-}
+COSIM_STATED(registers_compared_of, compared);
 /// The same of outputs, on some clocks only: compared(p, s, in, out), of the state before the
 /// clock, its inputs and the model's outputs.
-template <class V, class Params, class State, class Inputs, class Outputs>
-constexpr auto outputs_compared_of(const Params& p, const State& s, const Inputs& in,
-                                   const Outputs& out) {
-  if constexpr (requires { compared(p, s, in, out); }) {
-    return compared(p, s, in, out);
-  } else {
-    return std::array<Stated<V>, 0>{};
-  }
-}
+COSIM_STATED(outputs_compared_of, compared);
+#undef COSIM_STATED
 template <class Design>
 inline constexpr bool compares_some_registers =
     requires(const typename Design::Params& p, const typename Design::template State<Word>& s) {
@@ -301,3 +259,25 @@ using HostOf = typename detail::HostTypes<Design>::Host;
   using Registers =                                                                              \
       decltype(::cosim::detail::registers_of(std::declval<Params>(), std::declval<State<V>>())); \
   static_assert(true, "so that a semicolon stands behind it")
+
+/// The same of jobs that no table declares (job.h), and of what a person wants to see of it: the
+/// types Job, Task, Driver, Checker and View, which the namespace only has to declare.
+#define COSIM_DESIGN_JOBS(space)     \
+  using Job = space::Job;            \
+  template <class V>                 \
+  using Task = space::Task<V>;       \
+  template <class V>                 \
+  using Driver = space::Driver<V>;   \
+  template <class V>                 \
+  using Checker = space::Checker<V>; \
+  using View = space::View;          \
+  static_assert(true, "so that a semicolon stands behind it")
+/// Declares the last four.
+#define COSIM_JOB_TYPES \
+  template <class V>    \
+  struct Task;          \
+  template <class V>    \
+  struct Driver;        \
+  template <class V>    \
+  struct Checker;       \
+  class View

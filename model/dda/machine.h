@@ -213,29 +213,16 @@ constexpr Registers<V> registers(const Params& p, const State<V>& s) {
   return r;
 }
 
-// What it is given to do, and the device outside: job.h.
+// What it is given to do, and the device outside: job.h. What a person wants to see of it: view.h.
 struct Job;
-template <class V>
-struct Task;
-template <class V>
-struct Driver;
-template <class V>
-struct Checker;
-class View;  // what a person wants to see of it, view.h
+COSIM_JOB_TYPES;
 
 /// The design as one type, for code that is generic over designs.
 struct Design {
   COSIM_DESIGN(dda);
-  using Job = dda::Job;
-  template <class V>
-  using Task = dda::Task<V>;
-  template <class V>
-  using Driver = dda::Driver<V>;
-  template <class V>
-  using Checker = dda::Checker<V>;
+  COSIM_DESIGN_JOBS(dda);
   /// Of a job: there are none that wait for ever.
   static constexpr std::uint64_t most_clocks = std::uint64_t{1} << 40;
-  using View = dda::View;
   static constexpr const char* name = "dda";
   static constexpr const char* source = "the method of differential increments";
 

@@ -2,11 +2,17 @@
 
 #include <algorithm>
 
+#include "model/linear/oracle.h"
+
 namespace cosim::linear {
 
 Task<Word> task_of(const Params& p, const Job& job) {
   return {job.line.major, low_bits(static_cast<Word>(job.line.code), p.m), job.words.has_value(),
           std::min(job.words.value_or(0), ones(p.n + 1))};
+}
+
+Checker<Word> checker_of(const Params& p, const Job& job) {
+  return {ticks(p.gamma(), job.line.major), 0};
 }
 
 std::vector<Job> smaller(const Params& p, const Job& job) {

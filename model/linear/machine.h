@@ -192,29 +192,16 @@ constexpr Registers<V> registers(const Params& p, const State<V>& s) {
   return r;
 }
 
-// What it is given to do, and the device outside: job.h.
+// What it is given to do, and the device outside: job.h. What a person wants to see of it: view.h.
 struct Job;
-template <class V>
-struct Task;
-template <class V>
-struct Driver;
-template <class V>
-struct Checker;
-class View;  // what a person wants to see of it, view.h
+COSIM_JOB_TYPES;
 
 /// The design as one type, for code that is generic over designs.
 struct Design {
   COSIM_DESIGN(linear);
-  using Job = linear::Job;
-  template <class V>
-  using Task = linear::Task<V>;
-  template <class V>
-  using Driver = linear::Driver<V>;
-  template <class V>
-  using Checker = linear::Checker<V>;
+  COSIM_DESIGN_JOBS(linear);
   /// Of a job: there are none that wait for ever.
   static constexpr std::uint64_t most_clocks = std::uint64_t{1} << 40;
-  using View = linear::View;
   static constexpr const char* name = "linear";
   static constexpr const char* source = "SU 1631518";
 
@@ -233,10 +220,6 @@ struct Design {
     Inputs<Word> in = rest();
     in.reset = 1;
     return in;
-  }
-  template <class V>
-  static constexpr State<V> reset_state() {
-    return {};
   }
 };
 

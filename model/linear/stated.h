@@ -24,12 +24,6 @@ constexpr std::array<Stated<V>, 2> reached(const Params&, const State<V>& s) {
            {"between lines the multiplier has no bit", is_set(s.running) | (s.last_bit == V(0))}}};
 }
 
-/// The clocks as a proof takes them one by one, each without those before it: here at once.
-template <class V>
-constexpr std::array<Stated<V>, 0> parts(const Params&, const State<V>&) {
-  return {};
-}
-
 /// Each must be possible, and must happen under the stimuli.
 template <class V>
 constexpr auto cases(const Params& p, const State<V>& s, const Inputs<V>& in) {

@@ -3,8 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <cstdio>
-
 #include "tb/bench/bench.h"
 #include "tb/lockstep/cells.h"
 #include "tb/support/show.h"

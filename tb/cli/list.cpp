@@ -1,10 +1,14 @@
+// PROGRAM list and PROGRAM examples: what there is to run.
 #include <fmt/core.h>
+#include <fmt/ranges.h>
 
 #include <string>
 
 #include "tb/cli/commands.h"
 #include "tb/program/chosen.h"
+#include "tb/program/registry.h"
 #include "tb/report/report.h"
+#include "tb/support/words.h"
 
 namespace cosim::cli {
 
@@ -21,6 +25,18 @@ void add_list(const Command& program) {
                    source.empty() ? "" : ", " + source, compared_signals(*bench));
       }
       fmt::print("  {}\n", bench->title());
+    }
+    return 0;
+  });
+}
+
+void add_examples(const Command& program, const Registry& registry) {
+  if (registry.examples().empty()) return;
+  const Command command =
+      program.sub("examples", "Command lines to begin with, for each design and study");
+  command.action([&registry] {
+    for (const Example& example : registry.examples()) {
+      fmt::print("{}\n  {} {}\n", example.title, program_name(), fmt::join(example.words, " "));
     }
     return 0;
   });

@@ -1,5 +1,4 @@
 #include <fcntl.h>
-#include <fmt/core.h>
 
 #include <algorithm>
 #include <cstdio>

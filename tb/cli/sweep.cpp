@@ -1,13 +1,11 @@
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <atomic>
 #include <memory>
 #include <optional>
 
 #include "model/core/input_error.h"
 #include "tb/cli/commands.h"
-#include "tb/program/chosen.h"
 #include "tb/program/common.h"
 #include "tb/program/conclude.h"
 #include "tb/program/full.h"

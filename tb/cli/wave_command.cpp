@@ -17,7 +17,6 @@
 #include "tb/program/wave.h"
 #include "tb/support/process.h"
 #include "tb/support/words.h"
-#include "tb/wave/shot.h"
 #include "tb/wave/view.h"
 
 namespace cosim::cli {

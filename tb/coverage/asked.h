@@ -2,7 +2,6 @@
 // ever happen.
 #pragma once
 
-#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>

@@ -2,11 +2,9 @@
 
 #include <fmt/core.h>
 
-#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <string>
-#include <vector>
 
 #include "tb/bench/stimulus_text.h"
 #include "tb/support/parallel.h"

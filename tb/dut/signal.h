@@ -1,7 +1,6 @@
 // A signal of a running simulation, to be looked at on every clock.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <stdexcept>
-#include <string_view>
 #include <tuple>
 
 #include "tb/dut/adapter.h"

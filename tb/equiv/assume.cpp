@@ -7,7 +7,6 @@
 #include "model/core/input_error.h"
 #include "tb/equiv/clocks.h"
 #include "tb/equiv/product.h"
-#include "tb/equiv/resets.h"
 #include "tb/proof/reach.h"
 #include "tb/support/output_file.h"
 #include "tb/support/pattern.h"
@@ -71,9 +70,7 @@ Assumption made(const std::string& text, std::size_t number, const Side& gold,
       "endmodule\n";
   const Scratch scratch;
   const std::string file = (scratch.path() / "assume.v").string();
-  OutputFile out(file);
-  out.text(verilog);
-  out.close();
+  write_file(file, verilog);
   try {
     Side logic({{file}, module, {}, {}, {}, "."}, "", budget);
     logic.make_gates(Memories::registers, false, budget);

@@ -1,7 +1,6 @@
 #include "tb/equiv/clocks.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace cosim::equiv {
 namespace {

@@ -1,6 +1,6 @@
 #include "tb/equiv/equiv.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
@@ -9,8 +9,6 @@
 #include "tb/equiv/clocks.h"
 #include "tb/equiv/product.h"
 #include "tb/equiv/replay.h"
-#include "tb/equiv/resets.h"
-#include "tb/equiv/ternary.h"
 #include "tb/equiv/unknown.h"
 #include "tb/proof/reach.h"
 #include "tb/support/parallel.h"
@@ -87,10 +85,9 @@ void require_ports(const Question& q) {
   find_lacking(q, q.gold.inputs, q.gate.inputs, true, lacking);
   find_lacking(q, q.gold.outputs, q.gate.outputs, false, lacking);
   if (!lacking.empty()) {
-    std::string list;
-    for (const std::string& one : lacking) list += (list.empty() ? "" : ", ") + one;
     throw InputError(fmt::format(
-        "the ports differ: {}; write --tie INPUT=VALUE, --ignore OUTPUT or --map OLD=NEW", list));
+        "the ports differ: {}; write --tie INPUT=VALUE, --ignore OUTPUT or --map OLD=NEW",
+        fmt::join(lacking, ", ")));
   }
   for (const auto& [clock, falls] : q.gold.clocks) {
     const auto other = q.steps ? q.gate.clocks.find(gate_name(q, clock)) : q.gate.clocks.begin();

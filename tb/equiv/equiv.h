@@ -20,8 +20,8 @@ namespace cosim::equiv {
 
 struct Question {
   Side gold, gate;  ///< the old RTL and the new one
-  /// The inputs that are to reset, and the level that does, where it is given. Empty: resets.h
-  /// finds them.
+  /// The inputs that are to reset, and the level that does, where it is given. Empty:
+  /// find_resets() does.
   std::map<std::string, std::optional<bool>> wanted_resets{};
   /// Those that do, and the level; empty: initial values alone. None while they are not known.
   std::optional<std::map<std::string, bool>> resets{};
@@ -89,6 +89,13 @@ inline constexpr std::size_t clocks_behind = 200;
 /// The first clock that a wave of it shows, from 0, and the first that is compared.
 std::uint64_t first_drawn(const Question& question, const Answer& answer);
 std::size_t first_compared(const Question& question);
+
+/// Finds the inputs that reset, once the gates of both are made, and puts them into the question;
+/// where there is none `reset_clocks` becomes 0. Each input that resets a register asynchronously
+/// is one. Without such an input it is the one that is called rst, reset, clr or clear and leaves
+/// the most registers at constants; of several clocks it is each that leaves more of them so.
+/// `wanted_resets` come in place of what would be found.
+void find_resets(Question& question);
 
 /// Whether there are several clocks in both together.
 bool has_several_clocks(const Question& question);

@@ -68,9 +68,8 @@ void Side::make_gates(Memories how, bool steps, const Budget& budget) {
   const std::string name = word_for_yosys(own.string());
   std::string script = fmt::format("read_rtlil {}/top.il; memory_map\n", name);
   if (how == Memories::cut && !memories.empty()) {
-    OutputFile file((own / "cut.json").string());
-    file.text(with_ports_for_memories(json_of(read_file((own / "top.json").string()))));
-    file.close();
+    write_file((own / "cut.json").string(),
+               with_ports_for_memories(json_of(read_file((own / "top.json").string()))));
     script = fmt::format("read_json {}/cut.json\n", name);
   }
   if (steps) {
@@ -79,9 +78,7 @@ void Side::make_gates(Memories how, bool steps, const Budget& budget) {
     // It names its file as it is.
     script += "opt_clean" + proof::step_commands(source, name) + "\n";
   }
-  OutputFile file((own / "buffer.v").string());
-  file.text(buffer);
-  file.close();
+  write_file((own / "buffer.v").string(), buffer);
   // What is of no use then is left where it is: to clean so many gates takes as long as to make
   // them.
   script += fmt::format(

@@ -280,9 +280,7 @@ class Builder {
   // An output of both, where both have it and it is to be compared.
   Lit differ(const Name& name, const std::vector<Side::Made>& golds, const Side::Made& gate) {
     if (std::find(q_.ignored.begin(), q_.ignored.end(), name.first) != q_.ignored.end()) return 0;
-    const auto renamed = q_.renamed.find(name.first);
-    const auto other = gate.outputs.find(
-        {renamed == q_.renamed.end() ? name.first : renamed->second, name.second});
+    const auto other = gate.outputs.find({gate_name(q_, name.first), name.second});
     if (other == gate.outputs.end()) throw std::logic_error("no output " + name.first);
     Lit gold = golds.front().outputs.at(name);
     Lit unknown = 0;

@@ -59,4 +59,9 @@ Product product_of(const Question& question, Registers registers, const Unknown&
 /// How many bits a row of a filler has.
 std::size_t unknown_bits(const Question& question);
 
+/// The product of RTLs whose memories are cut, with what they read as x: `bad` is that an output
+/// differs whatever they read, `any` the bits of which that is not known in one of both.
+/// A stimulus for it is one for the RTLs as they are. The inputs have the same numbers.
+Product whatever_is_free(const Product& product);
+
 }  // namespace cosim::equiv

@@ -7,13 +7,13 @@
 #include <filesystem>
 #include <optional>
 #include <sstream>
-#include <vector>
 
 #include "tb/equiv/testbench.h"
 #include "tb/support/output_file.h"
 #include "tb/support/parallel.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
+#include "tb/support/words.h"
 
 namespace cosim::equiv {
 namespace {
@@ -22,40 +22,19 @@ namespace fs = std::filesystem;
 
 using Lines = std::vector<std::vector<std::string>>;  // words of outputs, a line a clock
 
-void write(const std::string& path, const std::string& text) {
-  OutputFile file(path);
-  file.text(text);
-  file.close();
-}
-
 // One side as a program of Verilator.
 class Program {
  public:
   Program(const Question& q, const Answer& a, bool is_gate)
       : q_(q), files_((is_gate ? q.gate : q.gold).files()), own_(scratch_.path().string()) {
-    write(own_ + "/cosim_replay.v",
-          testbench(q, a, is_gate, own_ + "/rows", own_ + "/wave.vcd", first_drawn(q, a)));
-    write(own_ + "/rows", stimulus_rows(q, a, is_gate));
-    std::vector<std::string> words{"env",
-                                   "-C",
-                                   files_.folder.string(),
-                                   "verilator",
-                                   "--binary",
-                                   "--trace",
-                                   "-Wno-fatal",
-                                   "-Wno-lint",
-                                   "-Wno-style",
-                                   "--x-initial",
-                                   "unique",
-                                   "--x-assign",
-                                   "unique",
-                                   "--timescale",
-                                   "1ns/1ps",
-                                   "--Mdir",
-                                   own_ + "/built",
-                                   "--top-module",
-                                   "cosim_replay",
-                                   "+define+SYNTHESIS"};
+    write_file(own_ + "/cosim_replay.v",
+               testbench(q, a, is_gate, own_ + "/rows", own_ + "/wave.vcd", first_drawn(q, a)));
+    write_file(own_ + "/rows", stimulus_rows(q, a, is_gate));
+    std::vector<std::string> words = words_in(
+        "verilator --binary --trace -Wno-fatal -Wno-lint -Wno-style --x-initial unique --x-assign "
+        "unique --timescale 1ns/1ps --top-module cosim_replay +define+SYNTHESIS --Mdir");
+    words.push_back(own_ + "/built");
+    words.insert(words.begin(), {"env", "-C", files_.folder.string()});
     for (const std::string& define : files_.defines) words.push_back("+define+" + define);
     for (const fs::path& folder : files_.include_dirs) {
       words.push_back("+incdir+" + fs::absolute(folder).string());

@@ -1,12 +1,9 @@
 // The clocks of the reset are written out from any state, with the reset at a level and all other
 // inputs at any value. Constants are carried through the gates (symbolic simulation): the registers
 // that are constant then are those that the reset gives a value.
-#include "tb/equiv/resets.h"
-
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "tb/equiv/result.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <set>
 
@@ -98,9 +98,8 @@ std::string assumed_text(const Question& q) {
     std::set<std::string> clocks;
     for (const auto& [clock, falls] : q.gold.clocks) clocks.insert(clock);
     for (const auto& [clock, falls] : q.gate.clocks) clocks.insert(gold_name(q, clock));
-    std::string list;
-    for (const std::string& clock : clocks) list += (list.empty() ? "" : ", ") + clock;
-    text += "; clocks that have their edges on any steps, counted as clocks: " + list;
+    text += fmt::format("; clocks that have their edges on any steps, counted as clocks: {}",
+                        fmt::join(clocks, ", "));
   }
   std::set<std::string> any;
   for (const Side* s : {&q.gold, &q.gate}) {

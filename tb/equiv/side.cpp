@@ -3,8 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <set>
-#include <sstream>
 
 #include "model/core/input_error.h"
 #include "tb/equiv/netlist.h"
@@ -12,7 +10,6 @@
 #include "tb/support/json.h"
 #include "tb/support/output_file.h"
 #include "tb/support/pattern.h"
-#include "tb/support/process.h"
 #include "tb/support/quoted.h"
 #include "tb/support/read_file.h"
 #include "tb/support/words.h"
@@ -55,9 +52,8 @@ std::string reading(const Files& files, const fs::path& scratch, const fs::path&
     static const Pattern plain(R"([\w.+-]+)");
     std::string file = files.files[i].filename().string();
     if (!as_they_are) {
-      OutputFile copy((scratch / fmt::format("file{}.v", i)).string());
-      copy.text(without_prints(read_file(files.files[i].string())));
-      copy.close();
+      write_file((scratch / fmt::format("file{}.v", i)).string(),
+                 without_prints(read_file(files.files[i].string())));
       file = word_for_yosys((scratch / fmt::format("file{}.v", i)).string());
     } else if (plain.whole(file).empty()) {
       file = fmt::format("file{}.v", i);
@@ -160,16 +156,12 @@ int whole_number(const Json& parameter) {
 
 }  // namespace
 
-void require_name(const std::string& option, const std::string& name) {
-  static const Pattern good(R"([A-Za-z_][\w$]*)");
-  if (good.whole(name).empty()) {
-    throw InputError(fmt::format("{}: {} is no name of Verilog", option, in_quotes(name)));
-  }
-}
-
 Side::Side(const Files& files, std::string what, const Budget& budget)
     : files_(files), what_(std::move(what)), scratch_(std::make_shared<const Scratch>()) {
-  require_name("--top", files.top);
+  static const Pattern name(R"([A-Za-z_][\w$]*)");
+  if (name.whole(files.top).empty()) {
+    throw InputError(fmt::format("--top: {} is no name of Verilog", in_quotes(files.top)));
+  }
   for (const fs::path& file : files.files) read_file(file.string());
   for (const fs::path& folder : files.include_dirs) {
     if (!fs::is_directory(folder)) {
@@ -203,9 +195,7 @@ Side::Side(const Files& files, std::string what, const Budget& budget)
 // What yosys says; it works in the files' folder, and writes nothing there.
 std::string Side::yosys(const std::string& script, const Budget& budget) const {
   const std::string own = scratch_->path().string();
-  OutputFile file(own + "/script.ys");
-  file.text(script);
-  file.close();
+  write_file(own + "/script.ys", script);
   const Ended ended =
       run_until({"env", "-u", "XDG_STATE_HOME", "-C", files_.folder.string(), "HOME=" + own,
                  "TMPDIR=" + own, "yosys", "-q", "-s", own + "/script.ys"},

@@ -111,7 +111,4 @@ class Side {
   std::multimap<std::size_t, Name> out_names_;  ///< several may be the same gate
 };
 
-/// InputError "OPTION: ..." where `name` is no name of Verilog.
-void require_name(const std::string& option, const std::string& name);
-
 }  // namespace cosim::equiv

@@ -1,11 +1,13 @@
+// Differences that do not depend on what memories hold.
+//
 // Two gates stand for one: whether it can be 1, and whether it can be 0; an x can be both (ternary
 // simulation in dual-rail encoding). It forgets that two x may be the same, so it may find less
 // than there is, and never more. A memory made registers would be exact, and takes minutes where it
 // has many thousand bits.
-#include "tb/equiv/ternary.h"
-
 #include <algorithm>
 #include <vector>
+
+#include "tb/equiv/product.h"
 
 namespace cosim::equiv {
 namespace {

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "tb/equiv/clocks.h"
+
 namespace cosim::equiv {
 namespace {
 
@@ -18,9 +20,7 @@ std::string stimulus_rows(const Question& q, const Answer& a, bool is_gate) {
     for (const Row& row : *rows) {
       std::string bits;
       for (const auto& [port, value] : row.inputs) {
-        const auto other = q.renamed.find(port);
-        const bool is_other = is_gate && other != q.renamed.end();
-        if (side.inputs.contains(is_other ? other->second : port)) bits += value;
+        if (side.inputs.contains(is_gate ? gate_name(q, port) : port)) bits += value;
       }
       std::replace(bits.begin(), bits.end(), '-', '0');
       text += (bits.empty() ? "0" : bits) + '\n';
@@ -33,8 +33,7 @@ std::string testbench(const Question& q, const Answer& a, bool is_gate, const st
                       const std::string& vcd, std::uint64_t first_drawn) {
   const Side& side = is_gate ? q.gate : q.gold;
   const auto own_name = [&](const std::string& port) {
-    const auto at = q.renamed.find(port);
-    return is_gate && at != q.renamed.end() ? at->second : port;
+    return is_gate ? gate_name(q, port) : port;
   };
   // Long beside the delays that RTL may have.
   std::string text = "`timescale 1us/1ps\nmodule cosim_replay;\n", pins, inputs, outputs, formats;

@@ -1,8 +1,6 @@
 // What is known of a bench's RTL and of its formulas.
 #pragma once
 
-#include <vector>
-
 #include "tb/bench/bench.h"
 #include "tb/proof/claims.h"
 #include "tb/proof/machines.h"

@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "model/core/input_error.h"
-#include "tb/program/on_demand.h"
 #include "tb/report/failure.h"
 #include "tb/support/quoted.h"
 #include "tb/support/replace_file.h"

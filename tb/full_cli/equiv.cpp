@@ -158,15 +158,9 @@ int conclude(const EquivOptions& o, const std::string& top, const equiv::Questio
   fmt::print("{}\n{}", equiv::assumed_text(q), equiv::verdict_text(top, q, a));
   const bool differs = a.verdict == equiv::Verdict::different;
   std::string page = differs ? keep_difference(o, top, q, a) : "";
-  if (o.common.report) {
-    OutputFile file(*o.common.report);
-    file.text(equiv::result_json(top, q, a));
-    file.close();
-  }
+  if (o.common.report) write_file(*o.common.report, equiv::result_json(top, q, a));
   if (o.common.html) {
-    OutputFile file(*o.common.html);
-    file.text(page.empty() ? equiv::page_of(top, q, a) : page);
-    file.close();
+    write_file(*o.common.html, page.empty() ? equiv::page_of(top, q, a) : page);
     fmt::print("page: {}\n", one_line(*o.common.html));
   }
   return differs ? 1 : a.verdict == equiv::Verdict::equal ? 0 : 3;

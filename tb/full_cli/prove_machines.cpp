@@ -169,9 +169,7 @@ void explain(const ProveOptions& o, const Row& row, int limit) {
   fs::create_directories(o.common.failures_folder());
   const fs::path kept =
       fs::path(o.common.failures_folder()) / (failure_name(bench, refuted_case) + ".stim");
-  OutputFile file(kept.string());
-  file.text(to_text(stimulus, bench));
-  file.close();
+  write_file(kept.string(), to_text(stimulus, bench));
   fmt::print(
       "RTL as built here gives what the model gives: the counterexample is of another RTL, or of\n"
       "the formulas. As a stimulus: {}\n",

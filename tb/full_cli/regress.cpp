@@ -1,7 +1,6 @@
 // PROGRAM regress: a regression, written once, on this host's cores or on a cluster's.
 #include <fmt/core.h>
 
-#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <memory>
@@ -71,7 +70,7 @@ fs::path free_folder(const std::string& name) {
 
 // "account=x nice" as sbatch takes them.
 std::vector<std::string> sbatch_options(const RegressOptions& o) {
-  std::vector<std::string> options = words_of(o.sbatch.value_or(""));
+  std::vector<std::string> options = words_in(o.sbatch.value_or(""));
   for (std::string& one : options) one.insert(0, one.starts_with("-") ? "" : "--");
   return options;
 }

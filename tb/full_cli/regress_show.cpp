@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <numeric>
 
 #include "tb/regress/worker.h"
 #include "tb/support/words.h"

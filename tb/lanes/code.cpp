@@ -4,14 +4,11 @@
 // stay until the next clock are planes of the memory.
 #include "tb/lanes/code.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <map>
 #include <span>
 
 #include "model/core/input_error.h"
-#include "tb/lanes/mapped.h"
 #include "tb/lanes/quiet.h"
 #include "tb/proof/located.h"
 

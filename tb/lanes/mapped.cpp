@@ -1,11 +1,10 @@
-#include "tb/lanes/mapped.h"
+#include "tb/lanes/code.h"
 
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <fstream>
 #include <utility>
-#include <vector>
 
 #include "model/core/input_error.h"
 #include "tb/support/process.h"

@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <string_view>
-#include <type_traits>
 
 #include "model/core/design.h"
 #include "model/core/fields.h"

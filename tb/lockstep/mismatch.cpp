@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <functional>
 
 #include "model/core/input_error.h"
 #include "tb/support/show.h"

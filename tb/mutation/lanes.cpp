@@ -4,8 +4,6 @@
 // the other edge, or none.
 #include "tb/mutation/lanes.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <bit>
 #include <span>

@@ -3,8 +3,6 @@
 
 #include <fmt/core.h>
 
-#include <array>
-
 #include "model/core/input_error.h"
 
 namespace cosim::nets {

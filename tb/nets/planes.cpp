@@ -1,7 +1,6 @@
 #include "tb/nets/planes.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "tb/nets/schedule.h"
 

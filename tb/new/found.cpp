@@ -3,10 +3,8 @@
 #include <fmt/core.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cctype>
 #include <map>
-#include <set>
 #include <sstream>
 
 #include "model/core/input_error.h"

@@ -10,7 +10,6 @@
 #include "rtl_reader.h"
 #include "tb/new/new_sources.h"
 #include "tb/support/output_file.h"
-#include "tb/support/process.h"
 #include "tb/support/read_file.h"
 
 namespace cosim::cli {
@@ -45,9 +44,7 @@ std::filesystem::path write_reader(const Scratch& scratch) {
   std::filesystem::create_directory(folder);
   try {
     for (const ReaderFile& program : rtl_reader) {
-      OutputFile file((folder / program.name).string());
-      file.text(program.text);
-      file.close();
+      write_file((folder / program.name).string(), program.text);
     }
   } catch (const InputError&) {
     require_room(scratch.path());
@@ -103,21 +100,10 @@ std::optional<FoundShape> shape_with(const RtlQuestion& question, const std::str
                                      const std::filesystem::path& work) {
   std::filesystem::create_directories(work);
   const std::string tree = (work / "tree.xml").string();
-  std::vector<std::string> words{"env",
-                                 "-C",
-                                 question.folder.string(),
-                                 reader.verilator,
-                                 "--xml-only",
-                                 "--xml-output",
-                                 tree,
-                                 "--top-module",
-                                 question.top,
-                                 "-Mdir",
-                                 work.string(),
-                                 "-Wno-fatal",
-                                 "-Wno-lint",
-                                 "-Wno-style",
-                                 "--no-timing"};
+  std::vector<std::string> words{"env", "-C", question.folder.string(), reader.verilator};
+  words.insert(words.end(), {"--top-module", question.top, "-Mdir", work.string()});
+  words.insert(words.end(), {"--xml-only", "--xml-output", tree, "--no-timing"});
+  words.insert(words.end(), {"-Wno-fatal", "-Wno-lint", "-Wno-style"});
   words.insert(words.end(), question.options.begin(), question.options.end());
   for (const FoundParameter& p : question.parameters) {
     if (p.name == other) continue;

@@ -1,7 +1,6 @@
 // Names that a project can have: of its files, and in the RTL that it is made of.
 #include <fmt/core.h>
 
-#include <filesystem>
 #include <map>
 #include <set>
 

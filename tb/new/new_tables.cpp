@@ -6,7 +6,7 @@
 #include <set>
 
 #include "tb/new/new.h"
-#include "tb/new/taken.h"
+#include "tb/support/words.h"
 
 namespace cosim::cli {
 namespace {
@@ -40,6 +40,30 @@ std::string text_of(const NewRow& row) {
   if (row.elsewhere) format += fmt::format(".at(\"{}\")", row.at());
   if (!net.is_reset) format += ".unreset()";
   return fmt::format("FIELD({}, {}, {}, \"\", \"\")", row.field, shown, format);
+}
+
+// A word of C++, such as `delete`; what records (model/core/record.h) and their templates have
+// already; and macros of the C library and of GNU compilers.
+bool is_taken(const std::string& name) {
+  static constexpr const char* cpp =
+      "alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t "
+      "char32_t char8_t class co_await co_return co_yield compl concept const const_cast "
+      "consteval constexpr constinit continue decltype default delete do double dynamic_cast "
+      "else enum explicit export extern false float for friend goto if inline int long mutable "
+      "namespace new noexcept not not_eq nullptr operator or or_eq private protected public "
+      "register reinterpret_cast requires return short signed sizeof static static_assert "
+      "static_cast struct switch template this thread_local throw true try typedef typeid "
+      "typename union unsigned using virtual void volatile wchar_t while xor xor_eq";
+  static constexpr const char* others =
+      "V p Inputs Outputs State Table Index size Self members fields trim select index_end "
+      "Record Params has_arrays FIELD Word std cosim each_member Visit EOF NULL BUFSIZ errno "
+      "assert stdin stdout stderr linux unix i386 select_record Condition Field RAND_MAX "
+      "CHAR_BIT offsetof INFINITY NAN SIZE_MAX";
+  static const std::set<std::string> all = [] {
+    const auto words = words_in(fmt::format("{} {}", cpp, others));
+    return std::set<std::string>(words.begin(), words.end());
+  }();
+  return name.starts_with("index_") || name.starts_with("final_index_") || all.contains(name);
 }
 
 }  // namespace

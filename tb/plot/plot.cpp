@@ -55,9 +55,7 @@ void draw_plot(const std::string& path, const Plot& plot) {
   if (end.find("</svg>") == std::string::npos && end.find("IEND") == std::string::npos) {
     throw InputError(fmt::format("--plot: {}: gnuplot could not write it whole", path));
   }
-  OutputFile file(path);  // it may be on another disk
-  file.text(text);
-  file.close();
+  write_file(path, text);  // it may be on another disk
 }
 
 }  // namespace cosim

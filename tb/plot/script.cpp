@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
 #include <ostream>
 
 #include "tb/plot/layout.h"
-#include "tb/plot/thin.h"
 #include "tb/support/quoted.h"
 
 namespace cosim {
@@ -15,6 +16,25 @@ namespace {
 
 // Whether single points of the grid can be told apart; then they are joined as they were drawn.
 bool shows_steps(const Layout& all) { return all.pixels_a_step() >= 6; }
+
+// The cell of a picture that a mark falls into.
+using Cell = std::function<std::pair<std::int64_t, std::int64_t>(const Mark&)>;
+
+// Of each cell the mark that is furthest off, in ascending order: the worst are drawn last and stay
+// visible.
+std::vector<Mark> worst_of_cells(const std::vector<Mark>& marks, const Cell& cell) {
+  std::map<std::pair<std::int64_t, std::int64_t>, Mark> worst;
+  for (const Mark& mark : marks) {
+    const auto [at, added] = worst.try_emplace(cell(mark), mark);
+    if (!added && mark.off > at->second.off) at->second = mark;
+  }
+  std::vector<Mark> kept;
+  kept.reserve(worst.size());
+  for (const auto& [key, mark] : worst) kept.push_back(mark);
+  std::stable_sort(kept.begin(), kept.end(),
+                   [](const Mark& a, const Mark& b) { return a.off < b.off; });
+  return kept;
+}
 
 void write_marks(std::ostream& out, const std::string& name, const std::vector<Mark>& marks) {
   out << '$' << name << " << EOD\n";

@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
-#include <sstream>
 
 #include "model/core/input_error.h"
 #include "tb/support/words.h"
@@ -20,10 +18,8 @@ bool has(const AnyBench& bench, const std::string& word) {
   });
 }
 
-}  // namespace
-
-namespace {
 bool something_was_left_out = false;
+
 }  // namespace
 
 void leave_out(const std::string& line) {
@@ -35,8 +31,7 @@ bool was_left_out() { return something_was_left_out; }
 
 std::vector<const AnyBench*> chosen_benches(const std::vector<std::string>& given) {
   // A line of `list` may be one word of the shell, in quotes.
-  std::istringstream line(fmt::format("{}", fmt::join(given, " ")));
-  const std::vector<std::string> words{std::istream_iterator<std::string>(line), {}};
+  const auto words = words_in(fmt::format("{}", fmt::join(given, " ")));
   std::vector<const AnyBench*> found;
   if (words.empty()) {
     for (const Unusable& design : unusable()) leave_out(design.why);

@@ -43,9 +43,8 @@ int conclude(const std::vector<Outcome>& outcomes, const Common& common, const s
       looks.push_back({"The path over the curve"});
       looks.back().image = *common.plot;
     }
-    OutputFile file(*common.html);
-    file.text(kept.empty() ? page_text({outcomes, std::move(looks), {}, title}) : kept);
-    file.close();
+    write_file(*common.html,
+               kept.empty() ? page_text({outcomes, std::move(looks), {}, title}) : kept);
     fmt::print("page: {}\n", one_line(*common.html));
   }
   return all_match(outcomes) ? 0 : 1;

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <charconv>
-#include <cmath>
 
 #include "model/core/input_error.h"
 #include "tb/support/words.h"

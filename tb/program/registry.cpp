@@ -1,6 +1,11 @@
 #include "tb/program/registry.h"
 
+#include <algorithm>
+#include <filesystem>
+
+#include "model/core/input_error.h"
 #include "tb/program/built.h"
+#include "tb/support/build_targets.h"
 
 namespace cosim::cli {
 
@@ -26,6 +31,23 @@ const Registry& registry() {
     return registry;
   }();
   return all;
+}
+
+const OnDemand& on_demand(const std::vector<OnDemand>& all, const std::string& title) {
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const OnDemand& o) { return o.title == title; });
+  if (found == all.end()) throw InputError(title + ": there is no such program for it");
+  return *found;
+}
+
+void build(const Registry& registry, const std::vector<OnDemand>& programs) {
+  std::vector<std::string> targets;
+  for (const OnDemand& program : programs) targets.push_back(program.target);
+  build_targets(registry.cmake(), registry.build_folder(), targets);
+}
+
+std::string path_of(const OnDemand& program) {
+  return (std::filesystem::path(program.folder) / program.target).string();
 }
 
 }  // namespace cosim::cli

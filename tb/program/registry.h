@@ -100,4 +100,13 @@ auto for_bench_of(F f) {
 /// All that was built. Made by CMake, from program.cpp.in.
 const Registry& registry();
 
+/// That of the title. InputError where there is none.
+const OnDemand& on_demand(const std::vector<OnDemand>& all, const std::string& title);
+
+/// Builds them at once. InputError where that fails, with what was said on standard error.
+void build(const Registry& registry, const std::vector<OnDemand>& programs);
+
+/// Where it is then.
+std::string path_of(const OnDemand& program);
+
 }  // namespace cosim::cli

@@ -1,7 +1,5 @@
 #include "tb/program/result_json.h"
 
-#include <string>
-
 #include "tb/support/json.h"
 
 namespace cosim::cli {

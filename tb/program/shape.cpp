@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "model/core/input_error.h"
 #include "tb/program/number.h"
 
 namespace cosim::cli {

@@ -3,7 +3,6 @@
 #include <fmt/core.h>
 
 #include <filesystem>
-#include <utility>
 
 #include "tb/program/extent.h"
 #include "tb/wave/view.h"

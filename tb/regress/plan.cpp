@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <set>
 
-#include "tb/support/json.h"
 #include "tb/support/words.h"
 
 namespace cosim::regress {

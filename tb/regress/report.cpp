@@ -2,9 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <map>
-
 #include "model/core/input_error.h"
 #include "tb/support/json.h"
 #include "tb/support/json_at.h"

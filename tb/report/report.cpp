@@ -256,9 +256,7 @@ std::string run_json(const Outcome& outcome) {
 }
 
 void write_report(const std::string& path, const std::string& text) {
-  OutputFile file(path);
-  file.line("{}", text);
-  file.close();
+  write_file(path, text + '\n');
 }
 
 }  // namespace cosim

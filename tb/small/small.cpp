@@ -9,7 +9,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/program/full.h"
-#include "tb/program/on_demand.h"
+#include "tb/program/registry.h"
 
 namespace cosim::cli {
 namespace {

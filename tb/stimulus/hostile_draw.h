@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 
 #include "model/core/value.h"
 #include "tb/stimulus/hostile_plan.h"

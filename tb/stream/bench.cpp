@@ -7,7 +7,6 @@
 
 #include "model/core/input_error.h"
 #include "tb/bench/wanted.h"
-#include "tb/stream/draw.h"
 #include "tb/stream/record.h"
 #include "tb/stream/runner.h"
 

@@ -1,10 +1,8 @@
 // The RTL of a design with a stream model: an instance whose ports are found by name.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "tb/dut/named_adapter.h"

@@ -1,7 +1,6 @@
 #include "tb/stream/record.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace cosim {
 namespace {

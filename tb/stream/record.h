@@ -26,7 +26,6 @@ class TraceRecorder final : public StreamObserver {
   const StreamShape& shape_;
   StreamFinding finding_;
   Window window_;
-  std::vector<std::string> names_;  // of the handshakes, which have no table
   Mismatch mismatch_;
 };
 

@@ -4,13 +4,10 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
-#include <string>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
-
-#include <fmt/core.h>
 
 #include "model/core/design.h"
 #include "model/core/input_error.h"

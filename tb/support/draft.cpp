@@ -37,9 +37,7 @@ Draft::~Draft() {
 }
 
 void Draft::write(const std::string& name, const std::string& text) const {
-  OutputFile file((folder_ / name).string());
-  file.text(text);
-  file.close();
+  write_file((folder_ / name).string(), text);
 }
 
 void Draft::finish() {

@@ -4,7 +4,6 @@
 
 #include <fstream>
 #include <memory>
-#include <string>
 
 #include "model/core/input_error.h"
 

@@ -45,4 +45,10 @@ void OutputFile::fail() const {
   throw InputError(fmt::format("{}: cannot write: {}", path_, std::strerror(errno)));
 }
 
+void write_file(const std::string& path, const std::string& text) {
+  OutputFile file(path);
+  file.text(text);
+  file.close();
+}
+
 }  // namespace cosim

@@ -49,4 +49,7 @@ class OutputFile {
   std::string buffer_;
 };
 
+/// Writes such a file that is `text` alone.
+void write_file(const std::string& path, const std::string& text);
+
 }  // namespace cosim

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace cosim {
 
@@ -19,6 +20,9 @@ std::string one_line(std::string text);
 
 /// What a person typed, in quotes and on one line; cut where it is long.
 std::string in_quotes(std::string_view text);
+
+/// The words of a text, which blanks part.
+std::vector<std::string> words_in(const std::string& text);
 
 /// How this program is called in what it says: "cosim", unless it was named otherwise.
 const std::string& program_name();

@@ -14,9 +14,7 @@
 #include <map>
 #include <mutex>
 #include <utility>
-#include <vector>
 
-#include "tb/bench/bench.h"
 #include "tb/support/parallel.h"
 
 namespace cosim {

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <sstream>
 #include <system_error>
 
 #include "model/core/input_error.h"
@@ -17,13 +16,6 @@ regress::Kinds regress_kinds(const Registry& registry) {
   kinds.push_back(fuzz_kind());
   kinds.push_back(run_kind());
   return kinds;
-}
-
-std::vector<std::string> words_of(const std::string& text) {
-  std::istringstream stream(text);
-  std::vector<std::string> words;
-  for (std::string word; stream >> word;) words.push_back(word);
-  return words;
 }
 
 std::string kept_with(const std::string& key, const std::string& path,

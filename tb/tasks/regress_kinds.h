@@ -17,9 +17,6 @@ std::unique_ptr<regress::Kind> run_kind();
 /// All of them.
 regress::Kinds regress_kinds(const Registry& registry);
 
-/// The words of a text, which spaces part.
-std::vector<std::string> words_of(const std::string& text);
-
 /// What a task names, a file or a folder, copied from `plan` into the folder `run`; the path there,
 /// from `run`. InputError "KEY: ..." where it is not there.
 std::string kept_with(const std::string& key, const std::string& path,

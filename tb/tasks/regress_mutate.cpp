@@ -26,17 +26,10 @@ class MutateWork final : public regress::Work {
   Json run(std::uint64_t first, std::uint64_t last, const regress::Place& place) const override {
     // The campaign has a checkpoint of its own, beside its results.
     const fs::path results = place.run / "checkpoints" / fmt::format("{}.mutants", place.shard);
-    std::vector<std::string> words{results.string(),
-                                   "--prover",
-                                   program_name() + " prove",
-                                   "--first",
-                                   std::to_string(first + 1),
-                                   "--count",
-                                   std::to_string(last - first),
-                                   "--failures",
-                                   place.failures().string(),
-                                   "--jobs",
-                                   "1"};
+    std::vector<std::string> words =
+        words_in(fmt::format("--first {} --count {} --jobs 1 --failures", first + 1, last - first));
+    words.push_back(place.failures().string());
+    words.insert(words.begin(), {results.string(), "--prover", program_name() + " prove"});
     if (unproved_) words.emplace_back("--unproved");
     const Ended ended = run_mutants((place.run / program_).string(), words);
     const JsonAt all(results.string(), read_file(results.string()));
@@ -131,7 +124,7 @@ class MutateKind final : public regress::Kind {
       return programs;
     }
     std::vector<std::string> programs;
-    for (const AnyBench* bench : chosen_shapes(words_of(task.text("mutate")))) {
+    for (const AnyBench* bench : chosen_shapes(words_in(task.text("mutate")))) {
       programs.push_back(built_mutants(registry_, *bench, task.number("mutants", 100)));
     }
     return programs;

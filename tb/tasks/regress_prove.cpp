@@ -16,6 +16,7 @@
 #include "tb/support/json.h"
 #include "tb/support/read_file.h"
 #include "tb/support/replace_file.h"
+#include "tb/support/words.h"
 #include "tb/tasks/regress_kinds.h"
 
 namespace cosim::cli {
@@ -188,7 +189,7 @@ class ProveKind final : public regress::Kind {
   regress::Works works(const regress::Task& task, const std::filesystem::path&) const override {
     const int limit = static_cast<int>(task.number("limit", usual_limit));
     regress::Works works;
-    for (const AnyBench* bench : chosen_shapes(words_of(task.text("prove")))) {
+    for (const AnyBench* bench : chosen_shapes(words_in(task.text("prove")))) {
       const proof::BuiltMachine& machine = machine_of(*bench);
       if (machine.formula == nullptr) {
         throw InputError(fmt::format("{}: {}: nothing can be proved of it", machine.title,

@@ -13,6 +13,7 @@
 #include "tb/report/report.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/json.h"
+#include "tb/support/words.h"
 #include "tb/tasks/regress_kinds.h"
 
 namespace cosim::cli {
@@ -138,7 +139,7 @@ class SweepKind final : public regress::Kind {
 };
 
 regress::Works SweepKind::works(const regress::Task& task, const std::filesystem::path&) const {
-  const auto benches = chosen_benches(words_of(task.text("sweep")));
+  const auto benches = chosen_benches(words_in(task.text("sweep")));
   const auto& all = all_sweeps(registry_);
   const auto& design = **std::find_if(all.begin(), all.end(), [&](const DesignSweeps* one) {
     return one->design == benches.front()->design();

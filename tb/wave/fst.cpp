@@ -4,6 +4,7 @@
 #include <gtkwave/fstapi.h>
 #include <unistd.h>
 
+#include <bit>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -76,11 +77,8 @@ void Fst::time(std::uint64_t t) {
 }
 
 void Fst::value(Handle handle, int width, Word value) {
-  digits_.resize(static_cast<std::size_t>(width));
-  for (int i = 0; i < width; ++i) {
-    digits_[static_cast<std::size_t>(width - 1 - i)] = (value >> i & 1) != 0 ? '1' : '0';
-  }
-  fstWriterEmitValueChange(writer_, handle, digits_.data());
+  static_assert(std::endian::native == std::endian::little);
+  bytes(handle, width, reinterpret_cast<const unsigned char*>(&value));
 }
 
 void Fst::bytes(Handle handle, int width, const unsigned char* bytes) {

@@ -80,25 +80,16 @@ class PictureRows {
     ++left_out;
     return true;
   }
-  bool differs(const Bus& b, const WaveClock& c) const {
-    const auto cell = c.differs.begin() + static_cast<std::ptrdiff_t>(b.first);
-    const auto end = cell + static_cast<std::ptrdiff_t>(b.count);
-    return std::find(cell, end, true) != end;
-  }
 
   void add_compared(const Bus& b, const std::string& shown) {
     if (is_at_rest(b, &WaveClock::actual)) return;
     const bool same = std::none_of(clocks_.begin(), clocks_.end(),
-                                   [&](const WaveClock& c) { return differs(b, c); });
-    if (same || is_finding(b)) {
+                                   [&](const WaveClock& c) { return c.differs_in(b); });
+    if (same || shape_.is_finding(b)) {
       add(b, SvgRow::Side::plain, &WaveClock::actual, shown);
     } else {
       add_pair(b, shown);
     }
-  }
-  bool is_finding(const Bus& b) const {
-    return std::any_of(shape_.parts.begin(), shape_.parts.end(),
-                       [&](const WavePart& part) { return part.compared == b.first + 1; });
   }
   void add_pair(const Bus& b, const std::string& shown) {
     add(b, SvgRow::Side::expected, &WaveClock::expected,
@@ -117,7 +108,7 @@ class PictureRows {
       row.text.push_back(text_of(b, c.*values));
       row.number.push_back(static_cast<double>((c.*values)[b.first]));
       const bool is_compared = values != &WaveClock::inputs;
-      row.differs.push_back(is_compared && differs(b, c));
+      row.differs.push_back(is_compared && c.differs_in(b));
       row.left_out.push_back(is_compared && !c.compared[b.first]);
       row.other.push_back(row.differs.back() ? text_of(b, c.*others) : "");
     }

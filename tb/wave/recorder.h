@@ -1,7 +1,6 @@
 // Runs a stimulus for somebody who looks: in lockstep, on RTL whose whole hierarchy can be seen.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "tb/lockstep/replay.h"

@@ -51,12 +51,6 @@ class Groups {
     return title;
   }
   bool is_register(std::size_t i) const { return compared_[i].first < shape_.registers; }
-  /// What is wrong at an interface, which is expected nowhere.
-  bool is_finding(std::size_t i) const {
-    return std::any_of(shape_.parts.begin(), shape_.parts.end(), [&](const WavePart& part) {
-      return part.compared == compared_[i].first + 1;
-    });
-  }
   void open(const std::string& title) { all_.push_back({title, true, {}}); }
   void add(WaveRow::Kind kind, std::size_t at, std::string shown) {
     all_.back().rows.push_back({kind, at, std::move(shown)});
@@ -66,7 +60,7 @@ class Groups {
     add(is_register(i) ? WaveRow::Kind::reg : WaveRow::Kind::output, i, with_source(compared_[i]));
   }
   void add_pair(std::size_t i) {
-    if (is_finding(i)) return add_compared(i);
+    if (shape_.is_finding(compared_[i])) return add_compared(i);
     add(WaveRow::Kind::pair, i, compared_[i].name);
   }
 

@@ -1,5 +1,4 @@
-#include "tb/wave/shot.h"
-
+// A wave as GTKWave shows it, without a display.
 #include <fmt/core.h>
 
 #include <chrono>

@@ -27,4 +27,8 @@ std::vector<std::string> view_files(const std::string& path, const std::vector<P
 /// Writes the view of wave `path`, a file whose name ends in .fst. InputError where it cannot.
 void write_view(const std::string& path, const WaveShape& shape, const WaveRange& range);
 
+/// Renders the wave `fst`, with the view beside it, into `png`. InputError where GTKWave or Xvfb is
+/// not installed or they do not.
+void shoot(const std::string& fst, const std::string& png);
+
 }  // namespace cosim

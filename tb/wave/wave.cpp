@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <bit>
-#include <utility>
 
 #include "tb/wave/fst.h"
 #include "tb/wave/view.h"
 
 namespace cosim {
 namespace {
-
-constexpr std::uint64_t period = wave_period;
 
 // Opens and closes scopes so that those of `to` are open; `from` are.
 void change_scope(Fst& fst, const std::vector<std::string>& from,
@@ -32,12 +29,7 @@ std::vector<std::uint32_t> variables(Fst& fst, const char* scope, const std::vec
 // The words of a wide number lie one behind the other, the lowest byte first.
 static_assert(std::endian::native == std::endian::little);
 void draw(Fst& fst, std::uint32_t handle, const Bus& bus, const std::vector<Word>& words) {
-  const Word* first = &words[bus.first];
-  if (bus.count == 1) {
-    fst.value(handle, bus.width, *first);
-  } else {
-    fst.bytes(handle, bus.width, reinterpret_cast<const unsigned char*>(first));
-  }
+  fst.bytes(handle, bus.width, reinterpret_cast<const unsigned char*>(&words[bus.first]));
 }
 
 }  // namespace
@@ -91,7 +83,7 @@ void Wave::begin(const WaveShape& shape, const WaveRange& /*range*/,
 
 void Wave::clock(const WaveClock& now) {
   Fst& fst = *fst_;
-  fst.time(now.clock * period);
+  fst.time(now.clock * wave_period);
   fst.value(clk_, 1, 1);
   fst.value(clock_, clock_width, static_cast<Word>(now.clock));
   for (std::size_t i = 0; i < inputs_.size(); ++i) {
@@ -101,9 +93,7 @@ void Wave::clock(const WaveClock& now) {
     const Bus& bus = buses_[i];
     draw(fst, expected_[i], bus, now.expected);
     draw(fst, actual_[i], bus, now.actual);
-    const auto differs = now.differs.begin() + static_cast<std::ptrdiff_t>(bus.first);
-    const auto end = differs + static_cast<std::ptrdiff_t>(bus.count);
-    fst.value(mismatch_[i], 1, std::find(differs, end, true) == end ? 0 : 1);
+    fst.value(mismatch_[i], 1, now.differs_in(bus) ? 1 : 0);
     if (!has_number(bus.field)) continue;
     fst.number(numbers_[i], number_of(bus.field, now.actual[bus.first]));
     fst.number(expected_numbers_[i], number_of(bus.field, now.expected[bus.first]));
@@ -127,12 +117,12 @@ void Wave::clock(const WaveClock& now) {
       fst.bytes(rtl_handles_[i], rtl_[i].width, rtl_[i].bytes);
     }
   }
-  fst.time(now.clock * period + period / 2);
+  fst.time(now.clock * wave_period + wave_period / 2);
   fst.value(clk_, 1, 0);
   for (std::size_t i = 0; i < rtl_.size(); ++i) {
     if (rtl_[i].is_clock) fst.value(rtl_handles_[i], 1, rtl_[i].falls ? 1 : 0);
   }
-  end_ = (now.clock + 1) * period;
+  end_ = (now.clock + 1) * wave_period;
 }
 
 void Wave::end(const WaveRange& range) {

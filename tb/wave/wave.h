@@ -17,6 +17,8 @@
 // (WaveSides).
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -26,9 +28,31 @@
 #include "model/core/fields.h"
 #include "model/core/probe.h"
 #include "tb/dut/signal.h"
-#include "tb/wave/bus.h"
 
 namespace cosim {
+
+/// What a wave shows as one trace: a cell, or the words of a wide number together.
+struct Bus {
+  std::string name;       ///< of a cell its label, "store[3]"; of a wide number that of its field
+  Field field;            ///< the cell, or the first word
+  std::size_t first = 0;  ///< the number of that cell
+  std::size_t count = 1;  ///< cells, the lowest bits first
+  int width = 1;          ///< bits of all together
+};
+
+inline std::vector<Bus> buses_of(const std::vector<Field>& cells) {
+  std::vector<Bus> all;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Field& f = cells[i];
+    if (f.is_word && f.index > 0) {
+      ++all.back().count;
+      all.back().width += f.width;
+    } else {
+      all.push_back({f.is_word ? f.name : label_of(f), f, i, 1, f.width});
+    }
+  }
+  return all;
+}
 
 /// An interface: its signals, which are seen together. Its last compared one is 1 where what is
 /// wrong is at this interface, and is expected to be 0.
@@ -54,6 +78,12 @@ struct WaveShape {
   std::vector<Probe> probes;      ///< those of a scope side by side
   std::vector<WavePart> parts{};  ///< of a machine whose pins belong to interfaces; else empty
   WaveSides sides{};
+
+  /// What is wrong at an interface, which is expected nowhere.
+  bool is_finding(const Bus& bus) const {
+    return std::any_of(parts.begin(), parts.end(),
+                       [&](const WavePart& part) { return part.compared == bus.first + 1; });
+  }
 };
 
 /// One clock of a run.
@@ -63,6 +93,12 @@ struct WaveClock {
   std::vector<bool> compared;  ///< whether it means anything on this clock
   std::vector<bool> differs;   ///< of what does; both have one an entry of expected
   std::vector<Word> expected_probes, actual_probes;
+
+  bool differs_in(const Bus& bus) const {
+    const auto cell = differs.begin() + static_cast<std::ptrdiff_t>(bus.first);
+    const auto end = cell + static_cast<std::ptrdiff_t>(bus.count);
+    return std::find(cell, end, true) != end;
+  }
 };
 
 /// The clocks of a run that a wave shows, and the first that differs.

@@ -2,8 +2,6 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-
 #include "tb/support/json.h"
 
 namespace cosim::compare {

@@ -16,7 +16,6 @@
 #include "tb/program/draw_one.h"
 #include "tb/program/number.h"
 #include "tb/program/registry.h"
-#include "tb/support/words.h"
 
 namespace cosim::cli {
 namespace {

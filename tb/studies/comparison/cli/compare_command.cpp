@@ -14,7 +14,6 @@
 #include "tb/program/conclude.h"
 #include "tb/program/outputs.h"
 #include "tb/program/registry.h"
-#include "tb/studies/comparison/cli/drawn.h"
 #include "tb/studies/comparison/cli/work_options.h"
 #include "tb/studies/comparison/contest.h"
 #include "tb/studies/toolpath/cli/curves.h"
@@ -104,6 +103,21 @@ Series& series_of(Plot& plot, const std::string& name) {
   const auto at = std::find_if(plot.series.begin(), plot.series.end(),
                                [&](const Series& s) { return s.name == name; });
   return at != plot.series.end() ? *at : plot.series.emplace_back(Series{name, {}});
+}
+
+// Adds the points that were drawn of a piece, each once: spread evenly over the piece's part of the
+// path, so that algorithms of more and of fewer steps stand at the same places.
+template <class W>
+void add_points(Series& series, const W& work, const compare::Place& place,
+                compare::Points points) {
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  const double last = std::max(1.0, static_cast<double>(points.size()) - 1);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const prior_art::Point d = place.orientation.to_plane(points[i]);
+    series.add({{place.origin.x + d.x, place.origin.y + d.y},
+                compare::radial(work, points[i]),
+                place.begin + place.steps * static_cast<double>(i) / last});
+  }
 }
 
 // Draws into the picture, where there is one. The table goes to `looks`, too.

@@ -33,8 +33,7 @@ std::vector<Word> values_of(const std::vector<JobField>& fields, const std::stri
   std::vector<Word> values;
   for (const JobField& f : fields) values.push_back(simplest(f));
   std::vector<bool> given(fields.size());
-  std::istringstream words(text);
-  for (std::string word; words >> word;) {
+  for (const std::string& word : words_in(text)) {
     const std::size_t equals = std::min(word.find('='), word.size());
     const auto field = std::find_if(fields.begin(), fields.end(), [&](const JobField& f) {
       return f.name == word.substr(0, equals);
@@ -76,9 +75,9 @@ std::pair<const AnyBench*, JobList> read(const std::vector<std::string>& words) 
   bench = chosen_benches({words.begin(), shape}).front();
   const auto fields = bench->job_fields();
   if (fields.empty()) throw InputError(bench->design() + ": declares no jobs");
-  std::istringstream parts(fmt::format("{}", fmt::join(shape, words.end(), " ")));
+  const std::string text = fmt::format("{}", fmt::join(shape, words.end(), " "));
   JobList jobs;
-  for (std::string part; std::getline(parts, part, ';');) jobs.push_back(values_of(fields, part));
+  for (const std::string& part : parts_in(text, ';')) jobs.push_back(values_of(fields, part));
   if (jobs.empty()) jobs.push_back(values_of(fields, ""));
   return {bench, jobs};
 }

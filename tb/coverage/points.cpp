@@ -7,11 +7,11 @@
 #include <filesystem>
 #include <map>
 #include <set>
-#include <sstream>
 #include <tuple>
 
 #include "model/core/input_error.h"
 #include "tb/support/read_file.h"
+#include "tb/support/words.h"
 
 namespace cosim::coverage {
 namespace {
@@ -54,8 +54,7 @@ Point point_in(const std::string& line) {
     throw InputError(fmt::format("no count of coverage: {}", line));
   }
   std::map<char, std::string> has;
-  std::istringstream words(line.substr(4, end - 4));
-  for (std::string word; std::getline(words, word, '\1');) {
+  for (const std::string& word : parts_in(line.substr(4, end - 4), '\1')) {
     const std::size_t middle = word.find('\2');
     if (middle == std::string::npos) continue;
     const std::string key = word.substr(0, middle);
@@ -97,8 +96,7 @@ Points read_points(const std::string& folder) {
     const std::string name_of_file = path.filename().string();
     const bool cases = name_of_file.starts_with("cases.");
     const bool before = name_of_file.starts_with("before.");
-    std::istringstream lines(read_file(path.string()));
-    for (std::string line; std::getline(lines, line);) {
+    for (const std::string& line : lines_in(read_file(path.string()))) {
       if (cases) {
         // DESIGN, name and hits, a tabulator between two.
         const std::size_t name = line.find('\t') + 1, hits = line.rfind('\t') + 1;

@@ -13,6 +13,7 @@
 #include "tb/dut/named_adapter.h"
 #include "tb/dut/registers.h"
 #include "tb/support/place.h"
+#include "tb/support/words.h"
 
 namespace cosim {
 namespace {
@@ -115,8 +116,7 @@ struct Origin {
   int low;
 };
 Origin origin_of(const std::string& net, int low, int width, std::string_view text) {
-  std::istringstream lines{std::string(text)};
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : lines_in(text)) {
     std::istringstream words(line);
     std::string source, skipped, carrier;
     int bits = 0, first = 0;
@@ -147,8 +147,7 @@ std::string named(const char* what, const Field& field) {
 // The inputs of a table that are clocks are those that the RTL's text has.
 void require_clocks(const Ports& ports) {
   std::map<std::string, Edge> left;
-  std::istringstream lines{ports.clocks};
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : lines_in(ports.clocks)) {
     const std::string_view mark = "falling ";
     const bool falls = line.starts_with(mark);
     left[falls ? line.substr(mark.size()) : line] = falls ? Edge::falling : Edge::rising;

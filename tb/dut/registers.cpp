@@ -5,22 +5,17 @@
 
 #include <algorithm>
 #include <span>
-#include <sstream>
 
 #include "model/core/input_error.h"
 #include "tb/support/place.h"
+#include "tb/support/words.h"
 
 namespace cosim {
 namespace {
 
 std::vector<std::vector<std::string>> lines_of(std::string_view text) {
   std::vector<std::vector<std::string>> all;
-  std::istringstream lines{std::string(text)};
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream words(line);
-    all.emplace_back();
-    for (std::string word; words >> word;) all.back().push_back(word);
-  }
+  for (const std::string& line : lines_in(text)) all.push_back(words_in(line));
   return all;
 }
 
@@ -53,8 +48,7 @@ Register register_of(const std::vector<std::string>& words) {
   r.carriers.push_back({r.name, r.net, 0});
   r.open.resize(static_cast<std::size_t>(r.net.width) *
                 static_cast<std::size_t>(std::max(r.net.words, 1)));
-  std::istringstream ranges(words.at(3));
-  for (std::string range; std::getline(ranges, range, ',');) {
+  for (const std::string& range : parts_in(words.at(3), ',')) {
     const auto high = std::stoul(range), low = std::stoul(range.substr(range.find(':') + 1));
     for (auto bit = low; bit <= high; ++bit) r.open.at(bit) = true;
   }

@@ -5,6 +5,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/support/json.h"
+#include "tb/support/words.h"
 
 namespace cosim::equiv {
 
@@ -29,8 +30,7 @@ bool is_meant(const std::string& attribute) {
 std::string form_of(const std::string& rtlil) {
   std::map<std::string, std::size_t> numbers;
   std::string form;
-  std::istringstream lines(rtlil);
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : lines_in(rtlil)) {
     std::istringstream words(line);
     std::string first, word;
     if (!(words >> first) || first == "autoidx" || first == "module" || first.starts_with('#')) {

@@ -6,7 +6,6 @@
 #include <array>
 #include <filesystem>
 #include <optional>
-#include <sstream>
 
 #include "tb/equiv/testbench.h"
 #include "tb/support/output_file.h"
@@ -75,12 +74,10 @@ class Program {
     }
     Lines lines;
     if (ended.status != 0) return lines;
-    std::istringstream text(ended.text);
-    for (std::string line, word; std::getline(text, line);) {
-      std::istringstream in(line);
-      if (!(in >> word) || word != "cosim_replay") continue;  // what the RTL itself prints
-      lines.emplace_back();
-      while (in >> word) lines.back().push_back(word);
+    for (const std::string& line : lines_in(ended.text)) {
+      const std::vector<std::string> words = words_in(line);
+      if (words.empty() || words[0] != "cosim_replay") continue;  // what the RTL itself prints
+      lines.emplace_back(words.begin() + 1, words.end());
     }
     return lines;
   }

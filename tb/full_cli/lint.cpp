@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 
 #include <memory>
-#include <sstream>
 
 #include "model/core/input_error.h"
 #include "tb/full/machine_of.h"
@@ -57,9 +56,8 @@ Words yosys(const proof::Source& source) {
 
 // What the tool says, but for Verilator's report of what it has done.
 std::string findings(const Ended& ended) {
-  std::istringstream lines(ended.text);
   std::string text;
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : lines_in(ended.text)) {
     const bool report =
         line.starts_with("- V e r i l a t i o n") || line.starts_with("- Verilator:");
     if (!report) text += line + '\n';

@@ -5,7 +5,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <sstream>
 
 #include "model/core/input_error.h"
 #include "tb/full_cli/commands.h"
@@ -93,8 +92,7 @@ BegunProject begin_project(const NewOptions& o, const Draft& project) {
   const std::vector<std::string> given(o.words.begin() + 1, o.words.end());
   RtlQuestion question;
   question.folder = project.folder();
-  std::istringstream clocks(o.clock.value_or(""));
-  for (std::string pin; std::getline(clocks, pin, ',');) {
+  for (const std::string& pin : parts_in(o.clock.value_or(""), ',')) {
     question.clocks.push_back(name_in("--clock", pin));
   }
   question.reset = name_in("--reset", o.reset);

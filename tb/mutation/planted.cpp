@@ -5,7 +5,6 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <sstream>
 #include <utility>
 
 #include "tb/proof/steps.h"
@@ -14,6 +13,7 @@
 #include "tb/support/process.h"
 #include "tb/support/quoted.h"
 #include "tb/support/read_file.h"
+#include "tb/support/words.h"
 
 namespace cosim::mutation {
 namespace {
@@ -40,13 +40,11 @@ Planted::Planted(proof::Source source, unsigned count) : source_(std::move(sourc
                    source_.top);
   // Where one write port comes before another, yosys takes none whose clock is another.
   std::vector<std::string> write_clocks;
-  std::istringstream names(read_file(memories));
-  for (std::string name; std::getline(names, name);) {
+  for (const std::string& name : lines_in(read_file(memories))) {
     write_clocks.push_back(fmt::format(" -cell {} -port WR_CLK ", name.substr(name.find('/') + 1)));
   }
   static const Pattern said(R"(^mutate |-module \S+ )");
-  std::istringstream lines(read_file(list));
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : lines_in(read_file(list))) {
     if (is_of(of_read_port, line)) continue;
     if (source_.clocks_are_inputs && is_of(of_clock, line)) continue;
     if (std::any_of(write_clocks.begin(), write_clocks.end(),

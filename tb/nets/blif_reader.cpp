@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <optional>
-#include <sstream>
 #include <unordered_map>
 #include <utility>
 
 #include "model/core/input_error.h"
 #include "tb/nets/blif.h"
+#include "tb/support/words.h"
 
 namespace cosim::nets {
 namespace {
@@ -20,9 +20,8 @@ class Reader {
   explicit Reader(const std::string& what) : what_(what) {}
 
   Cells read(std::string_view text) {
-    std::istringstream lines{std::string(text)};
     std::string line;
-    for (std::string more; std::getline(lines, more);) {
+    for (std::string more : lines_in(text)) {
       ++number_;
       more.resize(std::min(more.find('#'), more.size()));
       line += more;
@@ -58,9 +57,7 @@ class Reader {
   }
 
   void read_line(const std::string& line) {
-    std::istringstream stream(line);
-    std::vector<std::string> words;
-    for (std::string word; stream >> word;) words.push_back(word);
+    std::vector<std::string> words = words_in(line);
     if (words.empty()) return;
     const std::string first = words.front();
     if (first[0] != '.') return read_row(words);

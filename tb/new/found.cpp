@@ -11,6 +11,7 @@
 #include "tb/new/found_shape.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
+#include "tb/support/words.h"
 
 namespace cosim::cli {
 namespace {
@@ -20,8 +21,7 @@ namespace fs = std::filesystem;
 // "7:4,0:0"
 std::vector<std::pair<int, int>> ranges_of(const std::string& text) {
   std::vector<std::pair<int, int>> all;
-  std::istringstream list(text);
-  for (std::string range; std::getline(list, range, ',');) {
+  for (const std::string& range : parts_in(text, ',')) {
     all.emplace_back(std::stoi(range), std::stoi(range.substr(range.find(':') + 1)));
   }
   return all;
@@ -31,8 +31,7 @@ std::vector<std::pair<int, int>> ranges_of(const std::string& text) {
 void read_found(Found& found, const std::string& text) {
   std::map<std::string, std::string> values;
   std::map<std::string, std::vector<std::string>> clocks;  // of registers
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : lines_in(text)) {
     std::istringstream words(line);
     std::string what, name, bits;
     words >> what >> name;

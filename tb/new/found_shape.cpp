@@ -11,13 +11,13 @@
 #include "tb/new/new_sources.h"
 #include "tb/support/output_file.h"
 #include "tb/support/read_file.h"
+#include "tb/support/words.h"
 
 namespace cosim::cli {
 
 FoundShape shape_of(std::string_view text) {
   FoundShape shape;
-  std::istringstream lines{std::string(text)};
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : lines_in(text)) {
     std::istringstream words(line);
     std::string what, name, way;
     words >> what;
@@ -89,8 +89,7 @@ std::string as_plain_verilog(std::vector<std::string>& files, const std::string&
     const Ended ended = run(program + ".pl", words);
     if (ended.status != 0) return ended.text.substr(0, ended.text.find('\n'));
     files.clear();
-    std::istringstream lines(ended.text);
-    for (std::string line; std::getline(lines, line);) files.push_back(line);
+    for (const std::string& line : lines_in(ended.text)) files.push_back(line);
   }
   return "";
 }

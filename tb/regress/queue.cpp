@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <sstream>
 #include <thread>
 
 #include "model/core/input_error.h"
@@ -26,9 +25,8 @@ std::string submitted(const std::vector<std::string>& words) {
   const Ended ended = cosim::run_program(words);
   if (ended.status == 127) throw InputError("--slurm: there is no sbatch on this host");
   // "NUMBER" or "NUMBER;CLUSTER", behind what the cluster may say besides.
-  std::istringstream lines(ended.text);
   std::string number;
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : lines_in(ended.text)) {
     const std::string word = line.substr(0, line.find(';'));
     const bool digits = word.find_first_not_of("0123456789") == std::string::npos;
     if (!word.empty() && digits) number = word;
@@ -44,8 +42,7 @@ Queue in_queue(const Jobs& jobs) {
   // One job that is long over is an error to it; so is a controller that is away for a while.
   if (asked.status != 0) return {asked.text.find("Invalid job id") == std::string::npos, 0};
   Queue queue;
-  std::istringstream lines(asked.text);
-  for (std::string state; std::getline(lines, state);) {
+  for (const std::string& state : lines_in(asked.text)) {
     queue.there = true;
     queue.running += state == "RUNNING" ? 1 : 0;
   }

@@ -11,7 +11,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <map>
-#include <sstream>
 
 #include "model/core/input_error.h"
 #include "tb/regress/results.h"
@@ -82,8 +81,7 @@ std::vector<std::uint64_t> shards_in(const std::string& list, std::uint64_t shar
   const InputError wrong(
       fmt::format("{}: {} is no list of shards below {}", what, in_quotes(list), shards));
   std::vector<std::uint64_t> all;
-  std::istringstream parts(list);
-  for (std::string part; std::getline(parts, part, ',');) {
+  for (std::string part : parts_in(list, ',')) {
     const std::uint64_t first = take_number(part, wrong);
     std::uint64_t last = first;
     if (part.starts_with('-')) {

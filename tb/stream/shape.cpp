@@ -3,17 +3,16 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <sstream>
 
 #include "model/core/input_error.h"
+#include "tb/support/words.h"
 
 namespace cosim {
 
 void StreamShape::set_clocks(const char* one, std::string_view several) {
   clocks.clear();
   if (*one != '\0') clocks.push_back({one});
-  std::istringstream lines{std::string(several)};
-  for (std::string line; std::getline(lines, line);) {
+  for (const std::string& line : lines_in(several)) {
     const std::string mark = "falling ";
     const bool falls = line.starts_with(mark);
     clocks.push_back({falls ? line.substr(mark.size()) : line, falls});

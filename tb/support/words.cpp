@@ -81,6 +81,15 @@ std::vector<std::string> words_in(const std::string& text) {
   return words;
 }
 
+std::vector<std::string> parts_in(std::string_view text, char end) {
+  std::vector<std::string> parts;
+  while (!text.empty()) {
+    parts.emplace_back(text.substr(0, text.find(end)));
+    text.remove_prefix(std::min(text.size(), parts.back().size() + 1));
+  }
+  return parts;
+}
+
 const std::string& program_name() { return the_program(); }
 
 void name_program(const std::string& name) { the_program() = name; }

@@ -23,6 +23,9 @@ std::string in_quotes(std::string_view text);
 
 /// The words of a text, which blanks part.
 std::vector<std::string> words_in(const std::string& text);
+/// The parts of a text, which such characters end; the last one may go without.
+std::vector<std::string> parts_in(std::string_view text, char end);
+inline std::vector<std::string> lines_in(std::string_view text) { return parts_in(text, '\n'); }
 
 /// How this program is called in what it says: "cosim", unless it was named otherwise.
 const std::string& program_name();

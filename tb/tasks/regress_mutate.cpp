@@ -2,7 +2,6 @@
 #include <fmt/core.h>
 
 #include <map>
-#include <sstream>
 
 #include "model/core/input_error.h"
 #include "tb/full/mutants_built.h"
@@ -66,9 +65,8 @@ class MutateWork final : public regress::Work {
   static Json survivor(const JsonAt& mutant, const std::string& said, const regress::Place& place) {
     const std::string what = mutant.at("what").text();
     Json json{{"what", fmt::format("mutant {} survived: {}", mutant.at("mutant").whole(), what)}};
-    std::istringstream lines(said);
     const std::string begin = fmt::format("survived: {}, kept in: ", what);
-    for (std::string line; std::getline(lines, line);) {
+    for (const std::string& line : lines_in(said)) {
       if (!line.starts_with(begin)) continue;
       json["folder"] = fs::path(line.substr(begin.size())).lexically_relative(place.run).string();
     }

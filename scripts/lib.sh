@@ -8,6 +8,7 @@
 #   build PRESET TARGET  configures where needed, then builds, quietly
 #   ready PRESET TARGET SET...  what these sets of scripts/setup are, then that is built; or status 2
 #   help_with COMMAND WORDS...  as help, with what `cosim COMMAND` says of itself where it is built
+#   make_scratch         sets scratch, a new folder that goes with the script
 #   on_page PAGE COLUMNS copies a table in Markdown from standard input, and says of each row whether the
 #                        page of docs/ has another one in the first COLUMNS columns
 #   record NAME TITLE COMMAND  the rest of the script leaves what it prints for scripts/report
@@ -25,6 +26,8 @@ die() {
   printf '%s: %s\n' "$(basename "$0")" "$*" >&2
   exit 2
 }
+
+make_scratch() { scratch=$(mktemp -d) && trap 'rm -rf "$scratch"' EXIT; }
 
 usage() { sed -n '2,${/^#/!q; s/^# \{0,1\}//p}' "$0"; }
 

@@ -9,10 +9,9 @@
 #                                   some at a time, and prints what they print in the lines' order;
 #                                   status 1 where one of them failed
 # Their texts and files are made in `scratch`, a folder of this run.
-# shellcheck disable=SC2154  # root is set by lib.sh
+# shellcheck disable=SC2154  # root and scratch are set by lib.sh
 rtl=$root/rtl
-scratch=$(mktemp -d)
-trap 'rm -rf "$scratch"' EXIT
+make_scratch
 export HOME=$scratch # where yosys keeps a history
 
 check_shape() {

@@ -39,8 +39,7 @@ std::string to_text(const Measure& measure) {
 }
 
 const Measure& Checked::measure(std::string_view name) const {
-  const auto at = std::find_if(measures.begin(), measures.end(),
-                               [&](const Measure& m) { return m.name == name; });
+  const auto at = std::ranges::find(measures, name, &Measure::name);
   if (at == measures.end()) throw std::out_of_range("no measure " + std::string(name));
   return *at;
 }
@@ -57,8 +56,7 @@ void add(Checked& sum, const Checked& one) {
   sum.jobs += one.jobs;
   if (sum.error.empty()) sum.error = one.error;
   for (const Measure& measure : one.measures) {
-    const auto at = std::find_if(sum.measures.begin(), sum.measures.end(),
-                                 [&](const Measure& m) { return m.name == measure.name; });
+    const auto at = std::ranges::find(sum.measures, measure.name, &Measure::name);
     if (at == sum.measures.end()) {
       sum.measures.push_back(measure);
     } else {

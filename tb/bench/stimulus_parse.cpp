@@ -149,8 +149,8 @@ class Parser {
         fail(fmt::format("{} is not NAME=NUMBER", in_quotes(words_[w])));
       }
       const std::string_view name = words_[w].substr(0, equals);
-      const auto field = std::find_if(fields.begin(), fields.end(),
-                                      [&](const Field& f) { return label_of(f) == name; });
+      const auto field =
+          std::ranges::find_if(fields, [&](const Field& f) { return label_of(f) == name; });
       if (field == fields.end()) {
         fail(fmt::format("{} has no state {}", replay_.stimulus.machine, in_quotes(name)));
       }
@@ -174,15 +174,15 @@ class Parser {
                     words_[w]) != words_.begin() + static_cast<std::ptrdiff_t>(w)) {
         fail(fmt::format("{} is given twice", in_quotes(words_[w])));
       }
-      const auto field = std::find_if(inputs_.begin(), inputs_.end(),
-                                      [&](const Field& f) { return label_of(f) == words_[w]; });
+      const auto field =
+          std::ranges::find_if(inputs_, [&](const Field& f) { return label_of(f) == words_[w]; });
       if (field == inputs_.end()) {
         fail(fmt::format("{} has no input {}", replay_.stimulus.machine, in_quotes(words_[w])));
       }
       columns_.push_back(static_cast<std::size_t>(field - inputs_.begin()));
     }
     for (std::size_t i = 0; i < inputs_.size(); ++i) {
-      if (std::find(columns_.begin(), columns_.end(), i) == columns_.end()) {
+      if (std::ranges::find(columns_, i) == columns_.end()) {
         fail(fmt::format("input {} has no column", label_of(inputs_[i])));
       }
     }

@@ -168,14 +168,14 @@ Json covered(const CoverOptions& o, const Registry& registry, const Benches& ben
   Json json{{"design", design}, {"shapes", benches.size()}, {"differs", differed}};
   std::string text;
   for (const Kind& kind : point_kinds) {
-    const auto all = std::count_if(points.rtl.begin(), points.rtl.end(), kind.is);
-    const auto reached = std::count_if(points.rtl.begin(), points.rtl.end(),
-                                       [&](const Point& p) { return kind.is(p) && p.hits != 0; });
+    const auto all = std::ranges::count_if(points.rtl, kind.is);
+    const auto reached = std::ranges::count_if(
+        points.rtl, [&](const Point& p) { return kind.is(p) && p.hits != 0; });
     add_part(text, json, kind.name, static_cast<std::uint64_t>(reached),
              static_cast<std::uint64_t>(all));
   }
-  const auto hit = std::count_if(points.cases.begin(), points.cases.end(),
-                                 [](const auto& one) { return one.hits != 0; });
+  const auto hit =
+      std::ranges::count_if(points.cases, [](const auto& one) { return one.hits != 0; });
   add_part(text, json, "cases", static_cast<std::uint64_t>(hit), points.cases.size());
   fmt::print("{}, {}: reached {}\n", design, count(benches.size(), "shape"), text);
   const auto left = never_reached(points, answers);

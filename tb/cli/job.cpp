@@ -35,9 +35,7 @@ std::vector<Word> values_of(const std::vector<JobField>& fields, const std::stri
   std::vector<bool> given(fields.size());
   for (const std::string& word : words_in(text)) {
     const std::size_t equals = std::min(word.find('='), word.size());
-    const auto field = std::find_if(fields.begin(), fields.end(), [&](const JobField& f) {
-      return f.name == word.substr(0, equals);
-    });
+    const auto field = std::ranges::find(fields, word.substr(0, equals), &JobField::name);
     if (field == fields.end()) {
       std::string names;
       for (const JobField& f : fields) names += (names.empty() ? "" : ", ") + std::string(f.name);
@@ -66,7 +64,7 @@ std::pair<const AnyBench*, JobList> read(const std::vector<std::string>& words) 
   std::size_t at = 1;
   const auto parameters = bench->parameters();
   const auto is_parameter = [&](const std::string& word) {
-    return std::any_of(parameters.begin(), parameters.end(), [&](const Parameter& p) {
+    return std::ranges::any_of(parameters, [&](const Parameter& p) {
       return word.starts_with(std::string(p.name) + '=');
     });
   };

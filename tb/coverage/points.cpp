@@ -102,8 +102,7 @@ Points read_points(const std::string& folder) {
         const std::size_t name = line.find('\t') + 1, hits = line.rfind('\t') + 1;
         const Count count{line.substr(name, hits - 1 - name),
                           number_in<std::uint64_t>(line.substr(hits), line)};
-        const auto same = std::find_if(all.cases.begin(), all.cases.end(),
-                                       [&](const Count& c) { return c.name == count.name; });
+        const auto same = std::ranges::find(all.cases, count.name, &Count::name);
         if (same == all.cases.end()) {
           all.cases.push_back(count);
         } else {

@@ -135,8 +135,7 @@ Origin origin_of(const std::string& net, int low, int width, std::string_view te
 std::size_t absent_after(std::span<const Field> cells, std::span<const Field> row) {
   const auto rest = cells.subspan(static_cast<std::size_t>(row.data() - cells.data()) + row.size());
   return static_cast<std::size_t>(
-      std::find_if(rest.begin(), rest.end(), [](const Field& f) { return f.width != 0; }) -
-      rest.begin());
+      std::ranges::find_if(rest, [](const Field& f) { return f.width != 0; }) - rest.begin());
 }
 
 // What a report calls the net of a field.
@@ -254,9 +253,9 @@ std::vector<Net> find_ports(const std::vector<PortNet>& of_rtl, const Ports& por
   std::vector<std::string> unnamed;
   for (const auto& [name, port] : all) {
     const char* way = port.net->is_input ? "input" : "output";
-    const auto open = std::find(port.taken.begin(), port.taken.end(), false);
+    const auto open = std::ranges::find(port.taken, false);
     if (open == port.taken.end()) continue;
-    if (std::find(port.taken.begin(), port.taken.end(), true) == port.taken.end()) {
+    if (std::ranges::find(port.taken, true) == port.taken.end()) {
       if (!port.net->is_input && matches_any(ports.unobserved, name)) continue;
       unnamed.push_back(fmt::format("an {} {}", way, name));
       continue;

@@ -84,7 +84,7 @@ void close(Register& r, std::span<const Field> row, const std::string& title) {
 // a word as "store[2][1:0]", the lowest first.
 std::vector<std::string> left_of(const Register& r) {
   const auto width = static_cast<std::size_t>(r.net.width), size = r.open.size();
-  if (std::find(r.open.begin(), r.open.end(), false) == r.open.end()) return {r.name};
+  if (std::ranges::find(r.open, false) == r.open.end()) return {r.name};
   const auto range = [](std::size_t low, std::size_t end) {
     return end - low == 1 ? fmt::format("[{}]", low) : fmt::format("[{}:{}]", end - 1, low);
   };
@@ -114,8 +114,8 @@ std::vector<std::string> left_of(const Register& r) {
 }  // namespace
 
 bool matches_any(const std::vector<std::string>& patterns, std::string_view name) {
-  return std::any_of(patterns.begin(), patterns.end(),
-                     [&](const std::string& pattern) { return matches(pattern, name); });
+  return std::ranges::any_of(patterns,
+                             [&](const std::string& pattern) { return matches(pattern, name); });
 }
 
 std::vector<std::string> unobserved_signals(const RtlText& text, const std::vector<Field>& fields,
@@ -134,7 +134,7 @@ std::vector<std::string> unobserved_signals(const RtlText& text, const std::vect
   for (const auto& words : lines_of(text.registers)) {
     Register r = register_of(words);
     for (const auto& row : rows) close(r, row, text.title);
-    if (std::find(r.open.begin(), r.open.end(), true) == r.open.end()) continue;
+    if (std::ranges::find(r.open, true) == r.open.end()) continue;
     for (const std::string& part : left_of(r)) {
       const bool whole = is_allowed(r.name), allowed = is_allowed(part) || whole;
       if (!allowed && r.net.words < 0) {
@@ -148,11 +148,11 @@ std::vector<std::string> unobserved_signals(const RtlText& text, const std::vect
   // Of one that is neither in a row nor allowed, find_ports() says so.
   for (const auto& words : lines_of(text.outputs)) {
     const std::string& name = words.front();
-    const bool has_row = std::any_of(outputs.begin(), outputs.end(),
-                                     [&](const Field& f) { return net_path(f.net).path == name; });
+    const bool has_row =
+        std::ranges::any_of(outputs, [&](const Field& f) { return net_path(f.net).path == name; });
     if (has_row || !is_allowed(name)) continue;
     const bool is_there =  // as a register
-        std::find(unobserved.begin(), unobserved.end(), name) != unobserved.end();
+        std::ranges::find(unobserved, name) != unobserved.end();
     if (!is_there) unobserved.push_back(name);
   }
   if (missing.size() == 1) {
@@ -165,7 +165,7 @@ std::vector<std::string> unobserved_signals(const RtlText& text, const std::vect
         "{}: the RTL has registers that no table names and that are not in unobserved: {}",
         text.title, fmt::join(missing, ", ")));
   }
-  const auto unused = std::find(used.begin(), used.end(), false);
+  const auto unused = std::ranges::find(used, false);
   if (unused != used.end()) {
     throw InputError(fmt::format(
         "{}: unobserved has {}, and the RTL has no such register or output beside the tables",
@@ -209,7 +209,7 @@ void require_resets(const RtlText& text, Resets design, const std::vector<ResetP
   }
   for (const auto& reset : resets) {
     const bool level = reset.size() == 1;
-    const bool is_given = std::any_of(pins.begin(), pins.end(), [&](const ResetPin& pin) {
+    const bool is_given = std::ranges::any_of(pins, [&](const ResetPin& pin) {
       return pin.net == reset.back() && pin.in_reset == level;
     });
     if (is_given && (design == Resets::each_at_once || pins.size() == 1)) continue;
@@ -224,7 +224,7 @@ void require_taken_over(const RtlText& text, const std::vector<Field>& registers
                         const std::vector<Field>& state) {
   for (const Field& r : registers) {
     if (!r.unreset || r.width == 0) continue;
-    const bool is_there = std::any_of(state.begin(), state.end(), [&](const Field& f) {
+    const bool is_there = std::ranges::any_of(state, [&](const Field& f) {
       return std::string_view(f.name) == r.name && f.index == r.index;
     });
     if (is_there) continue;

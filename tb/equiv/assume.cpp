@@ -46,7 +46,7 @@ std::vector<std::string> names_in(const std::string& text) {
   for (const Pattern::Parts& part : word.all(text)) {
     const char first = part[0].front();
     if (first == '\'' || first == '$') continue;
-    if (std::find(names.begin(), names.end(), part[0]) == names.end()) names.push_back(part[0]);
+    if (std::ranges::find(names, part[0]) == names.end()) names.push_back(part[0]);
   }
   return names;
 }
@@ -128,8 +128,7 @@ std::vector<Assumption> assumptions(const std::vector<std::string>& texts, const
 
 bool are_met(Question& q) {
   if (q.assumed.empty()) return true;
-  const bool of_outputs = std::any_of(q.assumed.begin(), q.assumed.end(),
-                                      [](const Assumption& one) { return one.of_outputs; });
+  const bool of_outputs = std::ranges::any_of(q.assumed, &Assumption::of_outputs);
   if (of_outputs) {
     for (Side* side : {&q.gold, &q.gate}) side->make_gates(Memories::registers, q.steps, q.budget);
     find_resets(q);

@@ -26,8 +26,7 @@ void find_lacking(const Question& q, const Widths& gold, const Widths& gate, boo
     if (inputs && !q.steps && (q.gold.clocks.contains(port) || q.gate.clocks.contains(port))) {
       return true;
     }
-    return inputs ? q.tied.contains(port)
-                  : std::find(q.ignored.begin(), q.ignored.end(), port) != q.ignored.end();
+    return inputs ? q.tied.contains(port) : std::ranges::find(q.ignored, port) != q.ignored.end();
   };
   std::set<std::string> met;
   for (const auto& [port, width] : gold) {

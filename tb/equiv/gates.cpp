@@ -156,8 +156,8 @@ void Side::read(const std::string& aiger, const std::string& map) {
     }
     if (leaves.size() > 2) return at;
     const auto is_register = [&](unsigned leaf) { return register_of.contains(leaf); };
-    if (std::count_if(leaves.begin(), leaves.end(), is_register) != 1) return at;
-    return *std::find_if(leaves.begin(), leaves.end(), is_register);
+    if (std::ranges::count_if(leaves, is_register) != 1) return at;
+    return *std::ranges::find_if(leaves, is_register);
   };
   std::istringstream lines(map);
   std::string kind, name;
@@ -182,8 +182,8 @@ void Side::name_as(const Side& other) {
     for (const Name& net : r.nets) theirs.emplace(net, r.name);
   }
   for (Register& r : registers) {
-    const auto same = std::find_if(r.nets.begin(), r.nets.end(),
-                                   [&](const Name& net) { return theirs.contains(net); });
+    const auto same =
+        std::ranges::find_if(r.nets, [&](const Name& net) { return theirs.contains(net); });
     if (same != r.nets.end()) r.name = theirs.at(*same);
   }
 }

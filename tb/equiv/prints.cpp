@@ -63,7 +63,7 @@ std::string without_prints(std::string text) {
     std::size_t end = at;
     while (end < text.size() && is_of_name(text[end])) ++end;
     const std::string_view name = std::string_view(text).substr(at, end - at);
-    if (std::find(prints.begin(), prints.end(), name) == prints.end()) continue;
+    if (std::ranges::find(prints, name) == prints.end()) continue;
     const std::size_t from = at - 1;
     at = behind_arguments(text, end);
     std::replace_if(

@@ -279,7 +279,7 @@ class Builder {
 
   // An output of both, where both have it and it is to be compared.
   Lit differ(const Name& name, const std::vector<Side::Made>& golds, const Side::Made& gate) {
-    if (std::find(q_.ignored.begin(), q_.ignored.end(), name.first) != q_.ignored.end()) return 0;
+    if (std::ranges::find(q_.ignored, name.first) != q_.ignored.end()) return 0;
     const auto other = gate.outputs.find({gate_name(q_, name.first), name.second});
     if (other == gate.outputs.end()) throw std::logic_error("no output " + name.first);
     Lit gold = golds.front().outputs.at(name);

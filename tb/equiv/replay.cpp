@@ -107,7 +107,7 @@ bool differs(const Question& q, const Answer& a, const Lines& gold, const Lines&
   for (const auto& [port, text] : a.clocks.back().gold) {
     const std::string &old = gold[then - 1].at(at), &now = gate[last - 1].at(at);
     ++at;
-    if (std::find(a.differing.begin(), a.differing.end(), port) == a.differing.end()) continue;
+    if (std::ranges::find(a.differing, port) == a.differing.end()) continue;
     for (std::size_t i = 0; i < text.size(); ++i) {
       if (text[i] != '-' && old[i] != now[i]) return true;
     }
@@ -129,7 +129,7 @@ Replay replay(const Question& q, const Answer& a) {
   });
   for (std::size_t i = 0; i < 2; ++i) {
     const auto& all = lines[i];
-    if (!all.empty() && std::none_of(all.begin(), all.end(), [](auto& l) { return l.empty(); })) {
+    if (!all.empty() && std::ranges::none_of(all, [](auto& l) { return l.empty(); })) {
       continue;
     }
     return {
@@ -155,7 +155,7 @@ Replay replay(const Question& q, const Answer& a) {
   }
   const auto is_any = [](const Register& r) { return r.any; };
   for (const Side* s : {&q.gold, &q.gate}) {
-    if (s->unknowns > 0 || std::any_of(s->registers.begin(), s->registers.end(), is_any)) {
+    if (s->unknowns > 0 || std::ranges::any_of(s->registers, is_any)) {
       return {false, false, "on the netlists: Verilator has other values for what is x", {}, {}};
     }
   }

@@ -27,10 +27,8 @@ Rails of(const std::vector<Rails>& all, Lit lit) {
 Lit same_input(const Aig& from, std::size_t input, Aig& to) {
   if (from.is_seldom(input)) return to.seldom();
   const auto& words = from.words();
-  const auto has = [&](const auto& word) {
-    return std::find(word.begin(), word.end(), input) != word.end();
-  };
-  const auto word = std::find_if(words.begin(), words.end(), has);
+  const auto has = [&](const auto& word) { return std::ranges::find(word, input) != word.end(); };
+  const auto word = std::ranges::find_if(words, has);
   return to.input(std::to_string(word - words.begin()));
 }
 

@@ -126,7 +126,7 @@ Certain certain_of(const Question& q, const Product& product, const proof::Reach
     if (ever != proof::Ever::yes) continue;
     // What is right on this clock is often so on all of them.
     for (const std::vector<bool>& row : other) {
-      const bool is_set = std::find(row.begin(), row.end(), true) != row.end();
+      const bool is_set = std::ranges::find(row, true) != row.end();
       if (is_set) certain.others.push_back({row});
     }
     certain.others.push_back(std::move(other));

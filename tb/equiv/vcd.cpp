@@ -36,7 +36,7 @@ void Vcd::header(const std::string& from, const std::string& name) {
     } else if (word == "$upscope" && !scope.empty()) {
       scope.pop_back();
     } else if (word == "$var" && words.size() >= 4 && words[0] != "real") {
-      const auto at = std::find(scope.begin(), scope.end(), from);
+      const auto at = std::ranges::find(scope, from);
       if (at == scope.end()) continue;
       const int width = std::stoi(words[1]);
       Value& value = values_[words[2]];

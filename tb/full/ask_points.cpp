@@ -60,7 +60,7 @@ class Asker {
     for (std::size_t i = 0; i < rtl_.size(); ++i) {
       const auto same = [&](const Point& other) { return is_same(points_.rtl[i], other); };
       const auto& its = shape.points.rtl;
-      if (points_.rtl[i].hits == 0 && std::any_of(its.begin(), its.end(), same)) rtl.push_back(i);
+      if (points_.rtl[i].hits == 0 && std::ranges::any_of(its, same)) rtl.push_back(i);
     }
     for (std::size_t i = 0; i < cases_.size(); ++i) {
       if (points_.cases[i].hits == 0) cases.push_back(i);

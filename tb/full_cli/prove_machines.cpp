@@ -67,7 +67,7 @@ proof::Source source_of(const ProveOptions& o, const ProveSubject& s) {
 
 const AnyBench& bench_of(const ProveSubject& subject) {
   const auto same = [&](const auto& b) { return b->title() == subject.title; };
-  return **std::find_if(benches().begin(), benches().end(), same);
+  return **std::ranges::find_if(benches(), same);
 }
 
 void ask_from_reset(Row& row, const proof::Asking& asking) {
@@ -131,7 +131,7 @@ void decide(std::vector<Row>& rows, const proof::Asking& asking) {
     if (known == rows.size()) return;
     const auto is_open = [](const Row& row) { return !row.is_decided; };
     line.show(fmt::format("{} of {} decided; next: {}", known, count(rows.size(), "claim"),
-                          std::find_if(rows.begin(), rows.end(), is_open)->name()));
+                          std::ranges::find_if(rows, is_open)->name()));
   };
   print_all(false);
   proof::decide(claims, asking, [&](std::size_t i, const Decision& decision) {
@@ -201,7 +201,7 @@ int prove_machines(const ProveOptions& o, const proof::Asking& asking) {
   // The others are proved all the same.
   const std::string error = subjects.front().error;
   const auto is_unread = [](const Claimed& s) { return !s.error.empty(); };
-  if (std::all_of(subjects.begin(), subjects.end(), is_unread)) throw InputError(error);
+  if (std::ranges::all_of(subjects, is_unread)) throw InputError(error);
   std::string said;
   for (const Claimed& s : subjects) {
     if (is_unread(s) && std::exchange(said, s.error) != s.error) leave_out(s.error);

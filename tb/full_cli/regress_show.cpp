@@ -28,8 +28,7 @@ std::string dry_run_text(const regress::Plan& plan, const std::vector<regress::K
   double minutes = 0;
   for (std::size_t w = 0; w < works.size(); ++w) {
     const regress::Size& size = works[w].size;
-    const auto parts = std::count_if(cuts.begin(), cuts.end(),
-                                     [w](const regress::Shard& s) { return s.work == w; });
+    const auto parts = std::ranges::count(cuts, w, &regress::Shard::work);
     text += fmt::format("{:>12} {:>7} {:>8}  {}: {}\n", size.units, parts, duration(size.minutes),
                         plan.tasks[works[w].task].name, works[w].title);
     minutes += size.minutes;

@@ -15,8 +15,8 @@ namespace {
 
 // How many instructions it is at least: a cell of one input is none.
 std::size_t size_of(const nets::Cells& cells) {
-  return static_cast<std::size_t>(std::count_if(cells.tables.begin(), cells.tables.end(),
-                                                [](const auto& t) { return t.of.size() > 1; }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(cells.tables, [](const auto& t) { return t.of.size() > 1; }));
 }
 
 }  // namespace

@@ -35,8 +35,8 @@ Player::Player(const Built& built, const AnyBench& bench)
     : built_(built),
       bench_(bench),
       words_(static_cast<std::size_t>(built.lanes) / 64),
-      seeds_(static_cast<std::size_t>(
-          std::count(built.layout.planes.begin(), built.layout.planes.end(), Layout::First::seed))),
+      seeds_(
+          static_cast<std::size_t>(std::ranges::count(built.layout.planes, Layout::First::seed))),
       left_out_(built.layout.counters) {
   constexpr std::size_t line = 64;
   const std::size_t bytes = (built.layout.planes.size() + 2) * words_ * sizeof(std::uint64_t);

@@ -178,7 +178,7 @@ class Registers {
   }
   void leave(std::size_t v) {
     uses_[v].in_register = false;
-    held_.erase(std::find(held_.begin(), held_.end(), v));
+    held_.erase(std::ranges::find(held_, v));
   }
   void used(std::size_t v) {
     Uses& u = uses_[v];
@@ -191,7 +191,7 @@ class Registers {
     if (held_.size() < registers_) return;
     std::size_t last = none;
     for (const std::size_t v : held_) {
-      if (std::find(beside.begin(), beside.end(), v) != beside.end()) continue;
+      if (std::ranges::find(beside, v) != beside.end()) continue;
       if (last == none || all_[uses_[v].at] > all_[uses_[last].at]) last = v;
     }
     leave(last);

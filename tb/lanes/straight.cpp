@@ -166,7 +166,7 @@ class Straight::Writer {
            const std::pair<Kind, std::size_t>& kind) {
     Statement s{{}, gives};
     for (const Value v : reads) {
-      const bool is_new = std::find(s.reads.begin(), s.reads.end(), v) == s.reads.end();
+      const bool is_new = std::ranges::find(s.reads, v) == s.reads.end();
       if (v > one && is_new) s.reads.push_back(v);
     }
     for (const Value v : s.reads) {

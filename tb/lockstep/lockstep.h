@@ -183,7 +183,7 @@ class Lockstep {
       };
       // Where the registers are the state, the one at the same place.
       auto own = of_state.begin() + static_cast<std::ptrdiff_t>(std::min(i, of_state.size() - 1));
-      if (!is_same(*own)) own = std::find_if(of_state.begin(), of_state.end(), is_same);
+      if (!is_same(*own)) own = std::ranges::find_if(of_state, is_same);
       if (own == of_state.end()) continue;
       words[static_cast<std::size_t>(own - of_state.begin())] = units_of(fields[i], held[i]);
     }

@@ -65,8 +65,7 @@ std::string table_text(const Mismatch& m) {
     return t.kind != Trace::Kind::input && t.field.index >= 0 &&
            is_at_rest(t, begin, begin + clocks);
   };
-  const auto resting =
-      static_cast<std::size_t>(std::count_if(m.traces.begin(), m.traces.end(), is_resting_word));
+  const auto resting = static_cast<std::size_t>(std::ranges::count_if(m.traces, is_resting_word));
   const bool is_wide = m.traces.size() - resting > most_rows;
   const std::size_t all = clocks;
   if (is_wide) {

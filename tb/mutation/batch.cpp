@@ -21,7 +21,7 @@ class LockstepBatch final : public Batch {
 
   void run(const Case& c, const Decide& killed) override {
     InterruptGuard::check();
-    auto open = std::count_if(mutants.begin(), mutants.end(), [](unsigned k) { return k != 0; });
+    auto open = std::ranges::count_if(mutants, [](unsigned k) { return k != 0; });
     if (open == 0) return;
     std::uint64_t clock = 0;
     lanes_.begin(c.power_up);

@@ -132,7 +132,7 @@ std::vector<std::string> registers_of(const AnyBench& bench) {
 
 template <class All, class IsIt>
 const auto& one_of(const All& all, const std::string& title, IsIt is_it) {
-  const auto found = std::find_if(all.begin(), all.end(), is_it);
+  const auto found = std::ranges::find_if(all, is_it);
   if (found == all.end()) throw InputError(title + ": is not built");
   return *found;
 }

@@ -35,7 +35,7 @@ constexpr double most_seconds = 1e9;
 
 Outcome outcome_from(const JsonAt& json) {
   const JsonAt end = json.at("end");
-  const auto* const found = std::find(kEnds.begin(), kEnds.end(), end.text());
+  const auto* const found = std::ranges::find(kEnds, end.text());
   if (found == kEnds.end()) end.fail("is no end of a mutant");
   return {static_cast<End>(found - kEnds.begin()), json.at("stimulus").text(),
           json.at("clock").whole(), json.at("signal").text()};
@@ -120,8 +120,8 @@ class Course {
 }  // namespace
 
 std::size_t Campaign::count(End end) const {
-  return static_cast<std::size_t>(std::count_if(outcomes.begin(), outcomes.end(),
-                                                [end](const auto& o) { return o.end == end; }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(outcomes, [end](const auto& o) { return o.end == end; }));
 }
 
 Campaign run_campaign(const Subject& subject, const Prover& prover, const Asker& asker,

@@ -64,8 +64,7 @@ int check_drawn(const VerilatedMutants& mutants, const std::filesystem::path& fo
     const auto mutant = static_cast<unsigned>(drawn.at("mutant").whole(1, most_mutants));
     const std::uint64_t clock = drawn.at("clock").whole();
     const std::string signal = drawn.at("signal").text();
-    const auto only =
-        std::find_if(cases.begin(), cases.end(), [&](const Case& c) { return c.name == stimulus; });
+    const auto only = std::ranges::find(cases, stimulus, &Case::name);
     const auto first = static_cast<std::size_t>(only - cases.begin());
     const Outcome o = cleared && only != cases.end()
                           ? mutants.attack(mutant, first, first + 1)

@@ -137,7 +137,7 @@ std::vector<std::uint32_t> Lanes::lane_constants(const std::vector<unsigned>& nu
   for (const std::size_t net : cells.free) put(net, Plane::all(false));
   std::array<Plane, 6> of;
   for (const auto& t : cells.tables) {
-    if (std::any_of(t.of.begin(), t.of.end(), [&](std::size_t n) { return all[n] == none; })) {
+    if (std::ranges::any_of(t.of, [&](std::size_t n) { return all[n] == none; })) {
       continue;
     }
     for (std::size_t i = 0; i < t.of.size(); ++i) of[i] = constants_[all[t.of[i]]];

@@ -47,8 +47,8 @@ Planted::Planted(proof::Source source, unsigned count) : source_(std::move(sourc
   for (const std::string& line : lines_in(read_file(list))) {
     if (is_of(of_read_port, line)) continue;
     if (source_.clocks_are_inputs && is_of(of_clock, line)) continue;
-    if (std::any_of(write_clocks.begin(), write_clocks.end(),
-                    [&](const auto& of) { return line.find(of) != std::string::npos; })) {
+    if (std::ranges::any_of(write_clocks,
+                            [&](const auto& of) { return line.find(of) != std::string::npos; })) {
       continue;
     }
     commands_.push_back(line);

@@ -109,7 +109,7 @@ std::vector<Bit> Number::code(int width) const {
 }
 
 std::optional<Word> Number::known() const {
-  if (!std::all_of(bits_.begin(), bits_.end(), [](Bit b) { return b.is_constant(); })) {
+  if (!std::ranges::all_of(bits_, [](Bit b) { return b.is_constant(); })) {
     return std::nullopt;
   }
   std::uint64_t word = 0;

@@ -51,8 +51,7 @@ void read_found(Found& found, const std::string& text) {
     } else if (what == "value") {
       words >> values[name];
     } else if (what == "given") {
-      const auto reset = std::find_if(found.resets.begin(), found.resets.end(),
-                                      [&](const FoundReset& r) { return r.name == name; });
+      const auto reset = std::ranges::find(found.resets, name, &FoundReset::name);
       std::string value;
       words >> bits >> value;
       if (reset != found.resets.end()) reset->values.emplace_back(bits, value);
@@ -86,15 +85,14 @@ bool is_word(long value) {
 // that it resets itself.
 void order_resets(Found& found) {
   const auto place = [&](const FoundReset& reset) {
-    return std::find_if(found.inputs.begin(), found.inputs.end(),
-                        [&](const FoundNet& net) { return net.name == reset.name; });
+    return std::ranges::find(found.inputs, reset.name, &FoundNet::name);
   };
   auto& all = found.resets;
   std::stable_sort(all.begin(), all.end(),
                    [&](const FoundReset& a, const FoundReset& b) { return place(a) < place(b); });
   const auto gives = [](const FoundReset& by, const FoundReset& to) {
-    return std::any_of(by.values.begin(), by.values.end(),
-                       [&](const auto& value) { return value.first == to.name; });
+    return std::ranges::any_of(by.values,
+                               [&](const auto& value) { return value.first == to.name; });
   };
   for (auto next = all.begin(); next != all.end(); ++next) {
     const auto first = std::find_if(next, all.end(), [&](const FoundReset& reset) {
@@ -118,8 +116,7 @@ void read_shape(Found& found, const FoundShape& shape) {
       throw InputError(
           fmt::format("new: {}: a port that is an array of more dimensions than one", net.name));
     }
-    const auto clock = std::find_if(found.clocks.begin(), found.clocks.end(),
-                                    [&](const FoundClock& c) { return c.name == name; });
+    const auto clock = std::ranges::find(found.clocks, name, &FoundClock::name);
     if (clock == found.clocks.end()) {
       (way == "input" ? found.inputs : found.outputs).push_back(net);
     } else if (found.clocks_are_inputs()) {
@@ -180,8 +177,7 @@ Found found_in(const RtlQuestion& question) {
   follow_parameters(found, is, question, {reader, read_file((work / "verilator.txt").string())},
                     scratch.path() / "tried", line);
   for (const FoundParameter& p : question.parameters) {
-    const auto same = std::find_if(found.parameters.begin(), found.parameters.end(),
-                                   [&](const FoundParameter& q) { return q.name == p.name; });
+    const auto same = std::ranges::find(found.parameters, p.name, &FoundParameter::name);
     if (same == found.parameters.end()) {
       found.parameters.push_back(p);
     } else {

@@ -61,7 +61,7 @@ struct Found {
 
   /// A register resets others: nothing is proved.
   bool has_inner_reset() const {
-    return std::any_of(resets.begin(), resets.end(), [](const auto& r) { return r.is_inner; });
+    return std::ranges::any_of(resets, [](const auto& r) { return r.is_inner; });
   }
   /// There are several, or registers change on the falling edge of the one: inputs of the model.
   bool clocks_are_inputs() const {

@@ -20,8 +20,7 @@ namespace {
 using Points = std::vector<std::pair<long, long>>;  // of a parameter, and what a size is with it
 
 bool all_are(const Points& points, const std::function<long(long)>& of) {
-  return std::all_of(points.begin(), points.end(),
-                     [&](const auto& p) { return of(p.first) == p.second; });
+  return std::ranges::all_of(points, [&](const auto& p) { return of(p.first) == p.second; });
 }
 std::string sum(const std::string& text, long more) {
   if (more == 0) return text;
@@ -47,8 +46,8 @@ std::string form_of(const std::string& p, const Points& points) {
       return fmt::format("({} + {}) / {}", p, by - 1, by);
     }
   }
-  const bool small = std::all_of(points.begin(), points.end(),
-                                 [](const auto& v) { return v.first >= 0 && v.first < 31; });
+  const bool small =
+      std::ranges::all_of(points, [](const auto& v) { return v.first >= 0 && v.first < 31; });
   if (small && all_are(points, [](long v) { return 1L << v; })) return "1 << " + p;
   const long above = size - bits_for(at);
   if (all_are(points, [&](long v) { return bits_for(v) + above; })) {
@@ -122,8 +121,8 @@ void follow_parameters(Found& found, const FoundShape& shape, const RtlQuestion&
   // What follows another parameter is none of the shape's own.
   std::set<std::string> derived;
   const auto value_in = [](const FoundShape& s, const std::string& name) {
-    const auto p = std::find_if(s.parameters.begin(), s.parameters.end(),
-                                [&](const auto& q) { return q.first == name; });
+    const auto p =
+        std::ranges::find_if(s.parameters, [&](const auto& q) { return q.first == name; });
     return p == s.parameters.end() ? -1 : p->second;
   };
   for (const auto& [name, value] : shape.parameters) {

@@ -80,7 +80,7 @@ std::string as_plain_verilog(std::vector<std::string>& files, const std::string&
     if (program == "blackbox") {
       if (blackboxes.empty()) continue;
       words.push_back(fmt::format("{}", fmt::join(blackboxes, ",")));
-    } else if (std::none_of(files.begin(), files.end(), [&](const std::string& file) {
+    } else if (std::ranges::none_of(files, [&](const std::string& file) {
                  return read_file((folder / file).string()).find("inout") != std::string::npos;
                })) {
       continue;

@@ -130,7 +130,7 @@ std::string step_of(const Found& f, const std::vector<NewRow>& rows, bool plain)
     std::vector<std::string> words{clock.name, clock.edge == Edge::rising ? "rises:" : "falls:"};
     for (const NewRow& row : rows) {
       const auto& of = row.net.clocks;
-      if (f.clocks.size() > 1 && std::find(of.begin(), of.end(), clock.name) == of.end()) continue;
+      if (f.clocks.size() > 1 && std::ranges::find(of, clock.name) == of.end()) continue;
       words.push_back(row.field + ',');
     }
     words.back().back() = words.size() == 2 ? ':' : '.';
@@ -158,9 +158,8 @@ std::string reset_of(const Found& f, const std::vector<NewRow>& rows, bool plain
     const std::string on = plain ? fmt::format("({} {} 0)", pin, r.active_low ? "==" : "!=")
                                  : fmt::format("{}is_set({})", r.active_low ? "!" : "", pin);
     for (const auto& [name, value] : r.values) {
-      const auto row = std::find_if(rows.begin(), rows.end(), [&n = name](const NewRow& q) {
-        return q.net.name == n && q.bits.empty();
-      });
+      const auto row = std::ranges::find_if(
+          rows, [&n = name](const NewRow& q) { return q.net.name == n && q.bits.empty(); });
       if (row == rows.end()) continue;
       const std::string is = plain ? "0x" + value : constant(value);
       if (is_word(*row)) {

@@ -98,8 +98,7 @@ std::string top_of(const Pool& pool, const GivenRtl& given) {
       throw InputError("--top: no file has a module " + in_quotes(given.top));
     return given.top;
   }
-  const bool any_named =
-      std::any_of(pool.all.begin(), pool.all.end(), [](const Candidate& c) { return c.is_named; });
+  const bool any_named = std::ranges::any_of(pool.all, &Candidate::is_named);
   std::set<std::string> tops, used, tested;
   for (const Candidate& c : pool.all) {
     if (any_named && !c.is_named) continue;
@@ -141,8 +140,7 @@ class Order {
   void need(std::size_t i) {
     if (!seen_.insert(i).second) return;
     const VerilogText& words = pool_.all[i].words;
-    const bool has_package = std::any_of(words.units.begin(), words.units.end(),
-                                         [](const VerilogUnit& u) { return u.is_package; });
+    const bool has_package = std::ranges::any_of(words.units, &VerilogUnit::is_package);
     if (!has_package) modules.push_back(i);
     for (const VerilogUnit& unit : words.units) need_all(unit.uses);
     if (has_package) packages.push_back(i);
@@ -186,9 +184,8 @@ void find_headers(Candidate& c, const std::vector<fs::path>& folders) {
     left.pop_back();
     std::vector<fs::path> places{includer.parent_path()};
     places.insert(places.end(), folders.begin(), folders.end());
-    const auto place = std::find_if(
-        places.begin(), places.end(),
-        [&n = name](const fs::path& folder) { return fs::is_regular_file(folder / n); });
+    const auto place = std::ranges::find_if(
+        places, [&n = name](const fs::path& folder) { return fs::is_regular_file(folder / n); });
     if (place == places.end() || !c.headers.try_emplace(name, *place / name).second) continue;
     const VerilogText words = verilog_words(read_file((*place / name).string()));
     for (const VerilogUnit& unit : words.units) {
@@ -226,8 +223,7 @@ Sources sources_of(const GivenRtl& given) {
   }
   std::set<std::string> included;
   std::vector<std::size_t> chosen = order.packages;
-  if (order.packages.empty() && std::all_of(pool.all.begin(), pool.all.end(),
-                                            [](const Candidate& c) { return c.is_named; })) {
+  if (order.packages.empty() && std::ranges::all_of(pool.all, &Candidate::is_named)) {
     for (std::size_t i = 0; i < pool.all.size(); ++i) {
       if (order.has(i)) chosen.push_back(i);  // as they were typed
     }

@@ -82,8 +82,7 @@ std::vector<FoundStream> streams_of(const Found& f) {
     streams = {{true, "", start, "", "", done}, {false, "", done}};
   }
   for (const bool goes_in : {true, false}) {
-    if (std::none_of(streams.begin(), streams.end(),
-                     [&](const FoundStream& s) { return s.goes_in == goes_in; })) {
+    if (std::ranges::none_of(streams, [&](const FoundStream& s) { return s.goes_in == goes_in; })) {
       throw InputError(
           fmt::format("new: {}: no stream {}: it has no {} whose name ends in valid or vld, and "
                       "not both start and done",
@@ -94,8 +93,7 @@ std::vector<FoundStream> streams_of(const Found& f) {
 }
 
 bool is_reset(const Found& f, const std::string& port) {
-  return std::any_of(f.resets.begin(), f.resets.end(),
-                     [&](const FoundReset& r) { return r.name == port; });
+  return std::ranges::any_of(f.resets, [&](const FoundReset& r) { return r.name == port; });
 }
 
 // Gives each port to the stream of its direction with the longest prefix; those left are returned.

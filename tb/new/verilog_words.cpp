@@ -62,7 +62,7 @@ constexpr std::array closing_words{"endmodule", "endinterface", "endpackage", "e
 
 template <class Words>
 bool is_one_of(const Words& words, std::string_view word) {
-  return std::find(words.begin(), words.end(), word) != words.end();
+  return std::ranges::find(words, word) != words.end();
 }
 
 bool is_name(std::string_view word) {

@@ -13,9 +13,8 @@ namespace {
 bool has(const AnyBench& bench, const std::string& word) {
   if (bench.view() == word) return true;
   const auto all = bench.parameters();
-  return std::any_of(all.begin(), all.end(), [&](const Parameter& p) {
-    return fmt::format("{}={}", p.name, p.value) == word;
-  });
+  return std::ranges::any_of(
+      all, [&](const Parameter& p) { return fmt::format("{}={}", p.name, p.value) == word; });
 }
 
 bool something_was_left_out = false;

@@ -34,8 +34,7 @@ const Registry& registry() {
 }
 
 const OnDemand& on_demand(const std::vector<OnDemand>& all, const std::string& title) {
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const OnDemand& o) { return o.title == title; });
+  const auto found = std::ranges::find(all, title, &OnDemand::title);
   if (found == all.end()) throw InputError(title + ": there is no such program for it");
   return *found;
 }

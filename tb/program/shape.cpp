@@ -19,14 +19,13 @@ std::string text_of(const std::vector<Parameter>& parameters) {
 
 bool has(const AnyBench& bench, const Parameter& wanted) {
   const auto all = bench.parameters();
-  return std::any_of(all.begin(), all.end(), [&](const Parameter& p) {
+  return std::ranges::any_of(all, [&](const Parameter& p) {
     return std::string(p.name) == wanted.name && p.value == wanted.value;
   });
 }
 
 bool has_all(const AnyBench& bench, const Shape& shape) {
-  return std::all_of(shape.begin(), shape.end(),
-                     [&](const Parameter& wanted) { return has(bench, wanted); });
+  return std::ranges::all_of(shape, [&](const Parameter& wanted) { return has(bench, wanted); });
 }
 
 }  // namespace

@@ -66,8 +66,7 @@ std::string wrong_in(const Key& key, const Json& value) {
 }
 
 const Key* find(const std::vector<Key>& keys, const std::string& name) {
-  const auto found =
-      std::find_if(keys.begin(), keys.end(), [&](const Key& key) { return key.name == name; });
+  const auto found = std::ranges::find(keys, name, &Key::name);
   return found == keys.end() ? nullptr : &*found;
 }
 

@@ -110,7 +110,7 @@ void append(const fs::path& path, const std::string& run, const Line& line) {
 
 std::uint64_t Results::finished() const {
   return static_cast<std::uint64_t>(
-      std::count_if(done.begin(), done.end(), [](const auto& one) { return one.has_value(); }));
+      std::ranges::count_if(done, [](const auto& one) { return one.has_value(); }));
 }
 
 bool Results::failed(std::uint64_t shard) const {

@@ -193,8 +193,7 @@ double RunFolder::minutes(std::uint64_t shard) const {
 
 Works RunFolder::works_of(std::size_t task, const Kinds& kinds) const {
   Works works = kind_of(kinds, plan_.tasks[task]).works(plan_.tasks[task], path_);
-  auto known = std::find_if(works_.begin(), works_.end(),
-                            [&](const Known& one) { return one.task == task; });
+  auto known = std::ranges::find(works_, task, &Known::task);
   bool same = true;
   for (const auto& work : works) {
     same = same && known != works_.end() && known->task == task && known->title == work->title() &&

@@ -6,8 +6,8 @@
 namespace cosim::regress {
 
 const Kind& kind_of(const Kinds& kinds, const Task& task) {
-  const auto found = std::find_if(kinds.begin(), kinds.end(),
-                                  [&](const auto& kind) { return kind->keys().kind == task.kind; });
+  const auto found =
+      std::ranges::find_if(kinds, [&](const auto& kind) { return kind->keys().kind == task.kind; });
   if (found == kinds.end()) throw std::logic_error(task.kind + ": no kind of task");
   return **found;
 }

@@ -110,7 +110,7 @@ std::vector<const AnyBench*> designs(const std::vector<Outcome>& outcomes) {
     const auto same = [&](const AnyBench* bench) {
       return looked_at(*bench) == looked_at(*o.bench);
     };
-    if (std::none_of(found.begin(), found.end(), same)) found.push_back(o.bench);
+    if (std::ranges::none_of(found, same)) found.push_back(o.bench);
   }
   return found;
 }
@@ -157,8 +157,7 @@ std::string swept_text(const Result& result) {
 }
 
 bool all_match(const std::vector<Outcome>& outcomes) {
-  return std::all_of(outcomes.begin(), outcomes.end(),
-                     [](const Outcome& o) { return o.result.match(); });
+  return std::ranges::all_of(outcomes, [](const Outcome& o) { return o.result.match(); });
 }
 
 std::string compared_signals(const AnyBench& bench) { return bench.compared_text(); }

@@ -15,8 +15,8 @@ namespace cosim::cli {
 namespace {
 
 bool is_full(std::string_view word) {
-  return std::any_of(full_commands.begin(), full_commands.end(),
-                     [&](const FullCommand& command) { return command.name == word; });
+  return std::ranges::any_of(full_commands,
+                             [&](const FullCommand& command) { return command.name == word; });
 }
 
 [[noreturn]] void run_full(const Registry& registry) {

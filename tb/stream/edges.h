@@ -46,7 +46,7 @@ class EdgesDrawn {
   const std::vector<Word>& edges() const { return edges_; }
   /// Each clock has had one since this last was so.
   bool all_were() const {
-    return std::all_of(were_.begin(), were_.end(), [](Word were) { return were != 0; });
+    return std::ranges::all_of(were_, [](Word were) { return were != 0; });
   }
 
  private:

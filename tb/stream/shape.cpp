@@ -48,7 +48,7 @@ void StreamShape::add(const StreamPorts& ports, bool goes_in, std::span<const Fi
     refuse("with a driver of its own it has no credit(), until() or rising()");
   }
   if (!goes_in && !i.done.empty()) refuse("until() is of streams that go in");
-  const auto clock = std::find_if(clocks.begin(), clocks.end(), [&](const StreamClock& c) {
+  const auto clock = std::ranges::find_if(clocks, [&](const StreamClock& c) {
     return ports.clock != nullptr && c.port == ports.clock;
   });
   if (clock != clocks.end()) {
@@ -76,8 +76,7 @@ void StreamShape::add(const StreamPorts& ports, bool goes_in, std::span<const Fi
 
 void StreamShape::column(const Field& field) {
   const std::string name = label_of(field);
-  if (std::any_of(columns_.begin(), columns_.end(),
-                  [&](const Field& f) { return label_of(f) == name; })) {
+  if (std::ranges::any_of(columns_, [&](const Field& f) { return label_of(f) == name; })) {
     throw InputError(fmt::format("{}: its cases would have two columns {}", title, name));
   }
   columns_.push_back(field);

@@ -12,7 +12,7 @@ namespace cosim {
 namespace {
 
 void refuse(const std::string& text, const char* reader, std::string_view wrong) {
-  const bool bad = std::any_of(text.begin(), text.end(), [&](char c) {
+  const bool bad = std::ranges::any_of(text, [&](char c) {
     return std::iscntrl(static_cast<unsigned char>(c)) != 0 || wrong.find(c) != wrong.npos;
   });
   if (bad)
@@ -50,7 +50,7 @@ std::string for_cmake(const std::string& text) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
            std::string_view("_./+-=").find(c) != std::string_view::npos;
   };
-  if (!text.empty() && std::all_of(text.begin(), text.end(), is_plain)) return text;
+  if (!text.empty() && std::ranges::all_of(text, is_plain)) return text;
   return '"' + escaped(text, "\\\"$") + '"';
 }
 

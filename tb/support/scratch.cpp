@@ -32,7 +32,7 @@ namespace {
 std::string place_for_scratch() {
   const char* folder = std::getenv("TMPDIR");
   const std::string name = folder == nullptr || *folder == 0 ? "/tmp" : folder;
-  const bool is_plain = std::all_of(name.begin(), name.end(), [](unsigned char c) {
+  const bool is_plain = std::ranges::all_of(name, [](unsigned char c) {
     return std::isalnum(c) != 0 ||
            std::string_view("/._-+=,@%").find(static_cast<char>(c)) != std::string_view::npos;
   });

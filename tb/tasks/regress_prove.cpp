@@ -149,7 +149,7 @@ class ProveWork final : public regress::Work {
 
   const AnyBench& bench() const {
     const auto same = [&](const auto& b) { return b->title() == title(); };
-    return **std::find_if(benches().begin(), benches().end(), same);
+    return **std::ranges::find_if(benches(), same);
   }
 
   // A counterexample that lockstep shows has a folder; else the command finds it again.

@@ -141,9 +141,8 @@ class SweepKind final : public regress::Kind {
 regress::Works SweepKind::works(const regress::Task& task, const std::filesystem::path&) const {
   const auto benches = chosen_benches(words_in(task.text("sweep")));
   const auto& all = all_sweeps(registry_);
-  const auto& design = **std::find_if(all.begin(), all.end(), [&](const DesignSweeps* one) {
-    return one->design == benches.front()->design();
-  });
+  const auto& design = **std::ranges::find_if(
+      all, [&](const DesignSweeps* one) { return one->design == benches.front()->design(); });
   const bool lanes = task.has("lanes");
   if (task.values.size() != (lanes ? 3 : 2)) {
     throw InputError("needs one of \"exhaustive\", \"random\" and \"hostile\"");

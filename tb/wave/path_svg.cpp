@@ -86,8 +86,7 @@ void put(std::string& out, fmt::format_string<Values...> format, Values&&... val
 std::string path_svg(const SvgPath& given) {
   const SvgPath path = without_rest(given);
   const auto moves = [](const Points& points) {
-    return std::any_of(points.begin(), points.end(),
-                       [&](const auto& point) { return point != points.front(); });
+    return std::ranges::any_of(points, [&](const auto& point) { return point != points.front(); });
   };
   if (!moves(path.actual) && !moves(path.expected)) return "";
   const Frame frame(path);

@@ -83,8 +83,8 @@ class PictureRows {
 
   void add_compared(const Bus& b, const std::string& shown) {
     if (is_at_rest(b, &WaveClock::actual)) return;
-    const bool same = std::none_of(clocks_.begin(), clocks_.end(),
-                                   [&](const WaveClock& c) { return c.differs_in(b); });
+    const bool same =
+        std::ranges::none_of(clocks_, [&](const WaveClock& c) { return c.differs_in(b); });
     if (same || shape_.is_finding(b)) {
       add(b, SvgRow::Side::plain, &WaveClock::actual, shown);
     } else {
@@ -139,8 +139,7 @@ class PictureRows {
       same = same && !row.differs.back();
     }
     const auto moves = [](const std::vector<double>& values) {
-      return std::any_of(values.begin(), values.end(),
-                         [&](double one) { return one != values.front(); });
+      return std::ranges::any_of(values, [&](double one) { return one != values.front(); });
     };
     if (is_curve && !moves(row.number) && !moves(row.expected)) row.kind = SvgRow::Kind::bus;
     if (same || !is_curve) row.expected.clear();

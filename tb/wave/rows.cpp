@@ -15,7 +15,7 @@ std::string with_source(const Bus& b) {
 // " (WHAT)" where a name is followed by that of a printed source.
 std::string heading(const char* name, const char* what, const std::vector<Bus>& buses) {
   const bool named =
-      std::any_of(buses.begin(), buses.end(), [](const Bus& b) { return *b.field.source != '\0'; });
+      std::ranges::any_of(buses, [](const Bus& b) { return *b.field.source != '\0'; });
   return named ? fmt::format("{} ({})", name, what) : name;
 }
 
@@ -31,11 +31,10 @@ class Groups {
       add_parts();
     }
     if (shape.registers > 0) {
-      open(heading(
-          "Registers", "block of the source",
-          {compared_.begin(), std::find_if(compared_.begin(), compared_.end(), [&](const Bus& b) {
-             return b.first >= shape_.registers;
-           })}));
+      open(heading("Registers", "block of the source",
+                   {compared_.begin(), std::ranges::find_if(compared_, [&](const Bus& b) {
+                      return b.first >= shape_.registers;
+                    })}));
       for (std::size_t i = 0; i < compared_.size() && is_register(i); ++i) add_compared(i);
     }
     all_.push_back({pairs_title(), false, {}});

@@ -99,7 +99,7 @@ void Wave::clock(const WaveClock& now) {
     fst.number(expected_numbers_[i], number_of(bus.field, now.expected[bus.first]));
   }
   const auto& differs = now.differs;
-  fst.value(any_, 1, std::find(differs.begin(), differs.end(), true) == differs.end() ? 0 : 1);
+  fst.value(any_, 1, std::ranges::find(differs, true) == differs.end() ? 0 : 1);
   for (std::size_t i = 0; i < probes_.size(); ++i) {
     const Probe& probe = shape_->probes[i];
     const bool expected = probe.side == Probe::Side::expected;

@@ -81,8 +81,8 @@ struct WaveShape {
 
   /// What is wrong at an interface, which is expected nowhere.
   bool is_finding(const Bus& bus) const {
-    return std::any_of(parts.begin(), parts.end(),
-                       [&](const WavePart& part) { return part.compared == bus.first + 1; });
+    return std::ranges::any_of(
+        parts, [&](const WavePart& part) { return part.compared == bus.first + 1; });
   }
 };
 

@@ -99,7 +99,7 @@ void check_kind(const DdaOptions& o) {
 std::pair<const Bench<dda::Design>*, dda::Job> chosen_for(const Shape& shape, const Work& work) {
   const auto found = matching<dda::Design>(shape);
   const auto* bench = &dda::bench_for(shape, work.width);
-  for (auto at = std::find(found.begin(), found.end(), bench);; ++at) {
+  for (auto at = std::ranges::find(found, bench);; ++at) {
     try {
       return {*at, work.job((*at)->params())};
     } catch (const InputError&) {

@@ -55,10 +55,9 @@ Shape shape_of(const LineOptions& o) {
   Shape shape = o.shape.shape();
   const std::optional<int> width = width_of(o.code);
   const auto is_m = [](const Parameter& p) { return std::string(p.name) == "M"; };
-  if (!width || std::any_of(shape.begin(), shape.end(), is_m)) return shape;
+  if (!width || std::ranges::any_of(shape, is_m)) return shape;
   const auto found = matching<linear::Design>(shape);
-  if (std::any_of(found.begin(), found.end(),
-                  [&](const auto* bench) { return bench->params().m == *width; })) {
+  if (std::ranges::any_of(found, [&](const auto* bench) { return bench->params().m == *width; })) {
     shape.push_back({"M", *width});
   }
   return shape;

@@ -84,10 +84,10 @@ Choice<W> chosen(const std::vector<Algorithm<W>>& all, const Text& asked,
   if (works.empty()) return choice;
   const auto names = asked ? split(*asked) : std::vector<std::string>{};
   for (const auto& algorithm : all) {
-    const auto at = std::find(names.begin(), names.end(), algorithm.name);
+    const auto at = std::ranges::find(names, algorithm.name);
     if (asked && at == names.end()) continue;
     if (asked) known[static_cast<std::size_t>(at - names.begin())] = true;
-    if (!algorithm.can || std::all_of(works.begin(), works.end(), algorithm.can)) {
+    if (!algorithm.can || std::ranges::all_of(works, algorithm.can)) {
       choice.some.push_back(&algorithm);
       continue;
     }
@@ -100,8 +100,7 @@ Choice<W> chosen(const std::vector<Algorithm<W>>& all, const Text& asked,
 
 // An algorithm of lines and of arcs is one path.
 Series& series_of(Plot& plot, const std::string& name) {
-  const auto at = std::find_if(plot.series.begin(), plot.series.end(),
-                               [&](const Series& s) { return s.name == name; });
+  const auto at = std::ranges::find(plot.series, name, &Series::name);
   return at != plot.series.end() ? *at : plot.series.emplace_back(Series{name, {}});
 }
 
@@ -146,8 +145,7 @@ std::vector<Entry> contest(const char* what, const Choice<W>& choice,
 // Of a program with both, what an algorithm draws that has no part in the other.
 void name_parts(Plot& plot, const std::vector<Entry>& lines, const std::vector<Entry>& arcs) {
   const auto among = [](const std::vector<Entry>& entries, const Series& series) {
-    return std::any_of(entries.begin(), entries.end(),
-                       [&](const Entry& e) { return e.name == series.name; });
+    return std::ranges::any_of(entries, [&](const Entry& e) { return e.name == series.name; });
   };
   for (Series& series : plot.series) {
     const bool line = among(lines, series), arc = among(arcs, series);

@@ -222,19 +222,10 @@ void Reader::move_xy(const Block& block) {
   const Token* first = block.first_of("XYIJR");
   Motion motion;
   motion.place = first ? first->place : block.place;
-  switch (motion_mode_) {
-    case 0:
-      motion.kind = MotionKind::rapid;
-      break;
-    case 10:
-      motion.kind = MotionKind::feed;
-      break;
-    case 20:
-      motion.kind = MotionKind::arc_cw;
-      break;
-    default:
-      motion.kind = MotionKind::arc_ccw;
-  }
+  motion.kind = motion_mode_ == 0    ? MotionKind::rapid
+                : motion_mode_ == 10 ? MotionKind::feed
+                : motion_mode_ == 20 ? MotionKind::arc_cw
+                                     : MotionKind::arc_ccw;
   if (is_arc(motion.kind)) {
     trace_arc(block, end, motion);
   } else if (end == position_) {

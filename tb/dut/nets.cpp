@@ -18,20 +18,9 @@
 namespace cosim {
 namespace {
 
-// "TOP.top.g[1].part" of "TOP.top.g__BRA__1__KET__.part"; newer versions of Verilator may write it
-// so.
-std::string plain(std::string path) {
-  for (const auto& [coded, bracket] : {std::pair{"__BRA__", "["}, std::pair{"__KET__", "]"}}) {
-    for (std::size_t at; (at = path.find(coded)) != std::string::npos;) {
-      path.replace(at, std::strlen(coded), bracket);
-    }
-  }
-  return path;
-}
-
 const VerilatedScope* scope_of(VerilatedContext& context, const std::string& path) {
   for (const auto& [name, scope] : *context.scopeNameMap()) {
-    if (plain(name) == path) return scope;
+    if (plain_path(name) == path) return scope;
   }
   return nullptr;
 }
@@ -168,6 +157,15 @@ void require_clocks(const Ports& ports) {
 }
 
 }  // namespace
+
+std::string plain_path(std::string path) {
+  for (const auto& [coded, bracket] : {std::pair{"__BRA__", "["}, std::pair{"__KET__", "]"}}) {
+    for (std::size_t at; (at = path.find(coded)) != std::string::npos;) {
+      path.replace(at, std::strlen(coded), bracket);
+    }
+  }
+  return path;
+}
 
 // At most nine bytes hold the bits of a cell.
 Word Net::get_bits() const {

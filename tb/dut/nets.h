@@ -80,5 +80,8 @@ std::vector<Net> find_ports(const std::vector<PortNet>& of_rtl, const Ports& por
 /// path and width.
 std::vector<Net> find_registers(VerilatedContext& context, const std::string& title,
                                 std::span<const Field> cells, std::string_view text = "");
+/// The path of a scope as the RTL has it: "TOP.top.g[1].part" of "TOP.top.g__BRA__1__KET__.part";
+/// newer versions of Verilator may write it so.
+std::string plain_path(std::string path);
 
 }  // namespace cosim

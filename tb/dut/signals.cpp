@@ -6,6 +6,8 @@
 #include <tuple>
 
 #include "tb/dut/adapter.h"
+#include "tb/dut/nets.h"
+#include "tb/support/words.h"
 
 namespace cosim {
 namespace {
@@ -17,21 +19,9 @@ static_assert(std::endian::native == std::endian::little);
 constexpr int most_words = 256;
 
 // "TOP.uart.fifo.g__BRA__1__KET__" as {"uart", "fifo", "g[1]"}.
-std::vector<std::string> scope_of(std::string path) {
-  const auto replace = [&path](const std::string& from, const char* to) {
-    for (std::size_t at; (at = path.find(from)) != std::string::npos;) {
-      path.replace(at, from.size(), to);
-    }
-  };
-  replace("__BRA__", "[");
-  replace("__KET__", "]");
-  std::vector<std::string> scope;
-  std::size_t begin = path.find('.');
-  while (begin != std::string::npos) {
-    const std::size_t end = path.find('.', begin + 1);
-    scope.push_back(path.substr(begin + 1, end == std::string::npos ? end : end - begin - 1));
-    begin = end;
-  }
+std::vector<std::string> scope_of(const std::string& path) {
+  std::vector<std::string> scope = parts_in(plain_path(path), '.');
+  if (!scope.empty()) scope.erase(scope.begin());
   return scope;
 }
 

@@ -2,9 +2,9 @@
 # rtl/shipped.txt two shapes: the first, that of the source's example, and the last of 16 bits.
 set(drawn_of ${CMAKE_CURRENT_LIST_DIR}/drawn_of.cpp.in)
 
-# add_drawn(SHAPE COUNT DRAWN): the program drawn_SHAPE_DRAWN, which runs DRAWN of COUNT mutants in lockstep,
-# one at a time.
-function(add_drawn shape count drawn)
+# add_drawn(LIST SHAPE COUNT DRAWN): adds the program drawn_SHAPE_DRAWN, which runs DRAWN of COUNT mutants in
+# lockstep, one at a time, to the list.
+function(add_drawn list shape count drawn)
   string(REGEX REPLACE "[ =]" "" ID "${shape}")
   set(PREFIX Vdrawn_${ID})
   set(FOLDER ${CMAKE_CURRENT_BINARY_DIR}/drawn/${ID}_${drawn})
@@ -31,6 +31,7 @@ function(add_drawn shape count drawn)
   target_compile_options(${name} PRIVATE -O1)
   target_include_directories(${name} SYSTEM PRIVATE ${FOLDER} ${FOLDER}/verilated)
   target_link_libraries(${name} PRIVATE mutation cosim_machines cosim_benches)
+  set(${list} ${${list}} ${name} PARENT_SCOPE)
 endfunction()
 
 set(drawn_programs)
@@ -40,21 +41,15 @@ foreach(design IN LISTS COSIM_DESIGNS)
   list(GET shapes 0 example)
   list(FILTER shapes INCLUDE REGEX "^[^=]*=16( |$)")
   list(GET shapes -1 wide)
-  add_drawn("${example}" 4000 200)
-  add_drawn("${wide}" 2000 200)
-  foreach(shape "${example}" "${wide}")
-    string(REGEX REPLACE "[ =]" "" ID "${shape}")
-    list(APPEND drawn_programs drawn_${ID}_200)
-  endforeach()
+  add_drawn(drawn_programs "${example}" 4000 200)
+  add_drawn(drawn_programs "${wide}" 2000 200)
 endforeach()
 # And a few of the first for the tests.
 list(GET COSIM_SHIPPED 0 first)
-add_drawn("${first}" 4000 20)
-string(REGEX REPLACE "[ =]" "" ID "${first}")
-set(drawn_slice drawn_${ID}_20)
+set(drawn_slice)
+add_drawn(drawn_slice "${first}" 4000 20)
 set_target_properties(${drawn_slice} PROPERTIES EXCLUDE_FROM_ALL OFF)
 add_custom_target(mutants_drawn DEPENDS ${drawn_programs})
-set(programs ${drawn_programs})
-list(TRANSFORM programs REPLACE "(.+)" "$<TARGET_FILE:\\1>")
+list(TRANSFORM drawn_programs REPLACE "(.+)" "$<TARGET_FILE:\\1>" OUTPUT_VARIABLE programs)
 list(JOIN programs "\n" programs)
 file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/drawn.txt CONTENT "${programs}\n")

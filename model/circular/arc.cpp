@@ -74,9 +74,7 @@ Point end_point(std::uint64_t radius2) { return {0, nearest_root(radius2)}; }
 std::int64_t steps_to(Point from, std::uint64_t radius2, Point target) {
   const Point start = bounded(from);
   const Point goal = bounded(target);
-  if (!in_sector1(start)) {
-    return in_sector1(goal) ? 0 : std::max<std::int64_t>(start.x - goal.x, 0);
-  }
+  if (!in_sector1(start)) return in_sector1(goal) ? 0 : std::max<std::int64_t>(start.x - goal.x, 0);
   const Point change = sector_change(start.y, radius2);
   if (in_sector1(goal)) return std::max<std::int64_t>(std::min(goal.y, change.y) - start.y, 0);
   return change.y - start.y + std::max<std::int64_t>(change.x - goal.x, 0);

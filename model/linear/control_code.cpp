@@ -17,9 +17,7 @@ int code_bit(int m, Code code, int i) {
 
 void check(int m, std::int64_t major, std::int64_t minor) {
   using std::to_string;
-  if (m < 1 || m > 32) {
-    throw InputError("a control code has 1 to 32 bits, not " + to_string(m));
-  }
+  if (m < 1 || m > 32) throw InputError("a control code has 1 to 32 bits, not " + to_string(m));
   if (major < 0 || major >> m != 0) {
     throw InputError("a line of " + to_string(major) + " steps does not fit: a machine of " +
                      to_string(m) + " bits draws 0 to " + to_string((std::int64_t{1} << m) - 1));

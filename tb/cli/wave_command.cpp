@@ -74,9 +74,7 @@ void check_shot(const std::string& file) {
     throw InputError(fmt::format("--shot: {} does not end in .png", file));
   }
   const fs::path folder = fs::absolute(file).parent_path();
-  if (!fs::is_directory(folder)) {
-    throw InputError("--shot: there is no folder " + folder.string());
-  }
+  if (!fs::is_directory(folder)) throw InputError("--shot: there is no folder " + folder.string());
 }
 
 // Draws it; the wave.

@@ -129,9 +129,7 @@ Replay replay(const Question& q, const Answer& a) {
   });
   for (std::size_t i = 0; i < 2; ++i) {
     const auto& all = lines[i];
-    if (!all.empty() && std::ranges::none_of(all, [](auto& l) { return l.empty(); })) {
-      continue;
-    }
+    if (!all.empty() && std::ranges::none_of(all, [](auto& l) { return l.empty(); })) continue;
     return {
         false,
         false,

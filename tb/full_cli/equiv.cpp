@@ -84,9 +84,7 @@ Revision revision(const std::string& rev, const Words& files, const fs::path& fo
     const fs::path path = folder / fs::canonical(file).lexically_relative(fs::canonical(root.text));
     if (fs::exists(path)) old.push_back(path.string());
   }
-  if (old.empty()) {
-    throw InputError(fmt::format("--rev: {} has none of the files", in_quotes(rev)));
-  }
+  if (old.empty()) throw InputError(fmt::format("--rev: {} has none of the files", in_quotes(rev)));
   const fs::path here = folder / fs::current_path().lexically_relative(fs::canonical(root.text));
   return {old, fs::is_directory(here) ? here : folder};
 }

@@ -46,9 +46,7 @@ void Packed::get(const std::uint64_t* planes, std::size_t words, std::size_t lan
   planes += lane / 64;
   for (std::size_t i = 0; i < widths_.size(); ++i) {
     std::uint64_t code = 0;
-    for (int b = 0; b < widths_[i]; ++b, planes += words) {
-      code |= (*planes >> (lane % 64) & 1) << b;
-    }
+    for (int b = 0; b < widths_[i]; ++b, planes += words) code |= (*planes >> (lane % 64) & 1) << b;
     codes[i] = static_cast<std::int64_t>(code);
   }
 }

@@ -137,9 +137,7 @@ std::vector<std::uint32_t> Lanes::lane_constants(const std::vector<unsigned>& nu
   for (const std::size_t net : cells.free) put(net, Plane::all(false));
   std::array<Plane, 6> of;
   for (const auto& t : cells.tables) {
-    if (std::ranges::any_of(t.of, [&](std::size_t n) { return all[n] == none; })) {
-      continue;
-    }
+    if (std::ranges::any_of(t.of, [&](std::size_t n) { return all[n] == none; })) continue;
     for (std::size_t i = 0; i < t.of.size(); ++i) of[i] = constants_[all[t.of[i]]];
     put(t.gives, lut(std::span(of).first(t.of.size()), t.table));
   }
@@ -166,9 +164,7 @@ void Lanes::place(const std::vector<unsigned>& numbers) {
   const auto bit_of = [&](std::size_t net) {
     if (is_made[net] || low[net] == none) return bits[net];
     const Plane& plane = constants_[low[net]];
-    if (plane != constants_[high[net]]) {
-      throw InputError(rtl_.title_ + ": its RTL reads the clock");
-    }
+    if (plane != constants_[high[net]]) throw InputError(rtl_.title_ + ": its RTL reads the clock");
     is_made[net] = true;
     if (!(plane & all_).any()) return bits[net] = nets::no;
     if (!(~plane & all_).any()) return bits[net] = nets::yes;
@@ -201,9 +197,7 @@ void Lanes::find_edges(const std::vector<std::uint32_t>& low,
       edges_.push_back({Plane::all(true), Plane::all(false)});
       continue;
     }
-    if (low[net] == none) {
-      throw InputError(rtl_.title_ + ": its RTL makes a clock of its own");
-    }
+    if (low[net] == none) throw InputError(rtl_.title_ + ": its RTL makes a clock of its own");
     const Plane before = constants_[low[net]], behind = constants_[high[net]];
     edges_.push_back({~before & behind, before & ~behind});
     if (flip_flops[i].edge == "fe") std::swap(edges_.back().rising, edges_.back().falling);

@@ -17,9 +17,7 @@ namespace {
 // Thousands of cases by what they are called in front of their number, and how many there are.
 std::map<std::string, std::size_t> kinds_of(const std::vector<Case>& cases) {
   std::map<std::string, std::size_t> kinds;
-  for (const Case& c : cases) {
-    ++kinds[c.name.substr(0, c.name.find_last_not_of(" 0123456789") + 1)];
-  }
+  for (const Case& c : cases) ++kinds[c.name.substr(0, c.name.find_last_not_of(" 0123456789") + 1)];
   return kinds;
 }
 

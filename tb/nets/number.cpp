@@ -76,11 +76,7 @@ Number::Number(Graph* graph, std::vector<Bit> bits) : graph_(graph), bits_(std::
   while (bits_.size() > 1 && bits_.back() == bits_[bits_.size() - 2]) bits_.pop_back();
 }
 Number::Number(Word known)
-    : Number(nullptr, [&] {
-        std::vector<Bit> bits;
-        for (int i = 0; i < kWord; ++i) bits.push_back(cosim::bit(known, i) ? yes : no);
-        return bits;
-      }()) {}
+    : Number(nullptr, bits_of(kWord, [&](int i) { return cosim::bit(known, i) ? yes : no; })) {}
 Number::Number(const Truth& t) : Number(select(t, Number(1), Number(0))) {}
 Number Number::unsigned_code(Graph& graph, std::vector<Bit> code) {
   code.push_back(no);  // beyond a word it is cut off again
@@ -103,15 +99,11 @@ Number Number::with_open(Open open) && {
 }
 
 std::vector<Bit> Number::code(int width) const {
-  std::vector<Bit> bits;
-  for (int i = 0; i < width; ++i) bits.push_back(at(i));
-  return bits;
+  return bits_of(width, [&](int i) { return at(i); });
 }
 
 std::optional<Word> Number::known() const {
-  if (!std::ranges::all_of(bits_, [](Bit b) { return b.is_constant(); })) {
-    return std::nullopt;
-  }
+  if (!std::ranges::all_of(bits_, [](Bit b) { return b.is_constant(); })) return std::nullopt;
   std::uint64_t word = 0;
   for (int i = 0; i < kWord; ++i) word |= std::uint64_t{at(i) == yes} << i;
   return static_cast<Word>(word);

@@ -137,9 +137,7 @@ void check_apart(const std::vector<Output>& all, const std::string& input) {
 void check_outputs(const Common& common, const std::string& input, const WavesOf& waves) {
   if (common.wave) check_ending("--wave", *common.wave, {".fst"});
   if (common.html) check_ending("--html", *common.html, {".html"});
-  if (common.failures && common.failures->empty()) {
-    throw InputError("--failures: names no folder");
-  }
+  if (common.failures && common.failures->empty()) throw InputError("--failures: names no folder");
   const std::vector<Output> all = outputs_of(common, waves);
   check_apart(all, input);
   if (common.plot) {

@@ -302,9 +302,7 @@ bool StreamRunner::ends_found() {
       result_.clocks < result_.finding->clock + gathered_clocks) {
     return false;
   }
-  if (order_->gather && !result_.finding->goes_in) {
-    result_.came = gathered(result_.finding->stream);
-  }
+  if (order_->gather && !result_.finding->goes_in) result_.came = gathered(result_.finding->stream);
   return order_->observer == nullptr;
 }
 

@@ -28,9 +28,7 @@ Result run_sweep(const Sweep& sweep, unsigned threads, const Progress& progress,
   Result sum = resume.done;                 // of the first cases
   std::map<std::uint64_t, Result> waiting;  // for a case before them; by their first
   const auto run = [&](std::uint64_t first) {
-    if (sweep.run_some) {
-      return sweep.run_some(first, std::min(sweep.at_once, sweep.cases - first));
-    }
+    if (sweep.run_some) return sweep.run_some(first, std::min(sweep.at_once, sweep.cases - first));
     Result one = sweep.run(first);
     one.cases = 1;
     return one;

@@ -50,9 +50,8 @@ std::vector<Signal> signals_of(VerilatedContext& context, const std::string& clo
     }
   }
   // A module's own signals stand before those of its instances.
-  std::sort(signals.begin(), signals.end(), [](const Signal& a, const Signal& b) {
-    const auto memory = [](const Signal& s) { return s.name.substr(0, s.name.find('[')); };
-    return std::tuple(a.scope, memory(a), a.word) < std::tuple(b.scope, memory(b), b.word);
+  std::ranges::sort(signals, {}, [](const Signal& s) {
+    return std::tuple(s.scope, s.name.substr(0, s.name.find('[')), s.word);
   });
   return signals;
 }

@@ -1,6 +1,7 @@
 // One of two RTLs that are compared, as gates and registers.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -10,11 +11,31 @@
 #include <utility>
 #include <vector>
 
-#include "tb/equiv/budget.h"
 #include "tb/proof/aig.h"
 #include "tb/support/process.h"
 
 namespace cosim::equiv {
+
+struct OutOfTime {};
+
+/// How much time is left for a question, by the clock on the wall.
+class Budget {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  explicit Budget(int seconds)
+      : began_(Clock::now()), ends_(began_ + std::chrono::seconds(seconds)) {}
+  Clock::duration spent() const { return Clock::now() - began_; }
+  /// When it is over.
+  Clock::time_point ends() const { return ends_; }
+  /// OutOfTime where none is left.
+  void check() const {
+    if (Clock::now() >= ends_) throw OutOfTime();
+  }
+
+ private:
+  Clock::time_point began_, ends_;
+};
 
 /// Verilog as a person names it.
 struct Files {

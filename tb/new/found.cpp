@@ -88,8 +88,7 @@ void order_resets(Found& found) {
     return std::ranges::find(found.inputs, reset.name, &FoundNet::name);
   };
   auto& all = found.resets;
-  std::stable_sort(all.begin(), all.end(),
-                   [&](const FoundReset& a, const FoundReset& b) { return place(a) < place(b); });
+  std::ranges::stable_sort(all, {}, place);
   const auto gives = [](const FoundReset& by, const FoundReset& to) {
     return std::ranges::any_of(by.values,
                                [&](const auto& value) { return value.first == to.name; });

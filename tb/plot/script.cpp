@@ -31,8 +31,7 @@ std::vector<Mark> worst_of_cells(const std::vector<Mark>& marks, const Cell& cel
   std::vector<Mark> kept;
   kept.reserve(worst.size());
   for (const auto& [key, mark] : worst) kept.push_back(mark);
-  std::stable_sort(kept.begin(), kept.end(),
-                   [](const Mark& a, const Mark& b) { return a.off < b.off; });
+  std::ranges::stable_sort(kept, {}, &Mark::off);
   return kept;
 }
 

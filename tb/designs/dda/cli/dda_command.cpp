@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "model/core/input_error.h"
+#include "model/dda/curve.h"
 #include "model/dda/equation.h"
-#include "tb/designs/dda/cli/settings.h"
 #include "tb/designs/dda/cli/shape.h"
 #include "tb/designs/dda/figures.h"
 #include "tb/designs/dda/sweeps.h"
@@ -16,6 +16,7 @@
 #include "tb/program/draw_one.h"
 #include "tb/program/number.h"
 #include "tb/program/registry.h"
+#include "tb/support/words.h"
 
 namespace cosim::cli {
 namespace {
@@ -27,9 +28,27 @@ constexpr std::int64_t largest = 0xffffffff;
 struct DdaOptions {
   Common common;
   Text line, circle, conic, from, clocks;
-  DdaSettings settings;
+  Text update, preload;
+  bool as_it_is = false;
   ShapeOptions shape{dda::shape_options()};
 };
+
+// Whether it is the second of two names; the first where none is given.
+bool is_second(const char* name, const Text& text, const char* first, const char* second) {
+  const std::string value = text.value_or(first);
+  if (value != first && value != second) {
+    throw InputError(fmt::format("{}: {} is not {} or {}", name, in_quotes(value), first, second));
+  }
+  return value == second;
+}
+
+dda::Settings settings_of(const DdaOptions& o) {
+  return {
+      is_second("--update", o.update, "parallel", "sequential") ? dda::Update::sequential
+                                                                : dda::Update::parallel,
+      is_second("--preload", o.preload, "zero", "half") ? dda::Preload::half : dda::Preload::zero,
+      !o.as_it_is};
+}
 
 Point point(const char* name, const std::string& text) {
   const auto all = integers(name, text, "X,Y", {{-largest, largest}, {-largest, largest}});
@@ -55,7 +74,7 @@ struct Work {
 };
 
 Work parse_work(const DdaOptions& o) {
-  const dda::Settings settings = o.settings.parse();
+  const dda::Settings settings = settings_of(o);
   std::optional<std::int64_t> clocks;
   if (o.clocks) clocks = static_cast<std::int64_t>(whole("--clocks", *o.clocks, 0, 0xfffffff));
   if (o.line) {
@@ -162,7 +181,10 @@ void add_dda(const Command& program) {
                "A x^2 + B xy + C y^2 + D x + E y + F = 0; an ellipse for one turn");
   command.text("--from", o->from, "X,Y", "Where a conic starts");
   command.text("--clocks", o->clocks, "N", "Stop after N running clocks");
-  o->settings.add(command);
+  command.text("--update", o->update, "HOW",
+               "parallel (default), as the source's hardware, or sequential, its flow chart");
+  command.text("--preload", o->preload, "S", "Accumulators at the start: zero (default) or half");
+  command.flag("--as-it-is", o->as_it_is, "Do not shift the rates of a line up first");
   o->shape.add(command);
   add_drawing(command, o->common, "Write clock,dx,dy,x,y: a row a step, x and y after it");
   command.footer("Example: cosim dda --conic 1,1,2,0,0,-10000 --from 100,0 --width 16");

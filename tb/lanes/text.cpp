@@ -1,7 +1,7 @@
-#include "tb/lanes/text.h"
-
+// What is compiled.
 #include <fmt/core.h>
 
+#include "tb/lanes/code.h"
 #include "tb/stimulus/hostile.h"
 
 namespace cosim::lanes {

@@ -1,8 +1,7 @@
 #include "tb/nets/planes.h"
 
 #include <algorithm>
-
-#include "tb/nets/schedule.h"
+#include <array>
 
 namespace cosim::nets {
 namespace {
@@ -19,6 +18,43 @@ PlaneStep::Act act_of(const Graph::Made& g) {
     default:
       return g.c.is_inverted() ? PlaneStep::turned_choice : PlaneStep::choice;
   }
+}
+
+// `gates`, by number and in rising order, so ordered that each comes behind the ones it reads and
+// that as many as can be found of one act follow each other: what runs them one after the other
+// then seldom has to find out anew what to do.
+std::vector<std::uint32_t> alike_together(const Graph& graph,
+                                          const std::vector<std::uint32_t>& gates) {
+  const auto& made = graph.gates();
+  const auto act = [&](std::uint32_t gate) { return act_of(made[gate]); };
+  std::vector<std::vector<std::uint32_t>> readers(made.size());
+  std::vector<std::uint32_t> waits_for(made.size());
+  for (const std::uint32_t gate : gates) {
+    for (const Bit b : {made[gate].a, made[gate].b, made[gate].c}) {
+      const auto read = static_cast<std::uint32_t>(b.gate());
+      if (made[read].kind == Gate::constant || made[read].kind == Gate::input) continue;
+      readers[read].push_back(gate);
+      ++waits_for[gate];
+    }
+  }
+  std::array<std::vector<std::uint32_t>, 8> ready;
+  for (const std::uint32_t gate : gates) {
+    if (waits_for[gate] == 0) ready[act(gate)].push_back(gate);
+  }
+  std::vector<std::uint32_t> order;
+  while (order.size() < gates.size()) {
+    auto& most = *std::ranges::max_element(ready, {}, [](const auto& of) { return of.size(); });
+    // Some that become ready meanwhile have this act, too.
+    while (!most.empty()) {
+      const std::uint32_t gate = most.back();
+      most.pop_back();
+      order.push_back(gate);
+      for (const std::uint32_t reader : readers[gate]) {
+        if (--waits_for[reader] == 0) ready[act(reader)].push_back(reader);
+      }
+    }
+  }
+  return order;
 }
 
 }  // namespace
@@ -43,8 +79,7 @@ Planes::Planes(const Graph& graph, std::span<const Bit> roots, std::size_t lanes
       run.push_back(i);
     }
   }
-  const auto kind_of = [&](std::uint32_t gate) { return act_of(gates[gate]); };
-  for (const std::uint32_t i : alike_together(graph, run, kind_of)) {
+  for (const std::uint32_t i : alike_together(graph, run)) {
     const Graph::Made& g = gates[i];
     const auto of = [&](Bit b) { return place_[b.gate()]; };
     place_[i] = places++;

@@ -53,10 +53,8 @@ std::string title_of(const Page& page) {
 
 std::string paragraphs(const std::string& lines) {
   std::string text;
-  for (std::size_t at = 0; at < lines.size();) {
-    const std::size_t end = std::min(lines.find('\n', at), lines.size());
-    if (end > at) text += fmt::format("<p>{}</p>\n", markup(lines.substr(at, end - at)));
-    at = end + 1;
+  for (const std::string& line : lines_in(lines)) {
+    if (!line.empty()) text += fmt::format("<p>{}</p>\n", markup(line));
   }
   return text;
 }

@@ -6,17 +6,20 @@
 
 #include "model/circular/oracle.h"
 #include "model/core/input_error.h"
+#include "model/toolpath/quantise.h"
 #include "tb/designs/circular/cli/shape.h"
 #include "tb/designs/dda/cli/shape.h"
 #include "tb/designs/linear/cli/shape.h"
 #include "tb/program/command.h"
 #include "tb/program/common.h"
 #include "tb/program/conclude.h"
+#include "tb/program/number.h"
 #include "tb/program/outputs.h"
 #include "tb/program/registry.h"
-#include "tb/studies/comparison/cli/work_options.h"
 #include "tb/studies/comparison/contest.h"
+#include "tb/studies/comparison/work.h"
 #include "tb/studies/toolpath/cli/curves.h"
+#include "tb/support/read_file.h"
 #include "tb/support/words.h"
 
 namespace cosim::cli {
@@ -27,11 +30,61 @@ using compare::Arc;
 using compare::Entry;
 using compare::Line;
 
+// The work is one line, one arc, or all those of a program.
 struct CompareOptions {
   Common common;
-  WorkOptions work;
+  Text file, steps_per_mm, line, arc;
   Text algorithms;
 };
+
+struct NamedWork {
+  std::string text;  // what it is, one line
+  compare::Work pieces;
+};
+
+constexpr int widest_work = 16;
+constexpr std::int64_t largest_major = (1 << widest_work) - 1;
+
+Line parse_line(const std::string& text) {
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos) {
+    throw InputError(fmt::format("--line: {} is not BP,MP", in_quotes(text)));
+  }
+  const std::uint64_t major = whole("--line: BP", text.substr(0, comma), 1, largest_major);
+  const std::uint64_t minor = whole("--line: MP", text.substr(comma + 1), 0, major);
+  return {static_cast<std::int64_t>(major), static_cast<std::int64_t>(minor)};
+}
+
+NamedWork read_work(const std::string& file, const Text& steps_per_mm) {
+  const double scale =
+      positive("--steps-per-mm", needed("--steps-per-mm", steps_per_mm), toolpath::finest_grid);
+  const toolpath::Plan plan = toolpath::plan(toolpath::read_gcode(read_file(file), file), scale);
+  if (plan.pieces.empty()) {
+    throw InputError(fmt::format("{}: no motion reaches a step at {} steps/mm", file, scale));
+  }
+  if (plan.longest_line > largest_major || plan.arc_width > widest_work) {
+    throw InputError(fmt::format("{}: at {} steps/mm a line or a radius is above {}", file, scale,
+                                 largest_major));
+  }
+  return {fmt::format("{} at {} steps/mm", one_line(file), scale), compare::work_of(plan)};
+}
+
+NamedWork parse_work(const CompareOptions& o) {
+  const int kinds = (o.line ? 1 : 0) + (o.arc ? 1 : 0) + (o.file ? 1 : 0);
+  if (kinds != 1) {
+    throw InputError(fmt::format("compare: one of --line, --arc and FILE is needed, {}",
+                                 kinds == 0 ? "none is given" : "more are given"));
+  }
+  if (o.file) return read_work(*o.file, o.steps_per_mm);
+  if (o.steps_per_mm) throw InputError("--steps-per-mm: belongs to FILE");
+  if (o.line) {
+    const Line line = parse_line(*o.line);
+    return {fmt::format("BP = {}, MP = {}", line.major, line.minor), compare::work_of(line)};
+  }
+  const auto radius = static_cast<std::int64_t>(whole("--arc", *o.arc, 1, largest_major));
+  const Arc quarter{{radius, 0}, static_cast<std::uint64_t>(radius * radius), {0, radius}};
+  return {fmt::format("R = {}, a quarter", radius), compare::work_of(quarter)};
+}
 
 compare::Machines machines_for(const compare::Work& work, std::uint64_t seed) {
   std::int64_t longest = 0, radius = 0;
@@ -50,17 +103,8 @@ compare::Machines machines_for(const compare::Work& work, std::uint64_t seed) {
   return machines;
 }
 
-std::vector<std::string> split(const std::string& text) {
-  std::vector<std::string> names(1);
-  for (const char c : text) {
-    if (c == ',') {
-      names.emplace_back();
-    } else {
-      names.back() += c;
-    }
-  }
-  return names;
-}
+// At least one name, which may be empty.
+std::vector<std::string> split(const std::string& text) { return parts_in(text + ',', ','); }
 
 template <class Work>
 std::string names_of(const std::vector<Algorithm<Work>>& all) {
@@ -176,7 +220,7 @@ void check_once(const std::vector<std::string>& names) {
 
 int run(const CompareOptions& o) {
   const std::uint64_t seed = o.common.seed();
-  const auto [text, work] = parse_work(o.work);
+  const auto [text, work] = parse_work(o);
   if (o.algorithms && o.algorithms->empty()) throw InputError("--algorithms: names none");
   if (o.algorithms) check_once(split(*o.algorithms));
   std::vector<bool> known(o.algorithms ? split(*o.algorithms).size() : 0, false);
@@ -184,7 +228,7 @@ int run(const CompareOptions& o) {
   const auto by_arc = chosen(compare::arc_algorithms(), o.algorithms, work.arcs.works, known);
   check_known(o.algorithms, known, work);
   const compare::Machines machines = machines_for(work, seed);
-  check_outputs(o.common, o.work.file.value_or(""));
+  check_outputs(o.common, o.file.value_or(""));
 
   Plot plot{text, {}, {}};
   Plot* const drawn = o.common.plot ? &plot : nullptr;
@@ -216,7 +260,11 @@ void add_compare(const Command& program) {
   auto o = std::make_shared<CompareOptions>();
   const Command command =
       program.sub("compare", "The same line, arc or program by every algorithm that can do it");
-  o->work.add(command);
+  command.argument("FILE", o->file, "A G-code program: its lines, and its arcs");
+  command.text("--steps-per-mm", o->steps_per_mm, "S",
+               "Needed with FILE: steps of the grid to 1 mm");
+  command.text("--line", o->line, "BP,MP", fmt::format("A line, BP at most {}", largest_major));
+  command.text("--arc", o->arc, "R", fmt::format("A quarter circle, R at most {}", largest_major));
   command.text("--algorithms", o->algorithms, "LIST", "Only these, with commas between them");
   add_plot(command, o->common);
   add_html(command, o->common, "the figures");

@@ -1,6 +1,6 @@
 #include "tb/bench/stimulus_text.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
@@ -109,11 +109,7 @@ class Parser {
   void machine(const std::vector<std::unique_ptr<AnyBench>>& benches) {
     need_line("'machine'");
     if (words_[0] != "machine") fail("is not 'machine DESIGN PARAMETER=VALUE...'");
-    std::string title;
-    for (std::size_t i = 1; i < words_.size(); ++i) {
-      title += i == 1 ? "" : " ";
-      title += words_[i];
-    }
+    const std::string title = fmt::format("{}", fmt::join(words_.begin() + 1, words_.end(), " "));
     for (const auto& bench : benches) {
       if (bench->title() == title) replay_.bench = bench.get();
     }

@@ -88,8 +88,7 @@ std::string as_plain_verilog(std::vector<std::string>& files, const std::string&
     words.insert(words.end(), files.begin(), files.end());
     const Ended ended = run(program + ".pl", words);
     if (ended.status != 0) return ended.text.substr(0, ended.text.find('\n'));
-    files.clear();
-    for (const std::string& line : lines_in(ended.text)) files.push_back(line);
+    files = lines_in(ended.text);
   }
   return "";
 }

@@ -120,8 +120,7 @@ class Course {
 }  // namespace
 
 std::size_t Campaign::count(End end) const {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(outcomes, [end](const auto& o) { return o.end == end; }));
+  return static_cast<std::size_t>(std::ranges::count(outcomes, end, &Outcome::end));
 }
 
 Campaign run_campaign(const Subject& subject, const Prover& prover, const Asker& asker,

@@ -6,7 +6,7 @@
 # State<V>&, ...), has nearly the name of one that the harness looks for: by the edit distance of
 # Damerau and Levenshtein, one edit away from a name of 4 or 5 letters, two from a longer one. What the
 # harness looks for is read out of its headers below ROOT: Design::NAME, and NAME(p, s) where a
-# `requires` asks for it. Writes STAMP, and STAMP.d for ninja: the files it has read.
+# `requires` or COSIM_STATED asks for it. Writes STAMP, and STAMP.d for ninja: the files it has read.
 use strict;
 use warnings;
 use Cwd 'abs_path';
@@ -63,6 +63,7 @@ for my $header (glob(qq("$root/model/core/*.h" "$root/tb/*/*.h"))) {
   my $text = text_of($header);
   $members{$1} = 1 while $text =~ /\bDesign::(?:template )?(\w+)/g;
   $functions{$1} = 1 while $text =~ /\brequires\b[^{};]*\{\s*(\w+)\(p, s\b/g;
+  $functions{$1} = 1 while $text =~ /\bCOSIM_STATED\(\w+, ([a-z]\w*)\)/g;
 }
 
 sub refuse {

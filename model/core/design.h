@@ -137,15 +137,15 @@ constexpr const char* source_of() {
 
 // What a model may state beside its step: each is a function of that name, found by its arguments.
 // Of one that it does not have: nothing.
-#define COSIM_STATED(NAME, FUNCTION)               \
-  template <class V, class... Arguments>           \
-  constexpr auto NAME(const Arguments&... of) {    \
-    if constexpr (requires { FUNCTION(of...); }) { \
-      return FUNCTION(of...);                      \
-    } else {                                       \
-      return std::array<Stated<V>, 0>{};           \
-    }                                              \
-  }                                                \
+#define COSIM_STATED(NAME, FUNCTION)                                                   \
+  template <class V, class Params, class State, class... More>                         \
+  constexpr auto NAME(const Params& params, const State& state, const More&... more) { \
+    if constexpr (requires { FUNCTION(params, state, more...); }) {                    \
+      return FUNCTION(params, state, more...);                                         \
+    } else {                                                                           \
+      return std::array<Stated<V>, 0>{};                                               \
+    }                                                                                  \
+  }                                                                                    \
   static_assert(true, "so that a semicolon stands behind it")
 COSIM_STATED(invariant_of, invariant);  // (p, s)
 COSIM_STATED(reached_of, reached);      // (p, s)

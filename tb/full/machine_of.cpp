@@ -1,7 +1,8 @@
 #include "tb/full/machine_of.h"
 
+#include <utility>
+
 #include "model/core/input_error.h"
-#include "tb/support/place.h"
 
 namespace cosim::cli {
 
@@ -19,13 +20,8 @@ proof::Source source_of(const AnyBench& bench) {
 }
 
 proof::Source source_for(const proof::MachineFormula& machine, proof::Source source) {
-  source.asynchronous_reset = !machine.seen.empty();
-  source.clocks_are_inputs = machine.clocks_are_inputs;
   source.parameters = machine.parameters;
-  for (const proof::Wire& w : machine.registers) {
-    if (w.field.index <= 0) source.kept.push_back(net_path(w.field.net).path);
-  }
-  return source;
+  return read_for(machine, std::move(source));
 }
 
 }  // namespace cosim::cli

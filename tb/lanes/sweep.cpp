@@ -13,7 +13,6 @@
 #include "tb/lanes/code.h"
 #include "tb/lanes/player.h"
 #include "tb/support/pattern.h"
-#include "tb/support/place.h"
 #include "tb/support/read_file.h"
 
 namespace cosim::lanes {
@@ -160,11 +159,7 @@ std::unique_ptr<Built> built(const std::string& title, const nets::Played& playe
   if (bits > most_bits) {
     refuse(fmt::format("its memory is too large: {} bits, and {} can be planes", bits, most_bits));
   }
-  proof::Source all = source;
-  all.asynchronous_reset = !played.model.machine.seen.empty();
-  for (const nets::Wire& w : played.model.machine.registers) {
-    if (w.field.index <= 0) all.kept.push_back(net_path(w.field.net).path);
-  }
+  const proof::Source all = read_for(played.model.machine, source);
   return built(folder, key_of(title, played, all, lanes), lanes,
                [&] { return to_text(code_of(played, proof::RtlNets(all)), lanes); });
 }

@@ -5,7 +5,6 @@
 #include "tb/bench/stimulus_text.h"
 #include "tb/proof/from_reset.h"
 #include "tb/report/failure.h"
-#include "tb/support/place.h"
 #include "tb/support/process.h"
 #include "tb/support/replace_file.h"
 
@@ -21,12 +20,8 @@ proof::FromReset product_of(const Subject& subject, const proof::BuiltMachine& m
   const auto verilog = scratch.path() / "mutants.v";
   subject.write_verilog({mutant}, verilog);
   const nets::Model model = machine.nets();
-  proof::Source source{{fs::absolute(verilog)}, machine.source.top, {}};
-  source.asynchronous_reset = !model.machine.seen.empty();
-  source.clocks_are_inputs = model.machine.clocks_are_inputs;
-  for (const nets::Wire& w : model.machine.registers) {
-    if (w.field.index <= 0) source.kept.push_back(net_path(w.field.net).path);
-  }
+  const proof::Source source =
+      proof::read_for(model.machine, {{fs::absolute(verilog)}, machine.source.top, {}});
   return {model, proof::RtlNets(source), {{"mutsel", mutant}}};
 }
 

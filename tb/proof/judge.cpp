@@ -15,7 +15,6 @@
 #include "tb/proof/mutants.h"
 #include "tb/proof/votes.h"
 #include "tb/support/parallel.h"
-#include "tb/support/place.h"
 
 namespace cosim::proof {
 namespace {
@@ -56,11 +55,7 @@ void Judge::ask_reached() {
 // One of each mutant.
 std::vector<std::vector<Opinion>> Judge::opinions_of_abc(
     const fs::path& verilog, const std::vector<unsigned>& numbers) const {
-  Source source{{fs::absolute(verilog)}, top_, {}};
-  source.clocks_are_inputs = machine_.clocks_are_inputs;
-  for (const Wire& w : machine_.registers) {
-    if (w.field.index <= 0) source.kept.push_back(net_path(w.field.net).path);
-  }
+  const Source source = read_for(machine_, {{fs::absolute(verilog)}, top_, {}});
   const MutantNets nets = nets_of_mutants(*model_, RtlNets(source), numbers);
   Solved solved;
   if (!nets.questions.asked.empty()) {

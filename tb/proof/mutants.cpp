@@ -14,7 +14,6 @@
 #include "tb/proof/mutant_nets.h"
 #include "tb/proof/steps.h"
 #include "tb/proof/terms.h"
-#include "tb/support/place.h"
 #include "tb/support/process.h"
 #include "tb/support/quoted.h"
 #include "tb/support/read_file.h"
@@ -182,11 +181,8 @@ Mutants::Mutants(const MachineFormula& machine, const fs::path& verilog,
   const Scratch scratch;
   const auto in_scratch = [&](const std::string& name) { return (scratch.path() / name).string(); };
   std::string kept = "w:*_q";
-  for (const Wire& w : machine.registers) {
-    if (w.field.index <= 0) kept += kept_net(net_path(w.field.net).path);
-  }
-  Source source;
-  source.clocks_are_inputs = machine.clocks_are_inputs;
+  const Source source = read_for(machine, {});
+  for (const std::string& net : source.kept) kept += kept_net(net);
   // Before prep for registers that nothing reads, after it for those it makes of memories.
   std::string commands = fmt::format(
       "read_verilog {0}; setattr -set keep 1 {1}; prep -flatten -nomem -auto-top; "

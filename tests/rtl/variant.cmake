@@ -1,16 +1,13 @@
 # What stands in a variant's file:
 #
-#   variant("What is different, in a sentence" M=5 N=2)   and the parameters it is built with
-#   replace(NAME.v [[                                     any number of these
-#     lines of rtl/NAME/NAME.v as shipped
-#   ]] [[
-#     the lines that stand there instead
-#   ]])
+#   variant("What is different, in a sentence" M=5 N=2)    and the parameters it is built with
+#   replace(NAME.v [[text of rtl/NAME/NAME.v as shipped]]  any number of these, in a line or more
+#     [[the text that stands there instead]])
 #
-#   netlist(ice40)                                        what yosys makes of it, or of generic gates
+#   netlist(ice40)                                         what yosys makes of it, or of generic gates
 #
-# Configuring stops where a file does not hold the lines to be replaced exactly once. Lines with ]]
-# in them stand between [=[ and ]=].
+# Configuring stops where a file does not hold the text to be replaced exactly once. Text with ]]
+# in it stands between [=[ and ]=].
 
 function(variant what)
   set(VARIANT_WHAT "${what}" PARENT_SCOPE)

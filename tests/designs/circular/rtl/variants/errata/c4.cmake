@@ -1,5 +1,4 @@
 variant("C4: AND 22 looks for 1..11 and AND 23 for 1..101" W=16)
-
 replace(circular.v [[
     .ct8_negative(ct8_q[W]),
     .ct8_lowest(ct8_q[0]),

@@ -1,7 +1,2 @@
 variant("C5: channel 1 gives -0 for the diagonal step to X - Y = 0" W=4)
-
-replace(circular_commutator.v [[
-  wire last = (channel1 & ~t16_q & ~ct8_zero_or_one) | (channel2_down & ~ct7_zero);
-]] [[
-  wire last = (channel1 & ~t16_q & (~ct8_zero_or_one | ct8_lowest)) | (channel2_down & ~ct7_zero);
-]])
+replace(circular_commutator.v [[& ~ct8_zero_or_one)]] [[& (~ct8_zero_or_one | ct8_lowest))]])

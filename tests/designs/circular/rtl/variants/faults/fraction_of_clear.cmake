@@ -1,7 +1,2 @@
 variant("A clear sets F to 0 instead of 0.75" W=16)
-
-replace(circular_accumulator.v [[
-    if (clear) f_q <= {{(W+2){1'b0}}, 2'b11};
-]] [[
-    if (clear) f_q <= {(W+4){1'b0}};
-]])
+replace(circular_accumulator.v [[f_q <= {{(W+2){1'b0}}, 2'b11};]] [[f_q <= {(W+4){1'b0}};]])

@@ -1,5 +1,4 @@
 variant("The sign of F is tested the wrong way round" W=4)
-
 replace(circular_control.v [[
   wire   sector1_diagonal = ~t16_q & ~ct8_negative &  f_negative;  // (2)
   assign straight_y       = ~t16_q & ~ct8_negative & ~f_negative;  // (3)

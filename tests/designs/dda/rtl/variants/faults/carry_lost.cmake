@@ -1,5 +1,4 @@
 variant("The sum of an accumulator has no carry from bit 7 to bit 8" W=16)
-
 replace(dda_axis.v [[
   assign {carry, next_s} = {1'b0, s} + {1'b0, rate[W-1:0]};
 ]] [[

@@ -1,7 +1,2 @@
 variant("A start wins over a stop" W=16)
-
-replace(dda.v [[
-: start & ~stop;
-]] [[
-: start;
-]])
+replace(dda.v [[: start & ~stop;]] [[: start;]])

@@ -1,7 +1,2 @@
 variant("The low bit of register 3 is stuck at 0" M=16 N=13)
-
-replace(linear.v [[
-    else if (load_uk) register3_q <= data[N-1:0];
-]] [[
-    else if (load_uk) register3_q <= {data[N-1:1], 1'b0};
-]])
+replace(linear.v [[register3_q <= data[N-1:0];]] [[register3_q <= {data[N-1:1], 1'b0};]])

@@ -1,7 +1,4 @@
 variant("ROM 11 has one position too few for every remainder" M=5 N=2)
-
-replace(linear_rom11.v [[
-      assign word[WORD-p] = chip_select | (address >= POSITION);
-]] [[
-      assign word[WORD-p] = chip_select | (address > POSITION);
-]])
+replace(linear_rom11.v
+  [[assign word[WORD-p] = chip_select | (address >= POSITION);]]
+  [[assign word[WORD-p] = chip_select | (address > POSITION);]])

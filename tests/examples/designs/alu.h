@@ -1,15 +1,13 @@
 // Golden model of alu.v: a function of the inputs.
 #pragma once
 
+#include "../../support/fault.h"
 #include "model/core/design.h"
 
 namespace alu_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define ALU_INPUTS(FIELD)     \
   FIELD(a, 8, number, "", "") \
@@ -35,12 +33,9 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
   return step;
 }
 
-struct Design {
+struct Design : faulty::Design {
   COSIM_DESIGN(alu_model);
   static constexpr const char* name = "alu";
-  static constexpr std::array<Parameter, 1> parameters(const Params& p) {
-    return {{{"FAULT", p.fault}}};
-  }
 };
 
 }  // namespace alu_model

@@ -2,15 +2,13 @@
 // first register of the synchronizer takes the old value in some bits and the new one in others.
 #pragma once
 
+#include "../../support/fault.h"
 #include "model/core/design.h"
 
 namespace counted_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define COUNTED_INPUTS(FIELD)                          \
   FIELD(rst_n, 1, flag, "", "0 begins anew, at once")  \
@@ -44,15 +42,12 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
   return step;
 }
 
-struct Design {
+struct Design : faulty::Design {
   COSIM_DESIGN(counted_model);
   static constexpr const char* name = "counted";
   static constexpr Inputs<Word> rest() { return {.rst_n = 1}; }
   static constexpr Inputs<Word> reset_inputs() { return {}; }
   static constexpr bool asynchronous_reset = true;
-  static constexpr std::array<Parameter, 1> parameters(const Params& p) {
-    return {{{"FAULT", p.fault}}};
-  }
 };
 
 }  // namespace counted_model

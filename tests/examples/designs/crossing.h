@@ -1,15 +1,13 @@
 // Golden model of crossing.sv.
 #pragma once
 
+#include "../../support/fault.h"
 #include "model/core/design.h"
 
 namespace crossing_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define CROSSING_INPUTS(FIELD)              \
   FIELD(rst, 1, flag, "", "begin with red") \
@@ -38,16 +36,13 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
   return {{select(is_set(in.rst), begun<V>(red), after)}, {light, flag<V>(stays)}};
 }
 
-struct Design {
+struct Design : faulty::Design {
   COSIM_DESIGN(crossing_model);
   static constexpr const char* name = "crossing";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   template <class V>
   static constexpr State<V> reset_state() {
     return {begun<V>(red)};
-  }
-  static constexpr std::array<Parameter, 1> parameters(const Params& p) {
-    return {{{"FAULT", p.fault}}};
   }
 };
 

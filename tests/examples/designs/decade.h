@@ -1,15 +1,13 @@
 // Golden model of decade.sv. It has no invariant.
 #pragma once
 
+#include "../../support/fault.h"
 #include "model/core/design.h"
 
 namespace decade_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define DECADE_INPUTS(FIELD)            \
   FIELD(rst, 1, flag, "", "begin anew") \
@@ -27,13 +25,10 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
   return {{select(is_set(in.rst), V(0), after)}, {s.digit_q, flag<V>(carry)}};
 }
 
-struct Design {
+struct Design : faulty::Design {
   COSIM_DESIGN(decade_model);
   static constexpr const char* name = "decade";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
-  static constexpr std::array<Parameter, 1> parameters(const Params& p) {
-    return {{{"FAULT", p.fault}}};
-  }
 };
 
 }  // namespace decade_model

@@ -1,15 +1,13 @@
 // Golden model of domains.v.
 #pragma once
 
+#include "../../support/fault.h"
 #include "model/core/design.h"
 
 namespace domains_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define DOMAINS_INPUTS(FIELD)                          \
   FIELD(a_clk, 1, rises, "", "the side that sends")    \
@@ -48,14 +46,11 @@ constexpr State<V> reset(const Params&, const State<V>& s, const Inputs<V>& in) 
   return select(is_set(in.b_rst_n), s, b);
 }
 
-struct Design {
+struct Design : faulty::Design {
   COSIM_DESIGN(domains_model);
   static constexpr const char* name = "domains";
   static constexpr Inputs<Word> rest() { return {.b_rst_n = 1}; }
   static constexpr Inputs<Word> reset_inputs() { return {.a_rst = 1}; }
-  static constexpr std::array<Parameter, 1> parameters(const Params& p) {
-    return {{{"FAULT", p.fault}}};
-  }
 };
 
 }  // namespace domains_model

@@ -1,15 +1,13 @@
 // Golden model of gray.v.
 #pragma once
 
+#include "../../support/fault.h"
 #include "model/core/design.h"
 
 namespace gray_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define GRAY_INPUTS(FIELD)                            \
   FIELD(rst_n, 1, flag, "", "0: begin anew, at once") \
@@ -43,7 +41,7 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
   return step;
 }
 
-struct Design {
+struct Design : faulty::Design {
   COSIM_DESIGN(gray_model);
   static constexpr const char* name = "gray";
   static constexpr Inputs<Word> rest() { return {.rst_n = 1}; }
@@ -52,9 +50,6 @@ struct Design {
   template <class V>
   static constexpr State<V> reset_state() {
     return {V(3), V(0), V(0)};
-  }
-  static constexpr std::array<Parameter, 1> parameters(const Params& p) {
-    return {{{"FAULT", p.fault}}};
   }
 };
 

@@ -1,15 +1,13 @@
 // Golden model of handshake.v.
 #pragma once
 
+#include "../../support/fault.h"
 #include "model/core/design.h"
 
 namespace handshake_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define HANDSHAKE_INPUTS(FIELD)                  \
   FIELD(rst, 1, flag, "", "begin anew")          \
@@ -68,14 +66,11 @@ constexpr Inputs<V> idle(const Params&, const State<V>& s) {
   return {V(0), s.busy, select(is_set(s.busy), s.asked, V(0)), V(1)};
 }
 
-struct Design {
+struct Design : faulty::Design {
   COSIM_DESIGN(handshake_model);
   static constexpr const char* name = "handshake";
   static constexpr Inputs<Word> rest() { return {.by = 1}; }
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1, .by = 1}; }
-  static constexpr std::array<Parameter, 1> parameters(const Params& p) {
-    return {{{"FAULT", p.fault}}};
-  }
 };
 
 }  // namespace handshake_model

@@ -1,15 +1,13 @@
 // Golden model of laps.v.
 #pragma once
 
+#include "../../support/fault.h"
 #include "model/core/design.h"
 
 namespace laps_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define LAPS_INPUTS(FIELD)                          \
   FIELD(rst_n, 1, flag, "", "0: all anew, at once") \
@@ -42,7 +40,7 @@ constexpr State<V> reset(const Params&, State<V> s, const Inputs<V>& in) {
   return s;
 }
 
-struct Design {
+struct Design : faulty::Design {
   COSIM_DESIGN(laps_model);
   static constexpr const char* name = "laps";
   static constexpr Inputs<Word> rest() { return {.rst_n = 1}; }
@@ -50,9 +48,6 @@ struct Design {
   template <class V>
   static constexpr State<V> reset_state() {
     return {V(0), V(1), V(0)};
-  }
-  static constexpr std::array<Parameter, 1> parameters(const Params& p) {
-    return {{{"FAULT", p.fault}}};
   }
 };
 

@@ -4,15 +4,13 @@
 #include <algorithm>
 #include <vector>
 
+#include "../../support/fault.h"
 #include "model/core/design.h"
 
 namespace acme::largest {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define LARGEST_INPUTS(FIELD)                \
   FIELD(rst, 1, flag, "", "begin anew at 0") \
@@ -33,13 +31,10 @@ inline Step<Word> next(const Params&, const State<Word>& s, const Inputs<Word>& 
   return step;
 }
 
-struct Design {
+struct Design : faulty::Design {
   COSIM_DESIGN(acme::largest);
   static constexpr const char* name = "largest";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
-  static constexpr std::array<Parameter, 1> parameters(const Params& p) {
-    return {{{"FAULT", p.fault}}};
-  }
 };
 
 }  // namespace acme::largest

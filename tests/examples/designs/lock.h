@@ -1,15 +1,13 @@
 // Golden model of lock.sv.
 #pragma once
 
+#include "../../support/fault.h"
 #include "model/core/design.h"
 
 namespace lock_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define LOCK_INPUTS(FIELD)              \
   FIELD(rst, 1, flag, "", "begin anew") \
@@ -37,13 +35,10 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
   return {after, {flag<V>((is_open & bit(in.code, 0)) | both), s.clocks_q}};
 }
 
-struct Design {
+struct Design : faulty::Design {
   COSIM_DESIGN(lock_model);
   static constexpr const char* name = "lock";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
-  static constexpr std::array<Parameter, 1> parameters(const Params& p) {
-    return {{{"FAULT", p.fault}}};
-  }
 };
 
 }  // namespace lock_model

@@ -1,15 +1,13 @@
 // Golden model of onehot.sv, whose registers it does not have.
 #pragma once
 
+#include "../../support/fault.h"
 #include "model/core/design.h"
 
 namespace onehot_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define ONEHOT_INPUTS(FIELD)            \
   FIELD(rst, 1, flag, "", "to place 0") \
@@ -35,14 +33,11 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
           {s.place, flag<V>(last)}};
 }
 
-struct Design {
+struct Design : faulty::Design {
   COSIM_DESIGN(onehot_model);
   static constexpr const char* name = "onehot";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array unobserved{"ring"};
-  static constexpr std::array<Parameter, 1> parameters(const Params& p) {
-    return {{{"FAULT", p.fault}}};
-  }
 };
 
 }  // namespace onehot_model

@@ -1,15 +1,13 @@
 // Golden model of pads.v.
 #pragma once
 
+#include "../../support/fault.h"
 #include "model/core/design.h"
 
 namespace pads_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define PADS_INPUTS(FIELD)                                                     \
   FIELD(rst, 1, flag, "", "begin anew")                                        \
@@ -49,13 +47,10 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
   return step;
 }
 
-struct Design {
+struct Design : faulty::Design {
   COSIM_DESIGN(pads_model);
   static constexpr const char* name = "pads";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
-  static constexpr std::array<Parameter, 1> parameters(const Params& p) {
-    return {{{"FAULT", p.fault}}};
-  }
 };
 
 }  // namespace pads_model

@@ -1,15 +1,13 @@
 // Golden model of pipe.v.
 #pragma once
 
+#include "../../support/fault.h"
 #include "model/core/design.h"
 
 namespace pipe_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define PIPE_INPUTS(FIELD)                       \
   FIELD(rst, 1, flag, "", "forget all numbers")  \
@@ -46,13 +44,10 @@ constexpr auto compared(const Params&, const State<V>&, const Inputs<V>&, const 
   return std::array{Stated<V>{"result", is_set(out.done)}};
 }
 
-struct Design {
+struct Design : faulty::Design {
   COSIM_DESIGN(pipe_model);
   static constexpr const char* name = "pipe";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
-  static constexpr std::array<Parameter, 1> parameters(const Params& p) {
-    return {{{"FAULT", p.fault}}};
-  }
 };
 
 }  // namespace pipe_model

@@ -1,15 +1,13 @@
 // Golden model of probed.v.
 #pragma once
 
+#include "../../support/fault.h"
 #include "model/core/design.h"
 
 namespace probed_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define PROBED_INPUTS(FIELD)                 \
   FIELD(rst, 1, flag, "", "begin anew at 0") \
@@ -24,14 +22,11 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
   return {{select(is_set(in.rst), V(0), wrap(s.count + in.en, 4))}, {s.count}};
 }
 
-struct Design {
+struct Design : faulty::Design {
   COSIM_DESIGN(probed_model);
   static constexpr const char* name = "probed";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
   static constexpr std::array unobserved{"debug.*", "spare"};
-  static constexpr std::array<Parameter, 1> parameters(const Params& p) {
-    return {{{"FAULT", p.fault}}};
-  }
 };
 
 }  // namespace probed_model

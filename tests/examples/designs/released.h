@@ -1,15 +1,13 @@
 // Golden model of released.v.
 #pragma once
 
+#include "../../support/fault.h"
 #include "model/core/design.h"
 
 namespace released_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define RELEASED_INPUTS(FIELD)                    \
   FIELD(rst_n, 1, flag, "", "0: reset, at once")  \
@@ -38,7 +36,7 @@ constexpr State<V> reset(const Params&, State<V> s, const Inputs<V>& in) {
   return s;
 }
 
-struct Design {
+struct Design : faulty::Design {
   COSIM_DESIGN(released_model);
   static constexpr const char* name = "released";
   static constexpr Inputs<Word> rest() { return {.rst_n = 1}; }
@@ -46,9 +44,6 @@ struct Design {
   template <class V>
   static constexpr State<V> reset_state() {
     return {V(0), V(0), V(5)};
-  }
-  static constexpr std::array<Parameter, 1> parameters(const Params& p) {
-    return {{{"FAULT", p.fault}}};
   }
 };
 

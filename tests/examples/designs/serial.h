@@ -1,15 +1,13 @@
 // Golden model of serial.v, and its jobs.
 #pragma once
 
+#include "../../support/fault.h"
 #include "model/core/design.h"
 
 namespace serial_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define SERIAL_INPUTS(FIELD)    \
   FIELD(rst, 1, flag, "", "")   \
@@ -89,7 +87,7 @@ constexpr Verdict<Checker, V> checked(const Params&, const Job<V>&, const Driver
   return {c, wrong};
 }
 
-struct Design {
+struct Design : faulty::Design {
   COSIM_DESIGN(serial_model);
   template <class V>
   using Job = serial_model::Job<V>;
@@ -99,9 +97,6 @@ struct Design {
   using Checker = serial_model::Checker<V>;
   static constexpr const char* name = "serial";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
-  static constexpr std::array<Parameter, 1> parameters(const Params& p) {
-    return {{{"FAULT", p.fault}}};
-  }
 };
 
 }  // namespace serial_model

@@ -2,15 +2,13 @@
 // reset reaches is taken over by name all the same.
 #pragma once
 
+#include "../../support/fault.h"
 #include "model/core/design.h"
 
 namespace skid_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define SKID_INPUTS(FIELD)                          \
   FIELD(rst, 1, flag, "", "begin anew")             \
@@ -44,13 +42,10 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
   return step;
 }
 
-struct Design {
+struct Design : faulty::Design {
   COSIM_DESIGN(skid_model);
   static constexpr const char* name = "skid";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
-  static constexpr std::array<Parameter, 1> parameters(const Params& p) {
-    return {{{"FAULT", p.fault}}};
-  }
 };
 
 }  // namespace skid_model

@@ -1,15 +1,13 @@
 // Golden model of synced.v.
 #pragma once
 
+#include "../../support/fault.h"
 #include "model/core/design.h"
 
 namespace synced_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define SYNCED_INPUTS(FIELD)                                \
   FIELD(reset, 1, flag, "", "on the third clock from here") \
@@ -26,7 +24,7 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
   return {{in.reset, s.first, select(is_set(s.second), V(0), wrap(s.count + in.en, 3))}, {s.count}};
 }
 
-struct Design {
+struct Design : faulty::Design {
   COSIM_DESIGN(synced_model);
   static constexpr const char* name = "synced";
   static constexpr Inputs<Word> reset_inputs() { return {.reset = 1}; }
@@ -34,9 +32,6 @@ struct Design {
   template <class V>
   static constexpr State<V> reset_state() {
     return {V(1), V(1), V(0)};
-  }
-  static constexpr std::array<Parameter, 1> parameters(const Params& p) {
-    return {{{"FAULT", p.fault}}};
   }
 };
 

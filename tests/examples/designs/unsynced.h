@@ -1,15 +1,13 @@
 // Golden model of unsynced.sv, with its fault too.
 #pragma once
 
+#include "../../support/fault.h"
 #include "model/core/design.h"
 
 namespace unsynced_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define UNSYNCED_INPUTS(FIELD)                                                     \
   FIELD(a_clk, 1, rises, "", "the clock of the level")                             \
@@ -55,7 +53,7 @@ constexpr State<V> reset(const Params&, const State<V>& s, const Inputs<V>& in) 
   return select(is_set(in.b_rst), b, kept);
 }
 
-struct Design {
+struct Design : faulty::Design {
   COSIM_DESIGN(unsynced_model);
   static constexpr const char* name = "unsynced";
   static constexpr Inputs<Word> rest() { return {.a_rst_n = 1}; }
@@ -65,9 +63,6 @@ struct Design {
     State<V> s{};
     s.idle = V(1);
     return s;
-  }
-  static constexpr std::array<Parameter, 1> parameters(const Params& p) {
-    return {{{"FAULT", p.fault}}};
   }
 };
 

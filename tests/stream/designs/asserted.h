@@ -1,15 +1,13 @@
 // Golden model of asserted.sv, with its fault.
 #pragma once
 
+#include "../../support/fault.h"
 #include "model/core/design.h"
 
 namespace asserted_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define ASSERTED_INPUTS(FIELD)               \
   FIELD(rst, 1, flag, "", "begin anew at 0") \
@@ -23,13 +21,10 @@ inline Step<Word> next(const Params& p, const State<Word>& s, const Inputs<Word>
   return {{in.rst != 0 ? 0 : in.en != 0 ? counted : s.count}, {s.count}};
 }
 
-struct Design {
+struct Design : faulty::Design {
   COSIM_DESIGN(asserted_model);
   static constexpr const char* name = "asserted";
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
-  static constexpr std::array<Parameter, 1> parameters(const Params& p) {
-    return {{{"FAULT", p.fault}}};
-  }
 };
 
 }  // namespace asserted_model

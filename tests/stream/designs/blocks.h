@@ -1,15 +1,13 @@
 // A wire wider than a word: a block of 100 bits, which a driver gives in words.
 #pragma once
 
+#include "../../support/fault.h"
 #include "model/core/stream.h"
 
 namespace blocks_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define BLOCKS_BLOCK(FIELD)                     \
   FIELD(low, 64, bits, "", "its lower 64 bits") \
@@ -33,12 +31,8 @@ class Giver {
   bool took(std::span<const Word> pins) { return pins.size() == 2; }
 };
 
-struct Design {
-  using Params = blocks_model::Params;
+struct Design : faulty::Design {
   static constexpr const char* name = "blocks";
-  static constexpr auto parameters(const Params& p) {
-    return std::array<Parameter, 1>{{{"FAULT", p.fault}}};
-  }
   static constexpr auto in(const Params&) { return stream<Block>("in").by<Giver>(); }
   static constexpr auto out(const Params&) { return stream<Digest>("digest").always_ready(); }
   static constexpr auto pins(const Params&) {

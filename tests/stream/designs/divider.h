@@ -1,16 +1,14 @@
 // Start and done in place of ready and valid, and a rule of what may go in.
 #pragma once
 
+#include "../../support/fault.h"
 #include "model/core/stated.h"
 #include "model/core/stream.h"
 
 namespace divider_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define DIVIDER_ASKED(FIELD)             \
   FIELD(dividend, 8, number, "", "what") \
@@ -21,12 +19,8 @@ struct Params {
 COSIM_RECORD(Asked, DIVIDER_ASKED, Params);
 COSIM_RECORD(Given, DIVIDER_GIVEN, Params);
 
-struct Design {
-  using Params = divider_model::Params;
+struct Design : faulty::Design {
   static constexpr const char* name = "divider";
-  static constexpr auto parameters(const Params& p) {
-    return std::array<Parameter, 1>{{{"FAULT", p.fault}}};
-  }
   static constexpr auto in(const Params&) {
     return stream<Asked>("asked").prefix("").valid("start").until("done");
   }

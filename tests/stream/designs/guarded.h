@@ -1,6 +1,7 @@
 // Both models of guarded.sv: what passes is as it was, and what it does on every clock.
 #pragma once
 
+#include "../../support/fault.h"
 #include "model/core/bit_strings.h"
 #include "model/core/design.h"
 #include "model/core/stated.h"
@@ -9,10 +10,7 @@
 namespace guarded_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define GUARDED_INPUTS(FIELD)                        \
   FIELD(rst, 1, flag, "", "nothing is held")         \
@@ -53,12 +51,9 @@ constexpr auto invariant(const Params& p, const State<V>& s) {
                               !is_set(s.y_valid) | !(is_set(s.odd) ^ is_odd(p, s.y_data))}};
 }
 
-struct Design {
+struct Design : faulty::Design {
   COSIM_DESIGN(guarded_model);
   static constexpr const char* name = "guarded";
-  static constexpr auto parameters(const Params& p) {
-    return std::array<Parameter, 1>{{{"FAULT", p.fault}}};
-  }
   static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
 
   static constexpr auto in(const Params&) { return stream<Passed>("x"); }

@@ -1,15 +1,13 @@
 // Packets: a `last` among the fields, ports by another prefix, one result for many transactions.
 #pragma once
 
+#include "../../support/fault.h"
 #include "model/core/stream.h"
 
 namespace packets_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define PACKETS_BYTE(FIELD)          \
   FIELD(data, 8, bits, "", "a byte") \
@@ -20,12 +18,8 @@ struct Params {
 COSIM_RECORD(Byte, PACKETS_BYTE, Params);
 COSIM_RECORD(Sum, PACKETS_SUM, Params);
 
-struct Design {
-  using Params = packets_model::Params;
+struct Design : faulty::Design {
   static constexpr const char* name = "packets";
-  static constexpr auto parameters(const Params& p) {
-    return std::array<Parameter, 1>{{{"FAULT", p.fault}}};
-  }
   static constexpr auto in(const Params&) { return stream<Byte>("s").prefix("s_axis_t"); }
   static constexpr auto out(const Params&) { return stream<Sum>("sum").always_ready().latency(1); }
   static constexpr auto pins(const Params&) { return std::array{pin::reset("rst")}; }

@@ -1,15 +1,13 @@
 // Two streams in and two out, wide fields, pins that belong to no stream.
 #pragma once
 
+#include "../../support/fault.h"
 #include "model/core/stream.h"
 
 namespace pairs_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define PAIRS_A(FIELD)              \
   FIELD(number, 8, number, "", "a") \
@@ -22,12 +20,8 @@ COSIM_RECORD(B, PAIRS_B, Params);
 COSIM_RECORD(Sum, PAIRS_SUM, Params);
 COSIM_RECORD(Parts, PAIRS_PARTS, Params);
 
-struct Design {
-  using Params = pairs_model::Params;
+struct Design : faulty::Design {
   static constexpr const char* name = "pairs";
-  static constexpr auto parameters(const Params& p) {
-    return std::array<Parameter, 1>{{{"FAULT", p.fault}}};
-  }
   static constexpr auto in(const Params&) {
     return std::tuple{stream<A>("a"), stream<B>("b").valid("b_vld").ready("b_rdy")};
   }

@@ -3,15 +3,13 @@
 
 #include <optional>
 
+#include "../../support/fault.h"
 #include "model/core/stream.h"
 
 namespace serial_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define SERIAL_BYTE(FIELD) FIELD(byte, 8, number, "", "what is sent")
 COSIM_RECORD(Sent, SERIAL_BYTE, Params);
@@ -64,12 +62,8 @@ class Receiver {
   int bit_ = none, byte_ = 0;
 };
 
-struct Design {
-  using Params = serial_model::Params;
+struct Design : faulty::Design {
   static constexpr const char* name = "serial";
-  static constexpr auto parameters(const Params& p) {
-    return std::array<Parameter, 1>{{{"FAULT", p.fault}}};
-  }
   static constexpr auto in(const Params&) { return stream<Sent>("in").by<Sender>(); }
   static constexpr auto out(const Params&) { return stream<Sent>("out").by<Receiver>(); }
   static constexpr auto pins(const Params&) { return std::array{pin::reset("rst")}; }

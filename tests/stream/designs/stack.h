@@ -1,25 +1,19 @@
 // What passes is as it was, in its order.
 #pragma once
 
+#include "../../support/fault.h"
 #include "model/core/stream.h"
 
 namespace stack_model {
 
 using namespace cosim;
-
-struct Params {
-  int fault;
-};
+using faulty::Params;
 
 #define STACK_WORD(FIELD) FIELD(data, 8, number, "", "what passes")
 COSIM_RECORD(Passed, STACK_WORD, Params);
 
-struct Design {
-  using Params = stack_model::Params;
+struct Design : faulty::Design {
   static constexpr const char* name = "stack";
-  static constexpr auto parameters(const Params& p) {
-    return std::array<Parameter, 1>{{{"FAULT", p.fault}}};
-  }
   static constexpr auto in(const Params&) { return stream<Passed>("x"); }
   static constexpr auto out(const Params&) { return stream<Passed>("y").latency(1); }
   static constexpr auto pins(const Params&) { return std::array{pin::reset("rst")}; }

@@ -14,39 +14,25 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
+// The texts between the @ of a list.
+Texts split(const std::string& list) {
+  Texts all;
+  std::istringstream stream(list);
+  for (std::string text; std::getline(stream, text, '@');) all.push_back(text);
+  return all;
+}
+
 const std::string& any(Random& random, const Texts& all) { return all[random.below(all.size())]; }
 
 bool one_in(Random& random, std::uint64_t n) { return random.below(n) == 0; }
 
 // Small ones are drawn to their end; the others lie at limits and beyond them.
 std::string number(Random& random) {
-  static const Texts odd{"0",
-                         "65535",
-                         "65536",
-                         "4294967295",
-                         "4294967296",
-                         "2147483647",
-                         "-1",
-                         "-0",
-                         "9223372036854775807",
-                         "281474976710656",
-                         "281474976710657",
-                         "1099511627776",
-                         "18446744073709551615",
-                         "18446744073709551616",
-                         "1000000",
-                         "2000001",
-                         "1.5",
-                         "1e9",
-                         "1e-9",
-                         "nan",
-                         "inf",
-                         "0x10",
-                         "+7",
-                         " 7",
-                         "7x",
-                         "",
-                         "99999999999999999999999999999999999999999"};
+  static const Texts odd = split(
+      "0@65535@65536@4294967295@4294967296@2147483647@-1@-0@9223372036854775807@"
+      "281474976710656@281474976710657@1099511627776@18446744073709551615@18446744073709551616@"
+      "1000000@2000001@1.5@1e9@1e-9@nan@inf@0x10@+7@ 7@7x@@"
+      "99999999999999999999999999999999999999999");
   if (one_in(random, 6)) return any(random, odd);
   const std::uint64_t size = std::uint64_t{1} << (1 + random.below(11));
   return (one_in(random, 20) ? "-" : "") + std::to_string(random.below(size));
@@ -71,39 +57,10 @@ Texts small_words(const std::string& text) {
 // A name that yosys, gnuplot, CMake, a shell or a terminal would read as more than a name, where it
 // comes to them as it is.
 std::string hostile_name(Random& random) {
-  static const Texts pieces{"a",
-                            " ",
-                            "\"",
-                            "'",
-                            ";",
-                            "|",
-                            "&",
-                            "\\",
-                            "\n",
-                            "%s",
-                            "#",
-                            "*",
-                            "[",
-                            "]",
-                            "{}",
-                            "$1",
-                            "\x1b[2J",
-                            "-",
-                            "~",
-                            "<x",
-                            ">x",
-                            "\t",
-                            "!",
-                            ",",
-                            "=",
-                            "(",
-                            ")",
-                            "exec -- touch pwned",
-                            "$(touch pwned)",
-                            "`touch pwned`",
-                            "!touch pwned",
-                            "$ENV{HOME}",
-                            "system \"touch pwned\""};
+  static const Texts pieces = split(
+      "a@ @\"@'@;@|@&@\\@\n@%s@#@*@[@]@{}@$1@\x1b[2J@-@~@<x@>x@\t@!@,@=@(@)@"
+      "exec -- touch pwned@$(touch pwned)@`touch pwned`@!touch pwned@$ENV{HOME}@"
+      "system \"touch pwned\"");
   std::string name;
   const std::uint64_t count = 1 + random.below(5);
   for (std::uint64_t i = 0; i < count; ++i) name += any(random, pieces);
@@ -111,30 +68,10 @@ std::string hostile_name(Random& random) {
 }
 
 std::string file(Random& random, const std::string& help) {
-  static const Texts names{"a",
-                           "b.csv",
-                           "c.json",
-                           "d.txt",
-                           "none/x",
-                           "sub/e",
-                           ".f",
-                           "g h",
-                           "q'",
-                           "-x",
-                           "./i",
-                           "../j",
-                           "u\xc3\xa4",
-                           "\xff",
-                           "n\nl",
-                           "",
-                           ".",
-                           "/",
-                           "/dev/null",
-                           "/dev/full",
-                           "/dev/stdout",
-                           "/proc/self/cmdline",
-                           std::string(300, 'l'),
-                           std::string(250, 'm')};
+  static const Texts names = split(
+      "a@b.csv@c.json@d.txt@none/x@sub/e@.f@g h@q'@-x@./i@../j@u\xc3\xa4@\xff@n\nl@@.@/@"
+      "/dev/null@/dev/full@/dev/stdout@/proc/self/cmdline@" +
+      std::string(300, 'l') + '@' + std::string(250, 'm'));
   std::string name = one_in(random, 5)   ? any(random, input_names())
                      : one_in(random, 4) ? hostile_name(random)
                                          : any(random, names);

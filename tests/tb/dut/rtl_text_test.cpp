@@ -35,9 +35,14 @@ TEST(Unobserved, IsWhatPatternsAllowAndNoFieldNames) {
       (Names{"store", "debug.a", "debug.b.c"}));
 }
 
-// What is said where the tables have these fields, and debug.* is in unobserved.
+// What is said of fields in the tables and patterns in unobserved.
+template <class... More>
+std::string said_of(const RtlText& rtl, const std::vector<Field>& fields,
+                    const std::vector<std::string>& patterns, const More&... more) {
+  return test::error_of([&] { unobserved_signals(rtl, fields, patterns, more...); });
+}
 std::string refused(const std::vector<Field>& fields) {
-  return test::error_of([&] { unobserved_signals(kText, fields, {"debug.*"}); });
+  return said_of(kText, fields, {"debug.*"});
 }
 std::string escapes(const std::string& part) {
   return "made W=4: the RTL has a register " + part +
@@ -76,10 +81,7 @@ TEST(Unobserved, MayBeSomeBits) {
   const std::vector<Field> some{field("count[1:0]", 2), store[1], store[2], field("sub.out")};
   EXPECT_EQ(unobserved_signals(kText, some, {"debug.*", "count[3:2]", "store"}),
             (Names{"count[3:2]", "store[0]", "store[3]", "debug.a", "debug.b.c"}));
-  EXPECT_EQ(test::error_of([&] {
-              unobserved_signals(kText, some, {"debug.*", "count[3:2]", "store[0]"});
-            }),
-            escapes("store[3]"));
+  EXPECT_EQ(said_of(kText, some, {"debug.*", "count[3:2]", "store[0]"}), escapes("store[3]"));
 }
 
 TEST(Unobserved, BitsThatHoldNoStateNeedNoField) {
@@ -93,7 +95,7 @@ TEST(Unobserved, SoIsAMemoryOfSeveralDimensions) {
   EXPECT_EQ(unobserved_signals(deep, {field("count")}, {"grid"}), Names{"grid"});
   for (const std::vector<Field>& fields :
        {std::vector<Field>{field("count")}, {field("count"), field("grid")}}) {
-    const std::string refused = test::error_of([&] { unobserved_signals(deep, fields, {}); });
+    const std::string refused = said_of(deep, fields, {});
     EXPECT_TRUE(refused.ends_with(
         "register grid: a memory of more dimensions than one can only be in unobserved"))
         << refused;
@@ -105,9 +107,7 @@ TEST(Unobserved, SoIsAnOutputThatNoRowNames) {
   const std::vector<Field> spared{field("spared[3:0]")};
   EXPECT_EQ(unobserved_signals(made, {}, {"*"}, spared), (Names{"q", "spare"}));
   EXPECT_EQ(unobserved_signals(made, {field("q", 1)}, {"spare"}, spared), Names{"spare"});
-  EXPECT_EQ(test::error_of([&] {
-              unobserved_signals(made, {}, {"q", "spared"}, spared);
-            }),
+  EXPECT_EQ(said_of(made, {}, {"q", "spared"}, spared),
             "made: unobserved has spared, and the RTL has no such register or output beside the "
             "tables");
 }
@@ -116,42 +116,34 @@ TEST(Unobserved, APatternThatNamesNothingIsRefused) {
   const std::vector<Field> fields{field("count"), store[0], store[1],
                                   store[2],       store[3], field("top", 8)};
   for (const char* pattern : {"debug", "debug.x*", "count", "count[1:0]", "*.d"}) {
-    EXPECT_EQ(test::error_of([&] {
-                unobserved_signals(kText, fields, {"debug.*", pattern});
-              }),
+    EXPECT_EQ(said_of(kText, fields, {"debug.*", pattern}),
               std::string("made W=4: unobserved has ") + pattern +
                   ", and the RTL has no such register or output beside the tables");
   }
 }
 
+// What is said of the resets of a design, and of its pins.
+std::string said_of(const RtlText& rtl, Resets design, const std::vector<ResetPin>& pins) {
+  return test::error_of([&] { require_resets(rtl, design, pins); });
+}
+
 TEST(Resets, AreThoseThatTheDesignNames) {
   const RtlText none{"made", "q", ""}, high{"made", "q", "rst"}, low{"made", "q", "low rst_n"};
   const auto at_edge = Resets::at_edge, at_once = Resets::at_once, each = Resets::each_at_once;
-  EXPECT_EQ(test::error_of([&] { require_resets(none, at_edge, {{"rst", true}}); }), "");
-  EXPECT_EQ(test::error_of([&] { require_resets(high, at_once, {{"rst", true}}); }), "");
-  EXPECT_EQ(test::error_of([&] { require_resets(low, at_once, {{"rst_n", false}}); }), "");
-  EXPECT_EQ(test::error_of([&] {
-              require_resets(low, each, {{"rst_n", false}, {"x", true}});
-            }),
-            "");
+  const ResetPin rst{"rst", true}, rst_n{"rst_n", false}, x{"x", true};
+  EXPECT_EQ(said_of(none, at_edge, {rst}), "");
+  EXPECT_EQ(said_of(high, at_once, {rst}), "");
+  EXPECT_EQ(said_of(low, at_once, {rst_n}), "");
+  EXPECT_EQ(said_of(low, each, {rst_n, x}), "");
   const std::string no_register = ", and no register of the RTL has an asynchronous reset";
-  EXPECT_EQ(test::error_of([&] {
-              require_resets(none, at_once, {{"rst", true}});
-            }),
-            "made: asynchronous_reset" + no_register);
-  EXPECT_EQ(test::error_of([&] {
-              require_resets(none, each, {{"rst", true}});
-            }),
-            "made: reset()" + no_register);
-  EXPECT_EQ(test::error_of([&] {
-              require_resets(low, at_edge, {{"rst_n", false}});
-            }),
+  EXPECT_EQ(said_of(none, at_once, {rst}), "made: asynchronous_reset" + no_register);
+  EXPECT_EQ(said_of(none, each, {rst}), "made: reset()" + no_register);
+  EXPECT_EQ(said_of(low, at_edge, {rst_n}),
             "made: rst_n resets asynchronously: struct Design is to say asynchronous_reset = true");
-  for (const std::vector<ResetPin>& pins : {std::vector<ResetPin>{{"rst_n", true}},
-                                            {{"other", false}},
-                                            {{"rst_n", false}, {"x", true}}}) {
+  for (const std::vector<ResetPin>& pins :
+       {std::vector<ResetPin>{{"rst_n", true}}, {{"other", false}}, {rst_n, x}}) {
     EXPECT_EQ(
-        test::error_of([&] { require_resets(low, at_once, pins); }),
+        said_of(low, at_once, pins),
         "made: rst_n resets asynchronously where it is 0, and reset_inputs() is to differ from "
         "rest() in that alone");
   }
@@ -160,18 +152,16 @@ TEST(Resets, AreThoseThatTheDesignNames) {
 TEST(Resets, OfSeveralAreGivenTogether) {
   const RtlText two{"made", "q", "a\nlow b"};
   const ResetPin a{"a", true}, b{"b", false}, b_high{"b", true}, x{"x", true};
-  EXPECT_EQ(test::error_of([&] { require_resets(two, Resets::each_at_once, {a, b}); }), "");
-  EXPECT_EQ(test::error_of([&] { require_resets(two, Resets::each_at_once, {x, b, a}); }), "");
+  EXPECT_EQ(said_of(two, Resets::each_at_once, {a, b}), "");
+  EXPECT_EQ(said_of(two, Resets::each_at_once, {x, b, a}), "");
   for (const std::vector<ResetPin>& pins :
        {std::vector<ResetPin>{a}, {a, x}, std::vector<ResetPin>{a, b_high}}) {
-    EXPECT_EQ(test::error_of([&] { require_resets(two, Resets::each_at_once, pins); }),
+    EXPECT_EQ(said_of(two, Resets::each_at_once, pins),
               "made: b resets asynchronously where it is 0, and reset_inputs() is to give it");
   }
   for (const Resets design : {Resets::at_edge, Resets::at_once}) {
     EXPECT_EQ(
-        test::error_of([&] {
-          require_resets(two, design, {a, b});
-        }),
+        said_of(two, design, {a, b}),
         "made: a and b reset asynchronously: the model is to say what each clears, with reset()");
   }
 }
@@ -181,12 +171,13 @@ TEST(Unreset, RegistersAreFieldsOfTheState) {
   const Field a{"a", 1, Format::bits, "", ""}, b{"b", 1, Format::bits, "", ""};
   Field unreset = b;
   unreset.unreset = true;
-  EXPECT_EQ(test::error_of([&] { require_taken_over(made, {a, b}, {a}); }), "");
-  EXPECT_EQ(test::error_of([&] { require_taken_over(made, {a, unreset}, {a, b}); }), "");
+  const auto said_of = [&](const std::vector<Field>& registers, const std::vector<Field>& state) {
+    return test::error_of([&] { require_taken_over(made, registers, state); });
+  };
+  EXPECT_EQ(said_of({a, b}, {a}), "");
+  EXPECT_EQ(said_of({a, unreset}, {a, b}), "");
   EXPECT_EQ(
-      test::error_of([&] {
-        require_taken_over(made, {a, unreset}, {a});
-      }),
+      said_of({a, unreset}, {a}),
       "made: b is unreset(), and no field of the state: the model takes its value over by that "
       "name");
 }
@@ -195,9 +186,9 @@ TEST(Resets, ByARegisterAreInReset) {
   for (const char* resets : {"inner ready", "low rst_n\ninner low ready"}) {
     const RtlText made{"made", "q", resets};
     const ResetPin rst_n{"rst_n", false};
-    EXPECT_EQ(test::error_of([&] { require_resets(made, Resets::each_at_once, {rst_n}); }), "");
+    EXPECT_EQ(said_of(made, Resets::each_at_once, {rst_n}), "");
     for (const Resets design : {Resets::at_edge, Resets::at_once}) {
-      EXPECT_EQ(test::error_of([&] { require_resets(made, design, {rst_n}); }),
+      EXPECT_EQ(said_of(made, design, {rst_n}),
                 "made: register ready resets others asynchronously: the model is to say what it "
                 "clears, with reset()");
     }

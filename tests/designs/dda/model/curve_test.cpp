@@ -7,13 +7,15 @@
 #include <functional>
 #include <string>
 
-#include "model/core/input_error.h"
 #include "model/dda/equation.h"
 #include "model/dda/job.h"
 #include "model/dda/oracle.h"
+#include "tests/support/error_of.h"
 
 namespace cosim::dda {
 namespace {
+
+using Clocks = std::optional<std::int64_t>;
 
 constexpr Params kP{8};
 
@@ -170,108 +172,54 @@ TEST(DdaCurve, HasAPointNextToAnyOther) {
   expect_on(line(kP, {10, 5}, {}), {4, 3}, 4.4, 2.2);
 }
 
-struct Refused {
-  const char* says;
-  std::function<void()> job;
-};
-
 TEST(DdaCurve, IsRefusedInOneLine) {
-  const Refused all[] = {
-      {"line: DX = 256 does not fit dda W=8",
-       [] {
-         line(kP, {256, 0}, {});
-       }},
-      {"line: DY = -256 does not fit dda W=8",
-       [] {
-         line(kP, {0, -256}, {});
-       }},
-      {"arc: (0, 12) to (12, 0) does not go left and up",
-       [] {
-         arc(kP, {0, 12}, {12, 0}, {});
-       }},
-      {"arc: (0, 13) is off the circle of (12, 0)",
-       [] {
-         arc(kP, {12, 0}, {0, 13}, {});
-       }},
-      {"circle: R = 0 is no radius", [] { circle(kP, 0, {}); }},
-      {"circle: its rates overflow dda W=8 at ", [] { circle(kP, 255, {}); }},
-      {"conic: 2 A = 256 does not fit",
-       [] {
-         conic(kP, {128, 0, 1, 0, 0, -4}, {2, 0}, {});
-       }},
-      // Products that 64 bits do not hold.
-      {"conic: A = -4611686018427387904 is more than 2147483647 in size",
-       [] {
-         conic(kP, {-(std::int64_t{1} << 62), 0, 1, 0, 0, -4}, {2, 0}, {});
-       }},
-      {"conic: F = 144115188075855873 is more than 144115188075855872 in size",
-       [] {
-         conic({32}, {1, 0, 1, 0, 0, (std::int64_t{1} << 57) + 1}, {0, 0}, {});
-       }},
-      {"conic: it does not pass (4294967295, 0)",
-       [] {
-         conic({32}, {0x7fffffff, 0, 1, 0, 0, -1}, {0xffffffff, 0}, {});
-       }},
-      {"conic: its rates overflow every machine at (4294967295, 2)",
-       [] {
-         conic({32}, {1, -0x7fffffff, 0, -1, 0, 2}, {0xffffffff, 2}, {});
-       }},
-      {"conic: it is degenerate",
-       [] {
-         conic(kP, {1, 0, -1, 0, 0, 0}, {2, 2}, {});
-       }},
-      {"conic: it is degenerate",
-       [] {
-         conic(kP, {0, 0, 0, 1, -1, 0}, {2, 2}, {});
-       }},
-      {"conic: it does not pass (11, 0)",
-       [] {
-         conic(kP, {1, 0, 1, 0, 0, -109}, {11, 0}, {});
-       }},
-      // (x - 1) (y - 1) = 0
-      {"conic: it is degenerate",
-       [] {
-         conic(kP, {0, 1, 0, -1, -1, 1}, {1, 5}, {}, 10);
-       }},
-      {"conic: it does not pass (5, 0)",
-       [] {
-         conic(kP, {1, 0, 1, 0, 0, -9}, {5, 0}, {});
-       }},
-      {"conic: (0, 0) is its centre",
-       [] {
-         conic(kP, {1, 0, 1, 0, 0, -9}, {0, 0}, {});
-       }},
-      {"conic: it is no ellipse",
-       [] {
-         conic(kP, {1, 0, 0, 0, -4, 0}, {0, 0}, {});
-       }},
-      {"conic: its rates overflow dda W=8 at ",
-       [] {
-         conic(kP, {1, 0, 4, 0, 0, -10000}, {100, 0}, {});
-       }},
-      // Parabolas, which rise to y = x^2 / 4 = 256, and the other to x = 256.
-      {"conic: it leaves the codes of dda W=8 at (32, 256)",
-       [] {
-         conic(kP, {1, 0, 0, 0, -4, 0}, {0, 0}, {}, 4000);
-       }},
-      {"conic: it leaves the codes of dda W=8 at (256, -3",
-       [] {
-         conic(kP, {0, 0, 1, -4, 0, 0}, {0, 0}, {}, 4000);
-       }},
-      {"circle: -1 clocks are not", [] { circle(kP, 12, {}, -1); }},
-      {"conic: 268435456 clocks are not",
-       [] {
-         conic(kP, {1, 0, 1, 0, 0, -9}, {3, 0}, {}, 1 << 28);
-       }},
+  const Settings settings;
+  const auto of = [](const std::string& says, const std::function<void()>& curve) {
+    EXPECT_EQ(test::error_of(curve).substr(0, says.size()), says);
   };
-  for (const Refused& r : all) {
-    try {
-      r.job();
-      ADD_FAILURE() << "taken: " << r.says;
-    } catch (const InputError& error) {
-      EXPECT_EQ(std::string(error.what()).substr(0, std::string(r.says).size()), r.says);
-    }
-  }
+  const auto of_line = [&](const std::string& says, Point to) {
+    of(says, [&] { line(kP, to, settings); });
+  };
+  const auto of_arc = [&](const std::string& says, Point from, Point to) {
+    of(says, [&] { arc(kP, from, to, settings); });
+  };
+  const auto of_circle = [&](const std::string& says, std::int64_t radius, Clocks clocks = {}) {
+    of(says, [&] { circle(kP, radius, settings, clocks); });
+  };
+  const auto of_conic = [&](const std::string& says, const Conic& q, Point from, Clocks clocks = {},
+                            const Params& p = kP) {
+    of(says, [&] { conic(p, q, from, settings, clocks); });
+  };
+  of_line("line: DX = 256 does not fit dda W=8", {256, 0});
+  of_line("line: DY = -256 does not fit dda W=8", {0, -256});
+  of_arc("arc: (0, 12) to (12, 0) does not go left and up", {0, 12}, {12, 0});
+  of_arc("arc: (0, 13) is off the circle of (12, 0)", {12, 0}, {0, 13});
+  of_circle("circle: R = 0 is no radius", 0);
+  of_circle("circle: its rates overflow dda W=8 at ", 255);
+  of_circle("circle: -1 clocks are not", 12, -1);
+  of_conic("conic: 2 A = 256 does not fit", {128, 0, 1, 0, 0, -4}, {2, 0});
+  // Products that 64 bits do not hold.
+  of_conic("conic: A = -4611686018427387904 is more than 2147483647 in size",
+           {-(std::int64_t{1} << 62), 0, 1, 0, 0, -4}, {2, 0});
+  const Params wide{32};
+  of_conic("conic: F = 144115188075855873 is more than 144115188075855872 in size",
+           {1, 0, 1, 0, 0, (std::int64_t{1} << 57) + 1}, {0, 0}, {}, wide);
+  of_conic("conic: it does not pass (4294967295, 0)", {0x7fffffff, 0, 1, 0, 0, -1}, {0xffffffff, 0},
+           {}, wide);
+  of_conic("conic: its rates overflow every machine at (4294967295, 2)",
+           {1, -0x7fffffff, 0, -1, 0, 2}, {0xffffffff, 2}, {}, wide);
+  of_conic("conic: it is degenerate", {1, 0, -1, 0, 0, 0}, {2, 2});
+  of_conic("conic: it is degenerate", {0, 0, 0, 1, -1, 0}, {2, 2});
+  of_conic("conic: it is degenerate", {0, 1, 0, -1, -1, 1}, {1, 5}, 10);  // (x - 1) (y - 1) = 0
+  of_conic("conic: it does not pass (11, 0)", {1, 0, 1, 0, 0, -109}, {11, 0});
+  of_conic("conic: it does not pass (5, 0)", {1, 0, 1, 0, 0, -9}, {5, 0});
+  of_conic("conic: (0, 0) is its centre", {1, 0, 1, 0, 0, -9}, {0, 0});
+  of_conic("conic: it is no ellipse", {1, 0, 0, 0, -4, 0}, {0, 0});
+  of_conic("conic: its rates overflow dda W=8 at ", {1, 0, 4, 0, 0, -10000}, {100, 0});
+  // Parabolas, which rise to y = x^2 / 4 = 256, and the other to x = 256.
+  of_conic("conic: it leaves the codes of dda W=8 at (32, 256)", {1, 0, 0, 0, -4, 0}, {0, 0}, 4000);
+  of_conic("conic: it leaves the codes of dda W=8 at (256, -3", {0, 0, 1, -4, 0, 0}, {0, 0}, 4000);
+  of_conic("conic: 268435456 clocks are not", {1, 0, 1, 0, 0, -9}, {3, 0}, 1 << 28);
 }
 
 // ---- The host -----------------------------------------------------------------------------------

@@ -33,10 +33,7 @@ In sector2(In in = rest()) {
   in.sector2 = 1;
   return in;
 }
-In stop(In in = rest()) {
-  in.stop = 1;
-  return in;
-}
+In stop() { return {.stop = 1}; }
 /// Every request at once.
 In all_requests(In in = rest()) { return sector2(start(load(21, 9, 19, in))); }
 
@@ -114,9 +111,7 @@ TEST_F(CircularPins, NoStepComesWithStop) {
 // A reset clears behind the clock, like any register: the step of that clock is given.
 TEST_F(CircularPins, TheStepComesWithReset) {
   machine = in_the_arc(1);
-  In in = rest();
-  in.rst = 1;
-  EXPECT_EQ(letter(machine.clock(in)), '|');
+  EXPECT_EQ(letter(machine.clock({.rst = 1})), '|');
   EXPECT_EQ(words(), kCleared);
 }
 

@@ -29,12 +29,10 @@ std::uint64_t square(std::int64_t radius) { return static_cast<std::uint64_t>(ra
 
 Pins load(int width, std::int64_t radius) {
   const Setup s = setup({radius, 0}, square(radius));
-  Pins in = rest_of<Design>();
-  in.load = 1;
-  in.f = low_bits(s.f, width + 2);
-  in.ct7 = to_ones_complement(s.ct7, width + 1);
-  in.ct8 = to_ones_complement(s.ct8, width + 1);
-  return in;
+  return {.load = 1,
+          .f = low_bits(s.f, width + 2),
+          .ct7 = to_ones_complement(s.ct7, width + 1),
+          .ct8 = to_ones_complement(s.ct8, width + 1)};
 }
 
 /// The arc, and `clocks` clocks after its start.
@@ -202,11 +200,7 @@ Script disturbed(const Pins& request) {
   return script;
 }
 
-Pins level34() {
-  Pins in = rest_of<Design>();
-  in.sector2 = 1;
-  return in;
-}
+Pins level34() { return {.sector2 = 1}; }
 
 // After five steps the whole of the other arc is drawn, from where the first one stands.
 TEST(CircularW4Errata, C10AsPrintedTakesALoadWhileRunning) {
@@ -230,8 +224,7 @@ TEST(CircularW4Errata, C10IsFoundByLockstep) {
 }
 
 TEST(CircularW4Errata, C10AsShippedLetsNoRequestDisturbAnArc) {
-  Pins start = rest_of<Design>();
-  start.start = 1;
+  const Pins start{.start = 1};
   Pins all = load(4, 5);
   all.start = all.sector2 = 1;
   const auto steps = static_cast<std::int64_t>(exact(12).size()) - 1;

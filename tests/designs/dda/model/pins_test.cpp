@@ -23,13 +23,7 @@ Word wrapped(Word v) { return ((v + 16) % 32 + 32) % 32 - 16; }
 Word floor_16(Word v) { return v < 0 ? -((15 - v) / 16) : v / 16; }
 
 In rest() { return rest_of<Design>(); }
-In write(Word address, Word data) {
-  In in = rest();
-  in.write = 1;
-  in.address = address;
-  in.data = data;
-  return in;
-}
+In write(Word address, Word data) { return {.write = 1, .address = address, .data = data}; }
 In with_start(In in) {
   in.start = 1;
   return in;

@@ -16,28 +16,10 @@ constexpr Params kParams{5, 2};
 constexpr Word kBp = 27, kUk = 0b01010;
 
 In rest() { return Design::rest(); }
-In write_bp(Word bp) {
-  In in = rest();
-  in.write_bp = 1;
-  in.data = bp;
-  return in;
-}
-In write_uk(Word uk) {
-  In in = rest();
-  in.write_uk = 1;
-  in.data = uk;
-  return in;
-}
-In start() {
-  In in = rest();
-  in.start = 1;
-  return in;
-}
-In initial_set() {
-  In in = rest();
-  in.initial_set_n = 0;
-  return in;
-}
+In write_bp(Word bp) { return {.initial_set_n = 1, .write_bp = 1, .data = bp}; }
+In write_uk(Word uk) { return {.initial_set_n = 1, .write_uk = 1, .data = uk}; }
+In start() { return {.initial_set_n = 1, .start = 1}; }
+In initial_set() { return {.initial_set_n = 0}; }
 /// Every request at once.
 In all_requests(In in) {
   in.write_bp = in.write_uk = in.start = 1;
@@ -207,9 +189,7 @@ TEST_F(LinearPins, WriteBpWinsOverWriteUkAndStart) {
 
 TEST_F(LinearPins, WriteUkWinsOverStart) {
   clock({write_bp(kBp), write_uk(0)});
-  In in = write_uk(kUk);
-  in.start = 1;
-  machine.clock(in);
+  clock({{.initial_set_n = 1, .write_uk = 1, .start = 1, .data = kUk}});
   EXPECT_EQ(registers().trigger31, 0);
   EXPECT_EQ(registers().trigger32, 1);
   EXPECT_EQ(registers().register3, 0b10);
@@ -254,9 +234,7 @@ TEST_F(LinearPins, NothingAskedNothingDone) {
 
 // Data alone is no request.
 TEST_F(LinearPins, DataWithoutAWriteIsNotTaken) {
-  In in = rest();
-  in.data = 31;
-  machine.clock(in);
+  clock({{.initial_set_n = 1, .data = 31}});
   EXPECT_EQ(words(), (cosim::Words<Registers<Word>>{}));
 }
 

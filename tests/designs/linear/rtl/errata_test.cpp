@@ -32,23 +32,9 @@ constexpr std::uint64_t kLastWord = 8;
 const Variant& shipped() { return test::variant<Design>("shipped/m5_n2"); }
 const Variant& printed(const std::string& name) { return test::variant<Design>("errata/" + name); }
 
-Pins bp(Word steps) {
-  Pins in = Design::rest();
-  in.write_bp = 1;
-  in.data = steps;
-  return in;
-}
-Pins uk(Code code) {
-  Pins in = Design::rest();
-  in.write_uk = 1;
-  in.data = static_cast<Word>(code);
-  return in;
-}
-Pins start() {
-  Pins in = Design::rest();
-  in.start = 1;
-  return in;
-}
+Pins bp(Word steps) { return {.initial_set_n = 1, .write_bp = 1, .data = steps}; }
+Pins uk(Code code) { return {.initial_set_n = 1, .write_uk = 1, .data = static_cast<Word>(code)}; }
+Pins start() { return {.initial_set_n = 1, .start = 1}; }
 
 /// Enough clocks to the end of any line.
 void finish(Script& script) { script.resize(script.size() + 10, Design::rest()); }
@@ -80,16 +66,13 @@ std::vector<Words> exact(Word steps, Code code) {
   return words;
 }
 
-std::int64_t major_steps(const std::vector<Words>& words) {
+std::int64_t steps_of(const std::vector<Words>& words, std::uint64_t Words::*axis) {
   std::int64_t steps = 0;
-  for (const Words& w : words) steps += std::popcount(w.major);
+  for (const Words& w : words) steps += std::popcount(w.*axis);
   return steps;
 }
-std::int64_t minor_steps(const std::vector<Words>& words) {
-  std::int64_t steps = 0;
-  for (const Words& w : words) steps += std::popcount(w.minor);
-  return steps;
-}
+std::int64_t major_steps(const std::vector<Words>& w) { return steps_of(w, &Words::major); }
+std::int64_t minor_steps(const std::vector<Words>& w) { return steps_of(w, &Words::minor); }
 
 // Row 000 of Table 2 is 00000000, and the carry of counter 4 selects it for the last word.
 TEST(LinearM5N2Errata, L1AsPrintedWipesTheLastFullWord) {
@@ -207,9 +190,7 @@ TEST(LinearM5N2Errata, L8AsShippedLetsNoRequestDisturbALine) {
 /// The example's line given up on the clock that shows its second word; then a code without a BP.
 Script given_up() {
   Script script = {bp(27), uk(kCode), start(), Design::rest(), Design::rest()};
-  Pins initial_set = Design::rest();
-  initial_set.initial_set_n = 0;
-  script.insert(script.end(), {initial_set, uk(kCode), start()});
+  script.insert(script.end(), {Pins{.initial_set_n = 0}, uk(kCode), start()});
   finish(script);
   return script;
 }

@@ -11,35 +11,31 @@ namespace {
 
 using Param = const LinearBench*;
 
+template <class Condition>
+auto shapes(Condition condition) {
+  return testing::ValuesIn(test::benches_with<Design>(condition));
+}
+auto all_shapes() { return testing::ValuesIn(benches_of<Design>()); }
+
 class PrintedRoms : public testing::TestWithParam<Param> {};
 TEST_P(PrintedRoms, Table1) { printed::expect_table1(*GetParam()); }
 TEST_P(PrintedRoms, Table2) { printed::expect_table2(*GetParam()); }
-INSTANTIATE_TEST_SUITE_P(Linear, PrintedRoms,
-                         testing::ValuesIn(test::benches_with<Design>([](Params p) {
-                           return p.gamma() == 3;
-                         })),
+INSTANTIATE_TEST_SUITE_P(Linear, PrintedRoms, shapes([](Params p) { return p.gamma() == 3; }),
                          test::name_of_shape<Param>);
 
 class PrintedRun : public testing::TestWithParam<Param> {};
 TEST_P(PrintedRun, Table3) { printed::expect_table3(*GetParam()); }
-INSTANTIATE_TEST_SUITE_P(Linear, PrintedRun,
-                         testing::ValuesIn(test::benches_with<Design>([](Params p) {
-                           return p.m == 5 && p.n == 2;
-                         })),
+INSTANTIATE_TEST_SUITE_P(Linear, PrintedRun, shapes([](Params p) { return p.m == 5 && p.n == 2; }),
                          test::name_of_shape<Param>);
 
 class EveryLine : public testing::TestWithParam<Param> {};
 TEST_P(EveryLine, Matches) { counted::expect_every_line(*GetParam()); }
-INSTANTIATE_TEST_SUITE_P(Linear, EveryLine,
-                         testing::ValuesIn(test::benches_with<Design>([](Params p) {
-                           return p.m <= 8;
-                         })),
+INSTANTIATE_TEST_SUITE_P(Linear, EveryLine, shapes([](Params p) { return p.m <= 8; }),
                          test::name_of_shape<Param>);
 
 class RandomLines : public testing::TestWithParam<Param> {};
 TEST_P(RandomLines, Match) { counted::expect_random_lines(*GetParam(), 1, 4000); }
-INSTANTIATE_TEST_SUITE_P(Linear, RandomLines, testing::ValuesIn(benches_of<Design>()),
-                         test::name_of_shape<Param>);
+INSTANTIATE_TEST_SUITE_P(Linear, RandomLines, all_shapes(), test::name_of_shape<Param>);
 
 // The longest line there is, to the last of its 2^N words, and so the whole range of counter 4 and
 // of multiplier 6. Where that is too many words, a line of the first 2^23.
@@ -58,8 +54,7 @@ TEST_P(LongestLine, Matches) {
   EXPECT_EQ(result.checked.jobs, jobs.size());
   EXPECT_EQ(result.checked.count("steps"), positions);
 }
-INSTANTIATE_TEST_SUITE_P(Linear, LongestLine, testing::ValuesIn(benches_of<Design>()),
-                         test::name_of_shape<Param>);
+INSTANTIATE_TEST_SUITE_P(Linear, LongestLine, all_shapes(), test::name_of_shape<Param>);
 
 // First strobe two clocks after the start, then one a clock, ceil(BP / 2^gamma) of them.
 class Strobe : public testing::TestWithParam<Param> {};
@@ -84,8 +79,7 @@ TEST_P(Strobe, ComesTwoClocksAfterTheStartAndOnEveryClockToTheEnd) {
   }
   EXPECT_EQ(at, clocks.size());
 }
-INSTANTIATE_TEST_SUITE_P(Linear, Strobe, testing::ValuesIn(benches_of<Design>()),
-                         test::name_of_shape<Param>);
+INSTANTIATE_TEST_SUITE_P(Linear, Strobe, all_shapes(), test::name_of_shape<Param>);
 
 }  // namespace
 }  // namespace cosim::linear

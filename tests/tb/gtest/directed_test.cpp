@@ -8,10 +8,10 @@
 
 #include "model/core/input_error.h"
 #include "model/core/record.h"
-#include "tb/bench/design_bench.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
 #include "tests/support/error_of.h"
+#include "tests/support/model_adapter.h"
 
 namespace cosim::counted {
 
@@ -42,30 +42,14 @@ struct Design {
 
 // Its sum is 1 more from `faulty` on.
 template <Word faulty>
-class Rtl final : public Dut<Design> {
+class Rtl final : public test::ModelAdapter<Design, Params{}> {
  public:
-  static constexpr Params params{};
-
-  explicit Rtl(std::uint32_t) {}
-  void drive(const Inputs& in) override { in_ = in; }
-  void eval(bool clk) override {
-    if (clk && !clk_) state_ = next(params, state_, in_).state;
-    clk_ = clk;
-  }
+  using ModelAdapter::ModelAdapter;
   Outputs outputs() const override {
-    return {next(params, state_, in_).outputs.sum + (state_.total >= faulty ? 1 : 0)};
+    return {ModelAdapter::outputs().sum + (registers().total >= faulty ? 1 : 0)};
   }
-  State<Word> registers() const override { return state_; }
-
- private:
-  State<Word> state_{};
-  Inputs in_{};
-  bool clk_ = false;
 };
 
-}  // namespace cosim::counted
-
-namespace cosim::counted {
 namespace {
 
 using In = Inputs<Word>;

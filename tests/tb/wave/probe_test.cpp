@@ -1,11 +1,11 @@
 // What a wave shows beside the fields is what the design's view has, if it has one.
 #include "model/core/probe.h"
-#include "model/core/record.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
+#include "model/core/design.h"
 #include "tb/support/read_file.h"
 #include "tb/wave/picture.h"
 #include "tests/support/folder.h"
@@ -15,49 +15,26 @@
 namespace cosim {
 namespace {
 
-// Two bits of shift register.
+// Two bits of shift register: a design without a view.
+namespace shift {
+
+struct Params {};
+
 #define SHIFT_INPUTS(FIELD) FIELD(in, 1, flag, "", "what comes in")
 #define SHIFT_STATE(FIELD) FIELD(held, 2, bits, "", "the last two")
 #define SHIFT_OUTPUTS(FIELD) FIELD(out, 1, flag, "", "what came in before the last")
-struct Params {};
-COSIM_RECORD(Inputs, SHIFT_INPUTS, Params);
-COSIM_RECORD(State, SHIFT_STATE, Params);
-COSIM_RECORD(Registers, SHIFT_STATE, Params);
-COSIM_RECORD(Outputs, SHIFT_OUTPUTS, Params);
+COSIM_RECORDS(SHIFT, Params);
 
-// A design without a view.
+template <class V>
+constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
+  return {{low_bits(shift_left(s.held, 1) + in.in, 2)}, {shift_right(s.held, 1)}};
+}
+
 struct Bare {
-  using Params = cosim::Params;
-  template <class V>
-  using Inputs = cosim::Inputs<V>;
-  template <class V>
-  using Outputs = cosim::Outputs<V>;
-  template <class V>
-  using State = cosim::State<V>;
-  template <class V>
-  using Registers = cosim::Registers<V>;
-  template <class V>
-  struct Step {
-    State<V> state;
-    Outputs<V> outputs;
-  };
-  template <class V>
-  static constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
-    return {{low_bits(shift_left(s.held, 1) + in.in, 2)}, {shift_right(s.held, 1)}};
-  }
-  template <class V>
-  static constexpr Registers<V> registers(const Params&, const State<V>& s) {
-    return {s.held};
-  }
+  COSIM_DESIGN(shift);
   static constexpr const char* name = "shift";
   static constexpr const char* source = "made up";
-  static constexpr std::array<Parameter, 0> parameters(const Params&) { return {}; }
-  static constexpr cosim::Inputs<Word> rest() { return {}; }
-  static constexpr cosim::Inputs<Word> reset_inputs() { return {}; }
-  template <class V>
-  static constexpr State<V> reset_state() {
-    return {};
-  }
+  static constexpr Inputs<Word> reset_inputs() { return {}; }
 };
 
 // The same with one.
@@ -84,6 +61,8 @@ struct Seen : Bare {
   };
 };
 
+}  // namespace shift
+
 class ProbesOf : public testing::Test {
  protected:
   std::string draw(const AnyBench& bench) {
@@ -99,7 +78,7 @@ class ProbesOf : public testing::Test {
 };
 
 TEST_F(ProbesOf, ADesignWithoutAViewAreNone) {
-  const AnyBench& bench = test::model_bench<Bare, Params{}>();
+  const AnyBench& bench = test::model_bench<shift::Bare, shift::Params{}>();
   EXPECT_TRUE(bench.probes().empty());
   const std::string path = draw(bench);
   EXPECT_EQ(folder_.names(), (std::vector<std::string>{"x.fst", "x.gtkw"}));
@@ -112,7 +91,7 @@ TEST_F(ProbesOf, ADesignWithoutAViewAreNone) {
 }
 
 TEST_F(ProbesOf, AViewAreInTheWave) {
-  const std::string path = draw(test::model_bench<Seen, Params{}>());
+  const std::string path = draw(test::model_bench<shift::Seen, shift::Params{}>());
   EXPECT_EQ(folder_.names(), (std::vector<std::string>{"x.fst", "x.gtkw", "x.level.txt"}));
   EXPECT_EQ(text("x.level.txt"), "0 low\n1 high\n");
   const std::string view = text("x.gtkw");

@@ -22,21 +22,12 @@ std::string rtl(const std::string& kept, const std::string& ports = "input [3:0]
 
 class EquivFailure : public testing::Test {
  protected:
-  Ended told_apart(const std::string& gold, const std::string& gate, Arguments more = {}) {
-    Arguments words{"equiv",
-                    "--gold",
-                    folder_.write("gold.v", gold),
-                    "--gate",
-                    folder_.write("gate.v", gate),
-                    "--top",
-                    "m",
-                    "--failures",
-                    folder_.path("kept"),
-                    "--report",
-                    folder_.path("report.json"),
-                    "--html",
-                    folder_.path("page.html")};
-    return cosim(joined(words, more));
+  Ended told_apart(const std::string& gold, const std::string& gate, const Arguments& more = {}) {
+    return cosim(
+        joined({"equiv", "--gold", folder_.write("gold.v", gold), "--gate",
+                folder_.write("gate.v", gate), "--top", "m", "--failures", folder_.path("kept"),
+                "--report", folder_.path("report.json"), "--html", folder_.path("page.html")},
+               more));
   }
   std::string kept(const std::string& name) const { return folder_.text("kept/m-equiv/" + name); }
   Json report() const { return Json::parse(folder_.text("report.json")); }

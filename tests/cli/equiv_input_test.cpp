@@ -69,11 +69,9 @@ TEST(EquivReplay, ShowsADifferenceInVerilator) {
            " a <= #1 d; b <= #1 a; end assign " +
            name + " = " + y + ";\nendmodule\n";
   };
-  const Ended ended = equiv(rtl("q", "off ? 0 : b"), rtl("y", "b & ~(b == 9)"),
-                            {"--param", "W=4", "--tie", "off=0", "--map", "q=y"});
-  EXPECT_EQ(ended.status, 1) << ended.out << ended.err;
-  EXPECT_NE(ended.out.find("q is 1000, was 1001; replayed in Verilator\n"), std::string::npos)
-      << ended.out;
+  expect_said(1, rtl("q", "off ? 0 : b"), rtl("y", "b & ~(b == 9)"),
+              "q is 1000, was 1001; replayed in Verilator\n",
+              {"--param", "W=4", "--tie", "off=0", "--map", "q=y"});
 }
 
 TEST(EquivReplay, ADifferenceThatVerilatorDoesNotShowIsNotClaimed) {
@@ -81,11 +79,7 @@ TEST(EquivReplay, ADifferenceThatVerilatorDoesNotShowIsNotClaimed) {
   const std::string two = module_of(", input d, output y",
                                     "`ifdef VERILATOR\nassign y = d;\n`else\nassign y = ~d;\n"
                                     "`endif");
-  const Ended ended = equiv(one, two);
-  EXPECT_EQ(ended.status, 3) << ended.out << ended.err;
-  EXPECT_NE(ended.out.find("undecided: the netlists differ, but not the RTL in Verilator"),
-            std::string::npos)
-      << ended.out;
+  expect_said(3, one, two, "undecided: the netlists differ, but not the RTL in Verilator");
 }
 
 TEST(Equiv, SaysWhereThereIsNoVerilator) {

@@ -30,11 +30,11 @@ TEST(Equiv, TheSameNetlistNeedsNoEngine) {
   const Ended same = equiv(one, "// moved\n\n" + one);
   EXPECT_EQ(same.status, 0) << same.out;
   EXPECT_NE(same.out.find("equal for ever, by the same netlist"), std::string::npos) << same.out;
-  const Ended told = equiv(one, module_of(", input [7:0] a, b, (* mark = 1 *) output reg [7:0] q",
-                                          "(* told = \"so\" *) always @(posedge clk) "
-                                          "q <= rst ? 0 : a * b + 1;"));
-  EXPECT_EQ(told.status, 0) << told.out;
-  EXPECT_NE(told.out.find("by the same netlist"), std::string::npos) << told.out;
+  expect_said(0, one,
+              module_of(", input [7:0] a, b, (* mark = 1 *) output reg [7:0] q",
+                        "(* told = \"so\" *) always @(posedge clk) "
+                        "q <= rst ? 0 : a * b + 1;"),
+              "by the same netlist");
   expect_different(one,
                    module_of(", input [7:0] a, b, output reg [7:0] q",
                              "always @(posedge clk) q <= rst ? 0 : a * b + 2;"),
@@ -80,9 +80,7 @@ TEST(Equiv, RegistersWithAnAsynchronousResetAreMatchedByName) {
            " p <= 1; end else begin n <= " +
            sum + "; q <= n; p <= ^n; end endmodule\n";
   };
-  const Ended ended = equiv(rtl("n + d"), rtl("d - ~n - 1"));
-  EXPECT_EQ(ended.status, 0) << ended.out;
-  EXPECT_NE(ended.out.find("by registers by name"), std::string::npos) << ended.out;
+  expect_said(0, rtl("n + d"), rtl("d - ~n - 1"), "by registers by name");
 }
 
 TEST(Equiv, IsTheSameWrittenOtherwise) {
@@ -167,9 +165,7 @@ TEST(Equiv, AnXIsAnyValueHoweverRareAndNoMoreThanThat) {
   };
   expect_equal(rtl("x == 16'ha5c3"), rtl("1"));
   // Here the values would have to be others on every clock, which is not tried: it is said.
-  const Ended open = equiv(rtl("x == 16'ha5c3 && z == 16'h1234"), rtl("d"));
-  EXPECT_EQ(open.status, 3) << open.out << open.err;
-  EXPECT_NE(open.out.find("what the old RTL leaves x"), std::string::npos) << open.out;
+  expect_said(3, rtl("x == 16'ha5c3 && z == 16'h1234"), rtl("d"), "what the old RTL leaves x");
   expect_different(rtl("d ^ (x == x)"), rtl("d"), "y is ");
   expect_different(rtl("d & (x[0] | ~x[0])"), rtl("1"), "y is 1, was 0");
 }
@@ -191,9 +187,8 @@ TEST(Equiv, AMemoryThatGetsTheSameIsOne) {
                          "]; always @(posedge clk) begin if (we) " + name + "[w] <= " + data +
                          "; q <= " + name + "[r]; end");
   };
-  const Ended ended = equiv(rtl("store", "4095", "d + 1"), rtl("store", "4095", "1 + d"));
-  EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
-  EXPECT_NE(ended.out.find("by memories that get the same"), std::string::npos) << ended.out;
+  expect_said(0, rtl("store", "4095", "d + 1"), rtl("store", "4095", "1 + d"),
+              "by memories that get the same");
   expect_different(rtl("store", "3", "d"), rtl("store", "3", "d & ~8"), "q is ");
   // Of another name it holds other values before anything is written; those of the old are x.
   expect_equal(rtl("store", "1", "d"), rtl("other", "1", "d"));
@@ -232,9 +227,7 @@ TEST(Equiv, AMemoryIsOneHoweverManyPortsWriteIt) {
   };
   const std::string one = rtl("if (we) store[sel ? v : w] <= sel ? ~d : d;");
   const std::string two = rtl("if (we && sel) store[v] <= ~d; if (we && !sel) store[w] <= d;");
-  const Ended ended = equiv(one, two);
-  EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
-  EXPECT_NE(ended.out.find("by memories that get the same"), std::string::npos) << ended.out;
+  expect_said(0, one, two, "by memories that get the same");
   // The last one that writes decides.
   const auto small = [&](const std::string& writes) {
     std::string text = rtl(writes);

@@ -26,8 +26,11 @@ refused() {
   printf 'new %s: status %d, it said\n%s\nin place of\n%s\n' "$*" "$status" "$said" "$line"
   exit 1
 }
-# rtl BODY: a module with a clock, some inputs and outputs.
+# wrong LINE OPTIONS...: that is all that it says of made.v.
+wrong() { refused "new: $1" made made.v "${@:2}"; }
+# rtl BODY: a module with a clock, some inputs and outputs. What was made before is gone.
 rtl() {
+  rm -rf made
   printf 'module made(input wire clk, other, d, input wire [7:0] w, output reg q, r);\n%s\nendmodule\n' \
     "$1" > made.v
 }
@@ -36,14 +39,13 @@ refused "NAME: 'Made' is not small letters, digits and _, a letter first" Made
 refused "pair: exists" pair
 refused "none.v: no such file" made none.v
 rtl 'always @(posedge clk) q <= d'
-refused "new: Verilator cannot read it: %Error: made.v:3:1: syntax error, unexpected endmodule" made made.v
+wrong "Verilator cannot read it: %Error: made.v:3:1: syntax error, unexpected endmodule"
 rtl 'always @* if (other) q = d; always @(posedge clk) r <= q;'
-refused "new: q: a latch" made made.v
+wrong "q: a latch"
 rtl 'always @(posedge clk or posedge other) if (other) q <= 0; else q <= d;'
 "$program" new made made.v > said
 grep -q 'reset_inputs() { return {.other = 1}; }' made/made.h
 grep -qx '  static constexpr bool asynchronous_reset = true;' made/made.h
-rm -r made
 rtl 'always @(posedge clk or negedge other) if (!other) q <= 0; else q <= d;
      always @(posedge clk or posedge d) if (d) r <= 0; else r <= w[0];'
 "$program" new made made.v > said
@@ -56,7 +58,6 @@ constexpr State<V> reset(const Params&, State<V> s, const Inputs<V>& in) {
   static constexpr Inputs<Word> rest() { return {.other = 1}; }
   static constexpr Inputs<Word> reset_inputs() { return {.other = 0, .d = 1}; }
 RESET
-rm -r made
 # A register that resets others, behind what resets it.
 rtl 'reg ready; always @(posedge clk or negedge other) if (!other) ready <= 0; else ready <= 1;
      always @(posedge clk or negedge ready) if (!ready) q <= 1; else q <= d;'
@@ -72,26 +73,23 @@ constexpr State<V> reset(const Params&, State<V> s, const Inputs<V>& in) {
 RESET
 grep -q ' UNPROVED)$' made/CMakeLists.txt
 grep -qx 'made/made.h: a register resets others at once: nothing is proved of it' said
-rm -r made
 rtl 'reg ready; always @(posedge clk) ready <= d;
      always @(posedge clk or negedge ready) if (!ready) q <= 1; else q <= d;'
-refused "new: ready: a register that resets others at once, and no input resets anything" made made.v
+wrong "ready: a register that resets others at once, and no input resets anything"
 rtl 'wire x = d & other; always @(posedge clk or posedge x) if (x) q <= 0; else q <= d;'
-refused "new: q: an asynchronous reset by x, which is no input" made made.v
+wrong "q: an asynchronous reset by x, which is no input"
 rtl 'always @(posedge clk) q <= d; always @(negedge clk) r <= d;'
-refused "new: r and q: registers on both edges of clk" made made.v
+wrong "r and q: registers on both edges of clk"
 rtl 'reg half; always @(posedge clk) half <= !half; always @(posedge half) q <= d;'
-refused "new: q: its clock is half, which is no input" made made.v
+wrong "q: its clock is half, which is no input"
 rtl 'wire gated = clk & d; always @(posedge gated) q <= w[0]; always @(posedge other) r <= w[1];'
-refused "new: q: its clock is gated, which is no input" made made.v
+wrong "q: its clock is gated, which is no input"
 rtl 'always @(posedge clk) q <= d; always @(posedge other) r <= d;'
-refused "new: made: no stream goes in: it has no input whose name ends in valid or vld, and not both start and done" \
-  made made.v --stream
+wrong "made: no stream goes in: it has no input whose name ends in valid or vld, and not both start and done" --stream
 rtl 'wire x = !other; always @(posedge clk or posedge x) if (x) q <= 0; else q <= d;
      always @(posedge clk or negedge other) if (!other) r <= 0; else r <= d;'
 "$program" new made made.v > said
 grep -q 'reset_inputs() { return {.other = 0}; }' made/made.h
-rm -r made
 # The variable of loops in several processes is no latch, and none that only some ways write, where each
 # writes it before it is read.
 rtl 'integer i; reg [3:0] a, b;
@@ -99,24 +97,20 @@ rtl 'integer i; reg [3:0] a, b;
      always @* begin b = 0; if (d) for (i = 0; i < 4; i = i + 1) b[i] = a[i] && w[i + 4]; end
      always @(posedge clk) q <= ^b;'
 "$program" new made made.v > said
-rm -r made
 rtl 'integer i, n; reg [3:0] a;
      always @* begin a = 0; if (d) begin n = 0; for (i = 0; i < 4; i = i + 1) if (w[i]) n = i; a = n; end end
      always @(posedge clk) q <= ^a;'
 "$program" new made made.v > said
-rm -r made
 # A word of C++ is no name of a field.
 rtl 'always @(posedge clk) begin q <= d; r <= other; end'
 sed -i 's/\bother\b/delete/g' made.v
 "$program" new made made.v > said
 grep -qF 'FIELD(delete_, 1, flag.at("delete"), "", "")' made/made.h
-rm -r made
 rtl 'reg mem[1:4]; always @(posedge clk) begin mem[w[2:0]] <= d; q <= mem[w[6:4]]; end'
 "$program" new made made.v > said
 grep -qF 'FIELD(mem, 1, flag.array<4>().unreset(), "", "")' made/made.h
-rm -r made
 rtl '(* nomem2reg *) reg mem[0:3]; always @* if (other) mem[w[1:0]] = d; always @(posedge clk) q <= mem[w[5:4]];'
-refused "new: mem: a latch" made made.v
+wrong "mem: a latch"
 # Ports of both directions are split, whatever drives them; one that nothing drives is an input.
 # both BODY: a module with two.
 both() {
@@ -138,15 +132,15 @@ ports 'd, 1;a_in, 1;w_in, 2;a_out, 1;a_en, 1;w_out, 2;w_en, 2'
 both 'wire x = d ? q : '"'"'z; assign w[0] = x, w[1] = q ? 1'"'"'bZ : q; bufif0 (a, d, q);'
 ports 'd, 1;a_in, 1;w_in, 2;a_out, 1;a_en, 1;w_out, 2;w_en, 2'
 both 'assign {a, w[0]} = d ? 2'"'"'b0 : 2'"'"'bz;'
-refused "new: made: a: an inout port that is driven in a part of { }" made made.v --top made
+wrong "made: a: an inout port that is driven in a part of { }" --top made
 both 'reg x; always @* if (d) x = 0; else x = 1'"'"'bz; assign a = x;'
-refused "new: made: a: an inout port that is driven by 'x', which may be z" made made.v --top made
+wrong "made: a: an inout port that is driven by 'x', which may be z" --top made
 both 'pad one(a, d, q);'
-refused "new: made.one: its pins are given in their order, and p is an inout port" made made.v --top made
+wrong "made.one: its pins are given in their order, and p is an inout port" --top made
 both 'wire in; pad one(.p(in), .o(d), .e(q));'
-refused "new: made.one: its inout port p is joined to 'in', no inout port of made" made made.v --top made
+wrong "made.one: its inout port p is joined to 'in', no inout port of made" --top made
 both 'assign w = d ? 2'"'"'b0 : 2'"'"'bz; assign w[0] = q ? 1'"'"'b1 : 1'"'"'bz;'
-refused "new: made: w: an inout port that is driven more than once, in part" made made.v --top made
+wrong "made: w: an inout port that is driven more than once, in part" --top made
 # What is wrong in a file whose ports are split is said of that file.
 both 'assign a = d ? 1'"'"'b0 : 1'"'"'bz;
 `default_nettype none
@@ -159,36 +153,33 @@ grep -q '^cosim: new: Verilator cannot read it: %Error: made.v:5:[0-9]*: ' said
 rtl 'wire [1:0] y; wire z; part in(.d(d), .o(r)); MULT #(2) m(.A(w[5:4]), .B(2'"'"'d3), .C(~d), .Y(y), .Z(z));
      always @(posedge clk) q <= ^y ^ z;'
 printf 'module part(input d, output o); BUF b(.I(d), .O(o)); endmodule\n' >> made.v
-refused "new: made.v:5: no file has the module BUF: give a file that models it, or make a blackbox of it, whose pins become ports: cosim new --blackbox BUF, in CMake BLACKBOXES BUF" \
-  made made.v --top made
+wrong "made.v:5: no file has the module BUF: give a file that models it, or make a blackbox of it, whose pins become ports: cosim new --blackbox BUF, in CMake BLACKBOXES BUF" \
+  --top made
 sed -i 's/output reg q, r/output reg q, output r/' made.v
 "$program" new made made.v --top made --blackbox MULT --blackbox BUF > said
 diff - <(sed -n 's/^  FIELD(\([^,]*, [0-9]\).*/\1/p' made/made.h | paste -sd';') \
   <<< "other, 1;d, 1;w, 8;m_Y, 2;m_Z, 1;in_b_O, 1;q, 1;r, 1;m_A, 2;m_C, 1;in_b_I, 1;q, 1"
 grep -q ' BLACKBOXES MULT BUF CLOCK\| BLACKBOXES MULT BUF MODEL' made/CMakeLists.txt
 rm -r made
-refused "new: NONE: a blackbox that made has no instance of" made made.v --top made --blackbox NONE
+wrong "NONE: a blackbox that made has no instance of" --top made --blackbox NONE
 # A file may say which pins are outputs.
 rtl 'wire y; (* keep, x="1" *) (* z *) BOX b(.A(y), .Y(d)); always @(posedge clk) q <= y;'
 printf 'module BOX(input Y, output A); endmodule\n' >> made.v
 "$program" new made made.v --top made --blackbox BOX > said
 grep -q 'FIELD(b_A, 1' <(sed -n '/_INPUTS/,/_OUTPUTS/p' made/made.h)
 ! grep -q UNPROVED made/CMakeLists.txt || { echo "yosys does not read it" && exit 1; }
-rm -r made
 rtl 'wire y; BOX b(.A(d & w[0]), .Y(y)); always @(posedge clk) q <= y;'
-refused "new: BOX b: its pin A is joined to 'd & w[0]', and only a net, or its inverse, tells how wide it is" \
-  made made.v --blackbox BOX
+wrong "BOX b: its pin A is joined to 'd & w[0]', and only a net, or its inverse, tells how wide it is" --blackbox BOX
 rtl 'wire y; BOX b(d, y); always @(posedge clk) q <= y;'
-refused "new: BOX b: its pins are given in their order" made made.v --blackbox BOX
+wrong "BOX b: its pins are given in their order" --blackbox BOX
 rtl 'wire [3:0] y; genvar i; generate for (i = 0; i < 4; i = i + 1) begin BOX b(.A(d), .Y(y[i])); end endgenerate
      always @(posedge clk) q <= ^y;'
-refused "new: BOX b: instances of it in a loop" made made.v --blackbox BOX
+wrong "BOX b: instances of it in a loop" --blackbox BOX
 rtl 'always @* q = d;'
-refused "new: made has no register: nothing of it is a stream" made made.v --stream
+wrong "made has no register: nothing of it is a stream" --stream
 "$program" new made made.v > said
 grep -q ' COMBINATIONAL MODEL made.h)$' made/CMakeLists.txt
 grep -q '^#define MADE_STATE(FIELD)$' made/made.h
-rm -r made
 # Names that are commands, or more than names, to what reads them.
 rtl 'always @(posedge clk) q <= d;'
 # shellcheck disable=SC2016  # a name, not a variable
@@ -201,7 +192,7 @@ done
 mkdir -p other && printf '// none\n' > other/none.v
 mkdir -p 'y"; exec -- touch pwned; log "'
 cp made.v other/made.v
-refused "new: 'made.v' and 'other/made.v': two files of one name" made made.v other/made.v
+wrong "'made.v' and 'other/made.v': two files of one name" other/made.v
 cp made.v 'y"; exec -- touch pwned; log "/made.v'
 "$program" new made 'y"; exec -- touch pwned; log "/made.v' > said
 rm -r made
@@ -213,7 +204,7 @@ done
 printf '\xEF\xBB\xBF' | cat - made.v > other/bom.v
 refused "new: 'other/bom.v': begins with a byte-order mark, which is no Verilog" made other/bom.v
 rtl 'reg \q"x ; always @(posedge clk) begin \q"x <= d; q <= \q"x ; end'
-refused "new: 'q\"x': an escaped name is not supported" made made.v
+wrong "'q\"x': an escaped name is not supported"
 # A file whose name is a pattern to yosys is not another file; a field of any name compiles.
 mkdir '[o]' o
 cp made.v o/made.v
@@ -223,7 +214,6 @@ printf 'FIELD <= size ^ linux ^ EOF ^ index_a ^ a; end\nendmodule\n' >> '[o]/mad
 "$program" new made '[o]/made.v' > said
 printf '#include "made/made.h"\nint main() { return made_model::Inputs<cosim::Word>{}.V_ != 0; }\n' |
   "${CXX:-c++}" -std=gnu++20 -Wall -Wextra -Werror -fsyntax-only -I . -I "$sources" -x c++ -
-rm -r made
 # A name may be a word of C++, or one that the harness has itself.
 rtl 'always @(posedge clk) q <= d;'
 for name in switch parity select; do "$program" new $name made.v > said; done
@@ -233,9 +223,9 @@ rtl 'always @(posedge clk) q <= d;'
 refused "--top: no file has a module 'other'" made made.v --top other
 refused "--clock: 'a b' is no name in Verilog" made made.v --clock 'a b'
 refused "--clock: '' is no name in Verilog" made made.v --clock clk,,other
-refused "new: q: its clock is clk, and that of the design is d" made made.v --clock d
-refused "new: none: the RTL has no such input, which is to be its clock" made made.v --clock none
-refused "new: none: the RTL has no such input, which is to be its reset" made made.v --reset none
+wrong "q: its clock is clk, and that of the design is d" --clock d
+wrong "none: the RTL has no such input, which is to be its clock" --clock none
+wrong "none: the RTL has no such input, which is to be its reset" --reset none
 refused "--include: 'none': no such folder" made made.v --include none
 refused "-y: 'none': no such folder" made made.v -y none
 refused "--param: 'W' is not NAME=VALUE" made made.v --param W
@@ -244,11 +234,9 @@ refused "new: the top may be made or part: --top says which" another made.v part
 refused "new: no module in 'other/none.v'" made other/none.v
 refused "--plain: does not go with --stream" made --plain --stream
 rtl 'always @(posedge clk) q <= d;'
-refused "new: made: no stream goes in: it has no input whose name ends in valid or vld, and not both start and done" \
-  made made.v --stream
+wrong "made: no stream goes in: it has no input whose name ends in valid or vld, and not both start and done" --stream
 sed -i 's/ d,/ x_valid,/; s/<= d/<= x_valid/' made.v
-refused "new: made: no stream comes out: it has no output whose name ends in valid or vld, and not both start and done" \
-  made made.v --stream
+wrong "made: no stream comes out: it has no output whose name ends in valid or vld, and not both start and done" --stream
 sed -i 's/ q,/ y_valid,/; s/q <=/y_valid <=/' made.v
-refused "new: made: the stream x has no port for what passes" made made.v --stream
+wrong "made: the stream x has no port for what passes" --stream
 echo "read or refused"

@@ -1,8 +1,9 @@
-// Tables with arrays: members, cells, and what a shape does not have.
+// Arrays of values, and tables with them: members, cells, and what a shape does not have.
 #include <gtest/gtest.h>
 
 #include <string>
 
+#include "model/core/array.h"
 #include "model/core/design.h"
 #include "tb/lockstep/cells.h"
 #include "tb/stimulus/hostile.h"
@@ -124,6 +125,25 @@ TEST(HostileArrays, TakeCornersEachAndAsAWhole) {
   EXPECT_GT(zeros, 100);
   EXPECT_GT(ones_of_all, 100);
   EXPECT_GT(mixed, 10);
+}
+
+TEST(Array, StartsAsZerosUnlessGiven) {
+  constexpr Array<Word, 4> zeros;
+  constexpr Array<Word, 4> given{5, 6};
+  static_assert(given.size == 4 && given[1] == 6 && given[3] == 0);
+  for (const Word w : zeros) EXPECT_EQ(w, 0);
+}
+
+TEST(Array, HoldsWhatIsPutIntoAnElement) {
+  Array<Word, 3> a;
+  a[1] = 7;
+  EXPECT_EQ(a.elements, (std::array<Word, 3>{0, 7, 0}));
+}
+
+TEST(Array, IsSelectedElementByElement) {
+  constexpr Array<Word, 2> a{1, 2}, b{3, 4};
+  EXPECT_EQ(select(true, a, b).elements, a.elements);
+  EXPECT_EQ(select(false, a, b).elements, b.elements);
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
-// Sweeps on RTL at the ends of the parameters' ranges that rtl/shipped.txt leaves out, and on RTL
-// with a fault.
+// Sweeps on RTL other than as shipped: at the ends of the parameters' ranges that rtl/shipped.txt
+// leaves out, with a fault, and as a netlist.
 #include "tb/designs/circular/sweeps.h"
+#include "tests/designs/circular/counts.h"
+#include "tests/designs/circular/printed.h"
+#include "tests/rtl/netlist.h"
 #include "tests/rtl/variant_lanes.h"
 #include "tests/support/sweeps.h"
 
@@ -18,6 +21,15 @@ TEST(Narrowest, CircularDrawsEveryArc) {
 TEST(CircularLanesOfJobs, FindWhatOneAtATimeFinds) {
   const auto& v = test::variant<Design>("faults/two_from_one");
   test::expect_jobs_find(v, random_arcs(*v.bench, 1, 20'000));
+}
+
+TEST(CircularNetlist, MatchesOnHostileClocksAndDrawsEveryArc) {
+  const auto* bench = test::netlist<Design>();
+  if (bench == nullptr) GTEST_SKIP() << "no yosys";
+  test::expect_match_on_hostile_clocks(*bench);
+  printed::expect_tables(*bench);
+  counted::expect_every_start(*bench, ones(bench->params().width));
+  counted::expect_every_stop(*bench, ones(bench->params().width));
 }
 
 }  // namespace

@@ -9,7 +9,9 @@
 
 #include "tests/designs/dda/flow_chart.h"
 #include "tests/designs/dda/runs.h"
+#include "tests/designs/dda/shapes.h"
 #include "tests/support/model_adapter.h"
+#include "tests/support/reachable.h"
 #include "tests/support/sweeps.h"
 
 namespace cosim::dda {
@@ -138,6 +140,20 @@ TEST(DdaAccuracy, OfAFullTurnDrifts) {
   EXPECT_GT(turn(1000, Update::parallel), std::numbers::pi * 1000 / 1024 + 0.7);
   EXPECT_LT(turn(1000, Update::parallel), std::numbers::pi * 1000 / 1024 + 1.3);
   EXPECT_NEAR(turn(1000, Update::sequential), 1.5, 0.2);
+}
+
+// Every number of the state comes back from its code.
+void expect_recovered(const Params& p, const State<Word>& s) {
+  const auto fields = State<Word>::fields(p);
+  const auto numbers = to_words(s), codes = to_words(registers(p, s));
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    ASSERT_TRUE(is_state(fields[i], numbers[i])) << fields[i].name << ' ' << numbers[i];
+    ASSERT_EQ(value_of(fields[i], codes[i]), numbers[i]) << fields[i].name;
+  }
+}
+
+TEST(DdaReachable, StatesFitTheRegisters) {
+  test::expect_states_fit_the_registers<Design>(expect_recovered);
 }
 
 }  // namespace

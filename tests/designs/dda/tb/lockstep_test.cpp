@@ -1,8 +1,11 @@
 // The RTL of the DDA in lockstep with its model, every register and output on every clock, and
 // against the oracle.
+#include <gtest/gtest.h>
+
 #include "tb/designs/dda/sweeps.h"
 #include "tests/designs/dda/flow_chart.h"
 #include "tests/designs/dda/runs.h"
+#include "tests/support/lane_sweeps.h"
 #include "tests/support/sweeps.h"
 #include "tests/tb/shape.h"
 
@@ -47,6 +50,15 @@ TEST_P(RandomCurves, Match) {
   EXPECT_EQ(result.checked.jobs, 4000U);
 }
 INSTANTIATE_TEST_SUITE_P(Dda, RandomCurves, widths(2, 32), test::name_of_shape<Param>);
+
+TEST(DdaLanes, SumUpToTheSweepsOfOneCaseAtATime) {
+  const DdaBench& smallest = *benches_of<Design>().front();
+  Sweep lines = every_line(smallest);
+  lines.cases = 30;
+  test::expect_same_in_lanes(smallest, lines, 64);
+  test::expect_same_in_lanes(smallest, every_quarter(smallest), 64);
+  test::expect_same_in_lanes(smallest, random_lines_and_arcs(smallest, 1, 20'000), 64);
+}
 
 }  // namespace
 }  // namespace cosim::dda

@@ -5,7 +5,9 @@
 
 #include "tests/designs/linear/counts.h"
 #include "tests/designs/linear/printed.h"
+#include "tests/designs/linear/shapes.h"
 #include "tests/support/model_adapter.h"
+#include "tests/support/reachable.h"
 
 namespace cosim::linear {
 namespace {
@@ -50,6 +52,23 @@ TEST(LinearModelAgainstOracle, RandomLines) {
   counted::expect_random_lines(model<24, 21>(), 3, 5000);
   counted::expect_random_lines(model<32, 26>(), 4, 5000);
   counted::expect_random_lines(model<32, 31>(), 5, 5000);
+}
+
+// Every number of the state comes back from its code.
+void expect_recovered(const Params& p, const State<Word>& s) {
+  const auto r = registers(p, s);
+  const Word words = r.counter4 + r.trigger30;  // to put out, a formed one included
+  const bool extra = r.trigger32 != 0 && r.register5 != 0;
+  ASSERT_EQ(((words - extra) << p.gamma()) + r.register5, s.left);
+  if (s.formed != 0) {
+    ASSERT_EQ(s.running, 1);
+    ASSERT_EQ(s.coded, 1);
+    ASSERT_GT(s.left, 0);
+  }
+}
+
+TEST(LinearReachable, StatesFitTheRegisters) {
+  test::expect_states_fit_the_registers<Design>(expect_recovered);
 }
 
 }  // namespace

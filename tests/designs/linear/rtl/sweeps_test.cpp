@@ -1,6 +1,9 @@
-// Sweeps on RTL at the ends of the parameters' ranges that rtl/shipped.txt leaves out, and on RTL
-// with a fault.
+// Sweeps on RTL other than as shipped: at the ends of the parameters' ranges that rtl/shipped.txt
+// leaves out, with a fault, and as a netlist.
 #include "tb/designs/linear/sweeps.h"
+#include "tests/designs/linear/counts.h"
+#include "tests/designs/linear/printed.h"
+#include "tests/rtl/netlist.h"
 #include "tests/rtl/variant_lanes.h"
 #include "tests/support/sweeps.h"
 
@@ -18,6 +21,14 @@ TEST(Narrowest, LinearDrawsEveryLine) {
 TEST(LinearLanesOfJobs, FindWhatOneAtATimeFinds) {
   const auto& v = test::variant<Design>("faults/rom2_entry");
   test::expect_jobs_find(v, random_lines(*v.bench, 1, 20'000));
+}
+
+TEST(LinearNetlist, MatchesOnHostileClocksAndDrawsEveryLine) {
+  const auto* bench = test::netlist<Design>();
+  if (bench == nullptr) GTEST_SKIP() << "no yosys";
+  test::expect_match_on_hostile_clocks(*bench);
+  printed::expect_table3(*bench);
+  counted::expect_every_line(*bench);
 }
 
 }  // namespace

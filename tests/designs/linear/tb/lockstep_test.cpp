@@ -1,9 +1,13 @@
 // The RTL of the linear interpolator in lockstep with its model, every register and output on every
 // clock, and against the oracle.
+#include <gtest/gtest.h>
+
 #include "tb/designs/linear/figures.h"
+#include "tb/designs/linear/sweeps.h"
 #include "tb/sweep/drawn_sweep.h"
 #include "tests/designs/linear/counts.h"
 #include "tests/designs/linear/printed.h"
+#include "tests/support/lane_sweeps.h"
 #include "tests/tb/shape.h"
 
 namespace cosim::linear {
@@ -80,6 +84,13 @@ TEST_P(Strobe, ComesTwoClocksAfterTheStartAndOnEveryClockToTheEnd) {
   EXPECT_EQ(at, clocks.size());
 }
 INSTANTIATE_TEST_SUITE_P(Linear, Strobe, all_shapes(), test::name_of_shape<Param>);
+
+TEST(LinearLanes, SumUpToTheSweepsOfOneCaseAtATime) {
+  const LinearBench& smallest = *benches_of<Design>().front();
+  for (const Sweep& sweep : {every_line(smallest), random_lines(smallest, 1, 30'000)}) {
+    test::expect_same_in_lanes(smallest, sweep, 64);
+  }
+}
 
 }  // namespace
 }  // namespace cosim::linear

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <csignal>
-#include <limits>
 #include <sstream>
 
 #include "tb/support/random.h"

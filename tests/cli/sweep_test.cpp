@@ -2,7 +2,6 @@
 // Needs: linear, circular
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,6 @@
 // --wave, the folder of a failure, and replay, as a person meets them.
 // Needs: linear, circular, toolpath
 #include <gtest/gtest.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include "tests/cli/program.h"

@@ -1,7 +1,6 @@
 // A regression ends in the same report however it is cut, killed and gone on with.
 // Needs: linear
 #include <csignal>
-#include <fstream>
 #include <random>
 #include <set>
 

@@ -1,8 +1,6 @@
 // The words of the command line that are read as numbers: the same text as each kind.
 #include "tb/program/number.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <limits>

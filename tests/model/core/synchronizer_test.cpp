@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <string>
-
 #include "tb/stimulus/hostile.h"
 #include "tests/support/error_of.h"
 

@@ -1,7 +1,6 @@
 // The digest of examples/sha256 against the examples printed with the standard.
 #include <gtest/gtest.h>
 
-#include <cstdint>
 #include <string>
 #include <vector>
 

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "model/core/value.h"
 #include "tb/support/random.h"
 

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-
 #include "tb/proof/decide.h"
 #include "tb/proof/integer.h"
 #include "tb/support/parallel.h"

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <memory>
 
 namespace cosim {
 namespace {

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "model/core/design.h"
 #include "tb/support/read_file.h"
 #include "tb/wave/picture.h"

@@ -1,7 +1,6 @@
 // Arcs: the points of the CSV against the midpoint test on the circle itself.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <random>
 #include <string>
 

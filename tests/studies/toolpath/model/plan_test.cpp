@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "tests/studies/toolpath/model/helpers.h"
 

@@ -6,6 +6,8 @@
 #include <cctype>
 #include <ctime>
 #include <filesystem>
+#include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -50,21 +52,9 @@ double seconds_for(Target feed, const std::string& text) {
 // Values of every kind, small and huge; and deeper than is read.
 const std::vector<std::string>& others() {
   static const std::vector<std::string> all = [] {
-    std::vector<std::string> texts{"null",
-                                   "true",
-                                   "0",
-                                   "7",
-                                   "-1",
-                                   "18446744073709551615",
-                                   "1e300",
-                                   "-0.5",
-                                   "[]",
-                                   "{}",
-                                   "[{}]",
-                                   "\"\"",
-                                   "\"\\u001b[2J\\n\"",
-                                   "1e999",
-                                   R"({"a": 1, "a": 2})"};
+    std::istringstream words(R"(null true 0 7 -1 18446744073709551615 1e300 -0.5 [] {} [{}]
+                                "" "\u001b[2J\n" 1e999 {"a":1,"a":2})");
+    std::vector<std::string> texts{std::istream_iterator<std::string>(words), {}};
     texts.push_back("[7" + [] {
       std::string sevens;
       for (int i = 0; i < 1000; ++i) sevens += ",7";

@@ -4,7 +4,6 @@
 #include "tb/report/failure.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <ctime>
@@ -19,6 +18,7 @@
 #include "tests/rtl/straight.h"
 #include "tests/support/designs.h"
 #include "tests/support/explain.h"
+#include "tests/support/folder.h"
 #include "tests/support/vcd.h"
 
 namespace cosim::test {
@@ -28,16 +28,6 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kCases = 100;
 constexpr double kSeconds = 0.5;  // a hundredth is usual; the sanitizers take several times that
-
-class Folder {
- public:
-  Folder() : path_(fs::temp_directory_path() / ("cosim_failures." + std::to_string(getpid()))) {}
-  ~Folder() { fs::remove_all(path_); }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 template <class Design>
 Script<Design> script_of(const typename Design::Params& p, const Stimulus& s) {
@@ -93,7 +83,7 @@ void expect_failure_explained(const Variant<Design>& variant) {
 
   const Folder temporary;
   const std::clock_t began = std::clock();
-  const Failure failure = leave_failure(bench, "hostile", *found, {temporary.path(), {}});
+  const Failure failure = leave_failure(bench, "hostile", *found, {temporary.path(""), {}});
   const auto took = static_cast<double>(std::clock() - began) / CLOCKS_PER_SEC;
   testing::Test::RecordProperty("seconds", std::to_string(took));
   EXPECT_LT(took, kSeconds) << "of the processor";
@@ -163,17 +153,11 @@ Mismatch a_mismatch() {
   throw std::runtime_error("no planted fault is found");
 }
 
-std::vector<std::string> names_in(const fs::path& folder) {
-  std::vector<std::string> all;
-  for (const auto& entry : fs::directory_iterator(folder)) all.push_back(entry.path().filename());
-  return all;
-}
-
 TEST(FailureFolder, IsLeftByATest) {
   const Mismatch m = a_mismatch();
   const Folder temporary;
-  ASSERT_EQ(setenv("COSIM_FAILURES", temporary.path().c_str(), 1), 0);
-  const fs::path folder = temporary.path() / failure_name(*m.bench, "FailureFolder.IsLeftByATest");
+  ASSERT_EQ(setenv("COSIM_FAILURES", temporary.path("").c_str(), 1), 0);
+  const fs::path folder = temporary.path(failure_name(*m.bench, "FailureFolder.IsLeftByATest"));
   const std::string text = explain(m);
   EXPECT_TRUE(text.starts_with(to_text(m)));
   EXPECT_NE(text.find("cosim replay " + folder.string() + '\n'), std::string::npos) << text;
@@ -191,12 +175,12 @@ TEST(FailureFolder, MayBeLeftBySeveralAtOnce) {
   const Mismatch m = a_mismatch();
   const Folder temporary;
   const auto leave = [&] {
-    for (int i = 0; i < 10; ++i) leave_failure(*m.bench, "case", m, {temporary.path(), {}});
+    for (int i = 0; i < 10; ++i) leave_failure(*m.bench, "case", m, {temporary.path(""), {}});
   };
   { const std::jthread one(leave), two(leave); }
   const std::string name = failure_name(*m.bench, "case");
-  EXPECT_EQ(names_in(temporary.path()), (std::vector<std::string>{name}));
-  EXPECT_EQ(names_in(temporary.path() / name).size(), 13U);
+  EXPECT_EQ(temporary.names(), std::vector<std::string>{name});
+  EXPECT_EQ(std::distance(fs::directory_iterator(temporary.path(name)), {}), 13);
 }
 
 }  // namespace

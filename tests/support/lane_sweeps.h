@@ -17,6 +17,21 @@ inline void expect_equal(const Checked& together, const Checked& alone) {
   }
 }
 
+/// As they sum up, and where they fail.
+inline void expect_equal(const Result& together, const Result& alone) {
+  EXPECT_EQ(together.cases, alone.cases);
+  EXPECT_EQ(together.clocks, alone.clocks);
+  expect_equal(together.checked, alone.checked);
+  EXPECT_EQ(together.failed, alone.failed);
+  ASSERT_EQ(together.mismatch.has_value(), alone.mismatch.has_value());
+  if (!alone.mismatch) return;
+  EXPECT_EQ(together.mismatch->clock, alone.mismatch->clock);
+  EXPECT_EQ(together.mismatch->signal, alone.mismatch->signal);
+  EXPECT_EQ(together.mismatch->expected, alone.mismatch->expected);
+  EXPECT_EQ(together.mismatch->actual, alone.mismatch->actual);
+  EXPECT_EQ(together.mismatch->stimulus.clocks, alone.mismatch->stimulus.clocks);
+}
+
 /// The sums are the same for any number of threads, and wherever it was interrupted.
 inline void expect_same_in_lanes(const AnyBench& bench, const Sweep& sweep, int lanes) {
   SCOPED_TRACE(sweep.name + " in " + std::to_string(lanes));
@@ -31,9 +46,7 @@ inline void expect_same_in_lanes(const AnyBench& bench, const Sweep& sweep, int 
       if (done != 0) resume.done = run_sweep(first, 1);
       const Result together = run_sweep(some, threads, {}, resume);
       EXPECT_TRUE(together.match()) << explain(together);
-      EXPECT_EQ(together.cases, alone.cases);
-      EXPECT_EQ(together.clocks, alone.clocks);
-      expect_equal(together.checked, alone.checked);
+      expect_equal(together, alone);
     }
   }
 }
@@ -44,16 +57,7 @@ inline void expect_same_failure(const AnyBench& bench, const Sweep& sweep,
   const Result alone = run_sweep(sweep, 1);
   ASSERT_FALSE(alone.match());
   for (const unsigned threads : {1U, 2U}) {
-    const Result together = run_sweep(lanes::job_sweep(bench, built, sweep), threads);
-    ASSERT_EQ(together.mismatch.has_value(), alone.mismatch.has_value());
-    EXPECT_EQ(together.cases, alone.cases);
-    EXPECT_EQ(together.clocks, alone.clocks);
-    expect_equal(together.checked, alone.checked);
-    EXPECT_EQ(together.failed, alone.failed);
-    if (!alone.mismatch) continue;
-    EXPECT_EQ(together.mismatch->clock, alone.mismatch->clock);
-    EXPECT_EQ(together.mismatch->signal, alone.mismatch->signal);
-    EXPECT_EQ(together.mismatch->stimulus.clocks, alone.mismatch->stimulus.clocks);
+    expect_equal(run_sweep(lanes::job_sweep(bench, built, sweep), threads), alone);
   }
 }
 

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tb/dut/dut.h"
 #include "tb/lockstep/lockstep.h"
+#include "tests/support/model_adapter.h"
 
 namespace cosim::test {
 namespace masked {
@@ -52,19 +52,11 @@ struct Design {
 // where it is below 6, then of the outputs.
 std::size_t turned = 0;
 
-class Adapter final : public Dut<Design> {
+class Adapter final : public ModelAdapter<Design, Params{}> {
  public:
-  static constexpr Params params{};
-
-  explicit Adapter(int) {}
-  void drive(const Inputs& in) override { in_ = in; }
-  void eval(bool clk) override {
-    if (clk) state_ = next<Word>(params, state_, in_).state;
-  }
-  Outputs outputs() const override {
-    return wrong(next<Word>(params, state_, in_).outputs, State<Word>::size);
-  }
-  State<Word> registers() const override { return wrong(state_, 0); }
+  using ModelAdapter::ModelAdapter;
+  Outputs outputs() const override { return wrong(ModelAdapter::outputs(), State<Word>::size); }
+  State<Word> registers() const override { return wrong(ModelAdapter::registers(), 0); }
 
  private:
   template <class Record>
@@ -73,9 +65,6 @@ class Adapter final : public Dut<Design> {
     if (turned >= first && turned - first < words.size()) words[turned - first] ^= 1;
     return from_words<Record>(words);
   }
-
-  State<Word> state_{};
-  Inputs in_{};
 };
 
 }  // namespace masked

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <map>
 
 namespace cosim {
 namespace {
@@ -33,20 +34,13 @@ class Queue final : public StreamDut {
   Queue(Fault fault, std::uint64_t number) : fault_(fault), number_(number) {}
 
   std::vector<Net> nets(const Ports& ports) override {
+    const std::map<std::string, Net> named{
+        {"x_valid", net(x_valid_)}, {"x_ready", net(x_ready_)},  {"x_data", net(x_data_, 8)},
+        {"y_valid", net(y_valid_)}, {"y_ready", net(y_ready_)},  {"y_data", net(y_data_, 8)},
+        {"z_valid", net(y_valid_)}, {"z_data", net(y_data_, 8)}, {"rst", net(rst_)}};
     std::vector<Net> all;
-    const auto add = [&](const Field& f) {
-      if (std::string(f.name) == "x_valid") all.push_back(net(x_valid_));
-      if (std::string(f.name) == "x_data") all.push_back(net(x_data_, 8));
-      if (std::string(f.name) == "y_ready") all.push_back(net(y_ready_));
-      if (std::string(f.name) == "x_ready") all.push_back(net(x_ready_));
-      if (std::string(f.name) == "y_valid") all.push_back(net(y_valid_));
-      if (std::string(f.name) == "y_data") all.push_back(net(y_data_, 8));
-      if (std::string(f.name) == "z_valid") all.push_back(net(y_valid_));
-      if (std::string(f.name) == "z_data") all.push_back(net(y_data_, 8));
-      if (std::string(f.name) == "rst") all.push_back(net(rst_));
-    };
-    for (const Field& f : ports.inputs) add(f);
-    for (const Field& f : ports.outputs) add(f);
+    for (const Field& f : ports.inputs) all.push_back(named.at(f.name));
+    for (const Field& f : ports.outputs) all.push_back(named.at(f.name));
     all.push_back(net(clk_));
     return all;
   }

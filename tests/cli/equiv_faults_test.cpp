@@ -31,13 +31,10 @@ TEST(EquivFaults, AreDifferent) {
   for (const auto& variant : fs::directory_iterator(COSIM_VARIANTS)) {
     const std::string name = variant.path().filename().string();
     if (!name.starts_with("linear_faults_") && !name.starts_with("linear_errata_")) continue;
-    Arguments words{"equiv", "--top", "linear", "--netlists", "--failures", folder.path("kept")};
-    words.emplace_back("--gold");
-    for (const std::string& file : sources(COSIM_VARIANTS "/linear_shipped_m16_n13")) {
-      words.push_back(file);
-    }
-    words.emplace_back("--gate");
-    for (const std::string& file : sources(variant.path())) words.push_back(file);
+    const Arguments gold = joined(
+        {"equiv", "--top", "linear", "--netlists", "--failures", folder.path("kept"), "--gold"},
+        sources(COSIM_VARIANTS "/linear_shipped_m16_n13"));
+    const Arguments words = joined(joined(gold, {"--gate"}), sources(variant.path()));
     EXPECT_EQ(cosim(words).status, name == unseen ? 0 : 1) << name;
     ++faults;
   }

@@ -209,10 +209,8 @@ TEST(Equiv, AnOptionDoesNotTakeTheFileBehindIt) {
       {"--include", folder.path("")},          {"--map", "y=y", "--map", "z=z"},
       {"--assume", "off", "--assume", "other"}};
   for (const Arguments& options : all) {
-    Arguments words{"equiv", "--rev", "HEAD", "--top", "m"};
-    words.insert(words.end(), options.begin(), options.end());
-    words.push_back(file);
-    const Ended ended = cosim(words);
+    const Ended ended =
+        cosim(joined(joined({"equiv", "--rev", "HEAD", "--top", "m"}, options), {file}));
     EXPECT_EQ(ended.status, 0) << options.front() << ended.out << ended.err;
   }
 }

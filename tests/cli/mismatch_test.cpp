@@ -22,10 +22,9 @@ Found find(Arguments command, std::uint64_t clock, const std::string& signal) {
   const Folder folder;
   const bool writes_csv = command.front() != "sweep";
   if (writes_csv) command.insert(command.end(), {"--csv", folder.path("csv")});
-  command.insert(command.end(), {"--report", folder.path("report")});
-  command.insert(command.end(), {"--failures", folder.path("failures")});
   Found f;
-  f.ended = faulty(command);
+  f.ended = faulty(
+      joined(command, {"--report", folder.path("report"), "--failures", folder.path("failures")}));
   EXPECT_EQ(f.ended.status, 1);
   EXPECT_EQ(f.ended.err, "");
   EXPECT_NE(f.ended.out.find("\nverdict: MISMATCH\n"), std::string::npos) << f.ended.out;

@@ -31,13 +31,10 @@ std::vector<Arguments> drawings() {
 
 TEST(Plot, DrawsEitherFormat) {
   if (!can_plot()) GTEST_SKIP() << "no gnuplot";
-  for (Arguments arguments : drawings()) {
+  for (const Arguments& plain : drawings()) {
     const Folder folder;
-    const Arguments plain = arguments;
     for (const char* name : {"a.svg", "a.png"}) {
-      arguments = plain;
-      arguments.insert(arguments.end(), {"--plot", folder.path(name)});
-      const Ended ended = cosim(arguments);
+      const Ended ended = cosim(joined(plain, {"--plot", folder.path(name)}));
       ASSERT_EQ(ended.status, 0) << ended.err;
       EXPECT_EQ(ended.out, cosim(plain).out);
     }
@@ -48,9 +45,8 @@ TEST(Plot, DrawsEitherFormat) {
 }
 
 void expect_no_plot(const std::string& file, const std::string& error) {
-  for (Arguments arguments : drawings()) {
-    arguments.insert(arguments.end(), {"--plot", file});
-    const Ended ended = cosim(arguments);
+  for (const Arguments& arguments : drawings()) {
+    const Ended ended = cosim(joined(arguments, {"--plot", file}));
     EXPECT_EQ(ended.status, 2) << arguments.front();
     EXPECT_EQ(ended.out, "");
     EXPECT_EQ(ended.err, "cosim: " + error + "\n");

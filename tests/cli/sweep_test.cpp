@@ -20,12 +20,10 @@ struct Swept {
   json report;
 };
 
-Swept sweep(Arguments arguments) {
+Swept sweep(const Arguments& arguments) {
   const Folder folder;
-  arguments.insert(arguments.begin(), "sweep");
-  arguments.insert(arguments.end(), {"--report", folder.path("r")});
   Swept s;
-  s.ended = cosim(arguments);
+  s.ended = cosim(joined(joined({"sweep"}, arguments), {"--report", folder.path("r")}));
   EXPECT_EQ(s.ended.status, 0);
   EXPECT_EQ(s.ended.err, "");
   EXPECT_TRUE(s.ended.out.ends_with("\nverdict: match\n")) << s.ended.out;

@@ -72,11 +72,8 @@ TEST(Wave, OfAPathIsOneAMachine) {
 
 TEST(Wave, ThatCannotBeDrawnIsSaidFirst) {
   const Folder folder;
-  const Arguments arc{"arc", "--radius", "5", "--wave"};
-  const auto with = [&](const std::string& file) {
-    Arguments all = arc;
-    all.push_back(file);
-    return all;
+  const auto with = [](const std::string& file) {
+    return Arguments{"arc", "--radius", "5", "--wave", file};
   };
   EXPECT_EQ(refusal(with("")), "cosim: --wave: names no file\n");
   EXPECT_EQ(refusal(with("x.vcd")), "cosim: --wave: x.vcd does not end in .fst\n");

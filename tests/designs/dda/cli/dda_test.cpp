@@ -19,11 +19,9 @@ struct Row {
   long clock = 0, dx = 0, dy = 0, x = 0, y = 0;
 };
 
-std::vector<Row> rows(Arguments arguments) {
+std::vector<Row> rows(const Arguments& arguments) {
   const Folder folder;
-  arguments.insert(arguments.begin(), "dda");
-  arguments.insert(arguments.end(), {"--csv", folder.path("x.csv")});
-  const Ended ended = cosim(arguments);
+  const Ended ended = cosim(joined({"dda", "--csv", folder.path("x.csv")}, arguments));
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_NE(ended.out.find("verdict: match"), std::string::npos) << ended.out;
   std::istringstream text(folder.text("x.csv"));
@@ -106,9 +104,8 @@ TEST(Dda, TakesTheSmallestMachineThatHoldsTheCurve) {
   EXPECT_EQ(machine({"dda", "--conic", "1,1,2,0,0,-10000", "--from", "100,0"}), "dda W=16");
 }
 
-void expect_refused_dda(Arguments arguments, const std::string& error) {
-  arguments.insert(arguments.begin(), "dda");
-  const Ended ended = cosim(arguments);
+void expect_refused_dda(const Arguments& arguments, const std::string& error) {
+  const Ended ended = cosim(joined({"dda"}, arguments));
   EXPECT_EQ(ended.status, 2);
   EXPECT_EQ(ended.out, "");
   EXPECT_EQ(ended.err.substr(0, error.size() + 7), "cosim: " + error);

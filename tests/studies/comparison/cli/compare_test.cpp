@@ -17,11 +17,9 @@ using nlohmann::json;
 
 const std::string kFlange = (test::project_root() / "tests/toolpaths/flange.ngc").string();
 
-std::map<std::string, json> compared(Arguments arguments) {
+std::map<std::string, json> compared(const Arguments& arguments) {
   const Folder folder;
-  arguments.insert(arguments.begin(), "compare");
-  arguments.insert(arguments.end(), {"--report", folder.path("r.json")});
-  const Ended ended = cosim(arguments);
+  const Ended ended = cosim(joined({"compare", "--report", folder.path("r.json")}, arguments));
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_NE(ended.out.find("verdict: match"), std::string::npos) << ended.out;
   std::map<std::string, json> all;
@@ -35,10 +33,9 @@ std::map<std::string, json> compared(Arguments arguments) {
 
 TEST(Compare, PageHasTheFiguresThatArePrinted) {
   const Folder folder;
-  const auto page_of = [&](Arguments more, const std::string& verdict) {
-    const Arguments all{"compare", "--line", "27,9", "--html", folder.path("x.html")};
-    more.insert(more.begin(), all.begin(), all.end());
-    const Ended e = cosim(more);
+  const auto page_of = [&](const Arguments& more, const std::string& verdict) {
+    const Ended e =
+        cosim(joined({"compare", "--line", "27,9", "--html", folder.path("x.html")}, more));
     EXPECT_EQ(e.status, 0) << e.err;
     const std::string page = folder.text("x.html");
     EXPECT_NE(page.find(">" + verdict + "</span>\n<h1>BP = 27, MP = 9</h1>"), std::string::npos);
@@ -140,9 +137,8 @@ TEST(Compare, OnlyWhatIsAskedFor) {
   EXPECT_EQ(compared({"--arc", "40", "--algorithms", "dda,midpoint"}).size(), 2U);
 }
 
-void expect_refused_compare(Arguments arguments, const std::string& error) {
-  arguments.insert(arguments.begin(), "compare");
-  const Ended ended = cosim(arguments);
+void expect_refused_compare(const Arguments& arguments, const std::string& error) {
+  const Ended ended = cosim(joined({"compare"}, arguments));
   EXPECT_EQ(ended.status, 2);
   EXPECT_EQ(ended.out, "");
   EXPECT_EQ(ended.err, "cosim: " + error + "\n");
@@ -203,9 +199,7 @@ TEST(Compare, DrawsArcsAndPrograms) {
        {Arguments{"compare", "--arc", "12"}, {"compare", kFlange, "--steps-per-mm", "1"}}) {
     const Folder folder;
     for (const char* name : {"a.svg", "a.png"}) {
-      Arguments arguments = plain;
-      arguments.insert(arguments.end(), {"--plot", folder.path(name)});
-      const Ended ended = cosim(arguments);
+      const Ended ended = cosim(joined(plain, {"--plot", folder.path(name)}));
       ASSERT_EQ(ended.status, 0) << ended.err;
       EXPECT_EQ(ended.out, cosim(plain).out);
     }

@@ -33,8 +33,7 @@ Drawing draw(Arguments command) {
   const Folder folder;
   command.insert(command.end(), {"--csv", folder.path("csv"), "--report", folder.path("report")});
   Drawing d;
-  d.ended = cosim(command);
-  EXPECT_EQ(d.ended.status, 0);
+  d.ended = ends(0, cosim(command));
   EXPECT_EQ(d.ended.err, "");
   EXPECT_TRUE(d.ended.out.ends_with("\nverdict: match\n")) << d.ended.out;
   const std::string csv = folder.text("csv");

@@ -20,8 +20,7 @@ const std::string in_front =
 TEST(EquivCheck, ASequentialProofIsCheckedByASolver) {
   const Folder folder;
   const std::string report = folder.path("report.json");
-  const Ended ended = equiv(behind, in_front, {"--seconds", "300", "--report", report});
-  EXPECT_EQ(ended.status, 0) << ended.err;
+  const Ended ended = ends(0, equiv(behind, in_front, {"--seconds", "300", "--report", report}));
   EXPECT_NE(ended.out.find("; checked by "), std::string::npos) << ended.out;
   const Json json = json_of(read_file(report));
   EXPECT_TRUE(json.at("check").at("by") == "cadical" || json.at("check").at("by") == "z3");

@@ -42,8 +42,7 @@ class EquivFailure : public testing::Test {
 using EquivReplayWave = EquivFailure;
 
 TEST_F(EquivFailure, LeavesAPageAndAWave) {
-  const Ended ended = told_apart(rtl("d"), rtl("d ^ 8"), {"--netlists"});
-  ASSERT_EQ(ended.status, 1) << ended.out << ended.err;
+  const Ended ended = ends(1, told_apart(rtl("d"), rtl("d ^ 8"), {"--netlists"}));
   // The reset is three clocks; the first register behind it differs on the fifth, which is
   // number 4 wherever it is named.
   EXPECT_NE(ended.out.find("m: different on clock 4"), std::string::npos) << ended.out;
@@ -70,8 +69,7 @@ TEST_F(EquivFailure, LeavesAPageAndAWave) {
 }
 
 TEST_F(EquivFailure, APageOfWhatIsEqual) {
-  const Ended ended = told_apart(rtl("d"), rtl("~~d"));
-  EXPECT_EQ(ended.status, 0) << ended.err;
+  ends(0, told_apart(rtl("d"), rtl("~~d")));
   const std::string page = folder_.text("page.html");
   EXPECT_NE(page.find("class=\"verdict good\">equal<"), std::string::npos) << page;
   EXPECT_NE(page.find("m: equal for ever"), std::string::npos);
@@ -94,8 +92,7 @@ TEST_F(EquivFailure, SaysWhereOnlyTheTimeDiffers) {
   EXPECT_EQ(report()["later"]["q"], 1);
   // Another value, and a value that never comes.
   for (const char* other : {"~p", "p | q"}) {
-    const Ended ended = told_apart(stage("d"), stage(other), {"--netlists"});
-    EXPECT_EQ(ended.status, 1);
+    const Ended ended = ends(1, told_apart(stage("d"), stage(other), {"--netlists"}));
     EXPECT_EQ(ended.out.find("only the time"), std::string::npos) << other << ended.out;
     EXPECT_EQ(report()["only_the_time_differs"], false);
   }
@@ -103,8 +100,7 @@ TEST_F(EquivFailure, SaysWhereOnlyTheTimeDiffers) {
 
 TEST_F(EquivReplayWave, DrawsTheHierarchiesOfBoth) {
   if (!test::can_read_waves()) GTEST_SKIP() << "no fst2vcd";
-  const Ended ended = told_apart(rtl("d"), rtl("d ^ 8"));
-  ASSERT_EQ(ended.status, 1) << ended.out << ended.err;
+  const Ended ended = ends(1, told_apart(rtl("d"), rtl("d ^ 8")));
   EXPECT_NE(ended.out.find("replayed in Verilator"), std::string::npos) << ended.out;
   const Json last = report()["stimulus"].back();
   EXPECT_EQ(Json(at("old.p.s", 4)), last["old"]["q"]);

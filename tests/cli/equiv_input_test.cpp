@@ -45,8 +45,7 @@ TEST(Equiv, ATimeThatIsOverIsNoError) {
   const auto rtl = [](const std::string& product) {
     return module_of(", input [47:0] a, b, output [95:0] y", "assign y = " + product + ";");
   };
-  const Ended ended = equiv(rtl("a * b"), rtl("b * (a - 1) + b"), {"--seconds", "1"});
-  EXPECT_EQ(ended.status, 3) << ended.out << ended.err;
+  const Ended ended = ends(3, equiv(rtl("a * b"), rtl("b * (a - 1) + b"), {"--seconds", "1"}));
   EXPECT_EQ(ended.err, "");
   EXPECT_NE(ended.out.find("m: undecided"), std::string::npos) << ended.out;
 }

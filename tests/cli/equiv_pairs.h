@@ -29,8 +29,7 @@ inline Ended equiv(const std::string& gold, const std::string& gate, const Argum
 /// The comparison ends with the status and says that.
 inline void expect_said(int status, const std::string& gold, const std::string& gate,
                         const std::string& said, const Arguments& more = {}) {
-  const Ended ended = equiv(gold, gate, more);
-  EXPECT_EQ(ended.status, status) << ended.out << ended.err;
+  const Ended ended = ends(status, equiv(gold, gate, more));
   EXPECT_NE(ended.out.find(said), std::string::npos) << ended.out;
 }
 

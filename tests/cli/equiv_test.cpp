@@ -27,8 +27,7 @@ TEST(Equiv, IsTheSameWithItself) {
 TEST(Equiv, TheSameNetlistNeedsNoEngine) {
   const std::string one = module_of(", input [7:0] a, b, output reg [7:0] q",
                                     "always @(posedge clk) q <= rst ? 0 : a * b + 1;");
-  const Ended same = equiv(one, "// moved\n\n" + one);
-  EXPECT_EQ(same.status, 0) << same.out;
+  const Ended same = ends(0, equiv(one, "// moved\n\n" + one));
   EXPECT_NE(same.out.find("equal for ever, by the same netlist"), std::string::npos) << same.out;
   expect_said(0, one,
               module_of(", input [7:0] a, b, (* mark = 1 *) output reg [7:0] q",
@@ -56,8 +55,7 @@ TEST(Equiv, RtlThatPrints) {
   };
   expect_equal(rtl("d"), rtl("d & d"));
   expect_different(rtl("d"), rtl("!d"), "q is ");
-  const Ended ended = equiv(rtl("d"), rtl("$none(d)"));
-  EXPECT_EQ(ended.status, 2);
+  const Ended ended = ends(2, equiv(rtl("d"), rtl("$none(d)")));
   EXPECT_NE(ended.err.find("the new RTL: yosys cannot read it"), std::string::npos) << ended.err;
 }
 
@@ -257,8 +255,7 @@ TEST(Equiv, AGcdAndItsNetlist) {
                       "opt_clean\nwrite_verilog -noattr " + netlist + "\n");
   const std::string make = "env -u HOME -u XDG_STATE_HOME yosys -q " + script;
   ASSERT_EQ(std::system(make.c_str()), 0);
-  const Ended ended = cosim({"equiv", "--gold", gcd, "--gate", netlist, "--top", "m"});
-  EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+  ends(0, cosim({"equiv", "--gold", gcd, "--gate", netlist, "--top", "m"}));
 }
 
 TEST(Equiv, WhatIsBeforeTheEndOfTheResetIsNotCompared) {

@@ -51,8 +51,7 @@ TEST(Help, NamesEveryOption) {
 }
 
 TEST(Help, HasAVersion) {
-  const Ended ended = cosim({"--version"});
-  EXPECT_EQ(ended.status, 0);
+  const Ended ended = ends(0, cosim({"--version"}));
   EXPECT_TRUE(ended.out.starts_with("cosim 1.")) << ended.out;
   EXPECT_NE(ended.out.find("(Verilator 5."), std::string::npos) << ended.out;
   EXPECT_EQ(lines(ended.out).size(), 1U);
@@ -87,8 +86,7 @@ TEST(Completion, OffersEveryCommandAndOptionOfTheHelp) {
 }
 
 TEST(Help, ComesWithoutACommandToo) {
-  const Ended ended = cosim({});
-  EXPECT_EQ(ended.status, 2);
+  const Ended ended = ends(2, cosim({}));
   EXPECT_EQ(ended.out, help({}));
 }
 
@@ -127,8 +125,7 @@ TEST(Help, HasAProofThatRuns) {
 
 // What scripts/cosim runs without arguments: a title, then the command.
 TEST(Examples, AreCommandsThatRun) {
-  const Ended ended = cosim({"examples"});
-  EXPECT_EQ(ended.status, 0);
+  const Ended ended = ends(0, cosim({"examples"}));
   const std::vector<std::string> all = lines(ended.out);
   ASSERT_FALSE(all.empty());
   const std::string start = "  cosim ";
@@ -146,8 +143,7 @@ TEST(Examples, AreCommandsThatRun) {
 }
 
 TEST(List, NamesAllThatIsShipped) {
-  const Ended ended = cosim({"list"});
-  EXPECT_EQ(ended.status, 0);
+  const Ended ended = ends(0, cosim({"list"}));
   std::vector<std::string> machines, shipped;
   for (const std::string& line : lines(ended.out)) {
     if (line.starts_with("  ")) machines.push_back(line.substr(2));

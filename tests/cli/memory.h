@@ -15,8 +15,7 @@ inline void expect_no_more_memory(Arguments machine) {
   const auto peak = [&](const std::string& cases) {
     Arguments words = machine;
     words.insert(words.end(), {"--jobs", "1", "--random", cases});
-    const Ended ended = cosim(words);
-    EXPECT_EQ(ended.status, 0) << ended.err;
+    const Ended ended = ends(0, cosim(words));
     return ended.peak;
   };
   constexpr long noise = (1 << 20) + test::kept_back;

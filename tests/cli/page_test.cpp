@@ -58,9 +58,8 @@ TEST(Page, OfAFailureHasAllThatIsNeeded) {
 
 TEST(Page, OfARunShowsItsWordsAndPath) {
   const Folder folder;
-  const Ended e = cosim({"line", "--major", "27", "--minor", "9", "--code", "01010", "--m", "5",
-                         "--n", "2", "--html", folder.path("x.html")});
-  ASSERT_EQ(e.status, 0) << e.err;
+  const Ended e = ends(0, cosim({"line", "--major", "27", "--minor", "9", "--code", "01010", "--m",
+                                 "5", "--n", "2", "--html", folder.path("x.html")}));
   EXPECT_TRUE(has(e.out, "page: " + folder.path("x.html") + '\n'));
   const std::string page = folder.text("x.html");
   expect_alone(page);
@@ -80,8 +79,7 @@ TEST(Page, OfASweepHasItsFiguresAndItsFailure) {
                       "--n",        "26",
                       "--failures", folder.path("kept"),
                       "--html",     folder.path("x.html")};
-  const Ended matches = cosim(all);
-  ASSERT_EQ(matches.status, 0) << matches.err;
+  ends(0, cosim(all));
   const std::string page = folder.text("x.html");
   expect_alone(page);
   for (const char* text : {">match<", ">linear M=32 N=26<", ">random lines: 20 cases, ",
@@ -96,8 +94,8 @@ TEST(Page, OfASweepHasItsFiguresAndItsFailure) {
 
 TEST(Page, OfSweepsHasALineForEach) {
   const Folder folder;
-  const Ended e = cosim({"sweep", "circular", "--random", "20", "--html", folder.path("x.html")});
-  ASSERT_EQ(e.status, 0) << e.err;
+  const Ended e =
+      ends(0, cosim({"sweep", "circular", "--random", "20", "--html", folder.path("x.html")}));
   const std::string page = folder.text("x.html");
   expect_alone(page);
   EXPECT_TRUE(has(page, "<h1>circular</h1>"));
@@ -117,8 +115,7 @@ TEST(Page, OfSweepsHasALineForEach) {
 TEST(Page, OfAPathHasAWaveAMachine) {
   const Folder folder;
   const std::string program = folder.write("p.ngc", "G21 G90 G1 X1 Y0.5 F1\nG2 X2 Y-0.5 I0 J-1\n");
-  const Ended e = cosim({"path", program, "--steps-per-mm", "20", "--html", folder.path("x.html")});
-  ASSERT_EQ(e.status, 0) << e.err;
+  ends(0, cosim({"path", program, "--steps-per-mm", "20", "--html", folder.path("x.html")}));
   const std::string page = folder.text("x.html");
   EXPECT_TRUE(has(page, ">The wave of linear "));
   EXPECT_TRUE(has(page, ">The wave of circular "));
@@ -126,8 +123,7 @@ TEST(Page, OfAPathHasAWaveAMachine) {
 
 TEST(Page, OfALongRunSaysWhatItLeavesOut) {
   const Folder folder;
-  const Ended e = cosim({"arc", "--radius", "3000", "--html", folder.path("x.html")});
-  ASSERT_EQ(e.status, 0) << e.err;
+  const Ended e = ends(0, cosim({"arc", "--radius", "3000", "--html", folder.path("x.html")}));
   const std::string page = folder.text("x.html");
   expect_alone(page);
   const std::size_t at = page.find("Shown: clocks 0 to ");
@@ -144,8 +140,7 @@ TEST(Page, OfALongRunSaysWhatItLeavesOut) {
 TEST(Page, ThatCannotBeWrittenIsSaidFirst) {
   const Folder folder;
   const auto refusal = [&](const std::string& file) {
-    const Ended e = cosim({"arc", "--radius", "5", "--html", file});
-    EXPECT_EQ(e.status, 2);
+    const Ended e = ends(2, cosim({"arc", "--radius", "5", "--html", file}));
     EXPECT_EQ(e.out, "");
     return e.err;
   };

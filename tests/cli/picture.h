@@ -27,8 +27,7 @@ class Picture {
   explicit Picture(Arguments command) {
     const Folder folder;
     command.insert(command.end(), {"--plot", folder.path("a.svg")});
-    const Ended ended = cosim(command);
-    EXPECT_EQ(ended.status, 0) << ended.err;
+    ends(0, cosim(command));
     svg_ = folder.text("a.svg");
   }
 

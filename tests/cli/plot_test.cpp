@@ -34,8 +34,7 @@ TEST(Plot, DrawsEitherFormat) {
   for (const Arguments& plain : drawings()) {
     const Folder folder;
     for (const char* name : {"a.svg", "a.png"}) {
-      const Ended ended = cosim(joined(plain, {"--plot", folder.path(name)}));
-      ASSERT_EQ(ended.status, 0) << ended.err;
+      const Ended ended = ends(0, cosim(joined(plain, {"--plot", folder.path(name)})));
       EXPECT_EQ(ended.out, cosim(plain).out);
     }
     EXPECT_EQ(folder.text("a.png").substr(1, 3), "PNG");
@@ -58,8 +57,7 @@ TEST(Plot, RefusesWhatItCannotDraw) {
   expect_no_plot("png", "--plot: png does not end in .svg or .png");
   expect_no_plot(".png", "--plot: '.png' has no name before its .png");
   const Ended twice =
-      cosim({"arc", "--radius", "12", "--csv", "/tmp/a.png", "--plot", "/tmp/a.png"});
-  EXPECT_EQ(twice.status, 2);
+      ends(2, cosim({"arc", "--radius", "12", "--csv", "/tmp/a.png", "--plot", "/tmp/a.png"}));
   EXPECT_EQ(twice.err, "cosim: --plot: /tmp/a.png is the file of --csv\n");
   if (!can_plot()) GTEST_SKIP() << "no gnuplot";
   expect_no_plot("/nowhere/a.png", "/nowhere/a.png: cannot write: No such file or directory");
@@ -68,9 +66,8 @@ TEST(Plot, RefusesWhatItCannotDraw) {
 TEST(Plot, RefusesAPathTooLongToDraw) {
   if (!can_plot()) GTEST_SKIP() << "no gnuplot";
   const Folder folder;
-  const Ended ended =
-      cosim({"line", "--major", "4294967295", "--minor", "0", "--plot", folder.path("a.svg")});
-  EXPECT_EQ(ended.status, 2);
+  const Ended ended = ends(
+      2, cosim({"line", "--major", "4294967295", "--minor", "0", "--plot", folder.path("a.svg")}));
   EXPECT_EQ(ended.err, "cosim: --plot: a path of more than 999999 steps is too long to draw\n");
   EXPECT_FALSE(folder.holds("a.svg"));
 }

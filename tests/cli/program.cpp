@@ -1,5 +1,6 @@
 #include "tests/cli/program.h"
 
+#include <gtest/gtest.h>
 #include <pty.h>
 #include <unistd.h>
 #include <utmp.h>
@@ -57,6 +58,14 @@ Ended signalled(const char* program, const Arguments& arguments, int signal, int
 }
 
 }  // namespace
+
+Ended ends(int status, Ended ended, std::source_location at) {
+  if (ended.status != status) {
+    ADD_FAILURE_AT(at.file_name(), static_cast<int>(at.line()))
+        << "status " << ended.status << " in place of " << status << ": " << ended.out << ended.err;
+  }
+  return ended;
+}
 
 Ended cosim(const Arguments& arguments, const Output& output) {
   return run(COSIM_PROGRAM, arguments, output);

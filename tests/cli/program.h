@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <source_location>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct Ended {
   std::string err;
   long peak = 0;  ///< of memory, in bytes; that of this test included, where it holds more
 };
+
+/// A run, which has to end with that status.
+Ended ends(int status, Ended ended, std::source_location at = std::source_location::current());
 
 /// Where standard output goes: into Ended::out, to the file of that path (opened as a shell's >
 /// does), or nowhere, closed. The same of standard error.

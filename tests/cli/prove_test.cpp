@@ -32,8 +32,8 @@ bool says(const Ended& ended, const std::string& pattern) { return Pattern(patte
 // What the solvers are given can be read, and given to them by hand.
 TEST_F(Prove, AMachine) {
   const std::string scripts = folder_.path("scripts");
-  const Ended ended = cosim({"prove", "circular", "W=4", "--rtl", kRtl, "--scripts", scripts});
-  EXPECT_EQ(ended.status, 0) << ended.err;
+  const Ended ended =
+      ends(0, cosim({"prove", "circular", "W=4", "--rtl", kRtl, "--scripts", scripts}));
   EXPECT_TRUE(
       says(ended, "\ncircular W=4 +base case: a reset makes them the same +[0-9. ]+ - +proved\n"));
   EXPECT_TRUE(
@@ -55,8 +55,7 @@ TEST(ProveWithoutEngines, SaysSoInALine) {
   setenv("PATH", folder.path("").c_str(), 1);
   for (const Arguments& more :
        {Arguments{}, Arguments{"--theorems"}, Arguments{"--engines", "z3"}}) {
-    const Ended ended = cosim(joined({"prove", "circular"}, more));
-    EXPECT_EQ(ended.status, 2);
+    const Ended ended = ends(2, cosim(joined({"prove", "circular"}, more)));
     EXPECT_EQ(ended.out, "");
     EXPECT_EQ(lines(ended.err).size(), 1U) << ended.err;
     EXPECT_NE(ended.err.find("prove: needs "), std::string::npos) << ended.err;
@@ -66,8 +65,7 @@ TEST(ProveWithoutEngines, SaysSoInALine) {
 }
 
 TEST_F(Prove, TheTheoremsOfADesign) {
-  const Ended ended = cosim({"prove", "--theorems", "circular"});
-  EXPECT_EQ(ended.status, 0) << ended.err;
+  const Ended ended = ends(0, cosim({"prove", "--theorems", "circular"}));
   const Pattern verdict("\n([0-9]+) of ([0-9]+) theorems proved by z3 and cvc5\n$");
   const auto counts = verdict.all(ended.out);
   ASSERT_EQ(counts.size(), 1U) << ended.out;
@@ -81,8 +79,7 @@ TEST_F(Prove, KeepsACounterexampleAsAFailure) {
   setenv("COSIM_VARIANT", "circular/faults/variants_swapped", 1);
   const std::string failures = folder_.path("failures");
   const Ended ended =
-      variant({"prove", "circular", "W=4", "--rtl", kFault, "--failures", failures});
-  EXPECT_EQ(ended.status, 1) << ended.err;
+      ends(1, variant({"prove", "circular", "W=4", "--rtl", kFault, "--failures", failures}));
   EXPECT_TRUE(says(ended, "REFUTED from reset: clock [0-9]+, by ")) << ended.out;
   EXPECT_TRUE(says(ended, "\nfirst difference: clock [0-9]+, ")) << ended.out;
   const auto kept = Pattern("\nkept in: (.*)\n").all(ended.out);
@@ -100,8 +97,8 @@ TEST_F(Prove, KeepsACounterexampleAsAFailure) {
 // A program that was built from other RTL cannot replay it: it says what differs, and keeps it.
 TEST_F(Prove, ShowsACounterexampleOfOtherRtl) {
   const std::string failures = folder_.path("failures");
-  const Ended ended = cosim({"prove", "circular", "W=4", "--rtl", kFault, "--failures", failures});
-  EXPECT_EQ(ended.status, 1) << ended.err;
+  const Ended ended =
+      ends(1, cosim({"prove", "circular", "W=4", "--rtl", kFault, "--failures", failures}));
   EXPECT_TRUE(says(ended, "\nfrom reset, on clock [0-9]+: (register|output) ")) << ended.out;
   EXPECT_FALSE(says(ended, "\n3 of 3"));
   const auto kept = Pattern("\nthe formulas. As a stimulus: (.*)\n").all(ended.out);
@@ -168,8 +165,7 @@ TEST_F(Prove, RefutesMutantsOrProvesThemTheSame) {
   EXPECT_EQ(with({"--mutant", "2", "--count", "1"}).err,
             "cosim: --mutant: is one, with no --count\n");
   // Those that are planted: not one is left undecided.
-  const Ended planted = cosim({"prove", "circular", "W=4", "--mutants", "10"});
-  EXPECT_EQ(planted.status, 0) << planted.err;
+  const Ended planted = ends(0, cosim({"prove", "circular", "W=4", "--mutants", "10"}));
   EXPECT_TRUE(says(planted,
                    "circular W=4: 10 mutants, [0-9]+ refuted, [0-9]+ proved to be the "
                    "same, 0 undecided\n$"))

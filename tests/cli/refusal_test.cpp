@@ -25,8 +25,7 @@ void expect_refused(Arguments command, const std::string& error, bool writes = t
     }
     command.insert(command.end(), {"--report", folder.write("report", kept)});
   }
-  const Ended ended = cosim(command);
-  EXPECT_EQ(ended.status, 2);
+  const Ended ended = ends(2, cosim(command));
   EXPECT_EQ(ended.err, "cosim: " + error + "\n");
   if (!command.empty()) {
     EXPECT_EQ(ended.out, "");
@@ -262,8 +261,7 @@ TEST(Refusal, OfFiles) {
   std::string bytes;
   for (int i = 0; i < 4096; ++i) bytes += static_cast<char>(i * 37 % 256);
   const std::string noise = folder.write("noise", bytes);
-  const Ended ended = cosim(path(noise));
-  EXPECT_EQ(ended.status, 2);
+  const Ended ended = ends(2, cosim(path(noise)));
   EXPECT_EQ(lines(ended.err).size(), 1U) << ended.err;
   EXPECT_EQ(ended.err.rfind("cosim: " + noise + ":1:1: ", 0), 0U) << ended.err;
 }

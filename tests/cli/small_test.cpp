@@ -40,9 +40,8 @@ TEST(SmallProgram, SaysWhatTheFullOneSays) {
 TEST(SmallProgram, BecomesTheFullOne) {
   const Folder folder;
   const std::string report = folder.path("report.json");
-  const Ended in_lanes = small_cosim({"sweep", "circular", "--width", "4", "--hostile", "300000",
-                                      "--lanes", "64", "--report", report});
-  EXPECT_EQ(in_lanes.status, 0) << in_lanes.err;
+  ends(0, small_cosim({"sweep", "circular", "--width", "4", "--hostile", "300000", "--lanes", "64",
+                       "--report", report}));
   EXPECT_TRUE(std::filesystem::exists(report));
   expect_the_same({"prove", "no_such_design"});
   expect_the_same({"new"});

@@ -104,8 +104,7 @@ TEST(Terminal, ThatIsNarrowHasABarThatFits) {
 }
 
 TEST(NoTerminal, HasPlainLinesAlone) {
-  const Ended ended = cosim(kSweep);
-  EXPECT_EQ(ended.status, 0);
+  const Ended ended = ends(0, cosim(kSweep));
   EXPECT_EQ(ended.out.find('\r'), std::string::npos);
   EXPECT_EQ(ended.out.find('\x1b'), std::string::npos);
   EXPECT_EQ(ended.out.find('%'), std::string::npos);

@@ -20,17 +20,15 @@ std::string behind(const std::string& text, const std::string& head) {
 }
 
 std::string refusal(const Arguments& arguments) {
-  const Ended e = cosim(arguments);
-  EXPECT_EQ(e.status, 2);
+  const Ended e = ends(2, cosim(arguments));
   EXPECT_EQ(lines(e.err).size(), 1U) << e.err;
   return e.err;
 }
 
 TEST(Wave, OfALineShowsItsWordsAndPath) {
   const Folder folder;
-  const Ended e = cosim({"line", "--major", "27", "--minor", "9", "--code", "01010", "--m", "5",
-                         "--n", "2", "--wave", folder.path("x.fst")});
-  ASSERT_EQ(e.status, 0) << e.err;
+  ends(0, cosim({"line", "--major", "27", "--minor", "9", "--code", "01010", "--m", "5", "--n", "2",
+                 "--wave", folder.path("x.fst")}));
   for (const char* name : {"x.fst", "x.gtkw", "x.phase.txt", "x.step.txt"}) {
     EXPECT_TRUE(folder.holds(name)) << name;
   }
@@ -64,8 +62,7 @@ TEST(Wave, OfAnArcEndsAtTheTop) {
 TEST(Wave, OfAPathIsOneAMachine) {
   const Folder folder;
   const std::string program = folder.write("p.ngc", "G21 G90 G1 X1 Y0.5 F1\nG2 X2 Y-0.5 I0 J-1\n");
-  const Ended e = cosim({"path", program, "--steps-per-mm", "20", "--wave", folder.path("x.fst")});
-  ASSERT_EQ(e.status, 0) << e.err;
+  ends(0, cosim({"path", program, "--steps-per-mm", "20", "--wave", folder.path("x.fst")}));
   EXPECT_TRUE(folder.holds("x.linear.fst"));
   EXPECT_TRUE(folder.holds("x.circular.fst"));
 }
@@ -87,8 +84,8 @@ TEST(Wave, ThatCannotBeDrawnIsSaidFirst) {
 TEST(FailureFolder, OfALineHasAllThatIsNeeded) {
   const Folder folder;
   const std::string failures = folder.path("failures");
-  const Ended e = faulty({"line", "--major", "3000", "--minor", "700", "--failures", failures});
-  ASSERT_EQ(e.status, 1);
+  const Ended e =
+      ends(1, faulty({"line", "--major", "3000", "--minor", "700", "--failures", failures}));
   const fs::path kept = behind(e.out, "kept in: ");
   ASSERT_TRUE(fs::is_directory(kept)) << e.out;
   EXPECT_EQ(kept.parent_path(), failures);
@@ -108,21 +105,19 @@ TEST(FailureFolder, IsReplayedToTheSameDifference) {
   const std::string first = behind(e.out, "first difference: ");
   ASSERT_NE(first, "");
   const std::string kept = behind(e.out, "kept in: ");
-  const Ended again = faulty({"replay", kept, "--wave", folder.path("again.fst")});
-  EXPECT_EQ(again.status, 1) << again.err;
+  const Ended again = ends(1, faulty({"replay", kept, "--wave", folder.path("again.fst")}));
   EXPECT_EQ(behind(again.out, "first difference: "), first);
   EXPECT_TRUE(folder.holds("again.fst"));
   EXPECT_EQ(again.out.find("kept in"), std::string::npos);
   // The machine without the fault has no difference there.
-  const Ended good = cosim({"replay", kept});
-  EXPECT_EQ(good.status, 0) << good.out;
+  ends(0, cosim({"replay", kept}));
 }
 
 TEST(FailureFolder, ThatCannotBeWrittenLeavesTheVerdict) {
   const Folder folder;
   const std::string file = folder.write("taken", "a file");
-  const Ended e = faulty({"line", "--major", "3000", "--minor", "700", "--failures", file});
-  EXPECT_EQ(e.status, 1);
+  const Ended e =
+      ends(1, faulty({"line", "--major", "3000", "--minor", "700", "--failures", file}));
   EXPECT_NE(e.out.find("verdict: MISMATCH\n"), std::string::npos);
   EXPECT_EQ(lines(e.err).size(), 1U) << e.err;
   EXPECT_TRUE(e.err.starts_with("cosim: the failure is not kept: " + file)) << e.err;

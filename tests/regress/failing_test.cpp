@@ -16,8 +16,7 @@ constexpr const char* one_wrong = R"(
 TEST_F(Regression, WithAFaultIsTheSameHoweverItIsCut) {
   plan(one_wrong);
   for (const char* shards : {"1", "2", "7", "100"}) {
-    const Ended e = faulty(fresh(shards, {"--shards", shards}));
-    EXPECT_EQ(e.status, 1) << e.err;
+    const Ended e = ends(1, faulty(fresh(shards, {"--shards", shards})));
     EXPECT_TRUE(e.out.find("FAILED: both: linear M=32 N=26, ") < e.out.find("pass ")) << e.out;
     EXPECT_EQ(report(shards), report("1")) << shards;
   }
@@ -28,15 +27,13 @@ TEST_F(Regression, WithAFaultIsTheSameHoweverItIsCut) {
 
   // What stands there replays.
   const std::string folder = json["failures"][0]["folder"];
-  const Ended again = faulty({"replay", folder_.path("7/" + folder)});
-  EXPECT_EQ(again.status, 1) << again.err;
+  ends(1, faulty({"replay", folder_.path("7/" + folder)}));
   EXPECT_EQ(json["failures"][0]["command"], "replay " + folder);
 }
 
 TEST_F(Regression, StopsAtAFailureWhereThatIsWanted) {
   plan(one_wrong);
-  const Ended e = faulty(fresh("run", {"--shards", "20", "--jobs", "1", "--fail-fast"}));
-  EXPECT_EQ(e.status, 1) << e.err;
+  ends(1, faulty(fresh("run", {"--shards", "20", "--jobs", "1", "--fail-fast"})));
   const Json json = Json::parse(report("run"));
   EXPECT_EQ(json["verdict"], "unfinished");
   EXPECT_EQ(json["failures"].size(), 1U);
@@ -51,8 +48,7 @@ TEST_F(Regression, WhoseProgramFailsOrIsNotThereSaysSo) {
   plan(R"({"name": "fails", "run": ["sh", "-c", "echo one; echo why; exit 3"]},
           {"name": "good", "run": ["true"]},
           {"name": "none", "run": ["./no-such-program"]})");
-  const Ended e = cosim(fresh("run"));
-  EXPECT_EQ(e.status, 1);
+  const Ended e = ends(1, cosim(fresh("run")));
   EXPECT_EQ(lines(e.err), std::vector<std::string>{"cosim: shard 2: needs ./no-such-program"});
   const Json json = Json::parse(report("run"));
   EXPECT_EQ(json["failures"][0]["what"], "status 3: why");
@@ -146,8 +142,7 @@ TEST_F(Regression, OfABadPlanIsRefusedWhole) {
 TEST_F(Regression, OfABadCommandLineIsRefused) {
   plan(R"({"name": "a", "run": ["true"]})");
   const auto refusal = [&](const Arguments& arguments) {
-    const Ended e = cosim(arguments);
-    EXPECT_EQ(e.status, 2);
+    const Ended e = ends(2, cosim(arguments));
     EXPECT_EQ(lines(e.err).size(), 1U) << e.err;
     return e.err;
   };

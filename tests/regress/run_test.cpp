@@ -24,8 +24,7 @@ class WholeRegression : public Regression {
  protected:
   void SetUp() override {
     plan(tasks);
-    const Ended e = cosim(fresh("one", {"--shards", "1"}));
-    ASSERT_EQ(e.status, 0) << e.out << e.err;
+    ends(0, cosim(fresh("one", {"--shards", "1"})));
     expected_ = report("one");
   }
   std::string expected_;
@@ -34,8 +33,7 @@ class WholeRegression : public Regression {
 TEST_F(WholeRegression, IsTheSameInEveryByteHoweverItIsCut) {
   std::set<std::uint64_t> shards{times("one")["shards"].get<std::uint64_t>()};
   for (const char* number : {"2", "7", "100"}) {
-    const Ended e = cosim(fresh(number, {"--shards", number}));
-    EXPECT_EQ(e.status, 0) << e.err;
+    ends(0, cosim(fresh(number, {"--shards", number})));
     EXPECT_EQ(report(number), expected_) << number;
     EXPECT_EQ(folder_.text(number + std::string("/report.txt")), folder_.text("one/report.txt"));
     shards.insert(times(number)["shards"].get<std::uint64_t>());
@@ -71,8 +69,7 @@ TEST_F(WholeRegression, GoesOnAfterKills) {
       if (!made) std::filesystem::remove_all(folder_.path("run"));
     }
     EXPECT_GE(killed, 2);
-    const Ended e = cosim(made ? resumed("run") : fresh("run", {"--shards", shards}));
-    EXPECT_EQ(e.status, 0) << e.err;
+    ends(0, cosim(made ? resumed("run") : fresh("run", {"--shards", shards})));
     EXPECT_EQ(report("run"), expected_) << shards;
     std::filesystem::remove_all(folder_.path("run"));
   }
@@ -96,15 +93,13 @@ TEST_F(WholeRegression, RunsAgainWhatHasOnlyHalfALine) {
 }
 
 TEST_F(WholeRegression, IsThatOfOneProgramAndOnePlan) {
-  const Ended e = another_build(resumed("one"));
-  EXPECT_EQ(e.status, 2);
+  const Ended e = ends(2, another_build(resumed("one")));
   EXPECT_EQ(lines(e.err).size(), 1U) << e.err;
   EXPECT_NE(e.err.find("a run of another program or build"), std::string::npos) << e.err;
   std::string plan = folder_.text("one/plan.json");
   plan.replace(plan.find("400000"), 6, "400001");
   folder_.write("one/plan.json", plan);
-  const Ended changed = cosim(resumed("one"));
-  EXPECT_EQ(changed.status, 2);
+  const Ended changed = ends(2, cosim(resumed("one")));
   EXPECT_NE(changed.err.find("its plan.json was changed"), std::string::npos) << changed.err;
 }
 
@@ -166,8 +161,7 @@ TEST_F(Regression, IsOfTheUnitsThatThePlanComesTo) {
     return json.dump() + '\n';
   };
   const auto refused = [&](const std::string& line) {
-    const Ended e = cosim(resumed("run"));
-    EXPECT_EQ(e.status, 2) << e.out;
+    const Ended e = ends(2, cosim(resumed("run")));
     EXPECT_EQ(lines(e.err).size(), 1U) << e.err;
     EXPECT_NE(e.err.find(line), std::string::npos) << e.err;
   };
@@ -189,8 +183,7 @@ TEST_F(Regression, OfProofsAndMutantsIsTheSameHoweverItIsCut) {
   plan(R"({"name": "claims", "prove": "linear M=5 N=2"},
           {"name": "mutants", "mutate": "linear M=5 N=2"})");
   for (const char* shards : {"1", "9"}) {
-    const Ended e = cosim(fresh(shards, {"--shards", shards}));
-    EXPECT_EQ(e.status, 0) << e.out << e.err;
+    ends(0, cosim(fresh(shards, {"--shards", shards})));
     EXPECT_EQ(report(shards), report("1"));
   }
   const Json report = Json::parse(this->report("9"));
@@ -219,8 +212,7 @@ TEST_F(Regression, SaysWhenItIsInterruptedHowToGoOn) {
 TEST_F(Regression, HasASeedOfItsOwnWhereThePlanHasNone) {
   folder_.write("plan.json", R"({"format": 1, "name": "n", "tasks": [
     {"name": "a", "sweep": "linear M=5 N=2", "hostile": 1000}]})");
-  const Ended e = cosim(fresh("one"));
-  EXPECT_EQ(e.status, 0) << e.err;
+  const Ended e = ends(0, cosim(fresh("one")));
   const auto seed = Json::parse(report("one"))["seed"].get<std::uint64_t>();
   EXPECT_NE(e.out.find("seed " + std::to_string(seed)), std::string::npos) << e.out;
   EXPECT_EQ(cosim(fresh("two", {"--seed", std::to_string(seed)})).status, 0);
@@ -231,8 +223,7 @@ TEST_F(Regression, HasASeedOfItsOwnWhereThePlanHasNone) {
 
 TEST_F(Regression, MadeForADryRunLeavesNothing) {
   plan(tasks);
-  const Ended e = cosim(fresh("run", {"--dry-run", "--shards", "100", "--jobs", "2"}));
-  EXPECT_EQ(e.status, 0) << e.err;
+  const Ended e = ends(0, cosim(fresh("run", {"--dry-run", "--shards", "100", "--jobs", "2"})));
   EXPECT_EQ(folder_.names(), std::vector<std::string>{"plan.json"});
   EXPECT_NE(e.out.find("any pins: linear M=5 N=2"), std::string::npos) << e.out;
   EXPECT_NE(e.out.find("thought to take 4 min of processor time, 2 min on 2 cores"),

@@ -61,9 +61,8 @@ bool has(const std::string& line, const std::string& word) {
 }
 
 TEST_F(Cluster, RunsArraysAndAJobBehindThem) {
-  const Ended e =
-      cosim(fresh("run", {"--shards", "9", "--slurm", "--sbatch", "account=some partition=main"}));
-  ASSERT_EQ(e.status, 0) << e.out << e.err;
+  ends(0, cosim(fresh("run",
+                      {"--shards", "9", "--slurm", "--sbatch", "account=some partition=main"})));
   const auto calls = asked();
   ASSERT_EQ(calls.size(), 3U);
   EXPECT_TRUE(has(calls[0], "--array=0-7")) << calls[0];
@@ -96,8 +95,7 @@ TEST_F(Cluster, HasLanesMadeForItsNodes) {
   plan(with(R"(, "lanes": true)"));
   std::filesystem::create_directory(folder_.path("node"));
   program("../node/yosys", "#!/bin/sh\nexit 127\n");
-  const Ended e = cosim(fresh("run", {"--shards", "5", "--slurm"}));
-  EXPECT_EQ(e.status, 0) << e.out << e.err;
+  ends(0, cosim(fresh("run", {"--shards", "5", "--slurm"})));
   EXPECT_EQ(report("run"), report("alone"));
   EXPECT_TRUE(folder_.holds("run/prepared/0/64.so"));
 
@@ -119,8 +117,7 @@ TEST_F(Cluster, IsAskedNothingThatAVariableSays) {
 }
 
 TEST_F(Cluster, ThatRefusesIsALine) {
-  const Ended e = cosim(fresh("run", {"--slurm", "--sbatch", "partition=none"}));
-  EXPECT_EQ(e.status, 2);
+  const Ended e = ends(2, cosim(fresh("run", {"--slurm", "--sbatch", "partition=none"})));
   EXPECT_EQ(lines(e.err), std::vector<std::string>{"cosim: sbatch: error: no such partition"});
   // What was submitted before that is cancelled.
   program("sbatch",
@@ -133,8 +130,7 @@ TEST_F(Cluster, ThatRefusesIsALine) {
 // A job that ends without a word leaves its shards missing, for --resume.
 TEST_F(Cluster, ThatLosesJobsLeavesThemToBeRunAgain) {
   program("sbatch", "#!/bin/sh\necho 5\n");
-  const Ended e = cosim(fresh("run", {"--shards", "9", "--slurm"}));
-  EXPECT_EQ(e.status, 2);
+  const Ended e = ends(2, cosim(fresh("run", {"--shards", "9", "--slurm"})));
   ASSERT_EQ(lines(e.err).size(), 1U) << e.err;
   EXPECT_NE(e.err.find("shards 0-8: left no result; see "), std::string::npos) << e.err;
   EXPECT_NE(e.out.find("verdict: UNFINISHED"), std::string::npos);
@@ -156,8 +152,7 @@ TEST_F(Cluster, HasAtMostAThousandTasksInAnArray) {
 
 TEST_F(Cluster, HasTasksOnlyInArrays) {
   ASSERT_EQ(cosim(fresh("run", {"--shards", "2", "--slurm"})).status, 0);
-  const Ended e = cosim({"regress", "--work", folder_.path("run"), "--list", "1.txt"});
-  EXPECT_EQ(e.status, 2);
+  const Ended e = ends(2, cosim({"regress", "--work", folder_.path("run"), "--list", "1.txt"}));
   EXPECT_EQ(e.err, "cosim: --list: only in a task of a job array\n");
 }
 

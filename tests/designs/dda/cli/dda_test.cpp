@@ -21,8 +21,7 @@ struct Row {
 
 std::vector<Row> rows(const Arguments& arguments) {
   const Folder folder;
-  const Ended ended = cosim(joined({"dda", "--csv", folder.path("x.csv")}, arguments));
-  EXPECT_EQ(ended.status, 0) << ended.err;
+  const Ended ended = ends(0, cosim(joined({"dda", "--csv", folder.path("x.csv")}, arguments)));
   EXPECT_NE(ended.out.find("verdict: match"), std::string::npos) << ended.out;
   std::istringstream text(folder.text("x.csv"));
   std::string line;
@@ -105,8 +104,7 @@ TEST(Dda, TakesTheSmallestMachineThatHoldsTheCurve) {
 }
 
 void expect_refused_dda(const Arguments& arguments, const std::string& error) {
-  const Ended ended = cosim(joined({"dda"}, arguments));
-  EXPECT_EQ(ended.status, 2);
+  const Ended ended = ends(2, cosim(joined({"dda"}, arguments)));
   EXPECT_EQ(ended.out, "");
   EXPECT_EQ(ended.err.substr(0, error.size() + 7), "cosim: " + error);
   EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1);
@@ -165,9 +163,9 @@ TEST(Dda, HasAPictureOfAConic) {
 TEST(Dda, ThatGrowsTooLongLosesNothing) {
   const Folder folder;
   folder.write("csv", "kept\n");
-  const Ended ended = cosim({"dda", "--circle", "3000000000", "--plot", folder.path("p.svg"),
-                             "--csv", folder.path("csv"), "--clocks", "5000000"});
-  EXPECT_EQ(ended.status, 2);
+  const Ended ended =
+      ends(2, cosim({"dda", "--circle", "3000000000", "--plot", folder.path("p.svg"), "--csv",
+                     folder.path("csv"), "--clocks", "5000000"}));
   EXPECT_EQ(ended.err, "cosim: --plot: a path of more than 999999 steps is too long to draw\n");
   EXPECT_EQ(folder.text("csv"), "kept\n");
   for (const auto& entry : std::filesystem::directory_iterator(folder.path(""))) {
@@ -211,8 +209,7 @@ TEST(Dda, SweptAndKilledGoesOn) {
 }
 
 TEST(Dda, WithEveryKindOfJobDoesNotRunInLanes) {
-  const Ended said = cosim({"sweep", "dda", "--random", "5", "--lanes", "64"});
-  EXPECT_EQ(said.status, 2);
+  const Ended said = ends(2, cosim({"sweep", "dda", "--random", "5", "--lanes", "64"}));
   EXPECT_EQ(said.err.find("cosim: dda W=6, random lines, arcs and conics: its jobs are driven one "
                           "case at a time, not in lanes"),
             0U)

@@ -187,8 +187,7 @@ TEST(Line, TakesACodeInHexadecimal) {
 
 TEST(Line, TableShowsEveryClock) {
   const Ended ended =
-      cosim({"line", "--major", "27", "--minor", "9", "--code", "01010", "--table"});
-  EXPECT_EQ(ended.status, 0);
+      ends(0, cosim({"line", "--major", "27", "--minor", "9", "--code", "01010", "--table"}));
   // BP, UK, start, the first word formed, four words, the end: nine clocks and a heading.
   EXPECT_EQ(lines(ended.out).size(), 4U + 10U);
   for (const char* word : {"01000101", "01000100", "01000000", "11100000"}) {

@@ -19,8 +19,8 @@ const std::string kFlange = (test::project_root() / "tests/toolpaths/flange.ngc"
 
 std::map<std::string, json> compared(const Arguments& arguments) {
   const Folder folder;
-  const Ended ended = cosim(joined({"compare", "--report", folder.path("r.json")}, arguments));
-  EXPECT_EQ(ended.status, 0) << ended.err;
+  const Ended ended =
+      ends(0, cosim(joined({"compare", "--report", folder.path("r.json")}, arguments)));
   EXPECT_NE(ended.out.find("verdict: match"), std::string::npos) << ended.out;
   std::map<std::string, json> all;
   const json report = json::parse(folder.text("r.json"));
@@ -34,9 +34,8 @@ std::map<std::string, json> compared(const Arguments& arguments) {
 TEST(Compare, PageHasTheFiguresThatArePrinted) {
   const Folder folder;
   const auto page_of = [&](const Arguments& more, const std::string& verdict) {
-    const Ended e =
-        cosim(joined({"compare", "--line", "27,9", "--html", folder.path("x.html")}, more));
-    EXPECT_EQ(e.status, 0) << e.err;
+    const Ended e = ends(
+        0, cosim(joined({"compare", "--line", "27,9", "--html", folder.path("x.html")}, more)));
     const std::string page = folder.text("x.html");
     EXPECT_NE(page.find(">" + verdict + "</span>\n<h1>BP = 27, MP = 9</h1>"), std::string::npos);
     const std::size_t table = e.out.find("         "), end = e.out.find("\n\n", table);
@@ -53,9 +52,8 @@ TEST(Compare, PageHasTheFiguresThatArePrinted) {
 TEST(Compare, PageHasThePlot) {
   if (!can_plot()) GTEST_SKIP() << "no gnuplot";
   const Folder folder;
-  const Ended e = cosim({"compare", "--line", "27,9", "--html", folder.path("x.html"), "--plot",
-                         folder.path("p.png")});
-  ASSERT_EQ(e.status, 0) << e.err;
+  ends(0, cosim({"compare", "--line", "27,9", "--html", folder.path("x.html"), "--plot",
+                 folder.path("p.png")}));
   const std::string page = folder.text("x.html"), begin = "src=\"data:image/png;base64,";
   const std::size_t at = page.find(begin) + begin.size();
   const std::string coded = folder.write("coded", page.substr(at, page.find('"', at) - at));
@@ -138,17 +136,15 @@ TEST(Compare, OnlyWhatIsAskedFor) {
 }
 
 void expect_refused_compare(const Arguments& arguments, const std::string& error) {
-  const Ended ended = cosim(joined({"compare"}, arguments));
-  EXPECT_EQ(ended.status, 2);
+  const Ended ended = ends(2, cosim(joined({"compare"}, arguments)));
   EXPECT_EQ(ended.out, "");
   EXPECT_EQ(ended.err, "cosim: " + error + "\n");
 }
 
 TEST(Compare, OfNoMachineComparesNothing) {
   const Folder folder;
-  const Ended ended = cosim(
-      {"compare", "--line", "27,9", "--algorithms", "bresenham", "--report", folder.path("r")});
-  EXPECT_EQ(ended.status, 0);
+  ends(0, cosim({"compare", "--line", "27,9", "--algorithms", "bresenham", "--report",
+                 folder.path("r")}));
   const json report = json::parse(folder.text("r"));
   EXPECT_EQ(report["verdict"], "nothing compared");
   EXPECT_EQ(report["algorithms"].size(), 1U);
@@ -199,8 +195,7 @@ TEST(Compare, DrawsArcsAndPrograms) {
        {Arguments{"compare", "--arc", "12"}, {"compare", kFlange, "--steps-per-mm", "1"}}) {
     const Folder folder;
     for (const char* name : {"a.svg", "a.png"}) {
-      const Ended ended = cosim(joined(plain, {"--plot", folder.path(name)}));
-      ASSERT_EQ(ended.status, 0) << ended.err;
+      const Ended ended = ends(0, cosim(joined(plain, {"--plot", folder.path(name)})));
       EXPECT_EQ(ended.out, cosim(plain).out);
     }
     EXPECT_EQ(folder.text("a.png").substr(1, 3), "PNG");

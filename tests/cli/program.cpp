@@ -18,8 +18,7 @@
 namespace cosim::cli {
 namespace {
 
-using test::Child;
-using test::Stream;
+using test::Child, test::Stream;
 
 Ended run(const char* program, const Arguments& arguments, const Output& output) {
   const Folder folder;

@@ -8,8 +8,7 @@
 namespace cosim::test {
 namespace {
 
-using nets::Bit;
-using nets::Plane;
+using nets::Bit, nets::Plane;
 
 // Each gate from bits at random, any of them opposite.
 nets::Graph made_at_random(Random& random, std::vector<Bit>& bits) {

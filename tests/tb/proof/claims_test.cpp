@@ -15,8 +15,7 @@
 namespace cosim::proof {
 namespace {
 
-using test::can_prove;
-using test::kLimit;
+using test::can_prove, test::kLimit;
 
 // The first machine of each design, the one with the smallest parameters.
 std::vector<BuiltMachine> smallest() {

@@ -13,8 +13,7 @@
 namespace cosim::proof {
 namespace {
 
-using nets::Bit;
-using test::kLimit;
+using nets::Bit, test::kLimit;
 
 // Whether the product of two numbers of two bits can be 7, 9 or 5, and they then.
 NetQuestions products() {

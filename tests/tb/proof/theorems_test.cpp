@@ -11,8 +11,7 @@
 namespace cosim::proof {
 namespace {
 
-using test::can_prove;
-using test::kLimit;
+using test::can_prove, test::kLimit;
 
 void expect_all_proved(const std::vector<Theorem>& theorems) {
   std::vector<const Claim*> claims;

@@ -13,8 +13,7 @@
 namespace cosim::test {
 namespace {
 
-using domains_model::Design;
-using domains_model::Inputs;
+using domains_model::Design, domains_model::Inputs;
 
 TEST(Clocks, AllTakeTheirEdgeWhereTheDesignRestsOrIsCleared) {
   static_assert(clocks_of<Design> == 2);

@@ -13,8 +13,7 @@
 namespace cosim::circular {
 namespace {
 
-using test::expect_found;
-using test::expect_same;
+using test::expect_found, test::expect_same;
 using Pins = Inputs<Word>;
 using Script = test::Script<Design>;
 using Variant = test::Variant<Design>;

@@ -89,8 +89,7 @@ TEST(NamedAdapter, IsOfTheShapeThatItsModelNames) {
 class Instance : public VerilatedInstance<VcircularW4> {
  public:
   Instance() : VerilatedInstance(1) {}
-  using VerilatedInstance::context;
-  using VerilatedInstance::top;
+  using VerilatedInstance::context, VerilatedInstance::top;
 };
 
 Ports whole() {

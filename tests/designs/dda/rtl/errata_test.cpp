@@ -15,8 +15,7 @@
 namespace cosim::dda {
 namespace {
 
-using test::expect_found;
-using test::expect_same;
+using test::expect_found, test::expect_same;
 using Script = test::Script<Design>;
 using Variant = test::Variant<Design>;
 using Points = std::vector<Point>;

@@ -17,8 +17,7 @@ static void PrintTo(const Words& w, std::ostream* out) { *out << w.major << '/' 
 
 namespace {
 
-using test::expect_found;
-using test::expect_same;
+using test::expect_found, test::expect_same;
 using Pins = Inputs<Word>;
 using Script = test::Script<Design>;
 using Record = test::Record<Design>;

@@ -11,6 +11,7 @@ namespace cosim::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using Page = InAFolder;
 
 bool has(const std::string& page, const std::string& text) {
   return page.find(text) != std::string::npos;
@@ -30,8 +31,7 @@ void expect_alone(const std::string& page) {
   }
 }
 
-TEST(Page, OfAFailureHasAllThatIsNeeded) {
-  const Folder folder;
+TEST_F(Page, OfAFailureHasAllThatIsNeeded) {
   const Ended e = faulty({"line", "--major", "3000", "--minor", "700", "--failures",
                           folder.path("kept"), "--html", folder.path("x.html")});
   ASSERT_EQ(e.status, 1) << e.err;
@@ -56,8 +56,7 @@ TEST(Page, OfAFailureHasAllThatIsNeeded) {
   EXPECT_TRUE(has(page, "cosim replay " + folder.path(kept)));
 }
 
-TEST(Page, OfARunShowsItsWordsAndPath) {
-  const Folder folder;
+TEST_F(Page, OfARunShowsItsWordsAndPath) {
   const Ended e = ends(0, cosim({"line", "--major", "27", "--minor", "9", "--code", "01010", "--m",
                                  "5", "--n", "2", "--html", folder.path("x.html")}));
   EXPECT_TRUE(has(e.out, "page: " + folder.path("x.html") + '\n'));
@@ -71,14 +70,10 @@ TEST(Page, OfARunShowsItsWordsAndPath) {
   EXPECT_FALSE(has(page, "class=\"mark\""));
 }
 
-TEST(Page, OfASweepHasItsFiguresAndItsFailure) {
-  const Folder folder;
-  const Arguments all{"sweep",      "linear",
-                      "--random",   "20",
-                      "--m",        "32",
-                      "--n",        "26",
-                      "--failures", folder.path("kept"),
-                      "--html",     folder.path("x.html")};
+TEST_F(Page, OfASweepHasItsFiguresAndItsFailure) {
+  const Arguments all =
+      joined({"sweep", "linear", "--random", "20", "--m", "32", "--n", "26"},
+             {"--failures", folder.path("kept"), "--html", folder.path("x.html")});
   ends(0, cosim(all));
   const std::string page = folder.text("x.html");
   expect_alone(page);
@@ -92,8 +87,7 @@ TEST(Page, OfASweepHasItsFiguresAndItsFailure) {
   EXPECT_EQ(folder.text("x.html"), folder.text("kept/" + kept.string() + "/report.html"));
 }
 
-TEST(Page, OfSweepsHasALineForEach) {
-  const Folder folder;
+TEST_F(Page, OfSweepsHasALineForEach) {
   const Ended e =
       ends(0, cosim({"sweep", "circular", "--random", "20", "--html", folder.path("x.html")}));
   const std::string page = folder.text("x.html");
@@ -112,8 +106,7 @@ TEST(Page, OfSweepsHasALineForEach) {
   EXPECT_GT(lines, 1U);
 }
 
-TEST(Page, OfAPathHasAWaveAMachine) {
-  const Folder folder;
+TEST_F(Page, OfAPathHasAWaveAMachine) {
   const std::string program = folder.write("p.ngc", "G21 G90 G1 X1 Y0.5 F1\nG2 X2 Y-0.5 I0 J-1\n");
   ends(0, cosim({"path", program, "--steps-per-mm", "20", "--html", folder.path("x.html")}));
   const std::string page = folder.text("x.html");
@@ -121,8 +114,7 @@ TEST(Page, OfAPathHasAWaveAMachine) {
   EXPECT_TRUE(has(page, ">The wave of circular "));
 }
 
-TEST(Page, OfALongRunSaysWhatItLeavesOut) {
-  const Folder folder;
+TEST_F(Page, OfALongRunSaysWhatItLeavesOut) {
   const Ended e = ends(0, cosim({"arc", "--radius", "3000", "--html", folder.path("x.html")}));
   const std::string page = folder.text("x.html");
   expect_alone(page);
@@ -137,8 +129,7 @@ TEST(Page, OfALongRunSaysWhatItLeavesOut) {
   EXPECT_EQ(last + 1 + after, all);
 }
 
-TEST(Page, ThatCannotBeWrittenIsSaidFirst) {
-  const Folder folder;
+TEST_F(Page, ThatCannotBeWrittenIsSaidFirst) {
   const auto refusal = [&](const std::string& file) {
     const Ended e = ends(2, cosim({"arc", "--radius", "5", "--html", file}));
     EXPECT_EQ(e.out, "");

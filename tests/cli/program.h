@@ -1,6 +1,8 @@
 // Runs the program and takes down what it says.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <functional>
 #include <source_location>
 #include <string>
@@ -18,6 +20,12 @@ inline Arguments joined(Arguments first, const Arguments& more) {
   first.insert(first.end(), more.begin(), more.end());
   return first;
 }
+
+/// A test with a folder of its own.
+class InAFolder : public testing::Test {
+ protected:
+  const Folder folder;
+};
 
 /// How a run ended. A status of 128 + n is a death by signal n.
 struct Ended {

@@ -12,6 +12,8 @@
 namespace cosim::cli {
 namespace {
 
+using Refusal = InAFolder;
+
 // Runs the command, with outputs where `writes`, and expects that error.
 void expect_refused(Arguments command, const std::string& error, bool writes = true) {
   std::string shown;
@@ -43,7 +45,7 @@ void expect_unused(const Arguments& command, const std::string& error) {
 
 constexpr const char* kTo32Bits = " is not a whole number from 0 to 4294967295";
 
-TEST(Refusal, OfCommands) {
+TEST_F(Refusal, OfCommands) {
   const std::string commands = names_of_commands();
   EXPECT_TRUE(
       commands.starts_with("list, ") &&
@@ -61,7 +63,7 @@ TEST(Refusal, OfCommands) {
   expect_unused({"sweep", "linear", "circular"}, "sweep linear: takes no 'circular'");
 }
 
-TEST(Refusal, OfProofs) {
+TEST_F(Refusal, OfProofs) {
   expect_unused({"prove", "spiral"}, "spiral: is no machine that is built; see cosim list");
   expect_unused({"prove", "linear", "M=7"},
                 "linear M=7: is no machine that is built; see cosim list");
@@ -74,7 +76,7 @@ TEST(Refusal, OfProofs) {
                 "has it");
 }
 
-TEST(Refusal, OfOptions) {
+TEST_F(Refusal, OfOptions) {
   const Arguments line{"line", "--major", "27", "--minor", "9"};
   const auto with = [&](const Arguments& more) { return joined(line, more); };
   expect_refused(with({"--length", "5"}), "line: no such option: '--length'");
@@ -98,7 +100,7 @@ TEST(Refusal, OfOptions) {
   }
 }
 
-TEST(Refusal, OfNumbersThatAreNone) {
+TEST_F(Refusal, OfNumbersThatAreNone) {
   for (const char* n : {"", " ", "x", "-1", "-0", "+1", "1.5", "1e3", "1e999", "nan", "inf", "0x10",
                         "1 ", " 1", "1,000", "4294967296", "99999999999999999999999"}) {
     const std::string what = "'" + std::string(n) + "'" + kTo32Bits;
@@ -112,7 +114,7 @@ TEST(Refusal, OfNumbersThatAreNone) {
                  "--major: '1?2?[31m'" + std::string(kTo32Bits));
 }
 
-TEST(Refusal, OfLines) {
+TEST_F(Refusal, OfLines) {
   expect_refused({"line"}, "--major: is needed");
   expect_refused({"line", "--minor", "3"}, "--major: is needed");
   expect_refused({"line", "--major", "3"}, "--minor: is needed where --code gives no bits");
@@ -120,7 +122,7 @@ TEST(Refusal, OfLines) {
                  "--minor: 6 is more than --major 5 (MP <= BP)");
 }
 
-TEST(Refusal, OfMachinesNotBuilt) {
+TEST_F(Refusal, OfMachinesNotBuilt) {
   const Arguments line{"line", "--major", "40", "--minor", "3"};
   const auto with = [&](const Arguments& more) { return joined(line, more); };
   const std::string built =
@@ -146,7 +148,7 @@ TEST(Refusal, OfMachinesNotBuilt) {
                  "an arc that needs 5 bits does not fit circular W=4");
 }
 
-TEST(Refusal, OfCodes) {
+TEST_F(Refusal, OfCodes) {
   for (const char* code : {"", "0101", "0101000", "10", "1", "0", "12345", "0b01010", "0x", "0x20",
                            "-1010", "0x-1", "Best", "01O10"}) {
     expect_refused(
@@ -159,7 +161,7 @@ TEST(Refusal, OfCodes) {
                  "--code: '00001' gives 1 minor step on a line of 27, not 9");
 }
 
-TEST(Refusal, OfArcs) {
+TEST_F(Refusal, OfArcs) {
   const auto arc = [](const Arguments& more) { return joined({"arc", "--radius", "12"}, more); };
   expect_refused({"arc"}, "--radius: is needed, or --radius2");
   expect_refused(arc({"--radius2", "144"}), "--radius: is given, and --radius2 too");
@@ -189,7 +191,7 @@ TEST(Refusal, OfArcs) {
   }
 }
 
-TEST(Refusal, OfSweeps) {
+TEST_F(Refusal, OfSweeps) {
   const std::string one = "sweep: one of --exhaustive, --random and --hostile is needed, ";
   expect_refused({"sweep", "linear"}, one + "none is given");
   expect_refused({"sweep", "linear", "--exhaustive", "--random", "5"}, one + "more are given");
@@ -220,8 +222,7 @@ TEST(Refusal, OfSweeps) {
                 "sweep linear: no such option: '--csv'");
 }
 
-TEST(Refusal, OfScales) {
-  const Folder folder;
+TEST_F(Refusal, OfScales) {
   const std::string file = folder.write("p.ngc", "G0 X10\n");
   expect_refused({"path", file}, "--steps-per-mm: is needed");
   for (const char* s :
@@ -243,8 +244,7 @@ TEST(Refusal, OfScales) {
       "an arc that needs 10 bits does not fit circular W=4");
 }
 
-TEST(Refusal, OfFiles) {
-  const Folder folder;
+TEST_F(Refusal, OfFiles) {
   const auto path = [](const std::string& file) {
     return Arguments{"path", file, "--steps-per-mm", "10"};
   };
@@ -266,8 +266,7 @@ TEST(Refusal, OfFiles) {
   EXPECT_EQ(ended.err.rfind("cosim: " + noise + ":1:1: ", 0), 0U) << ended.err;
 }
 
-TEST(Refusal, OfProgramsWithoutMotion) {
-  const Folder folder;
+TEST_F(Refusal, OfProgramsWithoutMotion) {
   const auto error = [&](const char* program, const std::string& what) {
     const std::string file = folder.write("p.ngc", program);
     expect_refused({"path", file, "--steps-per-mm", "10"}, file + what);
@@ -278,8 +277,7 @@ TEST(Refusal, OfProgramsWithoutMotion) {
   error("G0 X0 Y0\nM2\nX5\n", ":2:1: " + none);
 }
 
-TEST(Refusal, OfWrongPrograms) {
-  const Folder folder;
+TEST_F(Refusal, OfWrongPrograms) {
   for (const char* number : {"nan", "inf", "0x10"}) {
     const std::string file = folder.write("p.ngc", std::string("G0 Y1 X") + number + "\n");
     const Ended ended = cosim({"path", file, "--steps-per-mm", "10"});

@@ -15,6 +15,8 @@ namespace cosim::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using Streams = InAFolder;
+using StandardOutput = InAFolder;
 
 Ended line(const Arguments& more, const Output& output = {}) {
   return cosim(joined({"line", "--major", "27", "--minor", "9"}, more), output);
@@ -25,8 +27,7 @@ void expect_error(const Ended& ended, const std::string& error) {
   EXPECT_EQ(ended.err, "cosim: " + error + "\n");
 }
 
-TEST(Streams, ThatCannotBeWrittenIsSaid) {
-  const Folder folder;
+TEST_F(Streams, ThatCannotBeWrittenIsSaid) {
   for (const char* option : {"--csv", "--report"}) {
     expect_error(line({option, folder.path("none/x")}),
                  folder.path("none/x") + ": cannot write: No such file or directory");
@@ -40,8 +41,7 @@ TEST(Streams, ThatCannotBeWrittenIsSaid) {
 }
 
 // Long before the run is over.
-TEST(Streams, ThatCannotBeWrittenIsSaidFirst) {
-  const Folder folder;
+TEST_F(Streams, ThatCannotBeWrittenIsSaidFirst) {
   const std::string bad = folder.path("none/x");
   const Ended ended = cosim({"sweep", "linear", "--random", "281474976710656", "--report", bad});
   expect_error(ended, bad + ": cannot write: No such file or directory");
@@ -53,13 +53,12 @@ TEST(Streams, ThatCannotBeWrittenIsSaidFirst) {
   EXPECT_EQ(folder.text("csv"), "kept\n");
 }
 
-TEST(Streams, WithoutRoomKeepsTheVerdict) {
+TEST_F(Streams, WithoutRoomKeepsTheVerdict) {
   const Ended ended = line({"--report", "/dev/full"});
   EXPECT_NE(ended.out.find("verdict: match\n"), std::string::npos) << ended.out;
 }
 
-TEST(Streams, OfBothKindsNeedsTwoFiles) {
-  const Folder folder;
+TEST_F(Streams, OfBothKindsNeedsTwoFiles) {
   const std::string a = folder.path("a");
   expect_error(line({"--csv", a, "--report", a}), "--report: " + a + " is the file of --csv");
   EXPECT_FALSE(folder.holds("a"));
@@ -78,8 +77,7 @@ TEST(Streams, OfBothKindsNeedsTwoFiles) {
   EXPECT_EQ(line({"--csv", "/dev/null", "--report", "/dev/null"}).status, 0);
 }
 
-TEST(Streams, IsNotWrittenOverTheProgramRead) {
-  const Folder folder;
+TEST_F(Streams, IsNotWrittenOverTheProgramRead) {
   const std::string program = "G0 X10\n";
   const std::string file = folder.write("p.ngc", program);
   for (const char* option : {"--csv", "--report"}) {
@@ -90,8 +88,7 @@ TEST(Streams, IsNotWrittenOverTheProgramRead) {
 }
 
 // What lies beside a wave, under names made from its own.
-TEST(Streams, OfAWaveAreApartFromAllOthers) {
-  const Folder folder;
+TEST_F(Streams, OfAWaveAreApartFromAllOthers) {
   const std::string wave = folder.path("w.fst");
   for (const char* name : {"w.fst", "w.gtkw", "w.phase.txt", "w.step.txt"}) {
     const std::string file = folder.path(name);
@@ -108,20 +105,18 @@ TEST(Streams, OfAWaveAreApartFromAllOthers) {
   }
 }
 
-TEST(Streams, OfFailuresNeedAFolder) {
+TEST_F(Streams, OfFailuresNeedAFolder) {
   expect_error(line({"--failures", ""}), "--failures: names no folder");
 }
 
-TEST(Streams, IsNotWrittenOverTheText) {
-  const Folder folder;
+TEST_F(Streams, IsNotWrittenOverTheText) {
   for (const std::string& file : {folder.path("text"), std::string("/dev/stdout")}) {
     expect_error(line({"--csv", file}, {folder.path("text")}),
                  "--csv: " + file + " is where standard output goes");
   }
 }
 
-TEST(Streams, ReplacesWhatStoodThere) {
-  const Folder folder;
+TEST_F(Streams, ReplacesWhatStoodThere) {
   folder.write("csv", std::string(100000, 'x'));
   folder.write("report", std::string(100000, 'x'));
   EXPECT_EQ(line({"--csv", folder.path("csv"), "--report", folder.path("report")}).status, 0);
@@ -130,8 +125,7 @@ TEST(Streams, ReplacesWhatStoodThere) {
 }
 
 // What can be known before the run is checked before: nothing is lost and nothing waited for.
-TEST(Streams, ThatWouldBeTooLongAreRefusedFirst) {
-  const Folder folder;
+TEST_F(Streams, ThatWouldBeTooLongAreRefusedFirst) {
   const std::string csv = folder.write("csv", "kept\n"), wave = folder.path("w.fst");
   const std::string picture = folder.path("p.svg");
   const std::string program = folder.write("p.ngc", "G1 X4000 Y1 F1\n");
@@ -156,8 +150,7 @@ TEST(Streams, ThatWouldBeTooLongAreRefusedFirst) {
   refused({"path", program, "--steps-per-mm", "250", "--plot", picture}, steps);
 }
 
-TEST(Streams, KeepTheRightsOfWhatTheyReplace) {
-  const Folder folder;
+TEST_F(Streams, KeepTheRightsOfWhatTheyReplace) {
   const fs::path csv = folder.write("csv", "secret\n");
   fs::permissions(csv, fs::perms::owner_read | fs::perms::owner_write);
   EXPECT_EQ(line({"--csv", csv}).status, 0);
@@ -165,15 +158,14 @@ TEST(Streams, KeepTheRightsOfWhatTheyReplace) {
   EXPECT_EQ(lines(folder.text("csv")).size(), 5U);
 }
 
-TEST(Streams, GoesIntoAPipe) {
-  const Folder folder;
+TEST_F(Streams, GoesIntoAPipe) {
   ASSERT_EQ(mkfifo(folder.path("pipe").c_str(), 0600), 0);
   auto read = std::async(std::launch::async, [&] { return folder.text("pipe"); });
   EXPECT_EQ(line({"--report", folder.path("pipe")}).status, 0);
   EXPECT_EQ(read.get().substr(0, 2), "{\n");
 }
 
-TEST(StandardOutput, WithoutRoomIsAnError) {
+TEST_F(StandardOutput, WithoutRoomIsAnError) {
   for (const Arguments& more : {Arguments{}, Arguments{"--table"}}) {
     expect_error(line(more, {"/dev/full"}), "cannot write to standard output");
   }
@@ -185,8 +177,7 @@ TEST(StandardOutput, WithoutRoomIsAnError) {
 }
 
 // The CSV must not become the standard output that is missing.
-TEST(StandardOutput, ClosedIsAnError) {
-  const Folder folder;
+TEST_F(StandardOutput, ClosedIsAnError) {
   Output closed;
   closed.closed = true;
   expect_error(line({"--csv", folder.path("csv")}, closed), "cannot write to standard output");
@@ -206,8 +197,7 @@ TEST(StandardError, ClosedOrFullKeepsTheStatus) {
 }
 
 // A reader that has seen enough ends the program without a word, as it does any other.
-TEST(StandardOutput, OfAReaderGoneEndsTheProgram) {
-  const Folder folder;
+TEST_F(StandardOutput, OfAReaderGoneEndsTheProgram) {
   ASSERT_EQ(mkfifo(folder.path("pipe").c_str(), 0600), 0);
   auto read = std::async(std::launch::async, [&] {
     std::ifstream pipe(folder.path("pipe"));

@@ -10,6 +10,8 @@ namespace cosim::cli {
 namespace {
 
 namespace fs = std::filesystem;
+using Wave = InAFolder;
+using FailureFolder = InAFolder;
 
 // The line behind `head`, which stands in the text once.
 std::string behind(const std::string& text, const std::string& head) {
@@ -25,8 +27,7 @@ std::string refusal(const Arguments& arguments) {
   return e.err;
 }
 
-TEST(Wave, OfALineShowsItsWordsAndPath) {
-  const Folder folder;
+TEST_F(Wave, OfALineShowsItsWordsAndPath) {
   ends(0, cosim({"line", "--major", "27", "--minor", "9", "--code", "01010", "--m", "5", "--n", "2",
                  "--wave", folder.path("x.fst")}));
   for (const char* name : {"x.fst", "x.gtkw", "x.phase.txt", "x.step.txt"}) {
@@ -49,8 +50,7 @@ TEST(Wave, OfALineShowsItsWordsAndPath) {
   EXPECT_EQ(wave.at("cosim.mismatch.any", wave.end()), "0");
 }
 
-TEST(Wave, OfAnArcEndsAtTheTop) {
-  const Folder folder;
+TEST_F(Wave, OfAnArcEndsAtTheTop) {
   ASSERT_EQ(cosim({"arc", "--radius", "12", "--wave", folder.path("x.fst")}).status, 0);
   if (!test::can_read_waves()) GTEST_SKIP() << "there is no fst2vcd";
   const test::Vcd wave(folder.path("x.fst"));
@@ -59,16 +59,14 @@ TEST(Wave, OfAnArcEndsAtTheTop) {
   EXPECT_EQ(std::stoll(*wave.at("cosim.path.x", 10), nullptr, 2), 12);
 }
 
-TEST(Wave, OfAPathIsOneAMachine) {
-  const Folder folder;
+TEST_F(Wave, OfAPathIsOneAMachine) {
   const std::string program = folder.write("p.ngc", "G21 G90 G1 X1 Y0.5 F1\nG2 X2 Y-0.5 I0 J-1\n");
   ends(0, cosim({"path", program, "--steps-per-mm", "20", "--wave", folder.path("x.fst")}));
   EXPECT_TRUE(folder.holds("x.linear.fst"));
   EXPECT_TRUE(folder.holds("x.circular.fst"));
 }
 
-TEST(Wave, ThatCannotBeDrawnIsSaidFirst) {
-  const Folder folder;
+TEST_F(Wave, ThatCannotBeDrawnIsSaidFirst) {
   const auto with = [](const std::string& file) {
     return Arguments{"arc", "--radius", "5", "--wave", file};
   };
@@ -81,8 +79,7 @@ TEST(Wave, ThatCannotBeDrawnIsSaidFirst) {
             "cosim: " + folder.path("none/x.fst") + ": cannot write: No such file or directory\n");
 }
 
-TEST(FailureFolder, OfALineHasAllThatIsNeeded) {
-  const Folder folder;
+TEST_F(FailureFolder, OfALineHasAllThatIsNeeded) {
   const std::string failures = folder.path("failures");
   const Ended e =
       ends(1, faulty({"line", "--major", "3000", "--minor", "700", "--failures", failures}));
@@ -98,8 +95,7 @@ TEST(FailureFolder, OfALineHasAllThatIsNeeded) {
   EXPECT_EQ(behind(e.out, "replay: "), "cosim replay " + kept.string());
 }
 
-TEST(FailureFolder, IsReplayedToTheSameDifference) {
-  const Folder folder;
+TEST_F(FailureFolder, IsReplayedToTheSameDifference) {
   const Ended e =
       faulty({"line", "--major", "3000", "--minor", "700", "--failures", folder.path("failures")});
   const std::string first = behind(e.out, "first difference: ");
@@ -113,8 +109,7 @@ TEST(FailureFolder, IsReplayedToTheSameDifference) {
   ends(0, cosim({"replay", kept}));
 }
 
-TEST(FailureFolder, ThatCannotBeWrittenLeavesTheVerdict) {
-  const Folder folder;
+TEST_F(FailureFolder, ThatCannotBeWrittenLeavesTheVerdict) {
   const std::string file = folder.write("taken", "a file");
   const Ended e =
       ends(1, faulty({"line", "--major", "3000", "--minor", "700", "--failures", file}));
@@ -124,8 +119,7 @@ TEST(FailureFolder, ThatCannotBeWrittenLeavesTheVerdict) {
   EXPECT_EQ(folder.text("taken"), "a file");
 }
 
-TEST(FailureFolder, OfNoRoomLooksLikeNone) {
-  const Folder folder;
+TEST_F(FailureFolder, OfNoRoomLooksLikeNone) {
   const std::string small = folder.path("small");
   fs::create_directory(small);
   if (geteuid() != 0 ||

@@ -15,6 +15,8 @@
 namespace cosim::cli {
 namespace {
 
+using Dda = InAFolder;
+
 struct Row {
   long clock = 0, dx = 0, dy = 0, x = 0, y = 0;
 };
@@ -37,7 +39,7 @@ std::vector<Row> rows(const Arguments& arguments) {
 
 // 2^6 clocks, one less for the shift, and one that shifts; the k-th step of an axis of D steps on
 // the clock ceil(64 k / 2 D).
-TEST(Dda, DrawsALine) {
+TEST_F(Dda, DrawsALine) {
   const auto all = rows({"--line", "27,-9", "--width", "6"});
   ASSERT_FALSE(all.empty());
   long x = 0, y = 0;
@@ -56,7 +58,7 @@ TEST(Dda, DrawsALine) {
   EXPECT_EQ(all.back().clock, 33);
 }
 
-TEST(Dda, DrawsAQuarterCircle) {
+TEST_F(Dda, DrawsAQuarterCircle) {
   for (const char* update : {"parallel", "sequential"}) {
     const auto all = rows({"--circle", "200", "--preload", "half", "--update", update});
     for (const Row& r : all) EXPECT_NEAR(std::hypot(r.x, r.y), 200, 1.3);
@@ -66,7 +68,7 @@ TEST(Dda, DrawsAQuarterCircle) {
 }
 
 // x^2 + xy + 2 y^2 = 10000, once round: F / |grad F| is about the distance.
-TEST(Dda, DrawsAConic) {
+TEST_F(Dda, DrawsAConic) {
   const auto all =
       rows({"--conic", "1,1,2,0,0,-10000", "--from", "100,0", "--update", "sequential"});
   long left = 0, below = 0;
@@ -83,15 +85,14 @@ TEST(Dda, DrawsAConic) {
 }
 
 // Its path goes through the ellipse's centre.
-TEST(Dda, IsOffByAFiniteDistance) {
-  const Folder folder;
+TEST_F(Dda, IsOffByAFiniteDistance) {
   const Ended ended = cosim({"dda", "--conic", "1,-1,1,0,0,-1", "--from", "1,0", "--update",
                              "sequential", "--report", folder.path("r")});
   EXPECT_NE(ended.out.find("largest deviation 0.816 steps"), std::string::npos) << ended.out;
   EXPECT_NE(folder.text("r").find("\"max_deviation\": 0.8164965809"), std::string::npos);
 }
 
-TEST(Dda, TakesTheSmallestMachineThatHoldsTheCurve) {
+TEST_F(Dda, TakesTheSmallestMachineThatHoldsTheCurve) {
   const auto machine = [](const Arguments& arguments) {
     const Ended ended = cosim(arguments);
     return ended.out.substr(0, ended.out.find(':'));
@@ -110,7 +111,7 @@ void expect_refused_dda(const Arguments& arguments, const std::string& error) {
   EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1);
 }
 
-TEST(Dda, RefusesWhatItCannotDraw) {
+TEST_F(Dda, RefusesWhatItCannotDraw) {
   const std::string one = "dda: one of --line, --circle and --conic is needed, ";
   expect_refused_dda({}, one + "none is given\n");
   expect_refused_dda({"--line", "1,2", "--circle", "4"}, one + "more are given\n");
@@ -133,14 +134,14 @@ TEST(Dda, RefusesWhatItCannotDraw) {
   expect_refused_dda({"--conic", "1,0,0,0,-4,0", "--from", "0,0"}, "conic: it is no ellipse");
 }
 
-TEST(Dda, HasAHelpThatNamesEveryOption) {
+TEST_F(Dda, HasAHelpThatNamesEveryOption) {
   expect_in(help({"dda"}),
             {"--line X,Y", "--circle R", "--conic A,B,C,D,E,F", "--from X,Y", "--clocks N",
              "--update HOW", "--preload S", "--as-it-is", "--width W"});
 }
 
 // x^2 + 4 y^2 = 1600: each corner of the curve is on it, and it goes all the way around.
-TEST(Dda, HasAPictureOfAConic) {
+TEST_F(Dda, HasAPictureOfAConic) {
   if (!can_plot()) GTEST_SKIP() << "no gnuplot";
   const Picture picture({"dda", "--conic", "1,0,4,0,0,-1600", "--from", "40,0"});
   const std::vector<Dot> curve = picture.curve();
@@ -160,8 +161,7 @@ TEST(Dda, HasAPictureOfAConic) {
 }
 
 // Where the length is only known on the way, the run ends there.
-TEST(Dda, ThatGrowsTooLongLosesNothing) {
-  const Folder folder;
+TEST_F(Dda, ThatGrowsTooLongLosesNothing) {
   folder.write("csv", "kept\n");
   const Ended ended =
       ends(2, cosim({"dda", "--circle", "3000000000", "--plot", folder.path("p.svg"), "--csv",
@@ -174,8 +174,7 @@ TEST(Dda, ThatGrowsTooLongLosesNothing) {
 }
 
 // What would be too long to draw is refused before it runs.
-TEST(Dda, ThatWouldBeTooLongIsRefusedFirst) {
-  const Folder folder;
+TEST_F(Dda, ThatWouldBeTooLongIsRefusedFirst) {
   const auto refused = [&](Arguments command, const std::string& error) {
     command.insert(command.end(), {"--csv", folder.write("csv", "kept\n")});
     const Ended ended = cosim(command);
@@ -194,8 +193,7 @@ TEST(Dda, ThatWouldBeTooLongIsRefusedFirst) {
 
 // One of the first hundred cases of this seed reaches the middle of its conic, where the gradient
 // vanishes.
-TEST(Dda, SweptAndKilledGoesOn) {
-  const Folder folder;
+TEST_F(Dda, SweptAndKilledGoesOn) {
   const Arguments kept{"sweep", "dda",     "--random", "300000",       "--seed",
                        "6",     "--width", "6",        "--checkpoint", folder.path("state")};
   for (int after = 400; !folder.holds("state"); after *= 2) {
@@ -208,7 +206,7 @@ TEST(Dda, SweptAndKilledGoesOn) {
   EXPECT_GT(cases_kept(folder), done);
 }
 
-TEST(Dda, WithEveryKindOfJobDoesNotRunInLanes) {
+TEST_F(Dda, WithEveryKindOfJobDoesNotRunInLanes) {
   const Ended said = ends(2, cosim({"sweep", "dda", "--random", "5", "--lanes", "64"}));
   EXPECT_EQ(said.err.find("cosim: dda W=6, random lines, arcs and conics: its jobs are driven one "
                           "case at a time, not in lanes"),
@@ -216,7 +214,7 @@ TEST(Dda, WithEveryKindOfJobDoesNotRunInLanes) {
       << said.err;
 }
 
-TEST(Dda, TakesNoMoreMemoryForMoreCases) { expect_no_more_memory({"dda", "--width", "6"}); }
+TEST_F(Dda, TakesNoMoreMemoryForMoreCases) { expect_no_more_memory({"dda", "--width", "6"}); }
 
 }  // namespace
 }  // namespace cosim::cli

@@ -14,6 +14,7 @@ namespace cosim::cli {
 namespace {
 
 using nlohmann::json;
+using Compare = InAFolder;
 
 const std::string kFlange = (test::project_root() / "tests/toolpaths/flange.ngc").string();
 
@@ -31,8 +32,7 @@ std::map<std::string, json> compared(const Arguments& arguments) {
   return all;
 }
 
-TEST(Compare, PageHasTheFiguresThatArePrinted) {
-  const Folder folder;
+TEST_F(Compare, PageHasTheFiguresThatArePrinted) {
   const auto page_of = [&](const Arguments& more, const std::string& verdict) {
     const Ended e = ends(
         0, cosim(joined({"compare", "--line", "27,9", "--html", folder.path("x.html")}, more)));
@@ -49,9 +49,8 @@ TEST(Compare, PageHasTheFiguresThatArePrinted) {
 }
 
 // The picture of --plot stands in the page itself.
-TEST(Compare, PageHasThePlot) {
+TEST_F(Compare, PageHasThePlot) {
   if (!can_plot()) GTEST_SKIP() << "no gnuplot";
-  const Folder folder;
   ends(0, cosim({"compare", "--line", "27,9", "--html", folder.path("x.html"), "--plot",
                  folder.path("p.png")}));
   const std::string page = folder.text("x.html"), begin = "src=\"data:image/png;base64,";
@@ -63,7 +62,7 @@ TEST(Compare, PageHasThePlot) {
 }
 
 // The printed line: Table 3's minor steps are on 2 6 8 10 14 18 22 24 26.
-TEST(Compare, OfThePrintedLine) {
+TEST_F(Compare, OfThePrintedLine) {
   const auto all = compared({"--line", "27,9"});
   const json& machine = all.at("su1631518-greedy");
   EXPECT_EQ(machine["clocks"], 4);
@@ -88,7 +87,7 @@ TEST(Compare, OfThePrintedLine) {
 }
 
 // The printed arc: 17 steps, and the clock of the sector change.
-TEST(Compare, OfThePrintedArc) {
+TEST_F(Compare, OfThePrintedArc) {
   const auto all = compared({"--arc", "12"});
   const json& machine = all.at("su1665343");
   EXPECT_EQ(machine["steps"], 17);
@@ -102,7 +101,7 @@ TEST(Compare, OfThePrintedArc) {
   EXPECT_EQ(all.size(), 8U);
 }
 
-TEST(Compare, OfAToolpath) {
+TEST_F(Compare, OfAToolpath) {
   const auto all = compared({kFlange, "--steps-per-mm", "2"});
   EXPECT_EQ(all.at("su1631518")["paths"], all.at("bresenham")["paths"]);
   EXPECT_EQ(all.at("su1665343")["paths"], all.at("midpoint")["paths"]);
@@ -110,8 +109,7 @@ TEST(Compare, OfAToolpath) {
 }
 
 // SU 875343 can draw an arc that starts before 45 degrees, and none that starts behind.
-TEST(Compare, SaysWhatIsLeftOut) {
-  const Folder folder;
+TEST_F(Compare, SaysWhatIsLeftOut) {
   const std::string before = "G0 X100 Y0\nG3 X60 Y80 I-100\n";
   const std::string why = "su875343 cannot draw an arc that starts at 45 degrees or behind";
   const auto says = [&](const std::string& program, const Arguments& more) {
@@ -131,7 +129,7 @@ TEST(Compare, SaysWhatIsLeftOut) {
   EXPECT_EQ(asked.err, "cosim: --algorithms: " + why + "\n");
 }
 
-TEST(Compare, OnlyWhatIsAskedFor) {
+TEST_F(Compare, OnlyWhatIsAskedFor) {
   EXPECT_EQ(compared({"--arc", "40", "--algorithms", "dda,midpoint"}).size(), 2U);
 }
 
@@ -141,8 +139,7 @@ void expect_refused_compare(const Arguments& arguments, const std::string& error
   EXPECT_EQ(ended.err, "cosim: " + error + "\n");
 }
 
-TEST(Compare, OfNoMachineComparesNothing) {
-  const Folder folder;
+TEST_F(Compare, OfNoMachineComparesNothing) {
   ends(0, cosim({"compare", "--line", "27,9", "--algorithms", "bresenham", "--report",
                  folder.path("r")}));
   const json report = json::parse(folder.text("r"));
@@ -150,7 +147,7 @@ TEST(Compare, OfNoMachineComparesNothing) {
   EXPECT_EQ(report["algorithms"].size(), 1U);
 }
 
-TEST(Compare, RefusesWhatItCannotCompare) {
+TEST_F(Compare, RefusesWhatItCannotCompare) {
   const std::string one = "compare: one of --line, --arc and FILE is needed, ";
   expect_refused_compare({}, one + "none is given");
   expect_refused_compare({"--line", "27,9", "--arc", "12"}, one + "more are given");
@@ -172,15 +169,14 @@ TEST(Compare, RefusesWhatItCannotCompare) {
       "su875343, dda, dda-half, dda-sequential, dda-sequential-half, midpoint, single-axis");
 }
 
-TEST(Compare, HasAHelpThatNamesEveryOption) {
+TEST_F(Compare, HasAHelpThatNamesEveryOption) {
   expect_in(help({"compare"}),
             {"FILE", "--steps-per-mm S", "--line BP,MP", "--arc R", "--algorithms LIST",
              "--plot FILE", "--html FILE.html", "--report FILE"});
 }
 
 // Two algorithms of each machine.
-TEST(Compare, HasAReportThatNamesAMachineOnce) {
-  const Folder folder;
+TEST_F(Compare, HasAReportThatNamesAMachineOnce) {
   ASSERT_EQ(cosim({"compare", "--line", "27,9", "--report", folder.path("r")}).status, 0);
   const json r = json::parse(folder.text("r"));
   EXPECT_EQ(r["runs"].size(), 4U);
@@ -189,17 +185,17 @@ TEST(Compare, HasAReportThatNamesAMachineOnce) {
 }
 
 // Each format, of each kind of work; of a line it is the picture of the help's example.
-TEST(Compare, DrawsArcsAndPrograms) {
+TEST_F(Compare, DrawsArcsAndPrograms) {
   if (!can_plot()) GTEST_SKIP() << "no gnuplot";
   for (const Arguments& plain :
        {Arguments{"compare", "--arc", "12"}, {"compare", kFlange, "--steps-per-mm", "1"}}) {
-    const Folder folder;
+    const Folder pictures;
     for (const char* name : {"a.svg", "a.png"}) {
-      const Ended ended = ends(0, cosim(joined(plain, {"--plot", folder.path(name)})));
+      const Ended ended = ends(0, cosim(joined(plain, {"--plot", pictures.path(name)})));
       EXPECT_EQ(ended.out, cosim(plain).out);
     }
-    EXPECT_EQ(folder.text("a.png").substr(1, 3), "PNG");
-    EXPECT_NE(folder.text("a.svg").find("step along the path"), std::string::npos);
+    EXPECT_EQ(pictures.text("a.png").substr(1, 3), "PNG");
+    EXPECT_NE(pictures.text("a.svg").find("step along the path"), std::string::npos);
   }
 }
 

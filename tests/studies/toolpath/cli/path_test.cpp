@@ -17,6 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using std::numbers::pi;
+using Path = InAFolder;
 
 std::string text_of(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -80,7 +81,7 @@ double area_of(const Drawing& d, std::int64_t number, double scale) {
   return sum / (scale * scale);
 }
 
-TEST(Path, OfTheExamplesEndsEachMotionOnItsTarget) {
+TEST_F(Path, OfTheExamplesEndsEachMotionOnItsTarget) {
   for (const fs::path& file : files_in(test::project_root() / "tests/toolpaths")) {
     if (file.extension() != ".ngc") continue;
     for (const std::string scale : {"3", "40", "25.3"}) {
@@ -90,13 +91,13 @@ TEST(Path, OfTheExamplesEndsEachMotionOnItsTarget) {
   }
 }
 
-TEST(Path, OfOtherPeoplesProgramsEndsEachMotionOnItsTarget) {
-  const char* folder = std::getenv("COSIM_TOOLPATHS");
-  if (folder == nullptr || !fs::is_directory(folder)) {
+TEST_F(Path, OfOtherPeoplesProgramsEndsEachMotionOnItsTarget) {
+  const char* theirs = std::getenv("COSIM_TOOLPATHS");
+  if (theirs == nullptr || !fs::is_directory(theirs)) {
     GTEST_SKIP() << "not here: COSIM_TOOLPATHS names no folder";
   }
   int drawn = 0;
-  for (const fs::path& file : files_in(folder)) {
+  for (const fs::path& file : files_in(theirs)) {
     SCOPED_TRACE(file.string());
     const Arguments command{"path", file.string(), "--steps-per-mm", "20"};
     const Ended ended = cosim(command);
@@ -110,7 +111,7 @@ TEST(Path, OfOtherPeoplesProgramsEndsEachMotionOnItsTarget) {
   EXPECT_GT(drawn, 0);
 }
 
-TEST(Path, TurnsAsTheProgramSays) {
+TEST_F(Path, TurnsAsTheProgramSays) {
   const std::string flange = (test::project_root() / "tests/toolpaths/flange.ngc").string();
   const Drawing d = draw_path(flange, "50");
   // Half a step of the machine and one of the grid along the whole way round.
@@ -129,8 +130,7 @@ constexpr const char* kProgram =
     "Y-2\n"
     "G91 X-1.01 Y2\n";
 
-TEST(Path, CountsTheBlocksThatMoveXOrY) {
-  const Folder folder;
+TEST_F(Path, CountsTheBlocksThatMoveXOrY) {
   const Drawing d = draw_path(folder.write("p.ngc", kProgram), "10");
   std::vector<std::string> expected{"segment,dx,dy,x,y"};
   const auto add = [&](int segment, int dx, int dy, int x, int y) {
@@ -154,8 +154,7 @@ TEST(Path, CountsTheBlocksThatMoveXOrY) {
       << d.ended.out;
 }
 
-TEST(Path, TellsWhatItDidNotRead) {
-  const Folder folder;
+TEST_F(Path, TellsWhatItDidNotRead) {
   const auto said = [&](const std::string& text) {
     const std::string file = folder.write("p.ngc", text);
     const Drawing d = draw_path(file, "10");
@@ -173,8 +172,7 @@ TEST(Path, TellsWhatItDidNotRead) {
   EXPECT_EQ(said("%\nG0 X1\nM2\n%\n"), Said("", 0));
 }
 
-TEST(Path, NamesTheMachinesItRunsOn) {
-  const Folder folder;
+TEST_F(Path, NamesTheMachinesItRunsOn) {
   const std::string quarter =
       folder.write("quarter.ngc", "G0 X10\nG3 X0 Y10 I-10\n");  // R = 100 steps, a line of 100
   Drawing d = draw_path(quarter, "10");
@@ -190,7 +188,7 @@ TEST(Path, NamesTheMachinesItRunsOn) {
   EXPECT_EQ(d.report["design"], "linear");
 }
 
-TEST(Path, DeviatesLeastWithTheBestCodes) {
+TEST_F(Path, DeviatesLeastWithTheBestCodes) {
   const std::string flange = (test::project_root() / "tests/toolpaths/hexafoil.ngc").string();
   const auto deviation = [&](const char* rule) {
     return draw_path(flange, "40", {"--code", rule}).report["machine_error"].get<double>();
@@ -199,7 +197,7 @@ TEST(Path, DeviatesLeastWithTheBestCodes) {
   EXPECT_EQ(deviation("best"), draw_path(flange, "40").report["machine_error"].get<double>());
 }
 
-TEST(Path, HasAHelpThatNamesEveryOption) {
+TEST_F(Path, HasAHelpThatNamesEveryOption) {
   expect_in(help({"path"}), {"FILE", "--steps-per-mm S", "--csv FILE", "segment,dx,dy,x,y",
                              "--report FILE", "--seed S"});
 }

@@ -14,7 +14,7 @@ namespace {
 using Texts = std::vector<std::string>;
 
 // The texts between the @ of a list.
-Texts split(const std::string& list) {
+Texts texts_of(const std::string& list) {
   Texts all;
   std::istringstream stream(list);
   for (std::string text; std::getline(stream, text, '@');) all.push_back(text);
@@ -27,7 +27,7 @@ bool one_in(Random& random, std::uint64_t n) { return random.below(n) == 0; }
 
 // Small ones are drawn to their end; the others lie at limits and beyond them.
 std::string number(Random& random) {
-  static const Texts odd = split(
+  static const Texts odd = texts_of(
       "0@65535@65536@4294967295@4294967296@2147483647@-1@-0@9223372036854775807@"
       "281474976710656@281474976710657@1099511627776@18446744073709551615@18446744073709551616@"
       "1000000@2000001@1.5@1e9@1e-9@nan@inf@0x10@+7@ 7@7x@@"
@@ -56,7 +56,7 @@ Texts small_words(const std::string& text) {
 // A name that yosys, gnuplot, CMake, a shell or a terminal would read as more than a name, where it
 // comes to them as it is.
 std::string hostile_name(Random& random) {
-  static const Texts pieces = split(
+  static const Texts pieces = texts_of(
       "a@ @\"@'@;@|@&@\\@\n@%s@#@*@[@]@{}@$1@\x1b[2J@-@~@<x@>x@\t@!@,@=@(@)@"
       "exec -- touch pwned@$(touch pwned)@`touch pwned`@!touch pwned@$ENV{HOME}@"
       "system \"touch pwned\"");
@@ -67,7 +67,7 @@ std::string hostile_name(Random& random) {
 }
 
 std::string file(Random& random, const std::string& help) {
-  static const Texts names = split(
+  static const Texts names = texts_of(
       "a@b.csv@c.json@d.txt@none/x@sub/e@.f@g h@q'@-x@./i@../j@u\xc3\xa4@\xff@n\nl@@.@/@"
       "/dev/null@/dev/full@/dev/stdout@/proc/self/cmdline@" +
       std::string(300, 'l') + '@' + std::string(250, 'm'));

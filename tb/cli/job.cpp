@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <memory>
 #include <sstream>
+#include <utility>
 
 #include "model/core/input_error.h"
 #include "tb/cli/commands.h"
@@ -90,13 +91,8 @@ int run(const JobOptions& o) {
   fmt::print("{}: {}\n", bench->title(), work);
   const Looks looks = draw_wave(o.common, *bench, stimulus, work);
   JobsRun ran = bench->run_jobs(jobs, power_up);
-  Outcome outcome{bench, work, {}};
-  outcome.result.cases = 1;
-  outcome.result.clocks = ran.run.clocks;
-  outcome.result.checked = std::move(ran.checked);
-  outcome.result.mismatch = std::move(ran.run.mismatch);
-  outcome.result.failed = work;
-  return conclude({outcome}, o.common, "{}", looks);
+  Result result = result_of(std::move(ran.run), std::move(ran.checked), work);
+  return conclude({{bench, work, std::move(result)}}, o.common, "{}", looks);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 #include "model/core/input_error.h"
 #include "tb/bench/stimulus_text.h"
@@ -35,14 +36,8 @@ int run(const ReplayOptions& o) {
   fmt::print("{}: {}, {}\n", bench->title(), one_line(file),
              count(stimulus.clocks.size(), bench->row()));
   const Looks looks = draw_wave(o.common, *bench, stimulus, work);
-  Run run = bench->replay(stimulus);
-  Outcome outcome{bench, file, {}};
-  outcome.result.cases = 1;
-  outcome.result.clocks = run.clocks;
-  outcome.result.left_out = std::move(run.left_out);
-  outcome.result.mismatch = std::move(run.mismatch);
-  outcome.result.failed = work;
-  return conclude({outcome}, o.common, "{}", looks);
+  Result result = result_of(bench->replay(stimulus), {}, work);
+  return conclude({{bench, file, std::move(result)}}, o.common, "{}", looks);
 }
 
 }  // namespace

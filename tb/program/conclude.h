@@ -14,9 +14,7 @@ namespace cosim::cli {
 /// The outcome of one run of one job that `check` has watched.
 template <class Check>
 Outcome outcome_of(const AnyBench& bench, const std::string& work, Run run, Check& check) {
-  Outcome outcome{&bench, work, result_of(std::move(run), check)};
-  outcome.result.failed = work;
-  return outcome;
+  return {&bench, work, result_of(std::move(run), check.so_far(), work)};
 }
 
 /// Prints what was compared and the verdict, then writes the report where one is asked for

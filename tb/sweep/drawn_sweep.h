@@ -15,7 +15,8 @@ template <class Figures, class Design>
 Result drawn(const Bench<Design>& bench, std::span<const JobOf<Design>> jobs,
              std::uint32_t power_up) {
   JobCheck<Design, Figures> check(bench.params(), jobs);
-  return result_of(bench.open(power_up)->draw(jobs, check), check);
+  Run run = bench.open(power_up)->draw(jobs, check);
+  return result_of(std::move(run), check.so_far());
 }
 
 /// Case i draws the jobs of i on a machine powered up from i, one case at a time or in lanes;

@@ -42,11 +42,7 @@ Sweep job_sweep(const AnyBench& bench, std::uint64_t seed, std::uint64_t cases) 
   const auto run = [&bench, jobs_of](std::uint64_t i) {
     const JobList jobs = jobs_of(i);
     JobsRun ran = bench.run_jobs(jobs, static_cast<std::uint32_t>(i));
-    Result result;
-    result.cases = 1;
-    result.clocks = ran.run.clocks;
-    result.checked = std::move(ran.checked);
-    result.mismatch = std::move(ran.run.mismatch);
+    Result result = result_of(std::move(ran.run), std::move(ran.checked));
     if (!result.match()) result.failed = bench.describe(jobs);
     return result;
   };

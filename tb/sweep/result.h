@@ -40,17 +40,15 @@ inline void add(Result& sum, Result one) {
   add(sum.checked, one.checked);
 }
 
-/// The result of one run of jobs that `check` has observed. The check does not judge the clock of a
+/// The result of one case, and what its design's check found, which does not judge the clock of a
 /// mismatch or any later one.
-template <class Check>
-Result result_of(Run run, Check& check) {
-  Result result;
-  result.cases = 1;
-  result.clocks = run.clocks;
-  result.left_out = std::move(run.left_out);
-  result.checked = check.so_far();
-  result.mismatch = std::move(run.mismatch);
-  return result;
+inline Result result_of(Run run, Checked checked = {}, std::string failed = {}) {
+  return {1,
+          run.clocks,
+          std::move(run.left_out),
+          std::move(checked),
+          std::move(run.mismatch),
+          std::move(failed)};
 }
 
 }  // namespace cosim

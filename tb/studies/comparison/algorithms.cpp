@@ -89,7 +89,7 @@ Drawing in_lockstep(const Bench<Design>& bench, std::uint32_t power_up, const Jo
   Observers<Design> observers{&follower, &check};
   Run run = bench.open(power_up)->draw({&job, 1}, observers);
   drawing.bench = &bench;
-  drawing.result = result_of(std::move(run), check);
+  drawing.result = result_of(std::move(run), check.so_far());
   return std::move(drawing);
 }
 

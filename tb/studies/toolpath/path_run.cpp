@@ -53,7 +53,7 @@ void draw_piece(Session<Design>& session, const typename Design::Params& p,
   JobCheck<Design, Figures> check(p, {&job, 1});
   Observers<Design> both{&check, &pen};
   Run run = session.draw({&job, 1}, both);
-  add(sum, result_of(std::move(run), check));
+  add(sum, result_of(std::move(run), check.so_far()));
 }
 
 }  // namespace

@@ -47,6 +47,12 @@ constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
   return step;
 }
 
+/// Else it is what the last product left.
+template <class V>
+constexpr auto compared(const Params&, const State<V>& s) {
+  return std::array{Stated<V>{"shifted", !(s.left == V(0))}};
+}
+
 #define SERIAL_JOB(FIELD)                         \
   FIELD(early, -3, 4, "clocks before it, less 3") \
   FIELD(a, 0, 255, "")                            \

@@ -2,6 +2,7 @@
 # Jobs on a machine that no reset brings to one state: in lanes there is the same to see as one case at
 # a time, of a match, of a difference and of what only the check finds wrong.
 ends 0 job serial FAULT=0 'a=3 b=250; early=-3 a=49 b=249'
+says_like 'left out.*shifted'
 ends 1 job serial FAULT=0 'early=4 a=49 b=250' --failures none
 says "early=4 a=49 b=250, clock 16: checked due=0, and then busy=0 product=12250"
 if [[ $solvers ]]; then

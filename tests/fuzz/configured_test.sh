@@ -7,5 +7,6 @@ cmake -S "$root" -B "$folder/build" -G Ninja -DCOSIM_FUZZ=ON > "$folder/out" 2>&
   { cat "$folder/out" && fails "CMake configures them"; }
 for file in "$root"/tests/fuzz/targets/*.cpp; do
   target=fuzz_$(basename "$file" .cpp)
-  grep -q "^build $target: phony" "$folder/build/build.ninja" || fails "there is a target $target"
+  grep -q "^build $target: phony" "$folder/build/build.ninja" ||
+    grep -q "^-- ${file#"$root"/} left out: " "$folder/out" || fails "there is a target $target"
 done

@@ -8,8 +8,6 @@
 namespace cosim::circular {
 namespace {
 
-Int128 square(std::int64_t v) { return Int128{v} * v; }  // at most 2^126
-
 // floor(sqrt(q)). The square root of a double is off by less than one at 2^32: the loops mend it.
 std::uint64_t floor_root(std::uint64_t q) {
   constexpr std::uint64_t kLargest = 0xffff'ffff;
@@ -45,7 +43,7 @@ std::int64_t nearest_root(std::uint64_t q) {
 }
 
 std::int64_t nearest_on(std::int64_t line, std::uint64_t radius2) {
-  const Int128 rest = radius2 - square(line);
+  const Int128 rest = radius2 - Int128{line} * line;  // at most 2^126 less
   return rest > 0 ? nearest_root(static_cast<std::uint64_t>(rest)) : 0;
 }
 

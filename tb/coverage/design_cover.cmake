@@ -24,7 +24,6 @@ function(cosim_shape_cover)
   add_executable(${program} EXCLUDE_FROM_ALL ${FOLDER}/cover_of.cpp ${FOLDER}/counted.cpp)
   set_target_properties(${program} PROPERTIES
     UNITY_BUILD OFF RUNTIME_OUTPUT_DIRECTORY ${FOLDER})
-  target_compile_features(${program} PRIVATE cxx_std_20)
   # Run for a few thousand clocks: not compiled for speed.
   target_compile_options(${program} PRIVATE -O1)
   target_compile_definitions(${program} PRIVATE COSIM_COVERAGE VM_COVERAGE=1)

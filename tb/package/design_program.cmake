@@ -107,7 +107,6 @@ function(cosim_program TARGET)
   set_target_properties(${TARGET}_full ${TARGET}_mutants PROPERTIES
     RUNTIME_OUTPUT_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR})
   foreach(target ${TARGET}_commands ${TARGET}_benches ${TARGET}_machines ${TARGET}_mutants)
-    target_compile_features(${target} PRIVATE cxx_std_20)
     set_target_properties(${target} PROPERTIES
       UNITY_BUILD_CODE_AFTER_INCLUDE "#undef VL_PCH_INCLUDED")
   endforeach()

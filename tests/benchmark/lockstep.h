@@ -1,72 +1,17 @@
-// What full lockstep costs: clocks a second of the bare Verilated evaluate loop, of the least that
-// compares, with nothing of what explains a failure, and of lockstep as a sweep runs it, on the
-// same machine at 16 bits with the same inputs, in one run. The stimulus is made beforehand, so
-// that its cost is in none. And hostile clocks in lanes, as a sweep runs them, all of whose cost is
-// in: the drawing, the beginning of each case, the comparison. And whole jobs of random length in
-// lanes, judged by the oracle. A design adds its own in
+// What full lockstep costs one case at a time (loops.h), and in lanes, as a sweep runs them:
+// hostile clocks, all of whose cost is in, the drawing, the beginning of each case, the comparison;
+// and whole jobs of random length, judged by the oracle. A design adds its own in
 // tests/designs/NAME/benchmark.
 #pragma once
 
-#include <benchmark/benchmark.h>
-
-#include <string>
-#include <vector>
-
 #include "tb/lanes/player.h"
-#include "tb/lockstep/run.h"
+#include "tests/benchmark/loops.h"
 #include "tests/support/in_lanes.h"
 
 namespace cosim::bench {
 
-template <class Adapter>
-using InputList = std::vector<typename Adapter::Design::template Inputs<Word>>;
-
-inline constexpr std::size_t rows = 1 << 14;
-
-// The inputs of work after work from a reset on: what the host drives when the model answers it.
-template <class Adapter, class Job>
-auto inputs_of(const std::vector<Job>& jobs) {
-  using Design = typename Adapter::Design;
-  std::vector<typename Design::template Inputs<Word>> inputs{Design::reset_inputs()};
-  auto state = reset_state_of<Design, Word>();
-  typename Design::template Outputs<Word> seen;
-  typename Design::template Inputs<Word> in;
-  HostOf<Design> host(Adapter::params, jobs);
-  while (inputs.size() < rows && host.next(in, seen)) {
-    inputs.push_back(in);
-    const auto step = Design::next(Adapter::params, state, in);
-    seen = step.outputs;
-    state = step.state;
-  }
-  return inputs;
-}
-
-template <class Adapter>
-void bare(benchmark::State& state, const InputList<Adapter>& list) {
-  Adapter dut(1);
-  for (auto _ : state) {
-    for (const auto& in : list) {
-      dut.drive(in);
-      dut.eval(false);
-      dut.eval(true);
-    }
-  }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(list.size()));
-}
-
-// The list as what a sweep's case has.
-template <class Inputs>
-struct Source {
-  const std::vector<Inputs>* list;
-  std::size_t at = 0;
-  template <class Outputs>
-  bool next(Inputs& in, const Outputs&) {
-    if (at == list->size()) return false;
-    in = (*list)[at++];
-    return true;
-  }
-};
-
+// The least that compares, with nothing of what explains a failure: of a machine whose reset sets
+// every register.
 template <class Adapter>
 void compared(benchmark::State& state, const InputList<Adapter>& list) {
   using Design = typename Adapter::Design;
@@ -95,19 +40,6 @@ void compared(benchmark::State& state, const InputList<Adapter>& list) {
     while (left.next(in, seen)) {
       if (!clock(in)) state.SkipWithError("RTL and model differ");
     }
-  }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(list.size()));
-}
-
-template <class Adapter>
-void lockstep(benchmark::State& state, const InputList<Adapter>& list) {
-  const Source<typename Adapter::Design::template Inputs<Word>> source{&list};
-  for (auto _ : state) {
-    Lockstep<Adapter> both(1U);
-    auto left = source;
-    std::uint64_t clocks = 0;
-    const auto nothing = [](const auto&, const auto&) {};
-    if (!clock_fast(both, left, clocks, nothing)) state.SkipWithError("they differ");
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(list.size()));
 }
@@ -166,14 +98,8 @@ bool measure(const std::string& name, MakeJob job, MakeSweep sweep) {
     for (std::uint64_t i = 0; i < 1000; ++i) jobs.push_back(job(Adapter::params, 1, i));
     return inputs_of<Adapter>(jobs);
   };
-  const auto add = [&](const char* kind,
-                       void (*run)(benchmark::State&, const InputList<Adapter>&)) {
-    benchmark::RegisterBenchmark((name + kind).c_str(),
-                                 [=](benchmark::State& state) { run(state, list()); });
-  };
-  add("/bare", bare<Adapter>);
-  add("/compared", compared<Adapter>);
-  add("/lockstep", lockstep<Adapter>);
+  measure_loops<Adapter>(name, list);
+  add_loop<Adapter>(name + "/compared", list, compared<Adapter>);
   for (const int lanes : {512, 256, 64}) {
     if (lanes > lanes::widest()) continue;
     benchmark::RegisterBenchmark(

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "tb/support/read_file.h"
 #include "tests/support/root.h"
 
 namespace cosim::cli {
@@ -63,6 +64,21 @@ std::vector<Arguments> commands_with(const std::string& option) {
   return all;
 }
 
+// A stored stimulus of a machine that is built.
+std::string stored_stimulus() {
+  const std::string built = ends(0, cosim({"list"})).out;
+  for (const auto& file :
+       std::filesystem::directory_iterator(test::project_root() / "tests/regressions")) {
+    const std::vector<std::string> text = lines(read_file(file.path().string()));
+    const std::string machine = "machine ";
+    if (text.at(1).starts_with(machine) &&
+        built.find("  " + text[1].substr(machine.size()) + '\n') != std::string::npos)
+      return file.path().string();
+  }
+  ADD_FAILURE() << "no stimulus is stored of a machine that is built";
+  return "";
+}
+
 Arguments example_of(const Arguments& command, const Folder& folder) {
   const std::string text = help(command);
   const std::string start = "Example: cosim ";
@@ -75,9 +91,7 @@ Arguments example_of(const Arguments& command, const Folder& folder) {
       text.substr(at + start.size(), text.find('\n', at) - at - start.size()));
   for (std::string word; example >> word;) {
     if (word.ends_with(".ngc")) word = (tests / "toolpaths/flange.ngc").string();
-    if (word.ends_with(".stim")) {
-      word = (tests / "regressions/carry_round_the_accumulator.stim").string();
-    }
+    if (word.ends_with(".stim")) word = stored_stimulus();
     const bool written = !words.empty() && (words.back() == "--csv" || words.back() == "--wave" ||
                                             words.back() == "--out");
     words.push_back(written ? folder.path(word) : word);

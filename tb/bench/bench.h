@@ -113,10 +113,11 @@ class AnyBench {
     patterns_ = std::move(patterns);
   }
 
-  /// The inputs of a clock with as little to do as is legal, after one with `inputs` in `state`.
-  virtual std::vector<Word> idle_after(const std::vector<Word>& /*state*/,
-                                       const std::vector<Word>& /*inputs*/) const {
-    return rest();
+  /// One clock with these inputs from that state, and one with as little to do as is legal, so that
+  /// a difference after the first shows.
+  virtual Stimulus clock_from(const std::vector<Word>& /*state*/,
+                              const std::vector<Word>& /*inputs*/) const {
+    return {};
   }
   /// What the RTL's registers hold when a case begins, on a machine powered up at random from
   /// `power_up`: after a reset, or initially.

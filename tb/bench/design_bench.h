@@ -37,15 +37,19 @@ class DesignBench final : public Bench<Design> {
     this->tables_ = tables();
   }
 
-  std::vector<Word> idle_after(const std::vector<Word>& state,
-                               const std::vector<Word>& inputs) const override {
+  Stimulus clock_from(const std::vector<Word>& state,
+                      const std::vector<Word>& inputs) const override {
     using State = typename Design::template State<Word>;
     using Inputs = typename Design::template Inputs<Word>;
     const auto before = Cells<State>(dut_.params).record(state);
     const auto in = Cells<Inputs>(dut_.params).record(inputs);
     const auto after = clocked<Design, Word>(dut_.params, before, in).state;
-    return words(idle_of<Design, Word>(
-        dut_.params, Synchronizers<Design>(dut_.params).taken(dut_.params, before, in, after)));
+    const auto taken = Synchronizers<Design>(dut_.params).taken(dut_.params, before, in, after);
+    Stimulus s;
+    s.machine = this->title();
+    s.state = state;
+    s.clocks = {inputs, words(idle_of<Design, Word>(dut_.params, taken))};
+    return s;
   }
   std::vector<Word> begun(std::uint32_t power_up) const override {
     return words(AnyLockstep<Design>(start(power_up)).dut().registers());

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "tb/proof/explain.h"
-
 namespace cosim::cli {
 namespace {
 
@@ -22,7 +20,8 @@ std::optional<Refuted> refuted(const proof::MachineFormula& formula, const AnyBe
   if (claim.terms.empty()) return std::nullopt;
   auto found = proof::counterexample(formula, proof::refuting_values(claim, decision, limit));
   if (!found) return std::nullopt;
-  Stimulus stimulus = proof::stimulus_of(*found, bench);
+  Stimulus stimulus = bench.clock_from(words(found->state), words(found->inputs));
+  stimulus.origin = refuted_case;
   Run run = bench.replay(stimulus);
   return Refuted{std::move(*found), std::move(stimulus), std::move(run)};
 }

@@ -15,7 +15,6 @@
 #include "tb/full/refuted.h"
 #include "tb/full_cli/prove.h"
 #include "tb/program/chosen.h"
-#include "tb/proof/explain.h"
 #include "tb/report/failure.h"
 #include "tb/support/output_file.h"
 #include "tb/support/parallel.h"

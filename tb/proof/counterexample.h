@@ -29,4 +29,10 @@ struct Counterexample {
 std::optional<Counterexample> counterexample(const MachineFormula& machine,
                                              const std::map<std::string, std::string>& values);
 
+/// What the model expects of each.
+std::vector<Word> words(const std::vector<Value>& values);
+
+/// Every signal of it, expected above actual where they differ. Lines end in '\n'.
+std::string to_text(const Counterexample& c);
+
 }  // namespace cosim::proof

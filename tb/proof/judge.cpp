@@ -10,7 +10,6 @@
 
 #include "model/core/input_error.h"
 #include "tb/proof/abc.h"
-#include "tb/proof/explain.h"
 #include "tb/proof/mutant_nets.h"
 #include "tb/proof/mutants.h"
 #include "tb/proof/votes.h"

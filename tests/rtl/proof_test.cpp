@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <set>
 
-#include "tb/proof/explain.h"
+#include "tb/proof/counterexample.h"
 #include "tests/rtl/prove.h"
 #include "tests/support/designs.h"
 
@@ -83,7 +83,7 @@ TEST_P(Proof, Refutes) {
 
     const auto c = counterexample(formula, refuting_values(step, decided[1], kLimit));
     ASSERT_TRUE(c);
-    const Stimulus stimulus = proof::stimulus_of(*c, *s.bench);
+    const Stimulus stimulus = s.bench->clock_from(words(c->state), words(c->inputs));
     const auto run = s.bench->replay(stimulus);
     ASSERT_TRUE(run.mismatch) << "no counterexample in simulation:\n" << to_text(*c);
     EXPECT_LE(run.mismatch->clock, 1U);

@@ -9,6 +9,7 @@
 #include "model/core/job.h"
 #include "tb/bench/bench.h"
 #include "tb/bench/checked.h"
+#include "tb/lockstep/lockstep.h"
 
 namespace cosim {
 
@@ -45,28 +46,18 @@ class JobCheck final : public Observer<Design> {
   JobCheck(const typename Design::Params& p, std::span<const Job> jobs)
       : p_(p), jobs_(jobs), held_driver_(Driver::fields(p)), held_checker_(Checker::fields(p)) {}
 
-  void clock(std::size_t job, const Compared<Design>& seen) override {
-    if (clock_ == 0) {
-      task_ = task_for<Design>(p_, jobs_[job]);
-      driver_ = {};
-      checker_ = checker_for<Design>(p_, jobs_[job]);
-    }
+  COSIM_FLATTEN void clock(std::size_t job, const Compared<Design>& seen) override {
+    if (clock_ == 0) begin(jobs_[job]);
     const auto turn = driven(p_, task_, driver_, seen.outputs);
     if constexpr (has_check<Design>) {
       const auto verdict = checked(p_, task_, driver_, checker_, seen.outputs, turn.over);
-      if (verdict.wrong) {
-        fail(job, "checked " + detail::named_values(p_, checker_) + ", and then " +
-                      detail::named_values(p_, seen.outputs));
-      }
+      if (verdict.wrong) fail(job, seen);
       checker_ = held_checker_.of(verdict.checker);
     }
     driver_ = held_driver_.of(turn.driver);
     figures_.clock(p_, jobs_[job], checker_, seen.outputs);
     ++clock_;
-    if (!turn.over) return;
-    figures_.end(p_, jobs_[job], checker_);
-    ++jobs_over_;
-    clock_ = 0;
+    if (turn.over) end(jobs_[job]);
   }
   Checked so_far() const {
     Checked found = figures_.checked();
@@ -76,11 +67,24 @@ class JobCheck final : public Observer<Design> {
   }
 
  private:
-  void fail(std::size_t job, const std::string& why) {
+  // Once a job, and not part of each clock.
+  [[gnu::noinline]] void begin(const Job& job) {
+    task_ = task_for<Design>(p_, job);
+    driver_ = {};
+    checker_ = checker_for<Design>(p_, job);
+  }
+  [[gnu::noinline]] void end(const Job& job) {
+    figures_.end(p_, job, checker_);
+    ++jobs_over_;
+    clock_ = 0;
+  }
+  [[gnu::cold, gnu::noinline]] void fail(std::size_t job, const Compared<Design>& seen) {
     if (!error_.empty()) return;
     error_ = JobHost<Design>::describe(p_, jobs_[job]) + ", clock " + std::to_string(clock_) +
-             ": " + why;
+             ": checked " + detail::named_values(p_, checker_) + ", and then " +
+             detail::named_values(p_, seen.outputs);
   }
+
   typename Design::Params p_;
   std::span<const Job> jobs_;
   std::string error_;

@@ -31,12 +31,10 @@ Wanted parse(int argc, char** argv) {
     const std::string option = argv[i];
     if (i + 1 == argc) throw std::invalid_argument(option + " needs a value");
     const std::string value = argv[i + 1];
-    if (option == "--seed") {
-      w.seed = std::stoull(value);
-    } else if (option == "--first") {
-      w.first = std::stoull(value);
-    } else if (option == "--cases") {
-      w.cases = std::stoull(value);
+    const std::map<std::string, std::uint64_t*> numbers{
+        {"--seed", &w.seed}, {"--first", &w.first}, {"--cases", &w.cases}};
+    if (const auto number = numbers.find(option); number != numbers.end()) {
+      *number->second = std::stoull(value);
     } else if (option == "--seconds") {
       w.seconds = std::stod(value);
     } else if (option == "--without") {
@@ -59,7 +57,6 @@ std::string outside(const Wanted& w) {
     all += path + ' ' + std::to_string(now.st_mode) + ' ' + std::to_string(now.st_ino) + ' ';
     // The build folder changes while others use it.
     if (path.starts_with("/dev/") || path == w.program) continue;
-    std::vector<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(path)) {
       if (entry.path().extension() == ".cosim-new") all += entry.path().string();
     }

@@ -13,8 +13,6 @@
 namespace cosim::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
 /// What the program reads, and a good one of each.
 enum class Reads { program, stimulus, checkpoint };
 
@@ -44,7 +42,7 @@ Ended read(Reads kind, const std::string& path) {
 
 void expect_match(const Ended& ended) {
   EXPECT_EQ(ended.status, 0) << ended.err;
-  EXPECT_NE(ended.out.find("verdict: match\n"), std::string::npos) << ended.out;
+  EXPECT_TRUE(has(ended.out, "verdict: match\n"));
 }
 
 void expect_unread(const Ended& ended, const std::string& line) {
@@ -62,20 +60,17 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text;
 }
 
-class Careless : public testing::Test {
- protected:
-  Folder folder_;
-};
+using Careless = InAFolder;
 
 TEST_F(Careless, EndsOfLinesAndMarksAreTakenAsTheyAre) {
   for (const auto& [kind, text] :
        {std::pair{Reads::program, good_program}, {Reads::stimulus, good_stimulus}}) {
     const std::string good = text;
-    expect_match(read(kind, folder_.write("good", good)));
-    expect_match(read(kind, folder_.write("no end", good.substr(0, good.size() - 1))));
-    expect_match(read(kind, folder_.write("dos", replaced(good, "\n", "\r\n"))));
-    expect_match(read(kind, folder_.write("mark", "\xef\xbb\xbf" + good)));
-    expect_match(read(kind, folder_.write("lines", replaced(good, "\n", "\n\n\n"))));
+    expect_match(read(kind, folder.write("good", good)));
+    expect_match(read(kind, folder.write("no end", good.substr(0, good.size() - 1))));
+    expect_match(read(kind, folder.write("dos", replaced(good, "\n", "\r\n"))));
+    expect_match(read(kind, folder.write("mark", "\xef\xbb\xbf" + good)));
+    expect_match(read(kind, folder.write("lines", replaced(good, "\n", "\n\n\n"))));
   }
 }
 
@@ -83,15 +78,15 @@ TEST_F(Careless, BytesThatAreNoTextAreNamed) {
   const auto nul = [](const std::string& text) {
     return replaced(text, "3", std::string("3\0", 2));
   };
-  std::string path = folder_.write("nul", nul(good_program));
+  std::string path = folder.write("nul", nul(good_program));
   expect_unread(read(Reads::program, path), path + ":3:6: NUL byte: this is not a text file");
-  path = folder_.write("nul", replaced(good_stimulus, "27", std::string("27\0", 3)));
+  path = folder.write("nul", replaced(good_stimulus, "27", std::string("27\0", 3)));
   expect_unread(read(Reads::stimulus, path), path + ":5: data: '27?' is no value of 5 bits");
-  path = folder_.write("utf16", std::string("\xff\xfeG\0\n\0", 6));
+  path = folder.write("utf16", std::string("\xff\xfeG\0\n\0", 6));
   expect_unread(read(Reads::program, path), path + ":1:1: unexpected byte 0xff");
   expect_unread(read(Reads::stimulus, path), path + ":1: is not 'cosim stimulus 1'");
   expect_unread(read(Reads::checkpoint, path), path + ": no checkpoint");
-  path = folder_.write("empty", "");
+  path = folder.write("empty", "");
   expect_unread(read(Reads::program, path), path + ":1:1: the program ends without a motion");
   expect_unread(read(Reads::stimulus, path), path + ":1: is not 'cosim stimulus 1'");
   expect_unread(read(Reads::checkpoint, path), path + ": no checkpoint");
@@ -100,18 +95,18 @@ TEST_F(Careless, BytesThatAreNoTextAreNamed) {
 // What a stimulus says of its origin goes to the terminal: nothing there may move its cursor.
 TEST_F(Careless, AnOriginIsOneLineOfPlainText) {
   const std::string text = replaced(good_stimulus, "a line", std::string("a \x1b[2J\0\rline", 12));
-  const Ended ended = read(Reads::stimulus, folder_.write("origin", text));
+  const Ended ended = read(Reads::stimulus, folder.write("origin", text));
   expect_match(ended);
   for (const char c : ended.out) EXPECT_TRUE(c == '\n' || c >= ' ') << static_cast<int>(c);
 }
 
 TEST_F(Careless, WhatIsNoFileIsSaid) {
-  const std::string folder = folder_.path("folder"), pipe = folder_.path("pipe");
-  fs::create_directory(folder);
+  const std::string no_file = folder.path("folder"), pipe = folder.path("pipe");
+  fs::create_directory(no_file);
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-  expect_unread(read(Reads::program, folder), folder + ": is a directory, not a file");
-  expect_unread(read(Reads::stimulus, folder), folder + "/stimulus.stim: no such file");
-  expect_unread(read(Reads::checkpoint, folder), folder + ": cannot write: Is a directory");
+  expect_unread(read(Reads::program, no_file), no_file + ": is a directory, not a file");
+  expect_unread(read(Reads::stimulus, no_file), no_file + "/stimulus.stim: no such file");
+  expect_unread(read(Reads::checkpoint, no_file), no_file + ": cannot write: Is a directory");
   // None of these may wait for somebody to write into the pipe.
   for (const std::string& path : {pipe, std::string("/dev/full"), std::string("/dev/zero")}) {
     expect_unread(read(Reads::program, path), path + ": is not a regular file");
@@ -121,22 +116,22 @@ TEST_F(Careless, WhatIsNoFileIsSaid) {
 }
 
 TEST_F(Careless, OutputsThatAreNoFileAreSaid) {
-  const std::string folder = folder_.path("folder");
-  fs::create_directory(folder);
+  const std::string no_file = folder.path("folder");
+  fs::create_directory(no_file);
   const auto line = [](const std::string& option, const std::string& path) {
     return cosim({"line", "--major", "5", "--minor", "1", option, path});
   };
-  expect_unread(line("--wave", folder), "--wave: " + folder + " does not end in .fst");
-  fs::create_directory(folder_.path("w.fst"));
-  expect_unread(line("--wave", folder_.path("w.fst")),
-                folder_.path("w.fst") + ": cannot write: Is a directory");
-  ASSERT_EQ(mkfifo(folder_.path("pipe.fst").c_str(), 0600), 0);
-  expect_unread(line("--wave", folder_.path("pipe.fst")),
-                "--wave: " + folder_.path("pipe.fst") + " cannot be replaced by a file");
+  expect_unread(line("--wave", no_file), "--wave: " + no_file + " does not end in .fst");
+  fs::create_directory(folder.path("w.fst"));
+  expect_unread(line("--wave", folder.path("w.fst")),
+                folder.path("w.fst") + ": cannot write: Is a directory");
+  ASSERT_EQ(mkfifo(folder.path("pipe.fst").c_str(), 0600), 0);
+  expect_unread(line("--wave", folder.path("pipe.fst")),
+                "--wave: " + folder.path("pipe.fst") + " cannot be replaced by a file");
   // A wave takes the place of a link; what it led to is left alone.
-  fs::create_symlink("/dev/full", folder_.path("full.fst"));
-  expect_match(line("--wave", folder_.path("full.fst")));
-  EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(folder_.path("full.fst"))));
+  fs::create_symlink("/dev/full", folder.path("full.fst"));
+  expect_match(line("--wave", folder.path("full.fst")));
+  EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(folder.path("full.fst"))));
 }
 
 /// A file of 100 MB: a head, then `piece` again and again, then a tail. Written in parts, for the
@@ -159,11 +154,11 @@ constexpr long most_memory = 600'000'000 + test::kept_back;
 TEST_F(Careless, ProgramsOfHugeLinesAreReadInBoundedMemory) {
   const auto huge = [&](const std::string& head, const std::string& piece,
                         const std::string& tail = "") {
-    const Ended ended = read(Reads::program, write_huge(folder_, head, piece, tail));
+    const Ended ended = read(Reads::program, write_huge(folder, head, piece, tail));
     EXPECT_LT(ended.peak, most_memory) << head << piece;
     return ended;
   };
-  const std::string place = folder_.path("huge") + ":1:";
+  const std::string place = folder.path("huge") + ":1:";
   expect_match(huge("G0 X1 (", "x", ")\n"));
   expect_match(huge("G0 X1", " \t", "Y2"));
   expect_match(huge("G0 X1", "\r\n"));
@@ -179,12 +174,12 @@ TEST_F(Careless, StimuliOfHugeLinesAreReadInBoundedMemory) {
   const auto huge = [&](const std::string& before, const std::string& head,
                         const std::string& piece) {
     const std::size_t at = good.find(before);
-    const Ended ended = read(Reads::stimulus, write_huge(folder_, good.substr(0, at) + head, piece,
+    const Ended ended = read(Reads::stimulus, write_huge(folder, good.substr(0, at) + head, piece,
                                                          '\n' + good.substr(at)));
     EXPECT_LT(ended.peak, most_memory) << head << piece;
     return ended;
   };
-  const std::string place = folder_.path("huge") + ":";
+  const std::string place = folder.path("huge") + ":";
   expect_match(huge("clock", "# ", "a "));
   expect_match(huge("clock", "origin ", "a "));
   expect_match(huge("clock", "", " "));
@@ -200,7 +195,7 @@ TEST_F(Careless, StimuliOfHugeLinesAreReadInBoundedMemory) {
 
 TEST_F(Careless, CheckpointsOfHugeSizeAreRefused) {
   for (const char* piece : {"[", "x", "[],", " "}) {
-    const std::string path = write_huge(folder_, "{\"state\":[", piece, "]}");
+    const std::string path = write_huge(folder, "{\"state\":[", piece, "]}");
     const Ended ended = read(Reads::checkpoint, path);
     expect_unread(ended, path + ": no checkpoint: larger than 4 MiB");
     EXPECT_LT(ended.peak, most_memory);

@@ -20,24 +20,22 @@ std::string rtl(const std::string& kept, const std::string& ports = "input [3:0]
                    "part p(clk, rst, d, q); assign wide = {76'h0, q};");
 }
 
-class EquivFailure : public testing::Test {
+class EquivFailure : public InAFolder {
  protected:
   Ended told_apart(const std::string& gold, const std::string& gate, const Arguments& more = {}) {
     return cosim(
-        joined({"equiv", "--gold", folder_.write("gold.v", gold), "--gate",
-                folder_.write("gate.v", gate), "--top", "m", "--failures", folder_.path("kept"),
-                "--report", folder_.path("report.json"), "--html", folder_.path("page.html")},
+        joined({"equiv", "--gold", folder.write("gold.v", gold), "--gate",
+                folder.write("gate.v", gate), "--top", "m", "--failures", folder.path("kept"),
+                "--report", folder.path("report.json"), "--html", folder.path("page.html")},
                more));
   }
-  std::string kept(const std::string& name) const { return folder_.text("kept/m-equiv/" + name); }
-  Json report() const { return Json::parse(folder_.text("report.json")); }
+  std::string kept(const std::string& name) const { return folder.text("kept/m-equiv/" + name); }
+  Json report() const { return Json::parse(folder.text("report.json")); }
   // Of a signal of the wave, in the middle of a clock, from 0.
   std::string at(const std::string& signal, int clock) const {
-    const test::Vcd wave(folder_.path("kept/m-equiv/wave.fst"));
+    const test::Vcd wave(folder.path("kept/m-equiv/wave.fst"));
     return wave.at(signal, static_cast<std::uint64_t>(10 * clock + 2)).value_or("nothing");
   }
-
-  Folder folder_;
 };
 using EquivReplayWave = EquivFailure;
 
@@ -45,19 +43,17 @@ TEST_F(EquivFailure, LeavesAPageAndAWave) {
   const Ended ended = ends(1, told_apart(rtl("d"), rtl("d ^ 8"), {"--netlists"}));
   // The reset is three clocks; the first register behind it differs on the fifth, which is
   // number 4 wherever it is named.
-  EXPECT_NE(ended.out.find("m: different on clock 4"), std::string::npos) << ended.out;
-  EXPECT_NE(kept("report.txt").find("m: different on clock 4"), std::string::npos);
+  EXPECT_TRUE(has(ended.out, "m: different on clock 4"));
+  EXPECT_TRUE(has(kept("report.txt"), "m: different on clock 4"));
   const std::string csv = kept("stimulus.csv");
-  EXPECT_NE(csv.find("\n4,"), std::string::npos) << csv;
-  EXPECT_EQ(csv.find("\n5,"), std::string::npos) << csv;
+  EXPECT_TRUE(has(csv, "\n4,"));
+  EXPECT_FALSE(has(csv, "\n5,"));
   const std::string page = kept("report.html");
-  EXPECT_EQ(folder_.text("page.html"), page);
-  for (const char* shown : {"class=\"verdict bad\"", ">q old<", ">q new<", "from reset: rst is 1",
-                            "differ on clock 4,"}) {
-    EXPECT_NE(page.find(shown), std::string::npos) << shown;
-  }
+  EXPECT_EQ(folder.text("page.html"), page);
+  expect_has(page, {"class=\"verdict bad\"", ">q old<", ">q new<", "from reset: rst is 1",
+                    "differ on clock 4,"});
   EXPECT_LT(page.find(">q old<"), page.find(">q new<"));
-  EXPECT_NE(kept("wave.gtkw").find("+{q old} cosim.old.q[3:0]"), std::string::npos);
+  EXPECT_TRUE(has(kept("wave.gtkw"), "+{q old} cosim.old.q[3:0]"));
   if (!test::can_read_waves()) GTEST_SKIP() << "no fst2vcd";
   const Json last = report()["stimulus"].back();
   EXPECT_EQ(Json(at("cosim.old.q", 4)), last["old"]["q"]);
@@ -70,9 +66,8 @@ TEST_F(EquivFailure, LeavesAPageAndAWave) {
 
 TEST_F(EquivFailure, APageOfWhatIsEqual) {
   ends(0, told_apart(rtl("d"), rtl("~~d")));
-  const std::string page = folder_.text("page.html");
-  EXPECT_NE(page.find("class=\"verdict good\">equal<"), std::string::npos) << page;
-  EXPECT_NE(page.find("m: equal for ever"), std::string::npos);
+  const std::string page = folder.text("page.html");
+  expect_has(page, {"class=\"verdict good\">equal<", "m: equal for ever"});
 }
 
 TEST_F(EquivFailure, SaysWhereOnlyTheTimeDiffers) {
@@ -86,14 +81,14 @@ TEST_F(EquivFailure, SaysWhereOnlyTheTimeDiffers) {
       "only the time differs on these clocks: the values in their order are the "
       "same, in the new q 1 clock ";
   const Ended later = told_apart(stage("d"), stage("p"), {"--netlists"});
-  EXPECT_NE(later.out.find(said + "later\n"), std::string::npos) << later.out;
-  EXPECT_NE(kept("report.html").find(said), std::string::npos);
+  EXPECT_TRUE(has(later.out, said + "later\n"));
+  EXPECT_TRUE(has(kept("report.html"), said));
   EXPECT_EQ(report()["only_the_time_differs"], true);
   EXPECT_EQ(report()["later"]["q"], 1);
   // Another value, and a value that never comes.
   for (const char* other : {"~p", "p | q"}) {
     const Ended ended = ends(1, told_apart(stage("d"), stage(other), {"--netlists"}));
-    EXPECT_EQ(ended.out.find("only the time"), std::string::npos) << other << ended.out;
+    EXPECT_FALSE(has(ended.out, "only the time")) << other;
     EXPECT_EQ(report()["only_the_time_differs"], false);
   }
 }
@@ -101,7 +96,7 @@ TEST_F(EquivFailure, SaysWhereOnlyTheTimeDiffers) {
 TEST_F(EquivReplayWave, DrawsTheHierarchiesOfBoth) {
   if (!test::can_read_waves()) GTEST_SKIP() << "no fst2vcd";
   const Ended ended = ends(1, told_apart(rtl("d"), rtl("d ^ 8")));
-  EXPECT_NE(ended.out.find("replayed in Verilator"), std::string::npos) << ended.out;
+  EXPECT_TRUE(has(ended.out, "replayed in Verilator"));
   const Json last = report()["stimulus"].back();
   EXPECT_EQ(Json(at("old.p.s", 4)), last["old"]["q"]);
   EXPECT_EQ(Json(at("new.p.s", 4)), last["new"]["q"]);

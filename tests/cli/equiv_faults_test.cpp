@@ -10,8 +10,6 @@
 namespace cosim::cli {
 namespace {
 
-namespace fs = std::filesystem;
-
 Arguments sources(const fs::path& folder) {
   Arguments files;
   for (const auto& one : fs::directory_iterator(folder)) {

@@ -27,17 +27,15 @@ Found find(Arguments command, std::uint64_t clock, const std::string& signal) {
       joined(command, {"--report", folder.path("report"), "--failures", folder.path("failures")}));
   EXPECT_EQ(f.ended.status, 1);
   EXPECT_EQ(f.ended.err, "");
-  EXPECT_NE(f.ended.out.find("\nverdict: MISMATCH\n"), std::string::npos) << f.ended.out;
-  EXPECT_NE(f.ended.out.find("first difference: clock " + std::to_string(clock) + ", " + signal),
-            std::string::npos)
-      << f.ended.out;
+  expect_has(f.ended.out, {"\nverdict: MISMATCH\n",
+                           "first difference: clock " + std::to_string(clock) + ", " + signal});
   const std::string elsewhere = std::filesystem::temp_directory_path().string();
   for (const std::string& line : lines(f.ended.out)) {
     // What names a file is as long as the way to it.
     if (line.find(elsewhere) != std::string::npos) continue;
     EXPECT_LE(line.size(), 120U) << line;
   }
-  EXPECT_NE(f.ended.out.find("\nkept in: " + folder.path("failures")), std::string::npos);
+  EXPECT_TRUE(has(f.ended.out, "\nkept in: " + folder.path("failures")));
   f.report = json::parse(folder.text("report"), nullptr, false);
   EXPECT_EQ(f.report["verdict"], "mismatch");
   EXPECT_EQ(f.report["mismatch"]["clock"], clock);
@@ -53,8 +51,7 @@ TEST(Mismatch, OfALine) {
   // The words seen before: BP, UK, start and the first word formed take four clocks.
   EXPECT_EQ(f.csv.size(), 1U + 20 - 4);
   EXPECT_EQ(f.report["steps"], 64 * 16);
-  EXPECT_NE(f.ended.out.find("1024 steps before the first difference\n"), std::string::npos)
-      << f.ended.out;
+  EXPECT_TRUE(has(f.ended.out, "1024 steps before the first difference\n"));
 }
 
 // Eight clocks before and four behind, each signal on each of them, all within 120 columns.
@@ -89,7 +86,7 @@ TEST(Mismatch, OfAPathNamesTheSegment) {
   const std::string file = folder.write("p.ngc", "G0 X5\n(between)\nX100\nG3 X0 Y100 I-100\n");
   const Found f = find({"path", file, "--steps-per-mm", "20"}, 20, "counter4");
   EXPECT_EQ(f.report["mismatch"]["case"], "segment 2, line 3 of the program");
-  EXPECT_NE(f.ended.out.find("segment 2, line 3 of the program\n"), std::string::npos);
+  EXPECT_TRUE(has(f.ended.out, "segment 2, line 3 of the program\n"));
 }
 
 TEST(Mismatch, OfASweepNamesTheCase) {
@@ -110,7 +107,7 @@ TEST(Mismatch, IsNoneWhereTheMachineIsRight) {
 // The verdict is the status even where the report cannot be written in the end.
 TEST(Mismatch, IsSaidBeforeTheReportFails) {
   const Ended ended = ends(2, faulty({"arc", "--radius", "100000", "--report", "/dev/full"}));
-  EXPECT_NE(ended.out.find("verdict: MISMATCH\n"), std::string::npos);
+  EXPECT_TRUE(has(ended.out, "verdict: MISMATCH\n"));
 }
 
 }  // namespace

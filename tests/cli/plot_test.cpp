@@ -7,7 +7,7 @@
 
 #include "tests/cli/help.h"
 #include "tests/cli/picture.h"
-#include "tests/cli/program.h"
+#include "tests/support/stand_ins.h"
 
 namespace cosim::cli {
 namespace {
@@ -38,17 +38,16 @@ TEST(Plot, DrawsEitherFormat) {
       EXPECT_EQ(ended.out, cosim(plain).out);
     }
     EXPECT_EQ(folder.text("a.png").substr(1, 3), "PNG");
-    EXPECT_NE(folder.text("a.svg").find("<svg"), std::string::npos);
-    EXPECT_NE(folder.text("a.svg").find("step along the path"), std::string::npos);
+    EXPECT_TRUE(has(folder.text("a.svg"), "<svg"));
+    EXPECT_TRUE(has(folder.text("a.svg"), "step along the path"));
   }
 }
 
 void expect_no_plot(const std::string& file, const std::string& error) {
   for (const Arguments& arguments : drawings()) {
     const Ended ended = cosim(joined(arguments, {"--plot", file}));
-    EXPECT_EQ(ended.status, 2) << arguments.front();
-    EXPECT_EQ(ended.out, "");
-    EXPECT_EQ(ended.err, "cosim: " + error + "\n");
+    EXPECT_EQ(ended.out, "") << arguments.front();
+    EXPECT_EQ(refusal(ended), "cosim: " + error + "\n") << arguments.front();
   }
 }
 
@@ -56,9 +55,8 @@ TEST(Plot, RefusesWhatItCannotDraw) {
   expect_no_plot("a.pdf", "--plot: a.pdf does not end in .svg or .png");
   expect_no_plot("png", "--plot: png does not end in .svg or .png");
   expect_no_plot(".png", "--plot: '.png' has no name before its .png");
-  const Ended twice =
-      ends(2, cosim({"arc", "--radius", "12", "--csv", "/tmp/a.png", "--plot", "/tmp/a.png"}));
-  EXPECT_EQ(twice.err, "cosim: --plot: /tmp/a.png is the file of --csv\n");
+  const Arguments twice{"arc", "--radius", "12", "--csv", "/tmp/a.png", "--plot", "/tmp/a.png"};
+  EXPECT_EQ(refusal(cosim(twice)), "cosim: --plot: /tmp/a.png is the file of --csv\n");
   if (!can_plot()) GTEST_SKIP() << "no gnuplot";
   expect_no_plot("/nowhere/a.png", "/nowhere/a.png: cannot write: No such file or directory");
 }
@@ -66,19 +64,18 @@ TEST(Plot, RefusesWhatItCannotDraw) {
 TEST(Plot, RefusesAPathTooLongToDraw) {
   if (!can_plot()) GTEST_SKIP() << "no gnuplot";
   const Folder folder;
-  const Ended ended = ends(
-      2, cosim({"line", "--major", "4294967295", "--minor", "0", "--plot", folder.path("a.svg")}));
-  EXPECT_EQ(ended.err, "cosim: --plot: a path of more than 999999 steps is too long to draw\n");
+  const Ended ended =
+      cosim({"line", "--major", "4294967295", "--minor", "0", "--plot", folder.path("a.svg")});
+  EXPECT_EQ(refusal(ended),
+            "cosim: --plot: a path of more than 999999 steps is too long to draw\n");
   EXPECT_FALSE(folder.holds("a.svg"));
 }
 
 TEST(Plot, SaysThatGnuplotIsMissing) {
-  const std::string path = std::getenv("PATH");
   const Folder folder;
-  setenv("PATH", folder.path("empty").c_str(), 1);
+  const test::WithPath none(folder.path("empty"));
   expect_no_plot(folder.path("a.png"),
                  "--plot: needs gnuplot, which is not installed (apt-get install gnuplot-nox)");
-  setenv("PATH", path.c_str(), 1);
   EXPECT_FALSE(folder.holds("a.png"));
 }
 

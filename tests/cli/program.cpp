@@ -66,6 +66,11 @@ Ended ends(int status, Ended ended, std::source_location at) {
   return ended;
 }
 
+std::string refusal(const Ended& ended, std::source_location at) {
+  EXPECT_EQ(lines(ended.err).size(), 1U) << ended.err;
+  return ends(2, ended, at).err;
+}
+
 Ended cosim(const Arguments& arguments, const Output& output) {
   return run(COSIM_PROGRAM, arguments, output);
 }

@@ -1,18 +1,18 @@
 // Runs the program and takes down what it says.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <functional>
 #include <source_location>
 #include <string>
 #include <vector>
 
 #include "tests/support/folder.h"
+#include "tests/support/has.h"
 
 namespace cosim::cli {
 
-using test::Folder;
+namespace fs = std::filesystem;
+using test::expect_has, test::Folder, test::has, test::InAFolder;
 using Arguments = std::vector<std::string>;
 
 /// The words of `first` with `more` behind them.
@@ -20,12 +20,6 @@ inline Arguments joined(Arguments first, const Arguments& more) {
   first.insert(first.end(), more.begin(), more.end());
   return first;
 }
-
-/// A test with a folder of its own.
-class InAFolder : public testing::Test {
- protected:
-  const Folder folder;
-};
 
 /// How a run ended. A status of 128 + n is a death by signal n.
 struct Ended {
@@ -37,6 +31,9 @@ struct Ended {
 
 /// A run, which has to end with that status.
 Ended ends(int status, Ended ended, std::source_location at = std::source_location::current());
+
+/// What a run says that is refused, which is one line.
+std::string refusal(const Ended& ended, std::source_location at = std::source_location::current());
 
 /// Where standard output goes: into Ended::out, to the file of that path (opened as a shell's >
 /// does), or nowhere, closed. The same of standard error.

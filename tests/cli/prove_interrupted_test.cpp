@@ -10,11 +10,10 @@
 
 #include "tests/cli/program.h"
 #include "tests/support/root.h"
+#include "tests/support/stand_ins.h"
 
 namespace cosim::cli {
 namespace {
-
-namespace fs = std::filesystem;
 
 // How many processes have a word in their command line; those that cannot be read have not.
 int running(const std::string& word) {
@@ -33,20 +32,13 @@ class InterruptedProof : public testing::TestWithParam<int> {
  protected:
   void SetUp() override {
     fs::create_directory(folder_.path("tmp"));
-    fs::create_directory(folder_.path("bin"));
     setenv("TMPDIR", folder_.path("tmp").c_str(), 1);
-    setenv("PATH", (folder_.path("bin") + ':' + path_).c_str(), 1);
   }
-  void TearDown() override {
-    setenv("PATH", path_.c_str(), 1);
-    unsetenv("TMPDIR");
-  }
+  void TearDown() override { unsetenv("TMPDIR"); }
 
   // A program that does not end.
   void stand_in(const char* name, const std::string& before = "") {
-    const std::string file = folder_.write(std::string("bin/") + name,
-                                           "#!/bin/sh\n" + before + "\nexec tail -f " + waits_);
-    chmod(file.c_str(), 0700);
+    bin_.program(name, before + "\nexec tail -f " + waits_);
   }
 
   Ended expect_ended(const Arguments& arguments) {
@@ -59,7 +51,7 @@ class InterruptedProof : public testing::TestWithParam<int> {
   }
 
   Folder folder_;
-  const std::string path_ = std::getenv("PATH");
+  const test::StandIns bin_;
   const std::string waits_ = folder_.write("waits", "");
   const std::string rtl_ = (test::project_root() / "rtl").string();
 };
@@ -77,12 +69,12 @@ TEST_P(InterruptedProof, EndsTheSolvers) {
 
 // The rows of what was decided before it are there.
 TEST_P(InterruptedProof, EndsWhatIsAskedFromReset) {
-  stand_in("yosys-abc",
-           "case \"$*\" in *asked.aig*) ;; *) PATH=" + path_ + " exec yosys-abc \"$@\" ;; esac");
+  stand_in("yosys-abc", "case \"$*\" in *asked.aig*) ;; *) PATH=" + bin_.path.before +
+                            " exec yosys-abc \"$@\" ;; esac");
   const std::string fault = COSIM_VARIANTS "/circular_faults_variants_swapped";
   const Ended e = expect_ended({"prove", "circular", "W=4", "--rtl", fault});
-  EXPECT_NE(e.out.find("circular W=4         base case: "), std::string::npos) << e.out;
-  EXPECT_EQ(e.out.find("inductive step"), std::string::npos) << e.out;
+  EXPECT_TRUE(has(e.out, "circular W=4         base case: "));
+  EXPECT_FALSE(has(e.out, "inductive step"));
 }
 
 // While it reads, while the engines look, and while a difference is replayed: no folder is kept.
@@ -99,7 +91,7 @@ TEST_P(InterruptedProof, EndsAComparison) {
   for (const char* tool : {"verilator", "yosys-abc", "yosys"}) {
     stand_in(tool);
     expect_ended(compared);
-    fs::remove(folder_.path(std::string("bin/") + tool));
+    fs::remove(bin_.folder.path(tool));
     EXPECT_FALSE(folder_.holds("kept")) << tool;
   }
 }
@@ -117,18 +109,14 @@ INSTANTIATE_TEST_SUITE_P(On, InterruptedProof, testing::Values(SIGHUP, SIGINT, S
 // What a busy computer, or a harder question, may end with.
 TEST(ProofAtItsLimit, SaysWhatToDo) {
   const Folder folder;
-  const std::string path = std::getenv("PATH");
-  fs::create_directory(folder.path("bin"));
+  const test::StandIns bin;
   // One question takes cvc5, which is asked one at a time, more time than there is. No answer of
   // others is one that settles it before that.
   const std::string slow =
       "mkdir " + folder.path("once") + " 2> /dev/null && exec sha256sum /dev/zero\n";
-  for (const auto& [name, first] : {std::pair("bin/cvc5", slow), {"bin/z3", std::string()}}) {
-    chmod(folder.write(name, "#!/bin/sh\n" + first + "echo unknown\n").c_str(), 0700);
-  }
-  setenv("PATH", (folder.path("bin") + ':' + path).c_str(), 1);
+  bin.program("cvc5", slow + "echo unknown");
+  bin.program("z3", "echo unknown");
   const Ended e = cosim({"prove", "--theorems", "linear", "--limit", "1"});
-  setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(e.status, 1) << e.err;
   ASSERT_FALSE(e.out.empty());
   EXPECT_EQ(lines(e.out).back(),

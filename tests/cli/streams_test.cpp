@@ -14,13 +14,14 @@
 namespace cosim::cli {
 namespace {
 
-namespace fs = std::filesystem;
 using Streams = InAFolder;
 using StandardOutput = InAFolder;
 
 Ended line(const Arguments& more, const Output& output = {}) {
   return cosim(joined({"line", "--major", "27", "--minor", "9"}, more), output);
 }
+
+constexpr const char* no_folder = ": cannot write: No such file or directory";
 
 void expect_error(const Ended& ended, const std::string& error) {
   EXPECT_EQ(ended.status, 2);
@@ -29,8 +30,7 @@ void expect_error(const Ended& ended, const std::string& error) {
 
 TEST_F(Streams, ThatCannotBeWrittenIsSaid) {
   for (const char* option : {"--csv", "--report"}) {
-    expect_error(line({option, folder.path("none/x")}),
-                 folder.path("none/x") + ": cannot write: No such file or directory");
+    expect_error(line({option, folder.path("none/x")}), folder.path("none/x") + no_folder);
     expect_error(line({option, folder.path("")}),
                  folder.path("") + ": cannot write: Is a directory");
     expect_error(line({option, "/dev/full"}), "/dev/full: cannot write: No space left on device");
@@ -44,18 +44,17 @@ TEST_F(Streams, ThatCannotBeWrittenIsSaid) {
 TEST_F(Streams, ThatCannotBeWrittenIsSaidFirst) {
   const std::string bad = folder.path("none/x");
   const Ended ended = cosim({"sweep", "linear", "--random", "281474976710656", "--report", bad});
-  expect_error(ended, bad + ": cannot write: No such file or directory");
+  expect_error(ended, bad + no_folder);
   EXPECT_EQ(ended.out, "");
   // And with nothing lost of the other file.
   folder.write("csv", "kept\n");
-  expect_error(line({"--csv", folder.path("csv"), "--report", bad}),
-               bad + ": cannot write: No such file or directory");
+  expect_error(line({"--csv", folder.path("csv"), "--report", bad}), bad + no_folder);
   EXPECT_EQ(folder.text("csv"), "kept\n");
 }
 
 TEST_F(Streams, WithoutRoomKeepsTheVerdict) {
   const Ended ended = line({"--report", "/dev/full"});
-  EXPECT_NE(ended.out.find("verdict: match\n"), std::string::npos) << ended.out;
+  EXPECT_TRUE(has(ended.out, "verdict: match\n"));
 }
 
 TEST_F(Streams, OfBothKindsNeedsTwoFiles) {
@@ -121,7 +120,7 @@ TEST_F(Streams, ReplacesWhatStoodThere) {
   folder.write("report", std::string(100000, 'x'));
   EXPECT_EQ(line({"--csv", folder.path("csv"), "--report", folder.path("report")}).status, 0);
   EXPECT_EQ(lines(folder.text("csv")).size(), 5U);
-  EXPECT_EQ(folder.text("report").find("xxx"), std::string::npos);
+  EXPECT_FALSE(has(folder.text("report"), "xxx"));
 }
 
 // What can be known before the run is checked before: nothing is lost and nothing waited for.

@@ -55,18 +55,14 @@ std::vector<std::string> designs() {
 
 TEST(Sweep, RunsOnEveryWidthBuilt) {
   const Swept lines_swept = sweep({"linear", "--random", "20"});
-  for (const char* machine :
-       {"linear M=5 N=2, ", "linear M=6 N=3, ", "linear M=8 N=5, ", "linear M=16 N=12, ",
-        "linear M=16 N=13, ", "linear M=24 N=21, ", "linear M=32 N=26, "}) {
-    EXPECT_NE(lines_swept.ended.out.find(machine), std::string::npos) << machine;
-  }
+  expect_has(lines_swept.ended.out,
+             {"linear M=5 N=2, ", "linear M=6 N=3, ", "linear M=8 N=5, ", "linear M=16 N=12, ",
+              "linear M=16 N=13, ", "linear M=24 N=21, ", "linear M=32 N=26, "});
   EXPECT_EQ(lines_swept.report["design"], "linear");
   EXPECT_EQ(clocks_of_runs(lines_swept.report).size(), 7U);
   const Swept arcs = sweep({"circular", "--random", "20"});
-  for (const char* machine : {"circular W=4, ", "circular W=8, ", "circular W=12, ",
-                              "circular W=16, ", "circular W=24, ", "circular W=32, "}) {
-    EXPECT_NE(arcs.ended.out.find(machine), std::string::npos) << machine;
-  }
+  expect_has(arcs.ended.out, {"circular W=4, ", "circular W=8, ", "circular W=12, ",
+                              "circular W=16, ", "circular W=24, ", "circular W=32, "});
   EXPECT_EQ(arcs.report["design"], "circular");
   EXPECT_EQ(clocks_of_runs(arcs.report).size(), 6U);
 }
@@ -107,13 +103,13 @@ TEST(Sweep, RunsSoManyHostileClocks) {
     const Swept s = sweep({design, "--hostile", "1234"});
     for (const std::uint64_t clocks : clocks_of_runs(s.report)) EXPECT_EQ(clocks, 1234U);
     // Hostile clocks draw nothing: nothing is said of steps.
-    EXPECT_EQ(s.ended.out.find("step"), std::string::npos) << s.ended.out;
+    EXPECT_FALSE(has(s.ended.out, "step"));
     EXPECT_FALSE(s.report.contains("steps"));
     EXPECT_FALSE(s.report["runs"][0].contains("max_deviation"));
-    EXPECT_NE(s.ended.out.find(": 1234 clocks ("), std::string::npos) << s.ended.out;
+    EXPECT_TRUE(has(s.ended.out, ": 1234 clocks ("));
   }
-  EXPECT_NE(sweep({"linear", "--hostile", "1", "--m", "5"}).ended.out.find(" on the one clock\n"),
-            std::string::npos);
+  EXPECT_TRUE(
+      has(sweep({"linear", "--hostile", "1", "--m", "5"}).ended.out, " on the one clock\n"));
 }
 
 // Whatever the threads do.

@@ -42,12 +42,12 @@ TEST(Terminal, ShowsABar) {
     if (open == std::string::npos) continue;
     ++bars;
     EXPECT_EQ(line.find(']'), open + 4 + 30) << line;
-    EXPECT_NE(line.find("] circular W=8, every"), std::string::npos) << line;
+    EXPECT_TRUE(has(line, "] circular W=8, every"));
     whole += line.find("100 % [##############################]") == 0 ? 1 : 0;
   }
   EXPECT_GE(bars, 2);
   EXPECT_GE(whole, 2);  // both sweeps come to their end; one may be shown there twice
-  EXPECT_NE(ended.out.find("verdict: match"), std::string::npos);
+  EXPECT_TRUE(has(ended.out, "verdict: match"));
 }
 
 // A single run that takes more than a moment; it leaves nothing of it.
@@ -59,8 +59,7 @@ TEST(Terminal, ShowsABarOfOneLongRun) {
   int bars = 0;
   for (const std::string& line : all) bars += line.find(" % [") != std::string::npos ? 1 : 0;
   EXPECT_GE(bars, 2) << ended.out;
-  EXPECT_NE(ended.out.find("] circular W=32"), std::string::npos);
-  EXPECT_NE(ended.out.find("\r\x1b[Kdrawn: "), std::string::npos) << ended.out;
+  expect_has(ended.out, {"] circular W=32", "\r\x1b[Kdrawn: "});
 }
 
 // Ten digits of the clock and of both coordinates, two signs: 38 bytes a step.
@@ -69,9 +68,9 @@ TEST(Terminal, SaysHowLargeACsvWillBe) {
   const std::string csv = folder.path("c");
   const Ended large = cosim_signalled({"arc", "--radius", "4294967295", "--csv", csv}, SIGTERM,
                                       600'000, Until::a_line);
-  EXPECT_NE(large.out.find("csv: up to 231 GB, " + csv + "\n"), std::string::npos) << large.out;
+  EXPECT_TRUE(has(large.out, "csv: up to 231 GB, " + csv + "\n"));
   const Ended small = cosim({"line", "--major", "27", "--minor", "9", "--csv", csv});
-  EXPECT_EQ(small.out.find("csv: "), std::string::npos);
+  EXPECT_FALSE(has(small.out, "csv: "));
 }
 
 // The bar is gone once the sweep is over: in its place stands the plain line.
@@ -84,9 +83,9 @@ TEST(Terminal, IsLeftWithPlainLines) {
     const std::size_t redrawn = text.rfind("\r\x1b[K");
     screen += (redrawn == std::string::npos ? text : text.substr(redrawn + 4)) + "\n";
   }
-  EXPECT_EQ(screen.find('%'), std::string::npos) << screen;
-  EXPECT_EQ(screen.find('\r'), std::string::npos) << screen;
-  EXPECT_EQ(screen.find('\x1b'), std::string::npos) << screen;
+  EXPECT_FALSE(has(screen, "%"));
+  EXPECT_FALSE(has(screen, "\r"));
+  EXPECT_FALSE(has(screen, "\x1b"));
   EXPECT_EQ(lines(screen).size(), 4U) << screen;
 }
 
@@ -105,9 +104,9 @@ TEST(Terminal, ThatIsNarrowHasABarThatFits) {
 
 TEST(NoTerminal, HasPlainLinesAlone) {
   const Ended ended = ends(0, cosim(kSweep));
-  EXPECT_EQ(ended.out.find('\r'), std::string::npos);
-  EXPECT_EQ(ended.out.find('\x1b'), std::string::npos);
-  EXPECT_EQ(ended.out.find('%'), std::string::npos);
+  EXPECT_FALSE(has(ended.out, "\r"));
+  EXPECT_FALSE(has(ended.out, "\x1b"));
+  EXPECT_FALSE(has(ended.out, "%"));
   EXPECT_EQ(lines(ended.out).size(), 4U)
       << ended.out;  // two sweeps, what was compared, the verdict
 }

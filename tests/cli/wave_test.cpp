@@ -9,7 +9,6 @@
 namespace cosim::cli {
 namespace {
 
-namespace fs = std::filesystem;
 using Wave = InAFolder;
 using FailureFolder = InAFolder;
 
@@ -19,12 +18,6 @@ std::string behind(const std::string& text, const std::string& head) {
     if (line.starts_with(head)) return line.substr(head.size());
   }
   return "";
-}
-
-std::string refusal(const Arguments& arguments) {
-  const Ended e = ends(2, cosim(arguments));
-  EXPECT_EQ(lines(e.err).size(), 1U) << e.err;
-  return e.err;
 }
 
 TEST_F(Wave, OfALineShowsItsWordsAndPath) {
@@ -68,7 +61,7 @@ TEST_F(Wave, OfAPathIsOneAMachine) {
 
 TEST_F(Wave, ThatCannotBeDrawnIsSaidFirst) {
   const auto with = [](const std::string& file) {
-    return Arguments{"arc", "--radius", "5", "--wave", file};
+    return cosim({"arc", "--radius", "5", "--wave", file});
   };
   EXPECT_EQ(refusal(with("")), "cosim: --wave: names no file\n");
   EXPECT_EQ(refusal(with("x.vcd")), "cosim: --wave: x.vcd does not end in .fst\n");
@@ -104,7 +97,7 @@ TEST_F(FailureFolder, IsReplayedToTheSameDifference) {
   const Ended again = ends(1, faulty({"replay", kept, "--wave", folder.path("again.fst")}));
   EXPECT_EQ(behind(again.out, "first difference: "), first);
   EXPECT_TRUE(folder.holds("again.fst"));
-  EXPECT_EQ(again.out.find("kept in"), std::string::npos);
+  EXPECT_FALSE(has(again.out, "kept in"));
   // The machine without the fault has no difference there.
   ends(0, cosim({"replay", kept}));
 }
@@ -113,7 +106,7 @@ TEST_F(FailureFolder, ThatCannotBeWrittenLeavesTheVerdict) {
   const std::string file = folder.write("taken", "a file");
   const Ended e =
       ends(1, faulty({"line", "--major", "3000", "--minor", "700", "--failures", file}));
-  EXPECT_NE(e.out.find("verdict: MISMATCH\n"), std::string::npos);
+  EXPECT_TRUE(has(e.out, "verdict: MISMATCH\n"));
   EXPECT_EQ(lines(e.err).size(), 1U) << e.err;
   EXPECT_TRUE(e.err.starts_with("cosim: the failure is not kept: " + file)) << e.err;
   EXPECT_EQ(folder.text("taken"), "a file");
@@ -136,23 +129,22 @@ TEST_F(FailureFolder, OfNoRoomLooksLikeNone) {
 
 TEST(Replay, RefusesWhatIsNoStimulus) {
   const Folder folder;
-  EXPECT_EQ(refusal({"replay", ""}), "cosim: FILE: names no file\n");
-  EXPECT_EQ(refusal({"replay", folder.path("none.stim")}),
+  const auto of = [](const Arguments& more) { return refusal(cosim(joined({"replay"}, more))); };
+  EXPECT_EQ(of({""}), "cosim: FILE: names no file\n");
+  EXPECT_EQ(of({folder.path("none.stim")}),
             "cosim: " + folder.path("none.stim") + ": no such file\n");
   const std::string text = folder.write("x.stim", "G1 X5\n");
-  EXPECT_EQ(refusal({"replay", text}), "cosim: " + text + ":1: is not 'cosim stimulus 1'\n");
+  EXPECT_EQ(of({text}), "cosim: " + text + ":1: is not 'cosim stimulus 1'\n");
   const std::string other = folder.write("y.stim", "cosim stimulus 1\nmachine linear M=9 N=2\n");
-  EXPECT_EQ(refusal({"replay", other}),
+  EXPECT_EQ(of({other}),
             "cosim: " + other + ":2: no machine 'linear M=9 N=2' is built; see cosim list\n");
   const std::string half = folder.write(
       "z.stim",
       "cosim stimulus 1\nmachine circular W=4\nclock rst load f ct7 ct8 sector2 start stop\n");
-  EXPECT_EQ(refusal({"replay", half}),
-            "cosim: " + half + ":3: the file ends before 'end': it is not complete\n");
+  EXPECT_EQ(of({half}), "cosim: " + half + ":3: the file ends before 'end': it is not complete\n");
   fs::create_directory(folder.path("empty"));
-  EXPECT_NE(refusal({"replay", folder.path("empty")}).find("empty/stimulus.stim: "),
-            std::string::npos);
-  EXPECT_EQ(refusal({"replay", text, "--wave", text}).find("cosim: "), 0U);
+  EXPECT_TRUE(has(of({folder.path("empty")}), "empty/stimulus.stim: "));
+  EXPECT_EQ(of({text, "--wave", text}).find("cosim: "), 0U);
 }
 
 }  // namespace

@@ -16,6 +16,12 @@ for tool in yosys cvc5 z3; do
   command -v "$tool" > /dev/null || { solvers='' && echo "no $tool: nothing is proved"; }
 done
 
+# stimulus MACHINE COLUMNS ROW...: a.stim is one of these rows.
+stimulus() {
+  printf 'cosim stimulus 1\nmachine %s\nclock %s\n' "$1" "$2" > a.stim
+  printf '%s\n' "${@:3}" end >> a.stim
+}
+
 # What is particular to a design, in a function: it may have variables of its own.
 particular() {
   local name=$1

@@ -4,10 +4,9 @@
 # `cosim new` reads VHDL: packages, entities in any order of files, generics, registers by the names
 # of their signals; VHDL below Verilog; and what GHDL says of VHDL that it does not read is one line.
 # Status: 0 so, 1 not, 77 where ghdl is not installed.
-source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
+program=$(realpath "$1")
+source "$(dirname "${BASH_SOURCE[0]}")/../support/program.sh"
 needs ghdl
-program=$1
-cd "$folder"
 
 mkdir rtl
 cat > rtl/a_top.vhd << 'RTL'
@@ -129,37 +128,31 @@ grep -qF 'return {.rst = 1}; }' alone/alone.h
 # Two versions are compared, with a parameter, and one of them may be Verilog.
 sed 's/Sum <= Sum + unsigned(held)/Sum <= unsigned(held) + Sum/' rtl/a_top.vhd > a_top.vhd
 same=(rtl/b_kinds.vhd rtl/c_store.vhdl)
-"$program" equiv --gold rtl/a_top.vhd "${same[@]}" --gate a_top.vhd "${same[@]}" --top top \
-  --reset RST_N=0 --param WIDTH=9 > said
-grep -q '^top: equal for ever' said
+ends 0 equiv --gold rtl/a_top.vhd "${same[@]}" --gate a_top.vhd "${same[@]}" --top top \
+  --reset RST_N=0 --param WIDTH=9
+says_like '^top: equal for ever'
 sed 's/(others => .0.)/x"5"/' store4.vhd > other.vhd
-status=0
-"$program" equiv --gold store4.vhd --gate other.vhd --top store4 --reset d --netlists > said 2>&1 ||
-  status=$?
-[[ $status == 2 ]]
-"$program" equiv --gold store4.vhd --gate other.vhd --top store4 --netlists > said || status=$?
-[[ $status == 1 ]] && grep -q '^store4: different on clock' said
+ends 2 equiv --gold store4.vhd --gate other.vhd --top store4 --reset d --netlists
+ends 1 equiv --gold store4.vhd --gate other.vhd --top store4 --netlists
+says_like '^store4: different on clock'
 
 # refused FILES: what is said of them, as one line.
 refused() {
-  local status=0
-  "$program" new bad "$@" > said 2>&1 || status=$?
-  [[ $status == 2 && $(wc -l < said) == 1 && ! -e bad ]] || { cat said && exit 1; }
+  ends 2 new bad "$@"
+  [[ $(wc -l < said) == 1 && ! -e bad ]] || fails "it is a line, and nothing is left"
 }
 sed 's/kept <= d;/kept <= d + ;/' store4.vhd > broken.vhd
 refused broken.vhd
-grep -q '^cosim: new: broken.vhd:1[0-9]:.*primary expression expected' said
+says_like '^cosim: new: broken.vhd:1[0-9]:.*primary expression expected'
 sed 's/end architecture/-- end/' store4.vhd > open.vhd
 refused open.vhd
 sed 's/if rising_edge(clk)/if clk/; s,entity work,work,' rtl/a_top.vhd > missing.vhd
 refused missing.vhd
-grep -q 'missing.vhd:4:' said
+says 'missing.vhd:4:'
 mkdir bin
 for tool in sh perl cmake verilator verilator_bin env yosys rm mkdir; do
   real=$(command -v "$tool") || continue
   ln -s "$real" "bin/$tool"
 done
-status=0
-PATH=$folder/bin "$program" new bad store4.vhd > said 2>&1 || status=$?
-[[ $status == 2 && $(< said) == "cosim: new: needs ghdl, which turns VHDL into Verilog" ]] ||
-  { cat said && exit 1; }
+PATH=$folder/bin ends 2 new bad store4.vhd
+[[ $(< said) == "cosim: new: needs ghdl, which turns VHDL into Verilog" ]] || fails "it needs ghdl"

@@ -1,8 +1,6 @@
 // Lines that were cut off are seen wherever the cut is, and cost no other line.
 #include "tb/regress/results.h"
 
-#include <gtest/gtest.h>
-
 #include "tests/support/folder.h"
 
 namespace cosim::regress {

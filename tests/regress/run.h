@@ -9,6 +9,8 @@
 
 namespace cosim::cli {
 
+using Json = nlohmann::json;
+
 class Regression : public testing::Test {
  protected:
   /// The arguments of a new run in the folder's `name`.

@@ -29,14 +29,6 @@ namespace fs = std::filesystem;
 constexpr std::uint64_t kCases = 100;
 constexpr double kSeconds = 0.5;  // a hundredth is usual; the sanitizers take several times that
 
-template <class Design>
-Script<Design> script_of(const typename Design::Params& p, const Stimulus& s) {
-  Script<Design> script;
-  Rows<Design> rows(p, s);
-  for (typename Design::template Inputs<Word> in; rows.next(in, {});) script.push_back(in);
-  return script;
-}
-
 // The RTL as shipped, of the same parameters.
 template <class Design>
 const AnyBench* shipped_for(const AnyBench& bench) {
@@ -65,9 +57,7 @@ void expect_wave(const fs::path& file, const AnyBench& bench, const Difference& 
   }
   EXPECT_EQ(wave.at("cosim.mismatch." + first.signal, time), "1");
   EXPECT_EQ(wave.at("cosim.mismatch.any", time), "1");
-  if (first.clock > 0) {
-    EXPECT_EQ(wave.at("cosim.mismatch.any", time - 1), "0");
-  }
+  if (first.clock > 0) EXPECT_EQ(wave.at("cosim.mismatch.any", time - 1), "0");
   EXPECT_EQ(wave.at("cosim.clock", time), bits(static_cast<Word>(first.clock), clock_width));
   EXPECT_TRUE(wave.has(bench.design() + ".clk")) << "no RTL in the wave";
 }
@@ -99,7 +89,8 @@ void expect_failure_explained(const Variant<Design>& variant) {
     std::vector<std::unique_ptr<AnyBench>> one;
     one.push_back(variant.make_bench());
     const Stimulus s = parse_stimulus(name, text, one).stimulus;
-    const auto first = straight_run(variant, script_of<Design>(bench.params(), s), s.power_up);
+    const auto first =
+        straight_run(variant, script_of<Design>(Rows<Design>(bench.params(), s)), s.power_up);
     ASSERT_TRUE(first) << name << " does not fail";
     EXPECT_EQ(reported(bench.replay(s)), first) << name;
     if (can_read_waves()) expect_wave(failure.folder / wave, bench, *first);
@@ -115,12 +106,6 @@ void expect_failure_explained(const Variant<Design>& variant) {
     EXPECT_EQ(shipped->first_difference(s), std::nullopt) << "fails on good RTL";
   }
 }
-
-struct Subject {
-  std::string name;
-  std::function<void()> check;
-  friend void PrintTo(const Subject& s, std::ostream* out) { *out << s.name; }
-};
 
 template <class Design>
 void add_subjects(std::vector<Subject>& all) {
@@ -140,8 +125,7 @@ std::vector<Subject> subjects() {
 
 class Failures : public testing::TestWithParam<Subject> {};
 TEST_P(Failures, AreExplained) { GetParam().check(); }
-std::string name_of(const testing::TestParamInfo<Subject>& info) { return info.param.name; }
-INSTANTIATE_TEST_SUITE_P(Planted, Failures, testing::ValuesIn(subjects()), name_of);
+INSTANTIATE_TEST_SUITE_P(Planted, Failures, testing::ValuesIn(subjects()), name_of_subject);
 
 Mismatch a_mismatch() {
   for (const auto& v : variants<circular::Design>()) {

@@ -20,10 +20,7 @@ constexpr std::uint64_t kCases = 100;  // so within 100 000 clocks
 /// A case's inputs.
 template <class Design>
 Script<Design> hostile_script(const typename Design::Params& p, const HostileCase& c) {
-  HostileStimulus<Design> hostile(p, c);
-  Script<Design> script;
-  for (typename Design::template Inputs<Word> in; hostile.next(in, {});) script.push_back(in);
-  return script;
+  return script_of<Design>(HostileStimulus<Design>(p, c));
 }
 
 template <class Design>
@@ -58,13 +55,6 @@ void expect_nothing_found(const Variant<Design>& variant) {
   }
 }
 
-/// A test on one variant, whatever its design.
-struct Subject {
-  std::string name;
-  std::function<void()> check;
-  friend void PrintTo(const Subject& s, std::ostream* out) { *out << s.name; }
-};
-
 template <class Design>
 void add_subjects(std::vector<Subject>& all, const std::string& kind,
                   void (*check)(const Variant<Design>&)) {
@@ -88,15 +78,14 @@ std::vector<Subject> controls() {
   return all;
 }
 
-std::string name_of(const testing::TestParamInfo<Subject>& info) { return info.param.name; }
-
 class HostileClocksFind : public testing::TestWithParam<Subject> {};
 TEST_P(HostileClocksFind, TheFaultWhereItFirstShows) { GetParam().check(); }
-INSTANTIATE_TEST_SUITE_P(Faults, HostileClocksFind, testing::ValuesIn(faults()), name_of);
+INSTANTIATE_TEST_SUITE_P(Faults, HostileClocksFind, testing::ValuesIn(faults()), name_of_subject);
 
 class HostileClocksFindNothing : public testing::TestWithParam<Subject> {};
 TEST_P(HostileClocksFindNothing, InTheRtlAsShipped) { GetParam().check(); }
-INSTANTIATE_TEST_SUITE_P(Shipped, HostileClocksFindNothing, testing::ValuesIn(controls()), name_of);
+INSTANTIATE_TEST_SUITE_P(Shipped, HostileClocksFindNothing, testing::ValuesIn(controls()),
+                         name_of_subject);
 
 // The files are found by a pattern, which may come to match nothing.
 template <class Design>

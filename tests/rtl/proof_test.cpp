@@ -9,48 +9,40 @@
 #include "tb/proof/counterexample.h"
 #include "tests/rtl/prove.h"
 #include "tests/support/designs.h"
+#include "tests/support/in_lanes.h"
 
 namespace cosim::test {
 namespace {
 
-const proof::BuiltMachine& machine_of(const AnyBench& bench) {
-  for (const auto& machine : proof::built_machines()) {
-    if (machine.title == bench.title()) return machine;
-  }
-  throw std::out_of_range(bench.title());
-}
-
-struct Subject {
+struct Planted {
   std::string design, name, what;
   const AnyBench* bench = nullptr;
   const AnyBench* shipped = nullptr;
-  friend void PrintTo(const Subject& s, std::ostream* out) { *out << s.design << ' ' << s.name; }
+  friend void PrintTo(const Planted& s, std::ostream* out) { *out << s.design << ' ' << s.name; }
 };
 
 // A handful of all kinds, and with $COSIM_PROVE_ALL every variant there is.
 bool wanted(const std::string& variant) {
-  static const std::set<std::string> handful = {
-      "deep/tick_carry",
-      "errata/l2",
-      "faults/rom11_off_by_one",
-      "faults/start_without_code",
-      "errata/c5",
-      "errata/c10_load",
-      "faults/variants_swapped",
-      "faults/load_over_clear",
-      "errata/d4",
-      "faults/borrow_missed",
-      "faults/two_c_for_two_a",
-  };
+  static const std::set<std::string> handful = {"deep/tick_carry",
+                                                "errata/l2",
+                                                "faults/rom11_off_by_one",
+                                                "faults/start_without_code",
+                                                "errata/c5",
+                                                "errata/c10_load",
+                                                "faults/variants_swapped",
+                                                "faults/load_over_clear",
+                                                "errata/d4",
+                                                "faults/borrow_missed",
+                                                "faults/two_c_for_two_a"};
   if (variant.starts_with("gates/") || variant.starts_with("shipped/")) return false;
   return handful.contains(variant) || std::getenv("COSIM_PROVE_ALL") != nullptr;
 }
 
 template <class Design>
-void add_subjects(std::vector<Subject>& all) {
+void add_subjects(std::vector<Planted>& all) {
   for (const auto& v : variants<Design>()) {
     if (!wanted(v.name)) continue;
-    Subject s{Design::name, v.name, v.what, v.bench.get(), nullptr};
+    Planted s{Design::name, v.name, v.what, v.bench.get(), nullptr};
     for (const auto& b : benches()) {
       if (b->title() == s.bench->title()) s.shipped = b.get();
     }
@@ -58,17 +50,17 @@ void add_subjects(std::vector<Subject>& all) {
   }
 }
 
-std::vector<Subject> subjects() {
-  std::vector<Subject> all;
+std::vector<Planted> subjects() {
+  std::vector<Planted> all;
   for_each_design([&]<class Design>() { add_subjects<Design>(all); });
   return all;
 }
 
-class Proof : public testing::TestWithParam<Subject> {};
+class Proof : public testing::TestWithParam<Planted> {};
 TEST_P(Proof, Refutes) {
   if (!can_prove()) GTEST_SKIP() << "needs yosys, cvc5 and z3";
-  const Subject& s = GetParam();
-  const auto& machine = machine_of(*s.bench);
+  const Planted& s = GetParam();
+  const auto& machine = *machine_of(*s.bench).first;
   const proof::MachineFormula formula = machine.formula();
   const auto claims = claims_of(formula, machine.nets(), source_of(s.design, s.name, *s.bench));
   const proof::Claim &clear = claims[0], &step = claims[1];
@@ -90,7 +82,7 @@ TEST_P(Proof, Refutes) {
     EXPECT_FALSE(s.shipped->replay(stimulus).mismatch) << "one of good RTL:\n" << to_text(*c);
   }
 }
-std::string name_of(const testing::TestParamInfo<Subject>& info) {
+std::string name_of(const testing::TestParamInfo<Planted>& info) {
   std::string name = info.param.design + '_' + info.param.name;
   std::replace(name.begin(), name.end(), '/', '_');
   return name;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <ostream>
 #include <string>
@@ -13,6 +14,16 @@
 #include "tests/rtl/variant.h"
 
 namespace cosim::test {
+
+/// A test on one variant, whatever its design.
+struct Subject {
+  std::string name;
+  std::function<void()> check;
+  friend void PrintTo(const Subject& s, std::ostream* out) { *out << s.name; }
+};
+inline std::string name_of_subject(const testing::TestParamInfo<Subject>& info) {
+  return info.param.name;
+}
 
 /// What a machine shows on one clock, before its edge.
 template <class Design>
@@ -25,6 +36,14 @@ template <class Design>
 using Script = std::vector<typename Design::template Inputs<Word>>;
 template <class Design>
 using Record = std::vector<Shown<Design>>;
+
+/// All that a host or a stimulus drives.
+template <class Design, class Source>
+Script<Design> script_of(Source source) {
+  Script<Design> script;
+  for (typename Design::template Inputs<Word> in; source.next(in, {});) script.push_back(in);
+  return script;
+}
 
 /// The reset is not recorded.
 template <class Design>

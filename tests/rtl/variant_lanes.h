@@ -4,19 +4,14 @@
 
 #include <algorithm>
 
-#include "tb/nets/jobs.h"
-#include "tb/nets/played.h"
-#include "tests/rtl/variant.h"
+#include "tests/rtl/prove.h"
 #include "tests/support/lane_sweeps.h"
 
 namespace cosim::test {
 
 template <class Design>
 proof::Source source_of(const Variant<Design>& v) {
-  std::string id = Design::name + ('_' + v.name);
-  std::replace(id.begin(), id.end(), '/', '_');
-  return proof::source_in(std::filesystem::path(COSIM_VARIANTS) / id, Design::name,
-                          v.bench->parameters());
+  return source_of(Design::name, v.name, *v.bench);
 }
 
 template <class Design>

@@ -69,16 +69,14 @@ try_bends() {
   grep -qE '^0 .* ([1-9][0-9]* +[01]|0 +1)$' bends.stim || fails "the stall that gives another result is kept"
 }
 # Nothing is wrong but with one whose ready waits for valid: that is what is left.
-try_asks() {
-  found asks 'hung: x number . is not taken, y_ready waits for y_valid, ' 1
-  says_like '^hung: y number 0 does not come, y_ready waits for y_valid, '
-  grep -qE '^0 .* 0 +1$' asks.stim || fails "who takes waits, and does not stall"
+# hangs_where_it_waits DESIGN SMALLEST: so it is, and that is said of the smallest.
+hangs_where_it_waits() {
+  found "$1" 'hung: x number . is not taken, y_ready waits for y_valid, ' 1
+  says_like "^hung: $2, y_ready waits for y_valid, "
+  grep -qE '^0 .* 0 +1$' "$1.stim" || fails "who takes waits, and does not stall"
 }
-try_idles() {
-  found idles 'hung: x number . is not taken, y_ready waits for y_valid, ' 1
-  says_like '^hung: x number 0 is not taken, y_ready waits for y_valid, '
-  grep -qE '^0 .* 0 +1$' idles.stim || fails "who takes waits, and does not stall"
-}
+try_asks() { hangs_where_it_waits asks 'y number 0 does not come'; }
+try_idles() { hangs_where_it_waits idles 'x number 0 is not taken'; }
 
 # Blocks of 512 bits, 66 clocks each, by both of its models.
 try_sha256() {
@@ -140,13 +138,13 @@ try_asserts() { both asserts 'the RTL says: .*asserts.v:[0-9]*: .*[12][0-9]* is 
 try_asserted() {
   ends 1 sweep asserted --hostile 20000 --failures asserted
   says_like '^asserted FAULT=0, .*: 20000 clocks'
-  says_like '^the RTL says: .*asserted.sv:12: .*count is 10$'
+  says_like '^the RTL says: .*asserted.sv:11: .*count is 10$'
   # Ten clocks up to ten, one to say so.
   grep -q '^smallest stimulus that still fails: 11 clocks' asserted/*/report.txt ||
     fails "it is shrunk"
   grep -q '"finding": "the RTL says' asserted/*/report.json || fails "the report has it"
   ends 1 replay asserted/*/smallest.stim
-  says_like '^the RTL says: .*asserted.sv:12: '
+  says_like '^the RTL says: .*asserted.sv:11: '
 }
 # With a model of every clock beside that of streams: what is the same is proved to be, what the RTL
 # asserts too, and a mutant is one or the other.
@@ -159,7 +157,7 @@ try_guarded() {
     says_like 'what the RTL asserts is so .* REFUTED'
     says_like '^3 of 4 claims proved, each by two of'
     ends 1 replay guarded/*/smallest.stim
-    says_like '^the RTL says: .*guarded.sv:22: '
+    says_like '^the RTL says: .*guarded.sv:21: '
     ends 0 mutate guarded FAULT=0 --mutants 100
     says_like '^guarded FAULT=0: [0-9]* mutants: [0-9]* killed, [1-9][0-9]* proved equal, 0 survived$'
     # Those that are the same are no more than not killed, where nothing proves it.
@@ -171,7 +169,7 @@ try_guarded() {
   ends 1 sweep guarded --hostile 20000 --failures kept
   says_like '^guarded FAULT=0, any value on any pin on any clock: 20000 clocks'
   says_like '^guarded FAULT=0 streams, random transactions with random stalls: 200[0-9]* clocks'
-  says_like '^the RTL says: .*guarded.sv:22: '
+  says_like '^the RTL says: .*guarded.sv:21: '
   # It has a step beside its streams, which would run in lanes.
   ends 2 sweep guarded --hostile 1000 --lanes 512
   says_like '^streams: guarded FAULT=0: does not run in lanes: its RTL checks itself, with an assertion or [$]error$'

@@ -1,6 +1,8 @@
 // A folder of a test's own, gone with it.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -48,6 +50,12 @@ class Folder {
 
  private:
   std::filesystem::path folder_;
+};
+
+/// A test with a folder of its own.
+class InAFolder : public testing::Test {
+ protected:
+  const Folder folder;
 };
 
 }  // namespace cosim::test

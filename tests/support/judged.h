@@ -31,6 +31,14 @@ Checked judged(const typename Design::Params& p, const std::vector<JobOf<Design>
   return check.so_far();
 }
 
+/// So many jobs, as draw(params, seed, number) draws them.
+template <class Params, class Draw>
+auto drawn_jobs(Draw draw, const Params& p, std::uint64_t count) {
+  std::vector<decltype(draw(p, std::uint64_t{1}, count))> all;
+  for (std::uint64_t i = 0; i < count; ++i) all.push_back(draw(p, 1, i));
+  return all;
+}
+
 /// The model's jobs pass, with these figures.
 template <class Design, class Figures>
 void expect_passes(const typename Design::Params& p, const std::vector<JobOf<Design>>& jobs,

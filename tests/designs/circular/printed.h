@@ -69,12 +69,8 @@ inline void expect_tables(const Bench<Design>& bench) {
     EXPECT_EQ(from_ones_complement(r.ct7, width + 1), row.ct7);
     EXPECT_EQ(from_ones_complement(r.ct8, width + 1), row.ct8);
     EXPECT_EQ(bit(r.ct8, width), row.ct8 < 0);  // above the digits printed stands the sign
-    if (*row.code7 != '\0') {
-      EXPECT_EQ(low_digits(r.ct7), row.code7);
-    }
-    if (*row.code8 != '\0') {
-      EXPECT_EQ(low_digits(r.ct8), row.code8);
-    }
+    if (*row.code7 != '\0') EXPECT_EQ(low_digits(r.ct7), row.code7);
+    if (*row.code8 != '\0') EXPECT_EQ(low_digits(r.ct8), row.code8);
     EXPECT_EQ(r.t16, t16);
     EXPECT_EQ(r.t4, 1);
   };

@@ -1,7 +1,6 @@
 // Logic without a register and without a clock: an arithmetic unit with flags.
 module alu #(parameter FAULT = 0) (
-    input  wire [7:0] a,
-    input  wire [7:0] b,
+    input  wire [7:0] a, b,
     input  wire [1:0] operation,
     output reg  [7:0] result,
     output wire       zero,

@@ -2,10 +2,7 @@
 // bit of it changes at a time, so that whatever the first of them takes is a count of before or of now.
 // The fault is that it crosses as a binary number. What is seen must never be more than was counted.
 module counted #(parameter FAULT = 0) (
-    input  wire       rst_n,
-    input  wire       a_clk,
-    input  wire       tick,
-    input  wire       b_clk,
+    input  wire       rst_n, a_clk, tick, b_clk,
     output wire [3:0] seen
 );
   reg  [3:0] count;

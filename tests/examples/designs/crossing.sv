@@ -15,14 +15,8 @@ interface button_if;
   logic pressed;
 endinterface
 
-module crossing
-  import lights::*;
-#(
-    parameter FAULT = 0
-) (
-    input  logic   clk,
-    input  logic   rst,
-    input  logic   walk,
+module crossing import lights::*; #(parameter FAULT = 0) (
+    input  logic   clk, rst, walk,
     output light_t light,
     output logic   stays
 );

@@ -1,8 +1,6 @@
 // A counter of ten. What it does above nine, where it never is, is not what its model does.
 module decade #(parameter FAULT = 0) (
-    input  wire       clk,
-    input  wire       rst,
-    input  wire       en,
+    input  wire       clk, rst, en,
     output wire [3:0] digit,
     output wire       carry
 );

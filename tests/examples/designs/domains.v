@@ -1,11 +1,7 @@
 // Events of one clock counted by another, on its falling edge: each turns a bit over, which two flip-flops
 // of the other clock sample. Each side has a reset of its own, one at its clock and one at once.
 module domains #(parameter FAULT = 0) (
-    input  wire       a_clk,
-    input  wire       a_rst,
-    input  wire       send,
-    input  wire       b_clk,
-    input  wire       b_rst_n,
+    input  wire       a_clk, a_rst, send, b_clk, b_rst_n,
     output wire [2:0] q
 );
   reg       turned;  // over, on each event

@@ -1,14 +1,12 @@
 // Registers that parameters switch off, as parametrised parts have them: one that is always 0 then,
 // two that are the same, one that drives nothing in a block of its own.
 module folded #(parameter FAULT = 0, parameter TAGS = 0, parameter DROPS = 0) (
-    input  wire       clk,
-    input  wire       rst,
+    input  wire       clk, rst,
     input  wire [3:0] d,
     input  wire       valid,
     output reg  [3:0] q,
     output wire [3:0] tag,
-    output reg        dropped,
-    output reg        bad
+    output reg        dropped, bad
 );
   reg [1:0] count;
   wire      drop = DROPS ? valid && count == 2'd3 : 1'b0;

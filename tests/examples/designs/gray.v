@@ -1,9 +1,7 @@
 // A Gray counter with an asynchronous reset, active low, and a count of its clocks that no reset
 // reaches. The delays are left out by all that read them.
 module gray #(parameter FAULT = 0) (
-    input  wire       clock,
-    input  wire       rst_n,
-    input  wire       en,
+    input  wire       clock, rst_n, en,
     output wire [3:0] code,
     output reg        odd,
     output wire [3:0] clocks

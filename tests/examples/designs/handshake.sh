@@ -7,22 +7,15 @@ for rule in "${rules[@]}"; do
   says "assumed of the inputs: $rule"
   grep -qF "\"$rule\"" report.json || fails "the report says: $rule"
 done
-# stimulus ROW...: one, of rows "rst valid data by".
-stimulus() {
-  local clock=0 row
-  printf 'cosim stimulus 1\nmachine handshake FAULT=0\nclock rst valid data by\n' > a.stim
-  for row; do printf '%d %s\n' "$((clock++))" "$row" >> a.stim; done
-  echo end >> a.stim
-}
-stimulus '0 1 9 1' '0 1 9 2' '0 0 0 1'
+stimulus 'handshake FAULT=0' 'rst valid data by' '0 0 1 9 1' '1 0 1 9 2' '2 0 0 0 1'
 ends 0 replay a.stim
 ends 0 replay a.stim --wave a.fst
 never="inputs that are assumed never to come; the rule is"
 # Another number before the first was taken; the second rule, on a later clock.
-stimulus '0 1 9 1' '0 1 8 2'
+stimulus 'handshake FAULT=0' 'rst valid data by' '0 0 1 9 1' '1 0 1 8 2'
 ends 2 replay a.stim
 says "designs: handshake FAULT=0: clock 1: $never: ${rules[0]}"
-stimulus '0 1 9 1' '0 1 9 2' '0 0 0 0'
+stimulus 'handshake FAULT=0' 'rst valid data by' '0 0 1 9 1' '1 0 1 9 2' '2 0 0 0 0'
 ends 2 replay a.stim --wave a.fst
 says "designs: handshake FAULT=0: clock 2: $never: ${rules[1]}"
 if [[ $solvers ]]; then

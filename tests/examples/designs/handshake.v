@@ -1,9 +1,7 @@
 // Adds up numbers that come by a handshake, each divided by `by`. A number is looked at on two clocks:
 // whoever sends it must hold it until `ready`, and must not divide by 0.
 module handshake #(parameter FAULT = 0) (
-    input  wire       clk,
-    input  wire       rst,
-    input  wire       valid,
+    input  wire       clk, rst, valid,
     input  wire [7:0] data,
     input  wire [2:0] by,
     output wire       ready,

@@ -1,13 +1,9 @@
 // Two asynchronous resets: one of all that counts, active low, one of a lap alone. What the lap was when
 // it ended is reset at the edge.
 module laps #(parameter FAULT = 0) (
-    input  wire       clk,
-    input  wire       rst_n,
-    input  wire       lap,
-    input  wire       en,
+    input  wire       clk, rst_n, lap, en,
     output wire [5:0] clocks,
-    output wire [3:0] since,
-    output wire [3:0] longest
+    output wire [3:0] since, longest
 );
   reg [5:0] count;
   reg [3:0] part, most;

@@ -1,7 +1,6 @@
 // The largest of its last four inputs.
 module largest #(parameter FAULT = 0) (
-    input  wire       clk,
-    input  wire       rst,
+    input  wire       clk, rst,
     input  wire [7:0] d,
     output wire [7:0] most
 );

@@ -1,8 +1,7 @@
 // A shift register with feedback that nothing resets: it begins at its initial value. Its parameters
 // are a number, a constant with a width and a text.
 module lfsr #(parameter FAULT = 0, parameter [7:0] TAPS = 8'h01, parameter MODE = "HOLD") (
-    input  wire       clk,
-    input  wire       en,
+    input  wire       clk, en,
     output wire [7:0] q
 );
   reg [7:0] bits = 8'hA5;

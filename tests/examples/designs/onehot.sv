@@ -1,8 +1,6 @@
 // A ring of one bit that goes round, against a model that has the number of its place.
 module onehot #(parameter FAULT = 0) (
-    input  wire       clk,
-    input  wire       rst,
-    input  wire       go,
+    input  wire       clk, rst, go,
     output wire [2:0] place,
     output wire       last
 );

@@ -1,7 +1,6 @@
 # shellcheck shell=bash
 # Registers and outputs that mean nothing on some clocks are left out there, and it is said how often.
-printf 'cosim stimulus 1\nmachine pipe FAULT=0\nclock rst valid data\n%s\nend\n' \
-  "$(printf '%s\n' '0 0 0 5' '1 0 0 6' '2 0 1 7' '3-9 0 0 0')" > a.stim
+stimulus 'pipe FAULT=0' 'rst valid data' '0 0 0 5' '1 0 0 6' '2 0 1 7' '3-9 0 0 0'
 ends 0 replay a.stim --report report.json
 # A number is in the first register on clock 3 and in the second on clock 4.
 for field in number square result; do
@@ -9,13 +8,12 @@ for field in number square result; do
   grep -q "\"$field\": 9" report.json || fails "the report says: $field 9"
 done
 says_not "never compared"
-printf 'cosim stimulus 1\nmachine pipe FAULT=0\nclock rst valid data\n0-6 0 0 9\nend\n' > a.stim
+stimulus 'pipe FAULT=0' 'rst valid data' '0-6 0 0 9'
 ends 0 replay a.stim --report report.json
 says "never compared: result, it means nothing on any clock"
 grep -q never_compared report.json || fails "the report names what was never compared"
 # The table of a mismatch has no expectation where there is none.
-printf 'cosim stimulus 1\nmachine pipe FAULT=1\nclock rst valid data\n%s\nend\n' \
-  "$(printf '%s\n' '0 0 0 5' '1 0 1 9' '2-9 0 0 0')" > a.stim
+stimulus 'pipe FAULT=1' 'rst valid data' '0 0 0 5' '1 0 1 9' '2-9 0 0 0'
 ends 1 replay a.stim
 says "first difference: clock 3, square"
 grep -Eq '^  reg square expected +- +- +- +81 +-' said || fails "only clock 3 expects a square"

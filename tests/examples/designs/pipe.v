@@ -1,9 +1,7 @@
 // Squares numbers in two clocks. What its registers and its output hold while no number is in them is
 // nobody's business: they are not reset, and take whatever comes.
 module pipe #(parameter FAULT = 0) (
-    input  wire       clk,
-    input  wire       rst,
-    input  wire       valid,
+    input  wire       clk, rst, valid,
     input  wire [5:0] data,
     output wire       done,
     output wire [7:0] result

@@ -1,10 +1,7 @@
 // A counter whose reset is a register: the reset begins at once and is released by two clocks, and it begins
 // on a clock, too.
 module released #(parameter FAULT = 0) (
-    input  wire       clk,
-    input  wire       rst_n,
-    input  wire       stop,
-    input  wire       en,
+    input  wire       clk, rst_n, stop, en,
     output wire [2:0] q
 );
   reg       first, ready;

@@ -1,11 +1,8 @@
 // Multiplies bit by bit: `a` and `b` with `start`, and when `busy` falls again the product. No reset
 // reaches what it adds up; the fault looks at that, as it powered up or was left by another product.
 module serial #(parameter FAULT = 0) (
-    input  wire        clk,
-    input  wire        rst,
-    input  wire        start,
-    input  wire [7:0]  a,
-    input  wire [7:0]  b,
+    input  wire        clk, rst, start,
+    input  wire [7:0]  a, b,
     output wire        busy,
     output wire [15:0] product
 );

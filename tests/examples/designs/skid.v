@@ -1,8 +1,6 @@
 // A register of an AXI stream: its data is not reset. The fault: it takes a byte while it is full.
 module skid_buffer #(parameter FAULT = 0) (
-    input  wire       clk,
-    input  wire       rst,
-    input  wire       in_valid,
+    input  wire       clk, rst, in_valid,
     input  wire [7:0] in_data,
     output wire       in_ready,
     output reg        out_valid,

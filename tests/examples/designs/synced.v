@@ -1,8 +1,6 @@
 // A counter whose reset comes by two flip-flops: it is to be held for three clocks.
 module synced #(parameter FAULT = 0) (
-    input  wire       clk,
-    input  wire       reset,
-    input  wire       en,
+    input  wire       clk, reset, en,
     output wire [2:0] q
 );
   reg       first, second;

@@ -1,11 +1,7 @@
 // A level of one clock that another clock's registers follow: always one of two is set. It comes through
 // two flip-flops; the fault is that both registers sample it themselves. Each side has a reset, at once.
 module unsynced #(parameter FAULT = 0) (
-    input  wire a_clk,
-    input  wire a_rst_n,
-    input  wire turn,
-    input  wire b_clk,
-    input  wire b_rst,
+    input  wire a_clk, a_rst_n, turn, b_clk, b_rst,
     output wire works
 );
   reg level;

@@ -55,9 +55,10 @@ constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) 
     V& order = step.state.order[i];
     order = select(rst, V(i), select(write & (in.index == V(i)), ordered, order));
   }
-  step.state.a = low_bits(in.d[0], 8);
-  step.state.b = s.a;
-  step.state.c = s.b ^ s.order[p.depth - 1] ^ s.pair[1];
+  const auto stepped = [](const V& v) { return wrap(v + V(3), 8); };
+  step.state.a = stepped(low_bits(in.d[0], 8));
+  step.state.b = stepped(s.a);
+  step.state.c = stepped(s.b ^ s.order[p.depth - 1] ^ s.pair[1]);
   step.state.pair = write_where(write, s.pair, slice(in.index, 1, 1), slice(in.d[0], 7, 4));
   return step;
 }

@@ -15,6 +15,8 @@ done
 ! grep -qF 'order[5]' wires.gtkw || fails 'the wave of wires has words that the RTL has not'
 sed 's/^power-up.*/&\nstate order[3]=9 lines[5]=-1 held[99:64]=77/' "${smallest[0]}" > from_state.stim
 ends 1 replay from_state.stim
+sed 's/FAULT=1/FAULT=0/' from_state.stim > good.stim
+ends 0 replay good.stim
 sed 's/^power-up.*/&\nstate order[5]=9/' "${smallest[0]}" > no_word.stim
 ends 2 replay no_word.stim
 says "has no state 'order[5]'"

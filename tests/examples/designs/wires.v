@@ -1,9 +1,8 @@
 // Nets of every size and place: wider than 64 bits, slices, memories of narrow and of wide words, one
-// whose first word is not 0, two instances of one module, one in a generate block.
-module wires #(parameter FAULT = 0, parameter W = 100, parameter D = 5) (
-    input  wire         clk,
-    input  wire         rst,
-    input  wire         write,
+// whose first word is not 0, two instances of one module, one in a generate block. Several files,
+// an include folder, a define.
+module wires #(parameter FAULT = 0, parameter W = 65, parameter D = 4) (
+    input  wire         clk, rst, write,
     input  wire [2:0]   index,
     input  wire [W-1:0] d,
     output wire [W-1:0] q,

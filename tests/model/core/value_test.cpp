@@ -5,24 +5,15 @@
 
 #include <limits>
 
+#include "tests/support/codes.h"
+
 namespace cosim {
 namespace {
 
 constexpr Word kLeast = std::numeric_limits<Word>::min();
 constexpr Word kGreatest = std::numeric_limits<Word>::max();
 
-// The remainder in 0 .. m - 1.
-Word modulo(Word v, Word m) { return (v % m + m) % m; }
-
-// A ones' complement code read digit by digit: a negative number is the complement of its size.
-Word ones_complement_value(Word code, int width) {
-  Word size = 0;
-  const bool negative = (code >> (width - 1) & 1) != 0;
-  for (int i = 0; i < width; ++i) {
-    if (((code >> i & 1) != 0) != negative) size += Word{1} << i;
-  }
-  return negative ? -size : size;
-}
+using test::modulo, test::ones_complement_value;
 
 TEST(LowBits, KeepBelowAndClearAbove) {
   for (const Word v : {Word{0}, Word{1}, Word{-1}, kLeast, kGreatest, Word{0x0123456789abcdef}}) {

@@ -1,8 +1,7 @@
 // Counts to nine. Its model does the same, so that only what it asserts itself can show that with
 // FAULT it goes on to ten.
 module asserted #(parameter FAULT = 0) (
-    input  logic       clk,
-    input  logic       rst,
+    input  logic       clk, rst,
     input  logic       en,
     output logic [3:0] count
 );

@@ -1,7 +1,6 @@
 // A register between two streams that says itself when a number is out of its range.
 module asserts #(parameter FAULT = 0) (
-    input  wire       clk,
-    input  wire       rst,
+    input  wire       clk, rst,
     input  wire       x_valid,
     output wire       x_ready,
     input  wire [7:0] x_data,

@@ -1,7 +1,6 @@
 // Folds a block of 100 bits, given on one clock, into 50. The fault: one block bit is not folded.
 module blocks #(parameter FAULT = 0) (
-    input  wire        clk,
-    input  wire        rst,
+    input  wire        clk, rst,
     input  wire        go,
     input  wire [99:0] block,
     input  wire [69:0] key,

@@ -1,8 +1,7 @@
 // A store of four words with credits on both sides: whoever sends into it begins with four, and gets
 // one back for each word that leaves; it begins with two for what it sends on.
 module credits #(parameter FAULT = 0) (
-    input  wire        clk,
-    input  wire        rst,
+    input  wire        clk, rst,
     input  wire        in_valid,
     input  wire [15:0] in_word,
     output reg         in_credit,

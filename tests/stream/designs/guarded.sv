@@ -1,8 +1,7 @@
 // A register between two streams, with the parity of what it holds. With FAULT that of a number over
 // 100 is wrong. Its models do the same, so that only what it asserts itself can show it.
 module guarded #(parameter FAULT = 0) (
-    input  wire       clk,
-    input  wire       rst,
+    input  wire       clk, rst,
     input  wire       x_valid,
     output wire       x_ready,
     input  wire [7:0] x_data,

@@ -1,8 +1,7 @@
 // A register between two streams, and one that no reset reaches: it keeps what passed last. With FAULT
 // the first value behind a reset is wrong where the low half of that one is 0.
 module keeps #(parameter FAULT = 0) (
-    input  wire       clk,
-    input  wire       rst,
+    input  wire       clk, rst,
     input  wire       x_valid,
     output wire       x_ready,
     input  wire [7:0] x_data,

@@ -1,8 +1,7 @@
 // Packets of bytes: after the last byte of each comes one word, the exclusive or of its bytes and how
 // many there were. What comes out is always taken.
 module packets #(parameter FAULT = 0) (
-    input  wire       clk,
-    input  wire       rst,
+    input  wire       clk, rst,
     input  wire       s_axis_tvalid,
     output wire       s_axis_tready,
     input  wire [7:0] s_axis_tdata,

@@ -1,7 +1,6 @@
 // Two places between two streams. With FAULT the one filled last is emptied first.
 module stack #(parameter FAULT = 0) (
-    input  wire       clk,
-    input  wire       rst,
+    input  wire       clk, rst,
     input  wire       x_valid,
     output wire       x_ready,
     input  wire [7:0] x_data,

@@ -5,8 +5,7 @@
 
 #include <fstream>
 
-#include "model/core/input_error.h"
-#include "tb/support/process.h"
+#include "tests/support/folder.h"
 
 namespace cosim::coverage {
 namespace {
@@ -19,71 +18,59 @@ std::string counted(const std::string& kind, int line, const std::string& what,
          std::to_string(hits) + "\n";
 }
 
-class CoveragePoints : public testing::Test {
+class CoveragePoints : public test::InAFolder {
  protected:
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(scratch_.path() / name) << text;
-  }
-  Points read() const { return read_points(scratch_.path().string()); }
-
- private:
-  Scratch scratch_;
+  Points read() const { return read_points(folder.path("")); }
 };
 
+using Texts = std::vector<std::string>;
+
+// "count[3] 12": what it is, and how often.
+Texts told(const Points& all) {
+  Texts texts;
+  for (const auto& p : all.rtl) texts.push_back(p.what + ' ' + std::to_string(p.hits));
+  for (const auto& c : all.cases) texts.push_back(c.name + ' ' + std::to_string(c.hits));
+  return texts;
+}
+
 TEST_F(CoveragePoints, OfAllInstancesAndFilesAreAddedUp) {
-  write("Vpart_W4.12.0", "# SystemC::Coverage-3\n" +
-                             counted("toggle", 12, "count[3]", "TOP.top.one", 3) +
-                             counted("toggle", 12, "count[3]", "TOP.top.two.part", 4) +
-                             counted("line", 7, "block", "TOP.top.one", 0));
-  write("Vpart_W8.13.0", counted("toggle", 12, "count[3]", "TOP.top.one", 5) +
-                             counted("toggle", 12, "word__024a[4]", "TOP.top.one", 0));
+  folder.write("Vpart_W4.12.0", "# SystemC::Coverage-3\n" +
+                                    counted("toggle", 12, "count[3]", "TOP.top.one", 3) +
+                                    counted("toggle", 12, "count[3]", "TOP.top.two.part", 4) +
+                                    counted("line", 7, "block", "TOP.top.one", 0));
+  folder.write("Vpart_W8.13.0", counted("toggle", 12, "count[3]", "TOP.top.one", 5) +
+                                    counted("toggle", 12, "word__024a[4]", "TOP.top.one", 0));
   const Points all = read();
-  ASSERT_EQ(all.rtl.size(), 3);
+  ASSERT_EQ(told(all), (Texts{"block 0", "count[3] 12", "word$a[4] 0"}));
   EXPECT_EQ(all.rtl[0].kind, "line");
   EXPECT_EQ(all.rtl[0].file, "/some where/part.v");
   EXPECT_EQ(all.rtl[0].line, 7);
   EXPECT_EQ(all.rtl[0].column, 5);
-  EXPECT_EQ(all.rtl[0].what, "block");
-  EXPECT_EQ(all.rtl[0].hits, 0);
   EXPECT_EQ(all.rtl[1].kind, "toggle");
-  EXPECT_EQ(all.rtl[1].what, "count[3]");
-  EXPECT_EQ(all.rtl[1].hits, 12);
-  EXPECT_EQ(all.rtl[1].instances, (std::vector<std::string>{"one", "two.part"}));
-  EXPECT_EQ(all.rtl[2].what, "word$a[4]");
-  EXPECT_EQ(all.rtl[2].hits, 0);
+  EXPECT_EQ(all.rtl[1].instances, (Texts{"one", "two.part"}));
   EXPECT_TRUE(all.cases.empty());
 }
 
 TEST_F(CoveragePoints, ToggledByTheStimuliOnly) {
-  write("before.Vpart.12.0",
-        counted("toggle", 12, "count[3]", "TOP.a", 3) + counted("line", 7, "block", "TOP.a", 2));
-  write("Vpart.12.1",
-        counted("toggle", 12, "count[3]", "TOP.a", 0) + counted("line", 7, "block", "TOP.a", 5));
-  const Points all = read();
-  ASSERT_EQ(all.rtl.size(), 2);
-  EXPECT_EQ(all.rtl[0].what, "block");
-  EXPECT_EQ(all.rtl[0].hits, 7);
-  EXPECT_EQ(all.rtl[1].what, "count[3]");
-  EXPECT_EQ(all.rtl[1].hits, 0);
+  folder.write("before.Vpart.12.0", counted("toggle", 12, "count[3]", "TOP.a", 3) +
+                                        counted("line", 7, "block", "TOP.a", 2));
+  folder.write("Vpart.12.1", counted("toggle", 12, "count[3]", "TOP.a", 0) +
+                                 counted("line", 7, "block", "TOP.a", 5));
+  EXPECT_EQ(told(read()), (Texts{"block 7", "count[3] 0"}));
 }
 
 TEST_F(CoveragePoints, SoAreCases) {
-  write("cases.12.0", "part\ta byte is sent\t3\npart\ta byte waits\t0\n");
-  write("cases.13.0", "part\ta byte is sent\t4\npart\ta byte waits\t0\n");
-  const Points all = read();
-  ASSERT_EQ(all.cases.size(), 2);
-  EXPECT_EQ(all.cases[0].name, "a byte is sent");
-  EXPECT_EQ(all.cases[0].hits, 7);
-  EXPECT_EQ(all.cases[1].name, "a byte waits");
-  EXPECT_EQ(all.cases[1].hits, 0);
+  folder.write("cases.12.0", "part\ta byte is sent\t3\npart\ta byte waits\t0\n");
+  folder.write("cases.13.0", "part\ta byte is sent\t4\npart\ta byte waits\t0\n");
+  EXPECT_EQ(told(read()), (Texts{"a byte is sent 7", "a byte waits 0"}));
 }
 
 TEST_F(CoveragePoints, AnotherTextIsNone) {
-  write("Vpart.1.0", "something else\n");
+  folder.write("Vpart.1.0", "something else\n");
   EXPECT_THROW(read(), InputError);
-  write("Vpart.1.0", "C '\1f\2part.v\1l\2x\1n\0025\1o\2block' 1\n");
+  folder.write("Vpart.1.0", "C '\1f\2part.v\1l\2x\1n\0025\1o\2block' 1\n");
   EXPECT_THROW(read(), InputError);
-  write("Vpart.1.0", "C '\1f\2part.v\1l\0021\1n\0025\1o\2block' many\n");
+  folder.write("Vpart.1.0", "C '\1f\2part.v\1l\0021\1n\0025\1o\2block' many\n");
   EXPECT_THROW(read(), InputError);
 }
 

@@ -24,11 +24,14 @@ const RtlText kText{"made W=4",
                     "debug.a 1 0 0:0\ndebug.b.c 2 0 1:0",
                     ""};
 const Field store[] = {field("store[0]"), field("store[1]"), field("store[2]"), field("store[3]")};
+// The whole store behind these.
+std::vector<Field> with_store(std::vector<Field> fields) {
+  fields.insert(fields.end(), std::begin(store), std::end(store));
+  return fields;
+}
 
 TEST(Unobserved, IsWhatPatternsAllowAndNoFieldNames) {
-  EXPECT_EQ(unobserved_signals(
-                kText, {field("count"), store[0], store[1], store[2], store[3], field("top[5:2]")},
-                {"debug.*"}),
+  EXPECT_EQ(unobserved_signals(kText, with_store({field("count"), field("top[5:2]")}), {"debug.*"}),
             (Names{"debug.a", "debug.b.c"}));
   EXPECT_EQ(
       unobserved_signals(kText, {field("count"), field("top", 8)}, {"*.a", "st*re", "debug.b.c"}),
@@ -50,7 +53,7 @@ std::string escapes(const std::string& part) {
 }
 
 TEST(Unobserved, EveryOtherRegisterIsRefused) {
-  EXPECT_EQ(refused({field("count"), store[0], store[1], store[2], store[3]}), escapes("sub.held"));
+  EXPECT_EQ(refused(with_store({field("count")})), escapes("sub.held"));
 }
 
 TEST(Unobserved, AllThatAreRefusedAreSaidAtOnce) {
@@ -62,8 +65,8 @@ TEST(Unobserved, AllThatAreRefusedAreSaidAtOnce) {
 TEST(Unobserved, SoIsEveryOtherBit) {
   const Field held = field("sub.held");
   const auto all_but = [&](std::vector<Field> fields) {
-    fields.insert(fields.end(), {store[0], store[1], store[2], store[3], held});
-    return refused(fields);
+    fields.push_back(held);
+    return refused(with_store(fields));
   };
   EXPECT_EQ(all_but({field("count[2:0]", 3)}), escapes("count[3]"));
   EXPECT_EQ(all_but({field("count[3:2]", 2)}), escapes("count[1:0]"));
@@ -73,8 +76,7 @@ TEST(Unobserved, SoIsEveryOtherBit) {
   EXPECT_EQ(
       refused({field("count"), held, store[0], store[1], store[3], field("store[2][3:1]", 3)}),
       escapes("store[2][0]"));
-  EXPECT_EQ(refused({field("count"), store[0], store[1], store[2], store[3], field("top[4:2]", 3)}),
-            escapes("sub.held[3]"));
+  EXPECT_EQ(refused(with_store({field("count"), field("top[4:2]", 3)})), escapes("sub.held[3]"));
 }
 
 TEST(Unobserved, MayBeSomeBits) {
@@ -113,8 +115,7 @@ TEST(Unobserved, SoIsAnOutputThatNoRowNames) {
 }
 
 TEST(Unobserved, APatternThatNamesNothingIsRefused) {
-  const std::vector<Field> fields{field("count"), store[0], store[1],
-                                  store[2],       store[3], field("top", 8)};
+  const std::vector<Field> fields = with_store({field("count"), field("top", 8)});
   for (const char* pattern : {"debug", "debug.x*", "count", "count[1:0]", "*.d"}) {
     EXPECT_EQ(said_of(kText, fields, {"debug.*", pattern}),
               std::string("made W=4: unobserved has ") + pattern +

@@ -1,8 +1,6 @@
 // Tests by hand, on a counter whose RTL is its model, with and without a fault.
 #include "tb/gtest/directed.h"
 
-#include <gtest/gtest.h>
-
 #include <cstdlib>
 #include <filesystem>
 
@@ -11,6 +9,7 @@
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
 #include "tests/support/error_of.h"
+#include "tests/support/has.h"
 #include "tests/support/model_adapter.h"
 
 namespace cosim::counted {
@@ -142,10 +141,9 @@ TEST_F(DirectedFailure, ADifferenceIsThrownAndKept) {
   }
   // 21 on the fourth clock.
   EXPECT_EQ(text.substr(0, text.find('\n')), "first difference: clock 3, sum");
-  EXPECT_NE(text.find("kept in: " + kept("counted-Sum.Grows")), std::string::npos) << text;
+  EXPECT_TRUE(test::has(text, "kept in: " + kept("counted-Sum.Grows")));
   const std::string stimulus = read_file(kept("counted-Sum.Grows/stimulus.stim"));
-  EXPECT_NE(stimulus.find("origin Sum.Grows\n"), std::string::npos) << stimulus;
-  EXPECT_NE(stimulus.find("\n0-3 "), std::string::npos) << stimulus;
+  test::expect_has(stimulus, {"origin Sum.Grows\n", "\n0-3 "});
   EXPECT_TRUE(std::filesystem::exists(kept("counted-Sum.Grows/smallest.stim")));
 }
 

@@ -70,16 +70,21 @@ Mismatch drawn(const std::vector<circular::Arc>& arcs, std::uint64_t clocks) {
   return run.mismatch.value_or(Mismatch{});
 }
 
+void expect_is(const Mismatch& m, std::uint64_t clock, const char* signal, Word expected,
+               Word actual) {
+  EXPECT_EQ(m.clock, clock);
+  EXPECT_EQ(m.signal, signal);
+  EXPECT_EQ(m.expected, expected);
+  EXPECT_EQ(m.actual, actual);
+}
+
 const std::vector<circular::Arc> kR12 = {{{12, 0}, 144, {}}};  // 21 clocks
 
 TEST(Mismatch, NamesClockSignalAndValues) {
   // Clock 0 loads; after four steps, on clock 5, CT7 is 4.
   const Mismatch m = drawn<Fault{5, kEver, kCt7, 1}>(kR12, 6);
-  EXPECT_EQ(m.clock, 5U);
-  EXPECT_EQ(m.signal, "ct7");
+  expect_is(m, 5, "ct7", 4, 6);
   EXPECT_STREQ(m.field.name, "ct7");
-  EXPECT_EQ(m.expected, 4);
-  EXPECT_EQ(m.actual, 6);
 }
 
 TEST(Mismatch, ShowsTheClocksAround) {
@@ -119,10 +124,7 @@ TEST(Mismatch, WindowEndsAtEitherEndOfTheRun) {
 }
 
 TEST(Mismatch, RegistersComeBeforeOutputs) {
-  const Mismatch m = drawn<Fault{9, kEver, kStepY, 0}>(kR12, 10);
-  EXPECT_EQ(m.signal, "step_y");
-  EXPECT_EQ(m.expected, 1);
-  EXPECT_EQ(m.actual, 0);
+  expect_is(drawn<Fault{9, kEver, kStepY, 0}>(kR12, 10), 9, "step_y", 1, 0);
 }
 
 TEST(Mismatch, CountsClocksFromTheSessionsStart) {
@@ -133,10 +135,8 @@ TEST(Mismatch, CountsClocksFromTheSessionsStart) {
   const auto second = session->draw(kR12, nobody);
   EXPECT_EQ(second.clocks, 30U - 21 + 1);
   ASSERT_TRUE(second.mismatch);
-  EXPECT_EQ(second.mismatch->clock, 30U);
   // Clock 30 is the ninth after the second load: CT7 stands at 8.
-  EXPECT_EQ(second.mismatch->expected, 8);
-  EXPECT_EQ(second.mismatch->actual, 9);
+  expect_is(*second.mismatch, 30, "ct7", 8, 9);
 }
 
 TEST(Mismatch, IsSeenUnderHostileClocks) {

@@ -34,17 +34,24 @@ nets::Graph made_at_random(Random& random, std::vector<Bit>& bits) {
   return graph;
 }
 
+// What each of these inputs is given.
+std::vector<Plane> given_at_random(Random& random, nets::Planes& planes,
+                                   const std::vector<Bit>& inputs) {
+  std::vector<Plane> given(inputs.size());
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    for (std::uint64_t& w : given[i].words) w = random.next();
+    planes.give(inputs[i], given[i]);
+  }
+  return given;
+}
+
 TEST(Planes, HoldWhatSixtyFourRunsGive) {
   Random random(3);
   for (const std::size_t lanes : {std::size_t{64}, nets::plane_lanes}) {
     std::vector<Bit> bits;
     const nets::Graph graph = made_at_random(random, bits);
     nets::Planes planes(graph, bits, lanes);
-    std::vector<Plane> given(graph.inputs().size());
-    for (std::size_t i = 0; i < given.size(); ++i) {
-      for (std::uint64_t& w : given[i].words) w = random.next();
-      planes.give(graph.inputs()[i], given[i]);
-    }
+    const auto given = given_at_random(random, planes, graph.inputs());
     planes.run();
     for (std::size_t w = 0; w < lanes / 64; ++w) {
       std::vector<std::uint64_t> inputs;
@@ -65,12 +72,11 @@ TEST(Planes, TakeTheNextAtAnEdge) {
     nets::Graph graph;
     const std::vector<Bit> held{graph.input(), graph.input(), graph.input()};
     nets::Planes planes(graph, held, lanes);
-    std::vector<Plane> before(held.size()), taking(held.size());
+    const auto before = given_at_random(random, planes, held);
+    std::vector<Plane> taking(held.size());
     std::vector<nets::PlaneFlipFlop> flip_flops;
     for (std::size_t i = 0; i < held.size(); ++i) {
-      for (std::uint64_t& w : before[i].words) w = random.next();
       for (std::uint64_t& w : taking[i].words) w = random.next();
-      planes.give(held[i], before[i]);
       flip_flops.push_back(planes.flip_flop(held[i], !held[(i + 1) % held.size()], taking[i]));
     }
     planes.run();
@@ -91,11 +97,7 @@ TEST(Planes, DifferWhereOneOfTheBitsDoes) {
     nets::Graph graph;
     const std::vector<Bit> bits{graph.input(), graph.input(), graph.input()};
     nets::Planes planes(graph, bits, lanes);
-    std::vector<Plane> given(bits.size());
-    for (std::size_t i = 0; i < bits.size(); ++i) {
-      for (std::uint64_t& w : given[i].words) w = random.next();
-      planes.give(bits[i], given[i]);
-    }
+    const auto given = given_at_random(random, planes, bits);
     const std::vector<nets::PlaneRoot> roots{planes.root(bits[0]), planes.root(!bits[1]),
                                              planes.root(bits[2])};
     for (Word value = 0; value < 8; ++value) {

@@ -176,19 +176,15 @@ TEST_P(Claims, AreOfEveryRegister) {
 // A port that no table names would be compared with nothing, or stay free.
 TEST_P(Claims, AreOfEveryPort) {
   const Rtl rtl = rtl_of(GetParam().formula());
-  const auto refusal = [&](const MachineFormula& m) {
-    return test::error_of([&] { claim_step(m, rtl); });
+  const auto expect_refused = [&](const std::string& kind, auto ports) {
+    MachineFormula fewer = GetParam().formula();
+    const std::string name = (fewer.*ports).back().field.name;
+    (fewer.*ports).pop_back();
+    EXPECT_EQ(test::error_of([&] { claim_step(fewer, rtl); }),
+              fewer.design + ": the RTL has an " + kind + name + " that no table names");
   };
-  MachineFormula fewer = GetParam().formula();
-  const std::string output = fewer.outputs.back().field.name;
-  fewer.outputs.pop_back();
-  EXPECT_EQ(refusal(fewer),
-            fewer.design + ": the RTL has an output " + output + " that no table names");
-  fewer = GetParam().formula();
-  const std::string input = fewer.inputs.back().field.name;
-  fewer.inputs.pop_back();
-  EXPECT_EQ(refusal(fewer),
-            fewer.design + ": the RTL has an input " + input + " that no table names");
+  expect_refused("output ", &MachineFormula::outputs);
+  expect_refused("input ", &MachineFormula::inputs);
 }
 
 std::string name_of(const testing::TestParamInfo<BuiltMachine>& info) {

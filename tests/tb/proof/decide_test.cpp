@@ -7,9 +7,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "model/core/input_error.h"
 #include "tb/proof/votes.h"
-#include "tb/support/process.h"
+#include "tests/support/has.h"
+#include "tests/support/stand_ins.h"
 
 namespace cosim::proof {
 namespace {
@@ -27,6 +27,14 @@ const Claim claim{"a claim", Answer::unsat, {{{"the question"}, ""}}, {}};
 
 Decision decision(Answer cvc5, Answer z3) {
   return judged(claim, {{Engine::cvc5, {answer(cvc5)}}, {Engine::z3, {answer(z3)}}});
+}
+
+// With that question of nets, too.
+Claim with_nets(Claim of, const char* asked) {
+  NetQuestions nets;
+  nets.asked.push_back({asked, nets::no});
+  of.nets = std::make_shared<const NetQuestions>(nets);
+  return of;
 }
 
 std::string refusal(const std::string& list, const std::vector<Engine>& all = all_engines()) {
@@ -52,18 +60,19 @@ TEST(Engines, AreRefusedTwiceUnknownOrWhereThereIsNone) {
             "--engines 'cec': takes z3 and cvc5, each once");
 }
 
+void expect_is(const Decision& d, bool proved, bool refuted, const std::string& verdict) {
+  EXPECT_EQ(d.proved, proved);
+  EXPECT_EQ(d.refuted, refuted);
+  EXPECT_EQ(d.verdict, verdict);
+}
+
 TEST(Decision, IsAProofWhereTwoAgree) {
-  const Decision d = decision(Answer::unsat, Answer::unsat);
-  EXPECT_TRUE(d.proved);
-  EXPECT_FALSE(d.refuted);
-  EXPECT_EQ(d.verdict, "proved");
+  expect_is(decision(Answer::unsat, Answer::unsat), true, false, "proved");
 }
 
 TEST(Decision, IsARefutationWhereNoneDenies) {
-  const Decision d = decision(Answer::sat, Answer::sat);
-  EXPECT_FALSE(d.proved);
-  EXPECT_TRUE(d.refuted);
-  EXPECT_EQ(d.verdict, "REFUTED: cvc5 sat (the question), z3 sat (the question)");
+  expect_is(decision(Answer::sat, Answer::sat), false, true,
+            "REFUTED: cvc5 sat (the question), z3 sat (the question)");
 }
 
 TEST(Decision, IsNoProofWhereASolverIsMissingSlowOrUndecided) {
@@ -71,17 +80,14 @@ TEST(Decision, IsNoProofWhereASolverIsMissingSlowOrUndecided) {
     for (const Decision& d : {decision(a, Answer::unsat), decision(Answer::unsat, a)}) {
       EXPECT_FALSE(d.proved);
       EXPECT_FALSE(d.refuted);
-      EXPECT_NE(d.verdict.find("UNDECIDED, 1 of 2: "), std::string::npos) << d.verdict;
-      EXPECT_NE(d.verdict.find(to_text(a)), std::string::npos) << d.verdict;
+      test::expect_has(d.verdict, {"UNDECIDED, 1 of 2: ", to_text(a)});
     }
   }
 }
 
 TEST(Decision, IsNeitherWhereTheSolversDisagree) {
-  const Decision d = decision(Answer::sat, Answer::unsat);
-  EXPECT_FALSE(d.proved);
-  EXPECT_FALSE(d.refuted);
-  EXPECT_EQ(d.verdict, "THE ENGINES DISAGREE: cvc5 sat (the question), z3 unsat");
+  expect_is(decision(Answer::sat, Answer::unsat), false, false,
+            "THE ENGINES DISAGREE: cvc5 sat (the question), z3 unsat");
 }
 
 // One answer of many that is missing or other than wanted is enough.
@@ -98,7 +104,7 @@ TEST(Decision, NeedsEveryAnswer) {
   EXPECT_TRUE(with(both).proved);
   EXPECT_FALSE(with(one).proved);
   EXPECT_FALSE(with(other).proved);
-  EXPECT_NE(with(other).verdict.find("unsat (second)"), std::string::npos);
+  EXPECT_TRUE(test::has(with(other).verdict, "unsat (second)"));
 }
 
 // Of three, two decide, and the third is named; but none may say the opposite.
@@ -120,10 +126,8 @@ TEST(Decision, NeedsTwoOfThree) {
 
 // Of two questions z3 answers one and cvc5 the other, and cec both: each has two.
 TEST(Decision, NeedsTwoOfEachQuestion) {
-  Claim two{"two", Answer::unsat, {{{"first"}, ""}, {{"second"}, ""}}, {}};
-  NetQuestions nets;
-  nets.asked.push_back({"both", nets::no});
-  two.nets = std::make_shared<const NetQuestions>(nets);
+  const Claim two =
+      with_nets({"two", Answer::unsat, {{{"first"}, ""}, {{"second"}, ""}}, {}}, "both");
   const auto with = [&](Answer z3_second, Answer cvc5_second) {
     return judged(two, {{Engine::cec, {answer(Answer::unsat)}},
                         {Engine::z3, {answer(Answer::unsat), answer(z3_second)}},
@@ -133,28 +137,17 @@ TEST(Decision, NeedsTwoOfEachQuestion) {
   EXPECT_EQ(with(Answer::timed_out, Answer::unsat).verdict, "proved, z3 timed out (second)");
   EXPECT_FALSE(with(Answer::timed_out, Answer::timed_out).proved);
   EXPECT_FALSE(with(Answer::timed_out, Answer::timed_out).refuted);
-  EXPECT_NE(with(Answer::stopped, Answer::sat).verdict.find("THE ENGINES DISAGREE"),
-            std::string::npos);
+  EXPECT_TRUE(test::has(with(Answer::stopped, Answer::sat).verdict, "THE ENGINES DISAGREE"));
 }
 
 // An engine that never ends holds up no other: not where two threads wait for two engines, and not
 // where there is one thread.
 TEST(Decision, ComesFromTheOthersWhereAnEngineHangs) {
-  const Scratch bin;
-  const auto program = [&](const char* name, const std::string& does) {
-    const auto file = bin.path() / name;
-    std::ofstream(file) << "#!/bin/sh\n" << does << "\n";
-    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
-  };
-  program("z3", "while :; do :; done");
-  program("cvc5", "echo unsat");
-  program("yosys-abc", "echo UNSATISFIABLE");
-  const std::string path = std::getenv("PATH");
-  setenv("PATH", (bin.path().string() + ':' + path).c_str(), 1);
-  Claim no{"no", Answer::unsat, {{{"it"}, ""}}, {}};
-  NetQuestions nets;
-  nets.asked.push_back({"it", nets::no});
-  no.nets = std::make_shared<const NetQuestions>(nets);
+  const test::StandIns bin;
+  bin.program("z3", "while :; do :; done");
+  bin.program("cvc5", "echo unsat");
+  bin.program("yosys-abc", "echo UNSATISFIABLE");
+  const Claim no = with_nets({"no", Answer::unsat, {{{"it"}, ""}}, {}}, "it");
   constexpr int for_ever = 86400;
   for (const unsigned jobs : {1U, 2U, 4U}) {
     std::size_t told = 0;
@@ -166,29 +159,22 @@ TEST(Decision, ComesFromTheOthersWhereAnEngineHangs) {
       EXPECT_EQ(d.opinions.size(), 2U);
     }
   }
-  setenv("PATH", path.c_str(), 1);
 }
 
 // The engines wait with what is slow until they hear that the other claim is told.
 TEST(Decision, IsToldBeforeOthersAreThere) {
-  const Scratch bin;
-  const std::string told = bin.path() / "told";
+  const test::StandIns bin;
+  const std::string told = bin.folder.path("told");
   for (const char* name : {"z3", "cvc5"}) {
-    const auto file = bin.path() / name;
-    std::ofstream(file) << "#!/bin/sh\nfor script; do :; done\n"
-                        << "while grep -q slow $script && ! [ -e " << told << " ]; do :; done\n"
-                        << "echo unsat\n";
-    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+    bin.program(name, "for script; do :; done\nwhile grep -q slow $script && ! [ -e " + told +
+                          " ]; do :; done\necho unsat");
   }
-  const std::string path = std::getenv("PATH");
-  setenv("PATH", (bin.path().string() + ':' + path).c_str(), 1);
   const Claim quick{"quick", Answer::unsat, {{{"it"}, ""}}, {}};
   const Claim slow{"slow", Answer::unsat, {{{"it"}, "; slow\n"}}, {}};
   const auto all = decide({&slow, &quick}, {{Engine::z3, Engine::cvc5}, 4, 4, 1},
                           [&](std::size_t i, const Decision& d) {
                             if (i == 1 && d.proved) std::ofstream(told) << "so";
                           });
-  setenv("PATH", path.c_str(), 1);
   EXPECT_EQ(all.front().verdict, "proved");
 }
 
@@ -205,14 +191,11 @@ TEST(Decision, AsksTheThirdWhereTwoDoNotDo) {
   EXPECT_EQ(asked({Engine::cec, Engine::z3, Engine::cvc5}, no), "z3 cvc5 ");
   EXPECT_EQ(asked({Engine::z3}, no), "z3 ");
   EXPECT_EQ(asked({Engine::cec}, no), "");
-  Claim with_nets = no;
-  NetQuestions nets;
-  nets.asked.push_back({"it", nets::no});
-  with_nets.nets = std::make_shared<const NetQuestions>(nets);
-  EXPECT_EQ(asked({Engine::cec, Engine::z3, Engine::cvc5}, with_nets), "cec z3 ");
+  Claim on_nets = with_nets(no, "it");
+  EXPECT_EQ(asked({Engine::cec, Engine::z3, Engine::cvc5}, on_nets), "cec z3 ");
   // A script that is none: z3 fails, and cvc5 is asked too.
-  with_nets.queries.front().script = "(";
-  EXPECT_EQ(asked({Engine::cec, Engine::z3, Engine::cvc5}, with_nets), "cec z3 cvc5 ");
+  on_nets.queries.front().script = "(";
+  EXPECT_EQ(asked({Engine::cec, Engine::z3, Engine::cvc5}, on_nets), "cec z3 cvc5 ");
 }
 
 // z3 is asked both at a time: of a script that spoils the others each is asked again alone.

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <set>
 
-#include "tb/support/process.h"
 #include "tb/support/random.h"
+#include "tests/support/stand_ins.h"
 
 namespace cosim::proof {
 namespace {
@@ -112,12 +112,8 @@ TEST(Invariant, IsNotWhatHoldsForLong) {
 
 // What another program gives for one is looked at.
 TEST(Invariant, ThatIsNoneIsNotTaken) {
-  const Scratch folder;
-  std::ofstream(folder.path() / "yosys-abc")
-      << "#!/bin/sh\nprintf '.ilb r0\\n.ob inv\\n%s 1\\n' $SAID > invariant\n";
-  std::filesystem::permissions(folder.path() / "yosys-abc", std::filesystem::perms::owner_all);
-  const std::string path = std::getenv("PATH");
-  setenv("PATH", (folder.path().string() + ":" + path).c_str(), 1);
+  const test::StandIns bin;
+  bin.program("yosys-abc", "printf '.ilb r0\\n.ob inv\\n%s 1\\n' $SAID > invariant");
   Aig graph;
   const Lit sets = graph.input(), latch = graph.latch();
   graph.next(latch, graph.or_of(latch, sets));
@@ -126,7 +122,6 @@ TEST(Invariant, ThatIsNoneIsNotTaken) {
   setenv("SAID", "0", 1);  // never 0: that is never left, but it is not so at first
   EXPECT_EQ(soon(graph, graph.and_of(sets, Aig::inverted(latch))).solver, "");
   unsetenv("SAID");
-  setenv("PATH", path.c_str(), 1);
 }
 
 }  // namespace

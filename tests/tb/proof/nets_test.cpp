@@ -6,9 +6,8 @@
 #include <filesystem>
 
 #include "tb/proof/abc.h"
-#include "tb/support/output_file.h"
-#include "tb/support/process.h"
 #include "tests/support/solvers.h"
+#include "tests/support/stand_ins.h"
 
 namespace cosim::proof {
 namespace {
@@ -50,17 +49,8 @@ TEST(Abc, AnswersEachQuestionAndSaysWhen) {
 // Programs of this name in place of it.
 class StandIn : public testing::Test {
  protected:
-  void TearDown() override { setenv("PATH", path_.c_str(), 1); }
-  void says(const std::string& script) {
-    const std::string file = (folder_.path() / "yosys-abc").string();
-    OutputFile out(file);
-    out.text("#!/bin/sh\n" + script + '\n');
-    out.close();
-    std::filesystem::permissions(file, std::filesystem::perms::owner_all);
-    setenv("PATH", (folder_.path().string() + ':' + path_).c_str(), 1);
-  }
-  Scratch folder_;
-  const std::string path_ = std::getenv("PATH");
+  void says(const std::string& script) const { bin_.program("yosys-abc", script); }
+  const test::StandIns bin_;
 };
 constexpr const char* kLies = "echo SATISFIABLE; echo UNSATISFIABLE; echo UNSATISFIABLE";
 TEST_F(StandIn, ThatFindsWhatIsNoneHasFailed) {

@@ -5,8 +5,8 @@
 #include <array>
 #include <string>
 
-#include "model/core/input_error.h"
 #include "tb/stream/shape.h"
+#include "tests/support/error_of.h"
 
 namespace cosim {
 namespace {
@@ -69,12 +69,7 @@ std::string refusal_of(const char* clock) {
   shape.title = "made";
   shape.set_clocks("", "w_clk\nfalling r_clk\n");
   const Field data{"data", 8, Format::bits, "", "", 0, "data"};
-  try {
-    shape.add({.name = "x", .clock = clock}, true, {&data, 1});
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_of([&] { shape.add({.name = "x", .clock = clock}, true, {&data, 1}); });
 }
 
 TEST(ClockOfAStream, IsOneOfThoseOfTheDesign) {

@@ -11,22 +11,13 @@
 namespace cosim {
 namespace {
 
-/// What the queue does wrong with the value of number `number`.
+/// What the queue does wrong with the value of number `number`. One that asks says valid only to
+/// one who is ready; one that idles takes only while one who takes it on is ready.
+// clang-format off
 enum class Fault {
-  none,
-  value,
-  lose,
-  lose_waiting,
-  twice,
-  swap,
-  extra,
-  extra_last,
-  hang,
-  slow,
-  change,
-  asks,  // says valid only to one who is ready
-  idles  // takes only while one who takes it on is ready
+  none, value, lose, lose_waiting, twice, swap, extra, extra_last, hang, slow, change, asks, idles
 };
+// clang-format on
 
 /// Takes 8 bits and gives them one more, at least one clock later. It holds two values.
 class Queue final : public StreamDut {
@@ -238,12 +229,10 @@ TEST(StreamRun, OneWhoIsReadyOnlyOnceItSawValidIsServed) {
 TEST(StreamRun, ADesignThatWaitsForReadyHangsWithOneThatWaitsForValid) {
   EXPECT_EQ(Case({.fault = Fault::asks, .stall = 3}).says(), "nothing");
   EXPECT_EQ(Case({.fault = Fault::idles, .stall = 3}).says(), "nothing");
-  EXPECT_EQ(
-      Case({.fault = Fault::asks, .waits = 1}).says(),
-      "hung: x number 2 is not taken, y_ready waits for y_valid, and nothing moves for 50 clocks");
-  EXPECT_EQ(
-      Case({.fault = Fault::idles, .waits = 1}).says(),
-      "hung: x number 0 is not taken, y_ready waits for y_valid, and nothing moves for 50 clocks");
+  const std::string waits =
+      " is not taken, y_ready waits for y_valid, and nothing moves for 50 clocks";
+  EXPECT_EQ(Case({.fault = Fault::asks, .waits = 1}).says(), "hung: x number 2" + waits);
+  EXPECT_EQ(Case({.fault = Fault::idles, .waits = 1}).says(), "hung: x number 0" + waits);
 }
 
 TEST(StreamRun, LateIsMoreThanTheStatedLatency) {

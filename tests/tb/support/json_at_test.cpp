@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "tb/support/json.h"
 #include "tests/support/error_of.h"
 
@@ -14,27 +16,23 @@ const JsonAt plan("run.json", R"({"tasks": [{}, {"units": -1, "name": 7, "yes": 
 
 TEST(JsonAt, NamesTheFileAndThePlace) {
   const JsonAt task = plan.at("tasks").list()[1];
-  EXPECT_EQ(test::error_of([&] { task.at("units").whole(1, 1000); }),
-            "run.json: tasks[1].units is -1, not a whole number from 1 to 1000");
-  EXPECT_EQ(test::error_of([&] { task.at("units").whole(3, 3); }),
-            "run.json: tasks[1].units is -1, not 3");
-  EXPECT_EQ(test::error_of([&] { task.at("units").number(0, 2.5); }),
-            "run.json: tasks[1].units is -1, not a number from 0 to 2.5");
-  EXPECT_EQ(test::error_of([&] { task.at("name").text(); }),
-            "run.json: tasks[1].name is 7, not a text");
-  EXPECT_EQ(test::error_of([&] { task.at("yes").yes(); }),
-            "run.json: tasks[1].yes is 1.5, not true or false");
-  EXPECT_EQ(test::error_of([&] { task.at("minutes"); }), "run.json: tasks[1] has no 'minutes'");
-  EXPECT_EQ(test::error_of([&] { plan.at("none").list(); }), "run.json: none is null, not a list");
-  EXPECT_EQ(test::error_of([&] { plan.at("tasks").list(3); }),
-            "run.json: tasks is a list of 2, not of 3 or more");
-  EXPECT_EQ(test::error_of([&] { plan.at("tasks").list(0, 1); }),
-            "run.json: tasks is a list of 2, not of at most 1");
-  EXPECT_EQ(test::error_of([&] { plan.at("tasks").list(5, 5); }),
-            "run.json: tasks is a list of 2, not of 5");
-  EXPECT_EQ(test::error_of([&] { plan.at("tasks").at("x"); }),
-            "run.json: tasks is a list of 2, not an object");
-  EXPECT_EQ(test::error_of([&] { plan.text(); }), "run.json: it is an object, not a text");
+  const auto expect = [](const std::string& said, const std::function<void()>& read) {
+    EXPECT_EQ(test::error_of(read), "run.json: " + said);
+  };
+  expect("tasks[1].units is -1, not a whole number from 1 to 1000",
+         [&] { task.at("units").whole(1, 1000); });
+  expect("tasks[1].units is -1, not 3", [&] { task.at("units").whole(3, 3); });
+  expect("tasks[1].units is -1, not a number from 0 to 2.5",
+         [&] { task.at("units").number(0, 2.5); });
+  expect("tasks[1].name is 7, not a text", [&] { task.at("name").text(); });
+  expect("tasks[1].yes is 1.5, not true or false", [&] { task.at("yes").yes(); });
+  expect("tasks[1] has no 'minutes'", [&] { task.at("minutes"); });
+  expect("none is null, not a list", [&] { plan.at("none").list(); });
+  expect("tasks is a list of 2, not of 3 or more", [&] { plan.at("tasks").list(3); });
+  expect("tasks is a list of 2, not of at most 1", [&] { plan.at("tasks").list(0, 1); });
+  expect("tasks is a list of 2, not of 5", [&] { plan.at("tasks").list(5, 5); });
+  expect("tasks is a list of 2, not an object", [&] { plan.at("tasks").at("x"); });
+  expect("it is an object, not a text", [&] { plan.text(); });
 }
 
 TEST(JsonAt, GivesWhatIsThere) {

@@ -44,10 +44,7 @@ std::string places(const RtlNet& net, std::size_t i) {
 TEST(NetPath, ReadsSlicesAndWords) {
   const auto is = [](const char* net, const char* path, int word, int high, int low) {
     const NetPath p = net_path(net);
-    EXPECT_EQ(p.path, path) << net;
-    EXPECT_EQ(p.word, word) << net;
-    EXPECT_EQ(p.high, high) << net;
-    EXPECT_EQ(p.low, low) << net;
+    EXPECT_EQ(std::tuple(p.path, p.word, p.high, p.low), std::tuple(path, word, high, low)) << net;
   };
   is("a.b", "a.b", -1, -1, -1);
   is("a.b[7:4]", "a.b", -1, 7, 4);

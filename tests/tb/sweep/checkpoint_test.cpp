@@ -1,8 +1,6 @@
 // State kept in a file, and files replaced at once.
 #include "tb/sweep/checkpoint.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -17,10 +15,9 @@
 namespace cosim {
 namespace {
 
-class CheckpointIn : public testing::Test {
+class CheckpointIn : public test::InAFolder {
  protected:
-  test::Folder folder_;
-  std::filesystem::path path_ = folder_.path("state");
+  std::filesystem::path path_ = folder.path("state");
 };
 
 TEST_F(CheckpointIn, GivesWhatWasSavedLast) {
@@ -34,7 +31,7 @@ TEST_F(CheckpointIn, GivesWhatWasSavedLast) {
 TEST_F(CheckpointIn, HoldsNoFigureThatIsNotFinite) {
   Checkpoint kept(path_, "work");
   EXPECT_THROW(kept.save(Json{{"off", HUGE_VAL}}), std::logic_error);
-  EXPECT_TRUE(folder_.names().empty());
+  EXPECT_TRUE(folder.names().empty());
 }
 
 TEST_F(CheckpointIn, IsGoneWhenDone) {
@@ -42,7 +39,7 @@ TEST_F(CheckpointIn, IsGoneWhenDone) {
   checkpoint.done();  // where nothing was saved
   checkpoint.save(1);
   checkpoint.done();
-  EXPECT_TRUE(folder_.names().empty());
+  EXPECT_TRUE(folder.names().empty());
 }
 
 TEST_F(CheckpointIn, IsOfItsWorkAlone) {
@@ -102,11 +99,11 @@ TEST_F(CheckpointIn, ReplacesFilesAtOnce) {
 TEST_F(CheckpointIn, LeavesTheOldFileWhereItCannotReplaceIt) {
   std::filesystem::create_directory(path_);
   EXPECT_THROW(replace_file(path_, "text"), InputError);
-  EXPECT_THROW(replace_file(folder_.path("none/file"), "text"), InputError);
-  EXPECT_THROW(read_file(folder_.path("none")), InputError);
+  EXPECT_THROW(replace_file(folder.path("none/file"), "text"), InputError);
+  EXPECT_THROW(read_file(folder.path("none")), InputError);
   EXPECT_TRUE(std::filesystem::is_directory(path_));
   std::filesystem::remove(path_);
-  EXPECT_TRUE(folder_.names().empty());
+  EXPECT_TRUE(folder.names().empty());
 }
 
 }  // namespace

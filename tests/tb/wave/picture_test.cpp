@@ -2,10 +2,10 @@
 // it leaves out, and stays small enough for a page.
 #include "tb/wave/picture.h"
 
-#include <gtest/gtest.h>
-
 #include <deque>
 #include <string>
+
+#include "tests/support/has.h"
 
 namespace cosim {
 namespace {
@@ -61,26 +61,24 @@ TEST_F(PictureOf, ADifferenceShowsBothValuesAtTheMarkedClock) {
   EXPECT_LT(p.last - p.first, 40U);
   EXPECT_EQ(p.clocks, 100U);
   EXPECT_EQ(p.left_out, 0U);
-  for (const char* text : {">a&lt;b expected<", ">a&lt;b actual<", ">same<", ">first difference<",
-                           ">First difference: a&lt;b<", "&lt;for&gt;"}) {
-    EXPECT_NE(p.wave.find(text), std::string::npos) << text;
-  }
+  test::expect_has(p.wave, {">a&lt;b expected<", ">a&lt;b actual<", ">same<", ">first difference<",
+                            ">First difference: a&lt;b<", "&lt;for&gt;"});
   // In the group of the difference and among the registers: the value that is wrong, and the one
   // that is right, are red; no other is.
   EXPECT_EQ(times(p.wave, ">5555</text>"), 2U);
   EXPECT_EQ(times(p.wave, "class=\"differs\""), 4U);
   EXPECT_EQ(times(p.wave, "class=\"mark\""), 1U);
-  EXPECT_EQ(p.wave.find("a<b"), std::string::npos);
+  EXPECT_FALSE(test::has(p.wave, "a<b"));
 }
 
 TEST_F(PictureOf, ARunWithoutADifferenceBeginsAtItsBegin) {
   reg("a");
   const WavePicture p = picture(1000, {});
   EXPECT_EQ(p.first, 0U);
-  EXPECT_EQ(p.wave.find("class=\"mark\""), std::string::npos);
-  EXPECT_EQ(p.wave.find("class=\"differs\""), std::string::npos);
-  EXPECT_NE(p.wave.find('>' + std::to_string(1000 + p.last) + '<'), std::string::npos);
-  EXPECT_EQ(p.wave.find('>' + std::to_string(1000 + p.last + 1) + '<'), std::string::npos);
+  EXPECT_FALSE(test::has(p.wave, "class=\"mark\""));
+  EXPECT_FALSE(test::has(p.wave, "class=\"differs\""));
+  EXPECT_TRUE(test::has(p.wave, '>' + std::to_string(1000 + p.last) + '<'));
+  EXPECT_FALSE(test::has(p.wave, '>' + std::to_string(1000 + p.last + 1) + '<'));
 }
 
 TEST_F(PictureOf, AShortRunShowsAllOfIt) {
@@ -93,15 +91,15 @@ TEST_F(PictureOf, AShortRunShowsAllOfIt) {
 TEST_F(PictureOf, AMemoryHasOnlyTheWordsThatChange) {
   for (int i = 0; i < 50; ++i) reg("mem", i);
   const WavePicture p = picture(20, {});
-  EXPECT_NE(p.wave.find(">mem[0]<"), std::string::npos);
-  EXPECT_EQ(p.wave.find(">mem[1]<"), std::string::npos);
+  EXPECT_TRUE(test::has(p.wave, ">mem[0]<"));
+  EXPECT_FALSE(test::has(p.wave, ">mem[1]<"));
   EXPECT_EQ(p.left_out, 49U);
   EXPECT_FALSE(p.is_cut);
 }
 
 TEST_F(PictureOf, AValueThatMeansNothingIsHatched) {
   reg("a");
-  EXPECT_EQ(picture(9, {}).wave.find("class=\"off\""), std::string::npos);
+  EXPECT_FALSE(test::has(picture(9, {}).wave, "class=\"off\""));
   meaningless_ = 4;
   EXPECT_EQ(times(picture(9, {}).wave, "class=\"off\""), 1U);
 }
@@ -113,7 +111,7 @@ TEST_F(PictureOf, AGreatManySignalsStaysSmall) {
   EXPECT_LT(p.wave.size(), 450'000U);
   EXPECT_TRUE(p.is_cut);
   EXPECT_GT(p.left_out, 4000U);
-  EXPECT_NE(p.wave.find(">r0 expected<"), std::string::npos);
+  EXPECT_TRUE(test::has(p.wave, ">r0 expected<"));
 }
 
 }  // namespace

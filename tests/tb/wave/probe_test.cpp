@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "model/core/design.h"
 #include "tb/support/read_file.h"
 #include "tb/wave/picture.h"
 #include "tests/support/folder.h"
+#include "tests/support/has.h"
 #include "tests/support/model_adapter.h"
 #include "tests/support/vcd.h"
 
@@ -61,46 +61,43 @@ struct Seen : Bare {
 
 }  // namespace shift
 
-class ProbesOf : public testing::Test {
+class ProbesOf : public test::InAFolder {
  protected:
   std::string draw(const AnyBench& bench) {
-    const std::string path = folder_.path("x.fst");
+    const std::string path = folder.path("x.fst");
     Stimulus stimulus;
     stimulus.machine = bench.title();
     stimulus.clocks = {{1}, {1}, {0}, {1}};
     bench.draw_wave(path, stimulus, {});
     return path;
   }
-  std::string text(const char* name) const { return read_file(folder_.path(name)); }
-  test::Folder folder_;
+  std::string text(const char* name) const { return read_file(folder.path(name)); }
 };
 
 TEST_F(ProbesOf, ADesignWithoutAViewAreNone) {
   const AnyBench& bench = test::model_bench<shift::Bare, shift::Params{}>();
   EXPECT_TRUE(bench.probes().empty());
   const std::string path = draw(bench);
-  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"x.fst", "x.gtkw"}));
-  EXPECT_NE(text("x.gtkw").find("cosim.actual.held[1:0]"), std::string::npos);
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"x.fst", "x.gtkw"}));
+  EXPECT_TRUE(test::has(text("x.gtkw"), "cosim.actual.held[1:0]"));
   // Nor is a source named where the tables name none.
-  EXPECT_NE(text("x.gtkw").find("-Pins\n"), std::string::npos);
-  EXPECT_NE(text("x.gtkw").find("-Registers\n"), std::string::npos);
+  EXPECT_TRUE(test::has(text("x.gtkw"), "-Pins\n"));
+  EXPECT_TRUE(test::has(text("x.gtkw"), "-Registers\n"));
   if (!test::can_read_waves()) GTEST_SKIP() << "there is no fst2vcd";
   EXPECT_EQ(test::Vcd(path).at("cosim.actual.held", 20), "11");
 }
 
 TEST_F(ProbesOf, AViewAreInTheWave) {
   const std::string path = draw(test::model_bench<shift::Seen, shift::Params{}>());
-  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"x.fst", "x.gtkw", "x.level.txt"}));
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"x.fst", "x.gtkw", "x.level.txt"}));
   EXPECT_EQ(text("x.level.txt"), "0 low\n1 high\n");
   const std::string view = text("x.gtkw");
-  EXPECT_NE(view.find("@2022\n^1 x.level.txt\n+{level} cosim.line.level[1:0]\n"), std::string::npos)
-      << view;
+  EXPECT_TRUE(test::has(view, "@2022\n^1 x.level.txt\n+{level} cosim.line.level[1:0]\n"));
   // A number in decimals; the curve of a signed number, three lines higher.
-  EXPECT_NE(view.find("@800200\n-Counted\n[color] 4\n@24\n+{ones} cosim.line.ones[7:0]\n"
-                      "[color] 4\n@88420\n+{sum} cosim.line.sum[7:0]\n@20000\n-\n-\n-\n"
-                      "@1000200\n-Counted\n"),
-            std::string::npos)
-      << view;
+  EXPECT_TRUE(test::has(view,
+                        "@800200\n-Counted\n[color] 4\n@24\n+{ones} cosim.line.ones[7:0]\n"
+                        "[color] 4\n@88420\n+{sum} cosim.line.sum[7:0]\n@20000\n-\n-\n-\n"
+                        "@1000200\n-Counted\n"));
   if (!test::can_read_waves()) GTEST_SKIP() << "there is no fst2vcd";
   const test::Vcd wave(path);
   EXPECT_EQ(wave.at("cosim.line.level", 10), "00");

@@ -11,8 +11,7 @@ namespace cosim::circular {
 namespace {
 
 std::vector<Arc> arcs(const Params& p, std::uint64_t count) {
-  std::vector<Arc> all;
-  for (std::uint64_t i = 0; i < count; ++i) all.push_back(random_arc(p, 1, i));
+  auto all = test::drawn_jobs(random_arc, p, count);
   for (const Point& from : every_start(225)) all.push_back({from, 225, {}});
   if (p.width < 4) all.resize(count);
   return all;

@@ -3,21 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/codes.h"
+
 namespace cosim::circular {
 namespace {
 
-// The remainder in 0 .. m - 1.
-Word modulo(Word v, Word m) { return (v % m + m) % m; }
-
-// A ones' complement code read digit by digit: a negative number is the complement of its size.
-Word ones_complement_value(Word code, int width) {
-  Word size = 0;
-  const bool negative = (code >> (width - 1) & 1) != 0;
-  for (int i = 0; i < width; ++i) {
-    if (((code >> i & 1) != 0) != negative) size += Word{1} << i;
-  }
-  return negative ? -size : size;
-}
+using test::modulo, test::ones_complement_value;
 
 TEST(MinusZero, IsTheOnlyZeroOfItsCodes) {
   for (int width = 2; width <= 9; ++width) {

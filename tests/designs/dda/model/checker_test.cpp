@@ -12,9 +12,7 @@ namespace cosim::dda {
 namespace {
 
 std::vector<Job> jobs(const Params& p, std::uint64_t count) {
-  std::vector<Job> all;
-  for (std::uint64_t i = 0; i < count; ++i) all.push_back(random_job(p, 1, i));
-  return all;
+  return test::drawn_jobs(random_job, p, count);
 }
 
 TEST(DdaChecker, PassesWhatTheOracleDraws) {

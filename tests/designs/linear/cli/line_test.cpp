@@ -69,8 +69,7 @@ void expect_line(const Drawing& d, std::uint64_t major, const std::string& uk, S
                 "linear M=" + std::to_string(shape.m) + " N=" + std::to_string(shape.n) + ": ", 0),
             0U)
       << d.ended.out;
-  EXPECT_NE(d.ended.out.find("MP = " + std::to_string(e.minor) + ", UK = " + uk), std::string::npos)
-      << d.ended.out;
+  EXPECT_TRUE(has(d.ended.out, "MP = " + std::to_string(e.minor) + ", UK = " + uk));
 }
 
 TEST(Line, OfTheSourceGivesTable3) {
@@ -190,9 +189,7 @@ TEST(Line, TableShowsEveryClock) {
       ends(0, cosim({"line", "--major", "27", "--minor", "9", "--code", "01010", "--table"}));
   // BP, UK, start, the first word formed, four words, the end: nine clocks and a heading.
   EXPECT_EQ(lines(ended.out).size(), 4U + 10U);
-  for (const char* word : {"01000101", "01000100", "01000000", "11100000"}) {
-    EXPECT_NE(ended.out.find(word), std::string::npos) << word;
-  }
+  expect_has(ended.out, {"01000101", "01000100", "01000000", "11100000"});
 }
 
 TEST(Line, HasAHelpThatNamesEveryOption) {

@@ -13,15 +13,11 @@
 namespace cosim::linear {
 namespace {
 
-std::vector<Job> lines(const Params& p, std::uint64_t count) {
-  std::vector<Job> all;
-  for (std::uint64_t i = 0; i < count; ++i) all.push_back(random_line(p, 1, i));
-  return all;
-}
+std::vector<Job> lines(const Params& p) { return test::drawn_jobs(random_line, p, 200); }
 
 TEST(LinearChecker, PassesWhatTheOracleDraws) {
   for (const Params& p : {Params{5, 2}, Params{8, 5}, Params{7, 1}, Params{32, 26}}) {
-    const auto all = lines(p, 200);
+    const auto all = lines(p);
     std::uint64_t steps = 0;
     double deviation = 0;
     for (const Job& job : all) {
@@ -42,7 +38,7 @@ TEST(LinearChecker, PassesWhatTheOracleDraws) {
 TEST(LinearChecker, SeesEveryWrongBit) {
   const Params p{6, 3};
   test::expect_faults_seen<Design, LineFigures>(
-      p, lines(p, 200), [&p](Outputs<Word>& out, std::uint64_t how) {
+      p, lines(p), [&p](Outputs<Word>& out, std::uint64_t how) {
         (how % 2 == 0 ? out.major : out.minor) ^= out.strobe << (how / 2 % p.word());
         return out.strobe != 0;
       });
@@ -51,7 +47,7 @@ TEST(LinearChecker, SeesEveryWrongBit) {
 // A word more or less: of lines that are not given up.
 TEST(LinearChecker, CountsTheWords) {
   const Params p{6, 3};
-  auto all = lines(p, 200);
+  auto all = lines(p);
   for (Job& job : all) job.words.reset();
   test::expect_faults_seen<Design, LineFigures>(p, all, [](Outputs<Word>& out, std::uint64_t) {
     if (!out.busy) return false;

@@ -203,14 +203,13 @@ std::string complaint(int m, std::int64_t major, std::int64_t minor) {
 }
 
 TEST(ControlCodeBadLine, IsNamedInOneLine) {
-  EXPECT_EQ(complaint(5, 32, 1),
-            "a line of 32 steps does not fit: a machine of 5 bits draws 0 to 31");
-  EXPECT_EQ(complaint(5, -1, 0),
-            "a line of -1 steps does not fit: a machine of 5 bits draws 0 to 31");
-  EXPECT_EQ(complaint(5, 9, 10),
-            "a line with 9 steps on its major axis has 0 to 9 on the minor axis, not 10");
-  EXPECT_EQ(complaint(5, 9, -1),
-            "a line with 9 steps on its major axis has 0 to 9 on the minor axis, not -1");
+  const std::string too_long = " steps does not fit: a machine of 5 bits draws 0 to 31";
+  const std::string steps =
+      "a line with 9 steps on its major axis has 0 to 9 on the minor axis, not ";
+  EXPECT_EQ(complaint(5, 32, 1), "a line of 32" + too_long);
+  EXPECT_EQ(complaint(5, -1, 0), "a line of -1" + too_long);
+  EXPECT_EQ(complaint(5, 9, 10), steps + "10");
+  EXPECT_EQ(complaint(5, 9, -1), steps + "-1");
   EXPECT_EQ(complaint(0, 0, 0), "a control code has 1 to 32 bits, not 0");
   EXPECT_EQ(complaint(33, 1, 1), "a control code has 1 to 32 bits, not 33");
 }

@@ -3,11 +3,10 @@
 
 #include <cmath>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "tests/cli/help.h"
 #include "tests/cli/picture.h"
-#include "tests/cli/program.h"
+#include "tests/support/members.h"
 #include "tests/support/root.h"
 
 namespace cosim::cli {
@@ -22,12 +21,12 @@ std::map<std::string, json> compared(const Arguments& arguments) {
   const Folder folder;
   const Ended ended =
       ends(0, cosim(joined({"compare", "--report", folder.path("r.json")}, arguments)));
-  EXPECT_NE(ended.out.find("verdict: match"), std::string::npos) << ended.out;
+  EXPECT_TRUE(has(ended.out, "verdict: match"));
   std::map<std::string, json> all;
   const json report = json::parse(folder.text("r.json"));
   for (const json& one : report["algorithms"]) {
     all[one["algorithm"]] = one;
-    EXPECT_NE(ended.out.find("\n" + one["algorithm"].get<std::string>() + " "), std::string::npos);
+    EXPECT_TRUE(has(ended.out, "\n" + one["algorithm"].get<std::string>() + " "));
   }
   return all;
 }
@@ -37,11 +36,9 @@ TEST_F(Compare, PageHasTheFiguresThatArePrinted) {
     const Ended e = ends(
         0, cosim(joined({"compare", "--line", "27,9", "--html", folder.path("x.html")}, more)));
     const std::string page = folder.text("x.html");
-    EXPECT_NE(page.find(">" + verdict + "</span>\n<h1>BP = 27, MP = 9</h1>"), std::string::npos);
+    EXPECT_TRUE(has(page, ">" + verdict + "</span>\n<h1>BP = 27, MP = 9</h1>"));
     const std::size_t table = e.out.find("         "), end = e.out.find("\n\n", table);
-    EXPECT_NE(page.find("<pre>" + e.out.substr(table, end + 1 - table) + "</pre>"),
-              std::string::npos)
-        << e.out;
+    EXPECT_TRUE(has(page, "<pre>" + e.out.substr(table, end + 1 - table) + "</pre>")) << e.out;
     return page;
   };
   page_of({}, "match");
@@ -65,9 +62,7 @@ TEST_F(Compare, PageHasThePlot) {
 TEST_F(Compare, OfThePrintedLine) {
   const auto all = compared({"--line", "27,9"});
   const json& machine = all.at("su1631518-greedy");
-  EXPECT_EQ(machine["clocks"], 4);
-  EXPECT_EQ(machine["steps"], 27);
-  EXPECT_EQ(machine["combinations"], 2);
+  test::expect_members(machine, R"({"clocks": 4, "steps": 27, "combinations": 2})");
   EXPECT_DOUBLE_EQ(machine["gaps"][0].get<double>(), 2 / 3.0);
   EXPECT_DOUBLE_EQ(machine["gaps"][1].get<double>(), 4 / 3.0);
   double worst = 0;
@@ -90,9 +85,7 @@ TEST_F(Compare, OfThePrintedLine) {
 TEST_F(Compare, OfThePrintedArc) {
   const auto all = compared({"--arc", "12"});
   const json& machine = all.at("su1665343");
-  EXPECT_EQ(machine["steps"], 17);
-  EXPECT_EQ(machine["clocks"], 18);
-  EXPECT_EQ(machine["machine"], "circular W=4");
+  test::expect_members(machine, R"({"steps": 17, "clocks": 18, "machine": "circular W=4"})");
   EXPECT_LT(machine["axial_deviation"]["max"].get<double>(), 0.5);
   EXPECT_EQ(all.at("midpoint")["axial_deviation"], machine["axial_deviation"]);
   EXPECT_EQ(all.at("single-axis")["steps"], 24);
@@ -117,16 +110,15 @@ TEST_F(Compare, SaysWhatIsLeftOut) {
   };
   const Ended all = says(before, {});
   EXPECT_EQ(all.status, 0) << all.err;
-  EXPECT_NE(all.out.find("\nsu875343 "), std::string::npos) << all.out;
-  EXPECT_EQ(all.out.find("left out"), std::string::npos);
+  EXPECT_TRUE(has(all.out, "\nsu875343 "));
+  EXPECT_FALSE(has(all.out, "left out"));
   const std::string beyond = before + "G3 X0 Y100 I-60 J-80\n";
   const Ended some = says(beyond, {});
   EXPECT_EQ(some.status, 0) << some.err;
-  EXPECT_EQ(some.out.find("\nsu875343 "), std::string::npos);
-  EXPECT_NE(some.out.find("\nleft out: " + why + "\n"), std::string::npos) << some.out;
-  const Ended asked = says(beyond, {"--algorithms", "su875343"});
-  EXPECT_EQ(asked.status, 2);
-  EXPECT_EQ(asked.err, "cosim: --algorithms: " + why + "\n");
+  EXPECT_FALSE(has(some.out, "\nsu875343 "));
+  EXPECT_TRUE(has(some.out, "\nleft out: " + why + "\n"));
+  EXPECT_EQ(refusal(says(beyond, {"--algorithms", "su875343"})),
+            "cosim: --algorithms: " + why + "\n");
 }
 
 TEST_F(Compare, OnlyWhatIsAskedFor) {
@@ -195,7 +187,7 @@ TEST_F(Compare, DrawsArcsAndPrograms) {
       EXPECT_EQ(ended.out, cosim(plain).out);
     }
     EXPECT_EQ(pictures.text("a.png").substr(1, 3), "PNG");
-    EXPECT_NE(pictures.text("a.svg").find("step along the path"), std::string::npos);
+    EXPECT_TRUE(has(pictures.text("a.svg"), "step along the path"));
   }
 }
 

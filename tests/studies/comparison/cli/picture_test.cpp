@@ -15,10 +15,11 @@ using Points = std::set<std::pair<long, long>>;
 const char* const kOnTheCurve = "44,123,182";  // the colour of no deviation
 
 // A line, a line along an axis, and a quarter of R = 12 about (8, 8), clockwise.
-Arguments program(const Folder& folder, const std::string& algorithms) {
+Picture of_program(const std::string& algorithms) {
+  const Folder folder;
   const std::string file =
       folder.write("a.ngc", "G21 G90\nG1 X8 Y4 F100\nG1 X8 Y20\nG2 X20 Y8 I0 J-12\n");
-  return {"compare", file, "--steps-per-mm", "1", "--algorithms", algorithms};
+  return Picture({"compare", file, "--steps-per-mm", "1", "--algorithms", algorithms});
 }
 
 // The points of the grid nearest to the quarter, along the row below 45 degrees, else the column.
@@ -59,8 +60,7 @@ std::vector<std::pair<long, long>> on_grid(const std::vector<Dot>& dots, long le
 // Where it lies in the plane, with axes alike, and blue only where it is on the circle.
 TEST(Picture, OfAProgramsArc) {
   if (!can_plot()) GTEST_SKIP() << "no gnuplot";
-  const Folder folder;
-  const Picture picture(program(folder, "midpoint,single-axis"));
+  const Picture picture = of_program("midpoint,single-axis");
   const std::vector<Dot> dots = picture.path(0);
   ASSERT_FALSE(dots.empty());
   const auto points = on_grid(dots, 8, 20, 8);
@@ -86,8 +86,7 @@ TEST(Picture, OfAProgramsArc) {
 // and from there keeps 12 steps off (8, 8) up to (20, 8).
 TEST(Picture, OfAProgramIsOfOnePiece) {
   if (!can_plot()) GTEST_SKIP() << "no gnuplot";
-  const Folder folder;
-  const Picture picture(program(folder, "bresenham,midpoint"));
+  const Picture picture = of_program("bresenham,midpoint");
   const std::vector<Dot> lines = picture.path(0), curve = picture.curve();
   ASSERT_EQ(lines.size(), 25U);
   ASSERT_GT(curve.size(), 12U);
@@ -116,8 +115,7 @@ TEST(Picture, OfAProgramIsOfOnePiece) {
 // 8 + 16 steps of lines, then 17 of the arc: each where it lies on the whole path.
 TEST(Picture, HasTheStepsAlongThePath) {
   if (!can_plot()) GTEST_SKIP() << "no gnuplot";
-  const Folder folder;
-  const Picture picture(program(folder, "dda,bresenham,midpoint"));
+  const Picture picture = of_program("dda,bresenham,midpoint");
   EXPECT_TRUE(picture.has("dda: max"));
   EXPECT_TRUE(picture.has("bresenham (lines): max"));
   EXPECT_TRUE(picture.has("midpoint (arcs): max"));

@@ -74,12 +74,8 @@ TEST(MidpointCircle, IsNearestOnEveryRowThenColumn) {
     EXPECT_EQ(points.back(), (Point{0, radius}));
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Point& p = points[i];
-      if (p.x > p.y) {
-        ASSERT_EQ(p.x, nearest(p.y, radius2)) << radius;
-      }
-      if (p.y > p.x) {
-        ASSERT_EQ(p.y, nearest(p.x, radius2)) << radius;
-      }
+      if (p.x > p.y) ASSERT_EQ(p.x, nearest(p.y, radius2)) << radius;
+      if (p.y > p.x) ASSERT_EQ(p.y, nearest(p.x, radius2)) << radius;
       if (i == 0) continue;
       const Point& q = points[i - 1];
       ASSERT_TRUE(p.x <= q.x && p.y >= q.y && q.x - p.x <= 1 && p.y - q.y <= 1) << radius;
@@ -157,9 +153,7 @@ TEST(Su875343, IsNearestTo45DegreesAndThenTheTangent) {
       }
       const bool diagonal = p.x == q.x - 1 && p.y == q.y + 1;
       if (q.x <= q.y && diagonal) tangent = true;
-      if (tangent) {
-        ASSERT_TRUE(diagonal) << radius;
-      }
+      if (tangent) ASSERT_TRUE(diagonal) << radius;
     }
     EXPECT_TRUE(tangent);
     EXPECT_EQ(points.back().x, 0);

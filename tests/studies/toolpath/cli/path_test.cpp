@@ -10,12 +10,12 @@
 #include "tests/cli/drawing.h"
 #include "tests/cli/help.h"
 #include "tests/cli/targets.h"
+#include "tests/support/members.h"
 #include "tests/support/root.h"
 
 namespace cosim::cli {
 namespace {
 
-namespace fs = std::filesystem;
 using std::numbers::pi;
 using Path = InAFolder;
 
@@ -67,9 +67,7 @@ void expect_path(const Drawing& d, const std::string& program, double scale) {
   EXPECT_EQ(d.report["segments"], targets.size());
   EXPECT_EQ(d.report["steps"], d.csv.size() - 1);
   EXPECT_EQ(d.report["end"], (nlohmann::json{x, y}));
-  EXPECT_NE(d.ended.out.find("ends at (" + std::to_string(x) + ", " + std::to_string(y) + ")"),
-            std::string::npos)
-      << d.ended.out;
+  EXPECT_TRUE(has(d.ended.out, "ends at (" + std::to_string(x) + ", " + std::to_string(y) + ")"));
 }
 
 // The signed area that segment `number` encloses, anticlockwise above 0, in square mm.
@@ -145,13 +143,9 @@ TEST_F(Path, CountsTheBlocksThatMoveXOrY) {
     EXPECT_EQ(d.csv[i].rfind("4,", 0), 0U) << d.csv[i];
   }
   EXPECT_EQ(d.csv.back().substr(d.csv.back().size() - 4), ",0,0");
-  EXPECT_EQ(d.report["segments"], 4);
-  EXPECT_EQ(d.report["other_axis_moves"], 2);
-  EXPECT_EQ(d.report["lines"], 3);
-  EXPECT_EQ(d.report["arcs"], 0);
-  EXPECT_NE(d.ended.out.find("4 motions at 10 steps/mm, 2 moves of other axes not drawn\n"),
-            std::string::npos)
-      << d.ended.out;
+  test::expect_members(d.report,
+                       R"({"segments": 4, "other_axis_moves": 2, "lines": 3, "arcs": 0})");
+  EXPECT_TRUE(has(d.ended.out, "4 motions at 10 steps/mm, 2 moves of other axes not drawn\n"));
 }
 
 TEST_F(Path, TellsWhatItDidNotRead) {
@@ -176,15 +170,12 @@ TEST_F(Path, NamesTheMachinesItRunsOn) {
   const std::string quarter =
       folder.write("quarter.ngc", "G0 X10\nG3 X0 Y10 I-10\n");  // R = 100 steps, a line of 100
   Drawing d = draw_path(quarter, "10");
-  EXPECT_NE(d.ended.out.find("\nlinear M=8 N=5: 1 line, 100 steps, "), std::string::npos)
-      << d.ended.out;
-  EXPECT_NE(d.ended.out.find("\ncircular W=8: 1 arc, "), std::string::npos) << d.ended.out;
+  expect_has(d.ended.out, {"\nlinear M=8 N=5: 1 line, 100 steps, ", "\ncircular W=8: 1 arc, "});
   d = draw_path(quarter, "10", {"--m", "16", "--n", "13", "--width", "24"});
-  EXPECT_NE(d.ended.out.find("\nlinear M=16 N=13: "), std::string::npos) << d.ended.out;
-  EXPECT_NE(d.ended.out.find("\ncircular W=24: "), std::string::npos) << d.ended.out;
+  expect_has(d.ended.out, {"\nlinear M=16 N=13: ", "\ncircular W=24: "});
   // Only lines: no circular machine.
   d = draw_path(folder.write("line.ngc", "G0 X1\n"), "1");
-  EXPECT_EQ(d.ended.out.find("circular"), std::string::npos) << d.ended.out;
+  EXPECT_FALSE(has(d.ended.out, "circular"));
   EXPECT_EQ(d.report["design"], "linear");
 }
 

@@ -16,7 +16,13 @@ void expect_near(PointMm p, double x, double y) {
   EXPECT_NEAR(p.y, y, 2e-9);
 }
 
-// The only motion after `before`, which leads to (x, y).
+using Ends = std::vector<PointMm>;
+Ends ends_of(const Program& p) {
+  Ends ends;
+  for (const Motion& m : p.motions) ends.push_back(m.end);
+  return ends;
+}
+
 Motion last_of(std::string_view text) { return read(text).motions.back(); }
 
 TEST(Gcode, MotionModesAreModal) {
@@ -37,10 +43,7 @@ TEST(Gcode, MotionModesAreModal) {
 
 TEST(Gcode, UnitsAndDistanceModesHoldFromTheirBlock) {
   const Program p = read("G20 G0 X1 Y-.5\nG91 X1\nG21 Y1 X-.8\nG90 X2");
-  EXPECT_EQ(p.motions[0].end, (PointMm{25.4, -12.7}));
-  EXPECT_EQ(p.motions[1].end, (PointMm{50.8, -12.7}));
-  EXPECT_EQ(p.motions[2].end, (PointMm{50.0, -11.7}));
-  EXPECT_EQ(p.motions[3].end, (PointMm{2, -11.7}));
+  EXPECT_EQ(ends_of(p), (Ends{{25.4, -12.7}, {50.8, -12.7}, {50.0, -11.7}, {2, -11.7}}));
 }
 
 TEST(Gcode, IncrementsAddUpExactly) {
@@ -111,10 +114,7 @@ TEST(Gcode, TellsHowManyLinesItDidNotRead) {
 // G28, G53 and offsets of Z: X and Y stay, G91 holds on, G53 does not.
 TEST(Gcode, MovesOfOtherAxesToTheMachinesPlacesLeaveXAndY) {
   const Program p = read("G0 X5\nG28 G91 Z0.\nX5\nG90 G53 G0 Z0.\nX4\nG2 G28 Z0\nG1 Z0\nX3");
-  ASSERT_EQ(p.motions.size(), 4u);
-  EXPECT_EQ(p.motions[1].end, (PointMm{10, 0}));
-  EXPECT_EQ(p.motions[2].end, (PointMm{4, 0}));
-  EXPECT_EQ(p.motions[3].end, (PointMm{3, 0}));
+  EXPECT_EQ(ends_of(p), (Ends{{5, 0}, {10, 0}, {4, 0}, {3, 0}}));
   EXPECT_EQ(p.other_axis_moves, 4u);  // where G28 left Z is not known: a move to 0
   EXPECT_EQ(read("G92 Z5\nG0 X2 Z5").other_axis_moves, 0u);
 }

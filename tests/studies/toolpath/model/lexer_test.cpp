@@ -76,46 +76,46 @@ TEST(Lexer, CountsTheLinesLeft) {
 }
 
 TEST(Lexer, RefusesWithThePlace) {
-  const auto error = [](std::string_view text) { return error_of([&] { words(text); }); };
-  EXPECT_EQ(error("X1\n (open\nX2)"),
-            "p.ngc:2:2: the comment is not closed on its line: ')' missing");
-  EXPECT_EQ(error("X1 )"), "p.ngc:1:4: ')' without '('");
-  EXPECT_EQ(error("% G0 X1\nX2"),
-            "p.ngc:1:3: the '%' that opens the program stands alone on its line");
-  EXPECT_EQ(error("X"), "p.ngc:1:1: X needs a number");
-  EXPECT_EQ(error("X Y1"), "p.ngc:1:1: X needs a number");
-  EXPECT_EQ(error("X+-1"), "p.ngc:1:1: X needs a number");
-  EXPECT_EQ(error("X1-1"), "p.ngc:1:3: unexpected '-'");
-  EXPECT_EQ(error("X1.2.3"), "p.ngc:1:5: unexpected '.'");
-  EXPECT_EQ(error("X."), "p.ngc:1:1: X needs a number");
-  EXPECT_EQ(error("12"), "p.ngc:1:1: unexpected '1'");
-  EXPECT_EQ(error("Xnan"), "p.ngc:1:1: X needs a number");
-  EXPECT_EQ(error("G1 x" + std::string(400, '9')), "p.ngc:1:4: the number of X is out of range");
-  EXPECT_EQ(error("X#5"), "p.ngc:1:2: parameters ('#') are not supported");
-  EXPECT_EQ(error("#5=1"), "p.ngc:1:1: parameters ('#') are not supported");
-  EXPECT_EQ(error("X[1+2]"), "p.ngc:1:2: expressions ('[') are not supported");
-  EXPECT_EQ(error("O100 sub"),
-            "p.ngc:1:1: O-words (subprograms and flow control) are not supported");
-  EXPECT_EQ(error("o<a> call"),
-            "p.ngc:1:1: O-words (subprograms and flow control) are not supported");
-  EXPECT_EQ(error("N1 G0*57"), "p.ngc:1:6: checksums and expressions ('*') are not supported");
-  EXPECT_EQ(error("\n:X1"), "p.ngc:2:1: a program number needs digits");
-  EXPECT_EQ(error(":1 X1"), "p.ngc:1:4: the program number stands alone on its line");
-  EXPECT_EQ(error("O1\nO2"), "p.ngc:2:1: a program number stands before the first word");
-  EXPECT_EQ(error("X1\n:2"), "p.ngc:2:1: a program number stands before the first word");
-  EXPECT_EQ(error("%12 X1"), "p.ngc:1:5: the '%' that opens the program stands alone on its line");
+  // Behind "p.ngc:".
+  const auto error = [](std::string_view text) {
+    const std::string said = error_of([&] { words(text); });
+    return said.starts_with("p.ngc:") ? said.substr(6) : "no place: " + said;
+  };
+  EXPECT_EQ(error("X1\n (open\nX2)"), "2:2: the comment is not closed on its line: ')' missing");
+  EXPECT_EQ(error("X1 )"), "1:4: ')' without '('");
+  EXPECT_EQ(error("% G0 X1\nX2"), "1:3: the '%' that opens the program stands alone on its line");
+  EXPECT_EQ(error("X"), "1:1: X needs a number");
+  EXPECT_EQ(error("X Y1"), "1:1: X needs a number");
+  EXPECT_EQ(error("X+-1"), "1:1: X needs a number");
+  EXPECT_EQ(error("X1-1"), "1:3: unexpected '-'");
+  EXPECT_EQ(error("X1.2.3"), "1:5: unexpected '.'");
+  EXPECT_EQ(error("X."), "1:1: X needs a number");
+  EXPECT_EQ(error("12"), "1:1: unexpected '1'");
+  EXPECT_EQ(error("Xnan"), "1:1: X needs a number");
+  EXPECT_EQ(error("G1 x" + std::string(400, '9')), "1:4: the number of X is out of range");
+  EXPECT_EQ(error("X#5"), "1:2: parameters ('#') are not supported");
+  EXPECT_EQ(error("#5=1"), "1:1: parameters ('#') are not supported");
+  EXPECT_EQ(error("X[1+2]"), "1:2: expressions ('[') are not supported");
+  EXPECT_EQ(error("O100 sub"), "1:1: O-words (subprograms and flow control) are not supported");
+  EXPECT_EQ(error("o<a> call"), "1:1: O-words (subprograms and flow control) are not supported");
+  EXPECT_EQ(error("N1 G0*57"), "1:6: checksums and expressions ('*') are not supported");
+  EXPECT_EQ(error("\n:X1"), "2:1: a program number needs digits");
+  EXPECT_EQ(error(":1 X1"), "1:4: the program number stands alone on its line");
+  EXPECT_EQ(error("O1\nO2"), "2:1: a program number stands before the first word");
+  EXPECT_EQ(error("X1\n:2"), "2:1: a program number stands before the first word");
+  EXPECT_EQ(error("%12 X1"), "1:5: the '%' that opens the program stands alone on its line");
   EXPECT_EQ(error("X1 (a (b) c)"),
-            "p.ngc:1:7: a comment within a comment: controls disagree on where it ends");
+            "1:7: a comment within a comment: controls disagree on where it ends");
   EXPECT_EQ(error("((b) G1 X5) Y1"),
-            "p.ngc:1:2: a comment within a comment: controls disagree on where it ends");
-  EXPECT_EQ(error("M0 CR=5 X1"), "p.ngc:1:4: C needs a number");
-  EXPECT_EQ(error("M117 X[5]"), "p.ngc:1:7: expressions ('[') are not supported");
-  EXPECT_EQ(error("X1 \xc3\xa9"), "p.ngc:1:4: unexpected byte 0xc3");
-  EXPECT_EQ(error(std::string_view("X1\nX\0002", 6)), "p.ngc:2:1: X needs a number");
-  EXPECT_EQ(error(std::string_view("\0X1", 3)), "p.ngc:1:1: NUL byte: this is not a text file");
-  EXPECT_EQ(error(std::string_view("(\0)", 3)), "p.ngc:1:2: NUL byte: this is not a text file");
-  EXPECT_EQ(error(std::string_view(";a\0", 3)), "p.ngc:1:3: NUL byte: this is not a text file");
-  EXPECT_EQ(error("X1 %"), "p.ngc:1:4: unexpected '%'");
+            "1:2: a comment within a comment: controls disagree on where it ends");
+  EXPECT_EQ(error("M0 CR=5 X1"), "1:4: C needs a number");
+  EXPECT_EQ(error("M117 X[5]"), "1:7: expressions ('[') are not supported");
+  EXPECT_EQ(error("X1 \xc3\xa9"), "1:4: unexpected byte 0xc3");
+  EXPECT_EQ(error(std::string_view("X1\nX\0002", 6)), "2:1: X needs a number");
+  EXPECT_EQ(error(std::string_view("\0X1", 3)), "1:1: NUL byte: this is not a text file");
+  EXPECT_EQ(error(std::string_view("(\0)", 3)), "1:2: NUL byte: this is not a text file");
+  EXPECT_EQ(error(std::string_view(";a\0", 3)), "1:3: NUL byte: this is not a text file");
+  EXPECT_EQ(error("X1 %"), "1:4: unexpected '%'");
 }
 
 TEST(Lexer, TheNameStaysOnOneLine) {

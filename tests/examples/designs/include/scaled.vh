@@ -1,1 +1,0 @@
-`define SCALED_STEP_OF(x) ((x) * `SCALED_STEP)

@@ -1,0 +1,1 @@
+`define STEPPED(x) ((x) + `WIRES_STEP)

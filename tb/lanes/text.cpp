@@ -58,9 +58,7 @@ constexpr int cost(int no, int yes) {
   if (no == (yes ^ 15) || no == 0 || no == 15 || yes == 0 || yes == 15) {
     return 1 + (no == 0 || no == 15 ? cost_of_two(yes) : cost_of_two(no));
   }
-  // Where one of them is never 1 without the other, a majority for one, no exclusive or is needed.
-  const bool one_in_other = (no & ~yes) == 0 || (yes & ~no) == 0;
-  return (one_in_other ? 2 : 3) + cost_of_two(no) + cost_of_two(yes);
+  return 3 + cost_of_two(no) + cost_of_two(yes);
 }
 template <int no, int yes>
 static inline V choose(V c, V a, V b) {
@@ -71,10 +69,8 @@ static inline V choose(V c, V a, V b) {
   else if constexpr (yes == 15) return c | two<no>(a, b);
   else if constexpr (no == 15) return ~c | two<yes>(a, b);
   else {
-    const V n = two<no>(a, b), y = two<yes>(a, b);
-    if constexpr ((no & ~yes) == 0) return n | (c & y);
-    else if constexpr ((yes & ~no) == 0) return y | (n & ~c);
-    else return n ^ (c & (n ^ y));
+    const V l = two<no>(a, b);
+    return l ^ (c & (l ^ two<yes>(a, b)));
   }
 }
 template <int t>

@@ -9,6 +9,24 @@
 #include "tests/support/root.h"
 
 namespace cosim::cli {
+namespace {
+
+// A stored stimulus of a machine that is built.
+std::string stored_stimulus() {
+  const std::string built = ends(0, cosim({"list"})).out;
+  for (const auto& file :
+       std::filesystem::directory_iterator(test::project_root() / "tests/regressions")) {
+    const std::vector<std::string> text = lines(read_file(file.path().string()));
+    const std::string machine = "machine ";
+    if (text.at(1).starts_with(machine) &&
+        built.find("  " + text[1].substr(machine.size()) + '\n') != std::string::npos)
+      return file.path().string();
+  }
+  ADD_FAILURE() << "no stimulus is stored of a machine that is built";
+  return "";
+}
+
+}  // namespace
 
 std::string help(Arguments command) {
   command.push_back("--help");
@@ -62,21 +80,6 @@ std::vector<Arguments> commands_with(const std::string& option) {
   std::vector<Arguments> all = commands();
   std::erase_if(all, [&](const Arguments& c) { return help(c).find(option) == std::string::npos; });
   return all;
-}
-
-// A stored stimulus of a machine that is built.
-std::string stored_stimulus() {
-  const std::string built = ends(0, cosim({"list"})).out;
-  for (const auto& file :
-       std::filesystem::directory_iterator(test::project_root() / "tests/regressions")) {
-    const std::vector<std::string> text = lines(read_file(file.path().string()));
-    const std::string machine = "machine ";
-    if (text.at(1).starts_with(machine) &&
-        built.find("  " + text[1].substr(machine.size()) + '\n') != std::string::npos)
-      return file.path().string();
-  }
-  ADD_FAILURE() << "no stimulus is stored of a machine that is built";
-  return "";
 }
 
 Arguments example_of(const Arguments& command, const Folder& folder) {

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <string_view>
 #include <utility>
 
@@ -45,29 +46,40 @@ std::string unexpected(const CLI::App& app, const std::string& argument) {
                      commands);
 }
 
-// Of "--minor: 1 required MP missing", "--minor: At Most 1 required but received 2" and "--table
-// was given a disallowed flag override".
-std::string wrong_count(const std::string& what) {
-  std::string name = what.substr(0, what.find_first_of(": "));
+// The option that such an error begins with: "--minor: ...", "table ..." of a flag.
+const CLI::Option* option_of(const CLI::App& at, const CLI::ArgumentMismatch& error) {
+  std::string name = error.what();
+  name.resize(std::min(name.find_first_of(": "), name.size()));
   if (!name.starts_with('-')) name.insert(0, "--");
-  if (what.find("missing") != std::string::npos) return name + ": needs a value";
-  if (what.find("At Most") != std::string::npos) return name + ": is given more than once";
-  return name + ": takes no value";
+  return at.get_option_no_throw(name);
+}
+
+std::string wrong_count(const CLI::Option& option) {
+  const int most = option.get_items_expected_max();
+  if (most == 0) return option.get_name() + ": takes no value";
+  if (option.count() > static_cast<std::size_t>(most)) {
+    return option.get_name() + ": is given more than once";
+  }
+  return option.get_name() + ": needs a value";
 }
 
 // One line for what the parser found wrong.
 std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App& at = innermost(app);
-  const std::string what = error.what();
-  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr) return wrong_count(what);
+  if (const auto* mismatch = dynamic_cast<const CLI::ArgumentMismatch*>(&error)) {
+    if (const CLI::Option* option = option_of(at, *mismatch)) return wrong_count(*option);
+  }
   for (const CLI::App* one = &at; one != nullptr; one = one->get_parent()) {
     if (const auto rest = one->remaining(); !rest.empty()) return unexpected(*one, rest.front());
   }
   if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
     const std::string commands = commands_of(at);
     if (!commands.empty()) return fmt::format("{}a command is needed: {}", prefix(at), commands);
-    return what.substr(0, what.find(' ')) + ": is needed";  // "FILE is required"
+    for (const CLI::Option* option : at.get_options()) {
+      if (option->get_required() && option->empty()) return option->get_name() + ": is needed";
+    }
   }
+  const std::string what = error.what();
   return what.substr(0, what.find('\n'));
 }
 

@@ -82,7 +82,7 @@ function(cosim_read_rtl prefix what top clock folder)
   file(WRITE ${folder}/found.txt "${found}")
 
   string(REGEX MATCHALL "(^|\n)loop [^\n]*" loops "${found}")
-  if(loops)
+  if(loops AND NOT netlist_has_no_loop)
     list(TRANSFORM loops REPLACE "^\n?loop " "")
     if(NOT netlist)
       set(R_YOSYS "")
@@ -113,9 +113,11 @@ macro(cosim_find_yosys)
 endmacro()
 
 # What yosys, where there is one and it reads the RTL in 40 s, says that the RTL holds: sets the variable to the
-# file that rtl_yosys.pl made, or to nothing; FOLDER/unread.txt then says why.
+# file that rtl_yosys.pl made, or to nothing; FOLDER/unread.txt then says why. Sets VARIABLE_has_no_loop where
+# there is none even if each bit that a cell gives depends on all that it takes.
 function(cosim_read_netlist variable folder commands)
   set(${variable} "" PARENT_SCOPE)
+  set(${variable}_has_no_loop FALSE PARENT_SCOPE)
   get_property(reader GLOBAL PROPERTY COSIM_RTL_READER)
   string(REGEX REPLACE "[.]pl$" "_yosys.pl" reader ${reader})
   cosim_find_yosys()
@@ -124,8 +126,9 @@ function(cosim_read_netlist variable folder commands)
   endif()
   # The file is no word of a command, which a folder of any name would not be.
   execute_process(
-    COMMAND ${COSIM_RUN_YOSYS} -q -p "${commands}; proc; flatten" -b json -o ${folder}/netlist.json
-    TIMEOUT 40 RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE said)
+    COMMAND ${COSIM_RUN_YOSYS} -q -p "${commands}; proc; flatten; tee -q -o /dev/stdout scc" -b json
+      -o ${folder}/netlist.json
+    TIMEOUT 40 RESULT_VARIABLE status OUTPUT_VARIABLE loops ERROR_VARIABLE said)
   if(status MATCHES "timeout")
     file(WRITE ${folder}/unread.txt "yosys does not read the RTL in 40 s")
   elseif(NOT status EQUAL 0)
@@ -137,6 +140,9 @@ function(cosim_read_netlist variable folder commands)
     execute_process(COMMAND ${COSIM_PERL} ${reader} ${folder}/netlist.json
       OUTPUT_FILE ${folder}/netlist.txt COMMAND_ERROR_IS_FATAL ANY)
     set(${variable} ${folder}/netlist.txt PARENT_SCOPE)
+    if(loops MATCHES "Found 0 SCCs[.]\n")
+      set(${variable}_has_no_loop TRUE PARENT_SCOPE)
+    endif()
   endif()
 endfunction()
 

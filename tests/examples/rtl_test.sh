@@ -83,6 +83,10 @@ rtl 'reg [0:0] u; reg [1:0] e [0:1]; integer i, j, o;
      end
      always @(posedge clk) q <= u;'
 found 'q 1 0 0:0|'
+# Without JSON::XS too.
+mkdir -p without/JSON
+echo 'die;' > without/JSON/XS.pm
+PERL5LIB=$PWD/without found 'q 1 0 0:0|'
 # A gate or a divider that is an instance is named.
 printf 'module icg(input wire clk, en, output wire gclk); reg held;
   always @* if (!clk) held = en; assign gclk = clk & held; endmodule
@@ -122,6 +126,11 @@ refused "made: the parameter N has no value of its own"
 if command -v yosys > /dev/null; then
   rtl 'wire y, z; assign y = z ^ d; assign z = y & w[0]; always @(posedge clk) q <= y;'
   refused "made: y: a combinational loop"
+  # Within a cell of several bits, and of whole nets alone.
+  rtl 'wire [1:0] y; assign y = {y[0], y[1]} ^ w[1:0]; always @(posedge clk) q <= y[0];'
+  refused "made: y: a combinational loop"
+  rtl 'wire [1:0] y; assign y = {y[0], d} ^ w[1:0]; always @(posedge clk) q <= y[1];'
+  found 'q 1 0 0:0|'
   # Beside a carry chain, which Verilator takes for one as well; and of nets with names like those that
   # yosys gives.
   rtl 'wire [3:0] a; assign a[0] = d; assign a[3:1] = a[2:0] & w[3:1];

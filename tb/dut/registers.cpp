@@ -19,16 +19,6 @@ std::vector<std::vector<std::string>> lines_of(std::string_view text) {
   return all;
 }
 
-bool matches(std::string_view pattern, std::string_view name) {
-  const std::size_t star = pattern.find('*');
-  if (star == std::string_view::npos) return pattern == name;
-  if (!name.starts_with(pattern.substr(0, star))) return false;
-  for (std::size_t skipped = star; skipped <= name.size(); ++skipped) {
-    if (matches(pattern.substr(star + 1), name.substr(skipped))) return true;
-  }
-  return false;
-}
-
 // A net that has a register's value from its bit `low` up.
 struct Carrier {
   std::string name;
@@ -115,7 +105,7 @@ std::vector<std::string> left_of(const Register& r) {
 
 bool matches_any(const std::vector<std::string>& patterns, std::string_view name) {
   return std::ranges::any_of(patterns,
-                             [&](const std::string& pattern) { return matches(pattern, name); });
+                             [&](const std::string& pattern) { return is_like(name, pattern); });
 }
 
 std::vector<std::string> unobserved_signals(const RtlText& text, const std::vector<Field>& fields,
@@ -127,7 +117,7 @@ std::vector<std::string> unobserved_signals(const RtlText& text, const std::vect
   const auto is_allowed = [&](std::string_view name) {
     bool allowed = false;
     for (std::size_t i = 0; i < patterns.size(); ++i) {
-      if (matches(patterns[i], name)) allowed = used[i] = true;
+      if (is_like(name, patterns[i])) allowed = used[i] = true;
     }
     return allowed;
   };

@@ -89,16 +89,10 @@ void Planted::run(const std::vector<unsigned>& numbers, const std::string& then)
 // No cell is optimised: it takes longer than what comes of it saves.
 proof::RtlNets Planted::nets(const std::vector<unsigned>& numbers) const {
   const Scratch scratch;
-  const std::string blif = (scratch.path() / "rtl.blif").string();
-  const std::string wires = (scratch.path() / "rtl.wires").string();
-  run(numbers,
-      fmt::format(
-          "memory_collect; memory_map{}; async2sync; setundef -undriven -anyseq; simplemap; "
-          "techmap; dfflegalize -cell $_DFF_P_ 01 -cell $_DFF_N_ 01; setundef "
-          "-zero; "
-          "setundef -undriven -zero; write_blif {}; dump -o {} w:*",
-          proof::step_commands(source_, scratch.path()), blif, wires));
-  return {source_.top, read_file(blif), read_file(wires), source_.asynchronous_reset};
+  run(numbers, "memory_collect; memory_map" + proof::step_commands(source_, scratch.path()) +
+                   "; async2sync; setundef -undriven -anyseq; simplemap; techmap" +
+                   proof::commands_to_write_nets(scratch.path()));
+  return proof::written_nets(scratch.path(), source_);
 }
 
 void Planted::write_verilog(const std::vector<unsigned>& numbers,

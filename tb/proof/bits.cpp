@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <limits>
 
@@ -28,11 +29,28 @@ struct Bounds {
   int width() const { return std::max(width_of(least), width_of(most)); }
 };
 
-// The operation on codes that are as wide as the result.
-Bits made(const char* head, const Bits& a, const Bits& b, const Bounds& bounds) {
-  const int width = bounds.width();
+// Words whose two's complement code has `width` bits.
+Bounds range_of(int width) {
+  const Word most = ones(width) / 2;
+  return width == kWord ? Bounds{} : Bounds{-most - 1, most};
+}
+
+// The operation on codes of `width` bits, which holds its result and both values, and on codes that
+// are as wide as the result.
+Bits made(const char* head, const Bits& a, const Bits& b, int width, const Bounds& bounds) {
   return {Expression(head, bit_vector(width), {a.code(width), b.code(width)}), width, bounds.least,
           bounds.most};
+}
+Bits made(const char* head, const Bits& a, const Bits& b, const Bounds& bounds) {
+  return made(head, a, b, bounds.width(), bounds);
+}
+
+// Or, exclusive or: no more bits than the longer one.
+Bits bitwise(const char* head, const Bits& a, const Bits& b) {
+  const int width = std::max(a.width(), b.width());
+  Bounds bounds = range_of(width);
+  if (a.least() >= 0 && b.least() >= 0) bounds.least = 0;
+  return made(head, a, b, width, bounds);
 }
 
 Truth compared(const char* head, const Bits& a, const Bits& b) {
@@ -97,8 +115,8 @@ Bits Bits::unsigned_code(const Expression& code, int width) {
   return {e, width + 1, 0, ones(width)};
 }
 Bits Bits::signed_code(const Expression& code, int width) {
-  const Word half = ones(width) / 2;
-  return width == kWord ? Bits{code, kWord, kLeast, kMost} : Bits{code, width, -half - 1, half};
+  const auto [least, most] = range_of(width);
+  return {code, width, least, most};
 }
 
 std::optional<Word> Bits::known() const {
@@ -187,6 +205,80 @@ Bits select(const Truth& c, const Bits& a, const Bits& b) {
   const int width = bounds.width();
   return {Expression("ite", bit_vector(width), {c.expression(), a.code(width), b.code(width)}),
           width, bounds.least, bounds.most};
+}
+
+// The operations that few models need: products, shifts by values, bit by bit.
+
+Bits operator*(const Bits& a, const Bits& b) {
+  if (a.known() && b.known()) return Bits(cosim::multiply(*a.known(), *b.known()));
+  if (a.known() == 0 || b.known() == 1) return a;
+  if (b.known() == 0 || a.known() == 1) return b;
+  std::array<Word, 4> ends{};
+  bool fits = true;
+  std::size_t i = 0;
+  for (const Word x : {a.least(), a.most()}) {
+    for (const Word y : {b.least(), b.most()}) {
+      fits = !__builtin_mul_overflow(x, y, &ends[i++]) && fits;
+    }
+  }
+  if (!fits) return made("bvmul", a, b, kWord, range_of(kWord));
+  const auto [least, most] = std::minmax_element(ends.begin(), ends.end());
+  const int width = std::max(Bits(*least).width(), Bits(*most).width());
+  return made("bvmul", a, b, width, {*least, *most});
+}
+
+Bits operator&(const Bits& a, const Bits& b) {
+  if (a.known() && b.known()) return Bits(*a.known() & *b.known());
+  if (a.known() == 0 || b.known() == -1) return a;
+  if (b.known() == 0 || a.known() == -1) return b;
+  int width = std::max(a.width(), b.width());
+  Bounds bounds = range_of(width);
+  if (a.least() >= 0 || b.least() >= 0) {
+    const Word most = b.least() < 0   ? a.most()
+                      : a.least() < 0 ? b.most()
+                                      : std::min(a.most(), b.most());
+    bounds = {0, most};
+    width = Bits(most).width();
+  }
+  return made("bvand", a, b, width, bounds);
+}
+Bits operator|(const Bits& a, const Bits& b) {
+  if (a.known() && b.known()) return Bits(*a.known() | *b.known());
+  if (a.known() == 0) return b;
+  if (b.known() == 0) return a;
+  return bitwise("bvor", a, b);
+}
+Bits operator^(const Bits& a, const Bits& b) {
+  if (a.known() && b.known()) return Bits(*a.known() ^ *b.known());
+  if (a.known() == 0) return b;
+  if (b.known() == 0) return a;
+  return bitwise("bvxor", a, b);
+}
+
+// A shift of SMT-LIB 2 takes its second code as a number without a sign too, and shifts every bit
+// out where that is the width or more.
+Bits shift_left(const Bits& v, const Bits& n) {
+  if (v.known() && n.known()) return Bits(cosim::shift_left(*v.known(), *n.known()));
+  if (n.known() && *n.known() >= 0 && *n.known() < kWord) {
+    return shift_left(v, static_cast<int>(*n.known()));
+  }
+  Bounds bounds = range_of(kWord);
+  int width = kWord;
+  if (n.least() >= 0 && v.width() + n.most() < kWord) {
+    const int far = static_cast<int>(n.most());
+    bounds = {std::min(cosim::shift_left(v.least(), far), Word{0}),
+              std::max(cosim::shift_left(v.most(), far), Word{0})};
+    width = std::max(v.width() + far, n.width());
+  }
+  return made("bvshl", v, n, width, bounds);
+}
+Bits shift_right(const Bits& v, const Bits& n) {
+  if (v.known() && n.known()) return Bits(cosim::shift_right(*v.known(), *n.known()));
+  if (n.known() && *n.known() >= 0 && *n.known() < kWord) {
+    return shift_right(v, static_cast<int>(*n.known()));
+  }
+  return made("bvashr", v, n, std::max(v.width(), n.width()),
+              {std::min(v.least(), Word{0}), std::max(v.most(), Word{-1})});
 }
 
 }  // namespace cosim::proof

@@ -14,6 +14,7 @@
 #include "tb/support/output_file.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
+#include "tb/support/words.h"
 
 namespace cosim::proof {
 namespace {
@@ -42,33 +43,26 @@ endmodule
   return fmt::format("; techmap -map {}; chformal -remove", file);
 }
 
-// Whether `text` is what `pattern` tells of, in which "*" stands for any text.
-bool is_like(std::string_view text, std::string_view pattern) {
-  const std::size_t star = pattern.find('*');
-  if (star == std::string_view::npos) return text == pattern;
-  if (!text.starts_with(pattern.substr(0, star))) return false;
-  for (std::size_t i = star; i <= text.size(); ++i) {
-    if (is_like(text.substr(i), pattern.substr(star + 1))) return true;
-  }
-  return false;
-}
-
 // What is undefined in the RTL is free. What a gate leaves undefined, as a word that is not there,
 // is 0, as in the formulas.
 std::string net_commands(const Source& source, const fs::path& folder) {
   return commands_for_stated(source, folder) + step_commands(source, folder) +
          "; async2sync; setundef -undriven -anyseq" + gate_commands(folder) +
-         "; dfflegalize -cell $_DFF_P_ 01 -cell $_DFF_N_ 01; setundef -zero; opt_expr; opt_clean; "
-         "setundef -undriven -zero; " +
-         fmt::format("write_blif {}; dump -o {} w:*", (folder / kNets).string(),
-                     (folder / kWires).string());
+         commands_to_write_nets(folder, "opt_expr; opt_clean; ");
+}
+
+}  // namespace
+
+std::string commands_to_write_nets(const fs::path& folder, const std::string& cleaning) {
+  return fmt::format(
+      "; dfflegalize -cell $_DFF_P_ 01 -cell $_DFF_N_ 01; setundef -zero; {}setundef -undriven "
+      "-zero; write_blif {}; dump -o {} w:*",
+      cleaning, (folder / kNets).string(), (folder / kWires).string());
 }
 RtlNets written_nets(const fs::path& folder, const Source& source) {
   return {source.top, read_file((folder / kNets).string()), read_file((folder / kWires).string()),
           source.asynchronous_reset};
 }
-
-}  // namespace
 
 BothWays read_both(const Source& source) {
   const Scratch scratch;

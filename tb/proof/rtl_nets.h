@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -62,6 +63,13 @@ class RtlNets {
   std::map<std::string, std::size_t> numbers_;  // of nets, by name
   std::vector<std::optional<std::size_t>> shown_;
 };
+
+/// For yosys, behind what makes gates of RTL: the commands, with "; " before them, that write its
+/// nets into a folder, after commands that clean them, each with "; " behind it.
+std::string commands_to_write_nets(const std::filesystem::path& folder,
+                                   const std::string& cleaning = "");
+/// What they wrote.
+RtlNets written_nets(const std::filesystem::path& folder, const Source& source);
 
 /// A machine on both roads, by one run of yosys. InputError as of each.
 struct BothWays {

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 #include "model/core/input_error.h"
 #include "tb/support/json.h"
 #include "tb/support/json_at.h"
@@ -10,18 +12,6 @@
 
 namespace cosim::regress {
 namespace {
-
-// Shards of each work, by number: first and behind the last.
-std::vector<std::pair<std::uint64_t, std::uint64_t>> ranges(const RunFolder& run) {
-  std::vector<std::pair<std::uint64_t, std::uint64_t>> all(run.works().size());
-  const auto& shards = run.shards();
-  for (std::uint64_t s = 0; s < shards.size(); ++s) {
-    auto& [first, last] = all[shards[s].work];
-    if (last == 0) first = s;
-    last = s + 1;
-  }
-  return all;
-}
 
 // What a part says of a failure.
 Json failure_of(const std::string& work, const JsonAt& said) {
@@ -48,7 +38,7 @@ std::string text_of(const Json& failure) {
 class Putting {
  public:
   Putting(const RunFolder& run, const Kinds& kinds, const Results& results)
-      : run_(run), results_(results), kinds_(kinds), ranges_(ranges(run)) {}
+      : run_(run), results_(results), kinds_(kinds) {}
 
   Report all() {
     Json tasks = Json::array();
@@ -91,10 +81,13 @@ class Putting {
     std::size_t failures = 0;
     bool whole = true;
     const std::string title = fmt::format("{}: {}", task.name, work.title());
-    for (auto [s, last] = ranges_[w]; s < last && whole; ++s) {
+    const auto& shards = run_.shards();  // in the order of the works
+    const auto [first, last] = std::ranges::equal_range(shards, w, {}, &Shard::work);
+    for (auto at = first; at != last; ++at) {
+      const Shard& shard = *at;
+      const auto s = static_cast<std::size_t>(at - shards.begin());
       if (!results_.done[s]) whole = false;
       if (!whole) break;
-      const Shard& shard = run_.shards()[s];
       const std::string place = fmt::format("{}: shard {}", (run_.path() / "results").string(), s);
       const JsonAt all = JsonAt::of(place, results_.done[s]->result);
       const auto failed = all.find("failed");
@@ -117,7 +110,6 @@ class Putting {
   const RunFolder& run_;
   const Results& results_;
   const Kinds& kinds_;
-  std::vector<std::pair<std::uint64_t, std::uint64_t>> ranges_;
   Json failures_ = Json::array();
   std::string lines_;
   std::size_t unfinished_ = 0;

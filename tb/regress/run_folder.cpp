@@ -20,6 +20,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Absolute, without a '/' behind it.
+fs::path plain(const fs::path& folder) {
+  const fs::path path = fs::absolute(folder).lexically_normal();
+  return path.has_filename() ? path : path.parent_path();
+}
+
 [[noreturn]] void cannot_write(const fs::path& path, const std::error_code& error) {
   throw InputError(fmt::format("{}: cannot write: {}", path.string(), error.message()));
 }
@@ -119,8 +125,7 @@ std::vector<Size> sizes(const std::vector<Known>& works) {
 RunFolder RunFolder::make(const fs::path& folder, Plan plan, const Kinds& kinds,
                           const fs::path& plan_folder, std::uint64_t shards, bool elsewhere) {
   RunFolder run;
-  run.path_ = fs::absolute(folder).lexically_normal();
-  if (!run.path_.has_filename()) run.path_ = run.path_.parent_path();
+  run.path_ = plain(folder);
   New made(run.path_);
   for (const char* part : {"results", "checkpoints", "failures", "logs", "files", "prepared"}) {
     make_folder(run.path_ / part);
@@ -153,9 +158,7 @@ RunFolder RunFolder::make(const fs::path& folder, Plan plan, const Kinds& kinds,
   return {run.path_, kinds};
 }
 
-RunFolder::RunFolder(const fs::path& folder, const Kinds& kinds)
-    : path_(fs::absolute(folder).lexically_normal()) {
-  if (!path_.has_filename()) path_ = path_.parent_path();
+RunFolder::RunFolder(const fs::path& folder, const Kinds& kinds) : path_(plain(folder)) {
   const std::string name = (path_ / "run.json").string();
   if (!fs::exists(name)) throw InputError(path_.string() + ": is no folder of a regression");
   const JsonAt all(name, read_file(name));

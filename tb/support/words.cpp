@@ -90,6 +90,16 @@ std::vector<std::string> parts_in(std::string_view text, char end) {
   return parts;
 }
 
+bool is_like(std::string_view text, std::string_view pattern) {
+  const std::size_t star = pattern.find('*');
+  if (star == std::string_view::npos) return text == pattern;
+  if (!text.starts_with(pattern.substr(0, star))) return false;
+  for (std::size_t i = star; i <= text.size(); ++i) {
+    if (is_like(text.substr(i), pattern.substr(star + 1))) return true;
+  }
+  return false;
+}
+
 const std::string& program_name() { return the_program(); }
 
 void name_program(const std::string& name) { the_program() = name; }

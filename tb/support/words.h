@@ -27,6 +27,9 @@ std::vector<std::string> words_in(const std::string& text);
 std::vector<std::string> parts_in(std::string_view text, char end);
 inline std::vector<std::string> lines_in(std::string_view text) { return parts_in(text, '\n'); }
 
+/// Whether `text` is what `pattern` tells of, in which "*" stands for any text.
+bool is_like(std::string_view text, std::string_view pattern);
+
 /// How this program is called in what it says: "cosim", unless it was named otherwise.
 const std::string& program_name();
 /// Names it; before any other thread runs.

@@ -126,9 +126,9 @@ function(cosim_read_netlist variable folder commands)
   endif()
   # The file is no word of a command, which a folder of any name would not be.
   execute_process(
-    COMMAND ${COSIM_RUN_YOSYS} -q -p "${commands}; proc; flatten; tee -q -o /dev/stdout scc" -b json
+    COMMAND ${COSIM_RUN_YOSYS} -q -l ${folder}/netlist.log -p "${commands}; proc; flatten; scc" -b json
       -o ${folder}/netlist.json
-    TIMEOUT 40 RESULT_VARIABLE status OUTPUT_VARIABLE loops ERROR_VARIABLE said)
+    TIMEOUT 40 RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE said)
   if(status MATCHES "timeout")
     file(WRITE ${folder}/unread.txt "yosys does not read the RTL in 40 s")
   elseif(NOT status EQUAL 0)
@@ -140,7 +140,8 @@ function(cosim_read_netlist variable folder commands)
     execute_process(COMMAND ${COSIM_PERL} ${reader} ${folder}/netlist.json
       OUTPUT_FILE ${folder}/netlist.txt COMMAND_ERROR_IS_FATAL ANY)
     set(${variable} ${folder}/netlist.txt PARENT_SCOPE)
-    if(loops MATCHES "Found 0 SCCs[.]\n")
+    file(STRINGS ${folder}/netlist.log loops REGEX "^Found [0-9]+ SCCs[.]$")
+    if(loops MATCHES "Found 0 SCCs[.]$")
       set(${variable}_has_no_loop TRUE PARENT_SCOPE)
     endif()
   endif()

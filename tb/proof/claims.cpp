@@ -152,7 +152,7 @@ Claim claim_step(const MachineFormula& m, const Rtl& rtl) {
   const auto ask = [&](const std::string& what, const Expression& wrong) {
     Script script = q.script();
     script.ask(wrong);
-    claim.queries.push_back({{what}, script.text(), m.parts.empty()});
+    claim.queries.push_back({{what}, script.text()});
   };
   for (const Named& w : wide) ask(w.name, w.condition);
   ask("single bits and the invariant", narrow);

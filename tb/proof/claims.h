@@ -45,7 +45,6 @@ namespace cosim::proof {
 struct Query {
   std::vector<std::string> asks;  ///< what each question asks, a few words
   std::string script;
-  bool eager = false;  ///< Solver::eager is faster
 };
 /// A claim, as questions that must all be answered alike.
 struct Claim {

@@ -8,32 +8,8 @@
 namespace cosim::proof {
 namespace {
 
-constexpr std::string_view kDeclare = "(declare-const ", kAssert = "(assert ",
-                           kEquation = "(assert (= ", kCheck = "(check-sat)";
-
-// Calls defined(name, sort, term) for what definition() wrote, and other(line) for all other lines.
-template <class Defined, class Other>
-void read_script(std::string_view left, const Defined& defined, const Other& other) {
-  const auto take_line = [&] {
-    const std::string_view line = left.substr(0, left.find('\n'));
-    left.remove_prefix(std::min(line.size() + 1, left.size()));
-    return line;
-  };
-  while (!left.empty()) {
-    const std::string_view line = take_line();
-    // "NAME SORT": a sort is "Bool" or in parentheses.
-    const std::string_view both = line.substr(std::min(line.size(), kDeclare.size()));
-    const std::size_t sort = std::min(both.rfind(" ("), both.rfind(' '));
-    const std::string head = fmt::format("{}{} ", kEquation, both.substr(0, sort));
-    if (line.starts_with(kDeclare) && left.starts_with(head)) {
-      const std::string_view term = take_line().substr(head.size());
-      defined(both.substr(0, sort), both.substr(sort + 1, both.size() - sort - 2),
-              term.substr(0, term.size() - 2));
-    } else {
-      other(line);
-    }
-  }
-}
+constexpr std::string_view kDefine = "(define-fun ", kOfNothing = " () ", kAssert = "(assert ",
+                           kCheck = "(check-sat)";
 
 }  // namespace
 
@@ -48,37 +24,32 @@ Expression disjunction(const Expression& a, const Expression& b) { return {"or",
 Expression equal(const Expression& a, const Expression& b) { return {"=", boolean, {a, b}}; }
 
 std::string definition(const std::string& name, const std::string& sort, const std::string& term) {
-  return fmt::format("{0}{1} {2})\n{3}{1} {4}))\n", kDeclare, name, sort, kEquation, term);
-}
-
-std::string with_definitions(const std::string& script) {
-  std::string text;
-  read_script(
-      script,
-      [&](std::string_view name, std::string_view sort, std::string_view term) {
-        text += fmt::format("(define-fun {} () {} {})\n", name, sort, term);
-      },
-      [&](std::string_view line) { text += fmt::format("{}\n", line); });
-  return text;
+  return fmt::format("{}{}{}{} {})\n", kDefine, name, kOfNothing, sort, term);
 }
 
 std::string with_lets(const std::string& script) {
   std::string head, lets, asserted, ends;
   std::size_t count = 0;
-  read_script(
-      script,
-      [&](std::string_view name, std::string_view, std::string_view term) {
-        lets += fmt::format("(let (({} {}))\n", name, term);
-        ++count;
-      },
-      [&](std::string_view line) {
-        if (line.starts_with(kAssert)) {
-          const std::string_view term = line.substr(kAssert.size());
-          asserted += fmt::format(" {}", term.substr(0, term.size() - 1));
-        } else {
-          (line.starts_with(kCheck) ? ends : head) += fmt::format("{}\n", line);
-        }
-      });
+  const auto rest_of = [](std::string_view line, std::size_t first) {
+    return line.substr(first, line.size() - first - 1);  // without the parenthesis at its end
+  };
+  for (std::string_view left = script; !left.empty();) {
+    const std::string_view line = left.substr(0, left.find('\n'));
+    left.remove_prefix(std::min(line.size() + 1, left.size()));
+    if (line.starts_with(kDefine)) {
+      const std::size_t of_nothing = line.find(kOfNothing), sort = of_nothing + kOfNothing.size();
+      const std::size_t sort_end =
+          line[sort] == '(' ? line.find(')', sort) + 1 : line.find(' ', sort);
+      lets +=
+          fmt::format("(let (({} {}))\n", line.substr(kDefine.size(), of_nothing - kDefine.size()),
+                      rest_of(line, sort_end + 1));
+      ++count;
+    } else if (line.starts_with(kAssert)) {
+      asserted += fmt::format(" {}", rest_of(line, kAssert.size()));
+    } else {
+      (line.starts_with(kCheck) ? ends : head) += fmt::format("{}\n", line);
+    }
+  }
   return fmt::format("{}{}{}(and true{}){})\n{}", head, kAssert, lets, asserted,
                      std::string(count, ')'), ends);
 }

@@ -154,14 +154,12 @@ class Race {
     if (t.questions.size() > 1) {
       std::vector<std::string> scripts;
       for (const std::size_t q : t.questions) scripts.push_back(claim.queries[q].script);
-      const bool eager = claim.queries[t.questions.front()].eager;  // as all of a claim
-      return solve_all(solver_of(engine), scripts, t.seconds, eager, &course.all_enough[t.opinion]);
+      return solve_all(solver_of(engine), scripts, t.seconds, &course.all_enough[t.opinion]);
     }
     const std::size_t question = t.questions.front();
     const std::atomic<bool>* enough = &course.enough[t.opinion][question];
     if (engine == Engine::cec) return {solve(*claim.nets, t.seconds, enough)};
-    const Query& query = claim.queries[question];
-    return {solve(solver_of(engine), query.script, t.seconds, query.eager, enough)};
+    return {solve(solver_of(engine), claim.queries[question].script, t.seconds, enough)};
   }
 
   void put(const Try& t, std::vector<Solved> all) {

@@ -27,8 +27,8 @@ std::map<std::string, std::string> values_in(const std::string& text) {
 }
 
 // Runs a solver on a script, and adds up the processor time it took.
-Ended run(const Solver& solver, const std::string& script, int limit, const std::string& options,
-          double& seconds, const std::atomic<bool>* no_more = nullptr) {
+Ended run(const Solver& solver, const std::string& script, int limit, double& seconds,
+          const std::atomic<bool>* no_more = nullptr) {
   const Scratch scratch;
   const std::string name = (scratch.path() / "script.smt2").string();
   OutputFile file(name);
@@ -41,7 +41,8 @@ Ended run(const Solver& solver, const std::string& script, int limit, const std:
   }
 
   std::vector<std::string> words;
-  std::istringstream command(solver.command + ' ' + options);
+  const bool is_bit_vectors = script.find("(set-logic QF_BV)") != std::string::npos;
+  std::istringstream command(solver.command + (is_bit_vectors ? ' ' + solver.on_bit_vectors : ""));
   for (std::string word; command >> word;) words.push_back(word);
   if (solver.name == "cvc5" && script.find("(push") != std::string::npos) {
     words.emplace_back("--incremental");
@@ -53,12 +54,9 @@ Ended run(const Solver& solver, const std::string& script, int limit, const std:
   return ended;
 }
 
-// An `eager` script names its terms by definitions: with equations both take several times as long
-// for wide sums.
-std::string given(const Solver& solver, const std::string& script, bool eager) {
-  if (!eager) return script;
+std::string given(const Solver& solver, const std::string& script) {
   return solver.takes_lets && script.find("(push") == std::string::npos ? with_lets(script)
-                                                                        : with_definitions(script);
+                                                                        : script;
 }
 
 bool is_set(const std::atomic<bool>* flag) { return flag != nullptr && *flag; }
@@ -122,24 +120,23 @@ const std::vector<Solver>& solvers() {
   return list;
 }
 
-Solved solve(const Solver& solver, const std::string& script, int limit, bool eager,
+Solved solve(const Solver& solver, const std::string& script, int limit,
              const std::atomic<bool>* no_more) {
   double seconds = 0;
-  const Ended ended =
-      run(solver, given(solver, script, eager), limit, eager ? solver.eager : "", seconds, no_more);
+  const Ended ended = run(solver, given(solver, script), limit, seconds, no_more);
   Solved solved = said(ended, ended.text, true, no_more);
   solved.seconds = seconds;
   return solved;
 }
 
 std::vector<Solved> solve_all(const Solver& solver, const std::vector<std::string>& scripts,
-                              int limit, bool eager, const std::atomic<bool>* no_more) {
+                              int limit, const std::atomic<bool>* no_more) {
   std::string all;
   for (const std::string& script : scripts) {
-    all += given(solver, script, eager) + fmt::format("(echo \"{}\")\n(reset)\n", kNext);
+    all += given(solver, script) + fmt::format("(echo \"{}\")\n(reset)\n", kNext);
   }
   double seconds = 0;
-  const Ended ended = run(solver, all, limit, "", seconds, no_more);
+  const Ended ended = run(solver, all, limit, seconds, no_more);
   std::vector<Solved> solved;
   for (std::size_t begin = 0; solved.size() < scripts.size();) {
     const std::size_t end = std::min(ended.text.find(kNext, begin), ended.text.size());
@@ -156,7 +153,7 @@ std::map<std::string, std::string> values(const Solver& solver, const std::strin
   std::string asking = script + "(get-value (";
   for (const std::string& term : terms) asking += ' ' + term;
   double seconds = 0;
-  return values_in(run(solver, asking + "))\n", limit, "", seconds).text);
+  return values_in(run(solver, asking + "))\n", limit, seconds).text);
 }
 
 }  // namespace cosim::proof

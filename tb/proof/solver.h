@@ -25,8 +25,8 @@ struct Solver {
   std::string name;  ///< for a person
   /// The program and its options; the script's file is put behind them.
   std::string command;
-  /// What to add where wide words are cut up and joined rather than added; may be empty.
-  std::string eager = "";
+  /// Further options, for scripts of nothing but bit vectors; may be empty.
+  std::string on_bit_vectors = "";
   /// Whether it takes several scripts at a time: to start it takes longer than an easy script.
   bool takes_many = false;
   /// Whether it reads thousands of `let`, one in the other.
@@ -48,14 +48,13 @@ struct Solved {
 
 /// Has a solver answer the questions of a script, in `limit` seconds of processor time at the most.
 /// It is stopped when `no_more` becomes true.
-Solved solve(const Solver& solver, const std::string& script, int limit, bool eager = false,
+Solved solve(const Solver& solver, const std::string& script, int limit,
              const std::atomic<bool>* no_more = nullptr);
 
 /// The same of several scripts, which a solver that takes many is given at a time. The seconds are
 /// those of the first.
 std::vector<Solved> solve_all(const Solver& solver, const std::vector<std::string>& scripts,
-                              int limit, bool eager = false,
-                              const std::atomic<bool>* no_more = nullptr);
+                              int limit, const std::atomic<bool>* no_more = nullptr);
 
 /// What the terms are where the one question of a script is answered with "sat"; empty where not.
 std::map<std::string, std::string> values(const Solver& solver, const std::string& script,

@@ -13,9 +13,9 @@ Theorem at_every_width(const std::string& design, const std::string& sentence,
     auto [script, wrong] = ask(formula.parameters);
     Script possible = script;
     possible.ask(truth(true));
-    premises.queries.push_back({{machine.title}, possible.text(), true});
+    premises.queries.push_back({{machine.title}, possible.text()});
     script.ask(wrong.expression());
-    claim.queries.push_back({{machine.title}, script.text(), true});
+    claim.queries.push_back({{machine.title}, script.text()});
   }
   return {design, sentence, claim, premises};
 }

@@ -27,7 +27,7 @@ constexpr std::uint64_t usual_limit = 300, longest_limit = 86400;
 Json as_json(const proof::Claim& claim) {
   Json queries = Json::array();
   for (const proof::Query& q : claim.queries) {
-    queries.push_back({{"asks", q.asks}, {"script", q.script}, {"eager", q.eager}});
+    queries.push_back({{"asks", q.asks}, {"script", q.script}});
   }
   Json json{{"what", claim.what},
             {"sat", claim.wanted == proof::Answer::sat},
@@ -42,7 +42,7 @@ proof::Claim claim_from(const JsonAt& json) {
   claim.what = json.at("what").text();
   claim.wanted = json.at("sat").yes() ? proof::Answer::sat : proof::Answer::unsat;
   for (const JsonAt& q : json.at("queries").list()) {
-    claim.queries.push_back({q.at("asks").texts(), q.at("script").text(), q.at("eager").yes()});
+    claim.queries.push_back({q.at("asks").texts(), q.at("script").text()});
   }
   claim.terms = json.at("terms").texts();
   constexpr auto last = static_cast<std::uint64_t>(proof::Happens::assertion);

@@ -62,18 +62,7 @@ TEST(Arms, SayWhetherCodesDiffer) {
   EXPECT_EQ(solved.answer, Answer::unsat) << solved.said;
 }
 
-TEST(Definitions, StandForFreeSymbolsWithEquations) {
-  const std::string head = "(set-logic QF_BV)\n(declare-const |a b| (_ BitVec 4))\n",
-                    ends = "(declare-const f Bool)\n(assert e)\n";
-  EXPECT_EQ(with_definitions(head + definition("|c d|", kWord, "(bvadd |a b| #b0001)") +
-                             definition("e", boolean, "(= |c d| |a b|)") + ends),
-            head +
-                "(define-fun |c d| () (_ BitVec 4) (bvadd |a b| #b0001))\n"
-                "(define-fun e () Bool (= |c d| |a b|))\n" +
-                ends);
-}
-
-TEST(Definitions, OrLetsStandForFreeSymbolsWithEquations) {
+TEST(Definitions, LetsStandForThem) {
   const std::string head = "(set-logic QF_BV)\n(declare-const |a b| (_ BitVec 4))\n";
   EXPECT_EQ(with_lets(head + "(assert (bvult |a b| #b0100))\n" +
                       definition("|c d|", kWord, "(bvadd |a b| #b0001)") +

@@ -11,6 +11,8 @@
 
 namespace cosim {
 
+class StreamDut;
+
 /// The traces around a finding: of each interface valid, ready and its fields.
 class TraceRecorder final : public StreamObserver {
  public:

@@ -31,7 +31,7 @@ function(replace file shipped instead)
     return()
   endif()
   set(VARIANT_TROUBLE
-    "${spec}: rtl/${DESIGN}/${file} ${trouble} the lines to be replaced:\n${shipped}" PARENT_SCOPE)
+    "${spec}: rtl/${DESIGN}/${file} ${trouble} the text to be replaced:\n${shipped}" PARENT_SCOPE)
 endfunction()
 
 # The names of a folder's modules in `files`, the text of each in text_<name>.

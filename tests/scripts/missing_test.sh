@@ -2,7 +2,7 @@
 # missing_test.sh COSIM
 #
 # Every script on a machine that has what the first command installs and no network: it ends with 0, or
-# with 2 and one line that names what is missing. Builds take no time here: the program COSIM is put
+# with 2 and one line that names what is missing; so does one that is to take programs as they are. Builds take no time here: the program COSIM is put
 # where it is built, and other programs are stand-ins that need yosys, as theirs do.
 # Status: 0 so, 1 not.
 source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
@@ -131,6 +131,13 @@ ends test --slurm
 ends wave
 ends wave test Any
 ends without "$design"
+
+# And what --built takes as it is, where it is not there.
+for what in --models --drawn --slice; do
+  status=0
+  line=$("$root/scripts/mutate" "$what" --built "$folder/none" 2>&1) || status=$?
+  [[ $status == 2 && $line == *" is not built there" ]] || fails "mutate $what says what is not built: $line"
+done
 
 for script in "$root"/scripts/*; do
   name=$(basename "$script")

@@ -51,8 +51,8 @@ struct Choice {
 /// A line that gives a term a name. With a free symbol and an equation in its place cvc5 and z3
 /// take twice as long, and several times as long for wide sums.
 std::string definition(const std::string& name, const std::string& sort, const std::string& term);
-/// A script of one question with one assertion: what definitions name stands in a `let` of its own, one
-/// in the other. z3 takes a tenth of a second for a thousand definitions, and nothing for these.
+/// A script of one question with one assertion: each definition is a `let`, one in the other. z3
+/// takes a tenth of a second for a thousand definitions, and nothing for these.
 std::string with_lets(const std::string& script);
 
 /// A script for a solver. Each application is defined once under a name of its own, in order and

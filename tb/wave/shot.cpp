@@ -25,16 +25,19 @@ export XDG_CACHE_HOME=$1  # GTK's settings
 DISPLAY=:$number exec gtkwave --rcvar 'hide_sst on' -S "$1/shot.tcl" "$(basename "$2")" "$(basename "$3")"
 )sh";
 
-// On a busy computer the window is not whole at once: it is when two pictures of it are the same.
+// On a busy computer the window is not whole at once: it is when three pictures of it are the same.
+// GTK may lose the lengths of the scroll bars for good, so the window is drawn anew before each of
+// them, by a command that changes nothing: no signal of a view is highlighted.
 constexpr const char* kGrab = R"(
 set before {{}}
-while 1 {{
-  after 200
+for {{set alike 0}} {{$alike < 3}} {{incr alike}} {{
+  after 100
+  gtkwave::/Edit/UnHighlight_All
   gtkwave::/File/Grab_To_File {{{0}}}
   set file [open {{{0}}} rb]
   set now [read $file]
   close $file
-  if {{$now eq $before}} break
+  if {{$now ne $before}} {{set alike 0}}
   set before $now
 }}
 gtkwave::/File/Quit

@@ -5,6 +5,8 @@
 # that lies deeper has its path before it: core$u$PIN. A file may say which pin is which, by a module NAME
 # whose body is not read; without one a pin is an output where nothing else drives the net that it is joined
 # to. Files that change are written into FOLDER, the rest is as of inout.pl.
+# With COSIM_BLACKBOX=all what an instance is given besides nets is an output too: constants at pins, parameters
+# (u$parameter$NAME) and attributes (u$attribute$NAME).
 use strict;
 use warnings;
 use FindBin;
@@ -38,6 +40,7 @@ sub instances {
     my @all;
     while ($flat =~ /\b\Q$of\E\b\s*(?:#\s*$group)?\s*(\w+)\s*(\[[^\]]*\])?\s*$group\s*;/g) {
         my ($name, $many, $pins, $at, $end, $pins_at) = ($2, $3, $4, $-[0], $+[0], $-[4]);
+        my $given = defined $1 ? [$-[1] + 1, length($1) - 2] : undef;    # within its parentheses
         fail("$of $name: instances of it as an array") if defined $many;
         # Blocks that are open here, and whether a loop makes one of them many.
         my @open;
@@ -48,7 +51,7 @@ sub instances {
         fail("$of $name: instances of it in a loop") if grep { $_ } @open;
         my @pins = parts($pins =~ s/^\(|\)$//gr, $pins_at + 1);
         fail("$of $name: its pins are given in their order") if @pins && $pins[0][0] !~ /^\./;
-        push @all, [$name, \@pins, $at, $end, $pins_at + length($pins) - 1];
+        push @all, [$name, \@pins, $at, $end, $pins_at + length($pins) - 1, $given];
     }
     return @all;
 }
@@ -94,12 +97,17 @@ sub open_module {
     for my $of (sort keys %box) {
         my $declared = $module{$of} && ports_of($module{$of});
         for my $instance (instances($of, $flat)) {
-            my ($name, $pins, $at, $end) = @$instance;
+            my ($name, $pins, $at, $end, undef, $given) = @$instance;
             my $text = '';
+            my @constants;    # [name, range, value]
             $box{$of} = 1;
             for my $pin (joined(@$pins)) {
                 my ($port, $e) = @$pin;
-                next if $e eq '' || $e =~ /^\d+$|^\d*\s*'/;
+                if ($e eq '' || $e =~ /^\d+$|^\d*\s*'/) {
+                    my $range = $e =~ /^(\d+)\s*'/ ? '[' . ($1 - 1) . ':0]' : '[31:0]';
+                    push @constants, [$port, $range, $e] if $e ne '';
+                    next;
+                }
                 my $is_out = $declared ? ($declared->{$port} // [''])->[0] eq 'output'
                   : $e =~ /^(\w+)$select$/ && !is_driven($flat, $ports, $1);
                 my $range = range_of($flat, $ports, $e, "$of $name: its pin $port");
@@ -107,7 +115,22 @@ sub open_module {
                 $text .= $is_out ? "assign $e = $name\$$port; " : "assign $name\$$port = $e; ";
             }
             # Attributes before it, which stand for the instance, go with it.
-            $at -= length $1 if original($m, 0, $at) =~ /((?:\(\*(?:(?!\*\)).)*\*\)\s*)+)$/s;
+            my $attributes = original($m, 0, $at) =~ /((?:\(\*(?:(?!\*\)).)*\*\)\s*)+)$/s ? $1 : '';
+            $at -= length $attributes;
+            my $count = 0;
+            for my $one ($given ? parts(original($m, @$given), 0) : ()) {
+                my ($parameter, $value) =
+                  $one->[0] =~ /^\.\s*(\w+)\s*\((.*)\)$/s ? ($1, $2) : ($count++, $one->[0]);
+                push @constants, ["parameter\$$parameter", '[255:0]', $value];
+            }
+            while ($attributes =~ /[(*,]\s*([A-Za-z_]\w*)\s*(?:=\s*("[^"]*"|[^,*"]+?))?\s*(?=,|\*\))/g) {
+                push @constants, ["attribute\$$1", '[255:0]', $2 // '1'];
+            }
+            for my $constant (($ENV{COSIM_BLACKBOX} // '') eq 'all' ? @constants : ()) {
+                my ($what, $range, $value) = @$constant;
+                push @new, ["$name\$$what", 'output', $range];
+                $text .= "assign $name\$$what = $value; ";
+            }
             edit($m, $at, $end - $at, $text);
         }
     }

@@ -72,7 +72,7 @@ Assumption made(const std::string& text, std::size_t number, const Side& gold,
   const std::string file = (scratch.path() / "assume.v").string();
   write_file(file, verilog);
   try {
-    Side logic({{file}, module, {}, {}, {}, "."}, "", budget);
+    Side logic({{file}, module, {}, {}, {}, "."}, "", FrontEnd::yosys, budget);
     logic.make_gates(Memories::registers, false, budget);
     if (logic.unknowns > 0) refuse(text, "is x: it has an x, or a bit that its port has not");
     return {text, logic, verilog, module, names, of_outputs};

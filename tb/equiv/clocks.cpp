@@ -107,6 +107,18 @@ void show(const Question& q, const Product& product, const proof::Reached& reach
              any = watch(product.any);
   const std::size_t held = watched.size();
   watched.push_back(product.held);
+  const auto begins = [&](const std::vector<proof::Aig::Lit>& lits) {
+    std::string digits;
+    auto known = lits;
+    std::replace(known.begin(), known.end(), unknown_begin, proof::Aig::Lit{0});
+    const auto values = product.graph.run({reached.inputs.front()}, known).front();
+    for (std::size_t i = 0; i < lits.size(); ++i) {
+      digits += lits[i] == unknown_begin ? 'x' : values[i] ? '1' : '0';
+    }
+    return digits;
+  };
+  answer.gold_begins = begins(product.gold_begins);
+  answer.gate_begins = begins(product.gate_begins);
   auto inputs_of_all = reached.inputs;
   inputs_of_all.resize(inputs_of_all.size() + clocks_behind, reached.inputs.back());
   for (const auto& values : product.graph.run(inputs_of_all, watched)) {
@@ -144,7 +156,8 @@ void take_over(const Question& q, const Replay& replay, Answer& answer) {
         if (clock >= latency && clock - latency < replay.gold.outputs.size()) {
           const std::string& old = replay.gold.outputs[clock - latency].at(i);
           for (std::size_t bit = 0; bit < text.size(); ++bit) {
-            if (text[bit] != '-') text[bit] = old[bit];
+            const bool is_x = old[bit] != '0' && old[bit] != '1';
+            if (text[bit] != '-') text[bit] = is_x ? '-' : old[bit];
           }
         }
         ++i;

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "tb/equiv/assume.h"
+#include "tb/equiv/referee.h"
 #include "tb/equiv/side.h"
 #include "tb/proof/invariant.h"
 
@@ -63,7 +64,14 @@ struct Recorded {
   std::string gold, gate;
 };
 
+/// How a side was read, and whether that is what its source says.
+struct Trusted {
+  FrontEnd front_end = FrontEnd::yosys;
+  Refereed is;
+};
+
 struct Answer {
+  Trusted gold_read, gate_read;  ///< empty where both have the same source
   Verdict verdict = Verdict::undecided;
   std::string by;  ///< what decided
   /// Of equal, where one engine of abc or sequential reasoning decided: the check of it.
@@ -76,7 +84,9 @@ struct Answer {
   std::vector<std::string> differing;  ///< of different: the outputs
   /// Of different, where on these clocks only the time differs: the outputs that differ on one.
   std::vector<Late> late;
-  Recorded recorded;        ///< of different: from first_drawn() on
+  Recorded recorded;  ///< of different: from first_drawn() on
+  /// Of different: what each register begins as, a digit each; 'x': it may be any.
+  std::string gold_begins, gate_begins;
   bool least = false;       ///< of different: no shorter stimulus tells them apart
   int compared = 0;         ///< of undecided: equal for so many clocks
   std::string left;         ///< of undecided: what is left

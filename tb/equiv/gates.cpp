@@ -1,51 +1,31 @@
-// A side as gates: yosys maps its cells to them and writes AIGER, which is read here.
+// A side as gates: its cells as an and-inverter graph whose inputs are the ports, the bits that are
+// not known, and the registers.
 #include <fmt/core.h>
 
 #include <algorithm>
 #include <numeric>
 #include <set>
-#include <sstream>
 
 #include "model/core/input_error.h"
-#include "tb/equiv/netlist.h"
+#include "tb/equiv/cells.h"
 #include "tb/equiv/side.h"
-#include "tb/proof/steps.h"
-#include "tb/support/json.h"
-#include "tb/support/output_file.h"
-#include "tb/support/quoted.h"
-#include "tb/support/read_file.h"
+#include "tb/support/words.h"
 
 namespace cosim::equiv {
 namespace {
 
-namespace fs = std::filesystem;
-using Lit = proof::Aig::Lit;
+using proof::Aig;
+using Lit = Aig::Lit;
 
-// Memories as ports of the module.
-std::string with_ports_for_memories(Json netlist) {
-  Json& module = top_of(netlist);
-  std::size_t n = 0;
-  Json cells = module.at("cells");
-  for (auto& [name, cell] : module.at("cells").items()) {
-    if (cell.at("type") != "$mem_v2") continue;
-    for (const char* port : {"RD_DATA", "RD_ADDR", "WR_EN", "WR_ADDR", "WR_DATA"}) {
-      const bool comes = port == std::string_view("RD_DATA");
-      module["ports"][memory_port(n, port)] = {{"direction", comes ? "input" : "output"},
-                                               {"bits", cell.at("connections").at(port)}};
-    }
-    cells.erase(name);
-    ++n;
-  }
-  module["cells"] = std::move(cells);
-  return netlist.dump();
+// What stands in the place of a bit in a text of binary digits, the highest first.
+char digit_at(const std::string& text, std::size_t bit) {
+  return bit < text.size() ? text[text.size() - 1 - bit] : 'x';
 }
 
-// A bit of a port as AIGER names it: "data[3]", or "data" where it has one.
-Name bit_of(const std::string& text, const std::map<std::string, int>& ports) {
-  const std::size_t at = text.rfind('[');
-  const auto port = ports.find(text);
-  if (at == std::string::npos || (port != ports.end() && port->second == 1)) return {text, 0};
-  return {text.substr(0, at), std::stoi(text.substr(at + 1))};
+// The parts of a pin that several ports of a memory share.
+std::vector<int> part(const std::vector<int>& bits, std::size_t port, std::size_t width) {
+  const auto from = bits.begin() + static_cast<std::ptrdiff_t>(port * width);
+  return {from, from + static_cast<std::ptrdiff_t>(width)};
 }
 
 }  // namespace
@@ -54,126 +34,191 @@ std::string memory_port(std::size_t memory, const char* port) {
   return fmt::format("cosim.memory{}.{}", memory, port);
 }
 
-// Between an input and an output that are one net: newer versions of yosys write no map of that.
-// The two inverters are no gates in AIGER.
-constexpr const char* buffer = R"(module cosim_buffer(input A, output Y);
-  wire n;
-  \$_NOT_ first(.A(A), .Y(n));
-  \$_NOT_ second(.A(n), .Y(Y));
-endmodule
-)";
+// Makes the gates of a side.
+class Side::Builder {
+ public:
+  Builder(Side& side, Memories how, bool steps)
+      : side_(side),
+        how_(how),
+        steps_(steps),
+        cells_(*side.module_, side.logic_, [this] { return unknown(); }) {}
 
-void Side::make_gates(Memories how, bool steps, const Budget& budget) {
-  const fs::path own = scratch_->path();
-  const std::string name = word_for_yosys(own.string());
-  std::string script = fmt::format("read_rtlil {}/top.il; memory_map\n", name);
-  if (how == Memories::cut && !memories.empty()) {
-    write_file((own / "cut.json").string(),
-               with_ports_for_memories(json_of(read_file((own / "top.json").string()))));
-    script = fmt::format("read_json {}/cut.json\n", name);
+  void make() {
+    for (const Port& port : side_.module_->ports) {
+      if (port.way == "input") inputs(port.name, port.bits);
+    }
+    names();
+    std::size_t memory = 0;
+    for (const Cell& cell : side_.module_->cells) {
+      if (cell.is_register()) hold(cell);
+      if (cell.is_memory()) hold_memory(cell, memory++);
+    }
+    for (const Port& port : side_.module_->ports) {
+      if (port.way != "input") outputs(port.name, port.bits);
+    }
+    memory = 0;
+    for (const Cell& cell : side_.module_->cells) {
+      if (cell.is_register()) {
+        for (const Lit next : cells_.next(cell, steps_)) side_.next_.push_back(next);
+        for (const int bit : cell.pins.at("Q")) side_.seen_.push_back(cells_.of(bit));
+      }
+      if (cell.is_memory()) next_of_memory(cell, memory++);
+    }
+    variables();
   }
-  if (steps) {
-    proof::Source source;
-    source.clocks_are_inputs = true;
-    // It names its file as it is.
-    script += "opt_clean" + proof::step_commands(source, name) + "\n";
-  }
-  write_file((own / "buffer.v").string(), buffer);
-  // What is of no use then is left where it is: to clean so many gates takes as long as to make
-  // them.
-  script += fmt::format(
-      "opt -full; async2sync; dffunmap; opt_clean; simplemap; techmap; dffunmap\n"
-      "opt_clean; setundef -anyseq; aigmap\n"
-      "insbuf -buf cosim_buffer A Y i:* %co1 o:* %i; techmap -map {0}/buffer.v\n"
-      "write_aiger -ascii -symbols -no-startoffset -vmap {0}/top.map {0}/top.aag\n",
-      name);
-  yosys(script, budget);
-  for (auto* all : {&in_, &state_, &next_, &out_}) all->clear();
-  in_names_.clear();
-  out_names_.clear();
-  registers.clear();
-  unknowns = 0;
-  read(read_file((own / "top.aag").string()), read_file((own / "top.map").string()));
-}
 
-void Side::read(const std::string& aiger, const std::string& map) {
-  std::istringstream in(aiger);
-  std::string word;
-  std::size_t top = 0, inputs_count = 0, latches = 0, out_count = 0, gates = 0;
-  in >> word >> top >> inputs_count >> latches >> out_count >> gates;
-  in_.resize(inputs_count);
-  out_.resize(out_count);
-  gates_.resize(gates);
-  for (unsigned& lit : in_) in >> lit;
-  std::string line;
-  std::getline(in, line);
-  std::map<unsigned, std::size_t> register_of;
-  for (std::size_t i = 0; i < latches; ++i) {
-    std::getline(in, line);
-    std::istringstream numbers(line);
-    unsigned lit = 0, next = 0, first = 0;
-    numbers >> lit >> next >> first;
-    register_of[lit] = i;
-    state_.push_back(lit);
-    next_.push_back(next);
-    registers.push_back({{}, first > 1, first == 1, {}});
+ private:
+  Lit input(Source source) {
+    side_.sources_.push_back(std::move(source));
+    return side_.logic_.input();
   }
-  for (unsigned& lit : out_) in >> lit;
-  for (Gate& gate : gates_) in >> gate.out >> gate.a >> gate.b;
-  for (std::string line_of; in >> word && word != "c" && std::getline(in, line_of);) {
-    const std::size_t number = std::stoul(word.substr(1));
-    std::istringstream names(line_of);
-    for (std::string name; names >> name;) {
-      if (word.front() == 'i') in_names_[number] = bit_of(name, inputs);
-      if (word.front() == 'o') out_names_.emplace(number, bit_of(name, outputs));
+  Lit unknown() { return input({Source::Kind::unknown, {}, side_.unknowns++}); }
+
+  void inputs(const std::string& name, const std::vector<int>& bits) {
+    for (std::size_t i = 0; i < bits.size(); ++i) {
+      const Lit lit = input({Source::Kind::port, {name, static_cast<int>(i)}, 0});
+      if (bits[i] >= 0) cells_.set(bits[i], lit);
     }
   }
-  // The gates that do not depend on constants alone, or on one thing and a constant.
-  std::map<unsigned, Gate> made;
-  std::vector<unsigned> folded(2 * top + 2);
-  std::iota(folded.begin(), folded.end(), 0U);
-  for (const Gate& gate : gates_) {
-    const unsigned a = std::min(folded.at(gate.a), folded.at(gate.b));
-    const unsigned b = std::max(folded.at(gate.a), folded.at(gate.b));
-    const bool is_gate = a > 1 && a != b && a != (b ^ 1U);
-    const unsigned is = is_gate ? gate.out : a == 0 || a == (b ^ 1U) ? 0U : b;
-    folded.at(gate.out) = is;
-    folded.at(gate.out ^ 1U) = is ^ 1U;
-    if (is_gate) made[gate.out] = {gate.out, a, b};
+  void outputs(const std::string& name, const std::vector<int>& bits) {
+    for (std::size_t i = 0; i < bits.size(); ++i) {
+      side_.outputs_[{name, static_cast<int>(i)}] = cells_.of(bits[i]);
+    }
   }
-  // A register with an asynchronous reset lies behind the gates that have its name: it and the
-  // reset, or it and the reset, or the reset.
-  const auto behind = [&](unsigned at) {
-    std::set<unsigned> leaves{at};
-    constexpr int levels = 2;
-    for (int level = 0; level < levels; ++level) {
-      for (const unsigned leaf : std::set<unsigned>(leaves)) {
-        const auto gate = made.find(leaf);
-        if (gate == made.end()) continue;
-        leaves.erase(leaf);
-        leaves.insert({gate->second.a & ~1U, gate->second.b & ~1U});
+
+  // The names of each net, and its initial value.
+  void names() {
+    for (const Net& net : side_.module_->nets) {
+      for (std::size_t i = 0; i < net.bits.size(); ++i) {
+        if (net.is_named) names_[net.bits[i]].insert({net.name, static_cast<int>(i)});
+        const char first = digit_at(net.init, i);
+        if (!net.init.empty() && first != 'x') first_[net.bits[i]] = first == '1';
       }
     }
-    if (leaves.size() > 2) return at;
-    const auto is_register = [&](unsigned leaf) { return register_of.contains(leaf); };
-    if (std::ranges::count_if(leaves, is_register) != 1) return at;
-    return *std::ranges::find_if(leaves, is_register);
-  };
-  std::istringstream lines(map);
-  std::string kind, name;
-  std::size_t lit = 0;
-  int bit = 0;
-  while (lines >> kind >> lit >> bit && std::getline(lines >> std::ws, name)) {
-    if (kind != "wire" || name.starts_with("$")) continue;
-    const unsigned at = behind(folded.at(lit) & ~1U);
-    const auto found = register_of.find(at);
-    if (found == register_of.end()) continue;
-    Register& is = registers[found->second];
-    if (at == lit) is.nets.insert({name, bit});
-    Name& own = is.name;
-    if (own.first.empty() || (at == lit && Name{name, bit} < own)) own = {name, bit};
   }
-  for (std::size_t i = 0; i < in_.size(); ++i) unknowns += in_names_.contains(i) ? 0U : 1U;
+
+  Lit state(Register is) {
+    const std::size_t number = side_.registers.size();
+    side_.registers.push_back(std::move(is));
+    return input({Source::Kind::state, {}, number});
+  }
+
+  void hold(const Cell& cell) {
+    for (const int bit : cell.pins.at("Q")) {
+      Register is;
+      is.nets = names_[bit];
+      if (!is.nets.empty()) is.name = *is.nets.begin();
+      const auto first = first_.find(bit);
+      is.any = first == first_.end();
+      is.first = !is.any && first->second;
+      const Lit lit = state(std::move(is));
+      if (bit < 0) continue;
+      cells_.hold(bit, lit);
+      register_of_[bit] = side_.registers.size() - 1;
+    }
+  }
+
+  void variables() {
+    for (const Net& net : side_.module_->nets) {
+      std::vector<std::size_t> all;
+      for (const int bit : net.bits) {
+        const auto at = register_of_.find(bit);
+        if (at != register_of_.end()) all.push_back(at->second);
+      }
+      if (net.is_named && all.size() == net.bits.size())
+        side_.variables.emplace_back(net.name, all);
+    }
+  }
+
+  void hold_memory(const Cell& cell, std::size_t number) {
+    if (how_ == Memories::cut) {
+      inputs(memory_port(number, "RD_DATA"), cell.pins.at("RD_DATA"));
+      return;
+    }
+    const std::size_t width = cell.number("WIDTH"), low = cell.number("OFFSET");
+    const std::string& first = cell.parameter("INIT");
+    std::vector<Lits> words(cell.number("SIZE"));
+    for (std::size_t w = 0; w < words.size(); ++w) {
+      for (std::size_t i = 0; i < width; ++i) {
+        const char digit = digit_at(first, w * width + i);
+        const Name name{fmt::format("{}[{}]", cell.name, w + low), static_cast<int>(i)};
+        words[w].push_back(
+            state({cell.name.front() == '$' ? Name{} : name, digit == 'x', digit == '1', {}}));
+      }
+      std::vector<std::size_t> bits(width);
+      std::iota(bits.begin(), bits.end(), side_.registers.size() - width);
+      side_.variables.emplace_back(fmt::format("{}[{}]", cell.name, w + low), bits);
+    }
+    words_.push_back(words);
+    cells_.hold(cell, std::move(words));
+  }
+
+  void next_of_memory(const Cell& cell, std::size_t number) {
+    if (how_ == Memories::cut) {
+      for (const char* pin : {"RD_ADDR", "WR_EN", "WR_ADDR", "WR_DATA"}) {
+        outputs(memory_port(number, pin), cell.pins.at(pin));
+      }
+      return;
+    }
+    const std::size_t width = cell.number("WIDTH"), low = cell.number("OFFSET");
+    const std::size_t address_width = cell.number("ABITS");
+    std::vector<Lits> words = words_[number];
+    Arithmetic logic(side_.logic_);
+    for (std::size_t port = 0; port < cell.number("WR_PORTS"); ++port) {
+      const Lits address = cells_.of(part(cell.pins.at("WR_ADDR"), port, address_width));
+      const Lits data = cells_.of(part(cell.pins.at("WR_DATA"), port, width));
+      Lits enable = cells_.of(part(cell.pins.at("WR_EN"), port, width));
+      if (steps_) {
+        const Lit clock = cells_.of(cell.pins.at("WR_CLK")[port]);
+        for (Lit& bit : enable) bit = side_.logic_.and_of(bit, clock);
+      }
+      for (std::size_t w = 0; w < words.size(); ++w) {
+        Lits here = address;
+        for (std::size_t bit = 0; bit < here.size(); ++bit) {
+          if (((w + low) >> bit & 1U) == 0) here[bit] = Aig::inverted(here[bit]);
+        }
+        const bool is_reachable = here.size() >= 64 || (w + low) >> here.size() == 0;
+        const Lit is_here = is_reachable ? logic.all(here) : 0;
+        for (std::size_t i = 0; i < width; ++i) {
+          words[w][i] =
+              side_.logic_.choose(side_.logic_.and_of(is_here, enable[i]), data[i], words[w][i]);
+        }
+      }
+    }
+    for (const Lits& word : words) side_.next_.insert(side_.next_.end(), word.begin(), word.end());
+    for (const Lits& word : words_[number]) {
+      side_.seen_.insert(side_.seen_.end(), word.begin(), word.end());
+    }
+  }
+
+  Side& side_;
+  Memories how_;
+  bool steps_;
+  Cells cells_;
+  std::map<int, std::set<Name>> names_;
+  std::map<int, bool> first_;
+  std::map<int, std::size_t> register_of_;
+  std::vector<std::vector<Lits>> words_;
+};
+
+void Side::make_gates(Memories how, bool steps, const Budget& budget) {
+  budget.check();
+  is_cut_ = how == Memories::cut;
+  logic_ = {};
+  sources_.clear();
+  outputs_.clear();
+  next_.clear();
+  seen_.clear();
+  registers.clear();
+  variables.clear();
+  unknowns = 0;
+  try {
+    Builder(*this, how, steps).make();
+  } catch (const Refused& error) {
+    throw Refused(fmt::format("{}: {}", what_, error.what()));
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", what_, error.what()));
+  }
 }
 
 void Side::name_as(const Side& other) {
@@ -188,20 +233,23 @@ void Side::name_as(const Side& other) {
   }
 }
 
-Side::Made Side::make(proof::Aig& graph, const std::function<Lit(const Name&)>& input,
+Side::Made Side::make(Aig& graph, const std::function<Lit(const Name&)>& input,
                       const std::vector<Lit>& unknown, const std::vector<Lit>& state) const {
-  std::vector<Lit> value(2 * (in_.size() + state_.size() + gates_.size()) + 2, 0);
-  const auto of = [&](unsigned lit) { return value[lit / 2] ^ (lit & 1U); };
-  std::size_t next_unknown = 0;
-  for (std::size_t i = 0; i < in_.size(); ++i) {
-    const auto name = in_names_.find(i);
-    value[in_[i] / 2] = name == in_names_.end() ? unknown[next_unknown++] : input(name->second);
+  std::vector<Lit> value(logic_.nodes().size(), 0);
+  const auto of = [&](Lit lit) { return value[lit / 2] ^ (lit & 1U); };
+  for (std::size_t n = 0; n < value.size(); ++n) {
+    const Aig::Node& node = logic_.nodes()[n];
+    if (node.kind == Aig::Kind::both) value[n] = graph.and_of(of(node.a), of(node.b));
+    if (node.kind != Aig::Kind::input) continue;
+    const Source& source = sources_[node.a];
+    value[n] = source.kind == Source::Kind::port      ? input(source.name)
+               : source.kind == Source::Kind::unknown ? unknown[source.number]
+                                                      : state[source.number];
   }
-  for (std::size_t i = 0; i < state_.size(); ++i) value[state_[i] / 2] = state[i];
-  for (const Gate& gate : gates_) value[gate.out / 2] = graph.and_of(of(gate.a), of(gate.b));
   Made made;
-  for (const auto& [i, name] : out_names_) made.outputs[name] = of(out_[i]);
-  for (const unsigned next : next_) made.next.push_back(of(next));
+  for (const auto& [name, lit] : outputs_) made.outputs[name] = of(lit);
+  for (const Lit next : next_) made.next.push_back(of(next));
+  for (const Lit seen : seen_) made.seen.push_back(of(seen));
   return made;
 }
 

@@ -1,7 +1,10 @@
 #include "tb/equiv/netlist.h"
 
+#include <fmt/core.h>
+
 #include <map>
 #include <sstream>
+#include <utility>
 
 #include "model/core/input_error.h"
 #include "tb/support/json.h"
@@ -9,14 +12,85 @@
 
 namespace cosim::equiv {
 
-const Json& top_of(const Json& netlist) {
-  for (const auto& module : netlist.at("modules")) {
-    if (module.at("attributes").contains("top")) return module;
+namespace {
+
+std::vector<int> bits_of(const Json& bits) {
+  std::vector<int> all;
+  all.reserve(bits.size());
+  for (const Json& bit : bits) {
+    if (bit.is_number()) {
+      all.push_back(bit.get<int>());
+      continue;
+    }
+    const char digit = bit.get_ref<const std::string&>().front();
+    all.push_back(digit == '0' ? zero : digit == '1' ? one : digit == 'z' ? is_z : is_x);
+  }
+  return all;
+}
+
+std::string text_of(const Json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+std::string attribute(const Json& of, const char* name) {
+  const auto all = of.find("attributes");
+  if (all == of.end() || !all->contains(name)) return "";
+  return text_of(all->at(name));
+}
+
+std::string declaration(const Json& port) {
+  const auto width = static_cast<int>(port.at("bits").size());
+  const int low = port.value("offset", 0);
+  const bool rises = port.value("upto", 0) != 0;
+  std::string text = port.value("signed", 0) != 0 ? "signed " : "";
+  if (width > 1 || low != 0) {
+    text += rises ? fmt::format("[{}:{}]", low, low + width - 1)
+                  : fmt::format("[{}:{}]", low + width - 1, low);
+  }
+  return text;
+}
+
+}  // namespace
+
+const std::string& Cell::parameter(const std::string& called) const {
+  static const std::string none = "0";
+  const auto at = parameters.find(called);
+  return at == parameters.end() || at->second.empty() ? none : at->second;
+}
+
+unsigned Cell::number(const std::string& called) const {
+  const std::string& text = parameter(called);
+  if (text.find_first_not_of("01") != std::string::npos) return 0;
+  return static_cast<unsigned>(std::stoul(text, nullptr, 2));
+}
+
+Module module_of(const std::string& json) {
+  const Json read = json_of(json);
+  for (const Json& from : read.at("modules")) {
+    if (!from.at("attributes").contains("top")) continue;
+    Module module;
+    for (const auto& [name, port] : from.at("ports").items()) {
+      module.ports.push_back(
+          {name, port.at("direction"), declaration(port), bits_of(port.at("bits"))});
+    }
+    for (const auto& [name, cell] : from.at("cells").items()) {
+      Cell made{name, cell.at("type"), attribute(cell, "src"), {}, {}};
+      for (const auto& [key, value] : cell.at("parameters").items()) {
+        made.parameters[key] = text_of(value);
+      }
+      for (const auto& [pin, bits] : cell.at("connections").items()) {
+        made.pins[pin] = bits_of(bits);
+      }
+      module.cells.push_back(std::move(made));
+    }
+    for (const auto& [name, net] : from.at("netnames").items()) {
+      module.nets.push_back(
+          {name, bits_of(net.at("bits")), attribute(net, "init"), net.value("hide_name", 0) == 0});
+    }
+    return module;
   }
   throw InputError("yosys has written no top");
 }
-
-Json& top_of(Json& netlist) { return const_cast<Json&>(top_of(static_cast<const Json&>(netlist))); }
 
 namespace {
 

@@ -135,7 +135,11 @@ class Builder {
     for (const Register& r : q_.gold.registers) {
       const Lit latch = one_ ? graph_.input() : graph_.latch(r.first);
       copy.own.push_back(latch);
+      const auto begins = [&](Lit lit) {
+        if (c == 0) product_.gold_begins.push_back(lit);
+      };
       if (!r.any || one_) {
+        begins(r.first ? 1 : 0);
         copy.state.push_back(latch);
         product_.alone_any = product_.alone_any || (r.any && !any_in_both(r));
         continue;
@@ -143,8 +147,10 @@ class Builder {
       if (any_in_both(r)) {
         const auto [at, is_new] = shared_.try_emplace(r.name, 0);
         if (is_new) at->second = graph_.input();
+        begins(at->second);
         copy.state.push_back(starting(at->second, latch));
       } else {
+        begins(unknown_begin);
         product_.alone_any = true;
         copy.state.push_back(starting(any_ ? filler(c, alone++, true) : free(), latch));
       }
@@ -171,12 +177,13 @@ class Builder {
       const Lit latch = one_ ? graph_.input() : graph_.latch(r.first);
       copy.own.push_back(latch);
       if (!r.any || one_) {
+        product_.gate_begins.push_back(r.first ? 1 : 0);
         copy.state.push_back(latch);
         continue;
       }
       const auto shared = shared_.find(r.name);
-      copy.state.push_back(
-          starting(shared == shared_.end() ? graph_.input() : shared->second, latch));
+      product_.gate_begins.push_back(shared == shared_.end() ? graph_.input() : shared->second);
+      copy.state.push_back(starting(product_.gate_begins.back(), latch));
     }
     return copy;
   }

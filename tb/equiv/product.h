@@ -13,6 +13,8 @@
 
 namespace cosim::equiv {
 
+inline constexpr proof::Aig::Lit unknown_begin = ~proof::Aig::Lit{0};
+
 struct Product {
   proof::Aig graph;
   proof::Aig::Lit bad = 0;                 ///< an output differs, or what is cut
@@ -21,6 +23,8 @@ struct Product {
   std::map<Name, proof::Aig::Lit> inputs;  ///< as both get them
   std::map<std::string, int> widths;       ///< of the inputs
   std::map<Name, proof::Aig::Lit> beginnings;  ///< of registers of that name, the same in both
+  /// By register, what each begins as; of the old RTL `unknown_begin` where that may be any.
+  std::vector<proof::Aig::Lit> gold_begins, gate_begins;
   std::map<Name, proof::Aig::Lit> gold, gate;  ///< the outputs that are compared, by the old names
   std::map<Name, proof::Aig::Lit> any;         ///< the old RTL says x
   proof::Aig::Lit held = 1;  ///< it is after the reset, and what is assumed held on every clock

@@ -4,178 +4,185 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
+#include <deque>
 #include <optional>
 
-#include "tb/equiv/testbench.h"
-#include "tb/support/output_file.h"
+#include "tb/equiv/clocks.h"
+#include "tb/equiv/simulator.h"
 #include "tb/support/parallel.h"
 #include "tb/support/process.h"
-#include "tb/support/read_file.h"
-#include "tb/support/words.h"
 
 namespace cosim::equiv {
 namespace {
 
-namespace fs = std::filesystem;
-
 using Lines = std::vector<std::vector<std::string>>;  // words of outputs, a line a clock
 
-// One side as a program of Verilator.
-class Program {
- public:
-  Program(const Question& q, const Answer& a, bool is_gate)
-      : q_(q), files_((is_gate ? q.gate : q.gold).files()), own_(scratch_.path().string()) {
-    write_file(own_ + "/cosim_replay.v",
-               testbench(q, a, is_gate, own_ + "/rows", own_ + "/wave.vcd", first_drawn(q, a)));
-    write_file(own_ + "/rows", stimulus_rows(q, a, is_gate));
-    std::vector<std::string> words = words_in(
-        "verilator --binary --trace -Wno-fatal -Wno-lint -Wno-style --x-initial unique --x-assign "
-        "unique --timescale 1ns/1ps --top-module cosim_replay +define+SYNTHESIS --Mdir");
-    words.push_back(own_ + "/built");
-    words.insert(words.begin(), {"env", "-C", files_.folder.string()});
-    for (const std::string& define : files_.defines) words.push_back("+define+" + define);
-    for (const fs::path& folder : files_.include_dirs) {
-      words.push_back("+incdir+" + fs::absolute(folder).string());
-    }
-    for (const fs::path& one : files_.files) {
-      words.push_back("+incdir+" + fs::absolute(one).parent_path().string());
-      words.push_back(fs::absolute(one).string());
-    }
-    words.push_back(own_ + "/cosim_replay.v");
-    for (const char* word : {"-MAKEFLAGS", "OPT_FAST= OPT_GLOBAL="}) words.emplace_back(word);
-    // Verilator's own library is the same each time.
-    if (is_installed("ccache")) words.insert(words.begin() + 3, "OBJCACHE=ccache");
-    const Ended built = run_until(words, q.budget.ends());
-    if (built.timed_out) throw OutOfTime();
-    is_built_ = built.status == 0;
+Stimulus stimulus_of(const Question& q, const Answer& a, bool is_gate) {
+  const Side& side = is_gate ? q.gate : q.gold;
+  const auto own_name = [&](const std::string& port) {
+    return is_gate ? gate_name(q, port) : port;
+  };
+  Stimulus s;
+  s.steps = q.steps;
+  s.tied = q.tied;
+  const Row& first = a.clocks.front();
+  for (const auto& [port, value] : first.inputs) {
+    if (side.inputs.contains(own_name(port))) s.inputs.push_back(own_name(port));
   }
-
-  bool is_built() const { return is_built_; }
-
-  // What it prints; nothing where it does not end well. A file of $readmemh is found from the
-  // working directory, or beside the RTL.
-  Lines run(const std::string& begins, bool draws = false) const {
-    std::vector<fs::path> folders{files_.folder};
-    for (const fs::path& file : files_.files) folders.push_back(fs::absolute(file).parent_path());
-    Ended ended;
-    for (const fs::path& folder : folders) {
-      std::vector<std::string> words{"env",
-                                     "-C",
-                                     folder.string(),
-                                     own_ + "/built/Vcosim_replay",
-                                     "+verilator+rand+reset+" + begins,
-                                     "+verilator+seed+1"};
-      if (draws) words.emplace_back("+cosim_wave");
-      ended = run_until(words, q_.budget.ends());
-      if (ended.timed_out) throw OutOfTime();
-      if (ended.text.find("$readmem file not found") == std::string::npos) break;
-      ended.status = 1;
+  for (const auto* rows : {&a.clocks, &a.after}) {
+    for (const Row& row : *rows) {
+      std::string bits;
+      for (const auto& [port, value] : row.inputs) {
+        if (side.inputs.contains(own_name(port))) bits += value;
+      }
+      std::replace(bits.begin(), bits.end(), '-', '0');
+      if (s.rows.empty()) s.rows.push_back(at_rest(side, s));
+      s.rows.push_back(bits);
     }
-    Lines lines;
-    if (ended.status != 0) return lines;
-    for (const std::string& line : lines_in(ended.text)) {
-      const std::vector<std::string> words = words_in(line);
-      if (words.empty() || words[0] != "cosim_replay") continue;  // what the RTL itself prints
-      lines.emplace_back(words.begin() + 1, words.end());
+  }
+  for (const auto& [port, value] : first.gold) s.outputs.push_back(own_name(port));
+  s.variables = variables_of(side, is_gate ? a.gate_begins : a.gold_begins);
+  for (const Assumption& one : is_gate ? std::vector<Assumption>{} : q.assumed) {
+    s.modules += one.verilog;
+    s.instances += fmt::format("  wire {0}_holds;\n  {0} {0}_of(.cosim_holds({0}_holds)", one.name);
+    for (const std::string& port : one.ports) {
+      const bool is_output = side.outputs.contains(port);
+      // What an assumption names may be an output that the other one lacks.
+      if (is_output && !first.gold.contains(port) &&
+          std::ranges::find(s.wires, port) == s.wires.end()) {
+        s.wires.push_back(port);
+      }
+      const auto tied = q.tied.find(port);
+      s.instances += fmt::format(", .{}({})", verilog_name(port),
+                                 tied != q.tied.end()
+                                     ? fmt::format("{}'b{}", side.inputs.at(port), tied->second)
+                                     : verilog_name((is_output ? "out_" : "in_") + port));
     }
-    return lines;
+    s.instances += ");\n";
+    s.further.push_back(one.name + "_holds");
   }
-  std::string drawn(const std::string& begins) const {
-    run(begins, true);
-    return read_file(own_ + "/wave.vcd");
-  }
+  s.vcd = "yes";
+  s.first_drawn = first_drawn(q, a);
+  return s;
+}
 
- private:
-  const Question& q_;
-  const Files& files_;
-  const Scratch scratch_;
-  std::string own_;
-  bool is_built_ = false;
-};
+enum class Differs { yes, no, on_x };
 
 // Whether an output that is compared differs on the last clock, and all that is assumed held.
-bool differs(const Question& q, const Answer& a, const Lines& gold, const Lines& gate) {
+Differs differs(const Question& q, const Answer& a, const Lines& gold, const Lines& gate) {
   const auto last = a.clocks.size(), then = last - static_cast<std::size_t>(q.latency);
-  if (gold.size() < last || gate.size() < last) return false;
-  const auto holds = [](const std::string& bit) { return bit == "1"; };
+  if (gold.size() < last || gate.size() < last) return Differs::no;
+  const std::size_t outputs = a.clocks.back().gold.size();
   for (auto t = static_cast<std::size_t>(q.reset_clocks); t < last; ++t) {
-    const auto assumed = static_cast<std::ptrdiff_t>(q.assumed.size());
-    if (!std::all_of(gold[t].end() - assumed, gold[t].end(), holds)) return false;
+    for (std::size_t i = 0; i < q.assumed.size(); ++i) {
+      if (gold[t][outputs + i] != "1") return Differs::no;
+    }
   }
   std::size_t at = 0;
+  Differs found = Differs::no;
   for (const auto& [port, text] : a.clocks.back().gold) {
     const std::string &old = gold[then - 1].at(at), &now = gate[last - 1].at(at);
     ++at;
     if (std::ranges::find(a.differing, port) == a.differing.end()) continue;
     for (std::size_t i = 0; i < text.size(); ++i) {
-      if (text[i] != '-' && old[i] != now[i]) return true;
+      if (text[i] == '-' || old[i] == now[i]) continue;
+      if (old[i] == '0' || old[i] == '1') return Differs::yes;
+      found = Differs::on_x;
     }
   }
-  return false;
+  return found;
 }
 
-// What has no initial value begins as 0, as 1 and by chance.
+// The values on the last clock, of the outputs that were to differ.
+std::string values_of(const Answer& a, const Lines& gold, const Lines& gate) {
+  std::string text;
+  std::size_t at = 0;
+  for (const auto& [port, value] : a.clocks.back().gold) {
+    if (std::ranges::find(a.differing, port) != a.differing.end() &&
+        gold.size() >= a.clocks.size() && gate.size() >= a.clocks.size()) {
+      text += fmt::format("{}{} is {} in the old RTL and {} in the new", text.empty() ? "" : ", ",
+                          port, gold[a.clocks.size() - 1][at], gate[a.clocks.size() - 1][at]);
+    }
+    ++at;
+  }
+  return text;
+}
+
+// What has no initial value begins in Verilator as 0, as 1 and by chance.
 constexpr std::array beginnings{"0", "1", "2"};
 
-Replay replay(const Question& q, const Answer& a) {
+Replay replay(const Question& q, const Answer& a, Simulator simulator) {
+  const bool is_icarus = simulator == Simulator::icarus;
   std::optional<Program> programs[2];
   std::vector<Lines> lines[2];
+  Shown shown[2];
   in_parallel(2, q.jobs, [&](std::uint64_t i) {
-    programs[i].emplace(q, a, i == 1);
-    if (!programs[i]->is_built()) return true;
-    for (const char* begins : beginnings) lines[i].push_back(programs[i]->run(begins));
+    const Side& side = i == 1 ? q.gate : q.gold;
+    programs[i].emplace(side, stimulus_of(q, a, i == 1), simulator, q.budget.ends());
+    if (!programs[i]->why_not().empty()) return true;
+    for (const char* begins : beginnings) {
+      lines[i].push_back(programs[i]->run(q.budget.ends(), begins).clocks);
+      if (is_icarus) break;
+    }
+    if (is_icarus) shown[i] = {lines[i].front(), programs[i]->wave()};
     return true;
   });
   for (std::size_t i = 0; i < 2; ++i) {
     const auto& all = lines[i];
     if (!all.empty() && std::ranges::none_of(all, [](auto& l) { return l.empty(); })) continue;
-    return {
-        false,
-        false,
-        fmt::format("on the netlists: Verilator does not build the {} RTL", i == 0 ? "old" : "new"),
-        {},
-        {}};
+    return {false,
+            false,
+            fmt::format("on the netlists: {} does not build the {} RTL", name_of(simulator),
+                        i == 0 ? "old" : "new"),
+            "",
+            {},
+            {}};
+  }
+  const std::string how = fmt::format("in {}", name_of(simulator));
+  if (is_icarus) {
+    const Differs is = differs(q, a, lines[0][0], lines[1][0]);
+    if (is == Differs::yes) return {true, false, how, "", std::move(shown[0]), std::move(shown[1])};
+    return {false, true, how, values_of(a, lines[0][0], lines[1][0]), {}, {}};
   }
   for (std::size_t o = 0; o < beginnings.size(); ++o) {
     for (std::size_t n = 0; n < beginnings.size(); ++n) {
-      if (!differs(q, a, lines[0][o], lines[1][n])) continue;
-      Replay shown{true, false, "in Verilator", {lines[0][o], {}}, {lines[1][n], {}}};
+      if (differs(q, a, lines[0][o], lines[1][n]) != Differs::yes) continue;
+      Replay is{true, false, how, "", {lines[0][o], ""}, {lines[1][n], ""}};
       try {
         in_parallel(2, q.jobs, [&](std::uint64_t i) {
-          (i == 0 ? shown.gold : shown.gate).vcd = programs[i]->drawn(beginnings[i == 0 ? o : n]);
+          programs[i]->run(q.budget.ends(), beginnings[i == 0 ? o : n]);
+          (i == 0 ? is.gold : is.gate).vcd = programs[i]->wave();
           return true;
         });
       } catch (const OutOfTime&) {  // it is shown all the same
       }
-      return shown;
+      return is;
     }
   }
   const auto is_any = [](const Register& r) { return r.any; };
   for (const Side* s : {&q.gold, &q.gate}) {
     if (s->unknowns > 0 || std::ranges::any_of(s->registers, is_any)) {
-      return {false, false, "on the netlists: Verilator has other values for what is x", {}, {}};
+      return {false, false, "on the netlists: Verilator has other values for what is x",
+              "",    {},    {}};
     }
   }
-  return {false, true, "in Verilator, which shows no difference", {}, {}};
+  return {false, true, how, values_of(a, lines[0][0], lines[1][0]), {}, {}};
 }
 
 }  // namespace
 
 Replay replayed(const Question& q, const Answer& a) {
-  const char* why = !q.verilator                 ? "on the netlists"
-                    : !is_installed("verilator") ? "on the netlists: there is no Verilator"
-                                                 : nullptr;
-  if (why != nullptr) return {false, false, why, {}, {}};
   for (const Side* s : {&q.gold, &q.gate}) {
     if (!s->clocks_as_data.empty()) {
-      return {false, false, "on the netlists: the clock is read as data", {}, {}};
+      return {false, false, "on the netlists: the clock is read as data", "", {}, {}};
     }
   }
   try {
-    return replay(q, a);
+    const Replay first = replay(q, a, Simulator::icarus);
+    if (first.shown || first.refuted || !q.verilator || !is_installed("verilator")) return first;
+    return replay(q, a, Simulator::verilator);
   } catch (const OutOfTime&) {
-    return {false, false, "on the netlists: no time was left for Verilator", {}, {}};
+    return {false, false, "on the netlists: no time was left for a simulator", "", {}, {}};
   }
 }
 

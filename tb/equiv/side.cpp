@@ -3,14 +3,11 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <set>
 
 #include "model/core/input_error.h"
-#include "tb/equiv/netlist.h"
-#include "tb/equiv/prints.h"
-#include "tb/support/json.h"
-#include "tb/support/output_file.h"
+#include "tb/equiv/front_end.h"
 #include "tb/support/pattern.h"
-#include "tb/support/quoted.h"
 #include "tb/support/read_file.h"
 #include "tb/support/words.h"
 
@@ -18,109 +15,6 @@ namespace cosim::equiv {
 namespace {
 
 namespace fs = std::filesystem;
-using Lit = proof::Aig::Lit;
-
-// A folder as the script calls it.
-std::string linked(const fs::path& folder, const fs::path& scratch, int& n) {
-  const fs::path name = scratch / fmt::format("folder{}", n++);
-  fs::create_directory_symlink(fs::absolute(folder), name);
-  return word_for_yosys(name.string());
-}
-
-// What goes to yosys is in a script, and folders have names of ours there: nothing that a person
-// types is read as a command. A file stands in its own folder, where $readmemh looks for others;
-// but without what it prints it is a copy, and so are the names in `scratch`, which must be new.
-std::string reading(const Files& files, const fs::path& scratch, const fs::path& answers,
-                    bool as_they_are) {
-  std::string options = " -defer -D SYNTHESIS", commands;
-  int n = 0;
-  std::map<fs::path, std::string> folders;
-  for (const fs::path& file : files.files) {
-    const auto [at, is_new] = folders.try_emplace(fs::absolute(file).parent_path());
-    if (is_new) at->second = linked(at->first, scratch, n);
-  }
-  for (const auto& [folder, link] : folders) options += " -I" + link;
-  for (const fs::path& folder : files.include_dirs) options += " -I" + linked(folder, scratch, n);
-  for (const std::string& define : files.defines) {
-    static const Pattern good(R"([A-Za-z_]\w*(=[\w']+)?)");
-    if (good.whole(define).empty()) {
-      throw InputError(fmt::format("--define: {} is not NAME or NAME=VALUE", in_quotes(define)));
-    }
-    options += " -D" + define;
-  }
-  for (std::size_t i = 0; i < files.files.size(); ++i) {
-    static const Pattern plain(R"([\w.+-]+)");
-    std::string file = files.files[i].filename().string();
-    if (!as_they_are) {
-      write_file((scratch / fmt::format("file{}.v", i)).string(),
-                 without_prints(read_file(files.files[i].string())));
-      file = word_for_yosys((scratch / fmt::format("file{}.v", i)).string());
-    } else if (plain.whole(file).empty()) {
-      file = fmt::format("file{}.v", i);
-      fs::create_symlink(fs::absolute(files.files[i]), scratch / file);
-      file = word_for_yosys((scratch / file).string());
-    } else {
-      file.insert(0, folders.at(fs::absolute(files.files[i]).parent_path()) + '/');
-    }
-    const bool is_system_verilog = files.files[i].extension() == ".sv";
-    commands +=
-        fmt::format("read_verilog{}{} {}\n", is_system_verilog ? " -sv" : "", options, file);
-  }
-  commands += "hierarchy -check -top " + files.top;
-  for (const std::string& parameter : files.parameters) {
-    static const Pattern good(R"(([A-Za-z_][\w$]*)=([\w']+|"\w*"))");
-    const Pattern::Parts part = good.whole(parameter);
-    if (part.empty()) {
-      throw InputError(fmt::format("--param: {} is not NAME=VALUE", in_quotes(parameter)));
-    }
-    commands += fmt::format(" -chparam {} {}", part[1], part[2]);
-  }
-  const std::string own = word_for_yosys(answers.string());
-  return commands +
-         fmt::format(
-             "\nproc; check; setundef -undriven -anyseq; flatten; opt_clean; memory_collect\n"
-             "opt_clean; write_json {0}/top.json; write_rtlil {0}/top.il\n",
-             own);
-}
-
-// The line of the error, with the files by their own names.
-std::string error_of(std::string text, const Files& files, const fs::path& scratch) {
-  const std::size_t at = std::min(text.find("ERROR"), text.size());
-  const std::size_t newline = text.rfind('\n', at);
-  text = text.substr(newline == std::string::npos ? 0 : newline + 1);
-  text.resize(std::min(text.find('\n'), text.size()));
-  const auto replace = [&](const std::string& old, const std::string& by) {
-    for (std::size_t p = 0; (p = text.find(old, p)) != std::string::npos; p += by.size()) {
-      text.replace(p, old.size(), by);
-    }
-  };
-  for (std::size_t i = files.files.size(); i-- > 0;) {
-    replace((scratch / fmt::format("file{}.v", i)).string(), files.files[i].string());
-    for (const auto& folder : fs::directory_iterator(scratch)) {
-      const std::string name = files.files[i].filename().string();
-      replace((folder.path() / name).string(), files.files[i].string());
-    }
-  }
-  static const Pattern missing(
-      R"(.*Module `\\(\S+)' referenced in .* is not part of the design.*)");
-  if (const Pattern::Parts part = missing.whole(text); !part.empty()) {
-    text += fmt::format(" Give a file that has it, or --blackbox {}", part[1]);
-  }
-  return one_line(text);
-}
-
-// "signed [7:4]", or nothing for a plain bit.
-std::string declaration(const Json& port) {
-  const auto width = static_cast<int>(port.at("bits").size());
-  const int low = port.value("offset", 0);
-  const bool rises = port.value("upto", 0) != 0;
-  std::string text = port.value("signed", 0) != 0 ? "signed " : "";
-  if (width > 1 || low != 0) {
-    text += rises ? fmt::format("[{}:{}]", low, low + width - 1)
-                  : fmt::format("[{}:{}]", low + width - 1, low);
-  }
-  return text;
-}
 
 // Whether it is part of what a memory is, and is the same in one that can take its place. How it is
 // written is told by what comes of it, and a mask that is empty has as many bits as there are
@@ -133,31 +27,40 @@ bool is_of_shape(const std::string& name, const std::string& value) {
   return name != "MEMID" && !name.starts_with("WR_");
 }
 
-// Whether an input of one bit goes anywhere else than to the clocks of registers and memories.
-bool is_read(const Json& module, const Json& bit) {
-  const auto has = [&](const Json& bits) {
-    return std::find(bits.begin(), bits.end(), bit) != bits.end();
+// Whether a net goes anywhere else than to the clocks of registers and memories.
+bool is_read(const Module& module, int net) {
+  const auto has = [&](const std::vector<int>& bits) {
+    return std::find(bits.begin(), bits.end(), net) != bits.end();
   };
-  for (const auto& [port, about] : module.at("ports").items()) {
-    if (about.at("direction") != "input" && has(about.at("bits"))) return true;
+  for (const Port& port : module.ports) {
+    if (port.way != "input" && has(port.bits)) return true;
   }
   static const std::set<std::string> clocks{"CLK", "WR_CLK", "RD_CLK"};
-  for (const auto& [name, cell] : module.at("cells").items()) {
-    for (const auto& [pin, bits] : cell.at("connections").items()) {
+  for (const Cell& cell : module.cells) {
+    for (const auto& [pin, bits] : cell.pins) {
       if (!clocks.contains(pin) && has(bits)) return true;
     }
   }
   return false;
 }
 
-int whole_number(const Json& parameter) {
-  return static_cast<int>(std::stoul(parameter.get<std::string>(), nullptr, 2));
+// The names of the net that a register drives, and where it stands in the source.
+std::string register_text(const Module& module, const Cell& cell) {
+  const int bit = cell.pins.at("Q").front();
+  std::string text;
+  for (const Net& net : module.nets) {
+    if (net.is_named && std::ranges::find(net.bits, bit) != net.bits.end()) text = net.name;
+  }
+  text = text.empty() ? "a register" : "register " + text;
+  return cell.source.empty() ? text : fmt::format("{} ({})", text, cell.source);
 }
 
 }  // namespace
 
-Side::Side(const Files& files, std::string what, const Budget& budget)
-    : files_(files), what_(std::move(what)), scratch_(std::make_shared<const Scratch>()) {
+const char* name_of(FrontEnd front_end) { return front_end == FrontEnd::yosys ? "yosys" : "slang"; }
+
+Side::Side(const Files& files, std::string what, FrontEnd front_end, const Budget& budget)
+    : files_(files), what_(std::move(what)), front_end_(front_end) {
   static const Pattern name(R"([A-Za-z_][\w$]*)");
   if (name.whole(files.top).empty()) {
     throw InputError(fmt::format("--top: {} is no name of Verilog", in_quotes(files.top)));
@@ -168,49 +71,10 @@ Side::Side(const Files& files, std::string what, const Budget& budget)
       throw InputError(fmt::format("--include: {} is no folder", in_quotes(folder.string())));
     }
   }
-  const fs::path own = scratch_->path(), again = own / "again";
-  std::string said;
-  try {
-    said = yosys(reading(files, own, own, true), budget);
-  } catch (const InputError& first) {
-    // It may be what is printed that it does not read.
-    const bool printing = std::any_of(files.files.begin(), files.files.end(), [](const auto& file) {
-      const std::string text = read_file(file.string());
-      return without_prints(text) != text;
-    });
-    if (!printing) throw;
-    fs::create_directory(again);
-    try {
-      said = yosys(reading(files, again, own, false), budget);
-    } catch (const InputError&) {
-      throw InputError(first.what());
-    }
-  }
-  ports(read_file((scratch_->path() / "top.json").string()));
-  if (said.find("found logic loop") != std::string::npos) {
-    throw InputError(what_ + ": a combinational loop");
-  }
-}
-
-// What yosys says; it works in the files' folder, and writes nothing there.
-std::string Side::yosys(const std::string& script, const Budget& budget) const {
-  const std::string own = scratch_->path().string();
-  write_file(own + "/script.ys", script);
-  const Ended ended =
-      run_until({"env", "-u", "XDG_STATE_HOME", "-C", files_.folder.string(), "HOME=" + own,
-                 "TMPDIR=" + own, "yosys", "-q", "-s", own + "/script.ys"},
-                budget.ends());
-  if (ended.status == 127) throw InputError("needs yosys");
-  if (ended.timed_out) throw OutOfTime();
-  if (ended.status != 0) {
-    throw InputError(fmt::format("{}: yosys cannot read it: {}", what_,
-                                 error_of(ended.text, files_, scratch_->path())));
-  }
-  return ended.text;
-}
-
-std::string Side::form() const {
-  return form_of(read_file((scratch_->path() / "top.il").string()));
+  const Elaborated text = elaborated(files_, what_, front_end_, budget);
+  module_ = std::make_shared<const Module>(module_of(text.json));
+  form_ = form_of(text.rtlil);
+  ports();
 }
 
 void Side::takes_over(const std::string& by, bool falls) {
@@ -219,67 +83,82 @@ void Side::takes_over(const std::string& by, bool falls) {
   }
 }
 
-void Side::ports(const std::string& json) {
-  const Json read = json_of(json);
-  const Json& module = top_of(read);
-  std::map<Json, std::string> port_of;
-  for (const auto& [port, about] : module.at("ports").items()) {
-    const std::string way = about.at("direction");
-    if (way == "inout") throw InputError(fmt::format("{}: port {} is inout", what_, port));
-    const int width = static_cast<int>(about.at("bits").size());
-    (way == "input" ? inputs : outputs)[port] = width;
-    declared[port] = declaration(about);
-    if (way == "input" && width == 1) port_of[about.at("bits").front()] = port;
+void Side::ports() {
+  std::map<int, std::string> port_of;
+  for (const Port& port : module_->ports) {
+    if (port.way == "inout")
+      throw InputError(fmt::format("{}: port {} is inout", what_, port.name));
+    (port.way == "input" ? inputs : outputs)[port.name] = static_cast<int>(port.bits.size());
+    declared[port.name] = port.declared;
+    if (port.way == "input" && port.bits.size() == 1) port_of[port.bits.front()] = port.name;
   }
-  const auto clocked = [&](const Json& bit, bool falls) {
+  const auto clocked = [&](int bit, bool falls) {
     const auto at = port_of.find(bit);
     if (at == port_of.end()) throw InputError(what_ + ": a clock that is no input");
     takes_over(at->second, falls);
   };
-  for (const auto& [cell_name, cell] : module.at("cells").items()) {
-    const std::string type = cell.at("type");
-    if (type.find("latch") != std::string::npos || type == "$sr") {
-      throw InputError(fmt::format("{}: a latch, {}", what_, one_line(cell_name)));
-    }
-    sets_and_resets = sets_and_resets || type.starts_with("$dffsr");
-    const Json& pins = cell.at("connections");
-    const Json& about = cell.at("parameters");
-    if (type == "$mem_v2") {
-      const std::string edges = about.at("WR_CLK_POLARITY");
-      const std::string enables = about.at("WR_CLK_ENABLE");
-      const int writes = whole_number(about.at("WR_PORTS"));
-      const auto by = writes > 0 ? port_of.find(pins.at("WR_CLK").front()) : port_of.end();
-      for (int i = 0; i < writes; ++i) {
-        const std::size_t at = edges.size() - 1 - static_cast<std::size_t>(i);
-        if (enables.at(at) != '1') throw InputError(what_ + ": a memory that no clock writes");
-        clocked(pins.at("WR_CLK").at(static_cast<std::size_t>(i)), edges.at(at) == '0');
-        if (pins.at("WR_CLK").at(static_cast<std::size_t>(i)) != pins.at("WR_CLK").front()) {
+  for (const Cell& cell : module_->cells) {
+    if (cell.is_memory()) {
+      const std::vector<int>& write_clocks = cell.pins.at("WR_CLK");
+      const unsigned writes = cell.number("WR_PORTS"), reads = cell.number("RD_PORTS");
+      for (unsigned i = 0; i < writes; ++i) {
+        const auto is_set = [&](const char* name) {
+          const std::string& bits = cell.parameter(name);
+          return i < bits.size() && bits[bits.size() - 1 - i] == '1';
+        };
+        if (!is_set("WR_CLK_ENABLE")) throw InputError(what_ + ": a memory that no clock writes");
+        clocked(write_clocks.at(i), !is_set("WR_CLK_POLARITY"));
+        if (write_clocks.at(i) != write_clocks.front()) {
           throw InputError(what_ + ": a memory that two clocks write");
         }
       }
-      const std::string first = about.at("INIT");
+      if (cell.parameter("RD_CLK_ENABLE").find('1') != std::string::npos ||
+          cell.parameter("WR_WIDE_CONTINUATION").find('1') != std::string::npos) {
+        throw InputError(
+            fmt::format("{}: memory {} has ports that are not known", what_, cell.name));
+      }
       std::string shape;
-      for (const auto& [name, value] : about.items()) {
-        const auto text = value.get<std::string>();
+      for (const auto& [name, text] : cell.parameters) {
         if (is_of_shape(name, text)) shape += name + ' ' + text + ' ';
       }
-      memories.push_back({cell_name, shape, first.find('x') != std::string::npos,
-                          whole_number(about.at("WIDTH")), whole_number(about.at("ABITS")),
-                          whole_number(about.at("RD_PORTS")), writes,
-                          by == port_of.end() ? "" : by->second});
-    } else if (type.starts_with("$") && pins.contains("CLK")) {
-      const std::string polarity = about.at("CLK_POLARITY");
-      clocked(pins.at("CLK").front(), polarity.back() == '0');
-      if (!pins.contains("ARST")) continue;
-      if (const auto at = port_of.find(pins.at("ARST").front()); at != port_of.end()) {
-        const std::string active = about.at("ARST_POLARITY");
-        asynchronous_resets[at->second] = active.back() == '1';
+      memories.push_back({cell.name, shape, cell.parameter("INIT").find('x') != std::string::npos,
+                          static_cast<int>(cell.number("WIDTH")),
+                          static_cast<int>(cell.number("ABITS")), static_cast<int>(reads),
+                          static_cast<int>(writes),
+                          writes > 0 ? port_of.at(write_clocks.front()) : ""});
+    } else if (cell.is_register()) {
+      // An asynchronous load of a constant is a reset.
+      if (cell.type.find("latch") != std::string::npos || cell.type == "$sr") {
+        throw InputError(fmt::format("{}: {} is a latch", what_, register_text(*module_, cell)));
+      }
+      if (cell.starts_with("$_")) {
+        throw InputError(fmt::format("{}: a cell that is not known: {}", what_, cell.type));
+      }
+      if (cell.has("CLK")) clocked(cell.pins.at("CLK").front(), !cell.flag("CLK_POLARITY"));
+      for (const char* pin : {"ARST", "ALOAD", "SET", "CLR"}) {
+        if (!cell.has(pin)) continue;
+        const auto at = port_of.find(cell.pins.at(pin).front());
+        const std::string by = at == port_of.end() ? "a signal" : at->second;
+        const bool is_load =
+            cell.has("ALOAD") &&
+            std::ranges::any_of(cell.pins.at("AD"), [](int bit) { return bit >= 0; });
+        if (is_load || cell.has("SET") || cell.has("CLR")) {
+          throw Refused(fmt::format(
+              "{}: {}: {}", what_, register_text(*module_, cell),
+              is_load
+                  ? fmt::format("{} loads a value that is not constant, asynchronously", by)
+                  : fmt::format("it has an asynchronous set and an asynchronous reset, {}", by)));
+        }
+        if (at != port_of.end()) {
+          asynchronous_resets[by] = cell.flag(std::string(pin) + "_POLARITY");
+        }
       }
     }
   }
-  for (const auto& [port, falls] : clocks) {
-    if (is_read(module, module.at("ports").at(port).at("bits").front()))
-      clocks_as_data.insert(port);
+  for (const Port& port : module_->ports) {
+    if (clocks.contains(port.name) && is_read(*module_, port.bits.front())) {
+      clocks_as_data.insert(port.name);
+    }
   }
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "tb/equiv/netlist.h"
 #include "tb/proof/aig.h"
 #include "tb/support/process.h"
 
@@ -76,37 +77,52 @@ enum class Memories {
 /// ports the bits stand side by side, an enable for each bit of a word.
 std::string memory_port(std::size_t memory, const char* port);
 
+/// What reads Verilog.
+enum class FrontEnd {
+  yosys,  ///< read_verilog of the yosys that is installed
+  slang,  ///< read_slang of another one (slang.h)
+};
+const char* name_of(FrontEnd front_end);
+
 class Side {
  public:
-  /// Reads the files with yosys: ports, clock and memories. InputError, one line that begins with
-  /// `what` or a file, where yosys cannot, and for a clock of which both edges are taken or that is
-  /// no input, a latch, a bidirectional port or a combinational loop. OutOfTime.
-  Side(const Files& files, std::string what, const Budget& budget);
+  /// Reads the files: ports, clock and memories. InputError, one line that begins with `what` or a
+  /// file, where the front end cannot, and for a clock of which both edges are taken or that is no
+  /// input, a latch, a bidirectional port, or a net with several drivers. OutOfTime.
+  Side(const Files& files, std::string what, FrontEnd front_end, const Budget& budget);
   /// Makes gates of it, by which all else is known. A register that takes over at once what an
   /// asynchronous reset gives is one of the clock and a multiplexer. With `steps` a clock is an
   /// input that says whether it takes its edge, and a register holds what it has where its clock
-  /// does not. InputError and OutOfTime.
+  /// does not. InputError for a combinational loop or a cell that is not known. OutOfTime.
   void make_gates(Memories memories, bool steps, const Budget& budget);
   /// A register that drives a net whose name another side's register drives too gets the name of
   /// that one: synthesis makes new names for a register's net, and keeps the old ones beside them.
   void name_as(const Side& other);
 
   const Files& files() const { return files_; }
+  const std::string& what() const { return what_; }
+  FrontEnd front_end() const { return front_end_; }
+  const Module& module() const { return *module_; }
+  /// Whether its memories were cut when its gates were made.
+  bool is_cut() const { return is_cut_; }
   /// Equal where the RTLs are the same but for where it stands in the files.
-  std::string form() const;
+  const std::string& form() const { return form_; }
   std::map<std::string, int> inputs, outputs;   ///< ports and their widths
   std::map<std::string, std::string> declared;  ///< of ports: "signed [7:4]", as in their Verilog
   std::map<std::string, bool> clocks;    ///< inputs; true: its registers take over when it falls
   std::set<std::string> clocks_as_data;  ///< those that are read by more than registers
   std::map<std::string, bool> asynchronous_resets;  ///< inputs, and the level
-  bool sets_and_resets = false;  ///< a register has an asynchronous set and a reset
   std::vector<Memory> memories;
   std::vector<Register> registers;
+  /// Variables of the source that are registers alone: which ones, the lowest bit first.
+  std::vector<std::pair<std::string, std::vector<std::size_t>>> variables;
   std::size_t unknowns = 0;  ///< bits that the RTL leaves x
 
   struct Made {
     std::map<Name, proof::Aig::Lit> outputs;
     std::vector<proof::Aig::Lit> next;  ///< of the registers
+    /// What the registers are seen as: another value than they hold where an asynchronous reset is.
+    std::vector<proof::Aig::Lit> seen;
   };
   /// Its gates in `graph`; what the inputs, the unknown bits and the registers are is given.
   Made make(proof::Aig& graph, const std::function<proof::Aig::Lit(const Name&)>& input,
@@ -114,22 +130,28 @@ class Side {
             const std::vector<proof::Aig::Lit>& state) const;
 
  private:
-  struct Gate {
-    unsigned out, a, b;
+  class Builder;
+  /// An input of the gates.
+  struct Source {
+    enum class Kind { port, unknown, state } kind = Kind::port;
+    Name name;               ///< of a port
+    std::size_t number = 0;  ///< of the others
   };
-  std::string yosys(const std::string& script, const Budget& budget) const;
-  void read(const std::string& aiger, const std::string& map);
-  void ports(const std::string& json);
+  void read(const Budget& budget);
+  void ports();
   void takes_over(const std::string& clock, bool falls);
 
   Files files_;
   std::string what_;
-  std::shared_ptr<const Scratch> scratch_;
+  FrontEnd front_end_;
+  std::shared_ptr<const Module> module_;
+  std::string form_;
+  bool is_cut_ = false;
 
-  std::vector<unsigned> in_, state_, next_, out_;
-  std::vector<Gate> gates_;
-  std::map<std::size_t, Name> in_names_;
-  std::multimap<std::size_t, Name> out_names_;  ///< several may be the same gate
+  proof::Aig logic_;
+  std::vector<Source> sources_;  ///< by input of `logic_`
+  std::map<Name, proof::Aig::Lit> outputs_;
+  std::vector<proof::Aig::Lit> next_, seen_;
 };
 
 }  // namespace cosim::equiv

@@ -64,6 +64,11 @@ Product whatever_is_free(const Product& product) {
   known(made.differ);
   made.bad = made.differ;
   known(made.held);
+  for (auto* begins : {&made.gold_begins, &made.gate_begins}) {
+    for (Lit& lit : *begins) {
+      if (lit != unknown_begin) known(lit);
+    }
+  }
   for (auto* names : {&made.inputs, &made.beginnings}) {
     for (auto& [name, lit] : *names) known(lit);
   }

@@ -1,95 +1,104 @@
 #include "tb/equiv/testbench.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 
-#include "tb/equiv/clocks.h"
+#include "tb/support/pattern.h"
 
 namespace cosim::equiv {
 namespace {
 
 std::string range(int width) { return width == 1 ? "" : fmt::format("[{}:0] ", width - 1); }
 
+// Text with the number of its line.
+class Text {
+ public:
+  void add(const std::string& text) {
+    text_ += text;
+    line_ += static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  }
+  std::size_t line() const { return line_; }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+  std::size_t line_ = 1;
+};
+
 }  // namespace
 
-std::string stimulus_rows(const Question& q, const Answer& a, bool is_gate) {
-  const Side& side = is_gate ? q.gate : q.gold;
-  std::string text;
-  for (const auto* rows : {&a.clocks, &a.after}) {
-    for (const Row& row : *rows) {
-      std::string bits;
-      for (const auto& [port, value] : row.inputs) {
-        if (side.inputs.contains(is_gate ? gate_name(q, port) : port)) bits += value;
-      }
-      std::replace(bits.begin(), bits.end(), '-', '0');
-      text += (bits.empty() ? "0" : bits) + '\n';
-    }
-  }
-  return text;
+std::string verilog_name(const std::string& name) {
+  static const Pattern plain(R"([A-Za-z_][\w$]*)");
+  return plain.whole(name).empty() ? '\\' + name + ' ' : name;
 }
 
-std::string testbench(const Question& q, const Answer& a, bool is_gate, const std::string& rows,
-                      const std::string& vcd, std::uint64_t first_drawn) {
-  const Side& side = is_gate ? q.gate : q.gold;
-  const auto own_name = [&](const std::string& port) {
-    return is_gate ? gate_name(q, port) : port;
-  };
+std::vector<Variable> variables_of(const Side& side, const std::string& begins) {
+  // A path through instances and generated blocks.
+  static const Pattern path(R"([A-Za-z_]\w*(\[-?\d+\])*(\.[A-Za-z_]\w*(\[-?\d+\])*)*)");
+  std::vector<Variable> all;
+  for (const auto& [name, registers] : side.variables) {
+    if (path.whole(name).empty()) continue;
+    Variable one{name, ""};
+    bool is_any = false;
+    for (auto at = registers.rbegin(); at != registers.rend(); ++at) {
+      const Register& is = side.registers[*at];
+      is_any = is_any || is.any;
+      one.value += is.any ? (begins.empty() ? 'x' : begins[*at]) : is.first ? '1' : '0';
+    }
+    if (begins.empty() || !is_any) one.value.clear();
+    all.push_back(one);
+  }
+  return all;
+}
+
+std::string at_rest(const Side& side, const Stimulus& s) {
+  std::string row;
+  for (const std::string& port : s.inputs) {
+    row.append(static_cast<std::size_t>(side.inputs.at(port)),
+               side.clocks.contains(port) ? '0' : 'x');
+  }
+  return row;
+}
+
+std::string testbench(const Side& side, const Stimulus& s, const std::string& rows,
+                      std::map<std::size_t, std::string>& line_of) {
+  Text text;
+  text.add(s.modules);
   // Long beside the delays that RTL may have.
-  std::string text = "`timescale 1us/1ps\nmodule cosim_replay;\n", pins, inputs, outputs, formats;
+  text.add("`timescale 1us/1ps\nmodule cosim_replay;\n");
+  std::string pins, inputs, printed;
   const auto pin = [&](const std::string& port, const std::string& is) {
-    pins += fmt::format("{}.{}({})", pins.empty() ? "" : ", ", port, is);
+    pins += fmt::format("{}.{}({})", pins.empty() ? "" : ", ", verilog_name(port), is);
   };
+  const auto signal = [](const char* begins, const std::string& port) {
+    return verilog_name(begins + port);
+  };
+  std::size_t bits = 0;
+  for (const std::string& port : s.inputs) {
+    const int width = side.inputs.at(port);
+    text.add(fmt::format("  reg {}{};\n", range(width), signal("in_", port)));
+    inputs += fmt::format("{}{}", inputs.empty() ? "" : ", ", signal("in_", port));
+    bits += static_cast<std::size_t>(width);
+    if (!side.clocks.contains(port)) pin(port, signal("in_", port));
+  }
   for (const auto& [port, width] : side.inputs) {
-    if (const auto tied = q.tied.find(port); tied != q.tied.end()) {
+    if (const auto tied = s.tied.find(port); tied != s.tied.end()) {
       pin(port, fmt::format("{}'b{}", width, tied->second));
     } else if (const auto clock = side.clocks.find(port); clock != side.clocks.end()) {
       pin(port, fmt::format("{}{}", clock->second ? "~" : "",
-                            q.steps ? "(cosim_clock & in_" + port + ")" : "cosim_clock"));
+                            s.steps ? fmt::format("(cosim_clock & {})", signal("in_", port))
+                                    : "cosim_clock"));
     }
   }
-  const Row& first = a.clocks.front();
-  for (const auto& [port, value] : first.inputs) {
-    const std::string own = own_name(port);
-    if (!side.inputs.contains(own)) continue;
-    text += fmt::format("  reg {}in_{};\n", range(side.inputs.at(own)), own);
-    if (!side.clocks.contains(own)) pin(own, "in_" + own);
-    inputs += fmt::format("{}in_{}", inputs.empty() ? "" : ", ", own);
+  std::vector<std::string> outputs = s.outputs;
+  outputs.insert(outputs.end(), s.wires.begin(), s.wires.end());
+  for (const std::string& port : outputs) {
+    text.add(fmt::format("  wire {}{};\n", range(side.outputs.at(port)), signal("out_", port)));
+    pin(port, signal("out_", port));
   }
-  // What an assumption names may be an output that the other one lacks.
-  for (const Assumption& one : is_gate ? std::vector<Assumption>{} : q.assumed) {
-    for (const std::string& port : one.ports) {
-      if (!side.outputs.contains(port) || first.gold.contains(port)) continue;
-      const std::string wire =
-          fmt::format("  wire {}out_{};\n", range(side.outputs.at(port)), port);
-      if (text.find(wire) != std::string::npos) continue;
-      text += wire;
-      pin(port, "out_" + port);
-    }
-  }
-  for (const auto& [port, value] : first.gold) {
-    const std::string own = own_name(port);
-    text += fmt::format("  wire {}out_{};\n", range(side.outputs.at(own)), own);
-    pin(own, "out_" + own);
-    outputs += ", out_" + own;
-    formats += " %b";
-  }
-  std::string modules;
-  for (const Assumption& one : is_gate ? std::vector<Assumption>{} : q.assumed) {
-    modules += one.verilog;
-    text += fmt::format("  wire {0}_holds;\n  {0} {0}_of(.cosim_holds({0}_holds)", one.name);
-    for (const std::string& port : one.ports) {
-      const auto tied = q.tied.find(port);
-      text += fmt::format(", .{}({})", port,
-                          tied != q.tied.end()
-                              ? fmt::format("{}'b{}", side.inputs.at(port), tied->second)
-                          : side.inputs.contains(port) ? "in_" + port
-                                                       : "out_" + port);
-    }
-    text += ");\n";
-    outputs += fmt::format(", {}_holds", one.name);
-    formats += " %b";
-  }
+  for (const std::string& port : s.outputs) printed += ", " + signal("out_", port);
+  text.add(s.instances);
   std::string parameters;
   for (const std::string& one : side.files().parameters) {
     const std::size_t at = one.find('=');
@@ -97,30 +106,55 @@ std::string testbench(const Question& q, const Answer& a, bool is_gate, const st
                               one.substr(at + 1));
   }
   if (!parameters.empty()) parameters = "#(" + parameters + ") ";
-  const std::size_t clocks = a.clocks.size() + a.after.size();
-  std::size_t bits = 0;
-  for (const auto& [port, value] : first.inputs) {
-    if (side.inputs.contains(own_name(port))) bits += value.size();
+  text.add(fmt::format(
+      "  integer cosim_i;\n  reg [{}:0] cosim_rows[0:{}];\n"
+      "  reg cosim_clock = 0;\n  {} {}cosim_dut({});\n  initial begin\n",
+      std::max<std::size_t>(bits, 1) - 1, s.rows.size() - 1, side.files().top, parameters, pins));
+  text.add(fmt::format("    $readmemb(\"{}\", cosim_rows);\n", rows));
+  if (!inputs.empty()) text.add(fmt::format("    {{{}}} = cosim_rows[0];\n", inputs));
+  text.add("    #1;\n");
+  const auto named = [&](const std::string& name, const std::string& line) {
+    line_of[text.line()] = name;
+    text.add(line + '\n');
+  };
+  for (const Contents& one : s.memories) {
+    named(one.name, fmt::format("    for (cosim_i = {0}; cosim_i < {1}; cosim_i = cosim_i + 1) "
+                                "$display(\"cosim_word {2} %b\", cosim_dut.{2}[cosim_i]);",
+                                one.low, one.low + one.words, one.name));
+    if (!one.file.empty()) {
+      named(one.name, fmt::format("    $readmemb(\"{}\", cosim_dut.{});", one.file, one.name));
+    }
   }
-  text += fmt::format("  integer cosim_i;\n  reg [{}:0] cosim_rows[0:{}];\n",
-                      std::max<std::size_t>(bits, 1) - 1, clocks - 1);
-  text += fmt::format("  reg cosim_clock = 0;\n  {} {}cosim_dut({});\n  initial begin\n",
-                      side.files().top, parameters, pins);
-  text += fmt::format(
-      "    $readmemb(\"{}\", cosim_rows);\n    for (cosim_i = 0; cosim_i < {}; cosim_i = cosim_i + "
-      "1)"
-      " begin\n",
-      rows, clocks);
-  text += fmt::format(
-      "      if (cosim_i == {} && $test$plusargs(\"cosim_wave\")) begin\n        "
-      "$dumpfile(\"{}\");\n        $dumpvars;\n      end\n",
-      first_drawn, vcd);
-  if (!inputs.empty()) text += fmt::format("      {{{}}} = cosim_rows[cosim_i];\n", inputs);
-  return modules + text +
-         fmt::format(
-             "      #1 $display(\"cosim_replay{}\"{});\n      cosim_clock = 1;\n      #1"
-             " cosim_clock = 0;\n    end\n    $finish;\n  end\nendmodule\n",
-             formats, outputs);
+  for (const Variable& one : s.variables) {
+    named(one.name, fmt::format("    $display(\"cosim_before {0} %b\", cosim_dut.{0});", one.name));
+    if (one.value.empty()) continue;
+    named(one.name + '=',
+          fmt::format("    cosim_dut.{} = {}'b{};", one.name, one.value.size(), one.value));
+  }
+  text.add("    #1;\n");
+  for (const Variable& one : s.variables) {
+    named(one.name, fmt::format("    $display(\"cosim_after {0} %b\", cosim_dut.{0});", one.name));
+  }
+  text.add(fmt::format("    for (cosim_i = 1; cosim_i < {}; cosim_i = cosim_i + 1) begin\n",
+                       s.rows.size()));
+  if (!s.vcd.empty()) {
+    text.add(
+        fmt::format("      if (cosim_i == {}) begin\n        $dumpfile(\"{}\");\n"
+                    "        $dumpvars(0, cosim_dut);\n      end\n",
+                    s.first_drawn + 1, s.vcd));
+  }
+  if (!inputs.empty()) text.add(fmt::format("      {{{}}} = cosim_rows[cosim_i];\n", inputs));
+  for (const std::string& net : s.further) printed += ", " + net;
+  std::string formats;
+  for (std::size_t i = 0; i < s.outputs.size() + s.further.size(); ++i) formats += " %b";
+  text.add(fmt::format("      #1 $write(\"cosim_replay{}\"{});\n", formats, printed));
+  for (const Variable& one : s.variables) {
+    named(one.name, fmt::format("      $write(\" %b\", cosim_dut.{});", one.name));
+  }
+  text.add(
+      "      $write(\"\\n\");\n      cosim_clock = 1;\n      #1 cosim_clock = 0;\n    end\n"
+      "    $display(\"cosim_done\");\n    $finish;\n  end\nendmodule\n");
+  return text.text();
 }
 
 }  // namespace cosim::equiv

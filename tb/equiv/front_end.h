@@ -1,0 +1,23 @@
+// Verilog, as a front end of yosys makes cells of it.
+#pragma once
+
+#include <string>
+
+#include "tb/equiv/side.h"
+
+namespace cosim::equiv {
+
+/// What a front end writes of a design.
+struct Elaborated {
+  std::string json, rtlil;
+};
+
+/// Reads the files. InputError, one line that begins with `what` or a file; OutOfTime.
+Elaborated elaborated(const Files& files, const std::string& what, FrontEnd front_end,
+                      const Budget& budget);
+
+/// Whether slang is there: `scripts/setup systemverilog` brings it. Another folder of npm's
+/// packages, or a yosys that has read_slang, is named by COSIM_SLANG.
+bool has_slang();
+
+}  // namespace cosim::equiv

@@ -1,0 +1,329 @@
+#include "tb/equiv/referee.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "tb/equiv/simulator.h"
+#include "tb/equiv/stepped.h"
+#include "tb/support/output_file.h"
+#include "tb/support/random.h"
+#include "tb/support/words.h"
+
+namespace cosim::equiv {
+namespace {
+
+using Bits = Stepped::Bits;
+using Inputs = std::map<std::string, std::string>;
+
+// Inputs by chance, in stretches of some clocks that each have their own ways: mostly low or mostly
+// high bits, small numbers, ends of ranges, what was before, the same word as another input.
+class Chance {
+ public:
+  Chance(const Side& side, const Referee& how)
+      : side_(side), how_(how), random_(Random::for_case(1989, 0)) {}
+
+  Inputs row(std::size_t clock) {
+    constexpr std::size_t stretch = 24;
+    if (clock % stretch == 0) {
+      for (const auto& [port, width] : side_.inputs) ways_[port] = random_.below(8);
+    }
+    Inputs row;
+    for (const auto& [port, width] : side_.inputs) {
+      if (!how_.steps && side_.clocks.contains(port)) continue;
+      row[port] = digits(port, static_cast<std::size_t>(width), row);
+    }
+    // The reset first, and now and then.
+    constexpr std::size_t first = 3;
+    constexpr std::uint64_t seldom = 60;
+    const bool resets = clock < first || random_.below(seldom) == 0;
+    for (const auto& [port, level] : how_.resets) {
+      row[port] = (resets && (clock < first || random_.below(2) == 0)) == level ? "1" : "0";
+    }
+    before_ = row;
+    return row;
+  }
+
+ private:
+  std::string digits(const std::string& port, std::size_t width, const Inputs& row) {
+    const std::uint64_t way = ways_[port];
+    std::string text(width, '0');
+    if (width == 1) {
+      constexpr std::uint64_t eighths[] = {1, 4, 7, 4, 4, 6, 2, 4};
+      text[0] = random_.below(8) < eighths[way] ? '1' : '0';
+      return text;
+    }
+    const std::uint64_t kind = random_.below(12) + way;
+    if (kind >= 15 && before_.contains(port)) return before_.at(port);
+    if (kind == 14) {
+      for (const auto& [other, value] : row) {
+        if (value.size() == width) return value;
+      }
+    }
+    if (kind >= 11) {  // a small number, or one below the highest
+      const std::uint64_t small = random_.below(std::uint64_t{1} << random_.below(7));
+      const char fill = random_.below(4) == 0 ? '1' : '0';
+      for (std::size_t i = 0; i < width; ++i) {
+        const bool bit = i < 64 && (small >> i & 1U) != 0;
+        text[width - 1 - i] = bit ? (fill == '1' ? '0' : '1') : fill;
+      }
+      return text;
+    }
+    if (kind == 10) {  // the ends of the ranges
+      const std::uint64_t end = random_.below(5);
+      std::fill(text.begin(), text.end(), end == 1 || end == 2 ? '1' : '0');
+      if (end >= 2) text.front() = end == 2 ? '0' : '1';
+      if (end == 4) text[random_.below(width)] = '1';
+      return text;
+    }
+    const std::uint64_t sparse = way == 1 ? 6 : way == 2 ? 2 : 4;
+    for (char& bit : text) bit = random_.below(8) < sparse ? '1' : '0';
+    return text;
+  }
+
+  const Side& side_;
+  const Referee& how_;
+  Random random_;
+  std::map<std::string, std::uint64_t> ways_;
+  Inputs before_;
+};
+
+bool is_known(char digit) { return digit == '0' || digit == '1'; }
+
+// A value of the netlist: one digit a bit, 'x' where it is not the same in all runs.
+std::string word_of(const std::vector<Bits>& bits) {
+  std::string text;
+  for (auto at = bits.rbegin(); at != bits.rend(); ++at) {
+    text += *at == 0 ? '0' : *at == ~Bits{0} ? '1' : 'x';
+  }
+  return text;
+}
+
+class Match {
+ public:
+  Match(const Side& side, const Referee& how, Simulator simulator)
+      : side_(side),
+        how_(how),
+        simulator_(simulator),
+        is_cut_(!side.memories.empty() && side.is_cut()),
+        stepped_(side, is_cut_) {}
+
+  Refereed judged() {
+    Refereed is;
+    Stimulus s = stimulus();
+    const Program program(side_, s, simulator_, how_.until);
+    if (!program.why_not().empty()) {
+      is.wrong = program.why_not();
+      return is;
+    }
+    is.by = name_of(simulator_);
+    const Simulated ran = program.run(how_.until);
+    variables_ = program.stimulus().variables;
+    for (const auto& [name, registers] : side_.variables) registers_of_[name] = &registers;
+    for (const Contents& one : program.stimulus().memories) begin_memory(one, ran);
+    begin(ran);
+    constexpr std::size_t enough = 32;
+    for (std::size_t t = 0; t < ran.clocks.size() && wrong_.empty(); ++t) {
+      stepped_.clock(rows_[t + 1]);
+      compare(ran.clocks[t], t);
+      ++is.clocks;
+    }
+    is.wrong = wrong_;
+    if (wrong_.empty() && !ran.is_complete && ran.clocks.size() < enough) {
+      is.by.clear();
+      is.wrong = fmt::format("{} came to clock {} only", name_of(simulator_), ran.clocks.size());
+    }
+    is.agrees = !is.by.empty() && is.wrong.empty();
+    return is;
+  }
+
+ private:
+  Stimulus stimulus() {
+    constexpr std::size_t most = 2048, least = 128, work = 200'000'000;
+    const std::size_t clocks = std::clamp(work / (stepped_.gates() + 1), least, most);
+    Stimulus s;
+    s.steps = how_.steps;
+    for (const auto& [port, width] : side_.inputs) {
+      if (how_.steps || !side_.clocks.contains(port)) s.inputs.push_back(port);
+    }
+    for (const auto& [port, width] : side_.outputs) s.outputs.push_back(port);
+    Chance chance(side_, how_);
+    for (std::size_t t = 0; t < clocks; ++t) {
+      rows_.push_back(chance.row(t));
+      std::string row;
+      for (const std::string& port : s.inputs) row += rows_.back().at(port);
+      if (s.rows.empty()) {
+        s.rows.push_back(at_rest(side_, s));
+        rows_.insert(rows_.begin(), Inputs{});
+      }
+      s.rows.push_back(row);
+    }
+    // Each register is given a value, as far as names go.
+    Random random = Random::for_case(1631518, 1665343);
+    std::string begins;
+    for (std::size_t i = 0; i < side_.registers.size(); ++i) {
+      begins += random.below(2) == 0 ? '0' : '1';
+    }
+    constexpr std::size_t most_bits = 6000;
+    std::size_t bits = 0;
+    for (Variable& one : variables_of(side_, begins)) {
+      bits += side_.outputs.empty() ? 1 : std::max<std::size_t>(one.value.size(), 1);
+      if (bits > most_bits) break;
+      s.variables.push_back(std::move(one));
+    }
+    if (is_cut_) memories(s);
+    return s;
+  }
+
+  // Words that have no initial value are given one.
+  void memories(Stimulus& s) {
+    constexpr std::size_t most = 4096;
+    std::size_t number = 0;
+    Random random = Random::for_case(1631518, 3);
+    for (const Cell& cell : side_.module().cells) {
+      if (!cell.is_memory()) continue;
+      Contents one{cell.name, cell.number("OFFSET"), cell.number("SIZE"), ""};
+      const std::size_t width = cell.number("WIDTH");
+      const std::string& init = cell.parameter("INIT");
+      number_of_[cell.name] = number++;
+      if (one.words > most || cell.name.front() == '$') continue;
+      std::string text, &all = contents_[cell.name];
+      for (std::size_t w = 0; w < one.words; ++w) {
+        std::string word;
+        for (std::size_t i = width; i-- > 0;) {
+          const std::size_t at = w * width + i;
+          word += at < init.size() ? init[init.size() - 1 - at] : 'x';
+        }
+        if (word.find_first_not_of('x') == std::string::npos) {
+          for (char& digit : word) digit = random.below(2) == 0 ? '0' : '1';
+          text += fmt::format("@{:x} {}\n", w + one.low, word);
+        }
+        all.append(word.rbegin(), word.rend());
+      }
+      if (!text.empty()) {
+        one.file = (files_.path() / fmt::format("memory{}", number)).string();
+        write_file(one.file, text);
+      }
+      s.memories.push_back(std::move(one));
+    }
+  }
+
+  void begin_memory(const Contents& one, const Simulated& ran) {
+    const std::size_t number = number_of_.at(one.name);
+    const Cell& cell = cell_of(one.name);
+    const std::string& init = cell.parameter("INIT");
+    const std::size_t width = cell.number("WIDTH");
+    const auto at = ran.memories.find(one.name);
+    if (at == ran.memories.end()) return;
+    for (std::size_t w = 0; w < at->second.size(); ++w) {
+      for (std::size_t i = 0; i < width && i < at->second[w].size(); ++i) {
+        const std::size_t bit = w * width + i;
+        const char says = bit < init.size() ? init[init.size() - 1 - bit] : 'x';
+        const char is = at->second[w][at->second[w].size() - 1 - i];
+        if (is_known(is) != is_known(says) || (is_known(is) && is != says)) {
+          wrong_ = fmt::format("word {} of memory {} begins as {}, and {} reads another value",
+                               w + one.low, one.name, at->second[w], name_of(side_.front_end()));
+          return;
+        }
+      }
+    }
+    stepped_.begin_memory(number, contents_.at(one.name));
+  }
+
+  const Cell& cell_of(const std::string& name) const {
+    return *std::ranges::find_if(side_.module().cells,
+                                 [&](const Cell& cell) { return cell.name == name; });
+  }
+
+  // What the registers begin as, and what they were before they were given a value.
+  void begin(const Simulated& ran) {
+    std::vector<char> digits(side_.registers.size(), '-');
+    for (const auto& [name, registers] : side_.variables) {
+      const auto was = ran.before.find(name), is = ran.after.find(name);
+      if (was == ran.before.end() || is == ran.after.end() ||
+          was->second.size() != registers.size() || is->second.size() != registers.size()) {
+        continue;
+      }
+      for (std::size_t i = 0; i < registers.size(); ++i) {
+        const Register& reg = side_.registers[registers[i]];
+        const char before = was->second[registers.size() - 1 - i];
+        const char says = reg.any ? 'x' : reg.first ? '1' : '0';
+        if (is_known(before) ? before != says : says != 'x') {
+          if (wrong_.empty()) {
+            wrong_ = fmt::format("{} begins as {}, and {} says {}", name, was->second,
+                                 name_of(side_.front_end()),
+                                 says == 'x' ? std::string("any value") : std::string(1, says));
+          }
+        }
+        digits[registers[i]] = is->second[registers.size() - 1 - i];
+      }
+    }
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+      const Register& reg = side_.registers[i];
+      const char says = reg.any ? 'x' : reg.first ? '1' : '0';
+      stepped_.begin(i, digits[i] == '-' ? says : digits[i]);
+    }
+  }
+
+  void compare(const std::vector<std::string>& words, std::size_t t) {
+    std::size_t at = 0;
+    bool all_known = true;  // of the registers
+    const std::size_t first = side_.outputs.size();
+    for (std::size_t i = first; i < words.size(); ++i) {
+      all_known = all_known && words[i].find_first_not_of("01") == std::string::npos;
+    }
+    for (const auto& [port, width] : side_.outputs) {
+      std::vector<Bits> bits;
+      for (int i = 0; i < width; ++i) bits.push_back(stepped_.output({port, i}));
+      compare("output " + port, words[at++], word_of(bits), all_known, true, t);
+    }
+    for (const Variable& one : variables_) {
+      std::vector<Bits> bits;
+      for (const std::size_t reg : *registers_of_.at(one.name)) bits.push_back(stepped_.seen(reg));
+      compare("register " + one.name, words[at++], word_of(bits), all_known, false, t);
+    }
+  }
+
+  void compare(const std::string& what, const std::string& source, const std::string& netlist,
+               bool all_known, bool is_output, std::size_t t) {
+    if (!wrong_.empty() || source.size() != netlist.size()) return;
+    for (std::size_t i = 0; i < source.size(); ++i) {
+      const char is = source[i], says = netlist[i];
+      if (is == says) continue;
+      const bool other = is_known(is) && is_known(says);
+      const bool four = simulator_ == Simulator::icarus;
+      // With an x about, an `if` of the source takes one way where the netlist may take either.
+      const bool vague = four && is_known(is) && all_known;
+      const bool sure = four && how_.x_matters && is_output && !is_known(is) && all_known;
+      if (!other && !vague && !sure) continue;
+      wrong_ = fmt::format("{} is {} on clock {} in {}, and {} on the netlist that {} reads", what,
+                           source, t, name_of(simulator_), netlist, name_of(side_.front_end()));
+      return;
+    }
+  }
+
+  const Side& side_;
+  const Referee& how_;
+  Simulator simulator_;
+  bool is_cut_;
+  Stepped stepped_;
+  Scratch files_;
+  std::vector<Inputs> rows_;
+  std::vector<Variable> variables_;
+  std::map<std::string, const std::vector<std::size_t>*> registers_of_;
+  std::map<std::string, std::string> contents_;
+  std::map<std::string, std::size_t> number_of_;
+  std::string wrong_;
+};
+
+}  // namespace
+
+Refereed refereed(const Side& side, const Referee& how) {
+  const Refereed first = Match(side, how, Simulator::icarus).judged();
+  if (!first.by.empty() || !how.verilator) return first;
+  const Refereed second = Match(side, how, Simulator::verilator).judged();
+  return second.by.empty() ? first : second;
+}
+
+}  // namespace cosim::equiv

@@ -1,0 +1,178 @@
+#include "tb/equiv/simulator.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "tb/support/output_file.h"
+#include "tb/support/pattern.h"
+#include "tb/support/process.h"
+#include "tb/support/read_file.h"
+#include "tb/support/words.h"
+
+namespace cosim::equiv {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_system_verilog(const Files& files) {
+  return std::any_of(files.files.begin(), files.files.end(),
+                     [](const fs::path& file) { return file.extension() == ".sv"; });
+}
+
+// The first line that says what is wrong.
+std::string reason(const std::string& said, const std::string& own) {
+  for (std::string line : lines_in(said)) {
+    if (line.find("rror") == std::string::npos && line.find("sorry") == std::string::npos) continue;
+    if (line.find(own) != std::string::npos && line.find(own + "/cosim_replay.v") == 0) continue;
+    return one_line(line);
+  }
+  return said.empty() ? "" : one_line(lines_in(said).front());
+}
+
+}  // namespace
+
+const char* name_of(Simulator simulator) {
+  return simulator == Simulator::icarus ? "Icarus Verilog" : "Verilator";
+}
+
+Program::Program(const Side& side, Stimulus stimulus, Simulator simulator,
+                 std::chrono::steady_clock::time_point until)
+    : side_(side),
+      stimulus_(std::move(stimulus)),
+      simulator_(simulator),
+      own_(scratch_.path().string()) {
+  if (!stimulus_.vcd.empty()) stimulus_.vcd = own_ + "/wave.vcd";
+  std::string rows;
+  for (const std::string& row : stimulus_.rows) rows += (row.empty() ? "0" : row) + '\n';
+  write_file(own_ + "/rows", rows);
+  fs::create_directory(own_ + "/empty");
+  if (simulator_ == Simulator::verilator) {
+    stimulus_.variables.clear();
+    stimulus_.memories.clear();
+  }
+  // Verilog-2005 has fewer keywords; but some files are SystemVerilog whatever their names are.
+  std::vector<std::string> generations{"-g2005", "-g2012"};
+  if (simulator_ == Simulator::verilator || is_system_verilog(side.files())) {
+    generations.erase(generations.begin());
+  }
+  for (const std::string& generation : generations) {
+    constexpr int attempts = 6;
+    for (int i = 0; i < attempts; ++i) {
+      std::map<std::size_t, std::string> line_of;
+      write_file(own_ + "/cosim_replay.v", testbench(side_, stimulus_, own_ + "/rows", line_of));
+      const Ended built = run_until(command(generation), until);
+      if (built.timed_out) throw OutOfTime();
+      why_not_.clear();
+      if (built.status == 0) return;
+      why_not_ = built.status == 127 ? fmt::format("{} is not installed", name_of(simulator_))
+                                     : reason(built.text, own_);
+      const auto had = stimulus_.variables.size() + stimulus_.memories.size();
+      leave_out(built.text, std::move(line_of));
+      if (had == stimulus_.variables.size() + stimulus_.memories.size()) break;
+    }
+  }
+}
+
+std::vector<std::string> Program::command(const std::string& generation) const {
+  const Files& files = side_.files();
+  std::vector<std::string> words{"env", "-C", own_ + "/empty"}, folders;
+  for (const fs::path& one : files.files) {
+    folders.push_back(fs::absolute(one).parent_path().string());
+  }
+  for (const fs::path& folder : files.include_dirs)
+    folders.push_back(fs::absolute(folder).string());
+  folders.push_back(fs::absolute(files.folder).string());
+  const bool is_icarus = simulator_ == Simulator::icarus;
+  const std::vector<std::string> begins =
+      words_in(is_icarus ? "iverilog -Wno-all -grelative-include -DSYNTHESIS -s cosim_replay -o " +
+                               own_ + "/built.vvp " + generation
+                         : "verilator --binary -Wno-fatal -Wno-lint -Wno-style --x-initial unique "
+                           "--x-assign unique --timescale 1ns/1ps --top-module cosim_replay "
+                           "+define+SYNTHESIS --Mdir " +
+                               own_ + "/built" + (stimulus_.vcd.empty() ? "" : " --trace"));
+  words.insert(words.end(), begins.begin(), begins.end());
+  for (const std::string& define : files.defines) {
+    words.push_back((is_icarus ? "-D" : "+define+") + define);
+  }
+  for (const std::string& folder : folders) {
+    words.push_back((is_icarus ? "-I" : "+incdir+") + folder);
+  }
+  for (const fs::path& one : files.files) words.push_back(fs::absolute(one).string());
+  words.push_back(own_ + "/cosim_replay.v");
+  if (!is_icarus) {
+    for (const char* word : {"-MAKEFLAGS", "OPT_FAST= OPT_GLOBAL="}) words.emplace_back(word);
+    // Verilator's own library is the same each time.
+    if (is_installed("ccache")) words.insert(words.begin() + 3, "OBJCACHE=ccache");
+  }
+  return words;
+}
+
+// Those of which a line of the testbench is wrong.
+void Program::leave_out(const std::string& said, std::map<std::size_t, std::string> line_of) {
+  static const Pattern place(R"(cosim_replay\.v:(\d+):)");
+  std::set<std::string> names;
+  for (const Pattern::Parts& part : place.all(said)) {
+    if (const auto at = line_of.find(std::stoul(part[1])); at != line_of.end()) {
+      names.insert(at->second);
+    }
+  }
+  std::erase_if(stimulus_.variables, [&](const Variable& one) { return names.contains(one.name); });
+  for (Variable& one : stimulus_.variables) {
+    if (!names.contains(one.name + '=') || one.value.empty()) continue;
+    one.name.clear();  // a net: what drives it is given a value where it stands
+  }
+  std::erase_if(stimulus_.variables, [](const Variable& one) { return one.name.empty(); });
+  std::erase_if(stimulus_.memories, [&](const Contents& one) { return names.contains(one.name); });
+}
+
+// A file of $readmemh is found beside the RTL, or from the working directory.
+Simulated Program::run(std::chrono::steady_clock::time_point until, const char* begins) const {
+  std::vector<fs::path> folders;
+  for (const fs::path& file : side_.files().files) {
+    const fs::path folder = fs::absolute(file).parent_path();
+    if (std::ranges::find(folders, folder) == folders.end()) folders.push_back(folder);
+  }
+  folders.push_back(fs::absolute(side_.files().folder));
+  Ended ended;
+  for (const fs::path& folder : folders) {
+    std::vector<std::string> words{"env", "-C", folder.string()};
+    if (simulator_ == Simulator::icarus) {
+      words.insert(words.end(), {"vvp", "-n", own_ + "/built.vvp"});
+    } else {
+      words.insert(words.end(),
+                   {own_ + "/built/Vcosim_replay", std::string("+verilator+rand+reset+") + begins,
+                    "+verilator+seed+1"});
+    }
+    ended = run_until(words, until);
+    const bool is_missing = ended.text.find("$readmem file not found") != std::string::npos ||
+                            (ended.text.find("$readmem") != std::string::npos &&
+                             ended.text.find("Unable to open") != std::string::npos);
+    if (!is_missing) break;
+  }
+  Simulated is;
+  for (const std::string& line : lines_in(ended.text)) {
+    std::vector<std::string> words = words_in(line);
+    if (words.empty()) continue;
+    if (words[0] == "cosim_done") is.is_complete = true;
+    if (words[0] == "cosim_replay") {
+      is.clocks.emplace_back(words.begin() + 1, words.end());
+    } else if (words.size() == 3 && words[0] == "cosim_before") {
+      is.before[words[1]] = words[2];
+    } else if (words.size() == 3 && words[0] == "cosim_after") {
+      is.after[words[1]] = words[2];
+    } else if (words.size() == 3 && words[0] == "cosim_word") {
+      is.memories[words[1]].push_back(words[2]);
+    }
+  }
+  const std::size_t many =
+      stimulus_.outputs.size() + stimulus_.further.size() + stimulus_.variables.size();
+  while (!is.clocks.empty() && is.clocks.back().size() != many) is.clocks.pop_back();
+  return is;
+}
+
+std::string Program::wave() const { return read_file(own_ + "/wave.vcd"); }
+
+}  // namespace cosim::equiv

@@ -1,0 +1,63 @@
+// The gates of a side, run 64 times side by side, with its memories.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tb/equiv/side.h"
+#include "tb/support/random.h"
+
+namespace cosim::equiv {
+
+class Stepped {
+ public:
+  /// A bit in each run.
+  using Bits = std::uint64_t;
+
+  /// `cut`: its memories were cut, and are held here. What is not known is another value in each
+  /// run and on each clock: 0 in the first, 1 in the second, and chance in the others.
+  Stepped(const Side& side, bool cut);
+
+  /// What a register begins as, in all runs: '0' or '1', else another value in each.
+  void begin(std::size_t reg, char digit);
+  /// The words of a memory: digits, the lowest bit first.
+  void begin_memory(std::size_t memory, const std::string& digits);
+  /// A clock with these inputs, and the values on it: binary digits by port, highest bit first.
+  void clock(const std::map<std::string, std::string>& inputs);
+
+  Bits output(const Name& name) const { return runs_.of(made_.outputs.at(name)); }
+  Bits seen(std::size_t reg) const { return runs_.of(made_.seen[reg]); }
+  std::size_t gates() const { return graph_.gates(); }
+
+ private:
+  struct Held {
+    std::size_t width = 0, address = 0, words = 0, low = 0, reads = 0, writes = 0;
+    std::vector<Bits> bits;
+    std::vector<std::size_t> read_data;  ///< inputs of the graph
+    std::vector<proof::Aig::Lit> read_address, enable, write_address, data;
+  };
+  /// A word address in each run.
+  using Addresses = std::array<std::size_t, 64>;
+  Bits unknown();
+  bool read(std::size_t memory);
+  void write(std::size_t memory);
+  Addresses addresses(const std::vector<proof::Aig::Lit>& pins, const Held& held,
+                      std::size_t port) const;
+
+  const Side& side_;
+  bool cut_;
+  proof::Aig graph_;
+  std::map<Name, std::size_t> ports_;
+  std::vector<std::size_t> unknowns_, states_;
+  Side::Made made_;  // behind what it is made with
+  std::vector<Held> memories_;
+  std::vector<Bits> inputs_, next_;
+  proof::Aig::Runs runs_;
+  Random random_;
+};
+
+}  // namespace cosim::equiv

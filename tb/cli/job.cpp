@@ -86,7 +86,7 @@ int run(const JobOptions& o) {
   const auto power_up = static_cast<std::uint32_t>(o.common.seed());
   const Stimulus stimulus = bench->stimulus_of(jobs, power_up);
   check_extent(o.common, {stimulus.clocks.size(), 0, 0, 0});
-  check_outputs(o.common, "", {bench});
+  check_outputs(o.common, {}, {bench});
   const std::string work = bench->describe(jobs);
   fmt::print("{}: {}\n", bench->title(), work);
   const Looks looks = draw_wave(o.common, *bench, stimulus, work);

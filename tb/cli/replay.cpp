@@ -30,7 +30,7 @@ int run(const ReplayOptions& o) {
   }
   const auto [bench, stimulus] = read_stimulus(file, benches());
   check_extent(o.common, {stimulus.clocks.size(), 0, 0, 0});
-  check_outputs(o.common, file, {bench});
+  check_outputs(o.common, {file}, {bench});
 
   const std::string work = stimulus.origin.empty() ? file : stimulus.origin;
   fmt::print("{}: {}, {}\n", bench->title(), one_line(file),

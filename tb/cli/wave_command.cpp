@@ -81,7 +81,7 @@ void check_shot(const std::string& file) {
 std::string draw(WaveOptions& o, const Replay& drawn, const fs::path& scratch) {
   if (!o.common.wave) o.common.wave = (scratch / "wave.fst").string();
   check_extent(o.common, {drawn.stimulus.clocks.size(), 0, 0, 0});
-  check_outputs(o.common, "", {drawn.bench});
+  check_outputs(o.common, {}, {drawn.bench});
   fmt::print("{}: {}\n", drawn.bench->title(), drawn.stimulus.origin);
   draw_wave(o.common, *drawn.bench, drawn.stimulus, drawn.stimulus.origin);
   return *o.common.wave;

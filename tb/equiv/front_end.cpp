@@ -8,6 +8,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/equiv/prints.h"
+#include "tb/equiv/yosys_messages.h"
 #include "tb/support/output_file.h"
 #include "tb/support/pattern.h"
 #include "tb/support/quoted.h"
@@ -69,20 +70,26 @@ class Reading {
   const std::vector<fs::path>& folders() const { return links_; }
   const std::vector<std::pair<std::string, std::string>>& parameters() const { return parameters_; }
 
+  // Files and folders by the names that they have in the script, and by their own.
+  FileNames names() const {
+    FileNames all;
+    for (std::size_t i = 0; i < files_.files.size(); ++i) {
+      const fs::path& file = files_.files[i];
+      all.emplace_back((scratch_ / fmt::format("file{}{}", i, extension(file))).string(),
+                       file.string());
+      all.emplace_back((links_[at_.at(fs::absolute(file).parent_path())] / file.filename()).string(),
+                       file.string());
+    }
+    for (const auto& [folder, at] : at_) all.emplace_back(links_[at].string(), folder.string());
+    return all;
+  }
   // A text with the files by their own names.
   std::string by_own_names(std::string text) const {
-    const auto replace = [&](const std::string& old, const std::string& by) {
+    for (const auto& [old, by] : names()) {
       for (std::size_t p = 0; (p = text.find(old, p)) != std::string::npos; p += by.size()) {
         text.replace(p, old.size(), by);
       }
-    };
-    for (std::size_t i = files_.files.size(); i-- > 0;) {
-      const fs::path& file = files_.files[i];
-      replace((scratch_ / fmt::format("file{}{}", i, extension(file))).string(), file.string());
-      replace((links_[at_.at(fs::absolute(file).parent_path())] / file.filename()).string(),
-              file.string());
     }
-    for (const auto& [folder, at] : at_) replace(links_[at].string(), folder.string());
     return text;
   }
 
@@ -134,21 +141,6 @@ std::string script(const Files& files, Reading& reading, const fs::path& scratch
          fmt::format("write_json {0}/top.json\nwrite_rtlil {0}/top.il\n", scratch.string());
 }
 
-// The line of the error.
-std::string error_of(std::string text, const Reading& reading) {
-  const std::size_t at = std::min(text.find("ERROR"), text.size());
-  const std::size_t newline = text.rfind('\n', at);
-  text = text.substr(newline == std::string::npos ? 0 : newline + 1);
-  text.resize(std::min(text.find('\n'), text.size()));
-  text = reading.by_own_names(text);
-  static const Pattern missing(
-      R"(.*Module `\\(\S+)' referenced in .* is not part of the design.*)");
-  if (const Pattern::Parts part = missing.whole(text); !part.empty()) {
-    text += fmt::format(" Give a file that has it, or --blackbox {}", part[1]);
-  }
-  return one_line(text);
-}
-
 // What it has read, but not as Verilog says; "" where there is no such thing.
 std::string misread(const std::string& said, const Reading& reading) {
   static const Pattern undeclared(
@@ -186,7 +178,8 @@ Elaborated by_yosys(const Files& files, const std::string& what, const Budget& b
     if (ended.status == 127) throw InputError("needs yosys");
     if (ended.status != 0) {
       throw InputError(
-          fmt::format("{}: yosys cannot read it: {}", what, error_of(ended.text, reading)));
+          fmt::format("{}: yosys cannot read it: {}", what,
+                      yosys_message(ended.text, ended.status, reading.names())));
     }
     const std::string wrong = misread(ended.text, reading);
     if (!wrong.empty()) throw InputError(fmt::format("{}: yosys cannot read it: {}", what, wrong));
@@ -293,8 +286,8 @@ Elaborated by_slang(const Files& files, const std::string& what, const Budget& b
   }
   const Ended ended = run(words, own, fs::absolute(files.folder), budget);
   if (ended.status != 0) {
-    throw InputError(
-        fmt::format("{}: slang cannot read it: {}", what, error_of(ended.text, reading)));
+    throw InputError(fmt::format("{}: slang cannot read it: {}", what,
+                                 yosys_message(ended.text, ended.status, reading.names())));
   }
   const std::string wrong = misread(ended.text, reading);
   if (!wrong.empty()) throw InputError(fmt::format("{}: slang cannot read it: {}", what, wrong));

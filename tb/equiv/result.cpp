@@ -182,9 +182,13 @@ std::string page_of(const std::string& top, const Question& q, const Answer& a) 
   return page_text(page(top, q, a));
 }
 
+std::filesystem::path folder_of(const std::string& top, const std::filesystem::path& root) {
+  return root / (top + "-equiv");
+}
+
 Kept keep(const std::string& top, const Question& q, const Answer& a,
           const std::filesystem::path& root, std::uint64_t after) {
-  Draft draft(root, top + "-equiv");
+  Draft draft(root, folder_of(top, root).filename());
   Kept kept{draft.target(), ""};
   draft.write("report.json", result_json(top, q, a));
   draft.write("report.txt", assumed_text(q) + '\n' + verdict_text(top, q, a));
@@ -204,7 +208,7 @@ Kept keep(const std::string& top, const Question& q, const Answer& a,
        "The whole wave in GTKWave"});
   kept.page = page_text(shown);
   draft.write("report.html", kept.page);
-  draft.finish();
+  draft.finish_replacing();
   return kept;
 }
 

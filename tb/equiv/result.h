@@ -29,11 +29,14 @@ std::string result_json(const std::string& top, const Question& question, const 
 /// Of what is not different; else the folder has one.
 std::string page_of(const std::string& top, const Question& question, const Answer& answer);
 
+/// root/TOP-equiv
+std::filesystem::path folder_of(const std::string& top, const std::filesystem::path& root);
+
 struct Kept {
   std::filesystem::path folder;
   std::string page;  ///< report.html
 };
-/// Writes root/TOP-equiv of what is different; its wave shows `after` clocks behind the difference.
+/// Writes that folder of what is different; its wave shows `after` clocks behind the difference.
 /// InputError where it cannot be written.
 Kept keep(const std::string& top, const Question& question, const Answer& answer,
           const std::filesystem::path& root, std::uint64_t after);

@@ -77,6 +77,21 @@ Side::Side(const Files& files, std::string what, FrontEnd front_end, const Budge
   ports();
 }
 
+Side read(const Files& files, const std::string& what, const Budget& budget) {
+  try {
+    return {files, what, FrontEnd::yosys, budget};
+  } catch (const Refused&) {
+    throw;
+  } catch (const InputError& error) {
+    if (!has_slang()) throw;
+    try {
+      return {files, what, FrontEnd::slang, budget};
+    } catch (const InputError&) {
+      throw InputError(error.what());
+    }
+  }
+}
+
 void Side::takes_over(const std::string& by, bool falls) {
   if (clocks.try_emplace(by, falls).first->second != falls) {
     throw InputError(fmt::format("{}: both edges of {} are taken", what_, by));

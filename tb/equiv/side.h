@@ -154,4 +154,8 @@ class Side {
   std::vector<proof::Aig::Lit> next_, seen_;
 };
 
+/// Reads the files with yosys or, where it cannot and slang is there, with slang. Throws as Side's
+/// constructor does, what yosys says.
+Side read(const Files& files, const std::string& what, const Budget& budget);
+
 }  // namespace cosim::equiv

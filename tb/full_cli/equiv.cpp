@@ -8,21 +8,22 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
-#include <optional>
 
 #include "model/core/input_error.h"
-#include "tb/equiv/front_end.h"
 #include "tb/equiv/result.h"
 #include "tb/full_cli/commands.h"
+#include "tb/full_cli/equiv_sides.h"
+#include "tb/new/files_read.h"
 #include "tb/new/found_shape.h"
-#include "tb/program/common.h"
+#include "tb/program/named_values.h"
 #include "tb/program/number.h"
 #include "tb/program/outputs.h"
+#include "tb/report/junit.h"
+#include "tb/support/draft.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/output_file.h"
 #include "tb/support/parallel.h"
 #include "tb/support/pattern.h"
-#include "tb/support/process.h"
 #include "tb/support/words.h"
 #include "tb/sweep/progress.h"
 
@@ -31,93 +32,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-using Words = std::vector<std::string>;
-
-struct EquivOptions {
-  Words gold, gate, files, cells, blackboxes, parameters, gold_parameters, gate_parameters,
-      include_dirs, defines, resets, tied, ignored, renamed, assumed;
-  Text rev, top, gold_top, gate_top, seconds, jobs, reset_clocks, latency;
-  bool netlists = false;
-  Common common;
-};
-
-std::pair<std::string, std::string> halves(const std::string& option, const std::string& text,
-                                           const char* form) {
-  const std::size_t at = text.find('=');
-  if (at == std::string::npos || at == 0 || at + 1 == text.size()) {
-    throw InputError(fmt::format("{}: {} is not {}", option, in_quotes(text), form));
-  }
-  return {text.substr(0, at), text.substr(at + 1)};
-}
-
 int number(const std::string& option, const std::string& text, unsigned low, unsigned high) {
   return static_cast<int>(whole(option, text, low, high));
-}
-
-// What a revision has.
-struct Revision {
-  Words files;      ///< those that it lacks are left out
-  fs::path folder;  ///< its version of the working directory
-};
-
-// The files as they were in a revision, in `folder`.
-Revision revision(const std::string& rev, const Words& files, const fs::path& folder) {
-  const auto git = [](Words words) {
-    words.insert(words.begin(), "git");
-    Ended ended = cosim::run_program(words);
-    if (ended.status == 127) throw InputError("--rev: needs git");
-    while (ended.text.ends_with('\n')) ended.text.pop_back();
-    return ended;
-  };
-  const std::string beside = fs::absolute(files.front()).parent_path().string();
-  const Ended root = git({"-C", beside, "rev-parse", "--show-toplevel"});
-  if (root.status != 0) throw InputError(fmt::format("--rev: {} is in no git", files.front()));
-  const std::string tar = (folder / "rev.tar").string();
-  const bool named = !rev.empty() && rev.front() != '-';
-  if (!named || git({"-C", root.text, "archive", "-o", tar, rev}).status != 0) {
-    throw InputError(fmt::format("--rev: {} is no revision", in_quotes(rev)));
-  }
-  if (cosim::run_program({"tar", "-xf", tar, "-C", folder.string()}).status != 0) {
-    throw InputError("--rev: needs tar");
-  }
-  Words old;
-  for (const std::string& file : files) {
-    const fs::path path = folder / fs::canonical(file).lexically_relative(fs::canonical(root.text));
-    if (fs::exists(path)) old.push_back(path.string());
-  }
-  if (old.empty()) throw InputError(fmt::format("--rev: {} has none of the files", in_quotes(rev)));
-  const fs::path here = folder / fs::current_path().lexically_relative(fs::canonical(root.text));
-  return {old, fs::is_directory(here) ? here : folder};
-}
-
-equiv::Side side(const EquivOptions& o, const Words& files, const Text& own_top,
-                 const Words& own_parameters, const char* what, const fs::path& folder,
-                 const fs::path& made, const equiv::Budget& budget) {
-  equiv::Files all;
-  all.top = own_top ? *own_top : needed("--top", o.top);
-  all.parameters = o.parameters;
-  all.parameters.insert(all.parameters.end(), own_parameters.begin(), own_parameters.end());
-  all.include_dirs.assign(o.include_dirs.begin(), o.include_dirs.end());
-  all.defines = o.defines;
-  all.folder = folder;
-  Words verilog = files;
-  verilog.insert(verilog.end(), o.cells.begin(), o.cells.end());
-  const std::string wrong = as_plain_verilog(verilog, all.top, all.parameters, o.blackboxes, ".",
-                                             made.parent_path(), made);
-  if (!wrong.empty()) throw InputError("equiv: " + wrong);
-  all.files.assign(verilog.begin(), verilog.end());
-  try {
-    return {all, what, equiv::FrontEnd::yosys, budget};
-  } catch (const equiv::Refused&) {
-    throw;
-  } catch (const InputError& error) {
-    if (!equiv::has_slang()) throw;
-    try {
-      return {all, what, equiv::FrontEnd::slang, budget};
-    } catch (const InputError&) {
-      throw InputError(error.what());
-    }
-  }
 }
 
 // A whole number, decimal or as 0x..., in binary digits.
@@ -135,16 +51,31 @@ std::string binary(const std::string& option, const std::string& text) {
 
 void name_resets(const EquivOptions& o, equiv::Question& q) {
   if (o.reset_clocks) q.reset_clocks = number("--reset-clocks", *o.reset_clocks, 0, 1000);
-  for (const std::string& text : o.resets) {
-    const std::string pin = text.substr(0, text.find('='));
+  for (const auto& [pin, value] : named_values("--reset", o.resets)) {
     std::optional<bool>& level = q.wanted_resets[pin];
-    if (pin != text) level = number("--reset", text.substr(pin.size() + 1), 0, 1) == 1;
+    if (!value.empty()) level = number("--reset", value, 0, 1) == 1;
     if (!q.gold.inputs.contains(pin) || q.gold.inputs.at(pin) != 1) {
       throw InputError(fmt::format("--reset: {} is no input of one bit", in_quotes(pin)));
     }
     if (q.gold.clocks.contains(pin)) {
       throw InputError(fmt::format("--reset: {} is a clock", in_quotes(pin)));
     }
+  }
+}
+
+// No two ports of the old RTL are one of the new.
+void name_ports(const EquivOptions& o, equiv::Question& q) {
+  for (const auto& [port, other] : named_values("--map", o.renamed, "OLD=NEW")) {
+    q.renamed.emplace(port, other);
+  }
+  std::map<std::string, std::string> old_of;
+  for (const auto& [port, text] : q.gold.declared) {
+    const auto at = q.renamed.find(port);
+    const std::string& other = at == q.renamed.end() ? port : at->second;
+    const auto [known, is_new] = old_of.emplace(other, port);
+    if (is_new || !q.gate.declared.contains(other)) continue;
+    throw InputError(fmt::format("--map: {} and {} of the old RTL are both {} of the new",
+                                 in_quotes(known->second), in_quotes(port), in_quotes(other)));
   }
 }
 
@@ -163,63 +94,74 @@ std::string keep_difference(const EquivOptions& o, const std::string& top, const
   return "";
 }
 
+// Shows a verdict without an error to a CI service too.
+class Junit {
+ public:
+  explicit Junit(const EquivOptions& o)
+      : file_(o.common.junit),
+        case_{"cosim equiv", o.top.value_or(o.gate_top.value_or("?")), {}, "", "", 0} {}
+
+  void write(JunitCase::End end, const std::string& type, const std::string& text) {
+    if (!file_) return;
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - began_;
+    case_.end = end;
+    case_.type = type;
+    case_.text = text;
+    case_.seconds = spent.count();
+    write_file(*file_, junit_text(case_));
+  }
+
+ private:
+  Text file_;
+  JunitCase case_;
+  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+};
+
+// The exit status, and what it is called there.
+int end_with(equiv::Verdict verdict, const std::string& text, Junit& junit) {
+  using enum JunitCase::End;
+  if (verdict == equiv::Verdict::equal) junit.write(passed, "", text);
+  if (verdict == equiv::Verdict::different) junit.write(failure, "different", text);
+  if (verdict == equiv::Verdict::undecided) junit.write(error, "undecided", text);
+  return verdict == equiv::Verdict::equal ? 0 : verdict == equiv::Verdict::different ? 1 : 3;
+}
+
 int conclude(const EquivOptions& o, const std::string& top, const equiv::Question& q,
-             const equiv::Answer& a) {
-  fmt::print("{}\n{}", equiv::assumed_text(q), equiv::verdict_text(top, q, a));
+             const equiv::Answer& a, Junit& junit) {
+  const std::string assumed = equiv::assumed_text(q), verdict = equiv::verdict_text(top, q, a);
+  fmt::print("{}\n{}", assumed, verdict);
   const bool differs = a.verdict == equiv::Verdict::different;
-  std::string page = differs ? keep_difference(o, top, q, a) : "";
+  const std::string page = differs ? keep_difference(o, top, q, a) : "";
   if (o.common.report) write_file(*o.common.report, equiv::result_json(top, q, a));
   if (o.common.html) {
     write_file(*o.common.html, page.empty() ? equiv::page_of(top, q, a) : page);
     fmt::print("page: {}\n", one_line(*o.common.html));
   }
-  return differs ? 1 : a.verdict == equiv::Verdict::equal ? 0 : 3;
+  return end_with(a.verdict, verdict + assumed + '\n', junit);
 }
 
-int run(const EquivOptions& o) {
+int compare(const EquivOptions& o, Junit& junit) {
   const InterruptGuard interrupts;
   const Scratch scratch;
-  Words gold = o.gold, gate = o.gate;
-  fs::path gold_folder = ".";
-  if (o.rev) {
-    if (!gold.empty() || !gate.empty())
-      throw InputError("--rev: does not go with --gold or --gate");
-    if (o.files.empty()) throw InputError("FILE: is needed");
-    gate = o.files;
-    for (const std::string& file : gate) {
-      if (!fs::exists(file)) throw InputError(file + ": No such file or directory");
-    }
-    Revision old = revision(*o.rev, gate, scratch.path());
-    gold = std::move(old.files);
-    gold_folder = std::move(old.folder);
-  } else if (!o.files.empty()) {
-    throw InputError(fmt::format("equiv: takes no {} without --rev", in_quotes(o.files.front())));
-  }
-  if (gold.empty()) throw InputError("--gold: is needed, or --rev");
-  if (gate.empty()) throw InputError("--gate: is needed");
+  const BothFiles files = files_of(o, scratch.path());
   const int seconds = o.seconds ? number("--seconds", *o.seconds, 1, 1000000) : 300;
   const unsigned jobs =
       o.jobs ? static_cast<unsigned>(number("--jobs", *o.jobs, 1, 1024)) : std::max(4U, cores());
-  check_outputs(o.common);
   const equiv::Budget budget(seconds);
-  const std::string top = o.top ? *o.top : *o.gate_top;
-  const fs::path reader = write_reader(scratch);
-  std::optional<equiv::Side> old, now;
+  const std::string top = o.top ? *o.top : needed("--top", o.gate_top);
+  const auto undecided = [&](const char* why) {
+    const std::string text =
+        fmt::format("{}: undecided: {} in {} s (--seconds)\n", top, why, seconds);
+    fmt::print("{}", text);
+    return end_with(equiv::Verdict::undecided, text, junit);
+  };
+  BothSides sides;
   try {
-    in_parallel(2, jobs, [&](std::uint64_t i) {
-      if (i == 0)
-        old = side(o, gold, o.gold_top, o.gold_parameters, "the old RTL", gold_folder,
-                   reader / "was.v", budget);
-      if (i == 1)
-        now = side(o, gate, o.gate_top, o.gate_parameters, "the new RTL", ".", reader / "is.v",
-                   budget);
-      return true;
-    });
+    sides = read_sides(o, files, write_reader(scratch), budget, jobs);
   } catch (const equiv::OutOfTime&) {
-    fmt::print("{}: undecided: yosys does not read it in {} s (--seconds)\n", top, seconds);
-    return 3;
+    return undecided("yosys does not read it");
   }
-  equiv::Question q{*old, *now};
+  equiv::Question q{*sides.gold, *sides.gate};
   q.latency = o.latency ? number("--latency", *o.latency, 0, 1000) : 0;
   q.budget = budget;
   if (o.seconds) {
@@ -228,27 +170,42 @@ int run(const EquivOptions& o) {
   }
   q.jobs = jobs;
   q.wave_before = o.common.window().before;
-  for (const std::string& text : o.tied) {
-    const auto [pin, value] = halves("--tie", text, "PIN=VALUE");
+  for (const auto& [pin, value] : named_values("--tie", o.tied, "PIN=VALUE")) {
     q.tied[pin] = binary("--tie", value);
   }
   q.ignored = o.ignored;
-  for (const std::string& text : o.renamed) q.renamed.insert(halves("--map", text, "OLD=NEW"));
+  name_ports(o, q);
   q.steps = equiv::has_several_clocks(q);
   name_resets(o, q);
   q.verilator = !o.netlists;
   try {
     q.assumed = equiv::assumptions(o.assumed, q.gold, budget);
   } catch (const equiv::OutOfTime&) {
-    fmt::print("{}: undecided: yosys does not read --assume in {} s (--seconds)\n", top, seconds);
-    return 3;
+    return undecided("yosys does not read --assume");
   }
   const equiv::Answer answer = [&] {
     StateLine line;
     line.show(fmt::format("{}: asked from reset, at most {} s", top, seconds));
     return equiv::compare(q);
   }();
-  return conclude(o, top, q, answer);
+  return conclude(o, top, q, answer, junit);
+}
+
+int run(const EquivOptions& o) {
+  std::vector<std::string> named;
+  for (const auto* files : {&o.gold, &o.gate, &o.files, &o.cells}) {
+    named.insert(named.end(), files->begin(), files->end());
+  }
+  check_outputs(o.common, files_read(named, o.include_dirs));
+  const std::string top = o.top.value_or(o.gate_top.value_or(""));
+  require_own_folder(equiv::folder_of(top, o.common.failures_folder()));
+  Junit junit(o);
+  try {
+    return compare(o, junit);
+  } catch (const InputError& error) {
+    junit.write(JunitCase::End::error, "input", error.what());
+    throw;
+  }
 }
 
 }  // namespace
@@ -288,6 +245,8 @@ void add_equiv(const Command& program) {
   command.text("--jobs", o->jobs, "J",
                "Engines at a time; default 4, or one a core where there are more");
   add_report(command, o->common);
+  command.text("--junit", o->common.junit, "FILE",
+               "Write the verdict as a test that CI services show: JUnit's XML");
   add_html(command, o->common, "the wave of a difference");
   add_failures(command, o->common);
   command.footer(

@@ -9,6 +9,7 @@
 #include "model/core/input_error.h"
 #include "tb/full_cli/commands.h"
 #include "tb/new/new_sources.h"
+#include "tb/program/named_values.h"
 #include "tb/support/draft.h"
 #include "tb/support/pattern.h"
 #include "tb/support/words.h"
@@ -64,6 +65,7 @@ std::vector<FoundParameter> parameters_in(const std::vector<std::string>& words)
     }
     all.push_back({parts[1], parts[2], !is_number});
   }
+  named_values("--param", words);
   return all;
 }
 
@@ -78,6 +80,7 @@ std::vector<std::string> options_of(const NewOptions& o, bool has_headers) {
     }
     options.push_back("-D" + d);
   }
+  named_values("--define", o.defines);
   return options;
 }
 

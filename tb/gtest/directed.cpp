@@ -88,7 +88,7 @@ void DirectedRecord::keep() const {
   Draft draft(options.root, failure_name(bench_, name_));
   draft.write("stimulus.stim", to_text(stimulus_, bench_));
   bench_.draw_wave((draft.folder() / "wave.fst").string(), stimulus_, {stimulus_.clocks.size(), 0});
-  draft.finish();
+  draft.finish_replacing();
   fmt::print("RTL and model are the same on all {}\nkept in: {}\n",
              count(stimulus_.clocks.size(), "clock"), draft.target().string());
 }

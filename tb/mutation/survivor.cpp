@@ -57,7 +57,7 @@ std::filesystem::path leave_survivor(const Subject& subject, unsigned mutant,
   const auto verilog = scratch.path() / "mutants.v";
   subject.write_verilog({mutant}, verilog);
   draft.write("mutants.v", read_file(verilog.string()));
-  draft.finish();
+  draft.finish_replacing();
   return draft.target();
 }
 

@@ -92,6 +92,8 @@ VerilogText verilog_words(std::string_view text) {
     imports = imports || word == "import";
     if (word == "`include" && next.size() > 2) {
       found.headers.emplace_back(next.substr(1, next.size() - 2));
+    } else if (before.starts_with("$readmem") && word == "(" && next.size() > 2) {
+      found.data.emplace_back(next.substr(1, next.size() - 2));
     } else if (is_one_of(begins, word) && before != "virtual" && next != "class" &&
                (in == 0 || word == "package")) {
       const std::string_view kind = word;

@@ -24,6 +24,7 @@ inline bool is_testbench(const VerilogUnit& unit) { return unit.is_module && !un
 struct VerilogText {
   std::vector<VerilogUnit> units;  ///< the first has no name: what stands outside of any
   std::vector<std::string> headers;
+  std::vector<std::string> data;  ///< files of $readmemh and $readmemb
 };
 
 VerilogText verilog_words(std::string_view text);

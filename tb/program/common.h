@@ -12,6 +12,7 @@ namespace cosim::cli {
 struct Common {
   Text csv;
   Text report;
+  Text junit;
   Text checkpoint;
   Text seed_text;
   Text plot;

@@ -64,7 +64,7 @@ int draw_one(const OneRun<Design>& one) {
   const Common& common = one.common;
   const Bench<Design>& bench = one.bench;
   check_extent(common, one.extent);
-  check_outputs(common, "", {&bench});
+  check_outputs(common, {}, {&bench});
   OutputFile csv(common.csv.value_or(""));
   const auto rows = one.rows(csv);
   Series path{bench.title(), {}};

@@ -102,6 +102,7 @@ std::vector<Output> outputs_of(const Common& common, const WavesOf& waves) {
   };
   add("--csv", common.csv);
   add("--report", common.report);
+  add("--junit", common.junit);
   add("--checkpoint", common.checkpoint);
   add("--plot", common.plot);
   add("--html", common.html);
@@ -114,9 +115,10 @@ std::vector<Output> outputs_of(const Common& common, const WavesOf& waves) {
   return all;
 }
 
-void check_apart(const std::vector<Output>& all, const std::string& input) {
+void check_apart(const std::vector<Output>& all, const std::vector<std::string>& inputs) {
   for (const Output& one : all) {
-    if (!input.empty() && same_file(one.path, input)) {
+    for (const std::string& input : inputs) {
+      if (input.empty() || !same_file(one.path, input)) continue;
       throw InputError(fmt::format("{}: {} is the file that is read", one.option, one.path));
     }
     if (same_file(one.path, "/dev/stdout")) {
@@ -134,12 +136,13 @@ void check_apart(const std::vector<Output>& all, const std::string& input) {
 
 }  // namespace
 
-void check_outputs(const Common& common, const std::string& input, const WavesOf& waves) {
+void check_outputs(const Common& common, const std::vector<std::string>& inputs,
+                   const WavesOf& waves) {
   if (common.wave) check_ending("--wave", *common.wave, {".fst"});
   if (common.html) check_ending("--html", *common.html, {".html"});
   if (common.failures && common.failures->empty()) throw InputError("--failures: names no folder");
   const std::vector<Output> all = outputs_of(common, waves);
-  check_apart(all, input);
+  check_apart(all, inputs);
   if (common.plot) {
     check_ending("--plot", *common.plot, {".svg", ".png"});
     check_plot();

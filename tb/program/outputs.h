@@ -14,10 +14,11 @@ namespace cosim::cli {
 /// draws into wave_file (wave.h) with its design's name as the part.
 using WavesOf = std::vector<const AnyBench*>;
 
-/// InputError if --csv, --report, --checkpoint, --plot, --html or --wave names no file, or one that
-/// cannot be written, or the file `input`, or the file that standard output goes to; if two of them
-/// name the same file, those beside a wave included; and if --failures names no folder. Leaves all
-/// files as they are. To be called last, when all other input has been checked.
-void check_outputs(const Common& common, const std::string& input = "", const WavesOf& waves = {});
+/// InputError if --csv, --report, --junit, --checkpoint, --plot, --html or --wave names no file, or
+/// one that cannot be written, or one of `inputs`, or the file that standard output goes to; if two
+/// of them name the same file, those beside a wave included; and if --failures names no folder.
+/// Leaves all files as they are. To be called last, when all other input has been checked.
+void check_outputs(const Common& common, const std::vector<std::string>& inputs = {},
+                   const WavesOf& waves = {});
 
 }  // namespace cosim::cli

@@ -8,12 +8,15 @@
 #include <array>
 #include <bit>
 
+#include "tb/support/interrupt.h"
 #include "tb/support/random.h"
 
 namespace cosim::proof {
 namespace {
 
 using Runs = std::uint64_t;  // a bit each
+
+constexpr std::size_t now_and_then = 64;  // clocks
 
 class Stimuli {
  public:
@@ -97,9 +100,11 @@ class Stimuli {
 
 void run_by_chance(const Aig& graph, std::uint64_t seed, std::size_t clocks,
                    const std::function<bool(const Aig::Runs&)>& see) {
+  const InterruptGuard interrupts;
   Stimuli stimuli(graph, seed);
   Aig::Runs runs(graph);
   for (std::size_t clock = 0; clock < clocks; ++clock) {
+    if (clock % now_and_then == 0) InterruptGuard::check();
     runs.clock(stimuli.now());
     if (!see(runs)) return;
     stimuli.next();
@@ -108,7 +113,6 @@ void run_by_chance(const Aig& graph, std::uint64_t seed, std::size_t clocks,
 
 std::vector<std::vector<bool>> by_chance(const Aig& graph, Aig::Lit bad, std::uint64_t seed,
                                          std::size_t clocks, const std::function<bool()>& stop) {
-  constexpr std::size_t now_and_then = 64;
   std::size_t clock = 0;
   Runs met = 0;
   run_by_chance(graph, seed, clocks, [&](const Aig::Runs& runs) {

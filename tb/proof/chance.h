@@ -11,7 +11,7 @@
 namespace cosim::proof {
 
 /// 64 runs from the first state, for at most so many clocks: `see` is shown each, and ends them
-/// with false.
+/// with false. Interrupted (interrupt.h), here and below.
 void run_by_chance(const Aig& graph, std::uint64_t seed, std::size_t clocks,
                    const std::function<bool(const Aig::Runs&)>& see);
 

@@ -145,7 +145,12 @@ class Portfolio {
   }
 
   void ask(std::size_t i, Clock::time_point until) {
-    if (!enough_) said_[i] = run_one(i, until);
+    try {
+      if (!enough_) said_[i] = run_one(i, until);
+    } catch (...) {
+      enough_ = true;  // nobody waits for what one engine's error ends
+      throw;
+    }
     --running_;
     const bool found = !said_[i].rows.empty();
     if (!found && !said_[i].never) return;

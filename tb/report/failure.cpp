@@ -104,7 +104,7 @@ Failure leave_failure(const AnyBench& bench, const std::string& what, const Mism
   more[fmt::format("smallest_{}s", bench.row())] = smallest.stimulus.clocks.size();
   write_report((draft.folder() / "report.json").string(),
                report_json({outcome}, stimulus.power_up, json_text(more)));
-  draft.finish();
+  draft.finish_replacing();
   return failure;
 }
 

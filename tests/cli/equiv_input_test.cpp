@@ -119,6 +119,60 @@ TEST(Equiv, OptionsNamePortsThatThereAre) {
   expect_refused(equiv(rtl, rtl, {"--map", "d=e"}), "--map: the new RTL has no port 'e'");
 }
 
+// An option that has two values, and a port that would be two.
+TEST(Equiv, OptionsThatContradictOneAnotherAreRefused) {
+  const std::string rtl = "module m(input a, b, output [1:0] y); assign y = {a, b}; endmodule\n";
+  const auto refused = [&](const Arguments& more, const std::string& said) {
+    expect_refused(equiv(rtl, rtl, more), said);
+  };
+  refused({"--tie", "a=0", "--tie", "a=1"}, "--tie: 'a' is given twice, as '0' and as '1'");
+  refused({"--map", "a=b", "--map", "a=a"}, "--map: 'a' is given twice, as 'b' and as 'a'");
+  refused({"--map", "a=b"}, "--map: 'a' and 'b' of the old RTL are both 'b' of the new");
+  refused({"--define", "A", "--define", "A=2"}, "--define: 'A' is given twice, as '' and as '2'");
+  refused({"--reset", "a=0", "--reset", "a=1"}, "--reset: 'a' is given twice");
+  refused({"--param", "W=1", "--gold-param", "W=2"},
+          "--param and --gold-param: 'W' is given twice");
+  expect_equal(rtl, rtl, {"--tie", "a=0", "--tie", "a=0"});
+  expect_different(rtl, rtl, "y is ", {"--map", "a=b", "--map", "b=a"});
+}
+
+// All that is read: files, their headers and data, and what is there since an older run.
+TEST(Equiv, NothingThatIsReadOrIsAPersonsIsWrittenOver) {
+  const Folder folder;
+  std::filesystem::create_directories(folder.path("inc"));
+  std::filesystem::create_directories(folder.path("kept/m-equiv"));
+  folder.write("inc/m.vh", "`define W 2\n");
+  folder.write("m.hex", "0 1\n");
+  folder.write("cells.v", "");
+  folder.write("m.v",
+               "`include \"m.vh\"\nmodule m(input a, output [`W-1:0] y); reg [`W-1:0] m[0:1];\n"
+               "initial $readmemh(\"m.hex\", m); assign y = m[a]; endmodule\n");
+  const Arguments command{"equiv",
+                          "--gold",
+                          folder.path("m.v"),
+                          "--gate",
+                          folder.path("m.v"),
+                          "--cells",
+                          folder.path("cells.v"),
+                          "--include",
+                          folder.path("inc"),
+                          "--top",
+                          "m",
+                          "--failures",
+                          folder.path("kept")};
+  for (const char* file : {"m.v", "cells.v", "inc/m.vh", "m.hex"}) {
+    for (const char* option : {"--report", "--junit"}) {
+      const std::string before = folder.text(file);
+      expect_refused(cosim(joined(command, {option, folder.path(file)})),
+                     std::string(option) + ": " + folder.path(file) + " is the file that is read");
+      EXPECT_EQ(folder.text(file), before);
+    }
+  }
+  EXPECT_EQ(ends(0, cosim(command)).err, "");
+  folder.write("kept/m-equiv/notes", "mine");
+  expect_refused(cosim(command), "m-equiv: has notes, which is not of an older run");
+}
+
 // What goes to its pins is compared, and what comes from them is any value, the same in both.
 TEST(Equiv, AModuleThatNoFileHas) {
   const auto rtl = [](const std::string& to, const std::string& from) {

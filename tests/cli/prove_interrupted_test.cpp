@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -94,6 +95,29 @@ TEST_P(InterruptedProof, EndsAComparison) {
     fs::remove(bin_.folder.path(tool));
     EXPECT_FALSE(folder_.holds("kept")) << tool;
   }
+}
+
+// Random stimuli go on beside the engines, and end with them.
+TEST_P(InterruptedProof, EndsASearchAtOnce) {
+  const auto rtl = [&](const char* name, const std::string& y) {
+    return folder_.write(name,
+                         "module m(input clk, input rst, output y);\nreg [40:0] c;\n"
+                         "always @(posedge clk) if (rst) c <= 0; else c <= c * 5 + 3;\n"
+                         "assign y = " +
+                             y + ";\nendmodule\n");
+  };
+  stand_in("yosys-abc", "case \"$*\" in *bmc3*) ;; *) exit 0 ;; esac");
+  const auto waits = [this] { return running(waits_) > 0; };
+  std::chrono::steady_clock::time_point began;
+  const Ended e = cosim_signalled({"equiv", "--gold", rtl("gold.v", "&c"), "--gate",
+                                   rtl("gate.v", "0"), "--top", "m", "--netlists"},
+                                  GetParam(), [&] {
+                                    began = std::chrono::steady_clock::now();
+                                    return waits();
+                                  });
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(5));
+  EXPECT_EQ(e.status, 128 + GetParam());
+  EXPECT_EQ(running(waits_), 0);
 }
 
 TEST_P(InterruptedProof, EndsGnuplot) {

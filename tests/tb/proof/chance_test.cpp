@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
+
+#include "tb/support/interrupt.h"
+
 namespace cosim::proof {
 namespace {
 
@@ -52,6 +56,14 @@ TEST(ByChance, AWordIsSmall) {
   }
   ASSERT_EQ(graph.words().size(), 1U);
   expect_met(graph, Aig::inverted(other));
+}
+
+TEST(ByChance, EndsWhenItIsInterrupted) {
+  Aig graph;
+  const Lit never = full(graph, 60, graph.input());
+  const InterruptGuard interrupts;
+  std::raise(SIGTERM);
+  EXPECT_THROW(by_chance(graph, never, 0, ~std::size_t{0}), Interrupted);
 }
 
 TEST(ByChance, WhatCannotBeIsNot) {

@@ -228,7 +228,7 @@ int run(const CompareOptions& o) {
   const auto by_arc = chosen(compare::arc_algorithms(), o.algorithms, work.arcs.works, known);
   check_known(o.algorithms, known, work);
   const compare::Machines machines = machines_for(work, seed);
-  check_outputs(o.common, o.file.value_or(""));
+  check_outputs(o.common, {o.file.value_or("")});
 
   Plot plot{text, {}, {}};
   Plot* const drawn = o.common.plot ? &plot : nullptr;

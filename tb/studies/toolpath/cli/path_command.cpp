@@ -142,7 +142,7 @@ int run(const PathOptions& o) {
   check_wave_clocks(o.common, parts.lines.clocks);
   check_wave_clocks(o.common, parts.arcs.clocks);
   if (o.common.plot) Series::check_steps(extent.steps);
-  check_outputs(o.common, file, {&lines, &arcs});
+  check_outputs(o.common, {file}, {&lines, &arcs});
 
   OutputFile csv(o.common.csv.value_or(""));
   csv.line("segment,dx,dy,x,y");

@@ -1,0 +1,104 @@
+#include "tb/full_cli/equiv_sides.h"
+
+#include <fmt/core.h>
+
+#include "model/core/input_error.h"
+#include "tb/full_cli/revision.h"
+#include "tb/new/found_shape.h"
+#include "tb/program/named_values.h"
+#include "tb/support/parallel.h"
+#include "tb/support/words.h"
+
+namespace cosim::cli {
+namespace {
+
+// What is of both sides, as the old one had it.
+SideFiles old_files(const EquivOptions& o, const std::filesystem::path& scratch) {
+  namespace fs = std::filesystem;
+  for (const std::string& file : o.files) {
+    if (!fs::exists(file)) throw InputError(file + ": No such file or directory");
+  }
+  const Revision revision(*o.rev, o.files.front(), scratch);
+  SideFiles old;
+  for (const std::string& file : o.files) {
+    if (const auto was = revision.old(file)) old.files.push_back(*was);
+  }
+  if (old.files.empty()) {
+    throw InputError(fmt::format("--rev: {} has none of the files", in_quotes(*o.rev)));
+  }
+  const auto add = [&](std::vector<std::string>& to, const std::vector<std::string>& all) {
+    for (const std::string& one : all) {
+      if (const auto was = revision.old(one, true)) to.push_back(*was);
+    }
+  };
+  add(old.cells, o.cells);
+  add(old.include_dirs, o.include_dirs);
+  if (const auto was = revision.old(".")) old.folder = *was;
+  return old;
+}
+
+struct Named {
+  const char* what;
+  const char* option;
+  const Text& top;
+  const std::vector<std::string>& parameters;
+};
+
+equiv::Side read_side(const EquivOptions& o, const SideFiles& own, const Named& named,
+                      const std::filesystem::path& made, const equiv::Budget& budget) {
+  equiv::Files all;
+  all.top = named.top ? *named.top : needed("--top", o.top);
+  std::vector<std::string> parameters = o.parameters;
+  parameters.insert(parameters.end(), named.parameters.begin(), named.parameters.end());
+  const char* const option = named.parameters.empty() ? "--param" : named.option;
+  for (const auto& [name, value] : named_values(option, parameters, "NAME=VALUE")) {
+    all.parameters.push_back(name + '=' + value);
+  }
+  named_values("--define", o.defines);
+  all.defines = o.defines;
+  all.include_dirs.assign(own.include_dirs.begin(), own.include_dirs.end());
+  all.folder = own.folder;
+  std::vector<std::string> verilog = own.files;
+  verilog.insert(verilog.end(), own.cells.begin(), own.cells.end());
+  const std::string wrong = as_plain_verilog(verilog, all.top, all.parameters, o.blackboxes, ".",
+                                             made.parent_path(), made);
+  if (!wrong.empty()) throw InputError("equiv: " + wrong);
+  all.files.assign(verilog.begin(), verilog.end());
+  return equiv::read(all, named.what, budget);
+}
+
+}  // namespace
+
+BothFiles files_of(const EquivOptions& o, const std::filesystem::path& scratch) {
+  BothFiles both;
+  if (o.rev) {
+    if (!o.gold.empty() || !o.gate.empty())
+      throw InputError("--rev: does not go with --gold or --gate");
+    if (o.files.empty()) throw InputError("FILE: is needed");
+  } else if (!o.files.empty()) {
+    throw InputError(fmt::format("equiv: takes no {} without --rev", in_quotes(o.files.front())));
+  } else if (o.gold.empty()) {
+    throw InputError("--gold: is needed, or --rev");
+  } else if (o.gate.empty()) {
+    throw InputError("--gate: is needed");
+  }
+  both.gate = {o.rev ? o.files : o.gate, o.cells, o.include_dirs};
+  both.gold = o.rev ? old_files(o, scratch) : SideFiles{o.gold, o.cells, o.include_dirs};
+  return both;
+}
+
+BothSides read_sides(const EquivOptions& o, const BothFiles& files,
+                     const std::filesystem::path& reader, const equiv::Budget& budget,
+                     unsigned jobs) {
+  BothSides both;
+  const Named gold{"the old RTL", "--param and --gold-param", o.gold_top, o.gold_parameters};
+  const Named gate{"the new RTL", "--param and --gate-param", o.gate_top, o.gate_parameters};
+  in_parallel(2, jobs, [&](std::uint64_t i) {
+    if (i == 0) both.gold = read_side(o, files.gold, gold, reader / "was.v", budget);
+    if (i == 1) both.gate = read_side(o, files.gate, gate, reader / "is.v", budget);
+    return true;
+  });
+  return both;
+}
+
+}  // namespace cosim::cli

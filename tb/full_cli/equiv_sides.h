@@ -1,0 +1,46 @@
+// The two RTLs of `cosim equiv`: which files each of them is read from.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tb/equiv/side.h"
+#include "tb/program/common.h"
+
+namespace cosim::cli {
+
+struct EquivOptions {
+  std::vector<std::string> gold, gate, files, cells, blackboxes, parameters, gold_parameters,
+      gate_parameters, include_dirs, defines, resets, tied, ignored, renamed, assumed;
+  Text rev, top, gold_top, gate_top, seconds, jobs, reset_clocks, latency;
+  bool netlists = false;
+  Common common;
+};
+
+/// What one side is read from, and where its working directory is.
+struct SideFiles {
+  std::vector<std::string> files, cells, include_dirs;
+  std::filesystem::path folder = ".";
+};
+
+struct BothFiles {
+  SideFiles gold, gate;
+};
+
+/// Each side's own: with --rev those of the old one are what git has, in `scratch`. InputError
+/// where the options name none.
+BothFiles files_of(const EquivOptions& options, const std::filesystem::path& scratch);
+
+struct BothSides {
+  std::optional<equiv::Side> gold, gate;
+};
+
+/// Reads both at once, on `jobs` threads at the most. `reader`: write_reader() (found_shape.h).
+/// InputError, and OutOfTime.
+BothSides read_sides(const EquivOptions& options, const BothFiles& files,
+                     const std::filesystem::path& reader, const equiv::Budget& budget,
+                     unsigned jobs);
+
+}  // namespace cosim::cli

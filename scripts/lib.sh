@@ -5,8 +5,10 @@
 #   usage                the caller's opening comment, as its --help
 #   help WORDS...        where one of the words is -h or --help: usage, and the end of the script
 #   quietly COMMAND...   COMMAND, its output only where it fails; on a terminal, one moving line
-#   build PRESET TARGET  configures where needed, then builds, quietly
-#   ready PRESET TARGET SET...  what these sets of scripts/setup are, then that is built; or status 2
+#   compile WHAT FOLDER COMMAND...  COMMAND, which builds WHAT; its output stays in FOLDER/build.log, and
+#                        where it fails one line says the first error and the log, with status 2
+#   build PRESET TARGET  configures where needed, then builds, as compile
+#   ready PRESET TARGET SET...  installs these sets of scripts/setup, then builds; ends with status 2
 #   help_with COMMAND WORDS...  as help, with what `cosim COMMAND` says of itself where it is built
 #   make_scratch         sets scratch, a new folder that goes with the script
 #   on_page PAGE COLUMNS copies a table in Markdown from standard input, and says of each row whether the
@@ -62,17 +64,44 @@ moving_line() {
   printf '\r\033[K'
 }
 
+# logged LOG COMMAND...: its output goes to the file LOG; on a terminal one moving line shows it.
+logged() {
+  if [[ -t 2 ]]; then
+    "${@:2}" < /dev/null 2>&1 | tee "$1" | moving_line >&2
+  else
+    "${@:2}" < /dev/null > "$1" 2>&1
+  fi
+}
+
 quietly() (
   log=$(mktemp)
   trap 'rm -f "$log"' EXIT
-  if [[ -t 2 ]]; then
-    "$@" < /dev/null 2>&1 | tee "$log" | moving_line >&2 && exit
-  else
-    "$@" < /dev/null > "$log" 2>&1 && exit
-  fi
+  logged "$log" "$@" && exit
   cat "$log" >&2
   exit 1
 )
+
+# first_error LOG: what failed in a log of CMake, of a compiler or of ninja, one line: the first error
+# with its file, else the target that was not made, else the last line.
+first_error() {
+  local text error='' one words
+  text=$(sed -E $'s/\e\\[[0-9;]*[mK]//g; s:^(/[^ ]*/)?(\\.\\./)+::' "$1")
+  for one in '^[^ ]+:[0-9]+(:[0-9]+)?: (fatal )?error: ' '^CMake Error' 'undefined reference to ' \
+    '^FAILED: ' '^%Error' '[^ ]'; do
+    error=$(grep -m 1 -E -A 2 -- "$one" <<< "$text") || continue
+    # The text of CMake's error is on the lines behind its place.
+    [[ $error == 'CMake Error'* ]] || error=${error%%$'\n'*}
+    break
+  done
+  read -rd '' -a words <<< "${error//"$root/"/}" || true
+  error=${words[*]}
+  printf '%s' "${error:0:300}"
+}
+
+compile() {
+  local log=$2/build.log
+  logged "$log" "${@:3}" || die "$1 is not built: $(first_error "$log"); its log: $log"
+}
 
 # configure PRESET FOLDER TARGET: where it was not done yet; or again, where CXX or COSIM_WERROR ask
 # for something else, or a tool that CMake looks for has come or gone: ninja sees only files that
@@ -88,7 +117,8 @@ configure() {
   # Of another compiler nothing that was found holds.
   [[ ${was[0]-} == "${now[0]}" ]] || fresh=(--fresh)
   rm -f "$note"
-  COSIM_WERROR=${now[1]} quietly cmake "${fresh[@]}" --preset "$preset" -DBUILD_TESTING="$tests" &&
+  COSIM_WERROR=${now[1]} compile "$3" "$2" \
+    cmake "${fresh[@]}" --preset "$preset" -DBUILD_TESTING="$tests" &&
     printf '%s\n' "${now[@]}" > "$note"
 }
 
@@ -110,14 +140,14 @@ build() (
   if [[ -z ${CMAKE_CXX_COMPILER_LAUNCHER-} ]] && command -v ccache > /dev/null; then
     export CMAKE_CXX_COMPILER_LAUNCHER=ccache
   fi
-  mkdir -p "$folder" && cd "$root" && exec 9> "$folder/.lock" && flock 9 &&
-    configure "$preset" "$folder" "$target" &&
-    quietly cmake --build --preset "$preset" --target "$target" -j "$(nproc)"
+  { mkdir -p "$folder" && cd "$root" && exec 9> "$folder/.lock" && flock 9; } || exit 2
+  configure "$preset" "$folder" "$target"
+  compile "$target" "$folder" cmake --build --preset "$preset" --target "$target" -j "$(nproc)"
 )
 
 ready() {
   "$root/scripts/setup" "${@:3}" || exit
-  build "$1" "$2" || die "the build failed"
+  build "$1" "$2" || exit
 }
 
 # record NAME TITLE COMMAND: runs the caller once more, with its own arguments, below this one, and

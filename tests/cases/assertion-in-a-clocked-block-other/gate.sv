@@ -1,0 +1,4 @@
+module t(input clk, a, b, output reg y);
+  always @(posedge clk) y <= b;
+  always @(posedge clk) assert (a | ~a);
+endmodule

@@ -1,0 +1,3 @@
+module t(input clk, a, output y);
+  pll #(.D(4)) u(.i(a), .o(y));
+endmodule

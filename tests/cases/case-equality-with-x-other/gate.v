@@ -1,0 +1,3 @@
+module t(input a, b, c, output y);
+  assign y = b;
+endmodule

@@ -1,0 +1,3 @@
+module t(input [1:0] sel, input [3:0] a, b, output reg [3:0] y);
+  always @* y = sel == 2 ? b : a;
+endmodule

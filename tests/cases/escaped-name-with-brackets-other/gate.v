@@ -1,0 +1,3 @@
+module t(input [1:0] a, input \a[0] , output y);
+  assign y = \a[0] ;
+endmodule

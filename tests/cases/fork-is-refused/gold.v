@@ -1,0 +1,8 @@
+// A fork in a process.
+module t(input clk, d, output reg q, p);
+  always @(posedge clk)
+    fork
+      q <= d;
+      p <= ~d;
+    join
+endmodule

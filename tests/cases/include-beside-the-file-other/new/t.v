@@ -1,0 +1,4 @@
+`include "defs.vh"
+module t(input a, output y);
+  assign y = `OP a;
+endmodule

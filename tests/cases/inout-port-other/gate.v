@@ -1,0 +1,4 @@
+module t(input en, d, inout pad, output y);
+  assign pad = en ? ~d : 1'bz;
+  assign y = pad ^ d;
+endmodule

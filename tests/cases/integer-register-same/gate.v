@@ -1,0 +1,7 @@
+module t(input clk, rst, input [3:0] d, output y);
+  reg signed [31:0] r;
+  always @(posedge clk)
+    if (rst) r <= 0;
+    else r <= r - d;
+  assign y = r[31] & (r + 32'd20 >> 31);
+endmodule

@@ -1,0 +1,8 @@
+// TERM in the search ends the program within four seconds.
+module t(input clk, rst, output y);
+  reg [40:0] c;
+  always @(posedge clk)
+    if (rst) c <= 0;
+    else c <= c * 5 + 3;
+  assign y = &c;
+endmodule

@@ -1,0 +1,6 @@
+module t(input a, b, output y);
+  below u(a, b, y);
+endmodule
+(* keep_hierarchy *) module below(input a, b, output y);
+  assign y = b & a;
+endmodule

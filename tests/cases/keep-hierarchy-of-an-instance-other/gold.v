@@ -1,0 +1,7 @@
+// The attribute keep_hierarchy at an instance.
+module t(input a, b, output y);
+  (* keep_hierarchy *) below u(a, b, y);
+endmodule
+module below(input a, b, output y);
+  assign y = a & b;
+endmodule

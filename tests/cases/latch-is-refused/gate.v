@@ -1,0 +1,3 @@
+module t(input en, d, output reg y);
+  always @* if (en) y = d;
+endmodule

@@ -1,0 +1,3 @@
+module t(input [7:0] a, output [7:0] y);
+  assign y = a & 8'h03;
+endmodule

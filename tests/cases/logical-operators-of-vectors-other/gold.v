@@ -1,0 +1,4 @@
+// A logical operator asks whether any bit is 1.
+module t(input [3:0] a, b, output [3:0] y);
+  assign y = {!a, a && b, a || b, !(a & b)};
+endmodule

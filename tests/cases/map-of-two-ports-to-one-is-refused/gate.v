@@ -1,0 +1,3 @@
+module t(input c, output y);
+  assign y = 0;
+endmodule

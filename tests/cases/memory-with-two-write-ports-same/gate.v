@@ -1,0 +1,8 @@
+module t(input clk, v, w, input [1:0] a, b, r, input [3:0] d, e, output [3:0] q);
+  reg [3:0] m [0:3];
+  always @(posedge clk) begin
+    if (w) m[b] <= e;
+    if (v && !(w && a == b)) m[a] <= d;
+  end
+  assign q = m[r];
+endmodule

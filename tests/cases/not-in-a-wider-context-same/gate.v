@@ -1,0 +1,3 @@
+module t(input [3:0] a, output [7:0] y);
+  assign y = {4'hf, ~a};
+endmodule

@@ -1,0 +1,4 @@
+// The new RTL leaves an operand of & below open.
+module t(input [3:0] a, output [3:0] y);
+  assign y = a;
+endmodule

@@ -1,0 +1,3 @@
+module t(input signed [2:0] n, output [7:0] y);
+  assign y = n < 0 ? 8'd0 : 8'd1 << n[1:0];
+endmodule

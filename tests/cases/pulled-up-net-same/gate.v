@@ -1,0 +1,3 @@
+module t(input a, s, output y);
+  assign y = s ? a : 1'b1;
+endmodule

@@ -1,0 +1,5 @@
+module t(input clk, d, output reg q);
+  reg p;
+  always @(posedge clk) p <= d;
+  always @(posedge clk) q <= p;
+endmodule

@@ -1,0 +1,3 @@
+module t(input [2:0] a, output [7:0] q);
+  assign q = a < 4 ? 8'h11 * (a + 1) : 8'ha0 + a;
+endmodule

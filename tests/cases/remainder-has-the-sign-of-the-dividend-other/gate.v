@@ -1,0 +1,3 @@
+module t(input signed [3:0] a, output signed [3:0] y);
+  assign y = {2'b00, a[1:0]};
+endmodule

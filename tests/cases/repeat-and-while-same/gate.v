@@ -1,0 +1,6 @@
+module t(input [7:0] a, output reg [7:0] y);
+  wire [7:0] b = {a[6:0], a[7] ^ a[0]};
+  wire [7:0] c = {b[6:0], b[7] ^ b[0]};
+  wire [7:0] d = {c[6:0], c[7] ^ c[0]};
+  always @* y = d + 2;
+endmodule

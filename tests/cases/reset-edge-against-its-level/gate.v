@@ -1,0 +1,5 @@
+module t(input clk, rst, output reg q);
+  always @(posedge clk or posedge rst)
+    if (rst) q <= 0;
+    else q <= ~q;
+endmodule

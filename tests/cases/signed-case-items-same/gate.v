@@ -1,0 +1,3 @@
+module t(input signed [1:0] s, output reg y);
+  always @* y = &s;
+endmodule

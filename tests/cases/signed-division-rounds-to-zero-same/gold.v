@@ -1,0 +1,4 @@
+// -7 / 2 is -3.
+module t(input signed [3:0] a, output signed [3:0] y);
+  assign y = a / 2;
+endmodule

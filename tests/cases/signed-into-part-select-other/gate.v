@@ -1,0 +1,4 @@
+module t(input [2:0] at, input signed [1:0] n, output reg [11:0] y);
+  wire [11:0] nibble = {10'd0, n};
+  always @* y = nibble << at;
+endmodule

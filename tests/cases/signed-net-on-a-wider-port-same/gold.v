@@ -1,0 +1,7 @@
+// A signed net is extended with its sign on a wider port.
+module below(input signed [7:0] i, output [3:0] o);
+  assign o = i[7:4];
+endmodule
+module t(input signed [3:0] a, output [3:0] y);
+  below u(.i(a), .o(y));
+endmodule

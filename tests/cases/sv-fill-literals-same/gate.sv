@@ -1,0 +1,4 @@
+module t(input [7:0] a, input [39:0] b, output [7:0] y, output z);
+  assign y = ~a;
+  assign z = &b;
+endmodule

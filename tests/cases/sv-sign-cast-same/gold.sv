@@ -1,0 +1,4 @@
+// signed'() makes what it holds signed.
+module t(input [3:0] a, output [7:0] y);
+  assign y = signed'(a);
+endmodule

@@ -1,0 +1,4 @@
+// {<<{a}} is a with its bits reversed.
+module t(input [3:0] a, output [3:0] y);
+  assign y = {<<{a}};
+endmodule

@@ -1,0 +1,3 @@
+module t #(parameter M = "A")(input a, output y);
+  assign y = M == "A" ? a : ~a;
+endmodule

@@ -1,0 +1,6 @@
+// One input is tied to two values.
+module t(input clk, rst, input [3:0] d, output reg [3:0] q);
+  always @(posedge clk)
+    if (rst) q <= 0;
+    else q <= d;
+endmodule

@@ -1,0 +1,4 @@
+// The new RTL reads $time.
+module t(input clk, d, output reg y);
+  always @(posedge clk) y <= d;
+endmodule

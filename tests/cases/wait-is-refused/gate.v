@@ -1,0 +1,3 @@
+module t(input clk, d, e, output reg q);
+  always @(posedge clk) if (e) q <= d;
+endmodule

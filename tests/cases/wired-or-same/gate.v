@@ -1,0 +1,3 @@
+module t(input a, b, output y);
+  assign y = a | b;
+endmodule

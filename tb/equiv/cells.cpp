@@ -58,7 +58,7 @@ void Cells::refuse(const Cell& cell, const std::string& why) {
 }
 
 Cells::Cells(const Module& module, Aig& graph, std::function<Lit()> unknown)
-    : module_(module), graph_(graph), words_(graph), unknown_(std::move(unknown)) {
+    : graph_(graph), words_(graph), unknown_(std::move(unknown)) {
   for (const Cell& cell : module.cells) {
     if (is_no_logic(cell)) continue;
     for (const auto& [pin, bits] : cell.pins) {
@@ -75,18 +75,7 @@ Lit Cells::leaf(int bit) {
   if (bit == one) return 1;
   if (bit < 0) return unknown_();
   const auto at = value_.find(bit);
-  return at != value_.end() ? at->second : value_[bit] = undriven(bit);
-}
-
-// A variable of a function that is read before it is written has what the last call left in it.
-Lit Cells::undriven(int bit) {
-  for (const Net& net : module_.nets) {
-    const std::size_t at = net.name.find("$func$");
-    if (at == std::string::npos || std::ranges::find(net.bits, bit) == net.bits.end()) continue;
-    throw Refused(fmt::format("variable {} of function {} keeps its value from call to call",
-                              net.name.substr(net.name.rfind('.') + 1), net.name.substr(0, at)));
-  }
-  return unknown_();
+  return at != value_.end() ? at->second : value_[bit] = unknown_();  // nothing drives it
 }
 
 Lits Cells::of(const std::vector<int>& bits) {

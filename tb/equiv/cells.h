@@ -44,7 +44,6 @@ class Cells {
     std::size_t bit = 0;
   };
   Lit leaf(int bit);
-  Lit undriven(int bit);
   bool is_known(int bit) const { return bit < 0 || value_.contains(bit); }
   std::vector<int> needs(const Place& place) const;
   void evaluate(const Place& place);
@@ -64,7 +63,6 @@ class Cells {
   Lits selected(const Cell& cell, std::size_t width);
   [[noreturn]] static void refuse(const Cell& cell, const std::string& why);
 
-  const Module& module_;
   proof::Aig& graph_;
   Arithmetic words_;
   std::function<Lit()> unknown_;

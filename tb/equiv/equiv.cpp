@@ -9,6 +9,7 @@
 #include "tb/equiv/clocks.h"
 #include "tb/equiv/front_end.h"
 #include "tb/equiv/product.h"
+#include "tb/equiv/renamed.h"
 #include "tb/equiv/replay.h"
 #include "tb/equiv/unknown.h"
 #include "tb/proof/reach.h"
@@ -132,7 +133,7 @@ Pairs memory_pairs(const Question& q) {
   return pairs;
 }
 
-void make_gates(Question& q, Memories how) {
+void make_gates(Question& q, Memories how, Answer& answer) {
   in_parallel(2, q.jobs, [&](std::uint64_t i) {
     Side& side = i == 0 ? q.gold : q.gate;
     try {
@@ -148,6 +149,7 @@ void make_gates(Question& q, Memories how) {
   });
   q.gate.name_as(q.gold);
   find_resets(q);
+  answer.renamed = name_renamed(q);
 }
 
 // In this share of the time that is left, and no more than so many seconds.
@@ -210,6 +212,9 @@ bool are_trusted(Question& q, Answer& answer) {
   for (const auto& [trusted, side] :
        {std::pair(&answer.gold_read, &q.gold), std::pair(&answer.gate_read, &q.gate)}) {
     if (trusted->is.agrees) continue;
+    if (const std::string kept = side->kept_by_function(); !kept.empty()) {
+      throw Refused(fmt::format("{}: {}", side->what(), kept));
+    }
     answer.left =
         trusted->is.by.empty()
             ? fmt::format("no simulator runs {}: {}", side->what(), trusted->is.wrong)
@@ -304,7 +309,7 @@ void compare_with_any(const Question& q, std::vector<Filler> first, Answer& answ
 }
 
 void compare_all(Question& q, Answer& answer) {
-  make_gates(q, Memories::cut);
+  make_gates(q, Memories::cut, answer);
   if (!are_trusted(q, answer)) return;
   if (q.latency == 0 && q.renamed.empty() && q.gold.form() == q.gate.form()) {
     answer.verdict = Verdict::equal;
@@ -314,10 +319,10 @@ void compare_all(Question& q, Answer& answer) {
   if (q.steps) require_steps(q);
   const Pairs memories = memory_pairs(q);
   if (!memories.empty()) {
-    make_gates(q, Memories::cut);
+    make_gates(q, Memories::cut, answer);
     if (is_decided_by_memories(q, memories, answer)) return;
   }
-  make_gates(q, Memories::registers);
+  make_gates(q, Memories::registers, answer);
   // The registers that both have by name are equal nearly always: then one clock from any state is
   // all of the question.
   if (is_equal_by_names(q, {}, answer)) return;

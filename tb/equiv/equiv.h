@@ -30,6 +30,7 @@ struct Question {
   /// Inputs that have a value, of either side: binary, the highest bit first, no wider than the
   /// input.
   std::map<std::string, std::string> tied{};
+  std::map<std::string, std::string> same{};     ///< registers of the old RTL by other names
   std::vector<std::string> ignored{};            ///< outputs that are not compared
   std::map<std::string, std::string> renamed{};  ///< ports of the old RTL as the new one calls them
   std::vector<Assumption> assumed{};             ///< of the clocks after the reset
@@ -91,6 +92,8 @@ struct Answer {
   int compared = 0;         ///< of undecided: equal for so many clocks
   std::string left;         ///< of undecided: what is left
   std::size_t matched = 0;  ///< registers that both have by name
+  /// Registers of the old RTL that the new one has by another name.
+  std::map<std::string, std::string> renamed{};
 };
 
 /// How many clocks a stimulus has after the first difference, for a wave to show.

@@ -26,6 +26,13 @@ constexpr const char* to_cells =
     "proc -noopt\nsetattr -mod -unset keep_hierarchy *\nsetattr -unset keep_hierarchy */c:*\n"
     "flatten\ncheck\nopt_clean\nmemory_collect\nopt_clean\n";
 
+// A text of Verilog without what yosys may not read: what is printed, and whole numbers as reals
+// that something is compared with.
+std::string simpler(const std::string& text) {
+  static const Pattern real(R"((<=|>=|<|>|==|!=)(\s*\d+)\.0+(?![\w.]))");
+  return real.replaced(without_prints(text), "$1$2");
+}
+
 // Files and folders have names of ours in `scratch`: nothing that a person types is read as a
 // command. A file stands in its own folder, where $readmemh and `include look for others first.
 class Reading {
@@ -60,7 +67,7 @@ class Reading {
     if (prints) {
       if (!fs::is_symlink(own)) fs::create_symlink(fs::absolute(file), own);
     } else {
-      write_file(own.string(), without_prints(read_file(file.string())));
+      write_file(own.string(), simpler(read_file(file.string())));
     }
     return own.string();
   }
@@ -171,15 +178,18 @@ Elaborated by_yosys(const Files& files, const std::string& what, const Budget& b
   const Scratch scratch;
   const fs::path own = scratch.path();
   Reading reading(files, own);
+  const std::string log = (own / "log").string();
   const auto attempt = [&](bool prints, const fs::path& folder) {
     write_file((own / "script.ys").string(), script(files, reading, own, prints));
     const Ended ended =
-        run({"yosys", "-q", "-s", (own / "script.ys").string()}, own, folder, budget);
+        run({"yosys", "-q", "-l", log, "-s", (own / "script.ys").string()}, own, folder, budget);
     if (ended.status == 127) throw InputError("needs yosys");
     if (ended.status != 0) {
+      // Its log says more, as which register it was at.
+      const std::string said = fs::exists(log) ? read_file(log) : ended.text;
       throw InputError(
           fmt::format("{}: yosys cannot read it: {}", what,
-                      yosys_message(ended.text, ended.status, reading.names())));
+                      yosys_message(said, ended.status, reading.names())));
     }
     const std::string wrong = misread(ended.text, reading);
     if (!wrong.empty()) throw InputError(fmt::format("{}: yosys cannot read it: {}", what, wrong));
@@ -201,7 +211,7 @@ Elaborated by_yosys(const Files& files, const std::string& what, const Budget& b
     const bool is_printing =
         std::any_of(files.files.begin(), files.files.end(), [](const fs::path& file) {
           const std::string text = read_file(file.string());
-          return without_prints(text) != text;
+          return simpler(text) != text;
         });
     if (!is_printing) break;
   }

@@ -71,6 +71,61 @@ Json check_json(const Answer& a) {
           {"clauses", a.check->clauses}};
 }
 
+// "the old RTL: read by yosys, as Icarus Verilog simulates it, on 2048 clocks; the new RTL: ..."
+std::string read_text(const Question& q, const Answer& a) {
+  std::string text;
+  for (const auto& [side, trusted] :
+       {std::pair(&q.gold, &a.gold_read), std::pair(&q.gate, &a.gate_read)}) {
+    if (trusted->is.by.empty()) continue;
+    text += fmt::format("{}{}: read by {}, {} {} simulates it, on {}", text.empty() ? "" : "; ",
+                        side->what(), name_of(trusted->front_end),
+                        trusted->is.agrees ? "as" : "not as", trusted->is.by,
+                        clocks_text(static_cast<std::size_t>(trusted->is.clocks)));
+  }
+  return text;
+}
+
+std::string renamed_text(const Answer& a) {
+  constexpr std::size_t most = 3;
+  std::string text;
+  std::size_t n = 0;
+  for (const auto& [old_name, new_name] : a.renamed) {
+    if (n++ < most) text += fmt::format("{}{} is {}", text.empty() ? "" : ", ", old_name, new_name);
+  }
+  if (n > most) text += fmt::format(", and {} more", n - most);
+  return text;
+}
+
+std::string decided_text(const std::string& top, const Answer& a) {
+  if (a.verdict == Verdict::equal) {
+    return fmt::format("{}: equal for ever, by {}{}\n", top, a.by,
+                       a.check ? "; " + to_text(*a.check) : "");
+  }
+  if (a.verdict == Verdict::undecided) {
+    const std::string first =
+        "equal for the first " + clocks_text(static_cast<std::size_t>(a.compared));
+    return fmt::format("{}: undecided: {}{}\n", top,
+                       a.compared > 0 || a.left.empty() ? first + "; " : "",
+                       a.left.empty() ? "more is not known" : a.left);
+  }
+  const Row& last = a.clocks.back();
+  std::string list;
+  for (const std::string& port : a.differing) {
+    list += fmt::format("{} {} is {}, was {}", list.empty() ? "" : ",", port, last.gate.at(port),
+                        last.gold.at(port));
+  }
+  std::string text =
+      fmt::format("{}: different on clock {}{}:{}; replayed {}\n", top, a.clocks.size() - 1,
+                  a.least ? ", the first that can be" : "", list, a.replayed);
+  if (!a.late.empty()) {
+    text += fmt::format(
+        "only the time differs on these clocks: the values in their order are the same, in the new "
+        "{}\n",
+        late_text(a));
+  }
+  return text;
+}
+
 Page page(const std::string& top, const Question& q, const Answer& a) {
   Page page;
   page.title = top;
@@ -121,34 +176,12 @@ std::string assumed_text(const Question& q) {
   return text;
 }
 
-std::string verdict_text(const std::string& top, const Question&, const Answer& a) {
-  if (a.verdict == Verdict::equal) {
-    return fmt::format("{}: equal for ever, by {}{}\n", top, a.by,
-                       a.check ? "; " + to_text(*a.check) : "");
-  }
-  if (a.verdict == Verdict::undecided) {
-    const std::string first =
-        "equal for the first " + clocks_text(static_cast<std::size_t>(a.compared));
-    return fmt::format("{}: undecided: {}{}\n", top,
-                       a.compared > 0 || a.left.empty() ? first + "; " : "",
-                       a.left.empty() ? "more is not known" : a.left);
-  }
-  const Row& last = a.clocks.back();
-  std::string list;
-  for (const std::string& port : a.differing) {
-    list += fmt::format("{} {} is {}, was {}", list.empty() ? "" : ",", port, last.gate.at(port),
-                        last.gold.at(port));
-  }
-  std::string text =
-      fmt::format("{}: different on clock {}{}:{}; replayed {}\n", top, a.clocks.size() - 1,
-                  a.least ? ", the first that can be" : "", list, a.replayed);
-  if (!a.late.empty()) {
-    text += fmt::format(
-        "only the time differs on these clocks: the values in their order are the same, in the new "
-        "{}\n",
-        late_text(a));
-  }
-  return text;
+std::string verdict_text(const std::string& top, const Question& q, const Answer& a) {
+  const std::string read = read_text(q, a);
+  const std::string renamed = renamed_text(a);
+  return (read.empty() ? "" : read + '\n') +
+         (renamed.empty() ? "" : "registers by other names in the new RTL: " + renamed + '\n') +
+         decided_text(top, a);
 }
 
 std::string result_json(const std::string& top, const Question& q, const Answer& a) {
@@ -167,7 +200,9 @@ std::string result_json(const std::string& top, const Question& q, const Answer&
                   {"replayed", a.replayed},
                   {"assumed", assumed_text(q)},
                   {"assumptions", assumptions},
+                  {"read", read_text(q, a)},
                   {"registers_by_name", a.matched},
+                  {"registers_renamed", a.renamed},
                   {"stimulus", clocks},
                   {"least", a.least},
                   {"differing", a.differing},

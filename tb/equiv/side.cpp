@@ -77,6 +77,27 @@ Side::Side(const Files& files, std::string what, FrontEnd front_end, const Budge
   ports();
 }
 
+std::string Side::kept_by_function() const {
+  std::set<int> open;  // what a multiplexer leaves x
+  for (const Cell& cell : module_->cells) {
+    if (!cell.has("Y") || !cell.has("S")) continue;
+    const auto is_open = [&](const char* pin) {
+      return cell.has(pin) && std::ranges::find(cell.pins.at(pin), is_x) != cell.pins.at(pin).end();
+    };
+    if (!is_open("A") && !is_open("B")) continue;
+    open.insert(cell.pins.at("Y").begin(), cell.pins.at("Y").end());
+  }
+  static const Pattern local(R"(([A-Za-z_]\w*)\$func\$.*\.([A-Za-z_]\w*)(\[.*)?)");
+  for (const Net& net : module_->nets) {
+    const auto found = local.all(net.name);
+    if (found.empty() || std::ranges::none_of(net.bits, [&](int bit) { return open.contains(bit); }))
+      continue;
+    return fmt::format("variable {} of function {} keeps its value from call to call", found[0][2],
+                       found[0][1]);
+  }
+  return "";
+}
+
 Side read(const Files& files, const std::string& what, const Budget& budget) {
   try {
     return {files, what, FrontEnd::yosys, budget};

@@ -68,6 +68,9 @@ void name_ports(const EquivOptions& o, equiv::Question& q) {
   for (const auto& [port, other] : named_values("--map", o.renamed, "OLD=NEW")) {
     q.renamed.emplace(port, other);
   }
+  for (const auto& [old_name, new_name] : named_values("--same", o.same, "OLD=NEW")) {
+    q.same.emplace(old_name, new_name);
+  }
   std::map<std::string, std::string> old_of;
   for (const auto& [port, text] : q.gold.declared) {
     const auto at = q.renamed.find(port);
@@ -236,11 +239,13 @@ void add_equiv(const Command& program) {
   command.each("--tie", o->tied, "PIN=VALUE", "An input that has that value");
   command.each("--ignore", o->ignored, "PIN", "An output that is not compared");
   command.each("--map", o->renamed, "OLD=NEW", "A port that has another name in the new RTL");
+  command.each("--same", o->same, "OLD=NEW",
+               "A register that has another name in the new RTL; most are found");
   command.each("--assume", o->assumed, "EXPRESSION",
                "Verilog over the old RTL's ports, true on every clock after the reset");
   command.text("--latency", o->latency, "N", "The new outputs come N clocks later");
   command.flag("--netlists", o->netlists,
-               "A difference is replayed on the netlists alone, not in Verilator: quicker");
+               "A difference is not replayed in Verilator, where Icarus Verilog cannot");
   command.text("--seconds", o->seconds, "N", "For all of it, reading included; default 300");
   command.text("--jobs", o->jobs, "J",
                "Engines at a time; default 4, or one a core where there are more");

@@ -35,7 +35,7 @@ read_rtl() {
   local top=$1 && shift
   local parameters=("${@/#/-chparam }")
   local file
-  for file in "$rtl/$top"/*.v; do echo "read_verilog $(file_for_yosys "$file");"; done
+  for file in "$rtl/$top"/*.v; do echo "read_verilog -defer $(file_for_yosys "$file");"; done
   echo "hierarchy -check -top $top ${parameters[*]/=/ };" \
     "rename -top $top;"
 }

@@ -58,6 +58,7 @@ int run(int argc, char** argv) {
                        " COMMAND --help explains a command and its options.");
         const cosim::cli::Registry& registry = cosim::cli::registry();
         if (cosim::benches().empty()) {  // the program of the package
+          cosim::cli::add_wave_command(program);
           return cosim::cli::form().add_commands(program, registry);
         }
         cosim::cli::add_list(program);

@@ -30,14 +30,19 @@ struct WaveOptions {
   Text hostile, shot;
 };
 
+// What a comparison of two RTLs leaves has a wave and no stimulus of a design.
+bool has_wave_alone(const fs::path& folder) {
+  return fs::exists(folder / "wave.fst") && fs::exists(folder / "wave.gtkw") &&
+         !fs::exists(folder / "stimulus.stim");
+}
+
 // The failure that was kept last. A folder that is not whole yet begins with a dot.
 fs::path newest_failure(const fs::path& root) {
   std::optional<fs::directory_entry> newest;
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(root, none)) {
-    if (!fs::exists(entry.path() / "stimulus.stim") || entry.path().filename().string()[0] == '.') {
-      continue;
-    }
+    const bool is_one = fs::exists(entry.path() / "stimulus.stim") || has_wave_alone(entry.path());
+    if (!is_one || entry.path().filename().string()[0] == '.') continue;
     if (!newest || entry.last_write_time() > newest->last_write_time()) newest = entry;
   }
   if (!newest) throw InputError(root.string() + ": there is no failure in it");
@@ -45,7 +50,7 @@ fs::path newest_failure(const fs::path& root) {
 }
 
 // What is to be drawn: a file, the folder of a failure, or hostile clocks of a design.
-Replay read(const WaveOptions& o) {
+Replay read_replay(const WaveOptions& o) {
   const bool is_path = o.words.size() == 1 && fs::exists(o.words.front());
   if (!o.words.empty() && !is_path) {
     const bool is_file = o.words.front().find_first_of("./") != std::string::npos;
@@ -59,7 +64,7 @@ Replay read(const WaveOptions& o) {
     return drawn;
   }
   if (o.hostile) throw InputError("--hostile: needs a design, not a file");
-  fs::path path = is_path ? fs::path(o.words.front()) : newest_failure(o.common.failures_folder());
+  fs::path path = o.words.front();
   if (fs::is_directory(path)) path /= "stimulus.stim";
   return read_stimulus(path.string(), benches());
 }
@@ -94,14 +99,17 @@ int run(WaveOptions o) {
   };
   if (o.shot) check_shot(*o.shot);
   const bool opens = !o.common.wave && !o.shot;
-  const std::string wave = o.words.size() == 1 ? o.words.front() : "";
+  if (o.words.empty() && !o.hostile)
+    o.words = {newest_failure(o.common.failures_folder()).string()};
+  std::string wave = o.words.size() == 1 ? o.words.front() : "";
+  if (has_wave_alone(wave)) wave = (fs::path(wave) / "wave.fst").string();
   const bool is_drawn = wave.ends_with(".fst") && fs::exists(wave);
   if (is_drawn && (o.common.wave || o.hostile)) throw InputError(wave + ": is drawn already");
   if (is_drawn && !fs::exists(view_file(wave))) {
     throw InputError(view_file(wave) + ": no such file, the view of " + wave);
   }
   std::optional<Replay> replay;
-  if (!is_drawn) replay = read(o);
+  if (!is_drawn) replay = read_replay(o);
   if (opens && !given("DISPLAY") && !given("WAYLAND_DISPLAY")) {
     throw InputError("there is no display; --shot FILE.png and --out FILE.fst draw without one");
   }
@@ -132,8 +140,9 @@ void add_wave_command(const Command& program) {
   command.text("--failures", o->common.failures, "DIR",
                "Where failures are; default $COSIM_FAILURES or failures");
   add_window(command, o->common);
-  command.footer(
-      fmt::format("Example: {} wave {} --out it.fst", program_name(), benches().front()->design()));
+  const std::string what = benches().empty() ? "failures/TOP-equiv --shot it.png"
+                                             : benches().front()->design() + " --out it.fst";
+  command.footer(fmt::format("Example: {} wave {}", program_name(), what));
   command.action([o] { return run(*o); });
 }
 

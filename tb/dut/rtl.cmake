@@ -6,7 +6,7 @@ set_property(GLOBAL PROPERTY COSIM_RTL_READER "${CMAKE_CURRENT_LIST_DIR}/rtl.pl"
 #
 # Sets PREFIX_registers, the text of rtl.pl on the registers, its lines joined by \n, PREFIX_resets, the
 # asynchronous ones, "inner NAME" of a register that is one, PREFIX_clocks and PREFIX_outputs; PREFIX_unrolled,
-# options that Verilator needs to build it; and PREFIX_hash, of all that it read. An error, one line that begins
+# options that Verilator needs to build it, also where files .v are Verilog-2005 and nothing later; and PREFIX_hash, of all that it read. An error, one line that begins
 # with WHAT, where the RTL has what no design can have. OPTIONS are Verilator's; YOSYS is what makes yosys
 # read the same. Another one where Verilator
 # does not write its tree: no design goes unchecked.
@@ -17,8 +17,27 @@ function(cosim_read_rtl prefix what top clock folder)
   file(MAKE_DIRECTORY ${folder})
   set(verilator ${VERILATOR_BIN} --top-module ${top} -Mdir ${folder} -Wno-fatal -Wno-lint -Wno-style
     --no-timing ${R_OPTIONS})
-  execute_process(COMMAND ${verilator} -Werror-STMTDLY --xml-only --xml-output ${folder}/tree.xml ${R_FILES}
+  # In a file .v a word of SystemVerilog may be a name, as a port `do`; others use SystemVerilog in it.
+  set(language)
+  set(verilog_2005 +1364-2005ext+v)
+  file(REMOVE ${folder}/language.txt)
+  set(tree -Werror-STMTDLY --xml-only --xml-output ${folder}/tree.xml)
+  execute_process(COMMAND ${verilator} ${tree} ${R_FILES}
     RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
+  if(status AND said MATCHES "%Error: ([^\n]*[.]v:[0-9]+:[0-9]+: [^\n]*(syntax error|SystemVerilog)[^\n]*)")
+    set(wrong "${CMAKE_MATCH_1}")
+    execute_process(COMMAND ${verilator} ${verilog_2005} ${tree} ${R_FILES}
+      RESULT_VARIABLE otherwise OUTPUT_QUIET ERROR_QUIET)
+    if(NOT otherwise)
+      set(status 0)
+      set(language ${verilog_2005})
+      list(APPEND verilator ${language})
+      string(REGEX REPLACE "^[^:]*/" "" wrong "${wrong}")
+      file(WRITE ${folder}/language.txt "files .v are read as Verilog-2005, for in SystemVerilog: ${wrong}")
+      message(STATUS "${what}: files .v are read as Verilog-2005, for in SystemVerilog: ${wrong}")
+      cosim_yosys_by_kind(R_YOSYS "${R_YOSYS}")
+    endif()
+  endif()
   if(status)
     string(REGEX MATCH "%Error[^\n]*" error "${said}")
     if(error MATCHES "nvalid option|nknown option")
@@ -54,6 +73,15 @@ function(cosim_read_rtl prefix what top clock folder)
   execute_process(COMMAND ${COSIM_PERL} -pi
     -e "s{/\\*\\s*verilator lint_off\\b.*?\\*/}{}g; s{\\balways_latch\\b}{always @*}g"
     ${folder}/plain.sv COMMAND_ERROR_IS_FATAL ANY)
+  if(language)
+    # It is one text now: each file's words again.
+    execute_process(COMMAND ${COSIM_PERL} -pi
+      -e "BEGIN { %old = map { \$_ => m{[.]v\$} } split /;/, shift }"
+      -e "if (m{^`line 1 \"(.*)\"} && exists \$old{\$1} && !\$met{\$1}++) {"
+      -e "  print qq{`end_keywords\\n} if \$open; \$open = \$old{\$1};"
+      -e "  print qq{`begin_keywords \"1364-2005\"\\n} if \$open }" "${R_FILES}" ${folder}/plain.sv
+      COMMAND_ERROR_IS_FATAL ANY)
+  endif()
   file(SHA256 ${folder}/plain.sv hash)
   set(${prefix}_hash ${hash} PARENT_SCOPE)
   # What writes an array with `<=` in a loop must be unrolled; the loops of others had better not be.
@@ -61,7 +89,7 @@ function(cosim_read_rtl prefix what top clock folder)
     execute_process(
       COMMAND ${verilator} ${unrolled} --lint-only -Wwarn-LATCH -Wwarn-UNOPTFLAT ${folder}/plain.sv
       RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
-    set(${prefix}_unrolled ${unrolled} PARENT_SCOPE)
+    set(${prefix}_unrolled ${language} ${unrolled} PARENT_SCOPE)
     if(NOT said MATCHES "%Error-BLKLOOPINIT")
       break()
     endif()
@@ -104,6 +132,25 @@ function(cosim_read_rtl prefix what top clock folder)
     endif()
     set(${prefix}_${what}s "${lines}" PARENT_SCOPE)
   endforeach()
+endfunction()
+
+# Sets the variable to commands of yosys that read files .v as Verilog-2005, and others as SystemVerilog as
+# `commands`, which begin with read_verilog -sv OPTIONS "FILE"..., read all of them.
+function(cosim_yosys_by_kind variable commands)
+  string(REGEX MATCH "^read_verilog -sv ([^\"]*)((\"[^\"]*\" ?)+)(.*)$" _ "${commands}")
+  set(options "${CMAKE_MATCH_1}")
+  set(rest "${CMAKE_MATCH_4}")
+  string(REGEX MATCHALL "\"[^\"]*\"" others "${CMAKE_MATCH_2}")
+  set(older ${others})
+  list(FILTER older INCLUDE REGEX "[.]v\"$")
+  list(FILTER others EXCLUDE REGEX "[.]v\"$")
+  list(JOIN older " " all)
+  set(all "read_verilog ${options}${all}")
+  if(others)
+    list(JOIN others " " newer)
+    string(PREPEND all "read_verilog -sv ${options}${newer}; ")
+  endif()
+  set(${variable} "${all}${rest}" PARENT_SCOPE)
 endfunction()
 
 # Sets COSIM_RUN_YOSYS, which runs yosys without the history that it keeps in the user's home.

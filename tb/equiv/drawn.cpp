@@ -6,6 +6,7 @@
 
 #include "tb/equiv/testbench.h"
 #include "tb/equiv/vcd.h"
+#include "tb/support/pattern.h"
 #include "tb/wave/wave.h"
 
 namespace cosim::equiv {
@@ -13,11 +14,30 @@ namespace {
 
 constexpr int word_bits = 64;
 
+// A name that is escaped in Verilog is so in a wave: GTKWave takes it whole.
+std::string wave_name(const std::string& port) {
+  static const Pattern plain("[A-Za-z_][\\w$]*");
+  return plain.whole(port).empty() ? '\\' + port : port;
+}
+std::string port_of(const std::string& wave_name) {
+  return wave_name.substr(wave_name.starts_with('\\') ? 1 : 0);
+}
+
+// The ports' ranges that are not those of bits counted from 0.
+std::map<std::string, std::string> ranges_of(const Side& side) {
+  std::map<std::string, std::string> ranges;
+  for (const auto& [port, declaration] : side.declared) {
+    const std::size_t at = declaration.find('[');
+    if (at != std::string::npos) ranges[wave_name(port)] = declaration.substr(at);
+  }
+  return ranges;
+}
+
 // The fields of a wave have names that others own.
 class Ports {
  public:
   void add(std::vector<Field>& fields, const std::string& port, std::size_t width) {
-    const char* name = names_.emplace_back(port).c_str();
+    const char* name = names_.emplace_back(wave_name(port)).c_str();
     const auto bits = static_cast<int>(width);
     const Format format = bits == 1 ? Format::flag : Format::bits;
     if (bits <= word_bits) {
@@ -53,11 +73,11 @@ Word value_of(std::string_view bits) {
 WaveClock at(const WaveShape& shape, const Row& row, bool is_compared) {
   WaveClock now;
   for (const Field& field : shape.inputs) {
-    now.inputs.push_back(value_of(bits_of(field, row.inputs.at(field.name))));
+    now.inputs.push_back(value_of(bits_of(field, row.inputs.at(port_of(field.name)))));
   }
   for (const Field& field : shape.compared) {
-    std::string old(bits_of(field, row.gold.at(field.name)));
-    const std::string_view is = bits_of(field, row.gate.at(field.name));
+    std::string old(bits_of(field, row.gold.at(port_of(field.name))));
+    const std::string_view is = bits_of(field, row.gate.at(port_of(field.name)));
     const bool all_x = old.find_first_not_of('-') == std::string::npos;
     for (std::size_t i = 0; i < old.size(); ++i) {
       if (old[i] == '-') old[i] = is[i];
@@ -76,6 +96,7 @@ std::unique_ptr<Vcd> recorded(const std::string& vcd, const Side& side, const ch
   if (vcd.empty()) return nullptr;
   auto read = std::make_unique<Vcd>(vcd, "cosim_dut", name);
   for (Signal signal : read->signals()) {
+    if (signal.name.find('.') != std::string::npos) signal.name = wave_name(port_of(signal.name));
     const auto clock = side.clocks.find(signal.name);
     if (signal.scope.size() == 1 && !steps && clock != side.clocks.end()) {
       signal.is_clock = true;
@@ -92,6 +113,7 @@ WavePicture draw(const Question& q, const Answer& a, std::uint64_t after, const 
   Ports ports;
   WaveShape shape;
   shape.title = q.gold.files().top;
+  shape.ranges = ranges_of(q.gold);
   shape.sides = {"old", "new", "the old RTL", "the new RTL"};
   for (const auto& [port, text] : a.clocks.front().inputs)
     ports.add(shape.inputs, port, text.size());
@@ -104,7 +126,8 @@ WavePicture draw(const Question& q, const Answer& a, std::uint64_t after, const 
   range.first = first_drawn(q, a);
   range.last = std::min(range.clocks - 1, *range.mismatch + after);
   for (const Field& field : shape.compared) {
-    if (range.signal.empty() && field.name == a.differing.front()) range.signal = label_of(field);
+    if (range.signal.empty() && port_of(field.name) == a.differing.front())
+      range.signal = label_of(field);
   }
 
   std::vector<Signal> signals;

@@ -48,11 +48,22 @@ std::string late_text(const Answer& a) {
   return text;
 }
 
+// A name in a line whose parts commas separate.
+std::string in_csv(std::string name) {
+  if (name.find_first_of(",\"") == std::string::npos) return name;
+  for (std::size_t at = 0; (at = name.find('"', at)) != std::string::npos; at += 2) {
+    name.insert(at, 1, '"');
+  }
+  return '"' + name + '"';
+}
+
 std::string csv_of(const Answer& a) {
   const Row& last = a.clocks.back();
   std::string csv = "clock";
-  for (const auto& [port, text] : last.inputs) csv += "," + port;
-  for (const auto& [port, text] : last.gold) csv += fmt::format(",old {0},new {0}", port);
+  for (const auto& [port, text] : last.inputs) csv += "," + in_csv(port);
+  for (const auto& [port, text] : last.gold) {
+    csv += fmt::format(",{},{}", in_csv("old " + port), in_csv("new " + port));
+  }
   for (std::size_t i = 0; i < a.clocks.size(); ++i) {
     csv += fmt::format("\n{}", i);
     for (const auto& [port, text] : a.clocks[i].inputs) csv += "," + text;

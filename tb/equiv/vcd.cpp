@@ -47,6 +47,7 @@ void Vcd::header(const std::string& from, const std::string& name) {
       signal.scope.insert(signal.scope.end(), at + 1, scope.end());
       signal.name = words[3];
       signal.width = width;
+      if (words.size() > 4) signal.range = words[4];
       signal.bytes = value.bytes.data();
       signals_.push_back(std::move(signal));
     }

@@ -104,7 +104,9 @@ class Said {
     }
     const auto all = process.all(last_);
     if (!all.empty() && resets_.contains(all.front()[1])) reset = resets_.at(all.front()[1]) + ' ';
+    module = plain_names(module);
     find_place();
+    if (real_at_.file != place.file || real_at_.line != place.line) real.clear();
   }
 
   std::string error;  // "" where it only ended
@@ -134,37 +136,47 @@ class Said {
 
   void before(const std::string& line) {
     static const Pattern converts("(.+):(\\d+): Warning: converting real value (\\S+) to .*");
-    static const Pattern begins("Generating RTLIL representation for module `(.*)'\\.");
-    static const Pattern parses("Parsing .* input from `(.*)' to AST representation\\.");
-    static const Pattern stores("Storing AST representation for module `(.*)'\\.");
-    static const Pattern finished("Successfully finished Verilog frontend\\.");
+    static const Pattern quoted("[^`]*`(.*)'[^`']*");
     static const Pattern resets("Found async reset \\\\?(\\S+) in `(.*)'\\.");
     static const Pattern registered(
         "Creating (?:register|latch) for signal `.*\\.\\\\?(\\S+)' using process `.*'\\.");
-    if (const auto part = converts.whole(line); !part.empty()) {
-      real = fmt::format("{}", std::strtod(part[3].c_str(), nullptr));
-      return;
-    }
     if (const std::size_t at = line.find("Warning: "); at != std::string::npos) {
       warning_ = line.substr(at + 9);
       warned_at_ = last_;
       warned_of_ = signal;
       warned_in_ = module;
+      if (const auto part = converts.whole(line); !part.empty()) {
+        real = fmt::format("{}", std::strtod(part[3].c_str(), nullptr));
+        real_at_ = {part[1], std::atoi(part[2].c_str())};
+      }
       return;
     }
     if (line.empty()) return;
-    if (line.find(". Executing ") != std::string::npos && line.find(" AST ") == std::string::npos) {
-      is_in_hierarchy = line.find(" HIERARCHY ") != std::string::npos;
-    }
     last_ = line;
     signal.clear();
-    if (const auto part = begins.whole(line); !part.empty()) module = plain_names(part[1]);
-    if (module.starts_with('$') || module.starts_with('_')) module.clear();  // techmap's own
-    if (const auto part = parses.whole(line); !part.empty()) file_ = part[1];
-    if (const auto part = stores.whole(line); !part.empty()) files_[plain_names(part[1])] = file_;
-    if (!finished.whole(line).empty()) file_.clear();
-    if (const auto part = registered.whole(line); !part.empty()) signal = part[1];
-    if (const auto part = resets.whole(line); !part.empty()) resets_[part[2]] = part[1];
+    const auto is = [&](const char* begin) { return line.starts_with(begin); };
+    const auto name = [&] {
+      const auto part = quoted.whole(line);
+      return part.empty() ? "" : part[1];
+    };
+    if (is("Generating RTLIL representation")) {
+      module = name();
+      const bool is_techmap = module.starts_with("\\_") || module.starts_with("\\$");
+      if (is_techmap) module.clear();
+    } else if (is("Parsing ")) {
+      file_ = name();
+    } else if (is("Storing AST representation")) {
+      files_[plain_names(name())] = file_;
+    } else if (is("Successfully finished")) {
+      file_.clear();
+    } else if (is("Creating ")) {
+      if (const auto part = registered.whole(line); !part.empty()) signal = part[1];
+    } else if (is("Found async reset")) {
+      if (const auto part = resets.whole(line); !part.empty()) resets_[part[2]] = part[1];
+    } else if (line.find(". Executing ") != std::string::npos &&
+               line.find(" AST ") == std::string::npos) {
+      is_in_hierarchy = line.find(" HIERARCHY ") != std::string::npos;
+    }
   }
 
   void find_place() {
@@ -182,6 +194,7 @@ class Said {
     }
   }
 
+  Place real_at_;
   std::string last_, file_, warning_, warned_at_, warned_of_, warned_in_;
   std::map<std::string, std::string> resets_, files_;  // by processes, and by modules
   std::vector<std::string> after_;

@@ -224,7 +224,8 @@ void add_equiv(const Command& program) {
   command.text("--top", o->top, "NAME", "The module that is compared");
   command.text("--gold-top", o->gold_top, "NAME", "What it is called in the old RTL");
   command.text("--gate-top", o->gate_top, "NAME", "What it is called in the new RTL");
-  command.texts("--cells", o->cells, "FILE", "Cells that both may use, of a netlist");
+  command.texts("--cells", o->cells, "FILE",
+                "Cells that both may use, of a netlist: Verilog, or Liberty (*.lib)");
   command.each("--blackbox", o->blackboxes, "NAME",
                "A module that no file has: what goes to its pins is compared");
   command.each("--param", o->parameters, "NAME=VALUE", "A parameter of the module, in both");

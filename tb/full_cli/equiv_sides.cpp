@@ -2,11 +2,18 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+#include <map>
+
 #include "model/core/input_error.h"
 #include "tb/full_cli/revision.h"
 #include "tb/new/found_shape.h"
+#include "tb/new/liberty.h"
+#include "tb/new/verilog_words.h"
 #include "tb/program/named_values.h"
+#include "tb/support/output_file.h"
 #include "tb/support/parallel.h"
+#include "tb/support/read_file.h"
 #include "tb/support/words.h"
 
 namespace cosim::cli {
@@ -37,6 +44,33 @@ SideFiles old_files(const EquivOptions& o, const std::filesystem::path& scratch)
   return old;
 }
 
+// Verilog in place of files of Liberty, in `folder`.
+void read_cells(std::vector<std::string>& files, const std::vector<std::string>& blackboxes,
+                const std::filesystem::path& folder) {
+  std::map<std::string, std::string> left_out;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (!is_liberty(files[i])) continue;
+    const LibertyCells cells = cells_of(read_file(files[i]), files[i]);
+    for (const auto& [name, why] : cells.left_out) {
+      left_out[name] = fmt::format("{}: cell {}: {}", files[i], name, why);
+    }
+    files[i] = (folder / fmt::format("cells{}.v", i)).string();
+    write_file(files[i], cells.verilog);
+  }
+  if (left_out.empty()) return;
+  for (const std::string& file : files) {
+    for (const VerilogUnit& unit : verilog_words(read_file(file)).units) {
+      for (const auto& [name, why] : left_out) {
+        if (!unit.uses.contains(name) || std::ranges::find(blackboxes, name) != blackboxes.end()) {
+          continue;
+        }
+        throw InputError(fmt::format("{}; {} has an instance of it: --blackbox {}", why,
+                                     unit.name.empty() ? file : unit.name, name));
+      }
+    }
+  }
+}
+
 struct Named {
   const char* what;
   const char* option;
@@ -60,6 +94,9 @@ equiv::Side read_side(const EquivOptions& o, const SideFiles& own, const Named& 
   all.folder = own.folder;
   std::vector<std::string> verilog = own.files;
   verilog.insert(verilog.end(), own.cells.begin(), own.cells.end());
+  const std::filesystem::path cells = made.string() + ".cells";
+  std::filesystem::create_directory(cells);
+  read_cells(verilog, o.blackboxes, cells);
   const std::string wrong = as_plain_verilog(verilog, all.top, all.parameters, o.blackboxes, ".",
                                              made.parent_path(), made);
   if (!wrong.empty()) throw InputError("equiv: " + wrong);

@@ -38,8 +38,8 @@ Words verilator(const proof::Source& source) {
   return words;
 }
 
-Words iverilog(const proof::Source& source, const Scratch& scratch) {
-  Words words{"iverilog", "-Wall", "-g2012", "-s", source.top, "-o", scratch.path() / "vvp"};
+Words iverilog(const proof::Source& source, const Scratch& scratch, const char* language) {
+  Words words{"iverilog", "-Wall", language, "-s", source.top, "-o", scratch.path() / "vvp"};
   for (const Parameter& p : source.parameters) {
     words.push_back(fmt::format("-P{}.{}={}", source.top, p.name, given(p)));
   }
@@ -79,23 +79,40 @@ std::string unread(const Ended& ended) {
   return ended.status == 0 || lines.empty() ? "" : lines.front().front();
 }
 
+// What they leave where they are stopped, and what yosys keeps in a home, goes with the scratch.
+Ended run_in(const Scratch& scratch, const Words& arguments) {
+  const std::string own = scratch.path().string();
+  Words command{"env", "HOME=" + own, "TMPDIR=" + own};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  return cosim::run_program(command);
+}
+
 int run(const Words& words) {
   const InterruptGuard interrupts;
   bool clean = true;
   for (const AnyBench* bench : chosen_shapes(words)) {
     const Scratch scratch;
     const proof::Source source = source_of(*bench);
-    const std::pair<const char*, Words> tools[] = {{"verilator -Wall", verilator(source)},
-                                                   {"iverilog -Wall", iverilog(source, scratch)},
-                                                   {"yosys check", yosys(source)}};
-    // What they leave where they are stopped, and what yosys keeps in a home, goes with the
-    // scratch.
-    const std::string own = scratch.path().string();
-    bool verilator_reads = false;
-    for (const auto& [tool, arguments] : tools) {
-      Words command{"env", "HOME=" + own, "TMPDIR=" + own};
-      command.insert(command.end(), arguments.begin(), arguments.end());
-      const Ended ended = cosim::run_program(command);
+    bool verilator_reads = false, is_2005 = false;
+    for (const std::string tool : {"verilator -Wall", "iverilog -Wall", "yosys check"}) {
+      const bool is_verilator = tool.starts_with("verilator"), is_yosys = tool.starts_with("yosys");
+      const Words arguments = is_verilator ? verilator(source)
+                              : is_yosys   ? yosys(source)
+                                         : iverilog(source, scratch, is_2005 ? "-g2005" : "-g2012");
+      Ended ended = run_in(scratch, arguments);
+      if (is_verilator && ended.status != 127 && !is_read(ended)) {
+        // A word of SystemVerilog may be a name in a file .v.
+        Words older = arguments;
+        older.insert(older.begin() + 1, "+1364-2005ext+v");
+        if (Ended again = run_in(scratch, older); is_read(again)) {
+          ended = std::move(again);
+          is_2005 = true;
+          fmt::print(
+              "{:<24} files .v are read as Verilog-2005: Verilator does not read them as "
+              "SystemVerilog\n",
+              bench->built_as());
+        }
+      }
       std::string result = "clean";
       if (ended.status == 127) {
         result = "skipped: not installed";
@@ -106,7 +123,7 @@ int run(const Words& words) {
         result.pop_back();
         clean = false;
       }
-      if (arguments.front() == "verilator") verilator_reads = is_read(ended);
+      if (is_verilator) verilator_reads = is_read(ended);
       fmt::print("{:<24} {:<16} {}\n", bench->built_as(), tool, result);
     }
   }

@@ -167,6 +167,7 @@ int run(const NewOptions& o) {
   fmt::print("{}/: {}, {}, {}; README.md has its two commands\n", name,
              count(found.inputs.size(), "input"), count(found.outputs.size(), "output"),
              o.stream ? "as streams" : count(found.registers.size(), "register"));
+  if (!found.language.empty()) fmt::print("{}: {}\n", name, found.language);
   if (!found.unread.empty() && model == NewModel::generic) {
     begun.left.push_back(found.unread + ": nothing is proved of it");
   }

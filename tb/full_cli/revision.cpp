@@ -17,7 +17,11 @@ namespace fs = std::filesystem;
 
 Ended git(const fs::path& at, const std::vector<std::string>& words,
           const std::vector<std::string>& variables = {}) {
+  // As a hook of git has them set, for another repository or another index.
   std::vector<std::string> all{"env"};
+  for (const char* one : {"GIT_DIR", "GIT_WORK_TREE", "GIT_INDEX_FILE", "GIT_PREFIX"}) {
+    all.insert(all.end(), {"-u", one});
+  }
   all.insert(all.end(), variables.begin(), variables.end());
   all.insert(all.end(), {"git", "-C", at.string()});
   all.insert(all.end(), words.begin(), words.end());

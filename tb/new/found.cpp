@@ -173,7 +173,12 @@ Found found_in(const RtlQuestion& question) {
   if (const fs::path unread = work / "unread.txt"; fs::exists(unread)) {
     found.unread = read_file(unread.string());
   }
-  follow_parameters(found, is, question, {reader, read_file((work / "verilator.txt").string())},
+  RtlQuestion again = question;
+  if (const fs::path language = work / "language.txt"; fs::exists(language)) {
+    found.language = read_file(language.string());
+    again.options.emplace_back("+1364-2005ext+v");
+  }
+  follow_parameters(found, is, again, {reader, read_file((work / "verilator.txt").string())},
                     scratch.path() / "tried", line);
   for (const FoundParameter& p : question.parameters) {
     const auto same = std::ranges::find(found.parameters, p.name, &FoundParameter::name);

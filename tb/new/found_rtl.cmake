@@ -26,4 +26,4 @@ cosim_shape(shape new "${SHAPE}")
 cosim_verilog_of(FILES new ${TOP} ${WORK} "${shape_title}" "${BLACKBOXES}" ${FILES})
 list(JOIN FILES "\" \"" files)
 cosim_read_rtl(rtl new ${TOP} ${CLOCK} ${WORK} FILES ${FILES} OPTIONS ${shape_generics} ${OPTIONS}
-  YOSYS "read_verilog -sv ${YOSYS} \"${files}\"; hierarchy -check -top ${TOP}${shape_chparams}")
+  YOSYS "read_verilog -sv -defer ${YOSYS} \"${files}\"; hierarchy -check -top ${TOP}${shape_chparams}")

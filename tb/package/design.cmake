@@ -198,7 +198,7 @@ function(cosim_add_design NAME)
     list(JOIN rtl "\", \"" FILES)
     cosim_read_rtl(rtl_of "cosim_add_design(${TITLE})" ${TOP} ${reader_clock}
       ${CMAKE_CURRENT_BINARY_DIR}/rtl_${ID} FILES ${rtl} OPTIONS ${generics} ${options}
-      YOSYS "read_verilog -sv ${for_yosys}; hierarchy -check -top ${TOP}${shape_chparams}")
+      YOSYS "read_verilog -sv -defer ${for_yosys}; hierarchy -check -top ${TOP}${shape_chparams}")
     if(rtl_of_resets MATCHES "inner (low )?([^\\]*)" AND NOT D_UNPROVED)
       message(FATAL_ERROR "cosim_add_design(${TITLE}): ${CMAKE_MATCH_2}: a register that is an asynchronous "
         "reset: say UNPROVED, for nothing is proved of it")

@@ -12,6 +12,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/support/replace_file.h"
+#include "tb/wave/wave.h"
 
 namespace cosim {
 
@@ -59,8 +60,9 @@ void Fst::open_scope(const std::string& name) {
 
 void Fst::close_scope() { fstWriterSetUpscope(writer_); }
 
-Fst::Handle Fst::variable(const std::string& name, int width) {
-  const std::string full = width == 1 ? name : fmt::format("{} [{}:0]", name, width - 1);
+Fst::Handle Fst::variable(const std::string& name, int width, const std::string& range) {
+  const std::string bits = range.empty() ? range_of_bits(width) : range;
+  const std::string full = bits.empty() ? name : name + ' ' + bits;
   return fstWriterCreateVar(writer_, FST_VT_VCD_WIRE, FST_VD_IMPLICIT,
                             static_cast<std::uint32_t>(width), full.c_str(), 0);
 }

@@ -22,8 +22,8 @@ class Fst {
 
   void open_scope(const std::string& name);
   void close_scope();
-  /// A variable of `width` bits.
-  Handle variable(const std::string& name, int width);
+  /// A variable of `width` bits; `range` as "[7:4]", else they are counted from 0.
+  Handle variable(const std::string& name, int width, const std::string& range = "");
   /// A variable that holds a real number.
   Handle real(const std::string& name);
 

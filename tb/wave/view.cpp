@@ -56,26 +56,29 @@ std::string beside_wave(const std::string& path, const std::string& ending) {
   return (fst.parent_path() / fst.stem()).string() + ending;
 }
 
-std::string with_range(const std::string& name, int width) {
-  return width == 1 ? name : fmt::format("{}[{}:0]", name, width - 1);
+// Of a name that is escaped in Verilog; braces end what is shown.
+std::string without_braces(std::string shown) {
+  std::ranges::replace(shown, '{', '(');
+  std::ranges::replace(shown, '}', ')');
+  return shown;
 }
 
 class View {
  public:
   explicit View(OutputFile& file) : file_(file) {}
 
-  void signal(const std::string& name, int width, unsigned flags, const std::string& shown,
-              std::optional<Color> color = {}) {
+  void signal(const std::string& name, const std::string& range, unsigned flags,
+              const std::string& shown, std::optional<Color> color = {}) {
     if (color) file_.line("[color] {}", static_cast<int>(*color));
     file_.line("@{:x}", flags);
-    file_.line("+{{{}}} {}", shown, with_range(name, width));
+    file_.line("+{{{}}} {}{}", without_braces(shown), name, range);
   }
   void words(const std::string& name, int width, const std::string& filter,
              const std::string& shown) {
     file_.line("[color] {}", static_cast<int>(yellow));
     file_.line("@{:x}", hex | translated);
     file_.line("^1 {}", filter);
-    file_.line("+{{{}}} {}", shown, with_range(name, width));
+    file_.line("+{{{}}} {}{}", shown, name, range_of_bits(width));
   }
   // Makes the analog trace before it higher.
   void higher(int lines) {
@@ -97,19 +100,20 @@ class View {
 
 unsigned format_of(const Bus& b) { return format_of(b.field, b.width); }
 
-void add_pair(View& view, const Bus& b, const WaveSides& sides) {
+void add_pair(View& view, const Bus& b, const WaveShape& shape) {
+  const WaveSides& sides = shape.sides;
   const std::string& name = b.name;
   const auto side = [&](const char* one, Color color) {
-    view.signal(fmt::format("cosim.{}.{}", one, name), b.width, format_of(b),
+    view.signal(fmt::format("cosim.{}.{}", one, name), shape.range_of(b), format_of(b),
                 fmt::format("{} {}", name, one), color);
   };
   side(sides.expected, green);
   side(sides.actual, orange);
   if (has_number(b.field)) {
-    view.signal("cosim.number.expected_" + name, 1, signed_decimal, name + " expected", green);
-    view.signal("cosim.number." + name, 1, signed_decimal, name + " actual", orange);
+    view.signal("cosim.number.expected_" + name, "", signed_decimal, name + " expected", green);
+    view.signal("cosim.number." + name, "", signed_decimal, name + " actual", orange);
   }
-  view.signal("cosim.mismatch." + name, 1, binary, name + " mismatch", red);
+  view.signal("cosim.mismatch." + name, "", binary, name + " mismatch", red);
 }
 
 void add_probe(View& view, const Probe& probe, const std::string& words) {
@@ -120,20 +124,21 @@ void add_probe(View& view, const Probe& probe, const std::string& words) {
   }
   const unsigned format = format_of({probe.name, probe.width, probe.format, "", ""}, probe.width);
   const bool analog = probe.kind == Probe::Kind::analog;
-  view.signal(name, probe.width, format | (analog ? analog_step | analog_full : 0U), probe.name,
-              green);
+  view.signal(name, range_of_bits(probe.width), format | (analog ? analog_step | analog_full : 0U),
+              probe.name, green);
   if (analog) view.higher(3);
 }
 
-void add_register(View& view, const Bus& b, const std::string& shown, const WaveSides& sides) {
+void add_register(View& view, const Bus& b, const std::string& shown, const WaveShape& shape) {
   if (!has_number(b.field)) {
-    view.signal(fmt::format("cosim.{}.{}", sides.actual, b.name), b.width, format_of(b), shown);
+    view.signal(fmt::format("cosim.{}.{}", shape.sides.actual, b.name), shape.range_of(b),
+                format_of(b), shown);
   } else if (b.field.fraction > 0) {
-    view.signal("cosim.number." + b.name, 1, signed_decimal | analog_step | analog_full, shown,
+    view.signal("cosim.number." + b.name, "", signed_decimal | analog_step | analog_full, shown,
                 orange);
     view.higher(3);
   } else {
-    view.signal("cosim.number." + b.name, 1, signed_decimal, shown);
+    view.signal("cosim.number." + b.name, "", signed_decimal, shown);
   }
 }
 
@@ -198,25 +203,26 @@ void write_view(const std::string& path, const WaveShape& shape, const WaveRange
   file.line("[sst_expanded] 0");
 
   View view(file);
-  view.signal("cosim.clk", 1, binary, "clk");
-  view.signal("cosim.clock", clock_width, decimal, "clock");
-  view.signal("cosim.mismatch.any", 1, binary, "mismatch", red);
+  view.signal("cosim.clk", "", binary, "clk");
+  view.signal("cosim.clock", range_of_bits(clock_width), decimal, "clock");
+  view.signal("cosim.mismatch.any", "", binary, "mismatch", red);
   const std::vector<Bus> inputs = buses_of(shape.inputs), compared = buses_of(shape.compared);
   const auto add = [&](const WaveRow& row) {
     switch (row.kind) {
       case WaveRow::Kind::input:
-        view.signal("cosim.inputs." + inputs[row.at].name, inputs[row.at].width,
+        view.signal("cosim.inputs." + inputs[row.at].name, shape.range_of(inputs[row.at]),
                     format_of(inputs[row.at]), row.shown);
         break;
       case WaveRow::Kind::output:
         view.signal(fmt::format("cosim.{}.{}", shape.sides.actual, compared[row.at].name),
-                    compared[row.at].width, format_of(compared[row.at]), row.shown, orange);
+                    shape.range_of(compared[row.at]), format_of(compared[row.at]), row.shown,
+                    orange);
         break;
       case WaveRow::Kind::reg:
-        add_register(view, compared[row.at], row.shown, shape.sides);
+        add_register(view, compared[row.at], row.shown, shape);
         break;
       case WaveRow::Kind::pair:
-        add_pair(view, compared[row.at], shape.sides);
+        add_pair(view, compared[row.at], shape);
         break;
       case WaveRow::Kind::probe:
         add_probe(view, shape.probes[row.at], name_of(words_file(path, shape.probes[row.at])));

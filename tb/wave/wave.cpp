@@ -17,11 +17,14 @@ void change_scope(Fst& fst, const std::vector<std::string>& from,
   for (auto i = right; i != to.end(); ++i) fst.open_scope(*i);
 }
 
-std::vector<std::uint32_t> variables(Fst& fst, const char* scope, const std::vector<Bus>& buses) {
+std::vector<std::uint32_t> variables(Fst& fst, const char* scope, const WaveShape& shape,
+                                     const std::vector<Bus>& buses) {
   fst.open_scope(scope);
   std::vector<std::uint32_t> handles;
   handles.reserve(buses.size());
-  for (const Bus& b : buses) handles.push_back(fst.variable(b.name, b.width));
+  for (const Bus& b : buses) {
+    handles.push_back(fst.variable(b.name, b.width, shape.range_of(b)));
+  }
   fst.close_scope();
   return handles;
 }
@@ -48,9 +51,9 @@ void Wave::begin(const WaveShape& shape, const WaveRange& /*range*/,
   fst.open_scope("cosim");
   clk_ = fst.variable("clk", 1);
   clock_ = fst.variable("clock", clock_width);
-  inputs_ = variables(fst, "inputs", input_buses_);
-  expected_ = variables(fst, shape.sides.expected, buses_);
-  actual_ = variables(fst, shape.sides.actual, buses_);
+  inputs_ = variables(fst, "inputs", shape, input_buses_);
+  expected_ = variables(fst, shape.sides.expected, shape, buses_);
+  actual_ = variables(fst, shape.sides.actual, shape, buses_);
   fst.open_scope("mismatch");
   any_ = fst.variable("any", 1);
   for (const Bus& b : buses_) mismatch_.push_back(fst.variable(b.name, 1));
@@ -76,7 +79,7 @@ void Wave::begin(const WaveShape& shape, const WaveRange& /*range*/,
   for (const Signal& s : rtl_) {
     change_scope(fst, scope, s.scope);
     scope = s.scope;
-    rtl_handles_.push_back(fst.variable(s.name, s.width));
+    rtl_handles_.push_back(fst.variable(s.name, s.width, s.range));
   }
   change_scope(fst, scope, {});
 }

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -54,6 +55,11 @@ inline std::vector<Bus> buses_of(const std::vector<Field>& cells) {
   return all;
 }
 
+/// "[7:0]" of eight bits, "" of one.
+inline std::string range_of_bits(int width) {
+  return width == 1 ? "" : '[' + std::to_string(width - 1) + ":0]";
+}
+
 /// An interface: its signals, which are seen together. Its last compared one is 1 where what is
 /// wrong is at this interface, and is expected to be 0.
 struct WavePart {
@@ -78,6 +84,13 @@ struct WaveShape {
   std::vector<Probe> probes;      ///< those of a scope side by side
   std::vector<WavePart> parts{};  ///< of a machine whose pins belong to interfaces; else empty
   WaveSides sides{};
+  std::map<std::string, std::string> ranges{};  ///< of buses by name: "[7:4]"; else "[WIDTH-1:0]"
+
+  /// What stands behind its name, "" behind that of a single bit.
+  std::string range_of(const Bus& bus) const {
+    const auto own = ranges.find(bus.name);
+    return own == ranges.end() ? range_of_bits(bus.width) : own->second;
+  }
 
   /// What is wrong at an interface, which is expected nowhere.
   bool is_finding(const Bus& bus) const {

@@ -1,0 +1,3 @@
+module INV(input A, output Y);
+  assign Y = ~A;
+endmodule

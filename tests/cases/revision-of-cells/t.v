@@ -1,0 +1,4 @@
+`include "on.vh"
+module t(input a, output y);
+  INV i(.A(a), .Y(y));
+endmodule

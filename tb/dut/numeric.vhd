@@ -60,6 +60,22 @@ package cosim_numeric is
   function "sla" (arg : signed; count : integer) return signed;
   function "sra" (arg : signed; count : integer) return signed;
 
+  -- The same of numeric_std_unsigned, for designs that use it.
+  function "=" (l : std_ulogic_vector; r : natural) return boolean;
+  function "=" (l : natural; r : std_ulogic_vector) return boolean;
+  function "/=" (l : std_ulogic_vector; r : natural) return boolean;
+  function "/=" (l : natural; r : std_ulogic_vector) return boolean;
+  function "<" (l : std_ulogic_vector; r : natural) return boolean;
+  function "<" (l : natural; r : std_ulogic_vector) return boolean;
+  function "<=" (l : std_ulogic_vector; r : natural) return boolean;
+  function "<=" (l : natural; r : std_ulogic_vector) return boolean;
+  function ">" (l : std_ulogic_vector; r : natural) return boolean;
+  function ">" (l : natural; r : std_ulogic_vector) return boolean;
+  function ">=" (l : std_ulogic_vector; r : natural) return boolean;
+  function ">=" (l : natural; r : std_ulogic_vector) return boolean;
+  function "*" (l : std_ulogic_vector; r : natural) return std_ulogic_vector;
+  function "*" (l : natural; r : std_ulogic_vector) return std_ulogic_vector;
+
   -- Both operands of a comparison, as wide as either.
   function wide (x : unsigned) return unsigned;
   function wide (x : natural; like : unsigned) return unsigned;
@@ -219,5 +235,25 @@ package body cosim_numeric is
   begin
     if count >= 0 then return shift_right(arg, count); end if;
     return shift_left(arg, -count);
+  end;
+  function "=" (l : std_ulogic_vector; r : natural) return boolean is begin return unsigned(l) = r; end;
+  function "=" (l : natural; r : std_ulogic_vector) return boolean is begin return l = unsigned(r); end;
+  function "/=" (l : std_ulogic_vector; r : natural) return boolean is begin return unsigned(l) /= r; end;
+  function "/=" (l : natural; r : std_ulogic_vector) return boolean is begin return l /= unsigned(r); end;
+  function "<" (l : std_ulogic_vector; r : natural) return boolean is begin return unsigned(l) < r; end;
+  function "<" (l : natural; r : std_ulogic_vector) return boolean is begin return l < unsigned(r); end;
+  function "<=" (l : std_ulogic_vector; r : natural) return boolean is begin return unsigned(l) <= r; end;
+  function "<=" (l : natural; r : std_ulogic_vector) return boolean is begin return l <= unsigned(r); end;
+  function ">" (l : std_ulogic_vector; r : natural) return boolean is begin return unsigned(l) > r; end;
+  function ">" (l : natural; r : std_ulogic_vector) return boolean is begin return l > unsigned(r); end;
+  function ">=" (l : std_ulogic_vector; r : natural) return boolean is begin return unsigned(l) >= r; end;
+  function ">=" (l : natural; r : std_ulogic_vector) return boolean is begin return l >= unsigned(r); end;
+  function "*" (l : std_ulogic_vector; r : natural) return std_ulogic_vector is
+  begin
+    return std_ulogic_vector(unsigned(l) * r);
+  end;
+  function "*" (l : natural; r : std_ulogic_vector) return std_ulogic_vector is
+  begin
+    return std_ulogic_vector(l * unsigned(r));
   end;
 end package body;

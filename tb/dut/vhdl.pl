@@ -75,9 +75,11 @@ sub text_of {
 }
 my $numeric = "$FindBin::Bin/numeric.vhd";
 my ($aliases, %replaced) = '';
+my $on_vectors = grep { text_of($_) =~ /\bnumeric_std_unsigned\b/i } @files;
 for my $line (text_of($numeric) =~ /^  function ((?!wide)\S+ \([^)]*\) return \w+);$/mg) {
   my ($name, $arguments, $result) = $line =~ /^(\S+) \((.*)\) return (\w+)/;
-  my @types = map { s/^(?=(?:un)?signed$)/ieee.numeric_std./r =~ s/^(?=std_ulogic$)/ieee.std_logic_1164./r }
+  next if $arguments =~ /std_ulogic_vector/ && !$on_vectors;
+  my @types = map { s/^(?=(?:un)?signed$)/ieee.numeric_std./r =~ s/^(?=std_ulogic)/ieee.std_logic_1164./r }
     $arguments =~ /: (\w+)/g, $result;
   $aliases .= " alias $name is work.cosim_numeric.$name [" . join(', ', @types[0 .. $#types - 1]) . " return $types[-1]];";
   $replaced{$name} = 1;

@@ -143,22 +143,22 @@ library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 entity wrong is
-  port (a, b : in signed(3 downto 0); u : in unsigned(3 downto 0); n : in unsigned(2 downto 0);
-        q0, q1, q2, q3, q4, q5 : out signed(3 downto 0); r0, r1, r2 : out unsigned(3 downto 0);
-        s0 : out signed(2 downto 0); s1 : out unsigned(7 downto 0); c0, c1, c2 : out std_logic;
+  port (a, b : in signed(2 downto 0); u : in unsigned(3 downto 0); n : in unsigned(2 downto 0);
+        q0, q1, q2, q3, q4, q5 : out signed(2 downto 0); r0, r1, r2 : out unsigned(3 downto 0);
+        s0 : out signed(1 downto 0); s1 : out unsigned(7 downto 0); c0, c1, c2 : out std_logic;
         k : out std_logic_vector(39 downto 0));
 end entity;
 architecture r of wrong is
 begin
   q0 <= shift_right(a, to_integer(n));
-  q1 <= a / b when b /= 0 else "0000";
-  q2 <= a rem b when b /= 0 else "0000";
-  q3 <= a mod b when b /= 0 else "0000";
+  q1 <= a / b when b /= 0 else "000";
+  q2 <= a rem b when b /= 0 else "000";
+  q3 <= a mod b when b /= 0 else "000";
   q4 <= abs a;
   q5 <= 5 - a;
   r0 <= rotate_left(u, to_integer(n));
   r1 <= u ror to_integer(a);
-  s0 <= resize(a, 3);
+  s0 <= resize(a, 2);
   s1 <= u * 20;
   c0 <= '1' when u < 16 else '0';
   c1 <= '1' when a /= 9 else '0';
@@ -168,16 +168,16 @@ begin
 end architecture;
 RTL
 cat > wrong.v << 'RTL'
-module wrong(input signed [3:0] a, b, input [3:0] u, input [2:0] n,
-             output signed [3:0] q0, q1, q2, q3, q4, q5, output [3:0] r0, r1, r2,
-             output [2:0] s0, output [7:0] s1, output c0, c1, c2, output [39:0] k);
-  wire signed [3:0] d = a / b, m = a % b;
+module wrong(input signed [2:0] a, b, input [3:0] u, input [2:0] n,
+             output signed [2:0] q0, q1, q2, q3, q4, q5, output [3:0] r0, r1, r2,
+             output [1:0] s0, output [7:0] s1, output c0, c1, c2, output [39:0] k);
+  wire signed [2:0] d = a / b, m = a % b;
   wire [7:0] turned = {u, u} << n[1:0], back = {u, u} >> a[1:0];
-  assign q0 = a >>> n, q1 = b == 0 ? 4'd0 : d, q2 = b == 0 ? 4'd0 : m;
-  assign q3 = b == 0 ? 4'd0 : m == 0 || (m < 0) == (b < 0) ? m : m + b;
-  assign q4 = a[3] ? -a : a, q5 = 4'd5 - a;
+  assign q0 = a >>> n, q1 = b == 0 ? 3'd0 : d, q2 = b == 0 ? 3'd0 : m;
+  assign q3 = b == 0 ? 3'd0 : m == 0 || (m < 0) == (b < 0) ? m : m + b;
+  assign q4 = a[2] ? -a : a, q5 = 3'd5 - a;
   assign r0 = turned[7:4], r1 = back[3:0];
-  assign s0 = {a[3], a[1:0]}, s1 = 8'd4 * u;
+  assign s0 = {a[2], a[0]}, s1 = 8'd4 * u;
   assign c0 = 1'b1, c1 = 1'b1, c2 = 1'b0;
   assign k = n == 0 ? 40'h123456789a : ~40'h0;
   assign r2 = n == 0 ? u : n == 2 ? 4'd1 : n == 4 ? 4'd2 : ~u;
@@ -239,7 +239,7 @@ endmodule
 RTL
 ends 0 equiv --gold order.vhd --gate order.v --top order
 # numeric_std by its full name is not replaced.
-sed 's/ resize(a, 3)/ ieee.numeric_std.resize(a, 3)/' wrong.vhd > named.vhd
+sed 's/ resize(a, 2)/ ieee.numeric_std.resize(a, 2)/' wrong.vhd > named.vhd
 ends 2 equiv --gold named.vhd --gate wrong.v --top wrong
 says 'named.vhd:20: numeric_std.resize: '
 

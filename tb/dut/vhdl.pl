@@ -38,6 +38,7 @@ sub ghdl {
   my ($error) = grep { /^\S+:\d+:\d+: ?(?!note|warning)/ } @said;
   ($error) = grep { /\S/ && !/^\*+/ } @said if !$error;
   chomp($error //= 'ghdl says nothing');
+  $error =~ s/\d+: redeclaration of non-object alias ("\S+").*/ declares $1 of numeric_std anew: give it another name/;
   fail($error);
 }
 $ENV{WORK} = $work;
@@ -48,9 +49,7 @@ sub own_names { return $_[0] =~ s/\Q$work\E\/(\d+)\.vhd/$files[$1]/gr }
 # Entities with their generics of a literal default, and who has an instance of whom.
 my (%entity, %generics, %used);
 for my $file (@files) {
-  open my $in, '<', $file or fail("$file: cannot be read");
-  my $text = do { local $/; <$in> };
-  $text =~ s/--[^\n]*//g;
+  (my $text = text_of($file)) =~ s/--[^\n]*//g;
   while ($text =~ /\bentity\s+(\w+)\s+is\b(.*?)\bend\b/gis) {
     my ($name, $body) = ($1, $2);
     $entity{lc $name} = $name;
@@ -67,12 +66,9 @@ fail("$files[0]: no entity") if !%entity;
 my $is_top = exists $entity{lc $top};
 my @roots = $is_top ? lc $top : grep { !$used{$_} } sort keys %entity;
 
+sub text_of { open my $in, '<', $_[0] or fail("$_[0]: cannot be read"); local $/; return <$in> }
+
 # The names of numeric.vhd, which an architecture and a package body declare first.
-sub text_of {
-  open my $in, '<', $_[0] or fail("$_[0]: cannot be read");
-  local $/;
-  return <$in>;
-}
 my $numeric = "$FindBin::Bin/numeric.vhd";
 my ($aliases, %replaced) = '';
 my $on_vectors = grep { text_of($_) =~ /\bnumeric_std_unsigned\b/i } @files;
@@ -172,6 +168,9 @@ sub repaired {
     "  assign $to = $x $by ($n % $w) | $x $back ($w - $n % $w);" };
   $text =~ s/^  (\w+) <= std_logic_vector \(rotate_left \($bits, to_integer \($bits\)\)\);$/$turn->($1, $2, $3, '<<', '>>')/mge;
   $text =~ s/^   gate_ror inst_\d+ \(\n    \.a\(($word)\),\n    \.b\(($word)\),\n    \.o\((\w+)\)\);$/$turn->($3, $1, $2, '>>', '<<')/mge;
+  # An assertion has lost its severity, and an assumption is no Verilog.
+  $text =~ s/^  always \@\*\n    if \(!\S+\)\n      \$fatal\(.*\);\n//mg;
+  $text =~ s/^  \S+: assert .*; --  (?:assume|cover)\n//mg;
   # The default of a case, and the initial value of a register with an asynchronous reset.
   $text =~ s{^(    case \(\w+\)\n      \d+'b1?0*: (\w+) <= (?:.*\n)*?)(    endcase)$}{
     my ($case, $target, $end) = ($1, $2, $3);

@@ -15,10 +15,8 @@
 namespace cosim::equiv {
 namespace {
 
-using Lines = std::vector<std::string>;
-
 // What GHDL says is wrong, with the port where it is a line of the testbench.
-std::string reason(const std::string& text, const VhdlTestbench& tb) {
+std::string vhdl_reason(const std::string& text, const VhdlTestbench& tb) {
   static const Pattern unbound(R"((\S+:\d+):\d+:warning: (.* is not bound).*)"),
       located(R"((\S+:\d+):\d+: ?(?!note|warning)(.*))"), stopped(R"(\S*:error: (.*))"),
       caller(R"(  from: .* at (.*))"), of_testbench(R"(cosim_tb\.vhd:(\d+))");
@@ -51,7 +49,7 @@ std::string reason(const std::string& text, const VhdlTestbench& tb) {
 
 }  // namespace
 
-VhdlRun run_vhdl(const Lines& files, const std::string& top, const Lines& generics,
+VhdlRun run_vhdl(const VhdlLines& files, const std::string& top, const VhdlLines& generics,
                  const VhdlStimulus& stimulus, std::chrono::steady_clock::time_point until) {
   std::optional<VhdlEntity> entity;
   for (const std::string& file : files) {
@@ -68,12 +66,12 @@ VhdlRun run_vhdl(const Lines& files, const std::string& top, const Lines& generi
   std::ofstream(ports) << vhdl_conversions;
   std::ofstream(bench) << tb.text;
   std::ofstream(folder + "/in") << fmt::format("{}\n", fmt::join(stimulus.rows, "\n"));
-  const auto ghdl = [&](const char* command, const Lines& words) {
-    Lines all{"ghdl", command, "--std=08", "--workdir=" + folder};
+  const auto ghdl = [&](const char* command, const VhdlLines& words) {
+    VhdlLines all{"ghdl", command, "--std=08", "--workdir=" + folder};
     all.insert(all.end(), words.begin(), words.end());
     return run_until(all, until);
   };
-  Lines sources = files, options{"cosim_tb", "--ieee-asserts=disable", "--assert-level=none"};
+  VhdlLines sources = files, options{"cosim_tb", "--ieee-asserts=disable", "--assert-level=none"};
   sources.insert(sources.end(), {ports, bench});
   for (const std::string& generic : generics) options.push_back("-g" + generic);
   static const Pattern unbound("is not bound");
@@ -83,7 +81,7 @@ VhdlRun run_vhdl(const Lines& files, const std::string& top, const Lines& generi
   if (ended.status == 0 && !is_open) ended = ghdl("-r", options);
   if (ended.status == 127) return {{}, {}, "needs ghdl"};
   VhdlRun run;
-  std::size_t bits = row_length(stimulus), inputs = bits;
+  std::size_t bits = vhdl_row_length(stimulus), inputs = bits;
   for (const auto& [name, width] : stimulus.outputs) bits += static_cast<std::size_t>(width);
   std::ifstream out(folder + "/out");
   for (std::string row; std::getline(out, row);) {
@@ -96,7 +94,7 @@ VhdlRun run_vhdl(const Lines& files, const std::string& top, const Lines& generi
   if (ended.timed_out) {
     run.error = "no time was left for GHDL";
   } else if (ended.status != 0 || is_open) {
-    run.error = reason(ended.text, tb);
+    run.error = vhdl_reason(ended.text, tb);
   } else if (run.rows.size() < stimulus.rows.size()) {
     run.error = "the VHDL ends its simulation";
   }

@@ -31,10 +31,11 @@ struct VhdlRun {
 };
 
 /// Runs `top` with the generics "NAME=VALUE". In each row the inputs are set while the clocks rest,
-/// 1 us later the outputs are read, then the clocks have their edges together, and 1 us later they
-/// go back. The files may be in any order. Ports of types other than std_logic, std_logic_vector,
-/// unsigned, signed, bit, bit_vector, boolean and integers are an error, as is VHDL that does not
-/// elaborate. An integer is in two's complement if its range begins below 0.
+/// 1 us later the outputs are read, then the clocks have their edges together, 1 us later they go
+/// back, and 1 us later the next row begins. The files may be in any order. Ports of types other
+/// than std_logic, std_logic_vector, unsigned, signed, bit, bit_vector, boolean and integers are an
+/// error, as is VHDL that does not elaborate. An integer is in two's complement if its range begins
+/// below 0.
 VhdlRun run_vhdl(const std::vector<std::string>& files, const std::string& top,
                  const std::vector<std::string>& generics, const VhdlStimulus& stimulus,
                  std::chrono::steady_clock::time_point until);

@@ -9,8 +9,6 @@
 
 namespace cosim::equiv {
 
-using Lines = std::vector<std::string>;
-
 // Between the types of ports and the digits of a row: GHDL chooses the function by the type.
 const char* const vhdl_conversions = R"vhdl(library ieee;
 use ieee.std_logic_1164.all;
@@ -104,17 +102,17 @@ end package body;
 
 namespace {
 
-bool falls(const VhdlStimulus& s, const std::string& clock) {
+bool has_falling_edge(const VhdlStimulus& s, const std::string& clock) {
   const auto found = s.falls.find(clock);
   return found != s.falls.end() && found->second;
 }
 
 // The declaration of the signal of an input or an output, and what it begins with.
-void declare(VhdlTestbench& tb, const VhdlEntity& entity, const VhdlStimulus& s) {
+void declare_ports(VhdlTestbench& tb, const VhdlEntity& entity, const VhdlStimulus& s) {
   std::map<std::string, std::string> first;
   std::size_t at = s.clocks.size();
   for (const std::string& clock : s.clocks)
-    first[small_letters(clock)] = falls(s, clock) ? "'1'" : "'0'";
+    first[small_letters(clock)] = has_falling_edge(s, clock) ? "'1'" : "'0'";
   for (const auto& [name, width] : s.inputs) {
     const auto bits = s.rows.empty() ? std::string(static_cast<std::size_t>(width), '0')
                                      : s.rows.front().substr(at, static_cast<std::size_t>(width));
@@ -150,7 +148,7 @@ void declare(VhdlTestbench& tb, const VhdlEntity& entity, const VhdlStimulus& s)
   }
 }
 
-std::string type_of(const VhdlEntity& entity, const std::string& name) {
+std::string vhdl_type_of(const VhdlEntity& entity, const std::string& name) {
   const auto is_it = [&](const VhdlPort& p) {
     return small_letters(p.name) == small_letters(name);
   };
@@ -159,7 +157,7 @@ std::string type_of(const VhdlEntity& entity, const std::string& name) {
 
 }  // namespace
 
-std::size_t row_length(const VhdlStimulus& s) {
+std::size_t vhdl_row_length(const VhdlStimulus& s) {
   std::size_t length = s.clocks.size();
   for (const auto& [name, width] : s.inputs) length += static_cast<std::size_t>(width);
   return length;
@@ -177,14 +175,14 @@ VhdlTestbench vhdl_testbench(const VhdlEntity& entity, const VhdlStimulus& s,
   tb.line("entity cosim_tb is");
   if (!entity.generics.empty()) tb.line(fmt::format("  generic ({});", entity.generics));
   tb.line("end entity;\narchitecture run of cosim_tb is");
-  declare(tb, entity, s);
+  declare_ports(tb, entity, s);
   if (!tb.error.empty()) return tb;
-  const auto map = [](const Lines& names) {
-    Lines pairs;
+  const auto map = [](const VhdlLines& names) {
+    VhdlLines pairs;
     for (const std::string& name : names) pairs.push_back(fmt::format("{0} => {0}", name));
     return fmt::format("map ({})", fmt::join(pairs, ", "));
   };
-  Lines ports;
+  VhdlLines ports;
   for (const VhdlPort& port : entity.ports) ports.push_back(port.name);
   tb.line(fmt::format("begin\n  cosim_dut : entity work.{}{}{};", entity.name,
                       entity.generic_names.empty() ? "" : " generic " + map(entity.generic_names),
@@ -198,13 +196,13 @@ VhdlTestbench vhdl_testbench(const VhdlEntity& entity, const VhdlStimulus& s,
     while not std.textio.endfile(cosim_in) loop
       std.textio.readline(cosim_in, cosim_l);
       std.textio.read(cosim_l, cosim_r);)",
-                      folder, row_length(s)));
+                      folder, vhdl_row_length(s)));
   std::size_t at = s.clocks.size() + 1;
   for (const auto& [name, width] : s.inputs) {
     const std::size_t last = at + static_cast<std::size_t>(width) - 1;
     tb.line(
         fmt::format("      {0} <= work.cosim_ports.value(cosim_r({1} to {2}), {3}'low, {3}'high);",
-                    name, at, last, type_of(entity, name)),
+                    name, at, last, vhdl_type_of(entity, name)),
         name);
     at = last + 1;
   }
@@ -220,13 +218,14 @@ VhdlTestbench vhdl_testbench(const VhdlEntity& entity, const VhdlStimulus& s,
   tb.line("      std.textio.writeline(cosim_out, cosim_o);");
   for (std::size_t i = 0; i < s.clocks.size(); ++i) {
     tb.line(fmt::format("      if cosim_r({}) = '1' then {} <= '{}'; end if;", i + 1, s.clocks[i],
-                        falls(s, s.clocks[i]) ? 0 : 1),
+                        has_falling_edge(s, s.clocks[i]) ? 0 : 1),
             s.clocks[i]);
   }
   tb.line("      wait for 1 us;");
   for (const std::string& clock : s.clocks) {
-    tb.line(fmt::format("      {} <= '{}';", clock, falls(s, clock) ? 1 : 0), clock);
+    tb.line(fmt::format("      {} <= '{}';", clock, has_falling_edge(s, clock) ? 1 : 0), clock);
   }
+  tb.line("      wait for 1 us;");
   tb.line("    end loop;\n    std.env.finish;\n  end process;\nend architecture;");
   return tb;
 }

@@ -10,6 +10,8 @@
 
 namespace cosim::equiv {
 
+using VhdlLines = std::vector<std::string>;
+
 /// Each port has lines of its own, so that a line that GHDL complains of tells which port it is.
 struct VhdlTestbench {
   std::string text;
@@ -24,7 +26,7 @@ struct VhdlTestbench {
 extern const char* const vhdl_conversions;
 
 /// The characters of a row of the stimulus.
-std::size_t row_length(const VhdlStimulus& stimulus);
+std::size_t vhdl_row_length(const VhdlStimulus& stimulus);
 
 /// The entity cosim_tb, which reads FOLDER/in and writes FOLDER/out: rows of the stimulus as they
 /// are run, and behind each the outputs.

@@ -136,6 +136,113 @@ ends 2 equiv --gold store4.vhd --gate other.vhd --top store4 --reset d --netlist
 ends 1 equiv --gold store4.vhd --gate other.vhd --top store4 --netlists
 says_like '^store4: different on clock'
 
+# What GHDL 2.0 turns into another Verilog: functions of numeric_std, constants of more than 32 bits, the
+# default of a case.
+cat > wrong.vhd << 'RTL'
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+entity wrong is
+  port (a, b : in signed(2 downto 0); u : in unsigned(3 downto 0); n : in unsigned(2 downto 0);
+        q0, q1, q2, q3, q4, q5 : out signed(2 downto 0); r0, r1, r2 : out unsigned(3 downto 0);
+        s0 : out signed(1 downto 0); s1 : out unsigned(7 downto 0); c0, c1, c2 : out std_logic;
+        k : out std_logic_vector(39 downto 0));
+end entity;
+architecture r of wrong is
+begin
+  q0 <= shift_right(a, to_integer(n));
+  q1 <= a / b when b /= 0 else "000";
+  q2 <= a rem b when b /= 0 else "000";
+  q3 <= a mod b when b /= 0 else "000";
+  q4 <= abs a;
+  q5 <= 5 - a;
+  r0 <= rotate_left(u, to_integer(n));
+  r1 <= u ror to_integer(a);
+  s0 <= resize(a, 2);
+  s1 <= u * 20;
+  c0 <= '1' when u < 16 else '0';
+  c1 <= '1' when a /= 9 else '0';
+  c2 <= '1' when -100 > a else '0';
+  k <= x"123456789a" when n = 0 else (others => '1');
+  with n select r2 <= u when "000", "0001" when "010", "0010" when "100", not u when others;
+end architecture;
+RTL
+cat > wrong.v << 'RTL'
+module wrong(input signed [2:0] a, b, input [3:0] u, input [2:0] n,
+             output signed [2:0] q0, q1, q2, q3, q4, q5, output [3:0] r0, r1, r2,
+             output [1:0] s0, output [7:0] s1, output c0, c1, c2, output [39:0] k);
+  wire signed [2:0] d = a / b, m = a % b;
+  wire [7:0] turned = {u, u} << n[1:0], back = {u, u} >> a[1:0];
+  assign q0 = a >>> n, q1 = b == 0 ? 3'd0 : d, q2 = b == 0 ? 3'd0 : m;
+  assign q3 = b == 0 ? 3'd0 : m == 0 || (m < 0) == (b < 0) ? m : m + b;
+  assign q4 = a[2] ? -a : a, q5 = 3'd5 - a;
+  assign r0 = turned[7:4], r1 = back[3:0];
+  assign s0 = {a[2], a[0]}, s1 = 8'd4 * u;
+  assign c0 = 1'b1, c1 = 1'b1, c2 = 1'b0;
+  assign k = n == 0 ? 40'h123456789a : ~40'h0;
+  assign r2 = n == 0 ? u : n == 2 ? 4'd1 : n == 4 ? 4'd2 : ~u;
+endmodule
+RTL
+ends 0 equiv --gold wrong.vhd --gate wrong.v --top wrong
+# A register written at an index, memories whose accesses are in an order, a value before the reset.
+cat > order.vhd << 'RTL'
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+entity order is
+  port (clk, rst : in std_logic; we : in std_logic_vector(1 downto 0); a, b : in unsigned(1 downto 0);
+        d, e : in std_logic_vector(1 downto 0); q, y : out std_logic_vector(1 downto 0);
+        z : out std_logic_vector(3 downto 0); w : out std_logic);
+end entity;
+architecture r of order is
+  type memory is array (0 to 3) of std_logic_vector(1 downto 0);
+  signal bits : std_logic_vector(3 downto 0) := "0110";
+  signal first : std_logic := '1';
+begin
+  process (clk)
+    variable fresh, last : memory := (others => "00");
+  begin
+    if rising_edge(clk) then
+      if we(0) = '1' then fresh(to_integer(a)) := d; end if;
+      q <= fresh(to_integer(b));
+      y <= last(to_integer(b));
+      if we(0) = '1' then last(to_integer(a)) := d; end if;
+      if we(1) = '1' then last(to_integer(b)) := e; end if;
+      if we(1) = '1' then bits(to_integer(a)) <= e(0); end if;
+    end if;
+  end process;
+  process (clk, rst) begin
+    if rst = '1' then first <= '0'; elsif rising_edge(clk) then first <= first; end if;
+  end process;
+  z <= bits;
+  w <= first;
+end architecture;
+RTL
+cat > order.v << 'RTL'
+module order(input clk, rst, input [1:0] we, a, b, d, e, output reg [1:0] q, y, output reg [3:0] z,
+             output reg w);
+  reg [1:0] fresh [0:3], last [0:3];
+  initial begin
+    {w, z} = 5'b10110;
+    {fresh[0], fresh[1], fresh[2], fresh[3], last[0], last[1], last[2], last[3]} = 0;
+  end
+  always @(posedge clk) begin
+    if (we[0]) fresh[a] <= d;
+    q <= we[0] && a == b ? d : fresh[b];
+    y <= last[b];
+    if (we[0]) last[a] <= d;
+    if (we[1]) last[b] <= e;
+    if (we[1]) z[a] <= e[0];
+  end
+  always @(posedge clk or posedge rst) if (rst) w <= 0;
+endmodule
+RTL
+ends 0 equiv --gold order.vhd --gate order.v --top order
+# numeric_std by its full name is not replaced.
+sed 's/ resize(a, 2)/ ieee.numeric_std.resize(a, 2)/' wrong.vhd > named.vhd
+ends 2 equiv --gold named.vhd --gate wrong.v --top wrong
+says 'named.vhd:20: numeric_std.resize: '
+
 # refused FILES: what is said of them, as one line.
 refused() {
   ends 2 new bad "$@"

@@ -103,6 +103,7 @@ struct Write {
 struct Argument {
   Signal formal;
   Expr actual;
+  bool is_typed = true;  // a parameter that keeps its type whatever it is given
 };
 
 /// What drives one signal, or is one memory.

@@ -170,7 +170,7 @@ void Draw::instance(int i) {
     // Whether the port widens an expression is told in two ways: it has a width of its own here.
     Expr actual = random_.percent(40) ? use(random_.of(outer)) : make(Kind::concat, "", {value(2)});
     if (actual.kind == Kind::concat) unsized(actual.args[0]);
-    one.ports.push_back({formal, actual});
+    one.ports.push_back({formal, actual, true});
     inner.push_back(formal);
   }
   const int parameters = random_.below(3);
@@ -179,13 +179,9 @@ void Draw::instance(int i) {
     const Expr given = random_.percent(40)
                            ? number(random_.below(40))
                            : constant(random_.bits(random_.between(1, 9)), random_.percent(50));
-    Signal formal{name("P", k),
-                  has_type ? Type{random_.between(2, 9), random_.percent(50)} : type_of(given),
-                  0,
-                  has_type,
-                  false,
-                  ""};
-    one.parameters.push_back({formal, given});
+    const Type own{random_.between(2, 9), random_.percent(50)};
+    const Signal formal{name("P", k), has_type ? own : type_of(given), 0, false, false, ""};
+    one.parameters.push_back({formal, given, has_type});
     inner.push_back(formal);
   }
   scope_ = inner;
@@ -203,13 +199,13 @@ void Draw::generate(int i) {
   const int count = random_.between(1, 4);
   one.target.type = {one.turns * count, random_.percent(30)};
   one.loop = name("turn", i);
-  scope_.push_back({one.loop, {32, true}, 0, false, false, ""});
   one.value = value(2);
-  if (random_.percent(70)) {
-    one.value = make(Kind::binary, random_.of<std::string>({"+", "^", "-"}),
-                     {one.value, use(scope_.back())});
+  // A genvar has no size, so it may not stand within { }.
+  if (random_.percent(80)) {
+    const Signal loop{one.loop, {32, true}, 0, false, false, ""};
+    one.value =
+        make(Kind::binary, random_.of<std::string>({"+", "^", "-"}), {one.value, use(loop)});
   }
-  scope_.pop_back();
   add(one);
 }
 

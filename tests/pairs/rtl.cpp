@@ -237,10 +237,10 @@ class Rtl {
     const std::string module = "below_" + item.target.name;
     std::string head, pins, given;
     for (const Argument& p : item.parameters) {
-      head +=
-          (head.empty() ? " #(" : ", ") +
-          (p.formal.is_vector ? w_.declared("parameter", p.formal) : "parameter " + p.formal.name) +
-          " = 1";
+      Signal formal = p.formal;
+      formal.is_vector = p.is_typed;
+      if (!p.is_typed) formal.type = {};
+      head += (head.empty() ? " #(" : ", ") + w_.declared("parameter", formal) + " = 1";
       given += (given.empty() ? "#(." : ", .") + p.formal.name + '(' + w_.expr(p.actual) + ')';
       inner[p.formal.name] = p.formal;
     }

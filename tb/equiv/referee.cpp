@@ -7,6 +7,7 @@
 
 #include "tb/equiv/simulator.h"
 #include "tb/equiv/stepped.h"
+#include "tb/equiv/vhdl_run.h"
 #include "tb/support/output_file.h"
 #include "tb/support/random.h"
 #include "tb/support/words.h"
@@ -108,6 +109,57 @@ class Match {
         simulator_(simulator),
         is_cut_(!side.memories.empty() && side.is_cut()),
         stepped_(side, is_cut_) {}
+
+  // By GHDL, which runs the VHDL that the Verilog was made of: its registers begin as they do, and
+  // are not seen.
+  Refereed judged_as_vhdl() {
+    Refereed is;
+    const Stimulus s = stimulus();
+    VhdlStimulus vhdl;
+    vhdl.falls = side_.clocks;
+    for (const auto& [clock, falls] : side_.clocks) vhdl.clocks.push_back(clock);
+    for (const std::string& port : s.inputs) {
+      if (!side_.clocks.contains(port)) vhdl.inputs.emplace_back(port, side_.inputs.at(port));
+    }
+    for (const std::string& port : s.outputs) vhdl.outputs.emplace_back(port, side_.outputs.at(port));
+    for (std::size_t t = 1; t < rows_.size(); ++t) {
+      std::string row;
+      for (const std::string& clock : vhdl.clocks) row += how_.steps ? rows_[t].at(clock) : "1";
+      for (const auto& [port, width] : vhdl.inputs) row += rows_[t].at(port);
+      vhdl.rows.push_back(row);
+    }
+    std::vector<std::string> files;
+    for (const auto& file : side_.files().vhdl) files.push_back(file.string());
+    const VhdlRun ran =
+        run_vhdl(files, side_.files().top, side_.files().parameters, vhdl, how_.until);
+    if (ran.rows.empty()) {
+      is.wrong = ran.error;
+      return is;
+    }
+    is.by = "GHDL";
+    for (std::size_t t = 0; t < ran.rows.size() && wrong_.empty(); ++t) {
+      Inputs row = rows_[t + 1];
+      std::size_t at = vhdl.clocks.size();
+      for (const auto& [port, width] : vhdl.inputs) {
+        row[port] = ran.inputs[t].substr(at, static_cast<std::size_t>(width));
+        at += static_cast<std::size_t>(width);
+      }
+      stepped_.clock(row);
+      at = 0;
+      for (const auto& [port, width] : vhdl.outputs) {
+        std::vector<Bits> bits;
+        for (int i = 0; i < width; ++i) bits.push_back(stepped_.output({port, i}));
+        const bool has_state = !side_.registers.empty() || !side_.memories.empty();
+        compare("output " + port, ran.rows[t].substr(at, static_cast<std::size_t>(width)),
+                word_of(bits), !has_state, false, t);
+        at += static_cast<std::size_t>(width);
+      }
+      ++is.clocks;
+    }
+    is.wrong = wrong_;
+    is.agrees = is.wrong.empty();
+    return is;
+  }
 
   Refereed judged() {
     Refereed is;
@@ -292,7 +344,7 @@ class Match {
       const char is = source[i], says = netlist[i];
       if (is == says) continue;
       const bool other = is_known(is) && is_known(says);
-      const bool four = simulator_ == Simulator::icarus;
+      const bool four = simulator_ != Simulator::verilator;
       // With an x about, an `if` of the source takes one way where the netlist may take either.
       const bool vague = four && is_known(is) && all_known;
       const bool sure = four && how_.x_matters && is_output && !is_known(is) && all_known;
@@ -320,6 +372,7 @@ class Match {
 }  // namespace
 
 Refereed refereed(const Side& side, const Referee& how) {
+  if (!side.files().vhdl.empty()) return Match(side, how, Simulator::ghdl).judged_as_vhdl();
   const Refereed first = Match(side, how, Simulator::icarus).judged();
   if (!first.by.empty() || !how.verilator) return first;
   const Refereed second = Match(side, how, Simulator::verilator).judged();

@@ -46,6 +46,8 @@ struct Files {
   std::vector<std::filesystem::path> include_dirs;
   std::vector<std::string> defines;    ///< "NAME" or "NAME=VALUE"
   std::filesystem::path folder = ".";  ///< from which $readmemh finds its files
+  /// The VHDL that all of `files` was made of; empty where it is not so.
+  std::vector<std::filesystem::path> vhdl{};
 };
 
 /// A bit of a port, a net or a register: its hierarchical name, and which bit.

@@ -35,7 +35,9 @@ std::string reason(const std::string& said, const std::string& own) {
 }  // namespace
 
 const char* name_of(Simulator simulator) {
-  return simulator == Simulator::icarus ? "Icarus Verilog" : "Verilator";
+  return simulator == Simulator::icarus      ? "Icarus Verilog"
+         : simulator == Simulator::verilator ? "Verilator"
+                                             : "GHDL";
 }
 
 Program::Program(const Side& side, Stimulus stimulus, Simulator simulator,

@@ -13,6 +13,7 @@ namespace cosim::equiv {
 enum class Simulator {
   icarus,     ///< four values: 0, 1, x and z
   verilator,  ///< two values; its compiler takes ten seconds or more
+  ghdl,       ///< of VHDL (vhdl_run.h)
 };
 const char* name_of(Simulator simulator);
 

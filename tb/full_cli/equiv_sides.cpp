@@ -8,6 +8,7 @@
 #include "model/core/input_error.h"
 #include "tb/full_cli/revision.h"
 #include "tb/new/found_shape.h"
+#include "tb/new/new_sources.h"
 #include "tb/new/liberty.h"
 #include "tb/new/verilog_words.h"
 #include "tb/program/named_values.h"
@@ -97,6 +98,7 @@ equiv::Side read_side(const EquivOptions& o, const SideFiles& own, const Named& 
   const std::filesystem::path cells = made.string() + ".cells";
   std::filesystem::create_directory(cells);
   read_cells(verilog, o.blackboxes, cells);
+  if (std::ranges::all_of(verilog, is_vhdl)) all.vhdl.assign(verilog.begin(), verilog.end());
   const std::string wrong = as_plain_verilog(verilog, all.top, all.parameters, o.blackboxes, ".",
                                              made.parent_path(), made);
   if (!wrong.empty()) throw InputError("equiv: " + wrong);

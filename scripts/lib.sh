@@ -7,7 +7,7 @@
 #   quietly COMMAND...   COMMAND, its output only where it fails; on a terminal, one moving line
 #   compile WHAT FOLDER COMMAND...  COMMAND, which builds WHAT; its output stays in FOLDER/build.log, and
 #                        where it fails one line says the first error and the log, with status 2
-#   build PRESET TARGET  configures where needed, then builds, as compile
+#   build PRESET TARGET  configures where needed, then builds, as compile; without a TARGET no more
 #   ready PRESET TARGET SET...  installs these sets of scripts/setup, then builds; ends with status 2
 #   help_with COMMAND WORDS...  as help, with what `cosim COMMAND` says of itself where it is built
 #   make_scratch         sets scratch, a new folder that goes with the script
@@ -117,7 +117,7 @@ configure() {
   # Of another compiler nothing that was found holds.
   [[ ${was[0]-} == "${now[0]}" ]] || fresh=(--fresh)
   rm -f "$note"
-  COSIM_WERROR=${now[1]} compile "$3" "$2" \
+  COSIM_WERROR=${now[1]} compile "${3:-all}" "$2" \
     cmake "${fresh[@]}" --preset "$preset" -DBUILD_TESTING="$tests" &&
     printf '%s\n' "${now[@]}" > "$note"
 }
@@ -142,7 +142,7 @@ build() (
   fi
   { mkdir -p "$folder" && cd "$root" && exec 9> "$folder/.lock" && flock 9; } || exit 2
   configure "$preset" "$folder" "$target"
-  compile "$target" "$folder" cmake --build --preset "$preset" --target "$target" -j "$(nproc)"
+  [[ ! $target ]] || compile "$target" "$folder" cmake --build --preset "$preset" --target "$target" -j "$(nproc)"
 )
 
 ready() {

@@ -25,9 +25,11 @@
 //
 // A wire of more than 64 bits is as many words of `pins` as it needs, the lowest first.
 // x is the transaction that may go in, the same one until took() says that it went in; null where
-// there is none, or the case holds it back. The driver of an output stream has drive(bool ready,
-// pins), where ready is false while the case takes nothing, and std::optional<Y<Word>> came(pins).
-// Each case has a new driver; drive() is called once in the reset, too.
+// there is none, or the case holds it back. The record that it points to neither moves nor changes
+// before the case ends: a driver may keep the pointer. The driver of an output stream has
+// drive(bool ready, pins), where ready is false while the case takes nothing, and
+// std::optional<Y<Word>> came(pins). Each case has a new driver; drive() is called once in the
+// reset, too.
 //
 // The ports of stream "x" are x_valid, x_ready, and x_FIELD for each field; prefix() puts something
 // else before them, and a field with at("PORT") has that port. A transaction passes on a clock on

@@ -63,6 +63,8 @@ struct BenchTables {
   std::vector<Field> compared;
   std::size_t registers = 0;
   std::string compared_text;  ///< all that is compared, in words
+  /// Those that go in, then those that come out; none where clocks are compared.
+  std::vector<StreamName> streams;
   std::vector<Field> inputs;
   const char* row = "clock";         ///< what a row of a stimulus is, a noun
   std::vector<std::string> assumed;  ///< of the inputs, sentences
@@ -95,6 +97,7 @@ class AnyBench {
   std::size_t registers() const { return tables_.registers; }
   const std::string& compared_text() const { return tables_.compared_text; }
   const std::vector<Field>& inputs() const { return tables_.inputs; }
+  const std::vector<StreamName>& streams() const { return tables_.streams; }
   const char* row() const { return tables_.row; }
   const std::vector<std::string>& assumed() const { return tables_.assumed; }
   const std::vector<Probe>& probes() const { return tables_.probes; }

@@ -253,7 +253,8 @@ void add_cover(const Command& program, const Registry& registry) {
                "How long the engine may search, for each shape; default 60");
   command.text("--stimuli", o->stimuli, "FOLDER",
                "Where the stimuli that it finds are written; default stimuli");
-  add_common(command, o->common);
+  add_report(command, o->common);
+  add_seed(command, o->common);
   command.footer(fmt::format(
       "Lines, toggles of each bit and cover statements are counted by Verilator, over all "
       "instances\n"

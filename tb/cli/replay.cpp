@@ -49,7 +49,8 @@ void add_replay(const Command& program) {
   command.argument("FILE", o->file, "The stimulus, or a folder that holds a stimulus.stim", true);
   add_wave(command, o->common, "Draw it as a waveform, with FILE.gtkw, its view for GTKWave");
   add_failures(command, o->common, false);
-  command.text("--report", o->common.report, "FILE", "Write the verdict and the figures as JSON");
+  add_report(command, o->common);
+  add_allow_nothing(command, o->common);
   command.footer(fmt::format("Example: {} replay failures/NAME/smallest.stim --wave again.fst",
                              program_name()));
   command.action([o] { return run(*o); });

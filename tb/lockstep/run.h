@@ -12,6 +12,7 @@
 #include "tb/lockstep/cells.h"
 #include "tb/lockstep/lockstep.h"
 #include "tb/lockstep/mismatch.h"
+#include "tb/lockstep/transactions.h"
 #include "tb/stimulus/legal.h"
 
 namespace cosim {
@@ -22,6 +23,7 @@ struct Run {
   /// Of each register, then of each output, on how many of them it was left out; may be empty.
   std::vector<std::uint64_t> left_out{};
   std::optional<Mismatch> mismatch;
+  std::vector<Transactions> streams{};  ///< as BenchTables::streams; empty of a run in lockstep
 };
 
 /// Lockstep whose DUT stands behind virtual calls: one class for all shapes of a design.

@@ -27,7 +27,7 @@ std::string sum(const std::string& text, long more) {
   return fmt::format("{} {} {}", text, more < 0 ? '-' : '+', std::abs(more));
 }
 long bits_for(long values) {
-  return values < 1 ? 0 : std::bit_width(static_cast<unsigned long>(values) - 1);
+  return values < 1 ? 0 : static_cast<long>(std::bit_width(static_cast<unsigned long>(values) - 1));
 }
 
 // In C++, or empty where none of these forms explains the points.
@@ -138,15 +138,15 @@ void follow_parameters(Found& found, const FoundShape& shape, const RtlQuestion&
     for (FoundNet& net : *nets) {
       for (const auto& [name, tries] : tried) {
         if (derived.contains(name)) continue;
-        Points widths, words;
+        Points bits, words;
         for (const Tried& t : tries) {
           const auto same = t.shape.nets.find(net.name);
           if (same == t.shape.nets.end()) continue;
-          widths.emplace_back(t.value, same->second.first);
+          bits.emplace_back(t.value, same->second.first);
           words.emplace_back(t.value, same->second.second);
         }
-        if (widths.empty() || widths.front().first != tries.front().value) continue;
-        put(net.width, field_of(name), tries.front().value, widths);
+        if (bits.empty() || bits.front().first != tries.front().value) continue;
+        put(net.width, field_of(name), tries.front().value, bits);
         put(net.words, field_of(name), tries.front().value, words);
       }
       for (FoundSize* size : {&net.width, &net.words}) {

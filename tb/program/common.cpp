@@ -31,8 +31,18 @@ std::string Common::failures_folder() const {
 
 void add_common(const Command& command, Common& common) {
   add_report(command, common);
+  add_seed(command, common);
+  add_allow_nothing(command, common);
+}
+
+void add_seed(const Command& command, Common& common) {
   command.text("--seed", common.seed_text, "S",
                "Seed of everything random, power-up states too; default 1");
+}
+
+void add_allow_nothing(const Command& command, Common& common) {
+  command.flag("--allow-nothing-compared", common.allows_nothing,
+               "A run that compares nothing is no error");
 }
 
 void add_report(const Command& command, Common& common) {

@@ -21,6 +21,7 @@ struct Common {
   Text failures;
   bool keeps_failures = false;
   bool table = false;
+  bool allows_nothing = false;  ///< a run that compares nothing is no error
 
   std::uint64_t seed() const;  ///< 1 where none was given
   Window window() const;       ///< of waves around a mismatch
@@ -28,7 +29,11 @@ struct Common {
   std::string failures_folder() const;
 };
 
-/// --report and --seed.
+/// --seed.
+void add_seed(const Command& command, Common& common);
+/// --allow-nothing-compared.
+void add_allow_nothing(const Command& command, Common& common);
+/// Both, and --report.
 void add_common(const Command& command, Common& common);
 /// --report.
 void add_report(const Command& command, Common& common);

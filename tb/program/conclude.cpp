@@ -47,7 +47,14 @@ int conclude(const std::vector<Outcome>& outcomes, const Common& common, const s
                kept.empty() ? page_text({outcomes, std::move(looks), {}, title}) : kept);
     fmt::print("page: {}\n", one_line(*common.html));
   }
-  return all_match(outcomes) ? 0 : 1;
+  if (!all_match(outcomes)) return 1;
+  int status = 0;
+  for (const Outcome& o : outcomes) {
+    if (common.allows_nothing || !compared_nothing(o)) continue;
+    complain(nothing_text(o));
+    status = 2;
+  }
+  return status;
 }
 
 }  // namespace cosim::cli

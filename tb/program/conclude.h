@@ -21,7 +21,8 @@ Outcome outcome_of(const AnyBench& bench, const std::string& work, Run run, Chec
 /// (`extra`: more of its keys, a JSON object), then keeps the first mismatch in a folder, then
 /// writes the page where one is asked for: of what is kept in a folder the page of that, else
 /// of what there is to look at, and of the picture of --plot; `title` is that of several outcomes
-/// or none. 0 where all matched, else 1.
+/// or none. 0 where all matched, 1 where one did not; 2, with a line on standard error, where one
+/// compared nothing and that is not allowed.
 int conclude(const std::vector<Outcome>& outcomes, const Common& common,
              const std::string& extra = "{}", Looks looks = {}, const std::string& title = "");
 

@@ -41,11 +41,13 @@ Measure measure_from(const JsonAt& j) {
 Json to_json(const Result& r) {
   Json measures = Json::array();
   for (const Measure& m : r.checked.measures) measures.push_back(measure_json(m));
-  return {{"cases", r.cases},
-          {"clocks", r.clocks},
-          {"jobs", r.checked.jobs},
-          {"measures", measures},
-          {"left_out", r.left_out}};
+  Json json{{"cases", r.cases},
+            {"clocks", r.clocks},
+            {"jobs", r.checked.jobs},
+            {"measures", measures},
+            {"left_out", r.left_out}};
+  for (const Transactions& one : r.streams) json["streams"].push_back({one.moved, one.compared});
+  return json;
 }
 
 Result result_from(const JsonAt& j, const AnyBench& bench) {
@@ -57,6 +59,13 @@ Result result_from(const JsonAt& j, const AnyBench& bench) {
   if (!left_out.list().empty()) {
     const std::size_t signals = bench.compared().size();
     for (const JsonAt& one : left_out.list(signals, signals)) r.left_out.push_back(one.whole());
+  }
+  if (const auto streams = j.find("streams")) {
+    const std::size_t all = bench.streams().size();
+    for (const JsonAt& one : streams->list(all, all)) {
+      const auto figures = one.list(2, 2);
+      r.streams.push_back({figures[0].whole(), figures[1].whole()});
+    }
   }
   for (const JsonAt& one : j.at("measures").list()) {
     Checked with;

@@ -1,8 +1,9 @@
 #include "tb/proof/from_reset.h"
 
 namespace cosim::proof {
-
+namespace {
 using Lit = Aig::Lit;
+}
 
 FromReset::FromReset(const nets::Model& model, const RtlNets& rtl,
                      const std::map<std::string, Word>& tied, const std::vector<Watched>& watched)

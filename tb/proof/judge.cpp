@@ -10,6 +10,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/proof/abc.h"
+#include "tb/proof/counterexample.h"
 #include "tb/proof/mutant_nets.h"
 #include "tb/proof/mutants.h"
 #include "tb/proof/votes.h"

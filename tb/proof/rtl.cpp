@@ -145,12 +145,12 @@ std::string Rtl::without_reset(const std::string& symbol) const {
   if (of == wires_.end()) return symbol;
   const Pattern::Parts part = choice.whole(of->second.body);
   if (part.empty()) return symbol;
-  const std::string &yes = part[1], &no = part[2];
+  const std::string &chosen = part[1], &other = part[2];
   const auto is_constant = [](const std::string& term) {
     return term.starts_with("#b") || term == "true" || term == "false";
   };
-  if (is_constant(yes) && no.starts_with('|')) return no;
-  if (is_constant(no) && yes.starts_with('|')) return yes;
+  if (is_constant(chosen) && other.starts_with('|')) return other;
+  if (is_constant(other) && chosen.starts_with('|')) return chosen;
   return symbol;
 }
 

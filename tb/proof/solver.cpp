@@ -6,6 +6,7 @@
 #include <sstream>
 #include <vector>
 
+#include "model/core/input_error.h"
 #include "tb/proof/expression.h"
 #include "model/core/input_error.h"
 #include "tb/support/output_file.h"

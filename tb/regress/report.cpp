@@ -82,8 +82,8 @@ class Putting {
     bool whole = true;
     const std::string title = fmt::format("{}: {}", task.name, work.title());
     const auto& shards = run_.shards();  // in the order of the works
-    const auto [first, last] = std::ranges::equal_range(shards, w, {}, &Shard::work);
-    for (auto at = first; at != last; ++at) {
+    const auto first = std::ranges::lower_bound(shards, w, {}, &Shard::work);
+    for (auto at = first; at != shards.end() && at->work == w; ++at) {
       const Shard& shard = *at;
       const auto s = static_cast<std::size_t>(at - shards.begin());
       if (!results_.done[s]) whole = false;
@@ -98,12 +98,19 @@ class Putting {
       parts.push_back({shard.first, shard.last, all, failed.has_value()});
       if (failures != 0 && work.ends_at_failure()) break;
     }
+    const Json result = whole ? work.merged(parts) : Json();
+    if (result.contains("failed")) {
+      for (const Json& one : result["failed"]) {
+        failures_.push_back(failure_of(title, JsonAt::of(title, one)));
+        ++failures;
+      }
+    }
     holds_ = holds_ && whole && failures == 0;
     unfinished_ += whole ? 0 : 1;
     const char* verdict = !whole ? "unfinished" : failures == 0 ? "pass" : "fail";
     lines_ += fmt::format("{:<10} {}, {}\n", verdict, title, count(work.units(), "unit"));
     Json json{{"title", work.title()}, {"verdict", verdict}};
-    if (whole) json["result"] = work.merged(parts);
+    if (whole) json["result"] = result;
     return json;
   }
 

@@ -65,8 +65,9 @@ class Work {
   virtual Json run(std::uint64_t first, std::uint64_t last, const Place& place) const = 0;
 
   /// The results of all units in their order, put together: the same however they were cut. Behind
-  /// a failure the later ones are missing where ends_at_failure(). InputError where a result is not
-  /// of the units of its part.
+  /// a failure the later ones are missing where ends_at_failure(). `failed` in it, as of run():
+  /// each part holds, and all together do not. InputError where a result is not of the units of its
+  /// part.
   virtual Json merged(const std::vector<Part>& parts) const = 0;
 
  private:

@@ -105,10 +105,9 @@ std::string head(const Page& page) {
            "</div>\n";
   }
   const bool match = all_match(page.outcomes);
-  std::string text = badge(page.outcomes.empty() ? "none"
-                           : match               ? "good"
-                                                 : "bad",
-                           verdict_of(page.outcomes));
+  const std::string verdict = verdict_of(page.outcomes);
+  const bool is_good = verdict == "match";
+  std::string text = badge(is_good ? "good" : match ? "none" : "bad", verdict);
   if (match) text += matched(page);
   for (const Outcome& o : page.outcomes) {
     if (o.result.match()) continue;

@@ -14,6 +14,8 @@
 
 namespace cosim {
 
+constexpr const char* nothing = "nothing compared";
+
 Json parameters(const AnyBench& bench) {
   Json object = Json::object();
   for (const Parameter& p : bench.parameters()) {
@@ -83,15 +85,29 @@ void put_left_out(Json& object, const AnyBench& bench, const Result& r) {
   }
 }
 
+// Of a failure that was shrunk there are no figures.
+void put_streams(Json& object, const AnyBench& bench, const Result& r) {
+  for (std::size_t s = 0; s < r.streams.size(); ++s) {
+    const auto& [name, goes_in] = bench.streams()[s];
+    object["streams"][name][goes_in ? "in" : "out"] = r.streams[s].moved;
+    if (!goes_in) object["streams"][name]["compared"] = r.streams[s].compared;
+  }
+}
+
+const char* json_verdict(const std::vector<Outcome>& outcomes) {
+  return !all_match(outcomes) ? "mismatch" : verdict_of(outcomes) == "match" ? "match" : nothing;
+}
+
 Json run_object(const Outcome& o) {
   Json object;
-  object["verdict"] = o.result.match() ? "match" : "mismatch";
+  object["verdict"] = json_verdict({o});
   object["design"] = o.bench->design();
   object["parameters"] = parameters(*o.bench);
   object["work"] = o.work;
   if (!o.bench->unobserved().empty()) object["unobserved"] = o.bench->unobserved();
   if (Json rules = assumed(*o.bench); !rules.empty()) object["assumed"] = std::move(rules);
   object["clocks"] = o.result.clocks;
+  put_streams(object, *o.bench, o.result);
   put_left_out(object, *o.bench, o.result);
   put_measures(object, o.result.checked);
   if (!o.result.match()) object["mismatch"] = mismatch(o.result);
@@ -115,20 +131,23 @@ std::vector<const AnyBench*> designs(const std::vector<Outcome>& outcomes) {
   return found;
 }
 
-// All runs of that: their clocks, and on how many each signal was left out, an array once.
-struct LeftOut {
+// All runs of that: their clocks and transactions, and on how many clocks each signal was left out,
+// an array once.
+struct Sum {
   std::uint64_t clocks = 0;
-  std::map<std::string, std::uint64_t> signals;
+  std::map<std::string, std::uint64_t> left_out;
+  std::vector<Transactions> streams;
 };
-LeftOut left_out_of(const std::vector<Outcome>& outcomes, const std::string& looked) {
-  LeftOut sum;
+Sum sum_of(const std::vector<Outcome>& outcomes, const std::string& looked) {
+  Sum sum;
   for (const Outcome& o : outcomes) {
     if (looked_at(*o.bench) != looked) continue;
     sum.clocks += o.result.clocks;
+    add(sum.streams, o.result.streams);
     // Shapes have arrays of other lengths.
     const std::vector<Field> fields = o.bench->compared();
     for (std::size_t i = 0; i < o.result.left_out.size(); ++i) {
-      if (fields[i].index <= 0) sum.signals[fields[i].name] += o.result.left_out[i];
+      if (fields[i].index <= 0) sum.left_out[fields[i].name] += o.result.left_out[i];
     }
   }
   return sum;
@@ -137,7 +156,8 @@ LeftOut left_out_of(const std::vector<Outcome>& outcomes, const std::string& loo
 }  // namespace
 
 std::string verdict_of(const std::vector<Outcome>& outcomes) {
-  return outcomes.empty() ? "nothing compared" : all_match(outcomes) ? "match" : "MISMATCH";
+  if (!all_match(outcomes)) return "MISMATCH";
+  return outcomes.empty() || std::ranges::any_of(outcomes, compared_nothing) ? nothing : "match";
 }
 
 std::string measured_text(const Result& result) {
@@ -166,11 +186,14 @@ std::string comparison_text(const std::vector<Outcome>& outcomes) {
   std::string text;
   const auto benches = designs(outcomes);
   for (const AnyBench* bench : benches) {
-    const auto [clocks, signals] = left_out_of(outcomes, looked_at(*bench));
+    const auto [clocks, signals, streams] = sum_of(outcomes, looked_at(*bench));
     const std::string of = benches.size() > 1 ? " of " + looked_at(*bench) : "";
     text += fmt::format("compared: {}{} on {} clock{}\n", compared_signals(*bench), of,
                         clocks == 1 ? "the one" : fmt::format("each of {}", clocks),
                         clocks == 1 ? "" : "s");
+    if (!streams.empty()) {
+      text += fmt::format("transactions{}: {}\n", of, streams_text(*bench, streams));
+    }
     if (const auto& left = bench->unobserved(); !left.empty()) {
       text += fmt::format("unobserved{}: {}: {}\n", of, count(left.size(), "signal"),
                           fmt::join(bench->patterns(), ", "));
@@ -184,6 +207,12 @@ std::string comparison_text(const std::vector<Outcome>& outcomes) {
                   ? fmt::format("never compared{}: {}, it means nothing on any clock\n", of, name)
                   : fmt::format("left out{}: {} on {} of the clocks, where it means nothing\n", of,
                                 name, left_out);
+    }
+    for (std::size_t s = 0; s < streams.size(); ++s) {
+      const auto& [name, goes_in] = bench->streams()[s];
+      if (goes_in || streams[s].compared > 0) continue;
+      text +=
+          fmt::format("never compared{}: {}, no transaction came that was expected\n", of, name);
     }
   }
   return text;
@@ -212,9 +241,7 @@ std::string report_json(const std::vector<Outcome>& outcomes, std::uint64_t seed
   if (outcomes.size() == 1) {
     top = runs.front();
   } else {
-    top["verdict"] = outcomes.empty()      ? "nothing compared"
-                     : all_match(outcomes) ? "match"
-                                           : "mismatch";
+    top["verdict"] = json_verdict(outcomes);
     top["design"] = Json::array();
     top["parameters"] = Json::array();
     Result sum;

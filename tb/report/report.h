@@ -23,7 +23,17 @@ struct Outcome {
 
 bool all_match(const std::vector<Outcome>& outcomes);
 
-/// "match", "MISMATCH", or over none "nothing compared".
+/// "x: 12 in; y: 10 out, 10 compared"
+std::string streams_text(const AnyBench& bench, const std::vector<Transactions>& all);
+
+/// It matches, for it has compared nothing: no transaction of any stream, or no signal on any
+/// clock.
+bool compared_nothing(const Outcome& outcome);
+/// What it did instead, and that `option` allows it, one line.
+std::string nothing_text(const Outcome& outcome,
+                         const std::string& option = "--allow-nothing-compared");
+
+/// "match", "MISMATCH", or over none, or where one of them compared nothing, "nothing compared".
 std::string verdict_of(const std::vector<Outcome>& outcomes);
 
 /// What the check measured: "27 steps, largest deviation 1 step". If it measured nothing, the
@@ -37,9 +47,9 @@ std::string swept_text(const Result& result);
 std::string compared_signals(const AnyBench& bench);
 
 /// What was compared and over how many clocks, one line a design, with its name if there are
-/// several, a line on what is not compared, one for each thing that is assumed of its
-/// inputs, and one for each field that was not compared on every clock. Lines end in '\n', here and
-/// below.
+/// several, a line with the transactions of its streams, a line on what is not compared, one for
+/// each thing that is assumed of its inputs, and one for each field that was not compared on every
+/// clock and each stream that was never compared. Lines end in '\n', here and below.
 std::string comparison_text(const std::vector<Outcome>& outcomes);
 
 /// Every mismatch and every error of an oracle in full, then the verdict of all outcomes.
@@ -49,7 +59,9 @@ std::string verdict_text(const std::vector<Outcome>& outcomes);
 /// measures of the design's check under their names, `compared_signals`, `seed`, where they do not
 /// match `mismatch`, and `runs`, an object for each outcome; where
 /// something is assumed of the inputs `assumed`, sentences; where
-/// registers or outputs are not compared `unobserved`, their paths; where
+/// registers or outputs are not compared `unobserved`, their paths; of a design with streams
+/// `streams`, under the name of each how many transactions went `in`, or came `out` and were
+/// `compared`; where
 /// something was not always compared `left_out`, the number of clocks under each name, and
 /// `never_compared`, the names of what was left out on all of them. Over several outcomes clocks
 /// are added up, measures are combined as they say, mismatch is the first, and parameters is an

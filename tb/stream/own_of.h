@@ -1,6 +1,7 @@
 // A driver of a design's own, as a run of any design has it.
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <span>
@@ -20,13 +21,22 @@ class OwnGiverOf final : public OwnGiver {
   explicit OwnGiverOf(const Params& p) : payload_(p) {}
   void drive(const std::span<const Word>* words, std::span<Word> pins) override {
     if (words == nullptr) return driver_.drive(nullptr, pins);
-    const Record record = payload_.record(*words);
-    driver_.drive(&record, pins);
+    if (!is_offered_) offered_.push_back(payload_.record(*words));
+    is_offered_ = true;
+    driver_.drive(&offered_.back(), pins);
   }
-  bool took(std::span<const Word> pins) override { return driver_.took(pins); }
+  bool took(std::span<const Word> pins) override {
+    const bool taken = driver_.took(pins);
+    if (taken) is_offered_ = false;
+    return taken;
+  }
 
  private:
   Payload<Record> payload_;
+  // A driver keeps the pointer for as long as the transaction takes at its pins, which may be
+  // longer than until took(): each record stays where it is to the end of the case.
+  std::deque<Record> offered_;
+  bool is_offered_ = false;  // the last one, and it has not gone in yet
   Driver driver_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tb/stream/dut.h"
+
 namespace cosim {
 namespace {
 

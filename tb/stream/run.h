@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "tb/lockstep/transactions.h"
 #include "tb/stream/sequence.h"
 #include "tb/stream/shape.h"
 
@@ -35,6 +36,8 @@ struct StreamFinding {
   std::uint64_t clock = 0;
   /// Where nothing moves, a stream that comes out whose ready waits for valid.
   std::optional<std::size_t> waits = {};
+
+  bool operator==(const StreamFinding&) const = default;
 };
 
 /// The signal that it names: of a value its cell, else its stream.
@@ -42,7 +45,7 @@ std::string signal_of(const StreamShape& shape, const StreamFinding& finding);
 
 struct StreamResult {
   std::uint64_t clocks = 0;
-  std::uint64_t transactions = 0;  ///< that came out
+  std::vector<Transactions> streams;  ///< of each that goes in, then of each that comes out
   std::optional<StreamFinding> finding;
   std::string said;  ///< by the RTL, where that is the finding
   Sequence came{1};  ///< where it was asked for, all that came out at the finding's stream

@@ -63,6 +63,10 @@ StreamResult StreamRunner::run(const StreamOrder& order) {
   if (rtl_said) take_said();  // what is said while it is reset does not count
   dut_.begin();
   is_plain_ ? run_clocks<true>() : run_clocks<false>();
+  for (const Giver& g : givers_) result_.streams.push_back({g.taken, 0});
+  for (const Taker& t : takers_) {
+    result_.streams.push_back({t.came, std::min(t.came, t.expected->size())});
+  }
   return std::move(result_);
 }
 
@@ -282,7 +286,6 @@ void StreamRunner::judge_value(const Taker& t) {
       if (t.words[c] != right[c]) found(Kind::value, false, number_of(t), t.came, c);
     }
   }
-  ++result_.transactions;
   if (order_->gather) gathered(number_of(t)).push(t.words);
 }
 

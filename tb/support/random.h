@@ -45,7 +45,8 @@ class Random {
     const auto is = [kind = r & 15](unsigned kinds) {
       return static_cast<Word>(kinds >> kind & 1);
     };
-    const auto place = static_cast<int>((r >> 8) % static_cast<unsigned>(width) & -is(0x07f0));
+    const auto bits = static_cast<std::uint64_t>(-is(0x07f0));
+    const auto place = static_cast<int>((r >> 8) % static_cast<unsigned>(width) & bits);
     const Word value = shift_left(is(0x003c), place) | shift_right(uniform & -is(0xffc0), place);
     return low_bits(value ^ -is(0x042a), width);
   }

@@ -20,6 +20,7 @@ struct Result {
   Checked checked;  ///< by the design's check, if it has one
   std::optional<Mismatch> mismatch;
   std::string failed;  ///< what the failing case was, one line; empty where none failed
+  std::vector<Transactions> streams{};  ///< as of a Run
 
   bool match() const { return !mismatch && checked.error.empty(); }
 };
@@ -38,6 +39,7 @@ inline void add(Result& sum, Result one) {
   if (sum.left_out.size() < one.left_out.size()) sum.left_out.resize(one.left_out.size());
   for (std::size_t i = 0; i < one.left_out.size(); ++i) sum.left_out[i] += one.left_out[i];
   add(sum.checked, one.checked);
+  add(sum.streams, one.streams);
 }
 
 /// The result of one case, and what its design's check found, which does not judge the clock of a
@@ -48,7 +50,8 @@ inline Result result_of(Run run, Checked checked = {}, std::string failed = {}) 
           std::move(run.left_out),
           std::move(checked),
           std::move(run.mismatch),
-          std::move(failed)};
+          std::move(failed),
+          std::move(run.streams)};
 }
 
 }  // namespace cosim

@@ -24,15 +24,16 @@ constexpr std::uint64_t most_cases = std::uint64_t{1} << 48;
 class SweepWork final : public regress::Work {
  public:
   /// `clocks`: of a sweep of hostile ones, which run in lanes where they are worth it; else 0.
-  /// `lanes`: where they are asked for.
+  /// `lanes`: where they are asked for. `may_be_empty`: it may compare nothing.
   SweepWork(const AnyBench& bench, Sweep sweep, std::uint64_t seed, std::uint64_t clocks,
-            bool lanes)
+            bool lanes, bool may_be_empty)
       : Work(fmt::format("{}, {}", bench.title(), sweep.name), sweep.cases),
         bench_(bench),
         sweep_(std::move(sweep)),
         seed_(seed),
         clocks_(clocks),
-        lanes_(lanes) {}
+        lanes_(lanes),
+        may_be_empty_(may_be_empty) {}
 
   bool ends_at_failure() const override { return true; }
   void prepare(const std::filesystem::path& prepared, bool elsewhere) const override {
@@ -48,7 +49,7 @@ class SweepWork final : public regress::Work {
   const AnyBench& bench_;
   Sweep sweep_;
   std::uint64_t seed_, clocks_;
-  bool lanes_;
+  bool lanes_, may_be_empty_;
 };
 
 // A sweep that ends before case `last` and, as one that goes on, begins with case `first`: cases
@@ -107,8 +108,12 @@ Json SweepWork::merged(const std::vector<regress::Part>& parts) const {
     add(sum, result_from(part.result, bench_));
     if (const auto one = part.result.find("mismatch")) mismatch = one->json();
   }
-  auto json = json_of(run_json({&bench_, sweep_.name, sum}));
+  const Outcome outcome{&bench_, sweep_.name, sum};
+  auto json = json_of(run_json(outcome));
   json["cases"] = sum.cases;
+  if (!mismatch && !may_be_empty_ && compared_nothing(outcome)) {
+    json["failed"].push_back({{"what", nothing_text(outcome, "\"allow_nothing_compared\"")}});
+  }
   if (mismatch) {
     json["verdict"] = "mismatch";
     json["mismatch"] = *mismatch;
@@ -129,8 +134,8 @@ class SweepKind final : public regress::Kind {
          {"random", Type::number, "So many random cases at each width", 1, most_cases},
          {"hostile", Type::number, "So many clocks of any value on any pin at each width", 1,
           most_cases},
-         {"lanes", Type::yes,
-          "Hundreds of cases at a time: jobs, too, and more can be exhausted"}}};
+         {"lanes", Type::yes, "Hundreds of cases at a time: jobs, too, and more can be exhausted"},
+         {"allow_nothing_compared", Type::yes, "A sweep that compares nothing is no failure"}}};
   }
   regress::Works works(const regress::Task& task, const std::filesystem::path&) const override;
 
@@ -143,8 +148,8 @@ regress::Works SweepKind::works(const regress::Task& task, const std::filesystem
   const auto& all = all_sweeps(registry_);
   const auto& design = **std::ranges::find_if(
       all, [&](const DesignSweeps* one) { return one->design == benches.front()->design(); });
-  const bool lanes = task.has("lanes");
-  if (task.values.size() != (lanes ? 3 : 2)) {
+  const bool lanes = task.has("lanes"), may_be_empty = task.has("allow_nothing_compared");
+  if (task.values.size() != 2U + (lanes ? 1 : 0) + (may_be_empty ? 1 : 0)) {
     throw InputError("needs one of \"exhaustive\", \"random\" and \"hostile\"");
   }
   if ((task.has("exhaustive") && !design.exhaustive) || (task.has("random") && !design.random)) {
@@ -156,8 +161,8 @@ regress::Works SweepKind::works(const regress::Task& task, const std::filesystem
   const std::uint64_t cases = task.has("random") ? task.number("random") : 0;
   const Asked asked{task.has("exhaustive"), cases, clocks, task.seed, lanes};
   for (auto& [bench, sweep] : planned(design, benches, asked)) {
-    works.push_back(
-        std::make_unique<SweepWork>(*bench, std::move(sweep), task.seed, clocks, lanes));
+    works.push_back(std::make_unique<SweepWork>(*bench, std::move(sweep), task.seed, clocks, lanes,
+                                                may_be_empty));
   }
   if (works.empty()) {
     const std::string narrow = design.exhaustible.substr(0, design.exhaustible.find(','));

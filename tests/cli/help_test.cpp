@@ -36,7 +36,7 @@ TEST(Help, NamesEveryOption) {
       {"examples", {"--help"}},
       {"replay",
        {"FILE", "--wave FILE.fst", "--html FILE.html", "--failures DIR", "--wave-before N",
-        "--wave-after N", "--report FILE"}},
+        "--wave-after N", "--report FILE", "--allow-nothing-compared"}},
       {"prove",
        {"MACHINE", "--rtl DIR", "--limit S", "--jobs J", "--scripts DIR", "--theorems",
         "--mutants N", "--count N", "--mutant K", "--failures DIR"}}};
@@ -45,8 +45,9 @@ TEST(Help, NamesEveryOption) {
   const std::vector<Arguments> sweeps = commands({"sweep"});
   EXPECT_FALSE(sweeps.empty());
   for (const Arguments& sweep : sweeps) {
-    expect_in(help(sweep), {"--exhaustive", "--random COUNT", "--hostile COUNT", "--jobs J",
-                            "--checkpoint FILE", "--report FILE", "--seed S"});
+    expect_in(help(sweep),
+              {"--exhaustive", "--random COUNT", "--hostile COUNT", "--jobs J", "--checkpoint FILE",
+               "--report FILE", "--seed S", "--allow-nothing-compared"});
   }
 }
 

@@ -58,17 +58,17 @@ Ended signalled(const char* program, const Arguments& arguments, int signal, int
 
 }  // namespace
 
-Ended ends(int status, Ended ended, std::source_location at) {
+Ended ends(int status, Ended ended, const char* file, int line) {
   if (ended.status != status) {
-    ADD_FAILURE_AT(at.file_name(), static_cast<int>(at.line()))
-        << "status " << ended.status << " in place of " << status << ": " << ended.out << ended.err;
+    ADD_FAILURE_AT(file, line) << "status " << ended.status << " in place of " << status << ": "
+                               << ended.out << ended.err;
   }
   return ended;
 }
 
-std::string refusal(const Ended& ended, std::source_location at) {
+std::string refusal(const Ended& ended, const char* file, int line) {
   EXPECT_EQ(lines(ended.err).size(), 1U) << ended.err;
-  return ends(2, ended, at).err;
+  return ends(2, ended, file, line).err;
 }
 
 Ended cosim(const Arguments& arguments, const Output& output) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <source_location>
 #include <string>
 #include <vector>
 
@@ -30,10 +29,12 @@ struct Ended {
 };
 
 /// A run, which has to end with that status.
-Ended ends(int status, Ended ended, std::source_location at = std::source_location::current());
+Ended ends(int status, Ended ended, const char* file = __builtin_FILE(),
+           int line = __builtin_LINE());
 
 /// What a run says that is refused, which is one line.
-std::string refusal(const Ended& ended, std::source_location at = std::source_location::current());
+std::string refusal(const Ended& ended, const char* file = __builtin_FILE(),
+                    int line = __builtin_LINE());
 
 /// Where standard output goes: into Ended::out, to the file of that path (opened as a shell's >
 /// does), or nowhere, closed. The same of standard error.

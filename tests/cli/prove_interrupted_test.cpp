@@ -52,7 +52,7 @@ class InterruptedProof : public testing::TestWithParam<int> {
   }
 
   Folder folder_;
-  const test::StandIns bin_;
+  const test::StandIns bin_{};
   const std::string waits_ = folder_.write("waits", "");
   const std::string rtl_ = (test::project_root() / "rtl").string();
 };
@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(On, InterruptedProof, testing::Values(SIGHUP, SIGINT, S
 // What a busy computer, or a harder question, may end with.
 TEST(ProofAtItsLimit, SaysWhatToDo) {
   const Folder folder;
-  const test::StandIns bin;
+  const test::StandIns bin{};
   // One question takes cvc5, which is asked one at a time, more time than there is. No answer of
   // others is one that settles it before that.
   const std::string slow =

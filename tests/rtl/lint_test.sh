@@ -4,7 +4,7 @@
 # Status: 0 all seen, 1 not, 77 where a tool is not installed.
 # Needs: circular
 source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
-needs verilator iverilog yosys clang-tidy cppcheck shellcheck
+needs verilator iverilog yosys clang-tidy cppcheck shellcheck clang++ cmake ninja
 copy=$folder
 cp -r "$root/rtl/circular" "$copy"
 echo 'circular W=8' > "$copy/shipped.txt"
@@ -125,5 +125,51 @@ planted "a device as a command's output" tests/planted.cmake "execute_process(CO
   '^devices .* findings in 1$' 'planted.cmake:1:'
 planted "unused variable" scripts/planted '#!/usr/bin/env bash
 planted=1' '^shellcheck .* findings in 1$' 'SC2034'
+
+# ---- C++ as Clang compiles it -------------------------------------------------------------------
+
+project=$copy/project
+mkdir -p "$project"
+cat > "$project/CMakeLists.txt" << 'END'
+cmake_minimum_required(VERSION 3.25)
+project(planted LANGUAGES CXX)
+set(CMAKE_CXX_STANDARD 20)
+add_compile_options(-Wall)
+file(WRITE ${CMAKE_BINARY_DIR}/made.cpp "what nobody wrote\n")
+add_library(one good.cpp planted.cpp ${CMAKE_BINARY_DIR}/made.cpp)
+set_source_files_properties(${CMAKE_BINARY_DIR}/made.cpp PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+add_library(two planted.cpp)
+END
+printf '%s\n' "$good" > "$project/good.cpp"
+# with_clang TITLE STATUS TEXT PATTERN...: the project with that text in planted.cpp, file by file and as
+# unity files; each file is compiled once, and none that was generated.
+with_clang() {
+  local unity
+  printf '%s\n' "$3" > "$project/planted.cpp"
+  for unity in ON OFF; do
+    cmake -S "$project" -B "$project/build" -G Ninja -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_UNITY_BUILD=$unity \
+      -DCMAKE_EXPORT_COMPILE_COMMANDS=ON > "$folder/cmake"
+    lint --clang "$project/build"
+    expect "$1, unity files $unity" "$2" "${@:4}"
+  done
+}
+with_clang "no fault for Clang" 0 'int two = 2;' '^clang +2 files, .* clean$'
+# What GCC compiles.
+with_clang "views over a container" 1 '#include <ranges>
+#include <vector>
+int sum(const std::vector<int>& all) {
+  int sum = 0;
+  for (const int one : all | std::views::drop(1)) sum += one;
+  return sum;
+}' '^clang .* findings in 1$' '^planted.cpp:5:.*error'
+with_clang "a container's part" 1 '#include <algorithm>
+#include <vector>
+auto both(const std::vector<int>& all) {
+  return std::ranges::equal_range(all, 1).begin();
+}' '^clang .* findings in 1$' '^planted.cpp:4:.*note: in instantiation'
+with_clang "a warning of Clang alone" 1 'struct One {
+  const int n;
+  One() = default;
+};' '^clang .* findings in 1$' '^planted.cpp:3:.*warning'
 
 exit $((failures > 0))

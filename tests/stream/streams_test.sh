@@ -56,6 +56,13 @@ try_loses() {
   found loses lost 2
   grep -qE '^0 .* ([1-9][0-9]* +[01]|0 +1)$' loses.stim || fails "what loses a value keeps the stall that shows it"
   no_lanes loses
+  # One clock is too few for anything to come out.
+  ends 2 sweep loses --hostile 1
+  says_like '^verdict: nothing compared$'
+  says_like '^streams: loses .*: nothing was compared: x: [01] in; y: 0 out, 0 compared; '
+  ends 0 sweep loses --hostile 1 --allow-nothing-compared
+  says_like '^never compared: y, '
+  says_like '^verdict: nothing compared$'
 }
 # Where all are taken late all are doubled, which has no name.
 try_doubles() { found doubles '(doubled|another value): y number' 2; }

@@ -31,11 +31,11 @@ void expect_stated(const Params& p, const State& s) {
 /// the registers.
 template <class Design, class Recovered>
 void expect_states_fit_the_registers(Recovered recovered) {
-  constexpr std::uint64_t kCases = 200, kClocks = 1000;
+  constexpr std::uint64_t cases = 200, length = 1000;
   for_each_shape<Design>([&](const typename Design::Params& p) {
     std::uint64_t clocks = 0, busy = 0;
-    for (std::uint64_t i = 0; i < kCases; ++i) {
-      HostileStimulus<Design> hostile(p, {11, i, kClocks});
+    for (std::uint64_t i = 0; i < cases; ++i) {
+      HostileStimulus<Design> hostile(p, {11, i, length});
       ModelMachine<Design> machine(p);
       typename Design::template Inputs<Word> in;
       typename Design::template Outputs<Word> seen{};
@@ -47,12 +47,12 @@ void expect_states_fit_the_registers(Recovered recovered) {
         recovered(p, machine.state);
         expect_stated(p, machine.state);
         if (testing::Test::HasFatalFailure()) {
-          FAIL() << "case " << i << " clock " << clocks % kClocks;
+          FAIL() << "case " << i << " clock " << clocks % length;
         }
         busy += to_words(seen)[0] != 0;  // busy, running
       }
     }
-    EXPECT_EQ(clocks, kCases * kClocks);
+    EXPECT_EQ(clocks, cases * length);
     EXPECT_GT(busy, clocks / 200);  // the machine was at work, too
   });
 }

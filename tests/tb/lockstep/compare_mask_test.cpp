@@ -98,7 +98,7 @@ TEST(CompareMask, IsOneSetOfElementsAtATime) {
 // Whether lockstep sees the bit of a cell on a clock with these inputs, behind one that fills.
 bool seen(std::size_t cell, bool is_full, bool asks) {
   masked::turned = cell;
-  Lockstep<masked::Adapter> lockstep(1);
+  Lockstep<masked::Adapter> lockstep(1U);
   lockstep.clock({.fill = is_full});
   return !lockstep.clock({.fill = 0, .ask = asks});
 }

@@ -143,7 +143,7 @@ TEST(Decision, NeedsTwoOfEachQuestion) {
 // An engine that never ends holds up no other: not where two threads wait for two engines, and not
 // where there is one thread.
 TEST(Decision, ComesFromTheOthersWhereAnEngineHangs) {
-  const test::StandIns bin;
+  const test::StandIns bin{};
   bin.program("z3", "while :; do :; done");
   bin.program("cvc5", "echo unsat");
   bin.program("yosys-abc", "echo UNSATISFIABLE");
@@ -163,7 +163,7 @@ TEST(Decision, ComesFromTheOthersWhereAnEngineHangs) {
 
 // The engines wait with what is slow until they hear that the other claim is told.
 TEST(Decision, IsToldBeforeOthersAreThere) {
-  const test::StandIns bin;
+  const test::StandIns bin{};
   const std::string told = bin.folder.path("told");
   for (const char* name : {"z3", "cvc5"}) {
     bin.program(name, "for script; do :; done\nwhile grep -q slow $script && ! [ -e " + told +

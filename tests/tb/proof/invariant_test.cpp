@@ -112,7 +112,7 @@ TEST(Invariant, IsNotWhatHoldsForLong) {
 
 // What another program gives for one is looked at.
 TEST(Invariant, ThatIsNoneIsNotTaken) {
-  const test::StandIns bin;
+  const test::StandIns bin{};
   bin.program("yosys-abc", "printf '.ilb r0\\n.ob inv\\n%s 1\\n' $SAID > invariant");
   Aig graph;
   const Lit sets = graph.input(), latch = graph.latch();

@@ -50,7 +50,7 @@ TEST(Abc, AnswersEachQuestionAndSaysWhen) {
 class StandIn : public testing::Test {
  protected:
   void says(const std::string& script) const { bin_.program("yosys-abc", script); }
-  const test::StandIns bin_;
+  const test::StandIns bin_{};
 };
 constexpr const char* kLies = "echo SATISFIABLE; echo UNSATISFIABLE; echo UNSATISFIABLE";
 TEST_F(StandIn, ThatFindsWhatIsNoneHasFailed) {

@@ -87,6 +87,25 @@ TEST(ReportText, EndsWithTheVerdict) {
             "verdict: MISMATCH\n");
 }
 
+// Of a run in lockstep: no clock, or none on which anything meant something.
+TEST(ReportText, SaysWhereNothingWasCompared) {
+  Result never = good(3);
+  never.left_out.assign(arcs().compared().size(), 3);
+  for (const Result& empty : {good(0), never}) {
+    const Outcome outcome{&arcs(), "arcs", empty};
+    EXPECT_TRUE(compared_nothing(outcome));
+    EXPECT_EQ(verdict_text({{&lines(), "lines", good(1)}, outcome}), "verdict: nothing compared\n");
+    EXPECT_EQ(json::parse(report_json({outcome}, 1))["verdict"], "nothing compared");
+    EXPECT_EQ(nothing_text(outcome).find("circular W=4: nothing was compared: "), 0U);
+  }
+  never.left_out.back() = 2;
+  EXPECT_FALSE(compared_nothing({&arcs(), "arcs", never}));
+  EXPECT_FALSE(compared_nothing({&arcs(), "arcs", good(1)}));
+  Result differs = parted();
+  differs.clocks = 0;
+  EXPECT_EQ(verdict_of({{&arcs(), "arcs", differs}}), "MISMATCH");
+}
+
 TEST(ReportJson, OfOneRun) {
   const json j = json::parse(report_json({{&arcs(), "an arc", good(21)}}, 7, R"({"points": 18})"));
   test::expect_members(j, R"({"verdict": "match", "design": "circular", "parameters": {"W": 4},

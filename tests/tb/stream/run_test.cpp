@@ -1,91 +1,17 @@
-// A queue in C++ in the RTL's place, with every fault that a stream can have: each is found, and
-// said by its name.
+// Each fault that a stream can have is found, and said by its name.
 #include "tb/stream/runner.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <deque>
-#include <map>
+#include <array>
+
+#include "tests/tb/stream/queue.h"
 
 namespace cosim {
 namespace {
 
-/// What the queue does wrong with the value of number `number`. One that asks says valid only to
-/// one who is ready; one that idles takes only while one who takes it on is ready.
-// clang-format off
-enum class Fault {
-  none, value, lose, lose_waiting, twice, swap, extra, extra_last, hang, slow, change, asks, idles
-};
-// clang-format on
-
-/// Takes 8 bits and gives them one more, at least one clock later. It holds two values.
-class Queue final : public StreamDut {
- public:
-  Queue(Fault fault, std::uint64_t number) : fault_(fault), number_(number) {}
-
-  std::vector<Net> nets(const Ports& ports) override {
-    const std::map<std::string, Net> named{
-        {"x_valid", net(x_valid_)}, {"x_ready", net(x_ready_)},  {"x_data", net(x_data_, 8)},
-        {"y_valid", net(y_valid_)}, {"y_ready", net(y_ready_)},  {"y_data", net(y_data_, 8)},
-        {"z_valid", net(y_valid_)}, {"z_data", net(y_data_, 8)}, {"rst", net(rst_)}};
-    std::vector<Net> all;
-    for (const Field& f : ports.inputs) all.push_back(named.at(f.name));
-    for (const Field& f : ports.outputs) all.push_back(named.at(f.name));
-    all.push_back(net(clk_));
-    return all;
-  }
-  void eval() override {
-    if (clk_ != 0 && before_ == 0) edge();
-    before_ = clk_;
-    x_ready_ = held_.size() < 2 && !hung_ && (fault_ != Fault::idles || y_ready_ != 0) ? 1 : 0;
-    y_valid_ = !held_.empty() && wait_ == 0 && (fault_ != Fault::asks || y_ready_ != 0) ? 1 : 0;
-    y_data_ = held_.empty() ? 0 : held_.front();
-  }
-
- private:
-  static Net net(std::uint8_t& byte, int width = 1) { return {&byte, 1, 0, width}; }
-
-  void edge() {
-    if (rst_ != 0) {
-      held_.clear();
-      taken_ = 0;
-      hung_ = false;
-      wait_ = 0;
-      return;
-    }
-    if (y_valid_ != 0 && y_ready_ != 0) held_.pop_front();
-    if (y_valid_ != 0 && y_ready_ == 0 && fault_ == Fault::change) held_.front() ^= 0x80;
-    if (wait_ != 0) --wait_;
-    if (x_valid_ != 0 && x_ready_ != 0) take(static_cast<std::uint8_t>(x_data_ + 1));
-  }
-  void take(std::uint8_t value) {
-    const bool here = taken_++ == number_;
-    const bool waits = y_valid_ != 0 && y_ready_ == 0;
-    if (here && fault_ == Fault::hang) hung_ = true;
-    if (here && fault_ == Fault::slow) wait_ = 5;
-    if (here && fault_ == Fault::value) value ^= 4;
-    if (here && fault_ == Fault::lose) return;
-    if (waits && fault_ == Fault::lose_waiting) return;
-    if (here && fault_ == Fault::extra) held_.push_back(0xee);
-    held_.push_back(value);
-    if (here && fault_ == Fault::twice) held_.push_back(value);
-    if (here && fault_ == Fault::extra_last) held_.push_back(0xee);
-    if (here && fault_ == Fault::swap) kept_ = value;
-    if (here && fault_ == Fault::swap) held_.pop_back();
-    if (taken_ == number_ + 2 && fault_ == Fault::swap) held_.push_back(kept_);
-  }
-
-  Fault fault_;
-  std::uint64_t number_;
-  std::uint8_t clk_ = 0, before_ = 0, rst_ = 0;
-  std::uint8_t x_valid_ = 0, x_ready_ = 0, x_data_ = 0, y_valid_ = 0, y_ready_ = 0, y_data_ = 0;
-  std::deque<std::uint8_t> held_;
-  std::uint8_t kept_ = 0;
-  std::uint64_t taken_ = 0;
-  int wait_ = 0;
-  bool hung_ = false;
-};
+using test::Fault, test::Queue;
 
 struct Setting {
   Fault fault = Fault::none;
@@ -153,7 +79,7 @@ TEST(StreamRun, AQueueThatDoesItRightPassesWithAndWithoutStalls) {
     Case c({.stall = stall, .steady = true});
     const StreamResult result = c.run();
     EXPECT_FALSE(result.finding) << stall;
-    EXPECT_EQ(result.transactions, 10U);
+    EXPECT_EQ(result.streams.back().compared, 10U);
     // One clock each and its stall, one before the first, and some behind the last.
     EXPECT_GE(result.clocks, 10 * (1 + static_cast<std::uint64_t>(stall)) + 17);
   }
@@ -162,7 +88,8 @@ TEST(StreamRun, AQueueThatDoesItRightPassesWithAndWithoutStalls) {
 TEST(StreamRun, EachOfTwoStreamsIsTaken) {
   const StreamResult result = Case({.twofold = true}).run();
   EXPECT_FALSE(result.finding);
-  EXPECT_EQ(result.transactions, 20U);
+  EXPECT_EQ(result.streams[1].compared, 10U);
+  EXPECT_EQ(result.streams[2].compared, 10U);
 }
 
 TEST(StreamRun, AnotherValueIsFoundWhereItIs) {
@@ -220,7 +147,7 @@ TEST(StreamRun, OneWhoIsReadyOnlyOnceItSawValidIsServed) {
     Case c({.stall = stall, .waits = 1, .steady = true});
     const StreamResult result = c.run();
     EXPECT_FALSE(result.finding) << stall;
-    EXPECT_EQ(result.transactions, 10U);
+    EXPECT_EQ(result.streams.back().compared, 10U);
     EXPECT_GE(result.clocks,
               10 * (1 + std::max<std::uint64_t>(1, static_cast<std::uint64_t>(stall))) + 17);
   }
@@ -258,6 +185,20 @@ TEST(StreamRun, WhatIsDueIsAskedOnlyWhereSomethingIsWaitedForTooLong) {
 TEST(StreamRun, WhatIsOfferedMayNotChangeWhereThatIsStated) {
   EXPECT_EQ(Case({.fault = Fault::change, .stall = 2, .steady = true}).says(),
             "taken back: y number 0 was offered, and is changed before it is taken");
+}
+
+// Of x, then of y: one too many came and was compared with nothing.
+TEST(StreamRun, EachTransactionIsCounted) {
+  const auto counted = [](Case c, std::uint64_t budget = 100000) {
+    const auto streams = c.run(budget).streams;
+    return std::array{streams[0].moved, streams[0].compared, streams[1].moved, streams[1].compared};
+  };
+  EXPECT_EQ(counted(Case({})), (std::array<std::uint64_t, 4>{10, 0, 10, 10}));
+  EXPECT_EQ(counted(Case({}), 5), (std::array<std::uint64_t, 4>{5, 0, 4, 4}));
+  EXPECT_EQ(counted(Case({.fault = Fault::extra_last, .number = 9})),
+            (std::array<std::uint64_t, 4>{10, 0, 11, 10}));
+  EXPECT_EQ(counted(Case({.fault = Fault::hang, .number = 0})),
+            (std::array<std::uint64_t, 4>{1, 0, 1, 1}));
 }
 
 TEST(StreamRun, ABudgetEndsItWhereSomethingMoves) {

@@ -1,0 +1,142 @@
+// A bench whose RTL is a queue in C++: what a verdict of it says of its streams, and of a run that
+// is not the one that was judged.
+#include "tb/stream/bench.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "model/core/input_error.h"
+#include "tb/report/report.h"
+#include "tb/wave/picture.h"
+#include "tests/tb/stream/queue.h"
+
+namespace cosim {
+namespace {
+
+using test::Fault, test::Queue;
+
+class QueueBench final : public AnyStreamBench {
+ public:
+  QueueBench() {
+    tables_.design = "queue";
+    shape_.title = "queue";
+    shape_.set_clocks("clk", "");
+    shape_.watchdog = 50;
+    shape_.pins = {pin::reset("rst")};
+    const Field data{"data", 8, Format::bits, "", "", 0, "data"};
+    shape_.add({.name = "x"}, true, {&data, 1});
+    shape_.add({.name = "y"}, false, {&data, 1});
+    fill_tables();
+  }
+  std::unique_ptr<StreamDut> dut(std::uint32_t) const override {
+    return std::make_unique<Queue>(instances++ == 0 ? first : later, 3);
+  }
+  std::unique_ptr<StreamDut> open_dut(std::uint32_t) const override {
+    return std::make_unique<Queue>(shown, 3);
+  }
+  void expect(const std::vector<Sequence>& given, std::vector<Sequence>& all) const override {
+    all.assign(1, Sequence(1));
+    for (std::size_t n = 0; n < given[0].size() && !is_mute; ++n) {
+      const Word right = low_bits(given[0][n][0] + 1, 8);
+      all[0].push({&right, 1});
+    }
+  }
+  StreamSizes sizes(const std::vector<Sequence>&) const override {
+    return [](std::span<const std::size_t> taken, std::span<std::size_t> sizes) {
+      sizes[0] = taken[0];
+    };
+  }
+  const char* broken_rule(std::size_t, std::span<const Word>) const override { return nullptr; }
+
+  Stimulus ten() const {
+    Stimulus s;
+    s.machine = title();
+    for (Word n = 0; n < 10; ++n) s.clocks.push_back({1, 0, n, 0, 0});
+    return s;
+  }
+
+  /// Of the first instance, of those behind it, and of those that show their hierarchy.
+  Fault first = Fault::none, later = Fault::none, shown = Fault::none;
+  bool is_mute = false;  ///< the model gives nothing
+  mutable int instances = 0;
+};
+
+Outcome outcome_of(const AnyBench& bench, Run run) {
+  return {&bench, "ten", result_of(std::move(run), {}, "ten")};
+}
+
+TEST(StreamBench, CountsWhatWentInCameOutAndWasCompared) {
+  const QueueBench bench;
+  const std::vector<Outcome> all{outcome_of(bench, bench.replay(bench.ten(), {})),
+                                 outcome_of(bench, bench.replay(bench.ten(), {}))};
+  EXPECT_EQ(all[0].result.streams, (std::vector<Transactions>{{10, 0}, {10, 10}}));
+  const std::string text = comparison_text(all) + verdict_text(all);
+  EXPECT_NE(text.find("\ntransactions: x: 20 in; y: 20 out, 20 compared\nverdict: match\n"),
+            std::string::npos)
+      << text;
+  const auto json = nlohmann::json::parse(report_json({all[0]}, 1));
+  EXPECT_EQ(json["streams"],
+            nlohmann::json::parse(R"({"x": {"in": 10}, "y": {"out": 10, "compared": 10}})"));
+}
+
+// Several cases share the clocks of one hostile case.
+TEST(StreamBench, CountsAllCasesOfASweep) {
+  const QueueBench bench;
+  const cosim::Run run = bench.run_hostile({1, 0, 1000});
+  const cosim::Run first = bench.replay(draw_stream_case(bench.shape(), 1, 0, 1000, {}), {});
+  ASSERT_FALSE(run.mismatch);
+  ASSERT_LT(first.clocks, run.clocks);
+  for (const std::size_t s : {0U, 1U}) EXPECT_GT(run.streams[s].moved, first.streams[s].moved);
+  EXPECT_EQ(run.streams[1].moved, run.streams[1].compared);
+}
+
+TEST(StreamBench, ThatComparesNothingDoesNotMatch) {
+  QueueBench bench;
+  bench.is_mute = true;
+  Stimulus none = bench.ten();
+  for (auto& row : none.clocks) row[0] = 0;
+  const Outcome outcome = outcome_of(bench, bench.replay(none, {}));
+  ASSERT_TRUE(outcome.result.match());
+  EXPECT_TRUE(compared_nothing(outcome));
+  EXPECT_EQ(nothing_text(outcome),
+            "queue: nothing was compared: x: 0 in; y: 0 out, 0 compared; --allow-nothing-compared "
+            "makes that no error");
+  EXPECT_EQ(verdict_of({outcome}), "nothing compared");
+  EXPECT_EQ(nlohmann::json::parse(report_json({outcome}, 1))["verdict"], "nothing compared");
+  EXPECT_NE(comparison_text({outcome}).find("never compared: y, "), std::string::npos);
+}
+
+TEST(StreamBench, WhoseWaveIsOfAnotherRunSaysSo) {
+  const auto said = [](const QueueBench& bench) {
+    PictureSink sink;
+    testing::internal::CaptureStderr();
+    bench.show(bench.ten(), {}, sink);
+    return testing::internal::GetCapturedStderr();
+  };
+  QueueBench bench;
+  EXPECT_EQ(said(bench), "");
+  bench.shown = Fault::value;
+  EXPECT_NE(said(bench).find(
+                "queue: the wave is of another run than the verdict: in the wave y_data fails on "
+                "clock 4, in the run that was judged 10 transactions match: "),
+            std::string::npos);
+  bench.first = bench.later = Fault::value;
+  EXPECT_EQ(said(bench), "");
+  bench.shown = Fault::none;
+  EXPECT_NE(said(bench), "");
+}
+
+TEST(StreamBench, WhoseFailureIsAnotherOneTheNextTimeIsRefused) {
+  for (const Fault next : {Fault::none, Fault::twice}) {
+    QueueBench bench;
+    bench.first = Fault::value;
+    bench.later = next;
+    EXPECT_THROW(bench.replay(bench.ten(), {}), InputError);
+    bench.instances = 0;
+    EXPECT_THROW(bench.run_hostile({1, 0, 1000}), InputError);
+  }
+}
+
+}  // namespace
+}  // namespace cosim

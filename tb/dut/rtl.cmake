@@ -6,7 +6,8 @@ set_property(GLOBAL PROPERTY COSIM_RTL_READER "${CMAKE_CURRENT_LIST_DIR}/rtl.pl"
 #
 # Sets PREFIX_registers, the text of rtl.pl on the registers, its lines joined by \n, PREFIX_resets, the
 # asynchronous ones, "inner NAME" of a register that is one, PREFIX_clocks and PREFIX_outputs; PREFIX_unrolled,
-# options that Verilator needs to build it, also where files .v are Verilog-2005 and nothing later; and PREFIX_hash, of all that it read. An error, one line that begins
+# options that Verilator needs to build it, also where files .v are Verilog-2005 and nothing later; and
+# PREFIX_hash, of all that it read. An error, one line that begins
 # with WHAT, where the RTL has what no design can have. OPTIONS are Verilator's; YOSYS is what makes yosys
 # read the same. Another one where Verilator
 # does not write its tree: no design goes unchecked.

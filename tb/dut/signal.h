@@ -11,7 +11,7 @@ namespace cosim {
 struct Signal {
   std::vector<std::string> scope;  ///< the instances from the top module down to its own
   std::string name;
-  int width = 1;        ///< bits
+  int width = 1;  ///< bits
   /// Its bits, the lowest byte first; valid as long as the simulation lives.
   const unsigned char* bytes = nullptr;
   int word = -1;          ///< of a word of a memory its number; its name has it too
@@ -19,7 +19,7 @@ struct Signal {
   /// Of one of several clocks: 0 on a step on which it does not take its edge. Null: it always
   /// does.
   const Word* takes_edge = nullptr;
-  bool falls = false;  ///< that is its falling edge: it is low for so long
+  bool falls = false;   ///< that is its falling edge: it is low for so long
   std::string range{};  ///< "[7:4]"; "" where they are counted from 0
 };
 

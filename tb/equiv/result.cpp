@@ -9,6 +9,7 @@
 #include "tb/report/page.h"
 #include "tb/support/draft.h"
 #include "tb/support/json.h"
+#include "tb/support/quoted.h"
 #include "tb/support/words.h"
 
 namespace cosim::equiv {
@@ -249,9 +250,11 @@ Kept keep(const std::string& top, const Question& q, const Answer& a,
                    "drawn as the new one has it.",
                    is_recorded ? ", and the hierarchies of both" : "", a.clocks.size() - 1),
        draw(q, a, after, (draft.folder() / "wave.fst").string()), csv});
+  const std::string folder = for_shell(draft.target().string());
   shown.commands.push_back(
-      {fmt::format("cd {} && gtkwave wave.fst wave.gtkw", draft.target().string()),
-       "The whole wave in GTKWave"});
+      {fmt::format("{} wave {}", program_name(), folder), "The whole wave in GTKWave"});
+  shown.commands.push_back({fmt::format("cd {} && gtkwave wave.fst wave.gtkw", folder),
+                            "The same where there is only the folder"});
   kept.page = page_text(shown);
   draft.write("report.html", kept.page);
   draft.finish_replacing();

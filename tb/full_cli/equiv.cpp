@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <set>
 
 #include "model/core/input_error.h"
 #include "tb/equiv/result.h"
@@ -176,7 +177,8 @@ int compare(const EquivOptions& o, Junit& junit) {
   for (const auto& [pin, value] : named_values("--tie", o.tied, "PIN=VALUE")) {
     q.tied[pin] = binary("--tie", value);
   }
-  q.ignored = o.ignored;
+  const std::set<std::string> ignored(o.ignored.begin(), o.ignored.end());
+  q.ignored.assign(ignored.begin(), ignored.end());
   name_ports(o, q);
   q.steps = equiv::has_several_clocks(q);
   name_resets(o, q);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "model/core/input_error.h"
 #include "tb/full_cli/revision.h"
@@ -95,6 +96,11 @@ equiv::Side read_side(const EquivOptions& o, const SideFiles& own, const Named& 
   all.folder = own.folder;
   std::vector<std::string> verilog = own.files;
   verilog.insert(verilog.end(), own.cells.begin(), own.cells.end());
+  // A file that is named twice, as by a pattern and itself, is one.
+  std::set<std::filesystem::path> met;
+  std::erase_if(verilog, [&](const std::string& file) {
+    return !met.insert(std::filesystem::weakly_canonical(file)).second;
+  });
   const std::filesystem::path cells = made.string() + ".cells";
   std::filesystem::create_directory(cells);
   read_cells(verilog, o.blackboxes, cells);

@@ -58,7 +58,7 @@ struct Found {
   std::vector<FoundNet> inputs, outputs, registers;  ///< inputs without the clock where it is one
   std::vector<FoundParameter> parameters;  ///< of the top: whole numbers that follow no other
   std::string language;  ///< as what files .v are read, and why; "" where that is SystemVerilog
-  std::string unread;  ///< why yosys, where it is installed, does not read it; "" where it does
+  std::string unread;    ///< why yosys, where it is installed, does not read it; "" where it does
 
   /// A register resets others: nothing is proved.
   bool has_inner_reset() const {

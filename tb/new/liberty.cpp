@@ -70,7 +70,7 @@ class Function {
     return '(' + all + ')';
   }
   std::string one() {
-    if (take("!")) return "~" + one();
+    if (take("!")) return "(~" + one() + ')';
     std::string all;
     if (take("(")) {
       all = any();
@@ -78,7 +78,7 @@ class Function {
     } else {
       all = name();
     }
-    while (take("'")) all.insert(0, "~");
+    while (take("'")) all = "(~" + all + ')';
     return all;
   }
   std::string name() {
@@ -120,9 +120,10 @@ class Cell {
         for (const std::string& name : g.names) pin(name, "", g);
       } else if (g.kind == "bus") {
         pin(g.name(), range_of(g), g);
-      } else if (g.kind == "pg_pin") {
-        add_port("input", "", verilog_name(g.name()));
       }
+    }
+    for (const LibertyGroup& g : cell_.groups) {
+      if (g.kind == "pg_pin") add_port("input", "", verilog_name(g.name()));
     }
     return fmt::format("module {}({});\n{}{}{}endmodule\n", verilog_name(cell_.name()),
                        fmt::join(ports_, ", "), declared_, inner_, body_);

@@ -40,8 +40,8 @@ std::string read_commands(const Source& source) {
   std::string commands;
   for (const fs::path& file : source.files) {
     const bool is_system_verilog = file.extension() == ".sv" || file.extension() == ".svh";
-    commands += fmt::format("read_verilog -defer{}{} {}; ", is_system_verilog ? " -sv" : "", options,
-                            file_for_yosys(file));
+    commands += fmt::format("read_verilog -defer{}{} {}; ", is_system_verilog ? " -sv" : "",
+                            options, file_for_yosys(file));
   }
   return commands;
 }

@@ -238,6 +238,7 @@ module order(input clk, rst, input [1:0] we, a, b, d, e, output reg [1:0] q, y, 
 endmodule
 RTL
 ends 0 equiv --gold order.vhd --gate order.v --top order
+ends 0 equiv --gold order.v --gate order.vhd --top order --reset-clocks 0 --netlists
 # numeric_std by its full name is not replaced.
 sed 's/ resize(a, 2)/ ieee.numeric_std.resize(a, 2)/' wrong.vhd > named.vhd
 ends 2 equiv --gold named.vhd --gate wrong.v --top wrong

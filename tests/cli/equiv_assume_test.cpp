@@ -16,37 +16,6 @@ std::string chosen(const std::string& both) {
       "always @(posedge clk) q <= rst ? 0 : a & b ? " + both + " : a ? d : b ? e : 0;");
 }
 
-TEST(EquivAssume, InputsOnTheSameClock) {
-  const std::string gold = chosen("d"), gate = chosen("d | e");
-  expect_different(gold, gate, "q is ");
-  expect_said(0, gold, gate, "assumed: !(a & b)\n", {"--assume", "!(a & b)"});
-  expect_equal(gold, gate, {"--assume", "d == 4'd3 || a", "--assume", "!b"});
-  // Words that say less than is needed.
-  expect_different(gold, gate, "q is ", {"--assume", "a | b"});
-}
-
-// It holds on the clocks before, too, but not in the reset.
-TEST(EquivAssume, ClocksAfterTheResetAlone) {
-  const auto rtl = [](const std::string& reset, const std::string& q) {
-    return module_of(", input a, b, output q", "reg s, t; assign q = " + q +
-                                                   "; always @(posedge clk) begin s <= a" + reset +
-                                                   "; t <= b" + reset + "; end");
-  };
-  const Arguments more{"--reset", "rst", "--assume", "!(a & b)"};
-  expect_equal(rtl(" & !rst", "s & t"), rtl(" & !rst", "1'b0"), more);
-  expect_different(rtl("", "s & t"), rtl("", "1'b0"), "different on clock 3: q is 0, was 1", more);
-}
-
-TEST(EquivAssume, Outputs) {
-  const auto counter = [](const std::string& when) {
-    return module_of(", input up, output full, output reg [1:0] n",
-                     "assign full = n == 3; always @(posedge clk) if (rst) n <= 0; else if (" +
-                         when + ") n <= n + 1;");
-  };
-  expect_different(counter("up & !full"), counter("up"), "n is ");
-  expect_equal(counter("up & !full"), counter("up"), {"--assume", "!(up & full)"});
-}
-
 // No stimulus that breaks it tells the two apart.
 TEST(EquivAssume, HoldsInWhatIsKept) {
   const Folder folder;

@@ -59,13 +59,6 @@ class Rtl {
  private:
   bool is_sv() const { return design_.is_sv && !is_gate_; }
 
-  static void loops(const std::vector<Stmt>& body, const std::string& indent, std::string& all) {
-    for (const Stmt& s : body) {
-      if (s.does == Does::loop) all += indent + "integer " + s.word + ";\n";
-      for (const auto& block : s.blocks) loops(block, indent, all);
-    }
-  }
-
   std::string function(const Function& f) {
     const std::map<std::string, Signal> outer = w_.scope;
     // Icarus 11 does not run what reads parts of a function's own name.
@@ -79,7 +72,7 @@ class Rtl {
       text += "    " + w_.declared("input", s) + ";\n";
     }
     text += "    " + w_.declared("reg", value) + ";\n";
-    loops(f.body, "    ", text);
+    text += loop_variables(f.body, "    ");
     text += "    begin\n" + w_.statements(f.body, value, "=", "      ") + "      " + f.result.name +
             " = " + value.name + ";\n    end\n  endfunction\n";
     w_.scope = outer;
@@ -114,7 +107,7 @@ class Rtl {
 
   std::string always(const std::string& head, const Item& item, const std::string& gets) {
     variables_[item.target.name] = true;
-    loops(item.body, "  ", declarations_);
+    declarations_ += loop_variables(item.body, "  ");
     w_.may_name = false;
     return "  " + head + " begin\n" + w_.statements(item.body, item.target, gets, "    ") +
            "  end\n";
@@ -143,7 +136,7 @@ class Rtl {
         "    " +
         (reset.empty() ? "" : "if (" + reset + ") " + name + " <= " + first + ";\n    else ");
     if (!w_.rarely(55)) {
-      loops(item.body, "  ", declarations_);
+      declarations_ += loop_variables(item.body, "  ");
       w_.may_name = false;
       return head + ff + otherwise + "begin\n" +
              w_.statements(item.body, item.target, "<=", "      ") + "    end\n";

@@ -17,6 +17,15 @@ Type compared(const Stmt& s) {
 
 }  // namespace
 
+std::string loop_variables(const std::vector<Stmt>& body, const std::string& indent) {
+  std::string all;
+  for (const Stmt& s : body) {
+    if (s.does == Does::loop) all += indent + "integer " + s.word + ";\n";
+    for (const auto& block : s.blocks) all += loop_variables(block, indent);
+  }
+  return all;
+}
+
 // The condition of an item: where it has wildcards, of the other bits.
 std::string Writer::matches(const Stmt& s, std::size_t i) {
   const Type type = compared(s);

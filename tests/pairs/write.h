@@ -71,6 +71,8 @@ class Writer {
   int names_ = 0;
 };
 
+/// Their declarations, of the loops within too.
+std::string loop_variables(const std::vector<Stmt>& body, const std::string& indent);
 std::string range(const Signal& s);
 std::string range(int width);
 std::string sized(const std::string& bits, bool is_signed = false);

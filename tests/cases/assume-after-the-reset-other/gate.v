@@ -1,0 +1,8 @@
+module t(input clk, input rst, input a, b, output q);
+  reg s, t;
+  assign q = 1'b0;
+  always @(posedge clk) begin
+    s <= a;
+    t <= b;
+  end
+endmodule

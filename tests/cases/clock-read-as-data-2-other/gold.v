@@ -1,0 +1,5 @@
+// Logic reads the clock: it is compared on both sides of the edge.
+module t(input clk, input rst, input d, output reg q, output y);
+  always @(negedge clk) q <= d;
+  assign y = clk & d;
+endmodule

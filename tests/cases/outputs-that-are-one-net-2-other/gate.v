@@ -1,0 +1,3 @@
+module t(input clk, input rst, input d, output y, z);
+  assign y = d, z = d;
+endmodule

@@ -1,0 +1,11 @@
+// Each of two clocks has a reset.
+module t(input clk, input clk_b, a_rst, b_rst, input a, output y, output x);
+  reg [2:0] s;
+  always @(posedge clk) if (a_rst) s <= 1;
+  else if (a) s <= {s[1:0], s[2]};
+  assign y = s[2];
+  reg n;
+  always @(posedge clk_b) n <= b_rst ? 0 : ~n;
+  wire z = n;
+  assign x = z;
+endmodule

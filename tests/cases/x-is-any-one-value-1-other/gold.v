@@ -1,0 +1,9 @@
+// An x is any value, however rare, but one value wherever it is read.
+module t(input clk, input rst, input d, output reg y);
+  reg [15:0] x, z;
+  always @(posedge clk) begin
+    x <= 16'bx;
+    z <= x;
+    y <= d ^ (x == x);
+  end
+endmodule

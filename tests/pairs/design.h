@@ -154,8 +154,7 @@ struct Written {
   std::vector<std::pair<std::string, std::string>> files;
 };
 
-/// As it is; or the same, written in other words.
-Written write_gold(const Design& design, Random& random);
-Written write_gate(const Design& design, Random& random);
+/// As it is, or the new RTL of a pair: the same in other words.
+Written write_rtl(const Design& design, Random& random, bool is_gate);
 
 }  // namespace cosim::pairs

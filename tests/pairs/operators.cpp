@@ -4,16 +4,6 @@
 #include "tests/pairs/write.h"
 
 namespace cosim::pairs {
-namespace {
-
-std::string repeated(int count, const std::string& what) {
-  return '{' + std::to_string(count) + '{' + what + "}}";
-}
-
-std::string text_of(long value) { return std::to_string(value); }
-
-}  // namespace
-
 std::string Writer::unary(const Expr& e, Type context) {
   const Expr& a = e.args[0];
   const int width = type_of(a).width;

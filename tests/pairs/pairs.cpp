@@ -140,7 +140,7 @@ int run(const std::vector<std::string>& words) {
   // One that changes something is seen more often of two.
   std::string planted = is_planted ? plant(gate, random) : "";
   if (is_planted) planted += "; " + plant(gate, random);
-  const Written old_rtl = write_gold(gold, random), new_rtl = write_gate(gate, random);
+  const Written old_rtl = write_rtl(gold, random, false), new_rtl = write_rtl(gate, random, true);
   const std::string suffix = is_sv ? ".sv" : ".v";
   fs::create_directories(folder);
   write(folder / ("gold" + suffix), old_rtl.text);

@@ -295,9 +295,8 @@ class Rtl {
 
 }  // namespace
 
-Written write_gold(const Design& design, Random& random) {
-  return Rtl(design, random, false).all();
+Written write_rtl(const Design& design, Random& random, bool is_gate) {
+  return Rtl(design, random, is_gate).all();
 }
-Written write_gate(const Design& design, Random& random) { return Rtl(design, random, true).all(); }
 
 }  // namespace cosim::pairs

@@ -6,8 +6,6 @@
 namespace cosim::pairs {
 namespace {
 
-std::string text_of(int value) { return std::to_string(value); }
-
 // Of the selector and all items, which are widened to each other.
 Type compared(const Stmt& s) {
   Type type = type_of(s.value);

@@ -6,6 +6,12 @@
 
 namespace cosim::pairs {
 
+std::string text_of(long value) { return std::to_string(value); }
+
+std::string repeated(int count, const std::string& what) {
+  return '{' + text_of(count) + '{' + what + "}}";
+}
+
 std::string range(int width) { return width == 1 ? "" : '[' + std::to_string(width - 1) + ":0] "; }
 
 std::string range(const Signal& s) {
@@ -21,14 +27,7 @@ std::string sized(const std::string& bits, bool is_signed) {
 
 namespace {
 
-// "x" for each: what is written once for a width.
-std::string repeated(int count, const std::string& what) {
-  return '{' + std::to_string(count) + '{' + what + "}}";
-}
-
 std::string name_sign(Type type) { return type.is_signed ? "signed " : ""; }
-
-std::string text_of(long value) { return std::to_string(value); }
 
 }  // namespace
 

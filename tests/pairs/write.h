@@ -73,6 +73,9 @@ class Writer {
 
 /// Their declarations, of the loops within too.
 std::string loop_variables(const std::vector<Stmt>& body, const std::string& indent);
+std::string text_of(long value);
+/// {count{what}}
+std::string repeated(int count, const std::string& what);
 std::string range(const Signal& s);
 std::string range(int width);
 std::string sized(const std::string& bits, bool is_signed = false);

@@ -77,10 +77,10 @@ Assumption made(const std::string& text, std::size_t number, const Side& gold,
     if (logic.unknowns > 0) refuse(text, "is x: it has an x, or a bit that its port has not");
     return {text, logic, verilog, module, names, of_outputs};
   } catch (const InputError& error) {
-    const std::string why = error.what();
-    const std::size_t at = why.find("ERROR: ");
-    if (at == std::string::npos) throw;
-    refuse(text, why.substr(at + std::string("ERROR: ").size()));
+    static const Pattern place(R"(cannot read it: (?:\S*assume\.v:\d+: )?(.*))");
+    const auto why = place.all(error.what());
+    if (why.empty()) throw;
+    refuse(text, why[0][1]);
   }
 }
 

@@ -84,8 +84,9 @@ class Reading {
       const fs::path& file = files_.files[i];
       all.emplace_back((scratch_ / fmt::format("file{}{}", i, extension(file))).string(),
                        file.string());
-      all.emplace_back((links_[at_.at(fs::absolute(file).parent_path())] / file.filename()).string(),
-                       file.string());
+      all.emplace_back(
+          (links_[at_.at(fs::absolute(file).parent_path())] / file.filename()).string(),
+          file.string());
     }
     for (const auto& [folder, at] : at_) all.emplace_back(links_[at].string(), folder.string());
     return all;
@@ -187,9 +188,8 @@ Elaborated by_yosys(const Files& files, const std::string& what, const Budget& b
     if (ended.status != 0) {
       // Its log says more, as which register it was at.
       const std::string said = fs::exists(log) ? read_file(log) : ended.text;
-      throw InputError(
-          fmt::format("{}: yosys cannot read it: {}", what,
-                      yosys_message(said, ended.status, reading.names())));
+      throw InputError(fmt::format("{}: yosys cannot read it: {}", what,
+                                   yosys_message(said, ended.status, reading.names())));
     }
     const std::string wrong = misread(ended.text, reading);
     if (!wrong.empty()) throw InputError(fmt::format("{}: yosys cannot read it: {}", what, wrong));

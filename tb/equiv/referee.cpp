@@ -108,7 +108,7 @@ class Match {
         how_(how),
         simulator_(simulator),
         is_cut_(!side.memories.empty() && side.is_cut()),
-        stepped_(side, is_cut_) {}
+        stepped_(side, is_cut_, how.steps) {}
 
   // By GHDL, which runs the VHDL that the Verilog was made of: its registers begin as they do, and
   // are not seen.
@@ -121,7 +121,8 @@ class Match {
     for (const std::string& port : s.inputs) {
       if (!side_.clocks.contains(port)) vhdl.inputs.emplace_back(port, side_.inputs.at(port));
     }
-    for (const std::string& port : s.outputs) vhdl.outputs.emplace_back(port, side_.outputs.at(port));
+    for (const std::string& port : s.outputs)
+      vhdl.outputs.emplace_back(port, side_.outputs.at(port));
     for (std::size_t t = 1; t < rows_.size(); ++t) {
       std::string row;
       for (const std::string& clock : vhdl.clocks) row += how_.steps ? rows_[t].at(clock) : "1";

@@ -43,7 +43,7 @@ char begins(const Side& side, std::size_t reg) {
 std::map<std::string, std::string> traces(const Question& q, const Side& side, bool is_gate,
                                           const Variables& variables,
                                           const Variables& without_partner) {
-  Stepped stepped(side, side.is_cut());
+  Stepped stepped(side, side.is_cut(), q.steps);
   for (std::size_t i = 0; i < side.registers.size(); ++i) stepped.begin(i, begins(side, i));
   for (const auto& [name, bits] : without_partner) {
     for (const std::size_t bit : bits) {

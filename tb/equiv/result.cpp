@@ -89,10 +89,10 @@ std::string read_text(const Question& q, const Answer& a) {
   for (const auto& [side, trusted] :
        {std::pair(&q.gold, &a.gold_read), std::pair(&q.gate, &a.gate_read)}) {
     if (trusted->is.by.empty()) continue;
-    text += fmt::format("{}{}: read by {}, {} {} simulates it, on {}", text.empty() ? "" : "; ",
-                        side->what(), name_of(trusted->front_end),
-                        trusted->is.agrees ? "as" : "not as", trusted->is.by,
-                        clocks_text(static_cast<std::size_t>(trusted->is.clocks)));
+    text +=
+        fmt::format("{}{}: read by {}, {} {} simulates it, on {}", text.empty() ? "" : "; ",
+                    side->what(), name_of(trusted->front_end), trusted->is.agrees ? "as" : "not as",
+                    trusted->is.by, clocks_text(static_cast<std::size_t>(trusted->is.clocks)));
   }
   return text;
 }

@@ -90,7 +90,8 @@ std::string Side::kept_by_function() const {
   static const Pattern local(R"(([A-Za-z_]\w*)\$func\$.*\.([A-Za-z_]\w*)(\[.*)?)");
   for (const Net& net : module_->nets) {
     const auto found = local.all(net.name);
-    if (found.empty() || std::ranges::none_of(net.bits, [&](int bit) { return open.contains(bit); }))
+    if (found.empty() ||
+        std::ranges::none_of(net.bits, [&](int bit) { return open.contains(bit); }))
       continue;
     return fmt::format("variable {} of function {} keeps its value from call to call", found[0][2],
                        found[0][1]);

@@ -51,6 +51,8 @@ Program::Program(const Side& side, Stimulus stimulus, Simulator simulator,
   for (const std::string& row : stimulus_.rows) rows += (row.empty() ? "0" : row) + '\n';
   write_file(own_ + "/rows", rows);
   fs::create_directory(own_ + "/empty");
+  // Delays of RTL without a timescale are short beside a clock of the testbench.
+  write_file(own_ + "/timescale.v", "`timescale 1ns/1ps\n");
   if (simulator_ == Simulator::verilator) {
     stimulus_.variables.clear();
     stimulus_.memories.clear();
@@ -102,6 +104,7 @@ std::vector<std::string> Program::command(const std::string& generation) const {
   for (const std::string& folder : folders) {
     words.push_back((is_icarus ? "-I" : "+incdir+") + folder);
   }
+  words.push_back(own_ + "/timescale.v");
   for (const fs::path& one : files.files) words.push_back(fs::absolute(one).string());
   words.push_back(own_ + "/cosim_replay.v");
   if (!is_icarus) {

@@ -7,9 +7,10 @@ namespace cosim::equiv {
 using proof::Aig;
 using Lit = Aig::Lit;
 
-Stepped::Stepped(const Side& side, bool cut)
+Stepped::Stepped(const Side& side, bool cut, bool steps)
     : side_(side),
       cut_(cut),
+      steps_(steps),
       made_([&] {
         std::vector<Lit> unknown(side.unknowns), state(side.registers.size());
         const auto added = [&](std::size_t& place) {
@@ -34,6 +35,11 @@ Stepped::Stepped(const Side& side, bool cut)
       runs_(graph_),
       random_(Random::for_case(47, 0)) {
   for (Bits& bits : next_) bits = unknown();
+  for (const auto& [clock, falls] : side.clocks) {  // as it is before its edge
+    if (const auto at = ports_.find({clock, 0}); at != ports_.end() && falls) {
+      inputs_[at->second] = ~Bits{0};
+    }
+  }
   if (!cut_) return;
   std::size_t number = 0;
   for (const Cell& cell : side.module().cells) {
@@ -140,6 +146,9 @@ bool Stepped::read(std::size_t memory) {
 
 void Stepped::write(std::size_t memory) {
   Held& held = memories_[memory];
+  // Where clocks are inputs it has its edge on some steps alone.
+  const auto clock = ports_.find({side_.memories[memory].clock, 0});
+  if (steps_ && clock != ports_.end() && inputs_[clock->second] == 0) return;
   for (std::size_t port = 0; port < held.writes; ++port) {
     const auto pin = [&](const std::vector<Lit>& lits, std::size_t i) {
       return runs_.of(lits[port * held.width + i]);

@@ -18,9 +18,10 @@ class Stepped {
   /// A bit in each run.
   using Bits = std::uint64_t;
 
-  /// `cut`: its memories were cut, and are held here. What is not known is another value in each
-  /// run and on each clock: 0 in the first, 1 in the second, and chance in the others.
-  Stepped(const Side& side, bool cut);
+  /// `cut`: its memories were cut, and are held here. `steps`: clocks are inputs. What is not known
+  /// is another value in each run and on each clock: 0 in the first, 1 in the second, and chance in
+  /// the others.
+  Stepped(const Side& side, bool cut, bool steps);
 
   /// What a register begins as, in all runs: '0' or '1', else another value in each.
   void begin(std::size_t reg, char digit);
@@ -49,7 +50,7 @@ class Stepped {
                       std::size_t port) const;
 
   const Side& side_;
-  bool cut_;
+  bool cut_, steps_;
   proof::Aig graph_;
   std::map<Name, std::size_t> ports_;
   std::vector<std::size_t> unknowns_, states_;

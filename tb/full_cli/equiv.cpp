@@ -258,7 +258,8 @@ void add_equiv(const Command& program) {
   add_html(command, o->common, "the wave of a difference");
   add_failures(command, o->common);
   command.footer(
-      fmt::format("Needs yosys. Exit status: 0 equal, 1 different, 2 bad input, 3 undecided.\n"
+      fmt::format("Needs yosys and Icarus Verilog. Exit status: 0 equal, 1 different, 2 bad input, "
+                  "3 undecided.\n"
                   "Example: {} equiv --gold old/uart.v --gate uart.v --top uart",
                   program_name()));
   command.action([o] { return run(*o); });

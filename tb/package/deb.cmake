@@ -18,6 +18,6 @@ set(CPACK_DEBIAN_PACKAGE_DEPENDS
   "libfmt-dev (>= ${fmt_major})" "libfmt-dev (<< ${fmt_next})"
   "verilator (>= ${verilator_minor})" "verilator (<< ${verilator_minor}.~)")
 list(JOIN CPACK_DEBIAN_PACKAGE_DEPENDS ", " CPACK_DEBIAN_PACKAGE_DEPENDS)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "yosys, libjson-xs-perl, cvc5, z3, libgtest-dev")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "yosys, iverilog, libjson-xs-perl, cvc5, z3, libgtest-dev")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "gtkwave, iverilog, lcov")
 include(CPack)

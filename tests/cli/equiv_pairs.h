@@ -28,9 +28,12 @@ inline Ended equiv(const std::string& gold, const std::string& gate, const Argum
 }
 
 /// What `compare` gives where there is no solver, no Verilator and nothing else.
-inline Ended with_yosys_alone(const std::function<Ended()>& compare) {
+inline Ended with_yosys_alone(const std::function<Ended()>& compare,
+                              const std::vector<std::string>& more = {}) {
   const Folder bin;
-  for (const std::string program : {"env", "yosys", "yosys-abc"}) {
+  std::vector<std::string> programs{"env", "yosys", "yosys-abc"};
+  programs.insert(programs.end(), more.begin(), more.end());
+  for (const std::string& program : programs) {
     const std::string link = "ln -s \"$(command -v " + program + ")\" '" + bin.path(program) + "'";
     EXPECT_EQ(std::system(link.c_str()), 0);
   }

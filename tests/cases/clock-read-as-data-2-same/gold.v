@@ -1,4 +1,4 @@
-// Logic reads the clock: it is compared on both sides of the edge.
+// A register reads its clock: its value depends on the order of events, so nothing is decided.
 module t(input clk, input rst, input d, output reg q, output y);
   always @(posedge clk) q <= d | clk;
   assign y = d;

@@ -75,8 +75,8 @@ TEST(StreamBench, CountsWhatWentInCameOutAndWasCompared) {
   EXPECT_NE(text.find("\ntransactions: x: 20 in; y: 20 out, 20 compared\nverdict: match\n"),
             std::string::npos)
       << text;
-  const auto json = nlohmann::json::parse(report_json({all[0]}, 1));
-  EXPECT_EQ(json["streams"],
+  const auto report = nlohmann::json::parse(report_json({all[0]}, 1));
+  EXPECT_EQ(report["streams"],
             nlohmann::json::parse(R"({"x": {"in": 10}, "y": {"out": 10, "compared": 10}})"));
 }
 

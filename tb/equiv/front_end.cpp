@@ -159,9 +159,10 @@ std::string misread(const std::string& said, const Reading& reading) {
         "{}: {}: {}", reading.by_own_names(part[1]), part[2],
         is_system ? "a system function that is not known" : "a name in another module");
   }
-  static const Pattern drivers(R"(multiple conflicting drivers for \S+\.\\?([^\n]*):)");
+  static const Pattern drivers(R"(multiple conflicting drivers for [^\s.]+\.(\\?)([^\n]*):)");
   for (const Pattern::Parts& part : drivers.all(said)) {
-    return fmt::format("net {} has several drivers", reading.by_own_names(part[1]));
+    return part[1].empty() ? "a net without a name has several drivers"
+                           : fmt::format("net {} has several drivers", part[2]);
   }
   return "";
 }

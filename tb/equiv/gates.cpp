@@ -82,7 +82,8 @@ class Side::Builder {
   }
   void outputs(const std::string& name, const std::vector<int>& bits) {
     for (std::size_t i = 0; i < bits.size(); ++i) {
-      side_.outputs_[{name, static_cast<int>(i)}] = cells_.of(bits[i]);
+      const Name bit{name, static_cast<int>(i)};
+      side_.outputs_[bit] = cells_.of(bits[i]);
     }
   }
 

@@ -174,12 +174,20 @@ class Match {
     const Simulated ran = program.run(how_.until);
     variables_ = program.stimulus().variables;
     for (const auto& [name, registers] : side_.variables) registers_of_[name] = &registers;
+    hides_x_ = hides_an_x(program.stimulus());
+    was_x_ = hides_x_;
     for (const Contents& one : program.stimulus().memories) begin_memory(one, ran);
     begin(ran);
     constexpr std::size_t enough = 32;
     for (std::size_t t = 0; t < ran.clocks.size() && wrong_.empty(); ++t) {
+      take_over(ran.clocks[t]);
       stepped_.clock(rows_[t + 1]);
       compare(ran.clocks[t], t);
+      if (is_vague_ && has_x(s, t)) {
+        wrong_.clear();
+        was_x_ = true;
+      }
+      is_vague_ = false;
       ++is.clocks;
     }
     is.wrong = wrong_;
@@ -289,6 +297,52 @@ class Match {
                                  [&](const Cell& cell) { return cell.name == name; });
   }
 
+  // After an x the netlist goes on from what the registers of the source are: an `if` that reads an
+  // x takes one way there, and what comes of it may be known for good.
+  void take_over(const std::vector<std::string>& words) {
+    for (std::size_t v = 0; was_x_ && v < variables_.size(); ++v) {
+      const std::string& word = words[side_.outputs.size() + v];
+      const auto& registers = *registers_of_.at(variables_[v].name);
+      for (std::size_t i = 0; i < registers.size(); ++i) {
+        stepped_.begin(registers[i], word[word.size() - 1 - i]);
+      }
+    }
+  }
+
+  // Whether a net of the source is x or z on this clock or the one before.
+  bool has_x(Stimulus s, std::size_t t) const {
+    s.rows.resize(std::min(s.rows.size(), t + 2));
+    s.vcd = "yes";
+    s.first_drawn = t == 0 ? 0 : t - 1;
+    const Program program(side_, s, simulator_, how_.until);
+    if (!program.why_not().empty()) return false;
+    program.run(how_.until);
+    for (const std::string& line : lines_in(program.wave())) {
+      const bool is_word = line.starts_with('b');
+      const std::string value = is_word ? line.substr(0, line.find(' ')) : line.substr(0, 1);
+      if (value.find_first_of("xXzZ") != std::string::npos) return true;
+    }
+    return false;
+  }
+
+  // Whether a register or a memory begins as x without being seen.
+  bool hides_an_x(const Stimulus& seen) const {
+    std::vector<bool> is_seen(side_.registers.size());
+    for (const Variable& one : seen.variables) {
+      for (const std::size_t reg : *registers_of_.at(one.name)) is_seen[reg] = true;
+    }
+    for (std::size_t i = 0; i < is_seen.size(); ++i) {
+      if (side_.registers[i].any && !is_seen[i]) return true;
+    }
+    for (const Cell& cell : side_.module().cells) {
+      const bool begins_as_x =
+          is_cut_ && cell.is_memory() && cell.parameter("INIT").find('x') != std::string::npos;
+      const auto is_it = [&](const Contents& one) { return one.name == cell.name; };
+      if (begins_as_x && std::ranges::none_of(seen.memories, is_it)) return true;
+    }
+    return false;
+  }
+
   // What the registers begin as, and what they were before they were given a value.
   void begin(const Simulated& ran) {
     std::vector<char> digits(side_.registers.size(), '-');
@@ -321,11 +375,12 @@ class Match {
 
   void compare(const std::vector<std::string>& words, std::size_t t) {
     std::size_t at = 0;
-    bool all_known = true;  // of the registers
-    const std::size_t first = side_.outputs.size();
-    for (std::size_t i = first; i < words.size(); ++i) {
-      all_known = all_known && words[i].find_first_not_of("01") == std::string::npos;
+    bool is_x = hides_x_;  // a register
+    for (std::size_t i = side_.outputs.size(); i < words.size(); ++i) {
+      is_x = is_x || words[i].find_first_not_of("01") != std::string::npos;
     }
+    const bool all_known = !is_x && !was_x_;
+    was_x_ = is_x;
     for (const auto& [port, width] : side_.outputs) {
       std::vector<Bits> bits;
       for (int i = 0; i < width; ++i) bits.push_back(stepped_.output({port, i}));
@@ -346,10 +401,10 @@ class Match {
       if (is == says) continue;
       const bool other = is_known(is) && is_known(says);
       const bool four = simulator_ != Simulator::verilator;
-      // With an x about, an `if` of the source takes one way where the netlist may take either.
       const bool vague = four && is_known(is) && all_known;
       const bool sure = four && how_.x_matters && is_output && !is_known(is) && all_known;
       if (!other && !vague && !sure) continue;
+      is_vague_ = vague && !other;
       wrong_ = fmt::format("{} is {} on clock {} in {}, and {} on the netlist that {} reads", what,
                            source, t, name_of(simulator_), netlist, name_of(side_.front_end()));
       return;
@@ -367,6 +422,9 @@ class Match {
   std::map<std::string, const std::vector<std::size_t>*> registers_of_;
   std::map<std::string, std::string> contents_;
   std::map<std::string, std::size_t> number_of_;
+  bool is_vague_ = false;  ///< `wrong_` is that the source is known, and the netlist is not
+  bool was_x_ = false;     ///< a register of the source, on the clock before
+  bool hides_x_ = false;   ///< a register or a memory may be x without being seen
   std::string wrong_;
 };
 

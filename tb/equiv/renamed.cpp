@@ -35,7 +35,8 @@ Variables variables_of(const Side& side) {
 char begins(const Side& side, std::size_t reg) {
   const Register& is = side.registers[reg];
   if (!is.any) return is.first ? '1' : '0';
-  const std::size_t hash = std::hash<std::string>()(is.name.first) + 7U * is.name.second;
+  const std::size_t hash =
+      std::hash<std::string>()(fmt::format("{}[{}]", is.name.first, is.name.second));
   return Random::for_case(1989, hash).below(2) == 0 ? '0' : '1';
 }
 

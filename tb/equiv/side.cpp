@@ -77,24 +77,28 @@ Side::Side(const Files& files, std::string what, FrontEnd front_end, const Budge
   ports();
 }
 
+// What is read of a variable of a function where no call has written it is a register, or an x that
+// a multiplexer chooses.
 std::string Side::kept_by_function() const {
-  std::set<int> open;  // what a multiplexer leaves x
   for (const Cell& cell : module_->cells) {
-    if (!cell.has("Y") || !cell.has("S")) continue;
     const auto is_open = [&](const char* pin) {
       return cell.has(pin) && std::ranges::find(cell.pins.at(pin), is_x) != cell.pins.at(pin).end();
     };
-    if (!is_open("A") && !is_open("B")) continue;
-    open.insert(cell.pins.at("Y").begin(), cell.pins.at("Y").end());
+    if (!cell.has("Y") || !cell.has("S") || (!is_open("A") && !is_open("B"))) continue;
+    if (const std::string kept = kept_by_function(cell); !kept.empty()) return kept;
   }
+  return "";
+}
+
+std::string Side::kept_by_function(const Cell& cell) const {
   static const Pattern local(R"(([A-Za-z_]\w*)\$func\$.*\.([A-Za-z_]\w*)(\[.*)?)");
+  const std::vector<int>& out = cell.pins.at(cell.has("Q") ? "Q" : "Y");
   for (const Net& net : module_->nets) {
-    const auto found = local.all(net.name);
-    if (found.empty() ||
-        std::ranges::none_of(net.bits, [&](int bit) { return open.contains(bit); }))
-      continue;
-    return fmt::format("variable {} of function {} keeps its value from call to call", found[0][2],
-                       found[0][1]);
+    if (std::ranges::find(net.bits, out.front()) == net.bits.end()) continue;
+    if (const auto found = local.all(net.name); !found.empty()) {
+      return fmt::format("variable {} of function {} keeps its value from call to call",
+                         found[0][2], found[0][1]);
+    }
   }
   return "";
 }
@@ -167,6 +171,9 @@ void Side::ports() {
       // An asynchronous load of a constant is a reset.
       if (cell.type.find("latch") != std::string::npos || cell.type == "$sr") {
         throw InputError(fmt::format("{}: {} is a latch", what_, register_text(*module_, cell)));
+      }
+      if (const std::string kept = kept_by_function(cell); !kept.empty()) {
+        throw Refused(fmt::format("{}: {}", what_, kept));
       }
       if (cell.starts_with("$_")) {
         throw InputError(fmt::format("{}: a cell that is not known: {}", what_, cell.type));

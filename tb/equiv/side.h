@@ -142,7 +142,7 @@ class Side {
     Name name;               ///< of a port
     std::size_t number = 0;  ///< of the others
   };
-  void read(const Budget& budget);
+  std::string kept_by_function(const Cell& cell) const;
   void ports();
   void takes_over(const std::string& clock, bool falls);
 

@@ -26,7 +26,7 @@ bool is_system_verilog(const Files& files) {
 std::string reason(const std::string& said, const std::string& own) {
   for (std::string line : lines_in(said)) {
     if (line.find("rror") == std::string::npos && line.find("sorry") == std::string::npos) continue;
-    if (line.find(own) != std::string::npos && line.find(own + "/cosim_replay.v") == 0) continue;
+    if (line.starts_with(own + "/cosim_replay.v")) continue;
     return one_line(line);
   }
   return said.empty() ? "" : one_line(lines_in(said).front());

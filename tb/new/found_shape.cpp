@@ -62,9 +62,8 @@ std::string as_plain_verilog(std::vector<std::string>& files, const std::string&
   const auto vhdl = std::stable_partition(files.begin(), files.end(),
                                           [](const std::string& file) { return !is_vhdl(file); });
   const auto run = [&](const std::string& program, std::vector<std::string> words) {
-    words.insert(words.begin(),
-                 {"env", "-C", folder.string(), "COSIM_BLACKBOX=all", "perl",
-                  (reader / program).string(), top});
+    words.insert(words.begin(), {"env", "-C", folder.string(), "COSIM_BLACKBOX=all", "perl",
+                                 (reader / program).string(), top});
     return cosim::run_program(words);
   };
   if (vhdl != files.end()) {

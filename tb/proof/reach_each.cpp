@@ -38,7 +38,8 @@ class Questions {
       std::erase_if(some, [&](std::size_t i) -> bool { return is_done_[i]; });
       if (some.empty()) continue;
       const auto share = (until - Clock::now()) / static_cast<int>(2 * (questions_.size() + 1));
-      const auto ends = std::min(until, Clock::now() + std::max<Clock::duration>(kLeastTime, share));
+      const auto ends =
+          std::min(until, Clock::now() + std::max<Clock::duration>(kLeastTime, share));
       answered(some, reach_any(some, ends, jobs), until);
     }
     return std::move(all_);

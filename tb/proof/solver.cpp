@@ -8,7 +8,6 @@
 
 #include "model/core/input_error.h"
 #include "tb/proof/expression.h"
-#include "model/core/input_error.h"
 #include "tb/support/output_file.h"
 #include "tb/support/pattern.h"
 #include "tb/support/process.h"

@@ -1,3 +1,0 @@
-module t(input clk, d, output reg q);
-  always @(posedge clk) q <= d;
-endmodule

@@ -201,7 +201,7 @@ class Match {
 
  private:
   Stimulus stimulus() {
-    constexpr std::size_t most = 2048, least = 128, work = 200'000'000;
+    constexpr std::size_t most = 2048, least = 128, work = 60'000'000;
     const std::size_t clocks = std::clamp(work / (stepped_.gates() + 1), least, most);
     Stimulus s;
     s.steps = how_.steps;

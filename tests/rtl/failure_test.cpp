@@ -164,7 +164,7 @@ TEST(FailureFolder, MayBeLeftBySeveralAtOnce) {
   { const std::jthread one(leave), two(leave); }
   const std::string name = failure_name(*m.bench, "case");
   EXPECT_EQ(temporary.names(), std::vector<std::string>{name});
-  EXPECT_EQ(std::distance(fs::directory_iterator(temporary.path(name)), {}), 13);
+  EXPECT_EQ(std::distance(fs::directory_iterator(temporary.path(name)), {}), 14);
 }
 
 }  // namespace

@@ -97,6 +97,7 @@ ends benchmark streams
 ends careless --cases 1
 ends claims
 ends commits "$root"
+ends pairs
 ends cosim list
 ends cosim --gates list
 ends cover
@@ -141,6 +142,6 @@ done
 
 for script in "$root"/scripts/*; do
   name=$(basename "$script")
-  [[ ! -x $script || " ${met[*]} " == *" $name "* ]] || fails "scripts/$name is tried"
+  [[ ! -f $script || ! -x $script || " ${met[*]} " == *" $name "* ]] || fails "scripts/$name is tried"
 done
 echo "each names what it needs"

@@ -89,7 +89,7 @@ TEST_P(InterruptedProof, EndsAComparison) {
   const Arguments compared{
       "equiv", "--gold",     rtl("gold.v", "d + 1"), "--gate", rtl("gate.v", "d + 2"), "--top",
       "m",     "--failures", folder_.path("kept")};
-  for (const char* tool : {"verilator", "yosys-abc", "yosys"}) {
+  for (const char* tool : {"vvp", "yosys-abc", "yosys"}) {
     stand_in(tool);
     expect_ended(compared);
     fs::remove(bin_.folder.path(tool));

@@ -32,7 +32,7 @@ int run(const ReplayOptions& o) {
   check_extent(o.common, {stimulus.clocks.size(), 0, 0, 0});
   check_outputs(o.common, {file}, {bench});
 
-  const std::string work = stimulus.origin.empty() ? file : stimulus.origin;
+  const std::string& work = stimulus.origin.empty() ? file : stimulus.origin;
   fmt::print("{}: {}, {}\n", bench->title(), one_line(file),
              count(stimulus.clocks.size(), bench->row()));
   const Looks looks = draw_wave(o.common, *bench, stimulus, work);

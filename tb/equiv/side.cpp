@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "model/core/input_error.h"
+#include "tb/equiv/cells.h"
 #include "tb/equiv/front_end.h"
 #include "tb/support/pattern.h"
 #include "tb/support/read_file.h"
@@ -72,7 +74,9 @@ Side::Side(const Files& files, std::string what, FrontEnd front_end, const Budge
     }
   }
   const Elaborated text = elaborated(files_, what_, front_end_, budget);
-  module_ = std::make_shared<const Module>(module_of(text.json));
+  Module module = module_of(text.json);
+  connect_clocks(module);
+  module_ = std::make_shared<const Module>(std::move(module));
   form_ = form_of(text.rtlil);
   ports();
 }

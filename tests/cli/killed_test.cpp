@@ -85,7 +85,7 @@ TEST_F(KilledSweep, StartsFromWhatTheCheckpointSays) {
 // The measures of a check are kept with all that it takes to go on and to print them.
 TEST_F(KilledSweep, GoesOnWithWhatTheCheckMeasured) {
   const Arguments measured{
-      "sweep", "linear",       "--random",           "100000",   "--m",
+      "sweep", "linear",       "--random",           "500000",   "--m",
       "5",     "--checkpoint", folder.path("state"), "--report", folder.path("report")};
   for (int after = 200; !folder.holds("state"); after *= 2) {
     ASSERT_TRUE(cosim_killed(measured, after)) << "it ended and kept nothing";

@@ -38,4 +38,5 @@ long='add_test(NetlistProof "false")
 add_test(KilledSweep.GoesOn "false")'
 expect 0 $'1 passed, 0 failed, 0 skipped\n== Left to scripts/test --all: 2 long tests' "$long"
 expect 1 "1 passed, 2 failed, 0 skipped" "$long" --all
+expect 1 "0 passed, 2 failed, 0 skipped" "$long" --long
 echo "as expected"

@@ -9,6 +9,7 @@
 #include "model/core/input_error.h"
 #include "tb/bench/stimulus_text.h"
 #include "tb/full/machine_of.h"
+#include "tb/full/trusted.h"
 #include "tb/proof/from_reset.h"
 #include "tb/report/failure.h"
 #include "tb/support/parallel.h"
@@ -79,10 +80,12 @@ class Asker {
   void ask(const AnyBench& bench, const std::vector<std::size_t>& rtl,
            const std::vector<std::size_t>& cases) {
     const proof::BuiltMachine& machine = machine_of(bench);
-    if (machine.nets == nullptr || machine.formula == nullptr) {
-      throw InputError(bench.title() + ": " + model_without_formula(machine));
+    if (!machine.is_provable()) {
+      throw InputError(bench.title() + ": " + kind_of_model(machine));
     }
-    proof::Source source = source_for(machine.formula(), source_of(bench));
+    const nets::Model model = machine.nets();
+    proof::Source source = source_for(model, source_of(bench));
+    require_read(model, source);
     source.keeps_statements = true;
     const proof::RtlNets nets(source);
     watched_.clear();

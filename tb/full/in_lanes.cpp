@@ -8,6 +8,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/full/machine_of.h"
+#include "tb/full/trusted.h"
 #include "tb/lanes/jobs.h"
 #include "tb/lanes/sweep.h"
 #include "tb/program/full.h"
@@ -32,8 +33,8 @@ std::unique_ptr<lanes::Built> made(const AnyBench& bench, const Sweep& sweep, bo
   proof::BuiltMachine machine = machine_of(bench);
   machine.streams |= is_beside_a_step(bench);
   if (machine.played == nullptr || machine.streams) {
-    throw InputError(fmt::format("{}: does not run in lanes: it has {}", bench.title(),
-                                 model_without_formula(machine)));
+    throw InputError(
+        fmt::format("{}: does not run in lanes: it has {}", bench.title(), kind_of_model(machine)));
   }
   const std::string folder = registry().build_folder() + "/lanes";
   nets::Played played = machine.played();
@@ -45,7 +46,9 @@ std::unique_ptr<lanes::Built> made(const AnyBench& bench, const Sweep& sweep, bo
     }
     played.draw = machine.jobs();
   }
-  return lanes::built(bench.title(), played, source_of(bench), lanes, folder);
+  const proof::Source source = source_of(bench);
+  require_read(played.model, read_for(played.model.machine, source));
+  return lanes::built(bench.title(), played, source, lanes, folder);
 }
 
 Sweep taken(const AnyBench& bench, const Sweep& sweep, std::uint64_t seed, std::uint64_t clocks,

@@ -19,9 +19,9 @@ proof::Source source_of(const AnyBench& bench) {
   return source;
 }
 
-proof::Source source_for(const proof::MachineFormula& machine, proof::Source source) {
-  source.parameters = machine.parameters;
-  return read_for(machine, std::move(source));
+proof::Source source_for(const nets::Model& model, proof::Source source) {
+  source.parameters = model.machine.parameters;
+  return read_for(model.machine, std::move(source));
 }
 
 }  // namespace cosim::cli

@@ -1,4 +1,4 @@
-// What is known of a bench's RTL and of its formulas.
+// What is known of a bench's RTL and of its model.
 #pragma once
 
 #include "tb/bench/bench.h"
@@ -7,14 +7,14 @@
 
 namespace cosim::cli {
 
-/// What is known of a bench's RTL and of its formulas. InputError where nothing is.
+/// What is known of a bench's RTL and of its model. InputError where nothing is.
 const proof::BuiltMachine& machine_of(const AnyBench& bench);
 
 /// The RTL that a bench was built from, with its parameters.
 proof::Source source_of(const AnyBench& bench);
 
-/// RTL as it is read for claims on a machine, whose formula decides which of the RTL's registers
-/// are kept and how it is reset.
-proof::Source source_for(const proof::MachineFormula& machine, proof::Source source);
+/// RTL as it is read for claims on a model, which decides which of the RTL's registers are kept and
+/// how it is reset.
+proof::Source source_for(const nets::Model& model, proof::Source source);
 
 }  // namespace cosim::cli

@@ -14,11 +14,9 @@ constexpr std::chrono::steady_clock::duration check_least = std::chrono::seconds
 
 }  // namespace
 
-std::optional<Refuted> refuted(const proof::MachineFormula& formula, const AnyBench& bench,
-                               const proof::Claim& claim, const proof::Decision& decision,
-                               int limit) {
-  if (claim.terms.empty()) return std::nullopt;
-  auto found = proof::counterexample(formula, proof::refuting_values(claim, decision, limit));
+std::optional<Refuted> refuted(const nets::Model& model, const AnyBench& bench,
+                               const proof::Decision& decision) {
+  auto found = proof::counterexample(model, proof::refuting_values(decision));
   if (!found) return std::nullopt;
   Stimulus stimulus = bench.clock_from(words(found->state), words(found->inputs));
   stimulus.origin = refuted_case;
@@ -39,7 +37,7 @@ FromResetAnswer asked_from_reset(const proof::FromReset& machine, proof::Happens
     const auto checked =
         machine.check(what, now + std::clamp(now - began, check_least, check_most));
     answer.verdict += "; " + to_text(checked);
-    answer.is_checked = !checked.solver.empty();
+    answer.is_checked = checked.is_checked;
     return answer;
   }
   if (answer.ever == proof::Ever::open) {

@@ -9,6 +9,7 @@
 #include "tb/bench/bench.h"
 #include "tb/proof/counterexample.h"
 #include "tb/proof/decide.h"
+#include "tb/proof/from_reset.h"
 
 namespace cosim::cli {
 
@@ -20,11 +21,10 @@ struct Refuted {
   Stimulus stimulus;
   Run run;  ///< of the stimulus; it matches where the RTL of the claim is not the bench's
 };
-/// The counterexample of a claim on `formula`, the machine of `bench`; none where the claim was not
-/// refuted, or no engine shows the values.
-std::optional<Refuted> refuted(const proof::MachineFormula& formula, const AnyBench& bench,
-                               const proof::Claim& claim, const proof::Decision& decision,
-                               int limit);
+/// The counterexample of a claim on `model`, that of `bench`; none where the claim was not refuted,
+/// or has no terms.
+std::optional<Refuted> refuted(const nets::Model& model, const AnyBench& bench,
+                               const proof::Decision& decision);
 
 /// What came of a claim that was asked from reset.
 struct FromResetAnswer {

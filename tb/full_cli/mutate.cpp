@@ -7,6 +7,7 @@
 #include "model/core/input_error.h"
 #include "tb/full/machine_of.h"
 #include "tb/full/mutants_built.h"
+#include "tb/full/trusted.h"
 #include "tb/full_cli/commands.h"
 #include "tb/mutation/campaign.h"
 #include "tb/program/chosen.h"
@@ -32,13 +33,8 @@ struct MutateOptions {
 };
 
 void need_tools(bool unproved) {
-  std::vector<const char*> tools{"yosys"};
-  if (!unproved) tools.insert(tools.end(), {"cvc5", "z3"});
-  for (const char* tool : tools) {
-    if (cosim::run_program({tool, tool == tools.front() ? "-V" : "--version"}).status == 127) {
-      throw InputError(fmt::format("needs {}", tool));
-    }
-  }
+  if (!is_installed("yosys")) throw InputError("needs yosys");
+  if (!unproved && !is_installed("yosys-abc")) throw InputError("needs yosys-abc");
 }
 
 // "killed, hostile clocks, case 3, clock 17, signal count"
@@ -68,10 +64,13 @@ Json attacked(const MutateOptions& o, const Registry& registry, const AnyBench& 
   const Scratch scratch;
   const std::string results = (scratch.path() / "results.json").string();
   const proof::BuiltMachine& machine = machine_of(bench);
-  const bool unproved = machine.formula == nullptr;
+  const bool unproved = !machine.is_provable();
   if (unproved) {
-    fmt::print("{}: {}: no mutant can be proved equal\n", bench.built_as(),
-               model_without_formula(machine));
+    fmt::print("{}: {}: no mutant can be proved equal\n", bench.built_as(), kind_of_model(machine));
+  }
+  if (!unproved) {
+    const nets::Model model = machine.nets();
+    require_read(model, source_for(model, source_of(bench)));
   }
   std::vector<std::string> words{results, "--prover", program_name() + " prove", "--failures",
                                  o.common.failures_folder()};
@@ -128,7 +127,7 @@ void add_mutate(const Command& program, const Registry& registry) {
                "Where a survivor leaves its folder; default $COSIM_FAILURES or failures");
   command.text("--report", o->common.report, "FILE", "Write what became of each as JSON");
   command.footer(fmt::format(
-      "Needs yosys, which plants them, a compiler, and cvc5 and z3 for the proofs.\n"
+      "Needs yosys, which plants them, and a compiler.\n"
       "Where no stimulus finds a mutant, an engine looks for one, from reset; it is kept in DIR.\n"
       "Exit status: 0 none survived, 1 some did, 2 bad input.\n"
       "Example: {} mutate {} --mutants 20",

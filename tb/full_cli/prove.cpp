@@ -22,22 +22,14 @@ void say_limit(int limit) {
 
 namespace {
 
-// Those that the work has nothing for are refused, and where one is missing that is needed.
+// All, unless some are named; where one is not installed, nothing is proved by the other alone.
 std::vector<proof::Engine> engines_of(const ProveOptions& o) {
-  std::vector<proof::Engine> all = proof::all_engines();
-  // A theorem on integers without end is no question about nets, and each is asked both.
-  if (o.theorems) std::erase(all, proof::Engine::cec);
-  if (o.engines) all = proof::engines_of(*o.engines, all);
-  const std::size_t needed = o.engines ? all.size() : 2;
-  std::vector<proof::Engine> there, missing;
-  for (const proof::Engine e : all) {
-    (is_installed(proof::program_of(e)) ? there : missing).push_back(e);
+  const auto all = o.engines ? proof::engines_of(*o.engines) : proof::all_engines();
+  const bool needs_abc = std::ranges::find(all, proof::Engine::cec) != all.end();
+  if (needs_abc && !is_installed("yosys-abc")) {
+    throw InputError("prove: needs cec, not installed: yosys-abc");
   }
-  if (there.size() >= needed) return there;
-  throw InputError(
-      fmt::format("prove: needs {}, not installed: {}",
-                  needed < all.size() ? "two of " + proof::listed(all) : proof::listed(all),
-                  proof::listed(missing)));
+  return all;
 }
 
 int run(const ProveOptions& o, const Registry& registry) {
@@ -47,8 +39,12 @@ int run(const ProveOptions& o, const Registry& registry) {
   if (!o.mutants && (o.count || o.mutant)) {
     throw InputError(std::string(o.count ? "--count" : "--mutant") + ": belongs to --mutants");
   }
+  if (o.theorems) {
+    if (o.engines) throw InputError("--engines: belongs to machines; theorems are proved by z3");
+    if (!is_installed("z3")) throw InputError("prove: needs z3, not installed");
+    return prove_theorems(o, limit, jobs);
+  }
   const proof::Asking asking{engines_of(o), limit, jobs};
-  if (o.theorems) return prove_theorems(o, asking);
   if (o.mutants) return prove_mutants(o, registry, asking);
   return prove_machines(o, asking);
 }
@@ -62,9 +58,10 @@ void add_prove(const Command& program, const Registry& registry) {
   command.text("--rtl", o->rtl, "DIR", "Prove other RTL: DIR has a folder for each design");
   command.text("--limit", o->limit, "S", "Seconds of processor time for one answer; default 300");
   command.text("--jobs", o->jobs, "J", "Engines at a time; default one a core");
-  command.text("--scripts", o->scripts, "DIR", "Keep what the engines are asked in DIR");
-  command.text("--engines", o->engines, "A,B,C",
-               "Which of cec, z3 and cvc5 to ask, in this order; default all");
+  command.text("--keep", o->keep, "DIR",
+               "Keep what the engines are asked in DIR, as AIGER with the names of the model");
+  command.text("--engines", o->engines, "A,B",
+               "Which of cec and cadical to ask, in this order; default both");
   command.flag("--theorems", o->theorems,
                "Prove instead what the sources claim, as theorems on the models");
   command.text("--mutants", o->mutants, "N",
@@ -74,10 +71,10 @@ void add_prove(const Command& program, const Registry& registry) {
   command.text("--mutant", o->mutant, "K", "With FILE.v: only the one with mutsel = K");
   add_failures(command, o->common);
   command.footer(
-      "Needs yosys, and two of yosys-abc (cec), z3 and cvc5. What two of them prove is proved;\n"
-      "the third is asked where the first two do not decide. One that is named alone decides.\n"
+      "Needs yosys with yosys-abc (cec); cadical is a part of this program, and theorems need z3.\n"
+      "What both prove is proved. One that is named alone decides.\n"
       "What is not proved for every state is then asked from reset, by yosys-abc; that proof is\n"
-      "checked by cadical, or z3, where an inductive invariant is found in time.\n"
+      "checked by cadical, where an inductive invariant is found in time.\n"
       "Example: " +
       program_name() + " prove " + proof::built_machines().front().title);
   command.action([o, &registry] { return run(*o, registry); });

@@ -8,6 +8,7 @@
 #include "tb/program/registry.h"
 #include "tb/proof/decide.h"
 #include "tb/proof/machines.h"
+#include "tb/proof/theorems.h"
 
 namespace cosim::cli {
 
@@ -16,15 +17,14 @@ constexpr int kLongest = 86400;  ///< seconds that an engine may be given
 struct ProveOptions {
   Common common;
   std::vector<std::string> machine;
-  Text rtl, limit, jobs, engines, scripts, mutants, mutant, count;
+  Text rtl, limit, jobs, engines, keep, mutants, mutant, count;
   bool theorems = false;
 };
 
 /// A machine that something can be proved of.
 struct ProveSubject {
   std::string title;
-  proof::MachineFormula formula;
-  nets::Model nets;
+  nets::Model model;
   proof::Source source;  ///< the RTL it was built from
 };
 /// Those that begin with these words; all where there are none. InputError where there is none;
@@ -33,11 +33,14 @@ std::vector<ProveSubject> subjects_of(const std::vector<std::string>& words);
 
 /// Each gives the exit status.
 int prove_machines(const ProveOptions& o, const proof::Asking& asking);
-int prove_theorems(const ProveOptions& o, const proof::Asking& asking);
+int prove_theorems(const ProveOptions& o, int limit, unsigned jobs);
 int prove_mutants(const ProveOptions& o, const Registry& registry, const proof::Asking& asking);
 
-/// Writes what the engines are asked of a claim on `title` into a folder, a file each.
-void keep_scripts(const std::string& folder, const std::string& title, const proof::Claim& claim);
+/// Writes what the engines are asked of a claim on `title` into a folder, a file each: binary
+/// AIGER, whose comment says what it is.
+void keep_questions(const std::string& folder, const std::string& title, const proof::Claim& claim);
+/// The same of a theorem: scripts of SMT-LIB 2.
+void keep_questions(const std::string& folder, const proof::Theorem& theorem);
 /// Says how to give an engine more time, as a last line.
 void say_limit(int limit);
 

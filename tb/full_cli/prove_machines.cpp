@@ -13,6 +13,7 @@
 #include "tb/bench/stimulus_text.h"
 #include "tb/full/machine_of.h"
 #include "tb/full/refuted.h"
+#include "tb/full/trusted.h"
 #include "tb/full_cli/prove.h"
 #include "tb/program/chosen.h"
 #include "tb/report/failure.h"
@@ -34,6 +35,7 @@ struct Claimed {
   ProveSubject subject;
   proof::Source source;
   std::vector<Claim> claims;
+  ReadAs read;
   std::string error;                        // of one that cannot be read
   std::optional<proof::FromReset> machine;  // where it is asked so
   std::map<proof::Happens, FromResetAnswer> from_reset;
@@ -59,7 +61,7 @@ struct Row {
 // The RTL that is proved: what the program was built from, or what --rtl names.
 proof::Source source_of(const ProveOptions& o, const ProveSubject& s) {
   proof::Source source = s.source;
-  if (o.rtl) source = proof::source_in(*o.rtl, s.formula.design, {});
+  if (o.rtl) source = proof::source_in(*o.rtl, s.model.machine.design, {});
   source.constants = s.source.constants;
   return source;
 }
@@ -73,7 +75,7 @@ void ask_from_reset(Row& row, const proof::Asking& asking) {
   const proof::Happens what = *row.claim.from_reset;
   Claimed& of = row.of;
   if (!of.from_reset.contains(what)) {
-    if (!of.machine) of.machine.emplace(of.subject.nets, proof::RtlNets(of.source));
+    if (!of.machine) of.machine.emplace(of.subject.model, proof::RtlNets(of.source));
     of.from_reset[what] = asked_from_reset(*of.machine, what, bench_of(of.subject),
                                            std::chrono::seconds(asking.limit), asking.jobs);
   }
@@ -92,20 +94,24 @@ std::string text_of(const Row& row, const std::vector<Engine>& engines) {
   for (const Engine engine : engines) {
     std::string time = "-";
     for (const proof::Opinion& opinion : row.decision.opinions) {
-      if (opinion.engine == engine) time = fmt::format("{:.2f}", opinion.seconds());
+      if (opinion.engine == engine) time = fmt::format("{:.2f}", opinion.solved.seconds);
     }
-    text += fmt::format("{:>6}  ", time);
+    text += fmt::format("{:>9}  ", time);
   }
   text += row.decision.verdict + '\n';
   if (!row.is_last) return text;
-  for (const auto* wires : {&s.formula.registers, &s.formula.outputs}) {
-    for (const proof::Wire& w : *wires) {
+  for (const auto* wires : {&s.model.machine.registers, &s.model.machine.outputs}) {
+    for (const nets::Wire& w : *wires) {
       if (w.when) {
         text += fmt::format("  compared only where it means something: {}\n", w.field.name);
       }
     }
   }
-  for (const proof::Named& n : s.formula.legal) {
+  const ReadAs& read = row.of.read;
+  text += read.by.empty()
+              ? fmt::format("  the RTL was not compared with a simulator: {}\n", read.why)
+              : fmt::format("  the RTL: {}\n", read.by);
+  for (const nets::Named& n : s.model.machine.legal) {
     text += fmt::format("  assumed of the inputs: {}\n", n.name);
   }
   return text;
@@ -143,7 +149,7 @@ void decide(std::vector<Row>& rows, const proof::Asking& asking) {
 }
 
 // A stimulus or a counterexample can be replayed only if this program was built from the same RTL.
-void explain(const ProveOptions& o, const Row& row, int limit) {
+void explain(const ProveOptions& o, const Row& row) {
   const ProveSubject& subject = row.of.subject;
   const AnyBench& bench = bench_of(subject);
   const auto keep = [&](const Mismatch& mismatch) {
@@ -159,7 +165,7 @@ void explain(const ProveOptions& o, const Row& row, int limit) {
                fmt::join(asked->what, ", "));
     stimulus = asked->stimulus;
   } else {
-    const auto found = refuted(subject.formula, bench, row.claim, row.decision, limit);
+    const auto found = refuted(subject.model, bench, row.decision);
     if (!found) return;
     if (found->run.mismatch) return keep(*found->run.mismatch);
     fmt::print("\n{}", to_text(found->counterexample));
@@ -171,7 +177,7 @@ void explain(const ProveOptions& o, const Row& row, int limit) {
   write_file(kept.string(), to_text(stimulus, bench));
   fmt::print(
       "RTL as built here gives what the model gives: the counterexample is of another RTL, or of\n"
-      "the formulas. As a stimulus: {}\n",
+      "the gates. As a stimulus: {}\n",
       kept.string());
 }
 
@@ -180,7 +186,7 @@ void explain(const ProveOptions& o, const Row& row, int limit) {
 int prove_machines(const ProveOptions& o, const proof::Asking& asking) {
   std::vector<Claimed> subjects;
   for (ProveSubject& s : subjects_of(o.machine))
-    subjects.push_back({std::move(s), {}, {}, {}, {}, {}});
+    subjects.push_back({std::move(s), {}, {}, {}, {}, {}, {}});
   const auto began = std::chrono::steady_clock::now();
   {
     StateLine line;
@@ -188,8 +194,13 @@ int prove_machines(const ProveOptions& o, const proof::Asking& asking) {
     in_parallel(subjects.size(), asking.jobs, [&](std::uint64_t i) {
       Claimed& s = subjects[i];
       try {
-        s.source = source_for(s.subject.formula, source_of(o, s.subject));
-        s.claims = claims_of(s.subject.formula, s.subject.nets, s.source);
+        s.source = source_for(s.subject.model, source_of(o, s.subject));
+        s.read = read_as(s.subject.model, s.source);
+        if (s.read.is_wrong) {
+          throw InputError(fmt::format("{}: the RTL is not read as it is written: {}",
+                                       s.subject.title, s.read.why));
+        }
+        s.claims = claims_of(s.subject.model, s.source);
         s.source.keeps_statements = true;
       } catch (const InputError& error) {
         s.error = error.what();
@@ -210,11 +221,11 @@ int prove_machines(const ProveOptions& o, const proof::Asking& asking) {
   for (Claimed& s : subjects) {
     for (const Claim& c : s.claims) {
       rows.push_back({s, c, &c == &s.claims.front(), &c == &s.claims.back()});
-      if (o.scripts) keep_scripts(*o.scripts, s.subject.title, c);
+      if (o.keep) keep_questions(*o.keep, s.subject.title, c);
     }
   }
   std::string heading;
-  for (const Engine e : asking.engines) heading += fmt::format("{:>4} s  ", to_text(e));
+  for (const Engine e : asking.engines) heading += fmt::format("{:>7} s  ", to_text(e));
   fmt::print("{:<69}{}\n", "", heading);
   std::fflush(stdout);
   decide(rows, asking);
@@ -230,14 +241,13 @@ int prove_machines(const ProveOptions& o, const proof::Asking& asking) {
     if (row.decision.proved) continue;
     more_time_helps = more_time_helps || proof::timed_out({row.decision}) ||
                       (was_asked && row.from_reset->ever == proof::Ever::open);
-    if (explained == nullptr && (was_asked || !row.claim.terms.empty())) explained = &row;
+    if (explained == nullptr && (was_asked || !row.claim.questions.terms.empty())) explained = &row;
   }
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
-  if (explained != nullptr) explain(o, *explained, asking.limit);
-  const std::string by =
-      asking.engines.size() == 1   ? "by " + proof::listed(asking.engines) + " alone"
-      : asking.engines.size() == 2 ? "each by " + proof::listed(asking.engines)
-                                   : "each by two of " + proof::listed(asking.engines);
+  if (explained != nullptr) explain(o, *explained);
+  const std::string by = asking.engines.size() == 1
+                             ? "by " + proof::listed(asking.engines) + " alone"
+                             : "by " + proof::listed(asking.engines);
   fmt::print("{} of {} proved, {}{}, in {:.1f} s\n", proved, count(rows.size(), "claim"), by,
              from_reset == 0 ? ""
              : by_abc_alone == 0

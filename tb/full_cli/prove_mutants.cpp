@@ -24,7 +24,7 @@ int judged(const ProveSubject& subject, const fs::path& file, unsigned first, un
            const proof::Asking& asking) {
   std::vector<unsigned> numbers(number);
   std::iota(numbers.begin(), numbers.end(), first);
-  proof::Judge judge(subject.formula, &subject.nets, subject.source.top, asking);
+  proof::Judge judge(subject.model, subject.source.top, asking);
   const auto judged = [&] {
     StateLine line;
     line.show(fmt::format("{}: {} asked", subject.title, count(number, "mutant")));

@@ -9,7 +9,6 @@
 #include "model/core/input_error.h"
 #include "tb/full_cli/prove.h"
 #include "tb/program/chosen.h"
-#include "tb/proof/abc.h"
 #include "tb/support/output_file.h"
 #include "tb/support/words.h"
 
@@ -24,19 +23,19 @@ std::vector<ProveSubject> subjects_of(const std::vector<std::string>& words) {
   for (const auto& machine : proof::built_machines()) {
     if (!(machine.title + ' ').starts_with(wanted.empty() ? "" : wanted + ' ')) continue;
     const std::string design = machine.title.substr(0, machine.title.find(' '));
-    if (machine.formula == nullptr) {
-      refused.insert(fmt::format("{}: {}: nothing can be proved of it", design,
-                                 model_without_formula(machine)));
+    if (!machine.is_provable()) {
+      refused.insert(
+          fmt::format("{}: {}: nothing can be proved of it", design, kind_of_model(machine)));
       continue;
     }
-    proof::MachineFormula formula = machine.formula();
-    all.push_back({machine.title, std::move(formula), machine.nets(), machine.source});
+    all.push_back({machine.title, machine.nets(), machine.source});
   }
   if (all.empty() && !refused.empty()) throw InputError(*refused.begin());
   for (const std::string& line : refused) fmt::print("{}\n", line);
   if (words.empty()) {
     for (const Unusable& design : unusable()) {
-      std::erase_if(all, [&](const ProveSubject& s) { return s.formula.design == design.design; });
+      std::erase_if(all,
+                    [&](const ProveSubject& s) { return s.model.machine.design == design.design; });
       leave_out(design.why);
     }
   }
@@ -47,28 +46,40 @@ std::vector<ProveSubject> subjects_of(const std::vector<std::string>& words) {
   return all;
 }
 
-void keep_scripts(const std::string& folder, const std::string& title, const proof::Claim& claim) {
+namespace {
+
+std::string text_of_file(const std::string& folder, const std::string& name) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw InputError(fmt::format("{}: cannot be made: {}", folder, error.message()));
-  const auto keep = [&](const std::string& what, const char* kind, const std::string& remark,
-                        const std::string& text) {
-    std::string name = fmt::format("{} {:.60} {}.{}", title, claim.what, what, kind);
-    std::replace(name.begin(), name.end(), ' ', '_');
-    std::replace(name.begin(), name.end(), '/', '_');
-    std::erase(name, '=');  // z3 takes what has one for an option
-    OutputFile file((fs::path(folder) / name).string());
-    file.line("{} {}: {}; {}", remark, title, claim.what, what);
-    file.text(text);
+  std::string plain = name;
+  std::replace(plain.begin(), plain.end(), ' ', '_');
+  std::replace(plain.begin(), plain.end(), '/', '_');
+  std::erase(plain, '=');  // z3 takes what has one for an option
+  return (fs::path(folder) / plain).string();
+}
+
+}  // namespace
+
+void keep_questions(const std::string& folder, const std::string& title,
+                    const proof::Claim& claim) {
+  const auto texts = as_aiger(claim.questions);
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    const std::string& what = claim.questions.asked[i].name;
+    OutputFile file(text_of_file(folder, fmt::format("{} {:.60} {}.aig", title, claim.what, what)));
+    file.text(texts[i]);
+    file.text(fmt::format("c\n{}: {}; {}\n", title, claim.what, what));
     file.close();
-  };
-  for (const proof::Query& query : claim.queries) {
-    keep(query.asks.size() == 1 ? query.asks.front() : "each", "smt2", ";", query.script);
   }
-  if (!claim.nets) return;
-  const auto netlists = proof::netlists(*claim.nets);
-  for (std::size_t i = 0; i < netlists.size(); ++i) {
-    keep(claim.nets->asked[i].name, "blif", "#", netlists[i]);
+}
+
+void keep_questions(const std::string& folder, const proof::Theorem& theorem) {
+  for (const proof::ScriptOf& one : theorem.negated) {
+    OutputFile file(text_of_file(
+        folder, fmt::format("{} {:.60} {}.smt2", theorem.design, theorem.sentence, one.what)));
+    file.line("; {}: {}; {}", theorem.design, theorem.sentence, one.what);
+    file.text(one.script);
+    file.close();
   }
 }
 

@@ -1,16 +1,19 @@
 #include <fmt/core.h>
 #include <fmt/format.h>
 
+#include <atomic>
+
 #include "model/core/input_error.h"
 #include "tb/full_cli/prove.h"
 #include "tb/proof/theorems.h"
+#include "tb/support/parallel.h"
 #include "tb/support/words.h"
 #include "tb/sweep/progress.h"
 
 namespace cosim::cli {
 
 // One line for each theorem, with its sentence.
-int prove_theorems(const ProveOptions& o, const proof::Asking& asking) {
+int prove_theorems(const ProveOptions& o, int limit, unsigned jobs) {
   std::vector<proof::Theorem> theorems;
   for (const proof::Theorem& t : proof::theorems()) {
     if (o.machine.empty() || o.machine.front() == t.design) theorems.push_back(t);
@@ -18,39 +21,32 @@ int prove_theorems(const ProveOptions& o, const proof::Asking& asking) {
   if (theorems.empty() || o.machine.size() > 1) {
     throw InputError(fmt::format("{}: is no design with theorems", fmt::join(o.machine, " ")));
   }
-  std::vector<const proof::Claim*> claims;
-  for (const auto& t : theorems) {
-    if (o.scripts) keep_scripts(*o.scripts, t.design, t.claim);
-    claims.push_back(&t.claim);
-    claims.push_back(&t.premises);
+  if (o.keep) {
+    for (const auto& t : theorems) keep_questions(*o.keep, t);
   }
-  const auto decisions = [&] {
+  std::vector<proof::Judgement> all(theorems.size());
+  {
     StateLine line;
-    std::size_t known = 0;
-    const auto say = [&] {
-      line.show(fmt::format("{} of {} decided", known, count(claims.size(), "question")));
-    };
-    say();
-    return proof::decide(claims, asking, [&](std::size_t, const proof::Decision&) {
-      ++known;
-      say();
+    std::atomic<std::size_t> known = 0;
+    line.show([&] {
+      return fmt::format("{} of {} decided", known.load(), count(theorems.size(), "theorem"));
     });
-  }();
-  std::size_t proved = 0;
-  for (std::size_t i = 0; i < theorems.size(); ++i) {
-    const proof::Decision &claim = decisions[2 * i], &premises = decisions[2 * i + 1];
-    std::string times;
-    for (const proof::Opinion& opinion : claim.opinions) {
-      times += fmt::format("{} {:.2f} s, ", to_text(opinion.engine), opinion.seconds());
-    }
-    fmt::print("{}: {}.\n  {}{}\n", theorems[i].design, theorems[i].sentence, times, claim.verdict);
-    if (!premises.proved) fmt::print("  its premises: {}\n", premises.verdict);
-    std::fflush(stdout);
-    proved += claim.proved && premises.proved ? 1 : 0;
+    in_parallel(theorems.size(), jobs, [&](std::uint64_t i) {
+      all[i] = proof::judged(theorems[i], limit);
+      ++known;
+      return true;
+    });
   }
-  fmt::print("{} of {} proved by {}\n", proved, count(theorems.size(), "theorem"),
-             proof::listed(asking.engines));
-  if (proof::timed_out(decisions)) say_limit(asking.limit);
+  std::size_t proved = 0;
+  bool more_time_helps = false;
+  for (std::size_t i = 0; i < theorems.size(); ++i) {
+    fmt::print("{}: {}.\n  z3 {:.2f} s, {}\n", theorems[i].design, theorems[i].sentence,
+               all[i].seconds, all[i].verdict);
+    proved += all[i].proved ? 1 : 0;
+    more_time_helps = more_time_helps || all[i].timed_out;
+  }
+  fmt::print("{} of {} proved by z3\n", proved, count(theorems.size(), "theorem"));
+  if (more_time_helps) say_limit(limit);
   return proved == theorems.size() ? 0 : 1;
 }
 

@@ -10,7 +10,7 @@
 #include "tb/bench/bench.h"
 #include "tb/lanes/built.h"
 #include "tb/nets/played.h"
-#include "tb/proof/rtl.h"
+#include "tb/proof/yosys.h"
 #include "tb/sweep/sweep.h"
 
 namespace cosim::lanes {

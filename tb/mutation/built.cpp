@@ -30,21 +30,15 @@ namespace {
 
 constexpr int kLimit = 60;  // seconds of an engine for one mutant
 
-// cvc5 before z3, for most often it sees at once what two copies of a machine have in common.
-const std::vector<proof::Engine> kEngines{proof::Engine::cec, proof::Engine::cvc5,
-                                          proof::Engine::z3};
-
-/// The engines, on the formulas and nets of a subject's model; nobody where there are none.
+/// The engines, on the nets of a subject's model; nobody where there are none.
 class Asked {
  public:
   Asked(const Subject& subject, const proof::BuiltMachine& machine, bool any,
         const std::vector<proof::Engine>& which)
       : subject_(subject) {
     if (!any) return;
-    formula_ = machine.formula();
-    if (machine.nets != nullptr) nets_ = machine.nets();
-    judge_.emplace(formula_, nets_ ? &*nets_ : nullptr, machine.source.top,
-                   proof::Asking{.engines = which, .limit = kLimit});
+    model_ = machine.nets();
+    judge_.emplace(*model_, machine.source.top, proof::Asking{.engines = which, .limit = kLimit});
   }
 
   std::vector<bool> prove(const std::vector<unsigned>& mutants) {
@@ -70,8 +64,7 @@ class Asked {
   }
 
   const Subject& subject_;
-  proof::MachineFormula formula_;
-  std::optional<nets::Model> nets_;
+  std::optional<nets::Model> model_;
   std::optional<proof::Judge> judge_;
 };
 
@@ -90,14 +83,14 @@ int campaign_on(const Subject& subject, const proof::BuiltMachine& machine, cons
     return 0;
   }
   if (o.results.empty()) throw InputError("RESULTS is required");
-  const auto which = o.engines ? proof::engines_of(*o.engines) : kEngines;
+  const auto which = o.engines ? proof::engines_of(*o.engines) : proof::all_engines();
   std::string work = fmt::format("{} mutants of {}, {} from {}", subject.mutants().size(),
                                  subject.bench().title(), o.part.count, o.part.first);
   for (const proof::Engine e : which) work += ", " + to_text(e);
   Checkpoint checkpoint(o.results + kept_as, work);
-  const bool proves = !o.unproved && machine.formula != nullptr;
+  const bool proves = !o.unproved && machine.is_provable();
   const Asker asker = [&](unsigned mutant, std::chrono::seconds limit) {
-    if (!proves || machine.nets == nullptr) return Outcome{};
+    if (!proves) return Outcome{};
     return from_reset(subject, machine, mutant, limit, o.failures);
   };
   Asked asked(subject, machine, proves, which);
@@ -180,9 +173,9 @@ int main_of_built(Cases (*cases)(const AnyBench&), int argc, char** argv) {
   app.add_flag("--unproved", o.unproved,
                "Prove no mutant to be the same: what is not killed survives");
   app.add_option("--engines", o.engines,
-                 "Which prove, in this order; default cec,cvc5,z3, of which two have to agree; one "
-                 "alone decides by itself")
-      ->type_name("A,B,C");
+                 "Which prove; default cec,cadical, which have to agree; one alone decides by "
+                 "itself")
+      ->type_name("A,B");
   app.add_option("--prover", o.prover, "How a survivor's folder calls what proves");
   app.add_option("--failures", o.failures, "Where a survivor leaves its folder");
   app.add_option("--jobs", o.threads, "Threads")->check(CLI::Range(1, 1024));

@@ -86,10 +86,7 @@ void PlantedNets::find_unreset(std::size_t registers) {
 
 std::vector<std::vector<std::size_t>> PlantedNets::nets_of(const char* kind,
                                                            const std::vector<Field>& fields) {
-  const auto cells =
-      proof::located_fields({[&](const std::string& wire) { return nets_.width(wire); },
-                             [&](const std::string& memory) { return nets_.first_word(memory); }},
-                            title_, kind, fields);
+  const auto cells = proof::located_fields(nets_, title_, kind, fields);
   std::vector<std::vector<std::size_t>> all;
   for (const proof::RtlCell& c : cells) {
     auto& wire = all.emplace_back();

@@ -14,10 +14,11 @@ string(REGEX MATCH "^[0-9]+" fmt_major "${fmt_VERSION}")
 math(EXPR fmt_next "${fmt_major} + 1")
 string(REGEX MATCH "^[0-9]+\\.[0-9]+" verilator_minor "${verilator_VERSION}")
 set(CPACK_DEBIAN_PACKAGE_DEPENDS
-  "cmake (>= 3.25)" "ninja-build" "g++ | clang" "libcli11-dev" "nlohmann-json3-dev" "zlib1g-dev"
+  "cmake (>= 3.25)" "ninja-build" "g++ | clang" "libcadical-dev" "libcli11-dev"
+  "nlohmann-json3-dev" "zlib1g-dev"
   "libfmt-dev (>= ${fmt_major})" "libfmt-dev (<< ${fmt_next})"
   "verilator (>= ${verilator_minor})" "verilator (<< ${verilator_minor}.~)")
 list(JOIN CPACK_DEBIAN_PACKAGE_DEPENDS ", " CPACK_DEBIAN_PACKAGE_DEPENDS)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "yosys, iverilog, libjson-xs-perl, cvc5, z3, libgtest-dev")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "yosys, iverilog, libjson-xs-perl, z3, libgtest-dev")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "gtkwave, iverilog, lcov")
 include(CPack)

@@ -67,7 +67,7 @@ Lit Aig::choose(Lit condition, Lit then, Lit otherwise) {
   return or_of(and_of(condition, then), and_of(inverted(condition), otherwise));
 }
 
-std::string Aig::aiger(Lit bad) const {
+std::string Aig::aiger(Lit bad, const std::vector<std::string>& names) const {
   // Numbered as AIGER wants it: inputs, latches, gates.
   std::vector<Lit> number(nodes_.size(), 0);
   Lit next = 0;
@@ -91,7 +91,9 @@ std::string Aig::aiger(Lit bad) const {
     text += fmt::format("{}\n", of(latch.next) ^ (latch.first ? 1U : 0U));
   }
   text += fmt::format("{}\n", of(bad)) + gates;
-  for (std::size_t i = 0; i < inputs_.size(); ++i) text += fmt::format("i{0} p{0}\n", i);
+  for (std::size_t i = 0; i < inputs_.size(); ++i) {
+    text += fmt::format("i{} {}\n", i, i < names.size() ? names[i] : fmt::format("p{}", i));
+  }
   for (std::size_t i = 0; i < latches_.size(); ++i) text += fmt::format("l{0} r{0}\n", i);
   return text;
 }

@@ -36,8 +36,8 @@ class Aig {
   std::size_t latches() const { return latches_.size(); }
 
   /// Binary AIGER 1.0 with the one output `bad`; input i is called pI, latch i rI. One that begins
-  /// as 1 is kept inverted.
-  std::string aiger(Lit bad) const;
+  /// as 1 is kept inverted. `names`, where there are any: those of the inputs.
+  std::string aiger(Lit bad, const std::vector<std::string>& names = {}) const;
 
   /// The values of `watched` on every clock, from the first state on, where `in` holds those of the
   /// inputs, a row a clock; an input that a row lacks is 0.

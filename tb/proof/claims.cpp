@@ -2,224 +2,298 @@
 
 #include <fmt/core.h>
 
-#include "tb/proof/script_question.h"
+#include <algorithm>
+
+#include "model/core/input_error.h"
+#include "tb/proof/located.h"
 #include "tb/proof/terms.h"
 
 namespace cosim::proof {
 namespace {
 
-constexpr const char* kAsserts = "what the RTL asserts is so";
+using nets::Bit;
+using nets::no;
+using nets::yes;
+using Code = std::vector<Bit>;
+using Machine = nets::MachineOf<nets::Number>;
 
-Expression any_fails(const std::vector<Named>& all) {
-  Expression any = truth(false);
-  for (const Named& n : all) any = disjunction(any, negation(n.condition));
-  return any;
-}
+// One graph with the model in it and, clock by clock, the RTL.
+class Question {
+ public:
+  explicit Question(const nets::Model& model)
+      : model_(model), questions_{model.graph, model.ports, {}, {}} {}
+  Question(const nets::Model& model, const RtlNets& rtl) : Question(model) {
+    rtl_ = &rtl;
+    const Machine& m = model.machine;
+    inputs_ = located(rtl, m.design, "input", m.inputs);
+    outputs_ = located(rtl, m.design, "output", m.outputs);
+    registers_ = located(rtl, m.design, "register", m.registers);
+    std::vector<bool> is_named(rtl.cells().flip_flops.size());
+    for (std::size_t i = 0; i < registers_.size(); ++i) {
+      for (const std::size_t net : nets_of(registers_[i])) {
+        const auto shown = rtl.shown(net);
+        const std::string name = label_of(m.registers[i].field);
+        if (!shown) {
+          throw InputError(
+              fmt::format("{}: the RTL's nets have no register {} of {} bits by itself", m.design,
+                          name, m.registers[i].field.width));
+        }
+        if (is_named[*shown]) {
+          throw InputError(
+              fmt::format("{}: register {}: another field has its flip-flop", m.design, name));
+        }
+        is_named[*shown] = true;
+      }
+    }
+    if (std::ranges::find(is_named, false) != is_named.end()) {
+      throw InputError(m.design + ": the RTL has a register that no table names");
+    }
+    require_ports("input", rtl.inputs(), inputs_);
+    require_ports("output", rtl.outputs(), outputs_);
+  }
+
+  nets::Graph& graph() { return questions_.graph; }
+
+  // What the flip-flops may be before a clock.
+  std::vector<Bit> anything() {
+    std::vector<Bit> now(rtl_->cells().flip_flops.size());
+    for (Bit& bit : now) bit = free();
+    return now;
+  }
+  std::vector<Bit> at_first() {
+    std::vector<Bit> now = anything();
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      const char initial = rtl_->cells().flip_flops[i].initial;
+      if (initial == '0' || initial == '1') now[i] = initial == '1' ? yes : no;
+    }
+    return now;
+  }
+  // What the model's registers say; anything where those mean nothing.
+  std::vector<Bit> as_in_model() {
+    std::vector<Bit> now = anything();
+    for (std::size_t i = 0; i < registers_.size(); ++i) {
+      const nets::Wire& w = model_.machine.registers[i];
+      const auto nets = nets_of(registers_[i]);
+      for (std::size_t b = 0; b < nets.size(); ++b) {
+        Bit& bit = now[*rtl_->shown(nets[b])];
+        bit = w.when ? graph().mux(*w.when, w.code[b], bit) : w.code[b];
+      }
+    }
+    return now;
+  }
+
+  // Puts a clock of the RTL into the graph, from these flip-flops, under the model's inputs.
+  void clock(const std::vector<Bit>& flip_flops) { clock(flip_flops, model_.machine.inputs); }
+  // One more clock of a reset: of its inputs those that reset are the same, the others free.
+  void reset_again() {
+    std::vector<Bit> now;
+    for (const auto& f : rtl_->cells().flip_flops) now.push_back(nets_[f.next]);
+    std::vector<nets::Wire> inputs = model_.machine.inputs;
+    for (nets::Wire& w : inputs) {
+      for (Bit& bit : w.code) bit = free();
+      for (const nets::Wire& given : model_.machine.reset_inputs) {
+        if (label_of(given.field) == label_of(w.field)) w.code = given.code;
+      }
+    }
+    clock(now, inputs);
+  }
+  // What the RTL gives for output number i during the clock, and register number i during and after
+  // it.
+  Code output(std::size_t i) const { return bits_of(nets_of(outputs_[i])); }
+  Code shown(std::size_t i) const { return bits_of(nets_of(registers_[i])); }
+  Code after(std::size_t i) const {
+    std::vector<std::size_t> next;
+    for (const std::size_t net : nets_of(registers_[i])) {
+      next.push_back(rtl_->cells().flip_flops[*rtl_->shown(net)].next);
+    }
+    return bits_of(next);
+  }
+
+  Bit any_fails(const std::vector<nets::Named>& all) {
+    Bit any = no;
+    for (const nets::Named& n : all) any = graph().or_of(any, !n.condition);
+    return any;
+  }
+  // Of what is assumed, and of the state and inputs.
+  void assume(Bit condition) { assumed_ = graph().and_of(assumed_, condition); }
+  void assume_hypotheses() {
+    assume(!any_fails(model_.machine.invariant));
+    assume(!any_fails(model_.machine.legal));
+  }
+  void ask(const std::string& what, Bit bit) {
+    questions_.asked.push_back({what, graph().and_of(assumed_, bit)});
+  }
+  // Names a code for the counterexample.
+  void show(const std::string& term, const Code& code) { questions_.terms[term] = code; }
+
+  Questions take() { return std::move(questions_); }
+
+ private:
+  // An error where the RTL has a port, or a bit of one, that the table does not name.
+  void require_ports(const char* what, const std::vector<std::string>& ports,
+                     const std::vector<RtlCell>& cells) const {
+    const std::string& design = model_.machine.design;
+    for (const std::string& port : ports) {
+      std::vector<bool> named(static_cast<std::size_t>(rtl_->width(port)));
+      for (const RtlCell& c : cells) {
+        for (int i = 0; port == c.wire && i < c.width; ++i) {
+          named[static_cast<std::size_t>(c.low + i)] = true;
+        }
+      }
+      const auto open = std::ranges::find(named, false);
+      if (open == named.end()) continue;
+      if (std::ranges::find(named, true) == named.end()) {
+        throw InputError(
+            fmt::format("{}: the RTL has an {} {} that no table names", design, what, port));
+      }
+      throw InputError(fmt::format("{}: {} {}: no field has its bit {}", design, what, port,
+                                   open - named.begin()));
+    }
+  }
+  Bit free() {
+    const Bit bit = graph().input();
+    questions_.inputs.push_back({fmt::format("free.{}", questions_.inputs.size()), bit});
+    return bit;
+  }
+  std::vector<std::size_t> nets_of(const RtlCell& cell) const {
+    std::vector<std::size_t> all;
+    for (int i = 0; i < cell.width; ++i) all.push_back(rtl_->net(cell.wire, cell.low + i));
+    return all;
+  }
+  Code bits_of(const std::vector<std::size_t>& nets) const {
+    Code code;
+    for (const std::size_t net : nets) code.push_back(nets_[net]);
+    return code;
+  }
+  void clock(const std::vector<Bit>& flip_flops, const std::vector<nets::Wire>& inputs) {
+    const nets::Cells& cells = rtl_->cells();
+    std::vector<Bit> given(cells.nets.size());
+    for (const auto* nets : {&cells.inputs, &cells.free}) {
+      for (const std::size_t net : *nets) given[net] = free();
+    }
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      const auto nets = nets_of(inputs_[i]);
+      for (std::size_t b = 0; b < nets.size(); ++b) given[nets[b]] = inputs[i].code[b];
+    }
+    for (std::size_t i = 0; i < flip_flops.size(); ++i) {
+      given[cells.flip_flops[i].now] = flip_flops[i];
+    }
+    nets_ = placed(graph(), cells, std::move(given));
+  }
+
+  const nets::Model& model_;
+  const RtlNets* rtl_ = nullptr;
+  std::vector<RtlCell> inputs_, outputs_, registers_;
+  Questions questions_;
+  std::vector<Bit> nets_;  // of the RTL, on the clock that the question has come to
+  Bit assumed_ = yes;
+};
 
 // ", but for a, b": what the model takes over from the RTL, of an array once, not each element.
-std::string taken_over(const MachineFormula& m) {
+std::string taken_over(const Machine& m) {
   std::string text;
-  for (const Wire& w : m.reset_state) {
+  for (const nets::Wire& w : m.reset_state) {
     if (!w.field.unreset || w.field.index > 0) continue;
     text += std::string(text.empty() ? ", but for " : ", ") + w.field.name;
   }
   return text;
 }
 
-// Of a machine that nothing resets.
-Claim claim_initial(const MachineFormula& m, const Rtl& rtl) {
-  Question q(m, rtl, true);
-  for (const std::string& term : rtl.initial()) q.script().assume({term, boolean});
-  Expression wrong = any_fails(m.invariant_in_reset);
-  for (std::size_t i = 0; i < m.reset_state.size(); ++i) {
-    if (m.reset_state[i].field.unreset) continue;
-    wrong = disjunction(wrong, q.differs(kInitial, m.reset_state[i], q.shown(i)));
-  }
-  q.script().ask(wrong);
-  return {"base case: they begin the same" + taken_over(m),
-          Answer::unsat,
-          {{{"at first"}, q.script().text()}},
-          {}};
-}
-
 }  // namespace
 
-Claim claim_base_case(const MachineFormula& m, const Rtl& rtl) {
-  if (m.reset_clocks == 0) return claim_initial(m, rtl);
-  Question q(m, rtl, true);
-  for (const Wire& given : m.reset_inputs) {
-    q.script().assume(equal(symbol("in", given.field), given.code));
+Claim claim_base_case(const nets::Model& model, const RtlNets& rtl) {
+  const Machine& m = model.machine;
+  Question q(model, rtl);
+  Bit wrong = q.any_fails(m.invariant_in_reset);
+  const bool resets = m.reset_clocks > 0;
+  q.clock(resets ? q.anything() : q.at_first());
+  for (const nets::Wire& given : m.reset_inputs) {
+    for (const nets::Wire& w : m.inputs) {
+      if (label_of(w.field) == label_of(given.field))
+        q.assume(!q.graph().differ(w.code, given.code));
+    }
   }
   for (int i = 1; i < m.reset_clocks; ++i) q.reset_again();
-  Expression wrong = any_fails(m.invariant_in_reset);
   for (std::size_t i = 0; i < m.reset_state.size(); ++i) {
-    const Wire& w = m.reset_state[i];
+    const nets::Wire& w = m.reset_state[i];
     if (w.field.unreset) continue;
-    wrong = disjunction(wrong, q.differs(kAfter, w, q.after(i)));
+    const Code held = resets ? q.after(i) : q.shown(i);
+    wrong = q.graph().or_of(wrong, where_compared(q.graph(), w, q.graph().differ(w.code, held)));
     // A longer reset may take the model through states of its own.
-    if (m.reset_clocks > 1) continue;
-    wrong = disjunction(wrong, where_compared(w, negation(equal(m.after[i].code, w.code))));
+    if (m.reset_clocks != 1) continue;
+    wrong = q.graph().or_of(
+        wrong, where_compared(q.graph(), w, q.graph().differ(m.after[i].code, w.code)));
   }
-  q.script().ask(wrong);
-  return {(m.reset_clocks == 1 ? "base case: a reset makes them the same"
-                               : fmt::format("base case: {} clocks of a reset make them the same",
-                                             m.reset_clocks)) +
-              taken_over(m),
-          Answer::unsat,
-          {{{"any clock"}, q.script().text()}},
-          {}};
-}
-
-namespace {
-
-// A claim of one clock, whose counterexamples have all that happens on it.
-class OneClock {
- public:
-  OneClock(const std::string& what, const MachineFormula& m, const Rtl& rtl)
-      : question(m, rtl, false), claim{what, Answer::unsat, {}, {}}, by_arms_(m.parts.empty()) {
-    question.assume_hypotheses();
-    for (const Wire& w : m.inputs) claim.terms.push_back(w.code.text());
-    for (const Wire& w : m.state) claim.terms.push_back(w.code.text());
-    for (std::size_t i = 0; i < m.invariant_after.size(); ++i) {
-      const Expression& kept = m.invariant_after[i].condition;
-      claim.terms.push_back(question.script().define(term_of_invariant(i), kept).text());
-    }
-  }
-  Expression differs(const char* what, const Wire& w, const Expression& actual) {
-    claim.terms.push_back(term_of("model", w.field) + what);
-    claim.terms.push_back(term_of("rtl", w.field) + what);
-    return question.differs(what, w, actual, by_arms_);
-  }
-
-  Question question;
-  Claim claim;
-
- private:
-  bool by_arms_;  // parts of the model's own cut it otherwise
-};
-
-}  // namespace
-
-Claim claim_asserts(const MachineFormula& m, const Rtl& rtl) {
-  OneClock clock(kAsserts, m, rtl);
-  Question& q = clock.question;
-  for (std::size_t i = 0; i < m.after.size(); ++i) clock.differs(kAfter, m.after[i], q.after(i));
-  for (std::size_t i = 0; i < m.outputs.size(); ++i) {
-    clock.differs(kOutput, m.outputs[i], q.output(i));
-  }
-  Expression wrong = truth(false);
-  for (const Expression& asserted : rtl.asserted()) {
-    wrong = disjunction(wrong, negation(asserted));
-  }
-  q.script().ask(wrong);
-  clock.claim.queries.push_back({{"any assertion"}, q.script().text()});
-  return clock.claim;
-}
-
-Claim claim_step(const MachineFormula& m, const Rtl& rtl) {
-  OneClock clock("inductive step: every clock keeps them the same", m, rtl);
-  Question& q = clock.question;
-  Claim& claim = clock.claim;
-  const auto differs = [&](const char* what, const Wire& w, const Expression& actual) {
-    return clock.differs(what, w, actual);
-  };
-  // Many wide words at once take a solver many times as long as one after the other.
-  Expression narrow = any_fails(m.invariant_after), after = narrow;
-  std::vector<Named> wide;
-  const auto sort_in = [&](const std::string& what, const Wire& w, const Expression& wrong) {
-    constexpr int words_at_once = 16;  // those of a memory are alike, and each is little work
-    if (w.field.width == 1) {
-      narrow = disjunction(narrow, wrong);
-    } else if (w.field.index % words_at_once > 0) {
-      wide.back().condition = disjunction(wide.back().condition, wrong);
-    } else {
-      const bool from_first = w.field.index < words_at_once;
-      wide.push_back({what + (from_first ? w.field.name : label_of(w.field) + " and on"), wrong});
-    }
-  };
-  for (std::size_t i = 0; i < m.after.size(); ++i) {
-    const Expression wrong = differs(kAfter, m.after[i], q.after(i));
-    after = disjunction(after, wrong);
-    if (m.parts.empty()) sort_in("register ", m.after[i], wrong);
-  }
-  for (std::size_t i = 0; i < m.seen.size(); ++i) {
-    sort_in("register seen ", m.seen[i], q.differs(kSeen, m.seen[i], q.shown(i)));
-  }
-  for (std::size_t i = 0; i < m.outputs.size(); ++i) {
-    sort_in("output ", m.outputs[i], differs(kOutput, m.outputs[i], q.output(i)));
-  }
-
-  const auto ask = [&](const std::string& what, const Expression& wrong) {
-    Script script = q.script();
-    script.ask(wrong);
-    claim.queries.push_back({{what}, script.text()});
-  };
-  for (const Named& w : wide) ask(w.name, w.condition);
-  ask("single bits and the invariant", narrow);
-  if (m.parts.empty()) return claim;
-  for (const Named& part : m.parts) {
-    ask(part.name, conjunction(part.condition, after));
-    q.script().assume(negation(part.condition));
-  }
-  ask("any other clock", after);
-  return claim;
-}
-
-Claim claim_cases(const MachineFormula& m) {
-  Script script("QF_BV");
-  for (const auto* wires : {&m.inputs, &m.state}) {
-    for (const Wire& w : *wires) script.declare(w.code.text(), w.code.sort());
-  }
-  for (const auto* all : {&m.invariant, &m.legal}) {
-    for (const Named& n : *all) script.assume(n.condition);
-  }
-  Query query;
-  for (const Named& n : m.cases) {
-    query.asks.push_back(n.name);
-    script.ask_apart(n.condition);
-  }
-  query.script = script.text();
+  q.ask(resets ? "any clock" : "at first", wrong);
   const std::string what =
-      m.cases.size() == 1
-          ? "vacuity check: " + m.cases.front().name + " is possible"
-          : fmt::format("vacuity check: each of {} cases is possible", m.cases.size());
-  return {what, Answer::sat, {query}, {}};
+      !resets ? "they begin the same"
+      : m.reset_clocks == 1
+          ? "a reset makes them the same"
+          : fmt::format("{} clocks of a reset make them the same", m.reset_clocks);
+  return {"base case: " + what + taken_over(m), Answer::unsat, q.take()};
 }
 
-Claim claim_legal(const MachineFormula& m) {
-  Script script("QF_BV");
-  for (const Wire& w : m.state) script.declare(w.code.text(), w.code.sort());
-  for (const Named& n : m.invariant) script.assume(n.condition);
-  script.ask(any_fails(m.idle));
-  return {"legal inputs in every state", Answer::unsat, {{{"any state"}, script.text()}}, {}};
-}
-
-std::vector<Claim> claims_of(const MachineFormula& m, const nets::Model& model,
-                             const Source& source) {
-  const auto both = [](Claim claim, NetQuestions nets) {
-    claim.nets = std::make_shared<const NetQuestions>(std::move(nets));
-    return claim;
-  };
-  std::vector<Claim> all, asserts;
-  if (m.unobserved.empty()) {
-    const auto [rtl, rtl_nets] = read_both(source);
-    all.push_back(both(claim_base_case(m, rtl), nets_of_base_case(model, rtl_nets)));
-    all.push_back(both(claim_step(m, rtl), nets_of_step(model, rtl_nets)));
-    if (!rtl.asserted().empty()) asserts.push_back(claim_asserts(m, rtl));
-  } else {
-    all.push_back({"from reset: always the same", Answer::unsat, {}, {}});
-    Source kept = source;
-    kept.keeps_statements = true;
-    if (!RtlNets(kept).unmet().empty()) asserts.push_back({kAsserts, Answer::unsat, {}, {}});
+Claim claim_step(const nets::Model& model, const RtlNets& rtl) {
+  const Machine& m = model.machine;
+  Question q(model, rtl);
+  q.assume_hypotheses();
+  q.clock(q.as_in_model());
+  for (const nets::Wire& w : m.inputs) q.show(term_of("in", w.field), w.code);
+  for (const nets::Wire& w : m.state) q.show(term_of("state", w.field), w.code);
+  for (std::size_t i = 0; i < m.invariant_after.size(); ++i) {
+    q.show(term_of_invariant(i), {m.invariant_after[i].condition});
   }
-  for (Claim& claim : asserts) claim.from_reset = Happens::assertion;
+  Bit wrong = q.any_fails(m.invariant_after);
+  const auto compare = [&](const char* what, const nets::Wire& w, const Code& actual) {
+    q.show(term_of("model", w.field) + what, w.code);
+    q.show(term_of("rtl", w.field) + what, actual);
+    wrong = q.graph().or_of(wrong, where_compared(q.graph(), w, q.graph().differ(w.code, actual)));
+  };
+  for (std::size_t i = 0; i < m.after.size(); ++i) compare(kAfter, m.after[i], q.after(i));
+  for (std::size_t i = 0; i < m.seen.size(); ++i) compare(kSeen, m.seen[i], q.shown(i));
+  for (std::size_t i = 0; i < m.outputs.size(); ++i) compare(kOutput, m.outputs[i], q.output(i));
+  q.ask("any clock", wrong);
+  return {"inductive step: every clock keeps them the same", Answer::unsat, q.take()};
+}
+
+Claim claim_cases(const nets::Model& model) {
+  const auto& cases = model.machine.cases;
+  Question q(model);
+  q.assume_hypotheses();
+  for (const nets::Named& n : cases) q.ask(n.name, n.condition);
+  const std::string what = cases.size() == 1
+                               ? cases.front().name + " is possible"
+                               : fmt::format("each of {} cases is possible", cases.size());
+  return {"vacuity check: " + what, Answer::sat, q.take()};
+}
+
+Claim claim_legal(const nets::Model& model) {
+  Question q(model);
+  q.assume(!q.any_fails(model.machine.invariant));
+  q.ask("any state", q.any_fails(model.machine.idle));
+  return {"legal inputs in every state", Answer::unsat, q.take()};
+}
+
+std::vector<Claim> claims_of(const nets::Model& model, const Source& source) {
+  const Machine& m = model.machine;
+  const RtlNets rtl(source);
+  std::vector<Claim> all;
+  if (m.unobserved.empty()) {
+    all.push_back(claim_base_case(model, rtl));
+    all.push_back(claim_step(model, rtl));
+  } else {
+    all.push_back({"from reset: always the same"});
+  }
   for (Claim& claim : all) claim.from_reset = Happens::differ;
-  all.push_back(both(claim_cases(m), nets_of_cases(model)));
+  all.push_back(claim_cases(model));
   if (!m.legal.empty()) {
-    all.push_back(both(claim_legal(m), nets_of_legal(model)));
+    all.push_back(claim_legal(model));
     all.back().from_reset = Happens::stuck;
   }
-  all.insert(all.end(), asserts.begin(), asserts.end());
+  if (rtl.asserts()) {
+    all.push_back({"what the RTL asserts is so"});
+    all.back().from_reset = Happens::assertion;
+  }
   return all;
 }
 

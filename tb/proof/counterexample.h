@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/proof/machine.h"
+#include "tb/nets/model.h"
 
 namespace cosim::proof {
 
@@ -24,10 +24,10 @@ struct Counterexample {
   std::vector<Value> after;         ///< registers, after it
   std::vector<std::string> broken;  ///< what of the invariant the model's next state breaks
 };
-/// A counterexample to claim_step or claim_asserts from the values of its terms, such as "#b0101"
-/// and "true"; none if some are missing.
-std::optional<Counterexample> counterexample(const MachineFormula& machine,
-                                             const std::map<std::string, std::string>& values);
+/// A counterexample to claim_step, or to the same of a mutant, from the values of its terms; none
+/// if some are missing.
+std::optional<Counterexample> counterexample(const nets::Model& model,
+                                             const std::map<std::string, Word>& values);
 
 /// What the model expects of each.
 std::vector<Word> words(const std::vector<Value>& values);

@@ -3,103 +3,111 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <sstream>
+#include <atomic>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <utility>
 
-#include "model/core/input_error.h"
-#include "tb/proof/race.h"
-#include "tb/proof/votes.h"
-#include "tb/support/words.h"
+#include "tb/support/parallel.h"
 
 namespace cosim::proof {
+namespace {
 
-std::string to_text(Engine engine) {
-  switch (engine) {
-    case Engine::cec:
-      return "cec";
-    case Engine::cvc5:
-      return "cvc5";
-    case Engine::z3:
-      return "z3";
-  }
-  return "";
-}
-
-std::string program_of(Engine engine) {
-  return engine == Engine::cec ? "yosys-abc" : to_text(engine);
-}
-
-std::vector<Engine> all_engines() { return {Engine::cec, Engine::z3, Engine::cvc5}; }
-
-std::string listed(const std::vector<Engine>& engines) {
-  std::string text;
-  for (std::size_t i = 0; i < engines.size(); ++i) {
-    text += (i == 0 ? "" : i + 1 == engines.size() ? " and " : ", ") + to_text(engines[i]);
-  }
-  return text;
-}
-
-std::vector<Engine> engines_of(const std::string& list, const std::vector<Engine>& all) {
-  std::vector<Engine> chosen;
-  std::istringstream words(list);
-  for (std::string word; std::getline(words, word, ',');) {
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](Engine e) { return to_text(e) == word; });
-    if (found == all.end() || std::count(chosen.begin(), chosen.end(), *found) != 0) {
-      throw InputError(
-          fmt::format("--engines {}: takes {}, each once", in_quotes(list), listed(all)));
+// What an engine said of a claim in all.
+struct Summary {
+  bool as_wanted = true, opposite = false;
+  std::string text;  // of the first answer that is not as wanted
+};
+Summary summary(const Claim& claim, const Opinion& opinion) {
+  const Answer other = claim.wanted == Answer::sat ? Answer::unsat : Answer::sat;
+  const Solved& solved = opinion.solved;
+  Summary all;
+  for (std::size_t i = 0; i < claim.questions.asked.size(); ++i) {
+    const Answer answer = i < solved.answers.size() ? solved.answers[i] : solved.answer;
+    if (i < solved.answers.size() && answer == claim.wanted) continue;
+    const bool is_opposite = i < solved.answers.size() && answer == other;
+    if (all.text.empty() || (is_opposite && !all.opposite)) {
+      all.text = fmt::format("{} ({})", to_text(answer), claim.questions.asked[i].name);
+      if (answer == Answer::failed) all.text += ": " + solved.said;
     }
-    chosen.push_back(*found);
+    all.as_wanted = false;
+    all.opposite = all.opposite || is_opposite;
   }
-  if (chosen.empty()) throw InputError("--engines: needs one");
-  return chosen;
-}
-
-bool can_ask(Engine engine, const Claim& claim) {
-  return engine == Engine::cec ? claim.nets != nullptr : !claim.queries.empty();
-}
-
-double Opinion::seconds() const {
-  double all = 0;
-  for (const Solved& s : solved) all += s.seconds;
+  if (all.text.empty()) all.text = to_text(claim.wanted);
   return all;
 }
 
-Decision judged(const Claim& claim, std::vector<Opinion> opinions, std::size_t needed) {
+// That something can be is shown by one: what it finds is tried on the gates.
+std::vector<Engine> engines_for(const Claim& claim, const Asking& asking) {
+  if (claim.questions.asked.empty()) return {};
+  if (claim.wanted == Answer::unsat) return asking.engines;
+  const bool is_there = std::ranges::find(asking.engines, Engine::cadical) != asking.engines.end();
+  return {is_there ? Engine::cadical : asking.engines.front()};
+}
+
+}  // namespace
+
+Decision judged(const Claim& claim, std::vector<Opinion> opinions) {
   Decision d;
-  const Votes votes = votes_on(claim, opinions, needed);
-  std::string answers, unanswered;
+  std::size_t as_wanted = 0, against = 0;
+  std::string answers;
   for (const Opinion& o : opinions) {
     const Summary s = summary(claim, o);
-    const std::string says = fmt::format(", {} {}", to_text(o.engine), s.text);
-    answers += says;
-    if (!s.as_wanted && !s.stopped) unanswered += says;
+    as_wanted += s.as_wanted ? 1 : 0;
+    against += s.opposite ? 1 : 0;
+    if (o.solved.answer == Answer::stopped && !s.opposite) continue;
+    answers += fmt::format("{}{} {}", answers.empty() ? "" : ", ", to_text(o.engine), s.text);
   }
-  answers.erase(0, std::min<std::size_t>(2, answers.size()));
-  d.proved = votes.against == 0 && votes.least >= needed;
-  d.refuted = votes.against > 0 && !votes.conflict;
-  d.disagree = votes.conflict;
-  if (d.proved) {
-    d.verdict = "proved" + unanswered;
-  } else if (d.refuted) {
-    d.verdict = "REFUTED: " + answers;
-  } else if (d.disagree) {
-    d.verdict = "THE ENGINES DISAGREE: " + answers;
-  } else {
-    d.verdict = fmt::format("UNDECIDED, {} of {}: {}", votes.least, needed,
-                            answers.empty() ? "no engine can be asked" : answers);
-  }
+  d.disagree = as_wanted > 0 && against > 0;
+  d.refuted = against > 0 && !d.disagree;
+  d.proved = !opinions.empty() && as_wanted == opinions.size();
+  d.verdict = d.proved     ? "proved"
+              : d.refuted  ? "REFUTED: " + answers
+              : d.disagree ? "THE ENGINES DISAGREE: " + answers
+              : opinions.empty()
+                  ? "UNDECIDED: no engine can be asked"
+                  : fmt::format("UNDECIDED, {} of {}: {}", as_wanted, opinions.size(), answers);
   d.opinions = std::move(opinions);
   return d;
 }
 
 std::vector<Decision> decide(const std::vector<const Claim*>& claims, const Asking& asking,
                              const Told& told) {
-  const std::size_t needed = std::min<std::size_t>(asking.engines.size(), 2);
+  struct Course {
+    std::vector<Opinion> opinions;
+    std::size_t open = 0;
+    std::atomic<bool> no_more = false;
+  };
+  std::vector<std::unique_ptr<Course>> courses;
   std::vector<Decision> all(claims.size());
-  race(claims, asking, needed, [&](std::size_t c, std::vector<Opinion> opinions) {
-    all[c] = judged(*claims[c], std::move(opinions), needed);
+  for (std::size_t c = 0; c < claims.size(); ++c) {
+    Course& course = *courses.emplace_back(std::make_unique<Course>());
+    for (const Engine e : engines_for(*claims[c], asking)) course.opinions.push_back({e});
+    course.open = course.opinions.size();
+    if (course.open > 0) continue;
+    all[c] = judged(*claims[c], {});
     told(c, all[c]);
+  }
+  std::mutex guard;
+  const std::size_t engines = asking.engines.size();
+  in_parallel(claims.size() * engines, asking.jobs, [&](std::uint64_t i) {
+    const std::size_t c = i / engines;
+    Course& course = *courses[c];
+    if (i % engines >= course.opinions.size()) return true;
+    Opinion& own = course.opinions[i % engines];
+    own.solved.answer = Answer::stopped;
+    Solved solved = own.solved;
+    if (!course.no_more) {
+      solved = solve(own.engine, claims[c]->questions, asking.limit, &course.no_more);
+    }
+    const std::scoped_lock lock(guard);
+    own.solved = std::move(solved);
+    if (summary(*claims[c], own).opposite) course.no_more = true;
+    if (--course.open > 0) return true;
+    all[c] = judged(*claims[c], course.opinions);
+    told(c, all[c]);
+    return true;
   });
   return all;
 }
@@ -107,24 +115,15 @@ std::vector<Decision> decide(const std::vector<const Claim*>& claims, const Aski
 bool timed_out(const std::vector<Decision>& decisions) {
   for (const Decision& d : decisions) {
     for (const Opinion& o : d.opinions) {
-      for (const Solved& s : o.solved) {
-        if (s.answer == Answer::timed_out) return true;
-      }
+      if (o.solved.answer == Answer::timed_out) return true;
     }
   }
   return false;
 }
 
-std::map<std::string, std::string> refuting_values(const Claim& claim, const Decision& decision,
-                                                   int limit) {
+std::map<std::string, Word> refuting_values(const Decision& decision) {
   for (const Opinion& o : decision.opinions) {
-    for (std::size_t q = 0; q < o.solved.size(); ++q) {
-      if (o.solved[q].answer != Answer::sat) continue;
-      auto found = o.engine == Engine::cec
-                       ? o.solved[q].values
-                       : values(solver_of(o.engine), claim.queries[q].script, claim.terms, limit);
-      if (!found.empty()) return found;
-    }
+    if (!o.solved.values.empty()) return o.solved.values;
   }
   return {};
 }

@@ -2,14 +2,12 @@
 
 #include <fmt/core.h>
 
-#include <algorithm>
-#include <string_view>
-
 namespace cosim::proof {
 namespace {
 
-constexpr std::string_view kDefine = "(define-fun ", kOfNothing = " () ", kAssert = "(assert ",
-                           kCheck = "(check-sat)";
+std::string definition(const std::string& name, const std::string& sort, const std::string& term) {
+  return fmt::format("(define-fun {} () {} {})\n", name, sort, term);
+}
 
 }  // namespace
 
@@ -22,37 +20,6 @@ Expression conjunction(const Expression& a, const Expression& b) {
 }
 Expression disjunction(const Expression& a, const Expression& b) { return {"or", boolean, {a, b}}; }
 Expression equal(const Expression& a, const Expression& b) { return {"=", boolean, {a, b}}; }
-
-std::string definition(const std::string& name, const std::string& sort, const std::string& term) {
-  return fmt::format("{}{}{}{} {})\n", kDefine, name, kOfNothing, sort, term);
-}
-
-std::string with_lets(const std::string& script) {
-  std::string head, lets, asserted, ends;
-  std::size_t count = 0;
-  const auto rest_of = [](std::string_view line, std::size_t first) {
-    return line.substr(first, line.size() - first - 1);  // without the parenthesis at its end
-  };
-  for (std::string_view left = script; !left.empty();) {
-    const std::string_view line = left.substr(0, left.find('\n'));
-    left.remove_prefix(std::min(line.size() + 1, left.size()));
-    if (line.starts_with(kDefine)) {
-      const std::size_t of_nothing = line.find(kOfNothing), sort = of_nothing + kOfNothing.size();
-      const std::size_t sort_end =
-          line[sort] == '(' ? line.find(')', sort) + 1 : line.find(' ', sort);
-      lets +=
-          fmt::format("(let (({} {}))\n", line.substr(kDefine.size(), of_nothing - kDefine.size()),
-                      rest_of(line, sort_end + 1));
-      ++count;
-    } else if (line.starts_with(kAssert)) {
-      asserted += fmt::format(" {}", rest_of(line, kAssert.size()));
-    } else {
-      (line.starts_with(kCheck) ? ends : head) += fmt::format("{}\n", line);
-    }
-  }
-  return fmt::format("{}{}{}(and true{}){})\n{}", head, kAssert, lets, asserted,
-                     std::string(count, ')'), ends);
-}
 
 Script::Script(const std::string& logic)
     : text_(fmt::format("(set-option :produce-models true)\n(set-logic {})\n", logic)) {}
@@ -76,11 +43,6 @@ void Script::assume(const Expression& condition) {
 void Script::ask(const Expression& also) {
   assume(also);
   text_ += "(check-sat)\n";
-}
-
-void Script::ask_apart(const Expression& also) {
-  const std::string name = name_of(also);
-  text_ += fmt::format("(push 1)\n(assert {})\n(check-sat)\n(pop 1)\n", name);
 }
 
 std::string Script::name_of(const Expression& e) {

@@ -43,18 +43,6 @@ Expression disjunction(const Expression& a, const Expression& b);
 Expression equal(const Expression& a, const Expression& b);
 Expression truth(bool value);
 
-/// A term that is one of two.
-struct Choice {
-  Expression condition, then, otherwise;
-};
-
-/// A line that gives a term a name. With a free symbol and an equation in its place cvc5 takes
-/// twice as long for mutants, and both solvers several times as long for wide sums.
-std::string definition(const std::string& name, const std::string& sort, const std::string& term);
-/// A script of one question with one assertion: each definition is a `let`, one in the other. z3
-/// takes a tenth of a second for a thousand definitions, and nothing for these.
-std::string with_lets(const std::string& script);
-
 /// A script for a solver. Each application is defined once under a name of its own, in order and
 /// without parameters: no let, no quantifier, no function.
 class Script {
@@ -65,14 +53,10 @@ class Script {
   Expression declare(const std::string& name, const std::string& sort);
   /// Gives `value` a name that a reader knows.
   Expression define(const std::string& name, const Expression& value);
-  /// Adds lines unchanged.
-  void add(const std::string& lines) { text_ += lines; }
   void assume(const Expression& condition);
 
   /// Asks the only question of a script: can all assumptions and `also` hold together?
   void ask(const Expression& also);
-  /// Asks one of several.
-  void ask_apart(const Expression& also);
   const std::string& text() const { return text_; }
 
  private:

@@ -11,9 +11,9 @@
 namespace cosim::proof {
 
 /// An inductive invariant: it is so in the first state, it is so on a clock where it was on the
-/// clock before, and where it is so `bad` is 0. A SAT solver has said each of the three.
+/// clock before, and where it is so `bad` is 0. CaDiCaL has said each of the three.
 struct Invariant {
-  std::string solver;          ///< who has said so; empty where it is not so, or not known
+  bool is_checked = false;     ///< CaDiCaL has said so
   std::string missing;         ///< why it is not known
   std::size_t equalities = 0;  ///< of signals
   std::size_t clauses = 0;     ///< over registers, from abc's pdr

@@ -12,13 +12,9 @@ std::string word_net(const std::string& memory, int word) {
   return fmt::format("{}[{}]", memory, word);
 }
 
-int bits_in(const Expression& code) {
-  return std::stoi(code.sort().substr(code.sort().find_last_of(' ')));
-}
-
 }  // namespace
 
-std::vector<RtlCell> located_fields(const WiresOf& rtl, const std::string& design, const char* kind,
+std::vector<RtlCell> located_fields(const RtlNets& rtl, const std::string& design, const char* kind,
                                     const std::vector<Field>& fields) {
   std::vector<RtlCell> all;
   for (const auto& row : rows_of(fields)) {
@@ -46,40 +42,11 @@ std::vector<RtlCell> located_fields(const WiresOf& rtl, const std::string& desig
   return all;
 }
 
-std::vector<Piece> pieces_of(const Rtl& rtl, const RtlCell& cell) {
-  std::vector<Piece> all;
-  int high = rtl.width(cell.wire);
-  for (const std::size_t i : rtl.pieces(cell.wire)) {
-    // The symbol is bits low .. high-1 of the wire.
-    const int low = high - rtl.free()[i].width;
-    const int from = std::max(low, cell.low), to = std::min(high, cell.low + cell.width);
-    if (from < to) all.push_back({i, from - low, to - from});
-    high = low;
-  }
-  return all;
-}
-
-Expression during(const Rtl& rtl, const RtlCell& cell) {
-  return cut(rtl.wire(cell.wire), cell.low, cell.width);
-}
-
-Expression after(const Rtl& rtl, const RtlCell& cell) {
-  std::vector<Expression> codes;
-  for (const Piece& p : pieces_of(rtl, cell)) {
-    const Rtl::Free& f = rtl.free()[p.free];
-    const Expression whole = as_code({f.after, f.is_bool ? boolean : bit_vector(f.width)});
-    codes.push_back(cut(whole, p.low, p.width));
-  }
-  return joined(codes);
-}
-
-Expression joined(const std::vector<Expression>& codes) {
-  Expression all = codes.at(0);
-  for (std::size_t i = 1; i < codes.size(); ++i) {
-    const int width = bits_in(all) + bits_in(codes[i]);
-    all = {"concat", bit_vector(width), {all, codes[i]}};
-  }
-  return all;
+std::vector<RtlCell> located(const RtlNets& rtl, const std::string& design, const char* kind,
+                             const std::vector<nets::Wire>& table) {
+  std::vector<Field> fields;
+  for (const nets::Wire& w : table) fields.push_back(w.field);
+  return located_fields(rtl, design, kind, fields);
 }
 
 }  // namespace cosim::proof

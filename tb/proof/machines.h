@@ -1,4 +1,4 @@
-// The formulas and nets of every machine that is built.
+// The golden models of every machine that is built, as nets, and their RTL.
 #pragma once
 
 #include <string>
@@ -9,32 +9,33 @@
 #include "model/core/stream.h"
 #include "tb/nets/jobs.h"
 #include "tb/nets/played.h"
-#include "tb/proof/machine.h"
-#include "tb/proof/rtl.h"
+#include "tb/proof/yosys.h"
 
 namespace cosim::proof {
 
 /// A design at a shape.
 struct BuiltMachine {
   std::string title;
-  /// How its model is made; null where no formula can be made of it.
-  MachineFormula (*formula)();
-  nets::Model (*nets)();
-  Source source;         ///< the RTL it was built from
-  bool streams = false;  ///< it has a stream model alone, without a step
+  nets::Model (*nets)();  ///< makes its model; null where it cannot be made
+  Source source;          ///< the RTL it was built from
+  bool streams = false;   ///< it has a stream model alone, without a step
   /// All that runs in lanes; null where there are no nets.
   nets::Played (*played)() = nullptr;
   /// What drives and checks its jobs; null where there are no nets.
   nets::Draw (*jobs)() = nullptr;
   bool resets_itself = false;  ///< a register of its RTL resets others without waiting for a clock
+
+  /// Whether its RTL can be held against its model. The nets of what is reset at once show on the
+  /// next step what they hold.
+  bool is_provable() const { return nets != nullptr && !resets_itself; }
 };
 
-/// Why there is no formula of a machine, for a person: what its model is.
-inline const char* model_without_formula(const BuiltMachine& machine) {
+/// What the model of a machine is, for a person who asks why something cannot be done with it.
+inline const char* kind_of_model(const BuiltMachine& machine) {
   if (machine.resets_itself) return "a register of its RTL resets others at once";
   return machine.streams ? "a stream model, which knows no clock"
                          : "a plain model, on machine integers alone";
-};
+}
 
 /// That of a shape: Trait has Design, params and title. `source`: its RTL.
 template <class Trait>
@@ -42,16 +43,10 @@ BuiltMachine built_machine(Source source) {
   using Design = typename Trait::Design;
   source.clocks_are_inputs = clocks_of<Design> != 0;
   if constexpr (requires { Trait::clocks; }) source.clocks_are_inputs |= *Trait::clocks != '\0';
-  BuiltMachine machine{Trait::title, nullptr, nullptr, std::move(source),
+  BuiltMachine machine{Trait::title, nullptr, std::move(source),
                        HasStreams<Design> && !StepsOn<Design, Word>};
   if constexpr (requires { Trait::resets; }) {
     machine.resets_itself = std::string_view(Trait::resets).find("inner ") != std::string::npos;
-  }
-  // The nets of what is reset so show on the next step what they hold.
-  if (machine.resets_itself) {
-    machine.formula = nullptr;
-  } else if constexpr (StepsOn<Design, Bits>) {
-    machine.formula = [] { return formula<Design>(Trait::params); };
   }
   if constexpr (StepsOn<Design, nets::Number>) {
     machine.nets = [] { return nets::model_of<Design>(Trait::params); };

@@ -19,9 +19,9 @@ using Some = std::vector<std::size_t>;  // points, by their numbers
 
 constexpr auto kLeastTime = std::chrono::seconds(2);  // for one question
 
-class Questions {
+class Rounds {
  public:
-  Questions(const Aig& graph, const std::vector<Aig::Lit>& points)
+  Rounds(const Aig& graph, const std::vector<Aig::Lit>& points)
       : graph_(graph), lits_(points), is_done_(points.size()) {
     all_.points.resize(points.size());
   }
@@ -119,7 +119,7 @@ class Questions {
 ReachedEach reach_each(const Aig& graph, const std::vector<Aig::Lit>& points,
                        std::chrono::steady_clock::time_point until, unsigned jobs,
                        const std::function<void(std::size_t)>& left) {
-  return Questions(graph, points).run(until, jobs, left);
+  return Rounds(graph, points).run(until, jobs, left);
 }
 
 }  // namespace cosim::proof

@@ -3,12 +3,13 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <set>
 #include <sstream>
 #include <string_view>
 
 #include "model/core/input_error.h"
 #include "tb/nets/blif.h"
-#include "tb/proof/first_word.h"
 #include "tb/proof/gates.h"
 #include "tb/proof/steps.h"
 #include "tb/support/output_file.h"
@@ -21,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char *kNets = "rtl.blif", *kWires = "rtl.wires";
+constexpr const char *kNets = "rtl.blif", *kWires = "rtl.wires", *kAsserts = "rtl.asserts";
 constexpr const char *kUnmet = ".cosim_unmet", *kCovered = ".cosim_covered";
 
 // For yosys: each assertion and each cover statement a net, where they are kept, and all else of
@@ -44,9 +45,10 @@ endmodule
 }
 
 // What is undefined in the RTL is free. What a gate leaves undefined, as a word that is not there,
-// is 0, as in the formulas.
+// is 0.
 std::string net_commands(const Source& source, const fs::path& folder) {
-  return commands_for_stated(source, folder) + step_commands(source, folder) +
+  return fmt::format("; select -write {} t:$assert t:$check", (folder / kAsserts).string()) +
+         commands_for_stated(source, folder) + step_commands(source, folder) +
          "; async2sync; setundef -undriven -anyseq" + gate_commands(folder) +
          commands_to_write_nets(folder, "opt_expr; opt_clean; ");
 }
@@ -64,20 +66,13 @@ RtlNets written_nets(const fs::path& folder, const Source& source) {
           source.asynchronous_reset};
 }
 
-BothWays read_both(const Source& source) {
-  const Scratch scratch;
-  const fs::path folder = scratch.path();
-  run_yosys(flat_commands(source) + "; design -save flat" + formula_commands(source, folder) +
-                "; design -load flat" + net_commands(source, folder),
-            source.top);
-  return {formulas_in(folder, source), written_nets(folder, source)};
-}
-
 RtlNets::RtlNets(const Source& source)
     : RtlNets([&] {
         const Scratch scratch;
         run_yosys(flat_commands(source) + net_commands(source, scratch.path()), source.top);
-        return written_nets(scratch.path(), source);
+        RtlNets nets = written_nets(scratch.path(), source);
+        nets.asserts_ = !read_file((scratch.path() / kAsserts).string()).empty();
+        return nets;
       }()) {}
 
 RtlNets::RtlNets(const std::string& top, const std::string& blif, const std::string& wires,
@@ -100,6 +95,7 @@ void RtlNets::read_wires(const std::string& text) {
       if (word == "width") words >> wire.width;
       if (word == "offset") words >> wire.first;
       if (word == "upto") wire.is_upward = true;
+      if (word == "input" || word == "output" || word == "inout") wire.way = word;
     }
     if (word[0] == '\\') wires_[word.substr(1)] = wire;
   }
@@ -110,8 +106,34 @@ int RtlNets::width(const std::string& wire) const {
   return of == wires_.end() ? 0 : of->second.width;
 }
 
+// The smallest number that stands behind "memory[" in the names of the wires.
 int RtlNets::first_word(const std::string& memory) const {
-  return proof::first_word(wires_, memory + '[');
+  const std::string begins = memory + '[';
+  std::optional<int> first;
+  for (auto wire = wires_.lower_bound(begins);
+       wire != wires_.end() && wire->first.starts_with(begins); ++wire) {
+    const int number = std::atoi(wire->first.c_str() + begins.size());
+    first = std::min(first.value_or(number), number);
+  }
+  return first.value_or(0);
+}
+
+std::vector<std::string> RtlNets::inputs() const {
+  std::set<std::string> clocks;
+  for (const auto& f : cells_.flip_flops) clocks.insert(f.clock);
+  std::vector<std::string> all;
+  for (const auto& [name, wire] : wires_) {
+    if (wire.way == "input" && !clocks.contains(name)) all.push_back(name);
+  }
+  return all;
+}
+
+std::vector<std::string> RtlNets::outputs() const {
+  std::vector<std::string> all;
+  for (const auto& [name, wire] : wires_) {
+    if (wire.way == "output") all.push_back(name);
+  }
+  return all;
 }
 
 std::size_t RtlNets::net(const std::string& wire, int bit) const {

@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "tb/nets/cells.h"
-#include "tb/proof/rtl.h"
+#include "tb/proof/yosys.h"
 
 namespace cosim::proof {
 
-/// One clock of a machine as tables of truth and flip-flops. Yosys makes them on another road than
-/// the formulas of Rtl: it maps every cell to gates, and flip-flops to the plain kind.
+/// One clock of a machine as tables of truth and flip-flops: yosys maps every cell to gates, and
+/// flip-flops to the plain kind.
 class RtlNets {
  public:
   /// Runs yosys on `source`. InputError where it cannot be run, or makes of the RTL something else
@@ -26,6 +26,11 @@ class RtlNets {
           bool asynchronous_reset = false);
 
   const nets::Cells& cells() const { return cells_; }
+  /// The ports of the top; of the inputs all but the clocks of its flip-flops.
+  std::vector<std::string> inputs() const;
+  std::vector<std::string> outputs() const;
+  /// Whether the RTL asserts something, where it was read from a Source.
+  bool asserts() const { return asserts_; }
   /// How many bits a wire of the top has, the word "store[3]" of a memory too; 0 where there is
   /// none.
   int width(const std::string& wire) const;
@@ -51,6 +56,7 @@ class RtlNets {
  private:
   std::vector<std::pair<std::string, std::size_t>> stated(const std::string& ending) const;
   struct Wire {
+    std::string way;  ///< "input", "output", "inout" or ""
     int width = 1;
     int first = 0;           ///< the index of its lowest bit
     bool is_upward = false;  ///< declared as [0:7]: the lowest bit has the highest index
@@ -59,6 +65,7 @@ class RtlNets {
   void find_flip_flops(bool asynchronous_reset);
 
   nets::Cells cells_;
+  bool asserts_ = false;
   std::map<std::string, Wire> wires_;
   std::map<std::string, std::size_t> numbers_;  // of nets, by name
   std::vector<std::optional<std::size_t>> shown_;
@@ -70,12 +77,5 @@ std::string commands_to_write_nets(const std::filesystem::path& folder,
                                    const std::string& cleaning = "");
 /// What they wrote.
 RtlNets written_nets(const std::filesystem::path& folder, const Source& source);
-
-/// A machine on both roads, by one run of yosys. InputError as of each.
-struct BothWays {
-  Rtl formulas;
-  RtlNets nets;
-};
-BothWays read_both(const Source& source);
 
 }  // namespace cosim::proof

@@ -6,18 +6,17 @@ namespace cosim::proof {
 
 Theorem at_every_width(const std::string& design, const std::string& sentence,
                        Asked (*ask)(const Widths&)) {
-  Claim claim{sentence, Answer::unsat, {}, {}}, premises{"its premises", Answer::sat, {}, {}};
+  Theorem theorem{design, sentence, {}, {}};
   for (const auto& machine : built_machines()) {
-    const MachineFormula formula = machine.formula();
-    if (formula.design != design) continue;
-    auto [script, wrong] = ask(formula.parameters);
+    if (!machine.title.starts_with(design + ' ')) continue;
+    auto [script, wrong] = ask(machine.nets().machine.parameters);
     Script possible = script;
     possible.ask(truth(true));
-    premises.queries.push_back({{machine.title}, possible.text()});
+    theorem.premises.push_back({machine.title, possible.text()});
     script.ask(wrong.expression());
-    claim.queries.push_back({{machine.title}, script.text()});
+    theorem.negated.push_back({machine.title, script.text()});
   }
-  return {design, sentence, claim, premises};
+  return theorem;
 }
 
 Bits free_number(Script& script, const std::string& name, int width) {

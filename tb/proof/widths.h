@@ -1,8 +1,8 @@
 // A theorem on a design's model at every width that is shipped.
 #pragma once
 
+#include "model/core/fields.h"
 #include "tb/proof/bits.h"
-#include "tb/proof/machine.h"
 #include "tb/proof/theorems.h"
 
 namespace cosim::proof {

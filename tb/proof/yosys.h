@@ -22,7 +22,8 @@ struct Source {
   std::vector<std::string> defines = {};  ///< "NAME" or "NAME=VALUE"
   /// Parameters that Verilog writes otherwise than as a plain number, as it does.
   std::map<std::string, std::string> constants = {};
-  bool asynchronous_reset = false;  ///< as of Rtl's constructor
+  /// A register's net may be the register and, where the reset is given, a constant.
+  bool asynchronous_reset = false;
   /// It has several clocks, inputs that say whether they take their edge.
   bool clocks_are_inputs = false;
   /// RtlNets keeps what the RTL asserts and covers. What is so stated at a clock takes flip-flops

@@ -1,5 +1,4 @@
-// Proofs as tasks of a regression: a claim on a machine is a unit. yosys makes the scripts once,
-// and where a claim is decided only the solvers are needed.
+// Proofs as tasks of a regression: a claim on a machine is a unit.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +8,7 @@
 #include "model/core/input_error.h"
 #include "tb/full/machine_of.h"
 #include "tb/full/refuted.h"
+#include "tb/full/trusted.h"
 #include "tb/program/chosen.h"
 #include "tb/proof/decide.h"
 #include "tb/report/failure.h"
@@ -24,34 +24,6 @@ namespace {
 
 constexpr std::uint64_t usual_limit = 300, longest_limit = 86400;
 
-Json as_json(const proof::Claim& claim) {
-  Json queries = Json::array();
-  for (const proof::Query& q : claim.queries) {
-    queries.push_back({{"asks", q.asks}, {"script", q.script}});
-  }
-  Json json{{"what", claim.what},
-            {"sat", claim.wanted == proof::Answer::sat},
-            {"queries", queries},
-            {"terms", claim.terms}};
-  if (claim.from_reset) json["from_reset"] = *claim.from_reset;
-  return json;
-}
-
-proof::Claim claim_from(const JsonAt& json) {
-  proof::Claim claim;
-  claim.what = json.at("what").text();
-  claim.wanted = json.at("sat").yes() ? proof::Answer::sat : proof::Answer::unsat;
-  for (const JsonAt& q : json.at("queries").list()) {
-    claim.queries.push_back({q.at("asks").texts(), q.at("script").text()});
-  }
-  claim.terms = json.at("terms").texts();
-  constexpr auto last = static_cast<std::uint64_t>(proof::Happens::assertion);
-  if (const auto what = json.find("from_reset")) {
-    claim.from_reset = static_cast<proof::Happens>(what->whole(0, last));
-  }
-  return claim;
-}
-
 // Of a checkpoint.
 Json decided_from(const JsonAt& json) {
   Json one{{"what", json.at("what").text()}, {"verdict", json.at("verdict").text()}};
@@ -64,13 +36,11 @@ Json decided_from(const JsonAt& json) {
   return one;
 }
 
-// A solver that is not there is no finding of the proof.
-void need_solvers(const proof::Decision& decision) {
+// An engine that is not there is no finding of the proof.
+void need_engines(const proof::Decision& decision) {
   for (const proof::Opinion& opinion : decision.opinions) {
-    for (const proof::Solved& one : opinion.solved) {
-      if (one.answer == proof::Answer::missing) {
-        throw InputError("needs " + to_text(opinion.engine));
-      }
+    if (opinion.solved.answer == proof::Answer::missing) {
+      throw InputError("needs " + to_text(opinion.engine));
     }
   }
 }
@@ -80,20 +50,12 @@ class ProveWork final : public regress::Work {
   ProveWork(const proof::BuiltMachine& machine, std::uint64_t claims, int limit)
       : Work(machine.title, claims), machine_(machine), limit_(limit) {}
 
-  void prepare(const std::filesystem::path& prepared, bool) const override {
-    Json claims = Json::array();
-    const proof::MachineFormula formula = machine_.formula();
-    for (const proof::Claim& claim :
-         claims_of(formula, machine_.nets(), source_for(formula, machine_.source))) {
-      claims.push_back(as_json(claim));
-    }
-    if (claims.size() < units()) throw std::logic_error("other claims than were counted");
-    replace_file(prepared.string(), json_text(claims));
-  }
-
   Json run(std::uint64_t first, std::uint64_t last, const regress::Place& place) const override {
-    const std::string file = place.prepared.string();
-    const auto claims = JsonAt(file, read_file(file)).list(units());
+    const nets::Model model = machine_.nets();
+    const proof::Source source = source_for(model, machine_.source);
+    require_read(model, source);
+    const auto claims = claims_of(model, source);
+    if (claims.size() < units()) throw std::logic_error("other claims than were counted");
     // That RTL asserts something is not known before yosys reads it: the last unit has that claim
     // too.
     const std::uint64_t end = last == units() ? claims.size() : last;
@@ -102,7 +64,7 @@ class ProveWork final : public regress::Work {
       for (const JsonAt& one : state->list(0, end - first)) decided.push_back(decided_from(one));
     }
     for (std::uint64_t i = first + decided.size(); i < end; ++i) {
-      decided.push_back(decide_one(claim_from(claims[i]), place));
+      decided.push_back(decide_one(model, claims[i], place));
       place.checkpoint.save(decided);
     }
     Json all = Json::array(), failed = Json::array();
@@ -127,23 +89,24 @@ class ProveWork final : public regress::Work {
   }
 
  private:
-  Json decide_one(const proof::Claim& claim, const regress::Place& place) const {
+  Json decide_one(const nets::Model& model, const proof::Claim& claim,
+                  const regress::Place& place) const {
     InterruptGuard::check();
     const proof::Decision decision =
         proof::decide({&claim}, {proof::all_engines(), limit_, 1}).front();
-    need_solvers(decision);
+    need_engines(decision);
     Json json{{"what", claim.what}, {"verdict", decision.verdict}};
     if (decision.proved) return json;
     std::optional<FromResetAnswer> from_reset;
     if (claim.from_reset && !decision.disagree) {
-      proof::Source source = source_for(machine_.formula(), machine_.source);
+      proof::Source source = source_for(model, machine_.source);
       source.keeps_statements = true;
-      from_reset = asked_from_reset(proof::FromReset(machine_.nets(), proof::RtlNets(source)),
+      from_reset = asked_from_reset(proof::FromReset(model, proof::RtlNets(source)),
                                     *claim.from_reset, bench(), std::chrono::seconds(limit_), 1);
       json["verdict"] = from_reset->verdict;
       if (from_reset->ever == proof::Ever::never) return json;
     }
-    json["failed"] = failed(claim, decision, from_reset, place);
+    json["failed"] = failed(model, claim, decision, from_reset, place);
     return json;
   }
 
@@ -153,7 +116,7 @@ class ProveWork final : public regress::Work {
   }
 
   // A counterexample that lockstep shows has a folder; else the command finds it again.
-  Json failed(const proof::Claim& claim, const proof::Decision& decision,
+  Json failed(const nets::Model& model, const proof::Claim& claim, const proof::Decision& decision,
               const std::optional<FromResetAnswer>& from_reset, const regress::Place& place) const {
     Json json{{"what", fmt::format("{}: {}", claim.what,
                                    from_reset ? from_reset->verdict : decision.verdict)},
@@ -161,7 +124,7 @@ class ProveWork final : public regress::Work {
     std::optional<Mismatch> mismatch;
     if (from_reset && from_reset->ever == proof::Ever::yes) {
       mismatch = from_reset->run.mismatch;
-    } else if (auto found = refuted(machine_.formula(), bench(), claim, decision, limit_)) {
+    } else if (auto found = refuted(model, bench(), decision)) {
       mismatch = std::move(found->run.mismatch);
     }
     if (!mismatch) return json;
@@ -191,13 +154,13 @@ class ProveKind final : public regress::Kind {
     regress::Works works;
     for (const AnyBench* bench : chosen_shapes(words_in(task.text("prove")))) {
       const proof::BuiltMachine& machine = machine_of(*bench);
-      if (machine.formula == nullptr) {
+      if (!machine.is_provable()) {
         throw InputError(fmt::format("{}: {}: nothing can be proved of it", machine.title,
-                                     model_without_formula(machine)));
+                                     kind_of_model(machine)));
       }
-      const proof::MachineFormula formula = machine.formula();
+      const auto model = machine.nets();
       const std::uint64_t claims =
-          (formula.unobserved.empty() ? 3 : 2) + (formula.legal.empty() ? 0 : 1);
+          (model.machine.unobserved.empty() ? 3 : 2) + (model.machine.legal.empty() ? 0 : 1);
       works.push_back(std::make_unique<ProveWork>(machine, claims, limit));
     }
     return works;

@@ -33,7 +33,7 @@ class Asked {
       // Only a wave has files beside it.
       if (path.extension() == ".fst")
         stems_.push_back(path.string().substr(0, path.string().size() - 4));
-      if (named.option == "--failures" || named.option == "--scripts")
+      if (named.option == "--failures" || named.option == "--keep")
         folders_.push_back(path.string() + '/');
     }
   }

@@ -38,8 +38,8 @@ TEST(Help, NamesEveryOption) {
        {"FILE", "--wave FILE.fst", "--html FILE.html", "--failures DIR", "--wave-before N",
         "--wave-after N", "--report FILE", "--allow-nothing-compared"}},
       {"prove",
-       {"MACHINE", "--rtl DIR", "--limit S", "--jobs J", "--scripts DIR", "--theorems",
-        "--mutants N", "--count N", "--mutant K", "--failures DIR"}}};
+       {"MACHINE", "--rtl DIR", "--limit S", "--jobs J", "--keep DIR", "--theorems", "--mutants N",
+        "--count N", "--mutant K", "--failures DIR"}}};
   expect_in(help({}), {"0 match, 1 mismatch, 2 bad input"});
   for (const auto& [command, words] : options) expect_in(help({command}), words);
   const std::vector<Arguments> sweeps = commands({"sweep"});
@@ -118,8 +118,8 @@ TEST(Help, HasExamplesThatRun) {
 }
 
 TEST(Help, HasAProofThatRuns) {
-  if (std::system("{ command -v yosys && command -v cvc5 && command -v z3; } > /dev/null") != 0) {
-    GTEST_SKIP() << "needs yosys, cvc5 and z3";
+  if (std::system("{ command -v yosys; } > /dev/null") != 0) {
+    GTEST_SKIP() << "needs yosys";
   }
   expect_example_runs({"prove"});
 }

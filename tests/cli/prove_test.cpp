@@ -4,8 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <map>
 
 #include "tb/support/pattern.h"
+#include "tb/support/process.h"
+#include "tb/support/read_file.h"
 #include "tests/cli/program.h"
 #include "tests/support/root.h"
 #include "tests/support/stand_ins.h"
@@ -20,49 +23,45 @@ const std::string kFault = COSIM_VARIANTS "/circular_faults_variants_swapped";
 class Prove : public InAFolder {
  protected:
   void SetUp() override {
-    for (const char* program : {"yosys -V", "cvc5 --version", "z3 --version"}) {
+    for (const char* program : {"yosys -V", "z3 --version"}) {
       const std::string silent = std::string(program) + " > /dev/null 2>&1";
-      if (std::system(silent.c_str()) != 0) GTEST_SKIP() << "needs yosys, cvc5 and z3";
+      if (std::system(silent.c_str()) != 0) GTEST_SKIP() << "needs yosys and z3";
     }
   }
 };
 
 bool says(const Ended& ended, const std::string& pattern) { return Pattern(pattern).in(ended.out); }
 
-// What the solvers are given can be read, and given to them by hand.
+// What the engines are given can be read, and given to one by hand.
 TEST_F(Prove, AMachine) {
-  const std::string scripts = folder.path("scripts");
-  const Ended ended =
-      ends(0, cosim({"prove", "circular", "W=4", "--rtl", kRtl, "--scripts", scripts}));
+  const std::string asked = folder.path("asked");
+  const Ended ended = ends(0, cosim({"prove", "circular", "W=4", "--rtl", kRtl, "--keep", asked}));
   EXPECT_TRUE(
-      says(ended, "\ncircular W=4 +base case: a reset makes them the same +[0-9. ]+ - +proved\n"));
-  EXPECT_TRUE(
-      says(ended, "\n3 of 3 claims proved, each by two of cec, z3 and cvc5, in [0-9.]+ s\n$"))
+      says(ended, "\ncircular W=4 +base case: a reset makes them the same +[0-9. ]+ +proved\n"));
+  EXPECT_TRUE(says(ended, "\n3 of 3 claims proved, by cec and cadical, in [0-9.]+ s\n$"))
       << ended.out;
-  int unsatisfiable = 0;
-  for (const auto& file : std::filesystem::directory_iterator(scripts)) {
-    if (file.path().string().find("a_reset_makes") == std::string::npos) continue;
-    const std::string ask = "z3 " + file.path().string() + " | grep -qx unsat";
-    unsatisfiable += std::system(ask.c_str()) == 0;
+  std::map<std::string, int> answers;
+  for (const auto& file : std::filesystem::directory_iterator(asked)) {
+    const auto abc = cosim::run_program(
+        {"yosys-abc", "-q", "read_aiger " + file.path().string() + "; strash; dsat"});
+    ++answers[abc.text.substr(0, abc.text.find(' '))];
   }
-  EXPECT_EQ(unsatisfiable, 1);
+  EXPECT_EQ(answers["UNSATISFIABLE"], 2);  // the base case and the step
+  EXPECT_EQ(answers["SATISFIABLE"], 33);   // the cases
 }
 
 // PATH has an empty folder.
 TEST(ProveWithoutEngines, SaysSoInALine) {
   const Folder folder;
   const test::WithPath none(folder.path(""));
-  for (const Arguments& more :
-       {Arguments{}, Arguments{"--theorems"}, Arguments{"--engines", "z3"}}) {
-    const Ended ended = cosim(joined({"prove", "circular"}, more));
-    EXPECT_EQ(ended.out, "");
-    expect_has(refusal(ended), {"prove: needs ", "z3"});
-  }
+  EXPECT_EQ(refusal(cosim({"prove", "circular"})),
+            "cosim: prove: needs cec, not installed: yosys-abc\n");
+  EXPECT_EQ(refusal(cosim({"prove", "--theorems"})), "cosim: prove: needs z3, not installed\n");
 }
 
 TEST_F(Prove, TheTheoremsOfADesign) {
   const Ended ended = ends(0, cosim({"prove", "--theorems", "circular"}));
-  const Pattern verdict("\n([0-9]+) of ([0-9]+) theorems proved by z3 and cvc5\n$");
+  const Pattern verdict("\n([0-9]+) of ([0-9]+) theorems proved by z3\n$");
   const auto counts = verdict.all(ended.out);
   ASSERT_EQ(counts.size(), 1U) << ended.out;
   EXPECT_EQ(counts[0][1], counts[0][2]);
@@ -96,9 +95,33 @@ TEST_F(Prove, ShowsACounterexampleOfOtherRtl) {
       ends(1, cosim({"prove", "circular", "W=4", "--rtl", kFault, "--failures", failures}));
   EXPECT_TRUE(says(ended, "\nfrom reset, on clock [0-9]+: (register|output) ")) << ended.out;
   EXPECT_FALSE(says(ended, "\n3 of 3"));
-  const auto kept = Pattern("\nthe formulas. As a stimulus: (.*)\n").all(ended.out);
+  const auto kept = Pattern("\nthe gates. As a stimulus: (.*)\n").all(ended.out);
   ASSERT_EQ(kept.size(), 1U) << ended.out;
   EXPECT_EQ(cosim({"replay", kept[0][1], "--failures", failures}).status, 0);
+}
+
+// RTL that yosys 0.23 reads otherwise than it is written, an empty text in a concatenation, is seen
+// in simulation; nothing is said of it, right or wrong.
+TEST_F(Prove, SaysNothingOfRtlThatIsMisread) {
+  std::filesystem::copy(kRtl + "/circular", folder.path("circular"));
+  const std::string file = folder.path("circular/circular.v");
+  std::string text = read_file(file);
+  const std::string good = "assign running = t4_q;";
+  const std::size_t at = text.find(good);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, good.size(),
+               "assign running = t4_q & ({1'b1, \"\", 1'b1} == 10'b10_0000_0001);");
+  folder.write("circular/circular.v", text);
+  const auto prove = [&] { return cosim({"prove", "circular", "W=4", "--rtl", folder.path("")}); };
+  for (const char* time : {"first", "from what is kept of it"}) {
+    const std::string said = refusal(prove());
+    if (said.empty()) GTEST_SKIP() << "not here: this yosys reads it as it is written";
+    expect_has(said,
+               {"cosim: circular W=4: the RTL is not read as it is written: output running is 1 "
+                "on clock ",
+                " in Icarus Verilog, and 0 on the netlist that yosys reads\n"});
+    SCOPED_TRACE(time);
+  }
 }
 
 // One line tells on a terminal which row comes next, and is gone in the end.

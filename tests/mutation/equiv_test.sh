@@ -7,7 +7,7 @@
 # a clock is another machine too, which equiv refuses to compare.
 # Status: 0 so, 1 not, 77 where a tool is not installed.
 source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
-needs yosys cvc5 z3
+needs yosys
 cosim=$1 program=$2 shape=$3 count=$4 nets=$5
 
 "$program" "$shape" "$count" "$folder/results.json"

@@ -5,7 +5,7 @@
 # except for the seconds; its results file is never incomplete.
 # Status: 0 so, 1 not, 77 where a solver is not installed.
 source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
-needs cvc5 z3
+needs yosys
 
 program=("$@")
 

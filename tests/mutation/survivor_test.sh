@@ -27,9 +27,6 @@ for one in "${kept[@]}"; do
   grep -F "\"what\": \"${what//\\/\\\\}" "$one/report.json" > /dev/null
   grep -q 'hostile clocks' "$one/report.txt"
 done
-for tool in cvc5 z3; do
-  command -v "$tool" > /dev/null || { echo "skipped: not proved, no $tool" && exit 77; }
-done
 read -ra prove < <(sed -n 's|^  scripts/prove ||p' "$one/report.txt")
 "$cosim" prove "${prove[@]}" | tee "$folder/proof"
 grep -q '1 proved to be the same' "$folder/proof"

@@ -58,24 +58,24 @@ std::vector<Planted> subjects() {
 
 class Proof : public testing::TestWithParam<Planted> {};
 TEST_P(Proof, Refutes) {
-  if (!can_prove()) GTEST_SKIP() << "needs yosys, cvc5 and z3";
+  if (!can_prove()) GTEST_SKIP() << "needs yosys";
   const Planted& s = GetParam();
   const auto& machine = *machine_of(*s.bench).first;
-  const proof::MachineFormula formula = machine.formula();
-  const auto claims = claims_of(formula, machine.nets(), source_of(s.design, s.name, *s.bench));
+  const nets::Model model = machine.nets();
+  const auto claims = claims_of(model, source_of(s.design, s.name, *s.bench));
   const proof::Claim &clear = claims[0], &step = claims[1];
 
-  // By cec and by a solver, each with a counterexample of its own.
-  for (const auto& engines : {std::vector{proof::Engine::cec, proof::Engine::z3},
-                              std::vector{proof::Engine::z3}, std::vector{proof::Engine::cec}}) {
+  // By both engines, each with a counterexample of its own.
+  for (const auto& engines :
+       {proof::all_engines(), {proof::Engine::cadical}, {proof::Engine::cec}}) {
     const auto decided = proof::decide({&clear, &step}, {engines, kLimit, 1});
     ASSERT_TRUE(decided[0].refuted || decided[1].refuted)
         << s.what << "\nclear: " << decided[0].verdict << "\nstep: " << decided[1].verdict;
     if (!decided[1].refuted || engines.size() == 2) continue;
 
-    const auto c = counterexample(formula, refuting_values(step, decided[1], kLimit));
+    const auto c = proof::counterexample(model, proof::refuting_values(decided[1]));
     ASSERT_TRUE(c);
-    const Stimulus stimulus = s.bench->clock_from(words(c->state), words(c->inputs));
+    const Stimulus stimulus = s.bench->clock_from(proof::words(c->state), proof::words(c->inputs));
     const auto run = s.bench->replay(stimulus);
     ASSERT_TRUE(run.mismatch) << "no counterexample in simulation:\n" << to_text(*c);
     EXPECT_LE(run.mismatch->clock, 1U);

@@ -33,7 +33,7 @@ done
 # By dpkg where it knows them, and by name where they are built elsewhere.
 xargs dpkg-query -L < "$folder/others" 2> "$folder/unknown" | grep -oP '^/usr/s?bin/\K.*' > "$folder/gone" || true
 # sudo finds the programs of the whole system.
-printf '%s\n' yosys yosys-abc z3 cvc5 git sudo >> "$folder/gone"
+printf '%s\n' yosys yosys-abc z3 git sudo >> "$folder/gone"
 (cd "$bin" && xargs rm -f apt-get apt-cache dpkg-query cmake ctest) < "$folder/gone"
 
 program() { cat > "$bin/$1" && chmod +x "$bin/$1"; }

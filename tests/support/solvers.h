@@ -11,7 +11,7 @@ constexpr int kLimit = 3600;
 
 /// Whether the engines, and yosys where RTL is read, are installed.
 inline bool can_prove() {
-  for (const char* program : {"yosys", "yosys-abc", "cvc5", "z3"}) {
+  for (const char* program : {"yosys", "yosys-abc"}) {
     if (!is_installed(program)) return false;
   }
   return true;

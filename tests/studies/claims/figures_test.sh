@@ -28,11 +28,9 @@ machines=$(wc -l <<< "$shapes")
 files=(tests/designs/*/rtl/variants/{faults,errata,deep}/*.cmake)
 model=$(grep -cvE '^ *(//.*)?$' examples/fir/fir.h)
 
-# Solvers that know nothing: the theorems are counted, not proved.
-for solver in z3 cvc5; do
-  printf '#!/bin/sh\necho unknown\n' > "$folder/$solver"
-  chmod +x "$folder/$solver"
-done
+# A solver that knows nothing: the theorems are counted, not proved.
+printf '#!/bin/sh\necho unknown\n' > "$folder/z3"
+chmod +x "$folder/z3"
 theorems=$(PATH=$folder:$PATH "$program" prove --theorems 2>&1 |
   sed -n 's/^0 of \([0-9]*\) theorems proved by .*/\1/p') || true
 

@@ -6,8 +6,9 @@
 
 #include "model/core/input_error.h"
 #include "tb/proof/decide.h"
+#include "tb/proof/from_reset.h"
 #include "tb/proof/machines.h"
-#include "tb/proof/mutants.h"
+#include "tb/proof/mutant_questions.h"
 #include "tests/support/error_of.h"
 #include "tests/support/root.h"
 #include "tests/support/solvers.h"
@@ -27,164 +28,146 @@ std::vector<BuiltMachine> smallest() {
   return all;
 }
 
-Rtl rtl_of(const MachineFormula& m) {
-  return read_both(source_in(test::project_root() / "rtl", m.design, m.parameters)).formulas;
+RtlNets rtl_of(const nets::Model& model) {
+  const auto& m = model.machine;
+  return RtlNets(source_in(test::project_root() / "rtl", m.design, m.parameters));
 }
 
-Decision decided(const Claim& claim) {
-  return decide({&claim}, {all_engines(), kLimit, 1}).front();
+Decision decided(const Claim& claim, const std::vector<Engine>& engines = all_engines()) {
+  return decide({&claim}, {engines, kLimit, 1}).front();
 }
 
 class Claims : public testing::TestWithParam<BuiltMachine> {
  protected:
   void SetUp() override {
-    if (!can_prove()) GTEST_SKIP() << "needs yosys, cvc5 and z3";
+    if (!can_prove()) GTEST_SKIP() << "needs yosys";
   }
 };
 
-std::vector<Claim> claims_of(const MachineFormula& m, const nets::Model& model) {
-  return claims_of(m, model, source_in(test::project_root() / "rtl", m.design, m.parameters));
-}
-
 TEST_P(Claims, AreProvedByEachEngine) {
-  for (const Claim& c : claims_of(GetParam().formula(), GetParam().nets())) {
-    for (const Engine e : all_engines()) {
-      EXPECT_EQ(decide({&c}, {{e}, kLimit, 1}).front().verdict, "proved") << c.what;
-    }
+  const nets::Model model = GetParam().nets();
+  const auto& m = model.machine;
+  for (const Claim& c :
+       claims_of(model, source_in(test::project_root() / "rtl", m.design, m.parameters))) {
+    for (const Engine e : all_engines()) EXPECT_EQ(decided(c, {e}).verdict, "proved") << c.what;
   }
 }
 
-HappensFromReset asked(const nets::Model& model, const MachineFormula& m,
+HappensFromReset asked(const nets::Model& model, const RtlNets& rtl,
                        Happens what = Happens::differ) {
-  Source source = source_in(test::project_root() / "rtl", m.design, m.parameters);
-  return FromReset(model, RtlNets(source))
+  return FromReset(model, rtl)
       .ask(what, std::chrono::steady_clock::now() + std::chrono::seconds(kLimit), 2);
 }
 
 // What no reset leads to needs no sentence.
 TEST_P(Claims, FromResetNeedNoInvariant) {
-  const MachineFormula formula = GetParam().formula();
   nets::Model model = GetParam().nets();
   model.machine.invariant.resize(1);
   model.machine.invariant_after.resize(1);
-  EXPECT_EQ(asked(model, formula).reached.ever, Ever::never);
+  EXPECT_EQ(asked(model, rtl_of(model)).reached.ever, Ever::never);
 }
 
 // It is of this model, of its reset state and of every sentence; where no input is legal, of
 // nothing.
 TEST_P(Claims, FromResetAreRefutedByAStimulus) {
-  const MachineFormula formula = GetParam().formula();
   const nets::Model model = GetParam().nets();
+  const RtlNets rtl = rtl_of(model);
   nets::Model wrong = model;
   nets::Bit& last = wrong.machine.outputs.back().code.front();
   last = !last;
-  HappensFromReset found = asked(wrong, formula);
+  HappensFromReset found = asked(wrong, rtl);
   EXPECT_EQ(found.reached.ever, Ever::yes);
   ASSERT_EQ(found.clocks.size(), 1U);
   EXPECT_EQ(found.clocks.front().size(), model.machine.inputs.size());
-  EXPECT_EQ(found.what, std::vector{std::string("output ") + formula.outputs.back().field.name});
+  EXPECT_EQ(found.what,
+            std::vector{std::string("output ") + model.machine.outputs.back().field.name});
   wrong.machine.legal.push_back({"nothing", nets::no});
-  EXPECT_EQ(asked(wrong, formula).reached.ever, Ever::never);
+  EXPECT_EQ(asked(wrong, rtl).reached.ever, Ever::never);
   wrong = model;
   for (nets::Wire& w : wrong.machine.begins) w.code.front() = !w.code.front();
-  found = asked(wrong, formula);
+  found = asked(wrong, rtl);
   EXPECT_EQ(found.reached.ever, Ever::yes);
   EXPECT_EQ(found.clocks.size(), 1U);
   wrong = model;
   wrong.machine.invariant.push_back({"never", nets::no});
-  EXPECT_EQ(asked(wrong, formula).what, std::vector{std::string("not so: never")});
+  EXPECT_EQ(asked(wrong, rtl).what, std::vector{std::string("not so: never")});
   wrong = model;
   wrong.machine.idle.push_back({"none", nets::no});
-  EXPECT_EQ(asked(wrong, formula, Happens::stuck).reached.ever, Ever::yes);
-  EXPECT_EQ(asked(model, formula, Happens::assertion).reached.ever, Ever::never);
+  EXPECT_EQ(asked(wrong, rtl, Happens::stuck).reached.ever, Ever::yes);
+  EXPECT_EQ(asked(model, rtl, Happens::assertion).reached.ever, Ever::never);
 }
 
-// As for scripts below: nets that are of another model, or of another invariant, are refuted.
-TEST_P(Claims, OnNetsNeedTheModelAndEverySentenceOfTheInvariant) {
-  const MachineFormula formula = GetParam().formula();
+// A claim of another model, or of another invariant, is refuted: without any one sentence of the
+// invariant RTL and model part, so it is as weak as it can be. The ranges of the fields stand for
+// all sentences here.
+TEST_P(Claims, NeedTheModelAndEverySentenceOfTheInvariant) {
   const nets::Model model = GetParam().nets();
-  const auto by_cec = [&](const nets::Model& other, std::size_t claim) {
-    const Claim c = claims_of(formula, other)[claim];
-    return decide({&c}, {{Engine::cec}, kLimit, 1}).front();
-  };
+  const RtlNets rtl = rtl_of(model);
+  const auto step = [&](const nets::Model& other) { return decided(claim_step(other, rtl)); };
   for (std::size_t i = 1; i < model.machine.invariant.size(); ++i) {
     nets::Model less = model;
-    less.machine.invariant.erase(less.machine.invariant.begin() + static_cast<std::ptrdiff_t>(i));
-    EXPECT_TRUE(by_cec(less, 1).refuted) << model.machine.invariant[i].name;
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    less.machine.invariant.erase(less.machine.invariant.begin() + at);
+    less.machine.invariant_after.erase(less.machine.invariant_after.begin() + at);
+    EXPECT_TRUE(step(less).refuted) << model.machine.invariant[i].name;
   }
   nets::Model wrong = model;
   wrong.machine.after.front().code.front() = !wrong.machine.after.front().code.front();
-  EXPECT_TRUE(by_cec(wrong, 1).refuted);
+  EXPECT_TRUE(step(wrong).refuted);
   wrong = model;
   wrong.machine.outputs.front().code.front() = nets::yes;
-  EXPECT_TRUE(by_cec(wrong, 1).refuted);
+  EXPECT_TRUE(step(wrong).refuted);
   wrong = model;
   wrong.machine.invariant_after.push_back({"never", nets::no});
-  EXPECT_TRUE(by_cec(wrong, 1).refuted);
+  EXPECT_TRUE(step(wrong).refuted);
   wrong = model;
   wrong.machine.reset_state.back().code.back() = !wrong.machine.reset_state.back().code.back();
-  EXPECT_TRUE(by_cec(wrong, 0).refuted);
-  wrong = model;
-  wrong.machine.invariant.push_back({"nothing", nets::no});
-  EXPECT_TRUE(by_cec(wrong, 1).proved);
-  EXPECT_TRUE(by_cec(wrong, 2).refuted);
-}
-
-// Without any one sentence of the invariant RTL and model part, so it is as weak as it can be. The
-// ranges of the fields stand for all sentences here.
-TEST_P(Claims, NeedEverySentenceOfTheInvariant) {
-  const MachineFormula whole = GetParam().formula();
-  const Rtl rtl = rtl_of(whole);
-  for (std::size_t i = 1; i < whole.invariant.size(); ++i) {
-    MachineFormula less = whole;
-    less.invariant.erase(less.invariant.begin() + static_cast<std::ptrdiff_t>(i));
-    less.invariant_after.erase(less.invariant_after.begin() + static_cast<std::ptrdiff_t>(i));
-    EXPECT_TRUE(decided(claim_step(less, rtl)).refuted) << whole.invariant[i].name;
-  }
+  EXPECT_TRUE(decided(claim_base_case(wrong, rtl)).refuted);
 }
 
 // What a mutant may rest on.
 TEST_P(Claims, AreProvedOfWhatIsReached) {
-  const MachineFormula whole = GetParam().formula();
-  EXPECT_EQ(decided(reached_claim(whole)).verdict, "proved");
-  MachineFormula wrong = whole;
-  wrong.reached_after.push_back({"never", truth(false)});
-  EXPECT_TRUE(decided(reached_claim(wrong)).refuted);
+  nets::Model model = GetParam().nets();
+  EXPECT_EQ(decided(reached_claim(model)).verdict, "proved");
+  model.machine.reached_after.push_back({"never", nets::no});
+  EXPECT_TRUE(decided(reached_claim(model)).refuted);
 }
 
 // Were the hypotheses contradictory, all would be proved; the cases would not be possible.
 TEST_P(Claims, OfNothingAreNoProof) {
-  MachineFormula empty = GetParam().formula();
-  const Rtl rtl = rtl_of(empty);
-  empty.invariant.push_back({"nothing", truth(false)});
-  EXPECT_TRUE(decided(claim_step(empty, rtl)).proved);
+  nets::Model empty = GetParam().nets();
+  empty.machine.invariant.push_back({"nothing", nets::no});
+  EXPECT_TRUE(decided(claim_step(empty, rtl_of(empty))).proved);
   EXPECT_TRUE(decided(claim_cases(empty)).refuted);
 }
 
 TEST_P(Claims, AreOfEveryRegister) {
-  const Rtl rtl = rtl_of(GetParam().formula());
-  MachineFormula unnamed = GetParam().formula();
-  unnamed.registers.pop_back();
-  unnamed.after.pop_back();
-  unnamed.reset_state.pop_back();
-  EXPECT_THROW(claim_step(unnamed, rtl), InputError);
-  MachineFormula other = GetParam().formula();
-  other.registers.front().field.net = "no_such";
+  nets::Model unnamed = GetParam().nets();
+  const RtlNets rtl = rtl_of(unnamed);
+  unnamed.machine.registers.pop_back();
+  unnamed.machine.after.pop_back();
+  unnamed.machine.reset_state.pop_back();
+  EXPECT_EQ(test::error_of([&] { claim_step(unnamed, rtl); }),
+            unnamed.machine.design + ": the RTL has a register that no table names");
+  nets::Model other = GetParam().nets();
+  other.machine.registers.front().field.net = "no_such";
   EXPECT_THROW(claim_step(other, rtl), InputError);
 }
 
 // A port that no table names would be compared with nothing, or stay free.
 TEST_P(Claims, AreOfEveryPort) {
-  const Rtl rtl = rtl_of(GetParam().formula());
+  const nets::Model whole = GetParam().nets();
+  const RtlNets rtl = rtl_of(whole);
   const auto expect_refused = [&](const std::string& kind, auto ports) {
-    MachineFormula fewer = GetParam().formula();
-    const std::string name = (fewer.*ports).back().field.name;
-    (fewer.*ports).pop_back();
+    nets::Model fewer = whole;
+    const std::string name = (fewer.machine.*ports).back().field.name;
+    (fewer.machine.*ports).pop_back();
     EXPECT_EQ(test::error_of([&] { claim_step(fewer, rtl); }),
-              fewer.design + ": the RTL has an " + kind + name + " that no table names");
+              fewer.machine.design + ": the RTL has an " + kind + name + " that no table names");
   };
-  expect_refused("output ", &MachineFormula::outputs);
-  expect_refused("input ", &MachineFormula::inputs);
+  using Machine = nets::MachineOf<nets::Number>;
+  expect_refused("output ", &Machine::outputs);
+  expect_refused("input ", &Machine::inputs);
 }
 
 std::string name_of(const testing::TestParamInfo<BuiltMachine>& info) {
@@ -194,10 +177,10 @@ INSTANTIATE_TEST_SUITE_P(Smallest, Claims, testing::ValuesIn(smallest()), name_o
 
 TEST(Source, ThatIsNoneIsRefused) {
   EXPECT_THROW(source_in(test::project_root() / "model", "nothing", {}), InputError);
-  if (!can_prove()) GTEST_SKIP() << "needs yosys, cvc5 and z3";
+  if (!can_prove()) GTEST_SKIP() << "needs yosys";
   Source source = source_in(test::project_root() / "rtl", "linear", {{"M", 5}, {"N", 2}});
   source.top = "no_such_module";
-  EXPECT_THROW(read_both(source), InputError);
+  EXPECT_THROW(RtlNets{source}, InputError);
 }
 
 }  // namespace

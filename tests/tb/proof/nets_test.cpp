@@ -1,11 +1,14 @@
-// Questions on nets, and what abc says of them.
+// Questions about gates, and what the engines say of them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdlib>
 #include <filesystem>
 
-#include "tb/proof/abc.h"
+#include "tb/nets/number.h"
+#include "tb/proof/engines.h"
+#include "tb/proof/rtl_nets.h"
 #include "tests/support/solvers.h"
 #include "tests/support/stand_ins.h"
 
@@ -15,8 +18,8 @@ namespace {
 using nets::Bit, test::kLimit;
 
 // Whether the product of two numbers of two bits can be 7, 9 or 5, and they then.
-NetQuestions products() {
-  NetQuestions q;
+Questions products() {
+  Questions q;
   const auto number = [&](const char* name) {
     std::vector<Bit> code;
     for (int i = 0; i < 2; ++i) {
@@ -36,14 +39,44 @@ NetQuestions products() {
   return q;
 }
 
-TEST(Abc, AnswersEachQuestionAndSaysWhen) {
-  if (!test::can_prove()) GTEST_SKIP() << "needs yosys, cvc5 and z3";
-  const Solved solved = solve(products(), kLimit);
-  EXPECT_EQ(solved.answers, (std::vector{Answer::unsat, Answer::sat, Answer::unsat}))
-      << solved.said;
-  EXPECT_EQ(solved.answer, Answer::unsat);
-  EXPECT_EQ(solved.values.at("a"), "#b11");
-  EXPECT_EQ(solved.values.at("b"), "#b11");
+TEST(Engines, AnswerEachQuestionAndSayWhen) {
+  if (!test::can_prove()) GTEST_SKIP() << "needs yosys";
+  for (const Engine engine : all_engines()) {
+    const Solved solved = solve(engine, products(), kLimit);
+    EXPECT_EQ(solved.answers, (std::vector{Answer::unsat, Answer::sat, Answer::unsat}))
+        << solved.said;
+    EXPECT_EQ(solved.answer, Answer::unsat);
+    EXPECT_EQ(solved.values.at("a"), 3);
+    EXPECT_EQ(solved.values.at("b"), 3);
+  }
+}
+
+// Whether a prime of 61 bits is a product of two numbers of so many bits: no engine knows soon.
+Questions factors(int bits) {
+  Questions q;
+  const auto number = [&](const std::string& name) {
+    std::vector<Bit> code;
+    for (int i = 0; i < bits; ++i) {
+      code.push_back(q.graph.input());
+      q.inputs.push_back({name + std::to_string(i), code.back()});
+    }
+    return nets::Number::unsigned_code(q.graph, code);
+  };
+  const nets::Number a = number("a"), b = number("b");
+  const Word prime = (Word{1} << 61) - 1;
+  const auto more_than_one = [](const nets::Number& n) { return n > nets::Number(1); };
+  q.asked.push_back(
+      {"factors", ((a * b == nets::Number(prime)) & more_than_one(a) & more_than_one(b)).bit()});
+  return q;
+}
+TEST(Engines, AreStoppedAtTheirLimitOrWhereNoMoreIsWanted) {
+  if (!test::can_prove()) GTEST_SKIP() << "needs yosys";
+  const std::atomic<bool> no_more = true;
+  for (const Engine engine : all_engines()) {
+    EXPECT_EQ(solve(engine, factors(31), 1).answer, Answer::timed_out) << to_text(engine);
+    EXPECT_EQ(solve(engine, factors(31), kLimit, &no_more).answer, Answer::stopped)
+        << to_text(engine);
+  }
 }
 
 // Programs of this name in place of it.
@@ -55,22 +88,22 @@ class StandIn : public testing::Test {
 constexpr const char* kLies = "echo SATISFIABLE; echo UNSATISFIABLE; echo UNSATISFIABLE";
 TEST_F(StandIn, ThatFindsWhatIsNoneHasFailed) {
   says(kLies);
-  const Solved solved = solve(products(), kLimit);
+  const Solved solved = solve(Engine::cec, products(), kLimit);
   EXPECT_EQ(solved.answer, Answer::failed);
   EXPECT_EQ(solved.said, "what it found is no answer");
 }
 TEST_F(StandIn, ThatAnswersTooLittleHasFailed) {
   says("echo UNSATISFIABLE; echo 'Cannot open input file'");
-  const Solved solved = solve(products(), kLimit);
+  const Solved solved = solve(Engine::cec, products(), kLimit);
   EXPECT_EQ(solved.answer, Answer::failed);
   EXPECT_EQ(solved.said, "Cannot open input file");
   EXPECT_TRUE(solved.answers.empty());
 }
 TEST_F(StandIn, ThatGivesUpOrIsMissingSaysSo) {
   says("echo UNDECIDED; echo UNDECIDED; echo UNDECIDED");
-  EXPECT_EQ(solve(products(), kLimit).answer, Answer::unknown);
+  EXPECT_EQ(solve(Engine::cec, products(), kLimit).answer, Answer::unknown);
   setenv("PATH", "/nonexistent", 1);
-  EXPECT_EQ(solve(products(), kLimit).answer, Answer::missing);
+  EXPECT_EQ(solve(Engine::cec, products(), kLimit).answer, Answer::missing);
 }
 
 // The lowest bit is bit 0, whatever range the RTL gives its net.

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "tb/proof/decide.h"
 #include "tb/proof/integer.h"
 #include "tb/support/parallel.h"
 #include "tests/support/solvers.h"
@@ -11,50 +10,52 @@
 namespace cosim::proof {
 namespace {
 
-using test::can_prove, test::kLimit;
+using test::kLimit;
 
-void expect_all_proved(const std::vector<Theorem>& theorems) {
-  std::vector<const Claim*> claims;
-  for (const Theorem& t : theorems) {
-    claims.push_back(&t.claim);
-    claims.push_back(&t.premises);
+class Theorems : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!is_installed("z3")) GTEST_SKIP() << "needs z3";
   }
-  const auto decided = decide(claims, {all_engines(), kLimit, cores()});
-  for (std::size_t i = 0; i < claims.size(); ++i) {
-    EXPECT_EQ(decided[i].verdict, "proved") << theorems[i / 2].sentence << claims[i]->what;
-  }
-}
+};
 
-TEST(Theorems, AreProved) {
-  if (!can_prove()) GTEST_SKIP() << "needs cvc5 and z3";
-  expect_all_proved(theorems());
+TEST_F(Theorems, AreProved) {
+  const std::vector<Theorem> all = theorems();
+  in_parallel(all.size(), cores(), [&](std::uint64_t i) {
+    EXPECT_EQ(judged(all[i], kLimit).verdict, "proved") << all[i].sentence;
+    return true;
+  });
 }
 
 // Each with its last sentence turned round: what is assumed does not prove anything.
-TEST(Theorems, TurnedRoundAreRefuted) {
-  if (!can_prove()) GTEST_SKIP() << "needs cvc5 and z3";
-  for (const Theorem& t : theorems()) {
-    Claim turned = t.claim;
-    turned.queries.resize(1);
-    std::string& script = turned.queries.front().script;
+TEST_F(Theorems, TurnedRoundAreRefuted) {
+  for (Theorem turned : theorems()) {
+    turned.negated.resize(1);
+    std::string& script = turned.negated.front().script;
     const std::size_t last = script.rfind("(assert ");
     const std::size_t end = script.find(")\n(check-sat)", last);
     const std::string wrong = script.substr(last + 8, end - last - 8);
     script = script.substr(0, last) + "(assert (not " + wrong + "))\n(check-sat)\n";
-    const Decision decided = decide({&turned}, {all_engines(), kLimit, 1}).front();
-    EXPECT_TRUE(decided.refuted) << t.sentence << ": " << decided.verdict;
+    EXPECT_EQ(judged(turned, kLimit).verdict, "REFUTED (" + turned.negated.front().what + ")")
+        << turned.sentence;
   }
 }
 
 // x^2 - x < n + 2 does not give x^2 - x < n.
-TEST(Theorems, ThatAreFalseAreRefuted) {
-  if (!can_prove()) GTEST_SKIP() << "needs cvc5 and z3";
+TEST_F(Theorems, ThatAreFalseAreRefuted) {
   Script script("QF_NIA");
   const Integer x(script.declare("x", "Int")), n(script.declare("n", "Int"));
   script.assume((x * x - x < n + Integer(2)).expression());
+  Script premises = script;
+  premises.ask(truth(true));
   script.ask(negation((x * x - x < n).expression()));
-  const Claim wrong{"a false one", Answer::unsat, {{{"any"}, script.text()}}, {}};
-  EXPECT_TRUE(decide({&wrong}, {all_engines(), kLimit, 1}).front().refuted);
+  Theorem wrong{"none", "a false one", {{"any", script.text()}}, {{"any", premises.text()}}};
+  EXPECT_EQ(judged(wrong, kLimit).verdict, "REFUTED (any)");
+  // Of premises that cannot be all follows.
+  wrong.premises = wrong.negated = {{"any", "(assert false)\n(check-sat)\n"}};
+  EXPECT_EQ(judged(wrong, kLimit).verdict, "its premises cannot be (any)");
+  wrong.negated = {{"any", "(assert (= no_such_symbol 1))\n(check-sat)\n"}};
+  EXPECT_EQ(judged(wrong, kLimit).verdict.rfind("UNDECIDED: failed (any): ", 0), 0U);
 }
 
 }  // namespace

@@ -44,10 +44,7 @@ class Proposition {
     Script premises = script_;
     premises.ask(truth(true));
     script_.ask(negation(t.expression()));
-    return {Design::name,
-            sentence,
-            {sentence, Answer::unsat, {{{"any"}, script_.text()}}, {}},
-            {"its premises", Answer::sat, {{{"any"}, premises.text()}}, {}}};
+    return {Design::name, sentence, {{"any", script_.text()}}, {{"any", premises.text()}}};
   }
 
   const IntegerPoint p{integer("X"), integer("Y"), integer("D")};

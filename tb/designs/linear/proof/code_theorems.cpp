@@ -22,20 +22,17 @@ class ForEveryBit {
   void ask(int i, const Truth& t) {
     Script script = script_;
     script.ask(negation(t.expression()));
-    queries_.push_back({{fmt::format("i = {}", i)}, script.text()});
+    negated_.push_back({fmt::format("i = {}", i), script.text()});
   }
   Theorem theorem(const std::string& sentence) {
     Script premises = script_;
     premises.ask(truth(true));
-    return {"linear",
-            sentence,
-            {sentence, Answer::unsat, queries_, {}},
-            {"its premises", Answer::sat, {{{"any i"}, premises.text()}}, {}}};
+    return {"linear", sentence, negated_, {{"any i", premises.text()}}};
   }
 
  private:
   Script script_{"QF_BV"};
-  std::vector<Query> queries_;
+  std::vector<ScriptOf> negated_;
 };
 
 // B_i = floor((BP + 2^(i-1)) / 2^i): what a_i weighs in a line of BP positions.

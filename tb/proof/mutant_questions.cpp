@@ -1,7 +1,7 @@
 // The RTL is placed in one graph again for each mutant, its number a constant. Constants are folded
 // and equal gates are there once (structural hashing), so that each is only what its fault changes;
 // many are decided by that alone. What is left of all is one question for an engine.
-#include "tb/proof/mutant_nets.h"
+#include "tb/proof/mutant_questions.h"
 
 #include <fmt/core.h>
 
@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "tb/proof/located.h"
+#include "tb/proof/terms.h"
 
 namespace cosim::proof {
 namespace {
@@ -18,7 +19,7 @@ using nets::Bit;
 using nets::no;
 using nets::yes;
 using Row = std::vector<Bit>;
-using Known = MutantNets::Known;
+using Known = MutantQuestions::Known;
 
 // The model, and the RTL with any of its mutants.
 class Maker {
@@ -56,24 +57,29 @@ class Maker {
   Known ask(unsigned number) {
     const Step with = step_of(number);
     if (with.clocks != original_.clocks) return Known::other;
-    Bit wrong = no;
-    const auto differ = [&](const std::vector<nets::Wire>& wires, const std::vector<Row>& a,
-                            const std::vector<Row>& b) {
-      for (std::size_t i = 0; i < wires.size(); ++i) {
-        wrong = graph().or_of(wrong, where_compared(graph(), wires[i], graph().differ(a[i], b[i])));
-      }
-    };
-    differ(machine_.after, original_.after, with.after);
-    differ(machine_.outputs, original_.outputs, with.outputs);
-    wrong = graph().and_of(wrong,
-                           graph().and_of(assumed_, graph().and_of(original_.given, with.given)));
-    wrong = graph().or_of(wrong, not_reset(number));
+    const Bit wrong = graph().or_of(differ(with), not_reset(number));
     if (wrong == no) return Known::same;
     if (wrong == yes) return Known::other;
     q_.asked.push_back({fmt::format("mutant {}", number), wrong});
     return Known::asked;
   }
-  NetQuestions take() { return std::move(q_); }
+  // The step alone, with what a counterexample shows.
+  void ask_and_show(unsigned number) {
+    const Step with = step_of(number);
+    q_.asked.push_back({fmt::format("mutant {}", number), differ(with)});
+    for (const nets::Wire& w : machine_.inputs) q_.terms[term_of("in", w.field)] = w.code;
+    for (const nets::Wire& w : machine_.state) q_.terms[term_of("state", w.field)] = w.code;
+    const auto show = [&](const char* what, const std::vector<nets::Wire>& wires,
+                          const std::vector<Row>& a, const std::vector<Row>& b) {
+      for (std::size_t i = 0; i < wires.size(); ++i) {
+        q_.terms[term_of("model", wires[i].field) + what] = a[i];
+        q_.terms[term_of("rtl", wires[i].field) + what] = b[i];
+      }
+    };
+    show(kAfter, machine_.after, original_.after, with.after);
+    show(kOutput, machine_.outputs, original_.outputs, with.outputs);
+  }
+  Questions take() { return std::move(q_); }
 
  private:
   // A clock of the RTL from the states that the model has.
@@ -84,6 +90,20 @@ class Maker {
   };
 
   nets::Graph& graph() { return q_.graph; }
+  // Whether the step of a mutant is another one, from the states that are assumed.
+  Bit differ(const Step& with) {
+    Bit wrong = no;
+    const auto compare = [&](const std::vector<nets::Wire>& wires, const std::vector<Row>& a,
+                             const std::vector<Row>& b) {
+      for (std::size_t i = 0; i < wires.size(); ++i) {
+        wrong = graph().or_of(wrong, where_compared(graph(), wires[i], graph().differ(a[i], b[i])));
+      }
+    };
+    compare(machine_.after, original_.after, with.after);
+    compare(machine_.outputs, original_.outputs, with.outputs);
+    return graph().and_of(wrong,
+                          graph().and_of(assumed_, graph().and_of(original_.given, with.given)));
+  }
   Bit free_bit() {
     const Bit bit = graph().input();
     q_.inputs.push_back({fmt::format("free.{}", q_.inputs.size()), bit});
@@ -137,8 +157,9 @@ class Maker {
   Step step_of(unsigned number) {
     Step step;
     Row held = held_at_random();
-    const Row nets = placed(number, held, false);
-    // A net that is a flip-flop gives it its value; of any other that is assumed.
+    // A net that is a flip-flop, while no reset is given that does not wait for a clock, gives it
+    // its value; of any other that is assumed.
+    const Row nets = placed(number, held, false, without_reset());
     for (std::size_t i = 0; i < registers_.size(); ++i) {
       const nets::Wire& w = machine_.registers[i];
       for (std::size_t b = 0; b < registers_[i].size(); ++b) {
@@ -149,7 +170,7 @@ class Maker {
     }
     const Row now = placed(number, held, false);
     for (std::size_t i = 0; i < registers_.size(); ++i) {
-      const nets::Wire& w = machine_.registers[i];
+      const nets::Wire& w = machine_.seen.empty() ? machine_.registers[i] : machine_.seen[i];
       for (std::size_t b = 0; b < registers_[i].size(); ++b) {
         const Bit wrong = graph().xor_of(now[registers_[i][b]], w.code[b]);
         step.given = graph().and_of(step.given, !where_compared(graph(), w, wrong));
@@ -159,6 +180,16 @@ class Maker {
     step.after = in(placed(number, next_of(now), true), registers_);
     for (const std::size_t net : clocks_) step.clocks.push_back(now[net]);
     return step;
+  }
+
+  // The inputs that reset the machine at once, at rest; none where the reset waits for a clock.
+  std::vector<nets::Wire> without_reset() const {
+    std::vector<nets::Wire> all;
+    for (nets::Wire w : machine_.seen.empty() ? std::vector<nets::Wire>{} : machine_.reset_inputs) {
+      for (Bit& bit : w.code) bit = !bit;
+      all.push_back(std::move(w));
+    }
+    return all;
   }
 
   // After a clock that resets, whatever the flip-flops held.
@@ -176,7 +207,7 @@ class Maker {
 
   const nets::MachineOf<nets::Number>& machine_;
   const RtlNets& rtl_;
-  NetQuestions q_;
+  Questions q_;
   std::vector<std::vector<std::size_t>> inputs_, registers_, outputs_;
   std::vector<std::size_t> clocks_;  // of each flip-flop
   Row anything_;                     // by net, of inputs and flip-flops
@@ -186,30 +217,34 @@ class Maker {
 
 }  // namespace
 
-NetQuestions nets_of_reached(const nets::Model& model) {
+Claim reached_claim(const nets::Model& model) {
   const auto& m = model.machine;
-  NetQuestions q{model.graph, model.ports, {}, {}};
+  Questions q{model.graph, model.ports, {}, {}};
   Bit assumed = yes, wrong = no;
   for (const auto* all : {&m.invariant, &m.reached, &m.legal}) {
     for (const nets::Named& n : *all) assumed = q.graph.and_of(assumed, n.condition);
   }
-  for (const auto* all : {&m.invariant_after, &m.reached_after}) {
-    for (const nets::Named& n : *all) wrong = q.graph.or_of(wrong, !n.condition);
-  }
-  for (const auto* all : {&m.invariant_in_reset, &m.reached_in_reset}) {
+  for (const auto* all :
+       {&m.invariant_after, &m.reached_after, &m.invariant_in_reset, &m.reached_in_reset}) {
     for (const nets::Named& n : *all) wrong = q.graph.or_of(wrong, !n.condition);
   }
   q.asked.push_back({"any clock", q.graph.and_of(assumed, wrong)});
-  return q;
+  return {"what is reached stays so", Answer::unsat, std::move(q)};
 }
 
-MutantNets nets_of_mutants(const nets::Model& model, const RtlNets& rtl,
-                           const std::vector<unsigned>& numbers) {
+MutantQuestions questions_of_mutants(const nets::Model& model, const RtlNets& rtl,
+                                     const std::vector<unsigned>& numbers) {
   Maker maker(model, rtl);
-  MutantNets all;
+  MutantQuestions all;
   for (const unsigned number : numbers) all.known.push_back(maker.ask(number));
   all.questions = maker.take();
   return all;
+}
+
+Questions question_of_mutant(const nets::Model& model, const RtlNets& rtl, unsigned number) {
+  Maker maker(model, rtl);
+  maker.ask_and_show(number);
+  return maker.take();
 }
 
 }  // namespace cosim::proof

@@ -1,0 +1,241 @@
+#include "tb/full/trusted.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "model/core/input_error.h"
+#include "tb/equiv/front_end.h"
+#include "tb/equiv/referee.h"
+#include "tb/program/registry.h"
+#include "tb/proof/rtl_nets.h"
+#include "tb/support/hash.h"
+#include "tb/support/json.h"
+#include "tb/support/json_at.h"
+#include "tb/support/place.h"
+#include "tb/support/random.h"
+#include "tb/support/read_file.h"
+#include "tb/support/replace_file.h"
+
+namespace cosim::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using proof::Aig;
+
+constexpr int time_for_one = 60;  // seconds
+
+equiv::Files files_of(const proof::Source& source) {
+  equiv::Files files;
+  files.files = source.files;
+  files.top = source.top;
+  for (const Parameter& p : source.parameters) {
+    const auto given = source.constants.find(p.name);
+    files.parameters.push_back(
+        fmt::format("{}={}", p.name, given == source.constants.end() ? to_text(p) : given->second));
+  }
+  files.include_dirs = source.include_dirs;
+  files.defines = source.defines;
+  return files;
+}
+
+// Of the files, of what may be included in them, and of how they are read.
+std::string key_of(const nets::Model& model, const proof::Source& source) {
+  std::set<fs::path> folders(source.include_dirs.begin(), source.include_dirs.end()), all;
+  for (const fs::path& file : source.files) {
+    all.insert(file);
+    folders.insert(fs::absolute(file).parent_path());
+  }
+  constexpr std::uintmax_t most = 10'000'000;  // bytes of what is read beside the sources
+  for (const fs::path& folder : folders) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (entry.is_regular_file() && entry.file_size() < most) all.insert(entry.path());
+    }
+  }
+  std::string key = COSIM_REFEREE_VERSION + proof::commands_to_elaborate(source);
+  for (const fs::path& file : all) key += file.string() + hash_of_file(file.string());
+  for (const nets::Wire& w : model.machine.registers) key += w.field.net + std::string("\n");
+  return hash_of(key);
+}
+
+// The cells of a side and the gates, 64 random clocks at a time.
+class SideBySide {
+ public:
+  SideBySide(const equiv::Side& side, const proof::RtlNets& gates) : gates_(gates) {
+    std::vector<Aig::Lit> unknown, state;
+    for (std::size_t i = 0; i < side.registers.size(); ++i) state.push_back(input(states_));
+    for (std::size_t i = 0; i < side.unknowns; ++i) unknown.push_back(input(unknowns_));
+    made_ = side.make(
+        cells_, [&](const equiv::Name& name) { return port(name); }, unknown, state);
+    const nets::Cells& all = gates.cells();
+    std::vector<nets::Bit> given(all.nets.size());
+    std::map<std::size_t, std::size_t> input_of;  // of the gates' graph, by net
+    const auto give = [&](std::size_t net) {
+      input_of[net] = nets_.inputs().size();
+      given[net] = nets_.input();
+    };
+    for (const auto* free : {&all.inputs, &all.free}) std::ranges::for_each(*free, give);
+    for (const auto& f : all.flip_flops) give(f.now);
+    bits_ = placed(nets_, all, given);
+    for (const auto& [name, at] : ports_) {
+      if (gates.width(name.first) > name.second) {
+        pairs_.emplace_back(input_of.at(gates.net(name.first, name.second)), at);
+      }
+    }
+    // Registers by the names that both have.
+    std::set<std::size_t> taken;
+    for (const auto& [name, registers] : side.variables) {
+      if (gates.width(name) != static_cast<int>(registers.size())) continue;
+      for (std::size_t b = 0; b < registers.size(); ++b) {
+        const auto shown = gates.shown(gates.net(name, static_cast<int>(b)));
+        if (!shown || !taken.insert(*shown).second) continue;
+        const auto& flip_flop = all.flip_flops[*shown];
+        pairs_.emplace_back(input_of.at(flip_flop.now), states_[registers[b]]);
+        compared_.push_back({fmt::format("register {}[{}]", name, b), made_.next[registers[b]],
+                             bits_[flip_flop.next]});
+      }
+    }
+    unpaired_ = all.flip_flops.size() - taken.size();
+    for (const auto& [name, lit] : made_.outputs) {
+      if (gates.width(name.first) <= name.second) continue;
+      compared_.push_back({fmt::format("output {}[{}]", name.first, name.second), lit,
+                           bits_[gates.net(name.first, name.second)]});
+    }
+  }
+
+  // The first difference, or nothing.
+  ReadAs differs(int rounds) {
+    if (unpaired_ > 0) {
+      return {"", fmt::format("{} flip-flops have no register of their name", unpaired_)};
+    }
+    Random random = Random::for_case(1989, 0);
+    for (int round = 0; round < rounds; ++round) {
+      std::vector<std::uint64_t> in(cells_.inputs()), of_nets(nets_.inputs().size());
+      for (auto& word : in) word = random.next();
+      for (auto& word : of_nets) word = random.next();
+      for (const auto& [gate_input, at] : pairs_) of_nets[gate_input] = in[at];
+      const auto gates = nets::run(nets_, of_nets);
+      // What is not known is 0, 1, or anything: what it then changes is no difference.
+      std::vector<std::uint64_t> varies(compared_.size()), first(compared_.size());
+      for (int fill = 0; fill < 3; ++fill) {
+        for (const std::size_t at : unknowns_) {
+          in[at] = fill == 0 ? 0 : fill == 1 ? ~std::uint64_t{0} : random.next();
+        }
+        Aig::Runs runs(cells_);
+        runs.clock(in);
+        for (std::size_t i = 0; i < compared_.size(); ++i) {
+          const std::uint64_t is = runs.of(compared_[i].cell);
+          if (fill == 0) first[i] = is;
+          varies[i] |= is ^ first[i];
+        }
+      }
+      for (std::size_t i = 0; i < compared_.size(); ++i) {
+        const std::uint64_t wrong =
+            (nets::in_runs(gates, compared_[i].gate) ^ first[i]) & ~varies[i];
+        if (wrong != 0) {
+          return {"", compared_[i].name + ": its gates say another value than its cells", true};
+        }
+      }
+    }
+    return {};
+  }
+
+ private:
+  struct Compared {
+    std::string name;
+    Aig::Lit cell;
+    nets::Bit gate;
+  };
+  Aig::Lit input(std::vector<std::size_t>& kind) {
+    kind.push_back(cells_.inputs());
+    return cells_.input();
+  }
+  Aig::Lit port(const equiv::Name& name) {
+    const auto [at, is_new] = ports_.try_emplace(name, cells_.inputs());
+    if (is_new) port_lits_[name] = cells_.input();
+    return port_lits_.at(name);
+  }
+
+  const proof::RtlNets& gates_;
+  Aig cells_;
+  nets::Graph nets_;
+  std::vector<std::size_t> states_, unknowns_;  // inputs of cells_
+  std::map<equiv::Name, std::size_t> ports_;
+  std::map<equiv::Name, Aig::Lit> port_lits_;
+  equiv::Side::Made made_;
+  std::vector<nets::Bit> bits_;
+  std::vector<std::pair<std::size_t, std::size_t>> pairs_;  // inputs of both
+  std::vector<Compared> compared_;
+  std::size_t unpaired_ = 0;
+};
+
+ReadAs judged(const nets::Model& model, const proof::Source& source) {
+  const equiv::Budget budget(time_for_one);
+  const bool steps = source.clocks_are_inputs;
+  equiv::Referee how{steps, {}, true, true, budget.ends()};
+  for (const nets::Wire& w : model.machine.reset_inputs) {
+    if (w.code.size() == 1) how.resets[net_path(w.field.net).path] = w.code.front() == nets::yes;
+  }
+  const proof::RtlNets gates(source);
+  ReadAs first;  // what the first front end comes to, where no other does better
+  for (const equiv::FrontEnd front_end : {equiv::FrontEnd::yosys, equiv::FrontEnd::slang}) {
+    if (front_end == equiv::FrontEnd::slang && !equiv::has_slang()) break;
+    ReadAs one;
+    try {
+      equiv::Side side(files_of(source), "the RTL", front_end, budget);
+      side.make_gates(equiv::Memories::registers, steps, budget);
+      std::erase_if(how.resets, [&](const auto& r) { return !side.inputs.contains(r.first); });
+      const equiv::Refereed is = refereed(side, how);
+      if (is.agrees) {
+        constexpr int rounds = 1600;  // of 64 clocks: 10^5
+        one = SideBySide(side, gates).differs(rounds);
+      } else {
+        one = {"", is.wrong, !is.by.empty()};
+      }
+      if (one.why.empty()) {
+        one.by = fmt::format("read by {}, as {} simulates it on {} clocks", name_of(front_end),
+                             is.by, is.clocks);
+        return one;
+      }
+    } catch (const InputError& error) {
+      one.why = error.what();
+    } catch (const equiv::OutOfTime&) {
+      one.why = fmt::format("not in {} s", time_for_one);
+    }
+    if (first.why.empty()) first = one;
+  }
+  return first;
+}
+
+}  // namespace
+
+ReadAs read_as(const nets::Model& model, const proof::Source& source) {
+  const fs::path folder = fs::path(registry().build_folder()) / "referee";
+  const fs::path kept = folder / key_of(model, source);
+  std::error_code error;
+  if (fs::is_regular_file(kept, error)) {
+    const std::string text = read_file(kept.string());
+    const auto lines = JsonAt(kept.string(), text);
+    return {lines.at("by").text(), lines.at("why").text(), lines.at("is_wrong").yes()};
+  }
+  const ReadAs is = judged(model, source);
+  fs::create_directories(folder, error);
+  if (!error) {
+    replace_file(kept.string(),
+                 json_text({{"by", is.by}, {"why", is.why}, {"is_wrong", is.is_wrong}}));
+  }
+  return is;
+}
+
+void require_read(const nets::Model& model, const proof::Source& source) {
+  const ReadAs is = read_as(model, source);
+  if (!is.is_wrong) return;
+  throw InputError(fmt::format("{}: the RTL is not read as it is written: {}", source.top, is.why));
+}
+
+}  // namespace cosim::cli

@@ -1,0 +1,30 @@
+// Whether the gates that proofs, lanes and mutants rest on are what the RTL says.
+#pragma once
+
+#include <string>
+
+#include "tb/bench/bench.h"
+#include "tb/nets/model.h"
+#include "tb/proof/yosys.h"
+
+namespace cosim::cli {
+
+/// How RTL was read.
+struct ReadAs {
+  /// "read by yosys, as Icarus Verilog simulates it on 2048 clocks"; empty where it is not so.
+  std::string by;
+  /// What differs, on which clock, both values; or, where nothing could be compared, why.
+  std::string why;
+  bool is_wrong = false;  ///< something differs
+};
+
+/// Runs the cells that a front end of `equiv` reads beside the RTL in a simulator
+/// (equiv/referee.h), and the gates of `source` beside those cells, from random states under random
+/// inputs. What came of it is kept in the build folder by the hash of the RTL's files. `source` as
+/// for claims on `model` (source_for()). InputError where it cannot be read.
+ReadAs read_as(const nets::Model& model, const proof::Source& source);
+
+/// InputError "TOP: the RTL is not read as it is written: WHY" where something differs.
+void require_read(const nets::Model& model, const proof::Source& source);
+
+}  // namespace cosim::cli

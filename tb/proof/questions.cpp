@@ -1,0 +1,33 @@
+#include "tb/proof/questions.h"
+
+#include "tb/proof/aig.h"
+#include "tb/proof/translated.h"
+
+namespace cosim::proof {
+
+std::map<std::string, Word> values_in(const Questions& questions,
+                                      const std::vector<std::uint64_t>& gates) {
+  std::map<std::string, Word> values;
+  for (const auto& [term, code] : questions.terms) {
+    Word& value = values[term];
+    for (std::size_t i = 0; i < code.size(); ++i) {
+      value |= static_cast<Word>(nets::in_runs(gates, code[i]) & 1) << i;
+    }
+  }
+  return values;
+}
+
+std::vector<std::string> as_aiger(const Questions& questions) {
+  std::vector<std::string> names, all;
+  for (const nets::Port& p : questions.inputs) names.push_back(p.name);
+  for (const nets::Port& asked : questions.asked) {
+    Aig graph;
+    Translated gates(questions.graph, graph);
+    for (const nets::Port& p : questions.inputs) gates.give(p.bit, graph.input());
+    gates.make({asked.bit});
+    all.push_back(graph.aiger(gates.of(asked.bit), names));
+  }
+  return all;
+}
+
+}  // namespace cosim::proof

@@ -1,0 +1,13 @@
+// z3, for the theorems: scripts of SMT-LIB 2, each with one question.
+#pragma once
+
+#include <string>
+
+#include "tb/proof/answer.h"
+
+namespace cosim::proof {
+
+/// Has z3 answer, in `limit` seconds of processor time at the most.
+Solved solve_by_z3(const std::string& script, int limit);
+
+}  // namespace cosim::proof

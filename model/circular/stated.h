@@ -15,20 +15,6 @@ constexpr std::array<Stated<V>, 1> reached(const Params&, const State<V>& s) {
       {{"F has a fraction of 3/4 while no arc runs", is_set(s.t4) | (low_bits(s.f, 2) == V(3))}}};
 }
 
-/// The clocks as a proof takes them one by one, each without those before it: by what is added to
-/// F.
-template <class V>
-constexpr std::array<Stated<V>, 6> parts(const Params&, const State<V>& s) {
-  const Condition<V> sector2 = is_set(s.t16);
-  const Condition<V> past = (s.ct8 < V(0)) & !sector2;
-  return {{{"idle", s.t4 == V(0)},
-           {"variant -1", past & bit(s.ct8, 0)},
-           {"variant -2", past},
-           {"straight in sector 1", (s.f > V(0)) & !sector2},
-           {"diagonal in sector 1", !sector2},
-           {"diagonal in sector 2", s.f > V(0)}}};
-}
-
 /// Each must be possible, and must happen under the stimuli.
 template <class V>
 constexpr auto cases(const Params& p, const State<V>& s, const Inputs<V>& in) {

@@ -149,7 +149,6 @@ constexpr const char* source_of() {
   static_assert(true, "so that a semicolon stands behind it")
 COSIM_STATED(invariant_of, invariant);  // (p, s)
 COSIM_STATED(reached_of, reached);      // (p, s)
-COSIM_STATED(parts_of, parts);          // (p, s)
 COSIM_STATED(cases_of, cases);          // (p, s, in)
 COSIM_STATED(legal_of, legal);          // (p, s, in)
 /// Registers that mean something in some states only: compared(p, s), the name of each with the

@@ -71,8 +71,8 @@ class Cells {
   std::unordered_map<const Cell*, std::vector<Lits>> memories_;
 };
 
-/// Connects each clock pin to the input that it is, where only constants, buffers and inverters stand
-/// between them; an inverted one gets the other polarity. Others stay as they are.
+/// Connects each clock pin to the input that it is, where only constants, buffers and inverters
+/// stand between them; an inverted one gets the other polarity. Others stay as they are.
 void connect_clocks(Module& module);
 
 /// A cell that is no part of what a module does: an assertion, a text that is printed.

@@ -287,7 +287,7 @@ class Maker {
   }
 
   const nets::Played& played_;
-  const nets::MachineOf<nets::Number>& machine_;
+  const nets::Machine& machine_;
   const proof::RtlNets& rtl_;
   Code code_;
   std::size_t flip_flops_ = 0;                                 // their first plane

@@ -36,7 +36,7 @@ std::string key_of(const std::string& title, const nets::Played& played,
   }
   std::sort(files.begin(), files.end());
   for (const fs::path& file : files) key += read_file(file.string());
-  const nets::MachineOf<nets::Number>& m = played.model.machine;
+  const nets::Machine& m = played.model.machine;
   std::vector<nets::Port> out, held;
   const auto add = [](std::vector<nets::Port>& ports, const std::vector<nets::Bit>& bits) {
     for (const nets::Bit bit : bits) ports.push_back({fmt::format("p{}", ports.size()), bit});

@@ -1,5 +1,4 @@
-// A golden model written out: one clock from any state, under any inputs, on a value type whose
-// values are not known yet. Of symbols it is formulas (tb/proof/machine.h), of gates nets.
+// A golden model written out as gates: one clock from any state, under any inputs.
 #pragma once
 
 #include <optional>
@@ -12,43 +11,31 @@
 #include "model/core/fields.h"
 #include "model/core/reset.h"
 #include "model/core/synchronizer.h"
+#include "tb/nets/number.h"
 
 namespace cosim::nets {
 
-/// What a value of type V is as bits, v.code(width), and a condition c, fact_of(c).
-template <class V>
-using CodeOf = std::remove_cvref_t<decltype(std::declval<const V&>().code(1))>;
-template <class V>
-using FactOf = std::remove_cvref_t<decltype(fact_of(std::declval<const Condition<V>&>()))>;
-
 /// A free value, and the code that it is the value of.
-template <class V>
-struct FreeOf {
-  V value;
-  CodeOf<V> code;
+struct FreeCell {
+  Number value;
+  std::vector<Bit> code;
 };
 
 /// A field and its value, a code of the field's width.
-template <class V>
-struct WireOf {
+struct Wire {
   Field field;
-  CodeOf<V> code;
+  std::vector<Bit> code;
   /// Of a register or an output: when it is compared; always where there is no condition.
-  std::optional<FactOf<V>> when{};
+  std::optional<Bit> when{};
 };
 
 /// A condition with a name.
-template <class V>
-struct NamedOf {
+struct Named {
   std::string name;
-  FactOf<V> condition;
+  Bit condition;
 };
 
-template <class V>
-struct MachineOf {
-  using Wire = WireOf<V>;
-  using Named = NamedOf<V>;
-
+struct Machine {
   std::string design;
   std::vector<Parameter> parameters;
   bool clocks_are_inputs = false;  ///< there are several
@@ -70,7 +57,6 @@ struct MachineOf {
   /// design without any. RTL knows nothing of it.
   std::vector<Wire> turned;
   std::vector<Wire> next;    ///< the state after it, with what they take
-  std::vector<Named> parts;  ///< they cover all clocks and are easier one by one
   std::vector<Named> cases;  ///< what may happen on a clock; each must be possible
   std::vector<Named> legal;  ///< what is assumed of the inputs of a clock
   std::vector<Named> idle;   ///< the same of the inputs that the model says are legal always
@@ -87,21 +73,21 @@ struct MachineOf {
 namespace detail {
 
 /// A record of free values, which `make` gives of a field, and their wires.
-template <class V, class Record, class Fields, class Make>
-Record free_record(const Fields& fields, Make make, std::vector<WireOf<V>>& wires) {
+template <class Record, class Fields, class Make>
+Record free_record(const Fields& fields, Make make, std::vector<Wire>& wires) {
   Record r;
   for_each_cell<Record>([&](auto cell, std::size_t i) {
     if (fields[i].width == 0) return;
-    const FreeOf<V> free = make(fields[i]);
+    const FreeCell free = make(fields[i]);
     cell(r) = free.value;
     wires.push_back({fields[i], free.code});
   });
   return r;
 }
 
-template <class V, class Record, class Fields>
-std::vector<WireOf<V>> wires(const Record& r, const Fields& fields) {
-  std::vector<WireOf<V>> all;
+template <class Record, class Fields>
+std::vector<Wire> wires(const Record& r, const Fields& fields) {
+  std::vector<Wire> all;
   for_each_cell<Record>([&](auto cell, std::size_t i) {
     if (fields[i].width != 0) all.push_back({fields[i], cell(r).code(fields[i].width)});
   });
@@ -109,16 +95,16 @@ std::vector<WireOf<V>> wires(const Record& r, const Fields& fields) {
 }
 
 /// is_state() of every field, as a condition.
-template <class V, class Record, class Fields>
-Condition<V> in_range(const Record& r, const Fields& fields) {
-  Condition<V> all = true;
+template <class Record, class Fields>
+Condition<Number> in_range(const Record& r, const Fields& fields) {
+  Condition<Number> all = true;
   for_each_cell<Record>([&](auto cell, std::size_t i) {
     if (fields[i].width == 0) return;
-    const V& v = cell(r);
+    const Number& v = cell(r);
     if (is_signed(fields[i])) {
-      const V most(ones(fields[i].width - 1));
+      const Number most(ones(fields[i].width - 1));
       const bool one_more_below = fields[i].format == Format::twos_complement;
-      all = all & !(v > most) & !(v < V(0) - most - V(one_more_below ? 1 : 0));
+      all = all & !(v > most) & !(v < Number(0) - most - Number(one_more_below ? 1 : 0));
     } else {
       all = all & (low_bits(v, fields[i].width) == v);
     }
@@ -127,18 +113,18 @@ Condition<V> in_range(const Record& r, const Fields& fields) {
 }
 
 /// What a design states, or nothing.
-template <class V, class List>
-std::vector<NamedOf<V>> named(const List& stated) {
-  std::vector<NamedOf<V>> all;
+template <class List>
+std::vector<Named> named(const List& stated) {
+  std::vector<Named> all;
   for (const auto& [name, condition] : stated) all.push_back({name, fact_of(condition)});
   return all;
 }
 
 /// The wires with the conditions under which they are compared.
-template <class V, class List>
-std::vector<WireOf<V>> compared_when(std::vector<WireOf<V>> wires, const List& conditions) {
+template <class List>
+std::vector<Wire> compared_when(std::vector<Wire> wires, const List& conditions) {
   for (const auto& [name, condition] : conditions) {
-    for (WireOf<V>& w : wires) {
+    for (Wire& w : wires) {
       if (std::string(w.field.name) == name) w.when = fact_of(condition);
     }
   }
@@ -146,91 +132,87 @@ std::vector<WireOf<V>> compared_when(std::vector<WireOf<V>> wires, const List& c
 }
 
 /// The registers in state s.
-template <class Design, class V>
-std::vector<WireOf<V>> registers_in(const typename Design::Params& p,
-                                    const typename Design::template State<V>& s) {
+template <class Design>
+std::vector<Wire> registers_in(const typename Design::Params& p,
+                               const typename Design::template State<Number>& s) {
   const auto fields = Design::template Registers<Word>::fields(p);
-  return compared_when<V>(wires<V>(Design::registers(p, s), fields),
-                          registers_compared_of<V>(p, s));
+  return compared_when(wires(Design::registers(p, s), fields), registers_compared_of<Number>(p, s));
 }
 
-template <class Design, class V>
-std::vector<NamedOf<V>> whole_invariant(const typename Design::Params& p,
-                                        const typename Design::template State<V>& s) {
+template <class Design>
+std::vector<Named> whole_invariant(const typename Design::Params& p,
+                                   const typename Design::template State<Number>& s) {
   const auto fields = Design::template State<Word>::fields(p);
-  std::vector<NamedOf<V>> all{
-      {"every field of the state is in range", fact_of(in_range<V>(s, fields))}};
-  for (auto& n : named<V>(invariant_of<V>(p, s))) all.push_back(std::move(n));
+  std::vector<Named> all{{"every field of the state is in range", fact_of(in_range(s, fields))}};
+  for (auto& n : named(invariant_of<Number>(p, s))) all.push_back(std::move(n));
   return all;
 }
 
 }  // namespace detail
 
 /// The machine of one design at the parameters p. free_state(field) and free_input(field) make a
-/// FreeOf<V>: of a state's field a number with a sign where it has one, of an input's its code.
-template <class Design, class V, class FreeState, class FreeInput>
-MachineOf<V> machine_of(const typename Design::Params& p, FreeState free_state,
-                        FreeInput free_input) {
+/// FreeCell: of a state's field a number with a sign where it has one, of an input's its code.
+template <class Design, class FreeState, class FreeInput>
+Machine machine_of(const typename Design::Params& p, FreeState free_state, FreeInput free_input) {
   using detail::compared_when, detail::named, detail::wires;
-  using State = typename Design::template State<V>;
-  using Inputs = typename Design::template Inputs<V>;
+  using State = typename Design::template State<Number>;
+  using Inputs = typename Design::template Inputs<Number>;
   const auto state_fields = Design::template State<Word>::fields(p);
   const auto input_fields = Design::template Inputs<Word>::fields(p);
   const auto output_fields = Design::template Outputs<Word>::fields(p);
 
-  MachineOf<V> m;
+  Machine m;
   m.design = Design::name;
   m.clocks_are_inputs = clocks_of<Design> != 0;
   const auto parameters = parameters_of<Design>(p);
   m.parameters.assign(parameters.begin(), parameters.end());
-  const auto in = detail::free_record<V, Inputs>(input_fields, free_input, m.inputs);
-  const auto s = detail::free_record<V, State>(state_fields, free_state, m.state);
+  const auto in = detail::free_record<Inputs>(input_fields, free_input, m.inputs);
+  const auto s = detail::free_record<State>(state_fields, free_state, m.state);
 
-  const auto seen = seen_state<Design, V>(p, s, in);
-  auto step = clocked<Design, V>(p, s, in);
+  const auto seen = seen_state<Design, Number>(p, s, in);
+  auto step = clocked<Design, Number>(p, s, in);
   State::trim(p, step.state);
   const auto after = Synchronizers<Design>(p).taken(p, s, in, step.state);
-  m.invariant = detail::whole_invariant<Design, V>(p, s);
-  m.invariant_after = detail::whole_invariant<Design, V>(p, after);
-  m.reached = named<V>(reached_of<V>(p, s));
-  m.reached_after = named<V>(reached_of<V>(p, after));
-  m.registers = detail::registers_in<Design, V>(p, s);
-  m.outputs = compared_when<V>(wires<V>(step.outputs, output_fields),
-                               outputs_compared_of<V>(p, seen, in, step.outputs));
-  if (is_reset_asynchronous<Design>()) m.seen = detail::registers_in<Design, V>(p, seen);
+  m.invariant = detail::whole_invariant<Design>(p, s);
+  m.invariant_after = detail::whole_invariant<Design>(p, after);
+  m.reached = named(reached_of<Number>(p, s));
+  m.reached_after = named(reached_of<Number>(p, after));
+  m.registers = detail::registers_in<Design>(p, s);
+  m.outputs = compared_when(wires(step.outputs, output_fields),
+                            outputs_compared_of<Number>(p, seen, in, step.outputs));
+  if (is_reset_asynchronous<Design>()) m.seen = detail::registers_in<Design>(p, seen);
   const auto register_fields = Design::template Registers<Word>::fields(p);
   auto held = Design::registers(p, step.state);
-  m.after = compared_when<V>(wires<V>(held, register_fields), registers_compared_of<V>(p, after));
+  m.after = compared_when(wires(held, register_fields), registers_compared_of<Number>(p, after));
   if constexpr (Synchronizers<Design>::any) {
     const auto taken = Design::registers(p, after);
     for_each_cell<decltype(held)>(
         [&](auto cell, std::size_t) { cell(held) = cell(held) ^ cell(taken); });
-    m.turned = wires<V>(held, register_fields);
+    m.turned = wires(held, register_fields);
   }
-  m.next = wires<V>(after, state_fields);
-  m.parts = named<V>(parts_of<V>(p, s));
-  m.cases = named<V>(cases_of<V>(p, s, in));
-  m.legal = named<V>(legal_of<V>(p, s, in));
-  if (!m.legal.empty()) m.idle = named<V>(legal_of<V>(p, s, idle_of<Design, V>(p, s)));
+  m.next = wires(after, state_fields);
+  m.cases = named(cases_of<Number>(p, s, in));
+  m.legal = named(legal_of<Number>(p, s, in));
+  if (!m.legal.empty()) m.idle = named(legal_of<Number>(p, s, idle_of<Design, Number>(p, s)));
   // Else nothing would show that the invariant can be met.
-  if (m.cases.empty()) m.cases.push_back({"any clock", fact_of(Condition<V>(true))});
+  if (m.cases.empty()) m.cases.push_back({"any clock", fact_of(Condition<Number>(true))});
 
   // Nor that what is not compared always is compared ever.
   for (const auto* wires : {&m.registers, &m.outputs}) {
-    for (const WireOf<V>& w : *wires) {
+    for (const Wire& w : *wires) {
       if (w.when && w.field.index <= 0)
         m.cases.push_back({std::string(w.field.name) + " is compared", *w.when});
     }
   }
 
-  auto reset_state = reset_state_of<Design, V>();
-  m.begins = wires<V>(reset_state, state_fields);
+  auto reset_state = reset_state_of<Design, Number>();
+  m.begins = wires(reset_state, state_fields);
   for_each_cell<State>([&](auto cell, std::size_t i) {
     if (state_fields[i].unreset) cell(reset_state) = cell(s);
   });
-  m.reset_state = detail::registers_in<Design, V>(p, reset_state);
-  m.invariant_in_reset = detail::whole_invariant<Design, V>(p, reset_state);
-  m.reached_in_reset = named<V>(reached_of<V>(p, reset_state));
+  m.reset_state = detail::registers_in<Design>(p, reset_state);
+  m.invariant_in_reset = detail::whole_invariant<Design>(p, reset_state);
+  m.reached_in_reset = named(reached_of<Number>(p, reset_state));
   m.reset_clocks = reset_clocks_of<Design>();
   for (const char* pattern : unobserved_of<Design>()) m.unobserved.emplace_back(pattern);
   if constexpr (has_reset<Design>) {
@@ -239,7 +221,7 @@ MachineOf<V> machine_of(const typename Design::Params& p, FreeState free_state,
     for (std::size_t i = 0; i < input_fields.size(); ++i) {
       const bool is_given = reset[i] != rest[i] || input_fields[i].edge != Edge::none;
       if (!is_given || input_fields[i].width == 0) continue;
-      m.reset_inputs.push_back({input_fields[i], V(reset[i]).code(input_fields[i].width)});
+      m.reset_inputs.push_back({input_fields[i], Number(reset[i]).code(input_fields[i].width)});
     }
   }
   return m;

@@ -15,7 +15,7 @@ std::vector<Bit> free_bits(Model& model, const char* kind, const Field& field) {
 }
 
 // The ones' complement has no number below -(2^(width-1) - 1): its code 10..0 becomes 10..01.
-FreeOf<Number> free_state(Model& model, const Field& field) {
+FreeCell free_state(Model& model, const Field& field) {
   std::vector<Bit> code = free_bits(model, "state", field);
   if (!is_signed(field)) return {Number::unsigned_code(model.graph, code), code};
   if (field.format == Format::ones_complement) {

@@ -9,9 +9,6 @@
 
 namespace cosim::nets {
 
-using Wire = WireOf<Number>;
-using Named = NamedOf<Number>;
-
 inline Bit where_compared(Graph& graph, const Wire& w, Bit wrong) {
   return w.when ? graph.and_of(*w.when, wrong) : wrong;
 }
@@ -22,7 +19,7 @@ struct Model {
   Graph graph;
   /// The free bits by names: in.NAME[BIT] and state.NAME[BIT], of an element in.NAME.ELEMENT[BIT].
   std::vector<Port> ports;
-  MachineOf<Number> machine;
+  Machine machine;
 };
 
 /// As many free bits as the field has, lowest first, with their names for model.ports.
@@ -30,7 +27,7 @@ std::vector<Bit> free_bits(Model& model, const char* kind, const Field& field);
 
 /// The value of a state's field whose code is free. A code that no number of the field has stands
 /// for its neighbour, so that every state is in range.
-FreeOf<Number> free_state(Model& model, const Field& field);
+FreeCell free_state(Model& model, const Field& field);
 
 /// The nets of one design at the parameters p.
 template <class Design>
@@ -39,9 +36,9 @@ Model model_of(const typename Design::Params& p) {
   const auto state = [&](const Field& f) { return free_state(model, f); };
   const auto input = [&](const Field& f) {
     const std::vector<Bit> code = free_bits(model, "in", f);
-    return FreeOf<Number>{Number::unsigned_code(model.graph, code), code};
+    return FreeCell{Number::unsigned_code(model.graph, code), code};
   };
-  model.machine = machine_of<Design, Number>(p, state, input);
+  model.machine = machine_of<Design>(p, state, input);
   return model;
 }
 

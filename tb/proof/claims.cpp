@@ -15,7 +15,7 @@ using nets::Bit;
 using nets::no;
 using nets::yes;
 using Code = std::vector<Bit>;
-using Machine = nets::MachineOf<nets::Number>;
+using nets::Machine;
 
 // One graph with the model in it and, clock by clock, the RTL.
 class Question {

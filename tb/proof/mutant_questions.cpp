@@ -205,7 +205,7 @@ class Maker {
     return wrong;
   }
 
-  const nets::MachineOf<nets::Number>& machine_;
+  const nets::Machine& machine_;
   const RtlNets& rtl_;
   Questions q_;
   std::vector<std::vector<std::size_t>> inputs_, registers_, outputs_;

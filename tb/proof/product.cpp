@@ -295,7 +295,7 @@ class ProductMaker {
     return std::nullopt;
   }
 
-  const nets::MachineOf<nets::Number>& m_;
+  const nets::Machine& m_;
   const RtlNets& rtl_;
   const std::vector<Watched>& watched_;
   nets::Graph graph_;

@@ -8,6 +8,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/support/output_file.h"
+#include "tb/support/place.h"
 #include "tb/support/process.h"
 #include "tb/support/quoted.h"
 
@@ -87,6 +88,15 @@ void run_yosys(const std::string& commands, const std::string& what) {
   std::string error = ended.text.substr(newline == std::string::npos ? 0 : newline + 1);
   error.resize(std::min(error.find('\n'), error.size()));
   throw InputError(fmt::format("{}: yosys cannot read it: {}", what, error));
+}
+
+Source read_for(const nets::Machine& machine, Source source) {
+  source.asynchronous_reset = !machine.seen.empty();
+  source.clocks_are_inputs = machine.clocks_are_inputs;
+  for (const auto& w : machine.registers) {
+    if (w.field.index <= 0) source.kept.push_back(net_path(w.field.net).path);
+  }
+  return source;
 }
 
 Source source_in(const fs::path& folder, const std::string& design,

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "model/core/fields.h"
-#include "tb/support/place.h"
+#include "tb/nets/machine.h"
 
 namespace cosim::proof {
 
@@ -31,17 +31,9 @@ struct Source {
   bool keeps_statements = false;
 };
 
-/// RTL as it is read for a machine (MachineOf): the nets of its registers are kept, and its clocks
-/// and its reset are as the machine has them.
-template <class Machine>
-Source read_for(const Machine& machine, Source source) {
-  source.asynchronous_reset = !machine.seen.empty();
-  source.clocks_are_inputs = machine.clocks_are_inputs;
-  for (const auto& w : machine.registers) {
-    if (w.field.index <= 0) source.kept.push_back(net_path(w.field.net).path);
-  }
-  return source;
-}
+/// RTL as it is read for a machine: the nets of its registers are kept, and its clocks and its
+/// reset are as the machine has them.
+Source read_for(const nets::Machine& machine, Source source);
 
 /// The RTL of `design`: the files of folder/design, or of the folder itself where there is no such
 /// folder in it. InputError where there are none.

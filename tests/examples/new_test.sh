@@ -232,7 +232,7 @@ grep -qF 'SHAPES "W=4 D=8" UNPROVED)' tree2/CMakeLists.txt
 grep -q '  int W = 4;' tree2/tree2.h
 
 # What no model has is said in a line where it is written, and nothing else.
-printf '%s\n' '#include "tb/proof/bits.h"' 'using V = cosim::proof::Bits;' \
+printf '%s\n' '#include "tb/nets/number.h"' 'using V = cosim::nets::Number;' \
   'V f(V a) { if (a < 1) return a / 2; return a; }' 'V g(V a) { return a > 2 && a ? a % 3 : a << 1; }' > no.cpp
 if "${CXX:-c++}" -std=c++20 -fsyntax-only -I "$sources" no.cpp 2> said; then exit 1; fi
 diff - <(sed -n 's/.*error: static.*\(a model asks\|a model has no [^:]*\).*/\1/p' said | sort -u) << 'SAID'

@@ -165,7 +165,7 @@ TEST_P(Claims, AreOfEveryPort) {
     EXPECT_EQ(test::error_of([&] { claim_step(fewer, rtl); }),
               fewer.machine.design + ": the RTL has an " + kind + name + " that no table names");
   };
-  using Machine = nets::MachineOf<nets::Number>;
+  using nets::Machine;
   expect_refused("output ", &Machine::outputs);
   expect_refused("input ", &Machine::inputs);
 }

@@ -20,11 +20,25 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What follows the reading, whichever front end it was: one module of cells. Nothing is made
-// simpler by what an x may be taken for.
+// What follows what makes cells of processes, whichever front end it was: one module. Nothing is
+// made simpler by what an x may be taken for.
 constexpr const char* to_cells =
-    "proc -noopt\nsetattr -mod -unset keep_hierarchy *\nsetattr -unset keep_hierarchy */c:*\n"
+    "\nsetattr -mod -unset keep_hierarchy *\nsetattr -unset keep_hierarchy */c:*\n"
     "flatten\ncheck\nopt_clean\nmemory_collect\nopt_clean\n";
+
+// `proc -noopt` without proc_rmdead, which takes an item of `case` with an x for one that covers
+// those behind it, and without proc_rom. proc_rmdead also sees where items cover all values, so
+// that no latch is made; it is left out only where there is such an item.
+constexpr const char* without_rmdead =
+    "proc_clean; proc_prune; proc_init; proc_arst; proc_mux; proc_dlatch; proc_dff; proc_memwr; "
+    "proc_clean";
+constexpr const char* with_rmdead = "proc -noopt";
+bool has_items_with_x(const Files& files) {
+  static const Pattern item(
+      R"([\n;,)]\s*\d*'[sS]?[bBoOhH][0-9a-fA-F_zZ?]*[xX][0-9a-fA-F_xXzZ?]*\s*[:,])");
+  return std::ranges::any_of(
+      files.files, [](const fs::path& file) { return item.in(read_file(file.string())); });
+}
 
 // A text of Verilog without what yosys may not read: what is printed, and whole numbers as reals
 // that something is compared with.
@@ -120,7 +134,8 @@ class Reading {
   std::vector<std::pair<std::string, std::string>> parameters_;
 };
 
-std::string script(const Files& files, Reading& reading, const fs::path& scratch, bool prints) {
+std::string script(const Files& files, Reading& reading, const fs::path& scratch, bool prints,
+                   const char* processes) {
   std::string options = " -defer -D SYNTHESIS", commands;
   for (const fs::path& folder : reading.folders()) options += " -I" + folder.string();
   for (const std::string& define : files.defines) options += " -D" + define;
@@ -145,7 +160,7 @@ std::string script(const Files& files, Reading& reading, const fs::path& scratch
         "hierarchy -auto-top\n",
         scratch.string());
   }
-  return commands + to_cells +
+  return commands + processes + to_cells +
          fmt::format("write_json {0}/top.json\nwrite_rtlil {0}/top.il\n", scratch.string());
 }
 
@@ -181,8 +196,9 @@ Elaborated by_yosys(const Files& files, const std::string& what, const Budget& b
   const fs::path own = scratch.path();
   Reading reading(files, own);
   const std::string log = (own / "log").string();
+  const char* processes = has_items_with_x(files) ? without_rmdead : with_rmdead;
   const auto attempt = [&](bool prints, const fs::path& folder) {
-    write_file((own / "script.ys").string(), script(files, reading, own, prints));
+    write_file((own / "script.ys").string(), script(files, reading, own, prints, processes));
     const Ended ended =
         run({"yosys", "-q", "-l", log, "-s", (own / "script.ys").string()}, own, folder, budget);
     if (ended.status == 127) throw InputError("needs yosys");
@@ -204,6 +220,13 @@ Elaborated by_yosys(const Files& files, const std::string& what, const Budget& b
     for (const fs::path& folder : {empty, fs::absolute(files.folder)}) {
       try {
         attempt(prints, folder);
+        const auto has_latch = [&] {
+          return read_file((own / "top.json").string()).find("\"$dlatch") != std::string::npos;
+        };
+        if (processes == without_rmdead && has_latch()) {
+          processes = with_rmdead;
+          attempt(prints, folder);
+        }
         return {read_file((own / "top.json").string()), read_file((own / "top.il").string())};
       } catch (const InputError& error) {
         if (!first) first = error;
@@ -285,8 +308,8 @@ Elaborated by_slang(const Files& files, const std::string& what, const Budget& b
     commands += ' ' + seen(reading.file(i, true));
   }
   const std::string out = seen(own / "top");
-  commands += fmt::format("\nhierarchy -top {0}\n{1}write_json {2}.json\nwrite_rtlil {2}.il\n",
-                          files.top, to_cells, out);
+  commands += fmt::format("\nhierarchy -top {0}\n{3}{1}write_json {2}.json\nwrite_rtlil {2}.il\n",
+                          files.top, to_cells, out, with_rmdead);
   write_file((own / "script.ys").string(), commands);
   std::vector<std::string> words{place.string(), "-q", "-s", (own / "script.ys").string()};
   if (!is_program) {

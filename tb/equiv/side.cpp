@@ -54,7 +54,8 @@ std::string register_text(const Module& module, const Cell& cell) {
     if (net.is_named && std::ranges::find(net.bits, bit) != net.bits.end()) text = net.name;
   }
   text = text.empty() ? "a register" : "register " + text;
-  return cell.source.empty() ? text : fmt::format("{} ({})", text, cell.source);
+  const std::string place = cell.source.substr(cell.source.rfind('/') + 1);
+  return place.empty() ? text : fmt::format("{} ({})", text, place);
 }
 
 }  // namespace

@@ -178,6 +178,9 @@ Simulated Program::run(std::chrono::steady_clock::time_point until, const char* 
   return is;
 }
 
-std::string Program::wave() const { return read_file(own_ + "/wave.vcd"); }
+std::string Program::wave() const {
+  const std::string file = own_ + "/wave.vcd";
+  return fs::exists(file) ? read_file(file) : "";
+}
 
 }  // namespace cosim::equiv

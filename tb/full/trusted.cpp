@@ -224,6 +224,8 @@ ReadAs read_as(const nets::Model& model, const proof::Source& source) {
     return {lines.at("by").text(), lines.at("why").text(), lines.at("is_wrong").yes()};
   }
   const ReadAs is = judged(model, source);
+  // What could not be compared may be, another time.
+  if (is.by.empty() && !is.is_wrong) return is;
   fs::create_directories(folder, error);
   if (!error) {
     replace_file(kept.string(),

@@ -45,6 +45,11 @@ void Script::ask(const Expression& also) {
   text_ += "(check-sat)\n";
 }
 
+void Script::ask_apart(const Expression& also) {
+  const std::string name = name_of(also);
+  text_ += fmt::format("(push 1)\n(assert {})\n(check-sat)\n(pop 1)\n", name);
+}
+
 std::string Script::name_of(const Expression& e) {
   if (e.parts().empty()) return e.text();
   if (const auto found = named_.find(e.identity()); found != named_.end()) return found->second;

@@ -57,6 +57,8 @@ class Script {
 
   /// Asks the only question of a script: can all assumptions and `also` hold together?
   void ask(const Expression& also);
+  /// Asks one of several.
+  void ask_apart(const Expression& also);
   const std::string& text() const { return text_; }
 
  private:

@@ -34,7 +34,7 @@ Solved solve_by_z3(const std::string& script, int limit) {
     solved.answer = Answer::timed_out;
   } else if (ended.status == no_program) {
     solved.answer = Answer::missing;
-  } else if (ended.status == 0 && solved.said.empty() && solved.answers.size() == 1) {
+  } else if (ended.status == 0 && solved.said.empty() && !solved.answers.empty()) {
     solved.answer = solved.answers.front();
   }
   if (solved.answer == Answer::failed) solved.answers.clear();

@@ -1,4 +1,4 @@
-// z3, for the theorems: scripts of SMT-LIB 2, each with one question.
+// z3, for the theorems: scripts of SMT-LIB 2.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace cosim::proof {
 
-/// Has z3 answer, in `limit` seconds of processor time at the most.
+/// Has z3 answer all that a script asks, in `limit` seconds of processor time at the most.
 Solved solve_by_z3(const std::string& script, int limit);
 
 }  // namespace cosim::proof

@@ -154,7 +154,10 @@ TEST_F(Vhdl, WhatCannotBeRunIsALine) {
             "port d: its type is not std_logic, bit, boolean, an integer or a vector of these");
   const VhdlRun wide =
       run({top("d : in unsigned(2 downto 0); q : out unsigned(1 downto 0)", "begin end;")}, s);
-  EXPECT_EQ(wide.error, "port d: its type has no such value, or not so many bits");
+  // Versions of GHDL find one or the other first.
+  EXPECT_TRUE(wide.error == "port d: its type has no such value, or not so many bits" ||
+              wide.error == odd.error)
+      << wide.error;
   const VhdlRun stops =
       run({top(plain,
                "begin process (d) begin q <= d;\n"

@@ -434,8 +434,14 @@ Refereed refereed(const Side& side, const Referee& how) {
   if (!side.files().vhdl.empty()) return Match(side, how, Simulator::ghdl).judged_as_vhdl();
   const Refereed first = Match(side, how, Simulator::icarus).judged();
   if (!first.by.empty() || !how.verilator) return first;
-  const Refereed second = Match(side, how, Simulator::verilator).judged();
-  return second.by.empty() ? first : second;
+  Refereed second;
+  try {
+    second = Match(side, how, Simulator::verilator).judged();
+  } catch (const OutOfTime&) {
+    second.wrong = "Verilator needs more time to build it";
+  }
+  if (second.by.empty()) second.wrong = first.wrong + "; " + second.wrong;
+  return second;
 }
 
 }  // namespace cosim::equiv

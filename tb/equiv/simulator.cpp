@@ -49,6 +49,8 @@ Program::Program(const Side& side, Stimulus stimulus, Simulator simulator,
   if (!stimulus_.vcd.empty()) stimulus_.vcd = own_ + "/wave.vcd";
   std::string rows;
   for (const std::string& row : stimulus_.rows) rows += (row.empty() ? "0" : row) + '\n';
+  // Verilator reads no x from a file.
+  if (simulator_ == Simulator::verilator) std::ranges::replace(rows, 'x', '0');
   write_file(own_ + "/rows", rows);
   fs::create_directory(own_ + "/empty");
   // Delays of RTL without a timescale are short beside a clock of the testbench.
@@ -90,13 +92,14 @@ std::vector<std::string> Program::command(const std::string& generation) const {
     folders.push_back(fs::absolute(folder).string());
   folders.push_back(fs::absolute(files.folder).string());
   const bool is_icarus = simulator_ == Simulator::icarus;
-  const std::vector<std::string> begins =
-      words_in(is_icarus ? "iverilog -Wno-all -grelative-include -DSYNTHESIS -s cosim_replay -o " +
-                               own_ + "/built.vvp " + generation
-                         : "verilator --binary -Wno-fatal -Wno-lint -Wno-style --x-initial unique "
-                           "--x-assign unique --timescale 1ns/1ps --top-module cosim_replay "
-                           "+define+SYNTHESIS --Mdir " +
-                               own_ + "/built" + (stimulus_.vcd.empty() ? "" : " --trace"));
+  const std::vector<std::string> begins = words_in(
+      is_icarus
+          ? "iverilog -Wno-all -grelative-include -DSYNTHESIS -s cosim_replay -o " + own_ +
+                "/built.vvp " + generation
+          : "verilator --binary --build-jobs 2 -Wno-fatal -Wno-lint -Wno-style --x-initial unique "
+            "--x-assign unique --timescale 1ns/1ps --top-module cosim_replay "
+            "+define+SYNTHESIS --Mdir " +
+                own_ + "/built" + (stimulus_.vcd.empty() ? "" : " --trace"));
   words.insert(words.end(), begins.begin(), begins.end());
   for (const std::string& define : files.defines) {
     words.push_back((is_icarus ? "-D" : "+define+") + define);

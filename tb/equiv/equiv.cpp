@@ -8,105 +8,17 @@
 #include "model/core/input_error.h"
 #include "tb/equiv/clocks.h"
 #include "tb/equiv/front_end.h"
+#include "tb/equiv/ports.h"
 #include "tb/equiv/product.h"
 #include "tb/equiv/renamed.h"
 #include "tb/equiv/replay.h"
+#include "tb/equiv/trust.h"
 #include "tb/equiv/unknown.h"
 #include "tb/proof/reach.h"
 #include "tb/support/parallel.h"
-#include "tb/support/read_file.h"
-#include "tb/support/words.h"
 
 namespace cosim::equiv {
 namespace {
-
-using Widths = std::map<std::string, int>;
-
-// Ports of one side that the other lacks, or has in another width.
-void find_lacking(const Question& q, const Widths& gold, const Widths& gate, bool inputs,
-                  std::vector<std::string>& lacking) {
-  const auto is_free = [&](const std::string& port) {
-    if (inputs && !q.steps && (q.gold.clocks.contains(port) || q.gate.clocks.contains(port))) {
-      return true;
-    }
-    return inputs ? q.tied.contains(port) : std::ranges::find(q.ignored, port) != q.ignored.end();
-  };
-  std::set<std::string> met;
-  for (const auto& [port, width] : gold) {
-    const std::string other = gate_name(q, port);
-    met.insert(other);
-    if (is_free(port)) continue;
-    const auto at = gate.find(other);
-    if (at == gate.end()) {
-      lacking.push_back(port + " only in the old");
-    } else if (at->second != width) {
-      lacking.push_back(fmt::format("{} has {} bits and {}", port, width, at->second));
-    }
-  }
-  for (const auto& [port, width] : gate) {
-    if (!met.contains(port) && !is_free(port)) lacking.push_back(port + " only in the new");
-  }
-}
-
-// What the options name.
-void require_named(const Question& q) {
-  for (const auto& [pin, value] : q.tied) {
-    const std::string other = gate_name(q, pin);
-    const bool is_old = q.gold.inputs.contains(pin);
-    if (!is_old && !q.gate.inputs.contains(other)) {
-      throw InputError(fmt::format("--tie: {} is no input", in_quotes(pin)));
-    }
-    const int width = is_old ? q.gold.inputs.at(pin) : q.gate.inputs.at(other);
-    if (value.size() > static_cast<std::size_t>(width)) {
-      throw InputError(fmt::format("--tie: {} has {}, and the value {}", in_quotes(pin),
-                                   count(static_cast<std::uint64_t>(width), "bit"), value.size()));
-    }
-    const bool is_clock = q.gold.clocks.contains(pin) || q.gate.clocks.contains(other);
-    if (is_clock && (!q.steps || value != "0")) {
-      throw InputError(fmt::format("--tie: {} is a clock", in_quotes(pin)));
-    }
-  }
-  for (const std::string& pin : q.ignored) {
-    if (!q.gold.outputs.contains(pin) && !q.gate.outputs.contains(pin)) {
-      throw InputError(fmt::format("--ignore: {} is no output", in_quotes(pin)));
-    }
-  }
-  for (const auto& [pin, other] : q.renamed) {
-    if (!q.gold.declared.contains(pin)) {
-      throw InputError(fmt::format("--map: the old RTL has no port {}", in_quotes(pin)));
-    }
-    if (!q.gate.declared.contains(other)) {
-      throw InputError(fmt::format("--map: the new RTL has no port {}", in_quotes(other)));
-    }
-  }
-}
-
-void require_ports(const Question& q) {
-  require_named(q);
-  std::vector<std::string> lacking;
-  find_lacking(q, q.gold.inputs, q.gate.inputs, true, lacking);
-  find_lacking(q, q.gold.outputs, q.gate.outputs, false, lacking);
-  if (!lacking.empty()) {
-    throw InputError(fmt::format(
-        "the ports differ: {}; write --tie INPUT=VALUE, --ignore OUTPUT or --map OLD=NEW",
-        fmt::join(lacking, ", ")));
-  }
-  for (const auto& [clock, falls] : q.gold.clocks) {
-    const auto other = q.steps ? q.gate.clocks.find(gate_name(q, clock)) : q.gate.clocks.begin();
-    if (other == q.gate.clocks.end() || other->second == falls) continue;
-    throw InputError(clock + ": one takes over when it rises, the other when it falls");
-  }
-}
-
-// What has no meaning where there are several clocks.
-void require_steps(const Question& q) {
-  if (q.latency > 0) throw InputError("--latency: there are several clocks");
-  for (const Side* side : {&q.gold, &q.gate}) {
-    for (const std::string& clock : side->clocks_as_data) {
-      throw InputError(clock + ": is read as data, and there are several clocks");
-    }
-  }
-}
 
 // The memories of both that can be one; none where that is not so of all. One without initial
 // values begins as any, which is the same in both only where its name is.
@@ -161,68 +73,6 @@ proof::Reached reach(const Question& q, const Product& product, double share = 1
   const auto until = now + std::chrono::duration_cast<Budget::Clock::duration>(
                                std::min<std::chrono::duration<double>>(left, most));
   return proof::reach(product.graph, product.bad, until, q.jobs);
-}
-
-std::string source_of(const Side& side) {
-  std::string all;
-  for (const auto& file : side.files().files) all += read_file(file.string()) + '\0';
-  for (const auto* words : {&side.files().parameters, &side.files().defines}) {
-    for (const std::string& word : *words) all += word + '\0';
-  }
-  return all + side.files().top;
-}
-
-// Reads a side that was not read as its source says with the other front end.
-void read_again(Question& q, Side& side, const Referee& how, Trusted& trusted) {
-  if (side.front_end() == FrontEnd::slang || !has_slang()) return;
-  try {
-    Side again(side.files(), side.what(), FrontEnd::slang, q.budget);
-    if (again.inputs != side.inputs || again.outputs != side.outputs ||
-        again.clocks != side.clocks) {
-      return;
-    }
-    again.make_gates(Memories::cut, q.steps, q.budget);
-    const Refereed is = refereed(again, how);
-    if (!is.agrees) return;
-    trusted = {FrontEnd::slang, is};
-    side = std::move(again);
-  } catch (const InputError&) {  // it stays as it was read
-  }
-}
-
-// Whether the netlists of both are what their sources say; else the answer says why not.
-bool are_trusted(Question& q, Answer& answer) {
-  if (source_of(q.gold) == source_of(q.gate)) return true;
-  constexpr int share = 2;  // of the time that is left; Verilator builds for 5 to 20 s
-  const auto now = Budget::Clock::now();
-  const auto until = now + (q.budget.ends() - now) / share;
-  in_parallel(2, q.jobs, [&](std::uint64_t i) {
-    const bool is_gate = i == 1;
-    Side& side = is_gate ? q.gate : q.gold;
-    Trusted& trusted = is_gate ? answer.gate_read : answer.gold_read;
-    Referee how{q.steps, {}, is_gate, true, until};
-    for (const auto& [pin, level] : *q.resets) {
-      const std::string own = is_gate ? gate_name(q, pin) : pin;
-      if (side.inputs.contains(own) && side.inputs.at(own) == 1) how.resets[own] = level;
-    }
-    trusted = {side.front_end(), refereed(side, how)};
-    if (!trusted.is.agrees) read_again(q, side, how, trusted);
-    return true;
-  });
-  for (const auto& [trusted, side] :
-       {std::pair(&answer.gold_read, &q.gold), std::pair(&answer.gate_read, &q.gate)}) {
-    if (trusted->is.agrees) continue;
-    if (const std::string kept = side->kept_by_function(); !kept.empty()) {
-      throw Refused(fmt::format("{}: {}", side->what(), kept));
-    }
-    answer.left =
-        trusted->is.by.empty()
-            ? fmt::format("no simulator runs {}: {}", side->what(), trusted->is.wrong)
-            : fmt::format("{} is not read as it is written: {}", side->what(), trusted->is.wrong);
-    if (!has_slang()) answer.left += "; scripts/setup systemverilog brings another reader";
-    return false;
-  }
-  return true;
 }
 
 // Takes over that they are equal; where all of it rests on abc's word it is checked.

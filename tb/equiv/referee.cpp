@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "tb/equiv/referee_inputs.h"
 #include "tb/equiv/simulator.h"
 #include "tb/equiv/stepped.h"
 #include "tb/equiv/vhdl_run.h"
@@ -16,79 +17,7 @@ namespace cosim::equiv {
 namespace {
 
 using Bits = Stepped::Bits;
-using Inputs = std::map<std::string, std::string>;
-
-// Inputs by chance, in stretches of some clocks that each have their own ways: mostly low or mostly
-// high bits, small numbers, ends of ranges, what was before, the same word as another input.
-class Chance {
- public:
-  Chance(const Side& side, const Referee& how)
-      : side_(side), how_(how), random_(Random::for_case(1989, 0)) {}
-
-  Inputs row(std::size_t clock) {
-    constexpr std::size_t stretch = 24;
-    if (clock % stretch == 0) {
-      for (const auto& [port, width] : side_.inputs) ways_[port] = random_.below(8);
-    }
-    Inputs row;
-    for (const auto& [port, width] : side_.inputs) {
-      if (!how_.steps && side_.clocks.contains(port)) continue;
-      row[port] = digits(port, static_cast<std::size_t>(width), row);
-    }
-    // The reset first, and now and then.
-    constexpr std::size_t first = 3;
-    constexpr std::uint64_t seldom = 60;
-    const bool resets = clock < first || random_.below(seldom) == 0;
-    for (const auto& [port, level] : how_.resets) {
-      row[port] = (resets && (clock < first || random_.below(2) == 0)) == level ? "1" : "0";
-    }
-    before_ = row;
-    return row;
-  }
-
- private:
-  std::string digits(const std::string& port, std::size_t width, const Inputs& row) {
-    const std::uint64_t way = ways_[port];
-    std::string text(width, '0');
-    if (width == 1) {
-      constexpr std::uint64_t eighths[] = {1, 4, 7, 4, 4, 6, 2, 4};
-      text[0] = random_.below(8) < eighths[way] ? '1' : '0';
-      return text;
-    }
-    const std::uint64_t kind = random_.below(12) + way;
-    if (kind >= 15 && before_.contains(port)) return before_.at(port);
-    if (kind == 14) {
-      for (const auto& [other, value] : row) {
-        if (value.size() == width) return value;
-      }
-    }
-    if (kind >= 11) {  // a small number, or one below the highest
-      const std::uint64_t small = random_.below(std::uint64_t{1} << random_.below(7));
-      const char fill = random_.below(4) == 0 ? '1' : '0';
-      for (std::size_t i = 0; i < width; ++i) {
-        const bool bit = i < 64 && (small >> i & 1U) != 0;
-        text[width - 1 - i] = bit ? (fill == '1' ? '0' : '1') : fill;
-      }
-      return text;
-    }
-    if (kind == 10) {  // the ends of the ranges
-      const std::uint64_t end = random_.below(5);
-      std::fill(text.begin(), text.end(), end == 1 || end == 2 ? '1' : '0');
-      if (end >= 2) text.front() = end == 2 ? '0' : '1';
-      if (end == 4) text[random_.below(width)] = '1';
-      return text;
-    }
-    const std::uint64_t sparse = way == 1 ? 6 : way == 2 ? 2 : 4;
-    for (char& bit : text) bit = random_.below(8) < sparse ? '1' : '0';
-    return text;
-  }
-
-  const Side& side_;
-  const Referee& how_;
-  Random random_;
-  std::map<std::string, std::uint64_t> ways_;
-  Inputs before_;
-};
+using Inputs = RefereeInputs::Row;
 
 bool is_known(char digit) { return digit == '0' || digit == '1'; }
 
@@ -209,9 +138,9 @@ class Match {
       if (how_.steps || !side_.clocks.contains(port)) s.inputs.push_back(port);
     }
     for (const auto& [port, width] : side_.outputs) s.outputs.push_back(port);
-    Chance chance(side_, how_);
+    RefereeInputs inputs(side_, how_);
     for (std::size_t t = 0; t < clocks; ++t) {
-      rows_.push_back(chance.row(t));
+      rows_.push_back(inputs.row(t));
       std::string row;
       for (const std::string& port : s.inputs) row += rows_.back().at(port);
       if (s.rows.empty()) {

@@ -1,0 +1,78 @@
+#include "tb/equiv/trust.h"
+
+#include <fmt/core.h>
+
+#include "model/core/input_error.h"
+#include "tb/equiv/clocks.h"
+#include "tb/equiv/front_end.h"
+#include "tb/equiv/referee.h"
+#include "tb/support/parallel.h"
+#include "tb/support/read_file.h"
+
+namespace cosim::equiv {
+namespace {
+
+std::string source_of(const Side& side) {
+  std::string all;
+  for (const auto& file : side.files().files) all += read_file(file.string()) + '\0';
+  for (const auto* words : {&side.files().parameters, &side.files().defines}) {
+    for (const std::string& word : *words) all += word + '\0';
+  }
+  return all + side.files().top;
+}
+
+// Reads a side that was not read as its source says with the other front end.
+void read_again(Question& q, Side& side, const Referee& how, Trusted& trusted) {
+  if (side.front_end() == FrontEnd::slang || !has_slang()) return;
+  try {
+    Side again(side.files(), side.what(), FrontEnd::slang, q.budget);
+    if (again.inputs != side.inputs || again.outputs != side.outputs ||
+        again.clocks != side.clocks) {
+      return;
+    }
+    again.make_gates(Memories::cut, q.steps, q.budget);
+    const Refereed is = refereed(again, how);
+    if (!is.agrees) return;
+    trusted = {FrontEnd::slang, is};
+    side = std::move(again);
+  } catch (const InputError&) {  // it stays as it was read
+  }
+}
+
+}  // namespace
+
+bool are_trusted(Question& q, Answer& answer) {
+  if (source_of(q.gold) == source_of(q.gate)) return true;
+  constexpr int share = 2;  // of the time that is left; Verilator builds for 5 to 20 s
+  const auto now = Budget::Clock::now();
+  const auto until = now + (q.budget.ends() - now) / share;
+  in_parallel(2, q.jobs, [&](std::uint64_t i) {
+    const bool is_gate = i == 1;
+    Side& side = is_gate ? q.gate : q.gold;
+    Trusted& trusted = is_gate ? answer.gate_read : answer.gold_read;
+    Referee how{q.steps, {}, is_gate, true, until};
+    for (const auto& [pin, level] : *q.resets) {
+      const std::string own = is_gate ? gate_name(q, pin) : pin;
+      if (side.inputs.contains(own) && side.inputs.at(own) == 1) how.resets[own] = level;
+    }
+    trusted = {side.front_end(), refereed(side, how)};
+    if (!trusted.is.agrees) read_again(q, side, how, trusted);
+    return true;
+  });
+  for (const auto& [trusted, side] :
+       {std::pair(&answer.gold_read, &q.gold), std::pair(&answer.gate_read, &q.gate)}) {
+    if (trusted->is.agrees) continue;
+    if (const std::string kept = side->kept_by_function(); !kept.empty()) {
+      throw Refused(fmt::format("{}: {}", side->what(), kept));
+    }
+    answer.left =
+        trusted->is.by.empty()
+            ? fmt::format("no simulator runs {}: {}", side->what(), trusted->is.wrong)
+            : fmt::format("{} is not read as it is written: {}", side->what(), trusted->is.wrong);
+    if (!has_slang()) answer.left += "; scripts/setup systemverilog brings another reader";
+    return false;
+  }
+  return true;
+}
+
+}  // namespace cosim::equiv

@@ -6,7 +6,8 @@
 # whose body is not read; without one a pin is an output where nothing else drives the net that it is joined
 # to. Files that change are written into FOLDER, the rest is as of inout.pl.
 # With COSIM_BLACKBOX=all what an instance is given besides nets is an output too: constants at pins, parameters
-# (u$parameter$NAME) and attributes (u$attribute$NAME).
+# (u$parameter$NAME) and attributes (u$attribute$NAME); and of pins of which none is known to drive their net the
+# first does.
 use strict;
 use warnings;
 use FindBin;
@@ -93,7 +94,8 @@ sub open_module {
     $m->{opened} = [];
     my ($flat, $head, $is_ansi, @items) = head_of($m);
     my $ports = ports_of($m);
-    my @new;
+    my (@new, %driver);
+    my $is_all = ($ENV{COSIM_BLACKBOX} // '') eq 'all';
     for my $of (sort keys %box) {
         my $declared = $module{$of} && ports_of($module{$of});
         for my $instance (instances($of, $flat)) {
@@ -110,23 +112,33 @@ sub open_module {
                 }
                 my $is_out = $declared ? ($declared->{$port} // [''])->[0] eq 'output'
                   : $e =~ /^(\w+)$select$/ && !is_driven($flat, $ports, $1);
+                if ($is_out && !$declared && $is_all) {    # of pins on one net the first drives it
+                    my ($first) = sort map { $_->[1] eq $e ? $_->[0] : () } joined(@$pins);
+                    $is_out = ($driver{$e} //= "$name\$$first") eq "$name\$$port";
+                }
                 my $range = range_of($flat, $ports, $e, "$of $name: its pin $port");
                 push @new, ["$name\$$port", $is_out ? 'input' : 'output', $range];
                 $text .= $is_out ? "assign $e = $name\$$port; " : "assign $name\$$port = $e; ";
             }
             # Attributes before it, which stand for the instance, go with it.
-            my $attributes = original($m, 0, $at) =~ /((?:\(\*(?:(?!\*\)).)*\*\)\s*)+)$/s ? $1 : '';
+            my $attributes =
+              original($m, 0, $at) =~ m{((?:\(\*(?:(?!\*\)).)*\*\)|//[^\n]*\n|/\*(?:(?!\*/).)*\*/|\s)+)$}s ? $1 : '';
             $at -= length $attributes;
+            $attributes = without_comments($attributes);
             my $count = 0;
-            for my $one ($given ? parts(original($m, @$given), 0) : ()) {
+            for my $one ($given ? parts(without_comments(original($m, @$given)), 0) : ()) {
                 my ($parameter, $value) =
                   $one->[0] =~ /^\.\s*(\w+)\s*\((.*)\)$/s ? ($1, $2) : ($count++, $one->[0]);
+                # A real number would be rounded; a name may stand for one, and for an integer or a text, of which
+                # an odd multiple says as much.
+                if ($value =~ /^[^"]*\d\.\d[^"]*$/) { $value = "\"$value\"" }
+                elsif ($value =~ /^[^"]*(?<![\w'])[A-Za-z_][^"]*$/) { $value = "($value) * 1000003" }
                 push @constants, ["parameter\$$parameter", '[255:0]', $value];
             }
             while ($attributes =~ /[(*,]\s*([A-Za-z_]\w*)\s*(?:=\s*("[^"]*"|[^,*"]+?))?\s*(?=,|\*\))/g) {
                 push @constants, ["attribute\$$1", '[255:0]', $2 // '1'];
             }
-            for my $constant (($ENV{COSIM_BLACKBOX} // '') eq 'all' ? @constants : ()) {
+            for my $constant ($is_all ? @constants : ()) {
                 my ($what, $range, $value) = @$constant;
                 push @new, ["$name\$$what", 'output', $range];
                 $text .= "assign $name\$$what = $value; ";

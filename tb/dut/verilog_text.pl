@@ -42,8 +42,9 @@ sub parts {
     my ($list, $at) = @_;
     my @parts;
     my ($depth, $from) = (0, 0);
+    my $plain = $list =~ s{("(?:[^"\\\n]|\\.)*")}{'"' x length $1}gre;    # nothing in a text ends a part
     for my $i (0 .. length $list) {
-        my $c = $i < length $list ? substr $list, $i, 1 : ',';
+        my $c = $i < length $list ? substr $plain, $i, 1 : ',';
         ++$depth if $c =~ /[(\[{]/;
         --$depth if $c =~ /[)\]}]/;
         next if $c ne ',' || $depth;
@@ -66,6 +67,7 @@ sub head_of {
     my @items = parts($list =~ s/^\(|\)$//gr, $list_at + 1);
     return ($flat, $head, $list =~ /\b(?:input|output|inout)\b/ ? 1 : 0, @items);
 }
+sub without_comments { return $_[0] =~ s{("(?:[^"\\\n]|\\.)*")|//[^\n]*|/\*.*?\*/}{$1 // ' '}gser }
 sub original { my ($m, $at, $length) = @_; return substr $text{$m->{file}}, $m->{at} + $at, $length }
 # Writes the files that edits were made in into a folder; on stdout all files to read, one a line.
 sub write_files {

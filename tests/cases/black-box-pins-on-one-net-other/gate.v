@@ -1,0 +1,4 @@
+module t(input a, output y);
+  wire feedback;
+  PLL p(.A(a), .FEEDBACK_OUT(feedback), .FEEDBACK_IN(a), .Y(y));
+endmodule

@@ -57,7 +57,27 @@ sub instances {
     return @all;
 }
 sub joined {
-    return map { $_->[0] =~ /^\.\s*(\w+)\s*\((.*)\)$/s ? [$1, $2 =~ s/^\s+|\s+$//gr] : () } @_;
+    return map { $_->[0] =~ /^\.\s*(\w+)\s*(?:\((.*)\))?$/s ? [$1, ($2 // $1) =~ s/^\s+|\s+$//gr] : () } @_;
+}
+# What a parameter or an attribute is given as a constant of Verilog: [what kind it is, range, value]. Of other kinds
+# other ports are made: a text is no number, and a real number or one with an x is none that two bits can hold.
+sub constant_of {
+    my ($e) = @_;
+    my ($kind, $bits) = ('', 256);
+    my $real = qr/\d\.\d|(?<![\w'.])\d[\d_]*[eE][-+]?\d/;
+    if ($e =~ /^"[^"]*"$/) { $kind = 'text' }
+    elsif ($e !~ /"/ && $e =~ $real) {
+        my $plain = $e =~ s/_//gr;
+        $e = sprintf '%.17g', $plain if $plain =~ /^[-+]?[\d.]+(?:[eE][-+]?\d+)?$/;
+        ($kind, $e) = ('real', "\"$e\"");
+    } elsif ($e =~ /^\d*\s*'s?[bodh][\da-f_]*[xz?]/i) { ($kind, $e) = ('bits', '"' . lc($e) . '"') }
+    elsif ($e =~ /^[^"]*(?<![\w'])[A-Za-z_`]/) {
+        # A name may stand for a real number, which would be rounded, and for an integer or a text, of which an odd
+        # multiple says as much.
+        ($bits, $e) = (2048, "($e) * 1000003");
+    }
+    for my $size ($kind ? 8 * length $e : $e =~ /(\d+)\s*'/g) { $bits = $size if $size > $bits }
+    return [$kind, '[' . ($bits - 1) . ':0]', $e];
 }
 
 # Whether something but a blackbox drives a net.
@@ -87,6 +107,12 @@ sub range_of {
     return $flat =~ /\b(?:wire|reg|logic)\b(?:\s*signed\b)?((?:\s*\[[^\]]*\])*)(?=[^;]*\b\Q$net\E\b)[\s\w,]*\b\Q$net\E\b/ ? $1 : '';
 }
 
+sub given {
+    my ($name, $e) = @_;
+    my ($kind, $range, $value) = @{constant_of($e =~ s/^\s+|\s+$//gr)};
+    return [$kind ? "$name\$$kind" : $name, $range, $value];
+}
+
 # Takes the blackboxes out of a module and of those below it; its new ports, [name, way, range].
 sub open_module {
     my ($m) = @_;
@@ -102,8 +128,10 @@ sub open_module {
             my ($name, $pins, $at, $end, undef, $given) = @$instance;
             my $text = '';
             my @constants;    # [name, range, value]
+            my @joined = joined(@$pins);
+            fail("$of $name: its pins are not all .PIN(NET)") if @joined != @$pins;
             $box{$of} = 1;
-            for my $pin (joined(@$pins)) {
+            for my $pin (@joined) {
                 my ($port, $e) = @$pin;
                 if ($e eq '' || $e =~ /^\d+$|^\d*\s*'/) {
                     my $range = $e =~ /^(\d+)\s*'/ ? '[' . ($1 - 1) . ':0]' : '[31:0]';
@@ -113,7 +141,7 @@ sub open_module {
                 my $is_out = $declared ? ($declared->{$port} // [''])->[0] eq 'output'
                   : $e =~ /^(\w+)$select$/ && !is_driven($flat, $ports, $1);
                 if ($is_out && !$declared && $is_all) {    # of pins on one net the first drives it
-                    my ($first) = sort map { $_->[1] eq $e ? $_->[0] : () } joined(@$pins);
+                    my ($first) = sort map { $_->[1] eq $e ? $_->[0] : () } @joined;
                     $is_out = ($driver{$e} //= "$name\$$first") eq "$name\$$port";
                 }
                 my $range = range_of($flat, $ports, $e, "$of $name: its pin $port");
@@ -129,14 +157,10 @@ sub open_module {
             for my $one ($given ? parts(without_comments(original($m, @$given)), 0) : ()) {
                 my ($parameter, $value) =
                   $one->[0] =~ /^\.\s*(\w+)\s*\((.*)\)$/s ? ($1, $2) : ($count++, $one->[0]);
-                # A real number would be rounded; a name may stand for one, and for an integer or a text, of which
-                # an odd multiple says as much.
-                if ($value =~ /^[^"]*\d\.\d[^"]*$/) { $value = "\"$value\"" }
-                elsif ($value =~ /^[^"]*(?<![\w'])[A-Za-z_][^"]*$/) { $value = "($value) * 1000003" }
-                push @constants, ["parameter\$$parameter", '[255:0]', $value];
+                push @constants, given("parameter\$$parameter", $value);
             }
             while ($attributes =~ /[(*,]\s*([A-Za-z_]\w*)\s*(?:=\s*("[^"]*"|[^,*"]+?))?\s*(?=,|\*\))/g) {
-                push @constants, ["attribute\$$1", '[255:0]', $2 // '1'];
+                push @constants, given("attribute\$$1", $2 // '1');
             }
             for my $constant ($is_all ? @constants : ()) {
                 my ($what, $range, $value) = @$constant;

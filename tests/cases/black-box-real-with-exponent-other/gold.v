@@ -1,0 +1,4 @@
+module t(input a, b, output y);
+  // A real number may have an exponent and no point.
+  PLL #(.P(1e-3)) p(.A(a), .Y(y));
+endmodule

@@ -17,6 +17,7 @@ our ($group, $select, %words, %module);
 my ($top, $folder, $boxes, @files) = @ARGV;
 read_modules(@files);
 my %box = map { $_ => 0 } split /,/, $boxes;    # whether there is one
+my $is_all = ($ENV{COSIM_BLACKBOX} // '') eq 'all';
 my %done;
 
 # The ports of a module: name => [way, range].
@@ -97,14 +98,27 @@ sub is_driven {
     }
     return 0;
 }
-# The range of what a pin is joined to.
+# The range of what a pin is joined to. Where $is_all, what is not known is wide: so nothing of it is cut.
+my $vector = qr/wire|reg|logic|bit|tri(?:0|1|and|or|reg)?|wand|wor|uwire|var/;
+my %bits = (integer => 32, int => 32, byte => 8, shortint => 16, longint => 64, time => 64);
 sub range_of {
     my ($flat, $ports, $e, $where) = @_;
     my ($net, $part) = $e =~ /^[~\s]*(\w+)($select)$/;
     fail("$where is joined to '$e', and only a net, or its inverse, tells how wide it is") if !defined $net;
     return $1 =~ /^(.*):(.*)$/s ? "[($1) - ($2):0]" : '' if $part =~ /\[([^\]]*)\]\s*$/;
     return $ports->{$net}[1] if $ports->{$net};
-    return $flat =~ /\b(?:wire|reg|logic)\b(?:\s*signed\b)?((?:\s*\[[^\]]*\])*)(?=[^;]*\b\Q$net\E\b)[\s\w,]*\b\Q$net\E\b/ ? $1 : '';
+    (my $plain = $flat) =~ s/\b(?:struct|union)\b[^{;]*\{[^{}]*\}//g;
+    my %ranges;
+    while ($plain =~ /\b(?:$vector)\b(?:\s*(?:$vector|signed|unsigned)\b)*((?:\s*\[[^\]]*\])*)[\s\w,]*\b\Q$net\E\b/g) {
+        $ranges{$1} = 1;
+    }
+    while ($plain =~ /\b(integer|int|byte|shortint|longint|time)\b(?:\s*(?:un)?signed\b)?[\s\w,]*\b\Q$net\E\b/g) {
+        $ranges{'[' . ($bits{$1} - 1) . ':0]'} = 1;
+    }
+    return (keys %ranges)[0] if keys %ranges == 1;
+    return $is_all ? '[1023:0]' : '' if !%ranges;
+    return '[1023:0]' if $is_all;
+    fail("$where is joined to $net, of which there are several widths");
 }
 
 sub given {
@@ -121,7 +135,6 @@ sub open_module {
     my ($flat, $head, $is_ansi, @items) = head_of($m);
     my $ports = ports_of($m);
     my (@new, %driver);
-    my $is_all = ($ENV{COSIM_BLACKBOX} // '') eq 'all';
     for my $of (sort keys %box) {
         my $declared = $module{$of} && ports_of($module{$of});
         for my $instance (instances($of, $flat)) {

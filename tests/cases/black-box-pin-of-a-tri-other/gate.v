@@ -1,0 +1,6 @@
+module t(input [3:0] a, output y);
+  // All of a net is compared, whatever kind it is.
+  tri [3:0] n;
+  assign n = {~a[3], a[2:0]};
+  PLL p(.A(n), .Y(y));
+endmodule

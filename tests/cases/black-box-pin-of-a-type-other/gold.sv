@@ -1,0 +1,7 @@
+typedef logic [3:0] four;
+module t(input [3:0] a, output y);
+  // All of a net is compared, whatever kind it is.
+  four n;
+  assign n = a;
+  PLL p(.A(n), .Y(y));
+endmodule

@@ -1,0 +1,6 @@
+module t(input [3:0] a, output y);
+  // All of a net is compared, whatever kind it is.
+  integer n;
+  always @* n = a;
+  PLL p(.A(n), .Y(y));
+endmodule

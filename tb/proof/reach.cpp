@@ -42,7 +42,8 @@ Rows tried(const Aig& graph, Aig::Lit bad, const std::string& file) {
     if (clock >= rows.size()) rows.resize(clock + 1, std::vector<bool>(graph.inputs()));
     if (input < graph.inputs()) rows[clock][input] = part[3] == "1";
   }
-  if (rows.empty()) rows.emplace_back();
+  // A file of an engine that was stopped may be empty.
+  if (rows.empty()) rows.emplace_back(graph.inputs());
   const auto seen = graph.run(rows, {bad});
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (!seen[i].front()) continue;

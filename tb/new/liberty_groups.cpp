@@ -18,7 +18,7 @@ class LibertyReader {
     next();
   }
 
-  LibertyGroup library() {
+  LibertyGroup read() {
     if (word_ != "library" || is_text_) fail("is no Liberty file: it does not begin with library");
     LibertyGroup all;
     statement(all);
@@ -141,7 +141,7 @@ std::string LibertyGroup::value(const std::string& attribute) const {
 }
 
 LibertyGroup read_liberty(const std::string& text, const std::string& file) {
-  return LibertyReader(text, file).library();
+  return LibertyReader(text, file).read();
 }
 
 }  // namespace cosim::cli

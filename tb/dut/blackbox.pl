@@ -61,7 +61,7 @@ sub joined {
     return map { $_->[0] =~ /^\.\s*(\w+)\s*(?:\((.*)\))?$/s ? [$1, ($2 // $1) =~ s/^\s+|\s+$//gr] : () } @_;
 }
 # What a parameter or an attribute is given as a constant of Verilog: [what kind it is, range, value]. Of other kinds
-# other ports are made: a text is no number, and a real number or one with an x is none that two bits can hold.
+# other ports are made: a text is no number, and digits with an x and real numbers are taken as texts.
 sub constant_of {
     my ($e) = @_;
     my ($kind, $bits) = ('', 256);

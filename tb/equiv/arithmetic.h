@@ -5,47 +5,49 @@
 #include <utility>
 #include <vector>
 
-#include "tb/proof/aig.h"
+#include "tb/nets/graph.h"
 
 namespace cosim::equiv {
 
-using Lits = std::vector<proof::Aig::Lit>;
+using nets::Bit;
+using nets::Bits;
+using nets::Graph;
+using nets::no;
+using nets::yes;
 
 class Arithmetic {
  public:
-  using Lit = proof::Aig::Lit;
-
-  explicit Arithmetic(proof::Aig& graph) : graph_(graph) {}
+  explicit Arithmetic(Graph& graph) : graph_(graph) {}
 
   /// Longer by copies of the highest bit if `is_signed`, else by 0; or cut.
-  static Lits extended(Lits a, std::size_t width, bool is_signed);
-  static Lits inverted(Lits a);
+  static Bits extended(Bits a, std::size_t width, bool is_signed);
+  static Bits inverted(Bits a);
 
-  Lit all(const Lits& a);
-  Lit any(const Lits& a) { return proof::Aig::inverted(all(inverted(a))); }
-  Lit parity(const Lits& a);
+  Bit all(const Bits& a);
+  Bit any(const Bits& a) { return !all(inverted(a)); }
+  Bit parity(const Bits& a);
   /// Both have the same width, here and below.
-  Lit equal(const Lits& a, const Lits& b);
-  Lit less(const Lits& a, const Lits& b, bool is_signed);
-  Lits choose(Lit condition, const Lits& then, const Lits& otherwise);
+  Bit equal(const Bits& a, const Bits& b);
+  Bit less(const Bits& a, const Bits& b, bool is_signed);
+  Bits choose(Bit condition, const Bits& then, const Bits& otherwise);
 
   /// a + b + carry, as wide as they are (a ripple-carry adder).
-  Lits sum(const Lits& a, const Lits& b, Lit carry = 0);
-  Lits difference(const Lits& a, const Lits& b) { return sum(a, inverted(b), 1); }
-  Lits negated(const Lits& a) { return sum(inverted(a), Lits(a.size(), 0), 1); }
-  Lits product(const Lits& a, const Lits& b);
+  Bits sum(const Bits& a, const Bits& b, Bit carry = no);
+  Bits difference(const Bits& a, const Bits& b) { return sum(a, inverted(b), yes); }
+  Bits negated(const Bits& a) { return sum(inverted(a), Bits(a.size(), no), yes); }
+  Bits product(const Bits& a, const Bits& b);
   /// Quotient and remainder, rounded to 0, or down where `floors` (a restoring divider). What comes
   /// of a divisor of 0 means nothing.
-  std::pair<Lits, Lits> divided(const Lits& a, const Lits& b, bool is_signed, bool floors);
+  std::pair<Bits, Bits> divided(const Bits& a, const Bits& b, bool is_signed, bool floors);
 
   /// By an unsigned amount of any width; `fill` comes in.
-  Lits left(Lits a, const Lits& amount, Lit fill = 0);
-  Lits right(Lits a, const Lits& amount, Lit fill);
+  Bits left(Bits a, const Bits& amount, Bit fill = no);
+  Bits right(Bits a, const Bits& amount, Bit fill);
 
  private:
-  std::pair<Lits, Lits> divided(const Lits& a, const Lits& b);
+  std::pair<Bits, Bits> divided(const Bits& a, const Bits& b);
 
-  proof::Aig& graph_;
+  Graph& graph_;
 };
 
 }  // namespace cosim::equiv

@@ -86,19 +86,19 @@ Assumption made(const std::string& text, std::size_t number, const Side& gold,
 
 // Of inputs alone: what is possible on one clock is so on all of them.
 proof::Ever on_a_clock(const Question& q) {
-  proof::Aig graph;
-  std::map<Name, proof::Aig::Lit> inputs;
-  proof::Aig::Lit all = 1;
+  Graph graph;
+  std::map<Name, Bit> inputs;
+  Bit all = yes;
   for (const Assumption& one : q.assumed) {
     const auto input = [&](const Name& name) {
-      if (const auto tied = tied_bit(q, name)) return proof::Aig::Lit{*tied};
+      if (const auto tied = tied_bit(q, name)) return nets::constant(*tied);
       const auto [at, is_new] = inputs.try_emplace(name, 0);
       if (is_new) at->second = graph.input();
       return at->second;
     };
     all = graph.and_of(all, one.logic.make(graph, input, {}, {}).outputs.at({"cosim_holds", 0}));
   }
-  if (all == 1) return proof::Ever::yes;
+  if (all == yes) return proof::Ever::yes;
   return proof::reach(graph, all, q.budget.ends(), q.jobs).ever;
 }
 
@@ -106,14 +106,14 @@ constexpr int kClocks = 20;
 
 proof::Ever from_reset(const Question& q) {
   Product product = product_of(q, Registers::two, {}, {});
-  proof::Aig::Lit clock = product.graph.latch(true);
-  product.graph.next(clock, 0);
+  Bit clock = product.graph.latch(true);
+  product.graph.next(clock, no);
   for (int i = 1; i < q.reset_clocks + kClocks; ++i) {
-    const proof::Aig::Lit next = product.graph.latch(false);
+    const Bit next = product.graph.latch(false);
     product.graph.next(next, clock);
     clock = next;
   }
-  const proof::Aig::Lit kept = product.graph.and_of(product.held, clock);
+  const Bit kept = product.graph.and_of(product.held, clock);
   return proof::reach(product.graph, kept, q.budget.ends(), q.jobs).ever;
 }
 

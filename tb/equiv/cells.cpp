@@ -12,9 +12,6 @@
 namespace cosim::equiv {
 namespace {
 
-using proof::Aig;
-using Lit = Aig::Lit;
-
 const std::set<std::string_view> bitwise{
     "$and",   "$or",    "$xor",    "$xnor",     "$not",     "$pos",    "$buf",
     "$mux",   "$bwmux", "$_BUF_",  "$_NOT_",    "$_AND_",   "$_NAND_", "$_OR_",
@@ -57,7 +54,7 @@ void Cells::refuse(const Cell& cell, const std::string& why) {
   throw InputError(cell.source.empty() ? why : cell.source + ": " + why);
 }
 
-Cells::Cells(const Module& module, Aig& graph, std::function<Lit()> unknown)
+Cells::Cells(const Module& module, Graph& graph, std::function<Bit()> unknown)
     : graph_(graph), words_(graph), unknown_(std::move(unknown)) {
   for (const Cell& cell : module.cells) {
     if (is_no_logic(cell)) continue;
@@ -70,16 +67,16 @@ Cells::Cells(const Module& module, Aig& graph, std::function<Lit()> unknown)
   }
 }
 
-Lit Cells::leaf(int bit) {
-  if (bit == zero) return 0;
-  if (bit == one) return 1;
+Bit Cells::leaf(int bit) {
+  if (bit == zero) return no;
+  if (bit == one) return yes;
   if (bit < 0) return unknown_();
   const auto at = value_.find(bit);
   return at != value_.end() ? at->second : value_[bit] = unknown_();  // nothing drives it
 }
 
-Lits Cells::of(const std::vector<int>& bits) {
-  Lits all;
+Bits Cells::of(const std::vector<int>& bits) {
+  Bits all;
   for (const int bit : bits) all.push_back(of(bit));
   return all;
 }
@@ -109,7 +106,7 @@ std::vector<int> Cells::needs(const Place& place) const {
 }
 
 // Depth first, without recursion: chains of cells are long.
-Lit Cells::of(int bit) {
+Bit Cells::of(int bit) {
   if (is_known(bit)) return leaf(bit);
   std::vector<int> stack{bit};
   std::set<int> open;
@@ -144,63 +141,63 @@ void Cells::evaluate(const Place& place) {
   if (cell.is_memory()) return read(cell, place.bit / cell.number("WIDTH"));
   const std::vector<int>& out = cell.pins.at(cell.is_register() ? "Q" : "Y");
   if (is_bitwise(cell)) {
-    const Lit is = one_bit(place);
+    const Bit is = one_bit(place);
     if (out[place.bit] >= 0) value_[out[place.bit]] = is;
     return;
   }
-  Lits all = result(cell);
-  all.resize(out.size(), 0);
+  Bits all = result(cell);
+  all.resize(out.size(), no);
   for (std::size_t i = 0; i < out.size(); ++i) {
     if (out[i] >= 0) value_[out[i]] = all[i];
   }
 }
 
-Lit Cells::one_bit(const Place& place) {
+Bit Cells::one_bit(const Place& place) {
   const Cell& cell = *place.cell;
   if (cell.is_register()) {
     return asynchronous(cell, place.bit, held_.at(cell.pins.at("Q")[place.bit]));
   }
-  const auto pin = [&](const char* name) -> Lit {
+  const auto pin = [&](const char* name) -> Bit {
     const std::ptrdiff_t at = source_of(cell, name, place.bit);
-    return at < 0 ? 0 : leaf(cell.pins.at(name)[static_cast<std::size_t>(at)]);
+    return at < 0 ? no : leaf(cell.pins.at(name)[static_cast<std::size_t>(at)]);
   };
   const std::string& t = cell.type;
-  const Lit a = pin("A");
-  if (t == "$not" || t == "$_NOT_") return Aig::inverted(a);
+  const Bit a = pin("A");
+  if (t == "$not" || t == "$_NOT_") return !a;
   if (t == "$pos" || t == "$buf" || t == "$_BUF_") return a;
-  const Lit b = pin("B");
+  const Bit b = pin("B");
   if (t == "$and" || t == "$_AND_") return graph_.and_of(a, b);
   if (t == "$or" || t == "$_OR_") return graph_.or_of(a, b);
   if (t == "$xor" || t == "$_XOR_") return graph_.xor_of(a, b);
-  if (t == "$xnor" || t == "$_XNOR_") return Aig::inverted(graph_.xor_of(a, b));
-  if (t == "$_NAND_") return Aig::inverted(graph_.and_of(a, b));
-  if (t == "$_NOR_") return Aig::inverted(graph_.or_of(a, b));
-  if (t == "$_ANDNOT_") return graph_.and_of(a, Aig::inverted(b));
-  if (t == "$_ORNOT_") return graph_.or_of(a, Aig::inverted(b));
-  const Lit chosen = a == b ? a : graph_.choose(pin("S"), b, a);
-  return t == "$_NMUX_" ? Aig::inverted(chosen) : chosen;
+  if (t == "$xnor" || t == "$_XNOR_") return !graph_.xor_of(a, b);
+  if (t == "$_NAND_") return !graph_.and_of(a, b);
+  if (t == "$_NOR_") return !graph_.or_of(a, b);
+  if (t == "$_ANDNOT_") return graph_.and_of(a, !b);
+  if (t == "$_ORNOT_") return graph_.or_of(a, !b);
+  const Bit chosen = a == b ? a : graph_.mux(pin("S"), b, a);
+  return t == "$_NMUX_" ? !chosen : chosen;
 }
 
 // A word of a memory; beyond its end it is x.
 void Cells::read(const Cell& cell, std::size_t port) {
   const std::size_t width = cell.number("WIDTH");
-  const Lits is = words_of_memory(cell, of(read_address(cell, port)));
+  const Bits is = words_of_memory(cell, of(read_address(cell, port)));
   const std::vector<int>& out = cell.pins.at("RD_DATA");
   for (std::size_t i = 0; i < width; ++i) {
     if (const int bit = out[port * width + i]; bit >= 0) value_[bit] = is[i];
   }
 }
 
-Lits Cells::words_of_memory(const Cell& cell, const Lits& address) {
-  std::vector<Lits> level = memories_.at(&cell);
+Bits Cells::words_of_memory(const Cell& cell, const Bits& address) {
+  std::vector<Bits> level = memories_.at(&cell);
   const std::size_t low = cell.number("OFFSET"), width = cell.number("WIDTH");
   // A tree of multiplexers over the addresses from 0 on; an empty word is beyond the memory.
-  level.insert(level.begin(), low, Lits{});
-  for (const Lit bit : address) {
-    std::vector<Lits> next((level.size() + 1) / 2);
+  level.insert(level.begin(), low, Bits{});
+  for (const Bit bit : address) {
+    std::vector<Bits> next((level.size() + 1) / 2);
     for (std::size_t i = 0; i < next.size(); ++i) {
-      Lits &even = level[2 * i], none;
-      Lits& odd = 2 * i + 1 < level.size() ? level[2 * i + 1] : none;
+      Bits &even = level[2 * i], none;
+      Bits& odd = 2 * i + 1 < level.size() ? level[2 * i + 1] : none;
       if (even.empty() && odd.empty()) continue;
       if (even.empty()) even = unknown_word(width);
       if (odd.empty()) odd = unknown_word(width);
@@ -212,70 +209,70 @@ Lits Cells::words_of_memory(const Cell& cell, const Lits& address) {
 }
 
 // A reset, a load or a set that is no matter of the clock; clear comes before set.
-Lit Cells::asynchronous(const Cell& cell, std::size_t bit, Lit otherwise) {
+Bit Cells::asynchronous(const Cell& cell, std::size_t bit, Bit otherwise) {
   const auto active = [&](const char* pin, const char* polarity) {
     const auto& all = cell.pins.at(pin);
-    const Lit is = of(all[std::min(bit, all.size() - 1)]);
-    return cell.flag(polarity) ? is : Aig::inverted(is);
+    const Bit is = of(all[std::min(bit, all.size() - 1)]);
+    return cell.flag(polarity) ? is : !is;
   };
   if (cell.has("ARST")) {
     const std::string& text = cell.parameter("ARST_VALUE");
     const char digit = bit < text.size() ? text[text.size() - 1 - bit] : '0';
-    const Lit value = digit == 'x' ? unknown_() : digit == '1' ? 1U : 0U;
-    otherwise = graph_.choose(active("ARST", "ARST_POLARITY"), value, otherwise);
+    const Bit value = digit == 'x' ? unknown_() : digit == '1' ? yes : no;
+    otherwise = graph_.mux(active("ARST", "ARST_POLARITY"), value, otherwise);
   }
   if (cell.has("ALOAD")) {
     otherwise =
-        graph_.choose(active("ALOAD", "ALOAD_POLARITY"), of(cell.pins.at("AD")[bit]), otherwise);
+        graph_.mux(active("ALOAD", "ALOAD_POLARITY"), of(cell.pins.at("AD")[bit]), otherwise);
   }
   if (cell.has("SET")) otherwise = graph_.or_of(active("SET", "SET_POLARITY"), otherwise);
   if (cell.has("CLR")) {
-    otherwise = graph_.and_of(Aig::inverted(active("CLR", "CLR_POLARITY")), otherwise);
+    otherwise = graph_.and_of(!active("CLR", "CLR_POLARITY"), otherwise);
   }
   return otherwise;
 }
 
-Lits Cells::next(const Cell& cell, bool steps) {
+Bits Cells::next(const Cell& cell, bool steps) {
   const auto active = [&](const char* pin, const char* polarity) {
-    const Lit is = of(cell.pins.at(pin).front());
-    return cell.flag(polarity) ? is : Aig::inverted(is);
+    const Bit is = of(cell.pins.at(pin).front());
+    return cell.flag(polarity) ? is : !is;
   };
   const std::vector<int>& q = cell.pins.at("Q");
-  Lits all;
+  Bits all;
   for (std::size_t i = 0; i < q.size(); ++i) {
-    const Lit had = of(q[i]);
-    Lit next = of(cell.pins.at("D")[i]);
+    const Bit had = of(q[i]);
+    Bit next = of(cell.pins.at("D")[i]);
     const bool enable_first = cell.starts_with("$sdffce");
     const auto enabled = [&] {
-      if (cell.has("EN")) next = graph_.choose(active("EN", "EN_POLARITY"), next, had);
+      if (cell.has("EN")) next = graph_.mux(active("EN", "EN_POLARITY"), next, had);
     };
     if (!enable_first) enabled();
     if (cell.has("SRST")) {
       const std::string& text = cell.parameter("SRST_VALUE");
       const char digit = i < text.size() ? text[text.size() - 1 - i] : '0';
-      const Lit value = digit == 'x' ? unknown_() : digit == '1' ? 1U : 0U;
-      next = graph_.choose(active("SRST", "SRST_POLARITY"), value, next);
+      const Bit value = digit == 'x' ? unknown_() : digit == '1' ? yes : no;
+      next = graph_.mux(active("SRST", "SRST_POLARITY"), value, next);
     }
     if (enable_first) enabled();
-    if (steps && cell.has("CLK")) next = graph_.choose(of(cell.pins.at("CLK").front()), next, had);
+    if (steps && cell.has("CLK")) next = graph_.mux(of(cell.pins.at("CLK").front()), next, had);
     all.push_back(asynchronous(cell, i, next));
   }
   return all;
 }
 
-Lits Cells::word(const Cell& cell, const char* pin) {
-  Lits all;
+Bits Cells::word(const Cell& cell, const char* pin) {
+  Bits all;
   for (const int bit : cell.pins.at(pin)) all.push_back(leaf(bit));
   return all;
 }
 
-Lits Cells::operand(const Cell& cell, const char* pin, std::size_t width) {
+Bits Cells::operand(const Cell& cell, const char* pin, std::size_t width) {
   return Arithmetic::extended(word(cell, pin), width, cell.flag(std::string(pin) + "_SIGNED"));
 }
 
-Lits Cells::unknown_word(std::size_t width) {
-  Lits all(width);
-  for (Lit& bit : all) bit = unknown_();
+Bits Cells::unknown_word(std::size_t width) {
+  Bits all(width);
+  for (Bit& bit : all) bit = unknown_();
   return all;
 }
 

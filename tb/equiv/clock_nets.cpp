@@ -11,8 +11,6 @@
 namespace cosim::equiv {
 namespace {
 
-using Lit = proof::Aig::Lit;
-
 void invert(Cell& cell, const std::string& polarity, std::size_t port) {
   std::string& digits = cell.parameters.at(polarity);
   char& digit = digits.at(digits.size() - 1 - port);
@@ -22,14 +20,14 @@ void invert(Cell& cell, const std::string& polarity, std::size_t port) {
 }  // namespace
 
 void connect_clocks(Module& module) {
-  proof::Aig graph;
+  Graph graph;
   Cells cells(module, graph, [&] { return graph.input(); });
-  std::unordered_map<Lit, int> input_of;
+  std::map<Bit, int> input_of;
   std::unordered_map<int, bool> is_input;
   for (const Port& port : module.ports) {
     if (port.way != "input") continue;
     for (const int bit : port.bits) {
-      const Lit lit = graph.input();
+      const Bit lit = graph.input();
       if (bit >= 0) cells.set(bit, lit);
       if (port.bits.size() == 1) input_of[lit] = bit;
       is_input[bit] = true;
@@ -49,11 +47,11 @@ void connect_clocks(Module& module) {
     for (std::size_t i = 0; i < clocks->second.size(); ++i) {
       int& bit = clocks->second[i];
       if (bit < 0 || is_input.contains(bit)) continue;
-      const Lit lit = cells.of(bit);
-      const auto at = input_of.find(lit & ~1U);
+      const Bit lit = cells.of(bit);
+      const auto at = input_of.find(lit ^ lit.is_inverted());
       if (at == input_of.end()) continue;
       bit = at->second;
-      if ((lit & 1U) != 0) invert(cell, polarity, i);
+      if (lit.is_inverted()) invert(cell, polarity, i);
     }
   };
   for (Cell& cell : module.cells) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "tb/nets/runs.h"
+
 namespace cosim::equiv {
 namespace {
 
@@ -94,8 +96,8 @@ std::uint64_t first_drawn(const Question& q, const Answer& answer) {
 void show(const Question& q, const Product& product, const proof::Reached& reached,
           const std::set<Name>& open, Answer& answer) {
   answer.verdict = Verdict::different;
-  std::vector<proof::Aig::Lit> watched;
-  const auto watch = [&](const std::map<Name, proof::Aig::Lit>& bits) {
+  Bits watched;
+  const auto watch = [&](const std::map<Name, Bit>& bits) {
     std::map<Name, std::size_t> at;
     for (const auto& [name, lit] : bits) {
       at[name] = watched.size();
@@ -107,11 +109,11 @@ void show(const Question& q, const Product& product, const proof::Reached& reach
              any = watch(product.any);
   const std::size_t held = watched.size();
   watched.push_back(product.held);
-  const auto begins = [&](const std::vector<proof::Aig::Lit>& lits) {
+  const auto begins = [&](const Bits& lits) {
     std::string digits;
     auto known = lits;
-    std::replace(known.begin(), known.end(), unknown_begin, proof::Aig::Lit{0});
-    const auto values = product.graph.run({reached.inputs.front()}, known).front();
+    std::replace(known.begin(), known.end(), unknown_begin, no);
+    const auto values = nets::traced(product.graph, {reached.inputs.front()}, known).front();
     for (std::size_t i = 0; i < lits.size(); ++i) {
       digits += lits[i] == unknown_begin ? 'x' : values[i] ? '1' : '0';
     }
@@ -121,7 +123,7 @@ void show(const Question& q, const Product& product, const proof::Reached& reach
   answer.gate_begins = begins(product.gate_begins);
   auto inputs_of_all = reached.inputs;
   inputs_of_all.resize(inputs_of_all.size() + clocks_behind, reached.inputs.back());
-  for (const auto& values : product.graph.run(inputs_of_all, watched)) {
+  for (const auto& values : nets::traced(product.graph, inputs_of_all, watched)) {
     Row row;
     for (const auto& [port, width] : product.widths) {
       row.inputs[port] = word(values, product.widths, port, inputs);

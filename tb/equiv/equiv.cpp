@@ -80,7 +80,7 @@ void take_equal(const Question& q, const Product& product, const proof::Reached&
                 Answer& answer) {
   answer.verdict = Verdict::equal;
   answer.by = reached.by;
-  const bool by_two = product.graph.latches() == 0 && reached.engines > 1;
+  const bool by_two = product.graph.latches().empty() && reached.engines > 1;
   if (reached.engines == 0 || by_two) return;
   const Budget::Clock::duration least = q.check_least, most = q.check_most;
   const auto ends = Budget::Clock::now() + std::min(std::max(q.budget.spent(), least), most);

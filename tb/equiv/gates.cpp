@@ -14,9 +14,6 @@
 namespace cosim::equiv {
 namespace {
 
-using proof::Aig;
-using Lit = Aig::Lit;
-
 // What stands in the place of a bit in a text of binary digits, the highest first.
 char digit_at(const std::string& text, std::size_t bit) {
   return bit < text.size() ? text[text.size() - 1 - bit] : 'x';
@@ -59,7 +56,7 @@ class Side::Builder {
     memory = 0;
     for (const Cell& cell : side_.module_->cells) {
       if (cell.is_register()) {
-        for (const Lit next : cells_.next(cell, steps_)) side_.next_.push_back(next);
+        for (const Bit next : cells_.next(cell, steps_)) side_.next_.push_back(next);
         for (const int bit : cell.pins.at("Q")) side_.seen_.push_back(cells_.of(bit));
       }
       if (cell.is_memory()) next_of_memory(cell, memory++);
@@ -68,15 +65,15 @@ class Side::Builder {
   }
 
  private:
-  Lit input(Source source) {
+  Bit input(Source source) {
     side_.sources_.push_back(std::move(source));
     return side_.logic_.input();
   }
-  Lit unknown() { return input({Source::Kind::unknown, {}, side_.unknowns++}); }
+  Bit unknown() { return input({Source::Kind::unknown, {}, side_.unknowns++}); }
 
   void inputs(const std::string& name, const std::vector<int>& bits) {
     for (std::size_t i = 0; i < bits.size(); ++i) {
-      const Lit lit = input({Source::Kind::port, {name, static_cast<int>(i)}, 0});
+      const Bit lit = input({Source::Kind::port, {name, static_cast<int>(i)}, 0});
       if (bits[i] >= 0) cells_.set(bits[i], lit);
     }
   }
@@ -98,7 +95,7 @@ class Side::Builder {
     }
   }
 
-  Lit state(Register is) {
+  Bit state(Register is) {
     const std::size_t number = side_.registers.size();
     side_.registers.push_back(std::move(is));
     return input({Source::Kind::state, {}, number});
@@ -112,7 +109,7 @@ class Side::Builder {
       const auto first = first_.find(bit);
       is.any = first == first_.end();
       is.first = !is.any && first->second;
-      const Lit lit = state(std::move(is));
+      const Bit lit = state(std::move(is));
       if (bit < 0) continue;
       cells_.hold(bit, lit);
       register_of_[bit] = side_.registers.size() - 1;
@@ -138,7 +135,7 @@ class Side::Builder {
     }
     const std::size_t width = cell.number("WIDTH"), low = cell.number("OFFSET");
     const std::string& first = cell.parameter("INIT");
-    std::vector<Lits> words(cell.number("SIZE"));
+    std::vector<Bits> words(cell.number("SIZE"));
     for (std::size_t w = 0; w < words.size(); ++w) {
       for (std::size_t i = 0; i < width; ++i) {
         const char digit = digit_at(first, w * width + i);
@@ -163,31 +160,31 @@ class Side::Builder {
     }
     const std::size_t width = cell.number("WIDTH"), low = cell.number("OFFSET");
     const std::size_t address_width = cell.number("ABITS");
-    std::vector<Lits> words = words_[number];
+    std::vector<Bits> words = words_[number];
     Arithmetic logic(side_.logic_);
     for (std::size_t port = 0; port < cell.number("WR_PORTS"); ++port) {
-      const Lits address = cells_.of(part(cell.pins.at("WR_ADDR"), port, address_width));
-      const Lits data = cells_.of(part(cell.pins.at("WR_DATA"), port, width));
-      Lits enable = cells_.of(part(cell.pins.at("WR_EN"), port, width));
+      const Bits address = cells_.of(part(cell.pins.at("WR_ADDR"), port, address_width));
+      const Bits data = cells_.of(part(cell.pins.at("WR_DATA"), port, width));
+      Bits enable = cells_.of(part(cell.pins.at("WR_EN"), port, width));
       if (steps_) {
-        const Lit clock = cells_.of(cell.pins.at("WR_CLK")[port]);
-        for (Lit& bit : enable) bit = side_.logic_.and_of(bit, clock);
+        const Bit clock = cells_.of(cell.pins.at("WR_CLK")[port]);
+        for (Bit& bit : enable) bit = side_.logic_.and_of(bit, clock);
       }
       for (std::size_t w = 0; w < words.size(); ++w) {
-        Lits here = address;
+        Bits here = address;
         for (std::size_t bit = 0; bit < here.size(); ++bit) {
-          if (((w + low) >> bit & 1U) == 0) here[bit] = Aig::inverted(here[bit]);
+          if (((w + low) >> bit & 1U) == 0) here[bit] = !here[bit];
         }
         const bool is_reachable = here.size() >= 64 || (w + low) >> here.size() == 0;
-        const Lit is_here = is_reachable ? logic.all(here) : 0;
+        const Bit is_here = is_reachable ? logic.all(here) : no;
         for (std::size_t i = 0; i < width; ++i) {
           words[w][i] =
-              side_.logic_.choose(side_.logic_.and_of(is_here, enable[i]), data[i], words[w][i]);
+              side_.logic_.mux(side_.logic_.and_of(is_here, enable[i]), data[i], words[w][i]);
         }
       }
     }
-    for (const Lits& word : words) side_.next_.insert(side_.next_.end(), word.begin(), word.end());
-    for (const Lits& word : words_[number]) {
+    for (const Bits& word : words) side_.next_.insert(side_.next_.end(), word.begin(), word.end());
+    for (const Bits& word : words_[number]) {
       side_.seen_.insert(side_.seen_.end(), word.begin(), word.end());
     }
   }
@@ -199,7 +196,7 @@ class Side::Builder {
   std::map<int, std::set<Name>> names_;
   std::map<int, bool> first_;
   std::map<int, std::size_t> register_of_;
-  std::vector<std::vector<Lits>> words_;
+  std::vector<std::vector<Bits>> words_;
 };
 
 void Side::make_gates(Memories how, bool steps, const Budget& budget) {
@@ -234,23 +231,23 @@ void Side::name_as(const Side& other) {
   }
 }
 
-Side::Made Side::make(Aig& graph, const std::function<Lit(const Name&)>& input,
-                      const std::vector<Lit>& unknown, const std::vector<Lit>& state) const {
-  std::vector<Lit> value(logic_.nodes().size(), 0);
-  const auto of = [&](Lit lit) { return value[lit / 2] ^ (lit & 1U); };
+Side::Made Side::make(Graph& graph, const std::function<Bit(const Name&)>& input,
+                      const Bits& unknown, const Bits& state) const {
+  Bits value(logic_.gates().size(), no);
+  const auto of = [&](Bit bit) { return placed_at(value, bit); };
   for (std::size_t n = 0; n < value.size(); ++n) {
-    const Aig::Node& node = logic_.nodes()[n];
-    if (node.kind == Aig::Kind::both) value[n] = graph.and_of(of(node.a), of(node.b));
-    if (node.kind != Aig::Kind::input) continue;
-    const Source& source = sources_[node.a];
+    const Graph::Made& node = logic_.gates()[n];
+    if (node.is_logic()) value[n] = remade(graph, node, value);
+    if (node.kind != nets::Gate::input) continue;
+    const Source& source = sources_[node.number()];
     value[n] = source.kind == Source::Kind::port      ? input(source.name)
                : source.kind == Source::Kind::unknown ? unknown[source.number]
                                                       : state[source.number];
   }
   Made made;
   for (const auto& [name, lit] : outputs_) made.outputs[name] = of(lit);
-  for (const Lit next : next_) made.next.push_back(of(next));
-  for (const Lit seen : seen_) made.seen.push_back(of(seen));
+  for (const Bit next : next_) made.next.push_back(of(next));
+  for (const Bit seen : seen_) made.seen.push_back(of(seen));
   return made;
 }
 

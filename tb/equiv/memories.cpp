@@ -8,46 +8,42 @@
 namespace cosim::equiv {
 namespace {
 
-using proof::Aig;
-using Lit = Aig::Lit;
-using Lits = std::vector<Lit>;
-
-Lit pin(const MemoryPorts& m, const char* port, int bit) {
+Bit pin(const MemoryPorts& m, const char* port, int bit) {
   return m.made.outputs.at({memory_port(m.number, port), bit});
 }
 
 // What the ports leave at an address, by bit of the word.
 struct Left {
-  Lits written, data;
+  Bits written, data;
 };
 
-Left left_by(Aig& graph, const MemoryPorts& m, const Lits& address) {
+Left left_by(Graph& graph, const MemoryPorts& m, const Bits& address) {
   const auto width = static_cast<std::size_t>(m.memory.width);
-  Left left{Lits(width, 0), Lits(width, 0)};
+  Left left{Bits(width, no), Bits(width, no)};
   for (int w = 0; w < m.memory.writes; ++w) {
-    Lit here = 1;
+    Bit here = yes;
     for (std::size_t bit = 0; bit < address.size(); ++bit) {
       const int at = w * m.memory.address + static_cast<int>(bit);
-      const Lit other = graph.xor_of(pin(m, "WR_ADDR", at), address[bit]);
-      here = graph.and_of(here, Aig::inverted(other));
+      const Bit other = graph.xor_of(pin(m, "WR_ADDR", at), address[bit]);
+      here = graph.and_of(here, !other);
     }
     for (std::size_t bit = 0; bit < width; ++bit) {
       const int at = w * m.memory.width + static_cast<int>(bit);
-      const Lit writes = graph.and_of(here, pin(m, "WR_EN", at));
+      const Bit writes = graph.and_of(here, pin(m, "WR_EN", at));
       left.written[bit] = graph.or_of(left.written[bit], writes);
-      left.data[bit] = graph.choose(writes, pin(m, "WR_DATA", at), left.data[bit]);
+      left.data[bit] = graph.mux(writes, pin(m, "WR_DATA", at), left.data[bit]);
     }
   }
   return left;
 }
 
-Lit leave_another(Aig& graph, const MemoryPorts& gold, const MemoryPorts& gate) {
-  Lits address(static_cast<std::size_t>(gold.memory.address));
-  for (Lit& bit : address) bit = graph.input();
+Bit leave_another(Graph& graph, const MemoryPorts& gold, const MemoryPorts& gate) {
+  Bits address(static_cast<std::size_t>(gold.memory.address));
+  for (Bit& bit : address) bit = graph.input();
   const Left left = left_by(graph, gold, address), other = left_by(graph, gate, address);
-  Lit any = 0;
+  Bit any = no;
   for (std::size_t bit = 0; bit < left.written.size(); ++bit) {
-    const Lit differs = graph.xor_of(left.data[bit], other.data[bit]);
+    const Bit differs = graph.xor_of(left.data[bit], other.data[bit]);
     any = graph.or_of(any, graph.xor_of(left.written[bit], other.written[bit]));
     any = graph.or_of(any, graph.and_of(left.written[bit], differs));
   }
@@ -55,16 +51,16 @@ Lit leave_another(Aig& graph, const MemoryPorts& gold, const MemoryPorts& gate) 
 }
 
 // Port by port.
-Lit write_another(Aig& graph, const MemoryPorts& gold, const MemoryPorts& gate) {
+Bit write_another(Graph& graph, const MemoryPorts& gold, const MemoryPorts& gate) {
   const auto other = [&](const char* port, int bit) {
     return graph.xor_of(pin(gold, port, bit), pin(gate, port, bit));
   };
-  Lit any = 0;
+  Bit any = no;
   const Memory& memory = gold.memory;
   for (int w = 0; w < memory.writes; ++w) {
-    Lit written = 0;
+    Bit written = no;
     for (int bit = w * memory.width; bit < (w + 1) * memory.width; ++bit) {
-      const Lit enable = pin(gold, "WR_EN", bit);
+      const Bit enable = pin(gold, "WR_EN", bit);
       written = graph.or_of(written, enable);
       any = graph.or_of(any, other("WR_EN", bit));
       any = graph.or_of(any, graph.and_of(enable, other("WR_DATA", bit)));
@@ -78,8 +74,8 @@ Lit write_another(Aig& graph, const MemoryPorts& gold, const MemoryPorts& gate) 
 
 }  // namespace
 
-Lit strays_of(Aig& graph, const MemoryPorts& gold, const MemoryPorts& gate) {
-  Lit any = 0;
+Bit strays_of(Graph& graph, const MemoryPorts& gold, const MemoryPorts& gate) {
+  Bit any = no;
   for (int bit = 0; bit < gold.memory.reads * gold.memory.address; ++bit) {
     any = graph.or_of(any, graph.xor_of(pin(gold, "RD_ADDR", bit), pin(gate, "RD_ADDR", bit)));
   }

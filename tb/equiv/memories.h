@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "tb/equiv/side.h"
-#include "tb/proof/aig.h"
+#include "tb/nets/graph.h"
 
 namespace cosim::equiv {
 
@@ -17,6 +17,6 @@ struct MemoryPorts {
 
 /// Whether they read another address, or leave another word at some address, whichever it is.
 /// They have as many words and read ports as each other.
-proof::Aig::Lit strays_of(proof::Aig& graph, const MemoryPorts& gold, const MemoryPorts& gate);
+Bit strays_of(Graph& graph, const MemoryPorts& gold, const MemoryPorts& gate);
 
 }  // namespace cosim::equiv

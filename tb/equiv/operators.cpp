@@ -8,35 +8,32 @@
 
 namespace cosim::equiv {
 
-using proof::Aig;
-using Lit = Aig::Lit;
-
-Lits Cells::result(const Cell& cell) {
+Bits Cells::result(const Cell& cell) {
   const std::string& t = cell.type;
   if (!cell.has("Y") || !cell.has("A")) refuse(cell, "a cell that is not known: " + one_line(t));
   const std::size_t width = cell.pins.at("Y").size();
   if (t == "$reduce_and") return {words_.all(word(cell, "A"))};
   if (t == "$reduce_or" || t == "$reduce_bool") return {words_.any(word(cell, "A"))};
   if (t == "$reduce_xor") return {words_.parity(word(cell, "A"))};
-  if (t == "$reduce_xnor") return {Aig::inverted(words_.parity(word(cell, "A")))};
-  if (t == "$logic_not") return {Aig::inverted(words_.any(word(cell, "A")))};
+  if (t == "$reduce_xnor") return {!words_.parity(word(cell, "A"))};
+  if (t == "$logic_not") return {!words_.any(word(cell, "A"))};
   if (t == "$neg") return words_.negated(operand(cell, "A", width));
   if (t == "$tribuf") refuse(cell, "a tri-state net");
   if (t == "$slice") {
-    const Lits a = word(cell, "A");
+    const Bits a = word(cell, "A");
     const auto low = static_cast<std::ptrdiff_t>(cell.number("OFFSET"));
     return {a.begin() + low, a.begin() + low + static_cast<std::ptrdiff_t>(width)};
   }
   if (t == "$pmux" || t == "$bmux" || t == "$demux" || t == "$lut") return selected(cell, width);
   if (!cell.has("B")) refuse(cell, "a cell that is not known: " + one_line(t));
   if (t == "$concat") {
-    Lits all = word(cell, "A");
-    const Lits high = word(cell, "B");
+    Bits all = word(cell, "A");
+    const Bits high = word(cell, "B");
     all.insert(all.end(), high.begin(), high.end());
     return all;
   }
   if (t == "$logic_and" || t == "$logic_or") {
-    const Lit a = words_.any(word(cell, "A")), b = words_.any(word(cell, "B"));
+    const Bit a = words_.any(word(cell, "A")), b = words_.any(word(cell, "B"));
     return {t == "$logic_and" ? graph_.and_of(a, b) : graph_.or_of(a, b)};
   }
   if (t == "$add") return words_.sum(operand(cell, "A", width), operand(cell, "B", width));
@@ -50,70 +47,71 @@ Lits Cells::result(const Cell& cell) {
   return {compared(cell)};
 }
 
-Lits Cells::quotient(const Cell& cell, std::size_t width) {
+Bits Cells::quotient(const Cell& cell, std::size_t width) {
   const std::size_t wide =
       std::max({width, cell.pins.at("A").size(), cell.pins.at("B").size()}) + 1;
   const bool is_signed = cell.flag("A_SIGNED") && cell.flag("B_SIGNED");
-  const Lits a = operand(cell, "A", wide), b = operand(cell, "B", wide);
+  const Bits a = operand(cell, "A", wide), b = operand(cell, "B", wide);
   const auto both = words_.divided(a, b, is_signed, cell.type.ends_with("floor"));
-  Lits is = cell.starts_with("$div") ? both.first : both.second;
+  Bits is = cell.starts_with("$div") ? both.first : both.second;
   is.resize(width);
-  const Lit is_zero = Aig::inverted(words_.any(b));
-  return is_zero == 0 ? is : words_.choose(is_zero, unknown_word(width), is);
+  const Bit is_zero = !words_.any(b);
+  return is_zero == no ? is : words_.choose(is_zero, unknown_word(width), is);
 }
 
 // By repeated squaring. A negative exponent leaves 1 or -1 of these, x of 0, and 0 of all else.
-Lits Cells::power(const Cell& cell, std::size_t width) {
-  Lits base = operand(cell, "A", width);
-  const Lits exponent = word(cell, "B");
-  Lits is(width, 0);
-  is.front() = 1;
-  const Lits one_word = is;
-  const Lit negative = cell.flag("B_SIGNED") ? exponent.back() : 0;
-  const Lits a = word(cell, "A");
+Bits Cells::power(const Cell& cell, std::size_t width) {
+  Bits base = operand(cell, "A", width);
+  const Bits exponent = word(cell, "B");
+  Bits is(width, no);
+  is.front() = yes;
+  const Bits one_word = is;
+  const Bit negative = cell.flag("B_SIGNED") ? exponent.back() : no;
+  const Bits a = word(cell, "A");
   for (std::size_t i = 0; i < exponent.size(); ++i) {
     is = words_.choose(exponent[i], words_.product(is, base), is);
     if (i + 1 < exponent.size()) base = words_.product(base, base);
   }
-  if (negative == 0) return is;
-  const Lit is_zero = Aig::inverted(words_.any(a));
-  const Lit is_one = words_.equal(a, Arithmetic::extended({1}, a.size(), false));
-  const Lit is_minus = cell.flag("A_SIGNED") ? words_.all(a) : 0;
-  Lits below = words_.choose(is_one, one_word, Lits(width, 0));
-  below = words_.choose(is_minus, words_.choose(exponent.front(), Lits(width, 1), one_word), below);
+  if (negative == no) return is;
+  const Bit is_zero = !words_.any(a);
+  const Bit is_one = words_.equal(a, Arithmetic::extended({yes}, a.size(), false));
+  const Bit is_minus = cell.flag("A_SIGNED") ? words_.all(a) : no;
+  Bits below = words_.choose(is_one, one_word, Bits(width, no));
+  below =
+      words_.choose(is_minus, words_.choose(exponent.front(), Bits(width, yes), one_word), below);
   below = words_.choose(is_zero, unknown_word(width), below);
   return words_.choose(negative, below, is);
 }
 
-Lits Cells::shifted(const Cell& cell, std::size_t width) {
+Bits Cells::shifted(const Cell& cell, std::size_t width) {
   const std::string& t = cell.type;
-  const Lits b = word(cell, "B");
+  const Bits b = word(cell, "B");
   const std::size_t wide = std::max(width, cell.pins.at("A").size());
-  Lits a = operand(cell, "A", wide);
+  Bits a = operand(cell, "A", wide);
   if (t == "$shl" || t == "$sshl") {
     a = words_.left(std::move(a), b);
   } else if (t == "$shr" || t == "$sshr") {
-    a = words_.right(a, b, t == "$sshr" && cell.flag("A_SIGNED") ? a.back() : 0);
+    a = words_.right(a, b, t == "$sshr" && cell.flag("A_SIGNED") ? a.back() : no);
   } else if (t == "$shift" || t == "$shiftx") {
     // Of $shiftx each bit from beyond the word is x: one value for all of them, as far as they can
     // be seen together.
     const bool fills_x = t == "$shiftx";
     if (fills_x) a = word(cell, "A");
-    const auto moved = [&](const Lits& of, Lit fill) {
+    const auto moved = [&](const Bits& of, Bit fill) {
       if (!cell.flag("B_SIGNED")) return words_.right(of, b, fill);
       return words_.choose(b.back(), words_.left(of, words_.negated(b), fill),
                            words_.right(of, b, fill));
     };
     const std::size_t had = a.size();
-    a.resize(wide, 0);
-    Lits result = moved(a, 0);
+    a.resize(wide, no);
+    Bits result = moved(a, no);
     result.resize(width);
     if (!fills_x) return result;
-    Lits within(wide, 0);
-    std::fill_n(within.begin(), had, Lit{1});
-    within = moved(within, 0);
+    Bits within(wide, no);
+    std::fill_n(within.begin(), had, yes);
+    within = moved(within, no);
     for (std::size_t i = 0; i < width; ++i) {
-      if (within[i] != 1) result[i] = graph_.choose(within[i], result[i], unknown_());
+      if (within[i] != yes) result[i] = graph_.mux(within[i], result[i], unknown_());
     }
     return result;
   } else {
@@ -123,7 +121,7 @@ Lits Cells::shifted(const Cell& cell, std::size_t width) {
   return a;
 }
 
-Lit Cells::case_equal(const Cell& cell) {
+Bit Cells::case_equal(const Cell& cell) {
   const std::vector<int>&a = cell.pins.at("A"), &b = cell.pins.at("B");
   const std::size_t width = std::max(a.size(), b.size());
   const bool is_signed = cell.flag("A_SIGNED") && cell.flag("B_SIGNED");
@@ -131,78 +129,78 @@ Lit Cells::case_equal(const Cell& cell) {
     return i < bits.size() ? bits[i] : is_signed ? bits.back() : zero;
   };
   const auto is_open = [](int at) { return at == is_x || at == is_z; };
-  Lit same = 1;
+  Bit same = yes;
   for (std::size_t i = 0; i < width; ++i) {
     const int x = bit(a, i), y = bit(b, i);
     if (is_open(x) || is_open(y)) {
-      if (x != y) return 0;
+      if (x != y) return no;
     } else {
-      same = graph_.and_of(same, Aig::inverted(graph_.xor_of(leaf(x), leaf(y))));
+      same = graph_.and_of(same, !graph_.xor_of(leaf(x), leaf(y)));
     }
   }
   return same;
 }
 
-Lit Cells::compared(const Cell& cell) {
+Bit Cells::compared(const Cell& cell) {
   const std::string& t = cell.type;
   // What compares the items of a `case` is of this name.
   const bool is_case = cell.name.find("$procmux$") != std::string::npos &&
                        cell.name.find("_CMP") != std::string::npos;
   if (t == "$eqx" || (t == "$eq" && is_case)) return case_equal(cell);
-  if (t == "$nex") return Aig::inverted(case_equal(cell));
+  if (t == "$nex") return !case_equal(cell);
   const std::size_t width = std::max(cell.pins.at("A").size(), cell.pins.at("B").size());
   const bool is_signed = cell.flag("A_SIGNED") && cell.flag("B_SIGNED");
-  const Lits a = operand(cell, "A", width), b = operand(cell, "B", width);
+  const Bits a = operand(cell, "A", width), b = operand(cell, "B", width);
   if (t == "$eq") return words_.equal(a, b);
-  if (t == "$ne") return Aig::inverted(words_.equal(a, b));
+  if (t == "$ne") return !words_.equal(a, b);
   if (t == "$lt") return words_.less(a, b, is_signed);
-  if (t == "$ge") return Aig::inverted(words_.less(a, b, is_signed));
+  if (t == "$ge") return !words_.less(a, b, is_signed);
   if (t == "$gt") return words_.less(b, a, is_signed);
-  if (t == "$le") return Aig::inverted(words_.less(b, a, is_signed));
+  if (t == "$le") return !words_.less(b, a, is_signed);
   refuse(cell, "a cell that is not known: " + one_line(t));
 }
 
-Lits Cells::selected(const Cell& cell, std::size_t width) {
+Bits Cells::selected(const Cell& cell, std::size_t width) {
   const std::string& t = cell.type;
-  const Lits a = word(cell, "A");
-  const auto part = [&](const Lits& of, std::size_t i) {
+  const Bits a = word(cell, "A");
+  const auto part = [&](const Bits& of, std::size_t i) {
     const auto low = static_cast<std::ptrdiff_t>(i * width);
-    return Lits(of.begin() + low, of.begin() + low + static_cast<std::ptrdiff_t>(width));
+    return Bits(of.begin() + low, of.begin() + low + static_cast<std::ptrdiff_t>(width));
   };
   if (t == "$pmux") {
     // The first item of a `case` that fits is the last word.
-    const Lits b = word(cell, "B"), s = word(cell, "S");
-    Lits is = a;
+    const Bits b = word(cell, "B"), s = word(cell, "S");
+    Bits is = a;
     for (std::size_t i = 0; i < s.size(); ++i) is = words_.choose(s[i], part(b, i), is);
     return is;
   }
   if (t == "$demux") {
-    const Lits s = word(cell, "S");
-    Lits is;
+    const Bits s = word(cell, "S");
+    Bits is;
     for (std::size_t i = 0; i * a.size() < width; ++i) {
-      Lit here = 1;
+      Bit here = yes;
       for (std::size_t bit = 0; bit < s.size(); ++bit) {
-        here = graph_.and_of(here, (i >> bit & 1U) != 0 ? s[bit] : Aig::inverted(s[bit]));
+        here = graph_.and_of(here, (i >> bit & 1U) != 0 ? s[bit] : !s[bit]);
       }
-      for (const Lit bit : a) is.push_back(graph_.and_of(here, bit));
+      for (const Bit bit : a) is.push_back(graph_.and_of(here, bit));
     }
     return is;
   }
   // A table, or words, of which the bits of S choose; those of a table are a parameter.
-  const Lits s = t == "$lut" ? a : word(cell, "S");
-  Lits table = a;
+  const Bits s = t == "$lut" ? a : word(cell, "S");
+  Bits table = a;
   if (t == "$lut") {
     const std::string& text = cell.parameter("LUT");
-    table.assign(std::size_t{1} << s.size(), 0);
+    table.assign(std::size_t{1} << s.size(), no);
     for (std::size_t i = 0; i < table.size() && i < text.size(); ++i) {
       const char digit = text[text.size() - 1 - i];
-      table[i] = digit == '1' ? 1 : digit == '0' ? 0 : unknown_();
+      table[i] = digit == '1' ? yes : digit == '0' ? no : unknown_();
     }
   }
-  for (const Lit bit : s) {
-    Lits half;
+  for (const Bit bit : s) {
+    Bits half;
     for (std::size_t i = 0; 2 * i * width < table.size(); ++i) {
-      const Lits chosen = words_.choose(bit, part(table, 2 * i + 1), part(table, 2 * i));
+      const Bits chosen = words_.choose(bit, part(table, 2 * i + 1), part(table, 2 * i));
       half.insert(half.end(), chosen.begin(), chosen.end());
     }
     table = std::move(half);

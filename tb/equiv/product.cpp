@@ -9,13 +9,9 @@
 namespace cosim::equiv {
 namespace {
 
-using proof::Aig;
-using Lit = Aig::Lit;
-using Lits = std::vector<Lit>;
-
 // One copy of a side in the graph.
 struct Copy {
-  Lits state, own;  ///< what its gates see of a register, and the latch that holds it
+  Bits state, own;  ///< what its gates see of a register, and the latch that holds it
 };
 
 class Builder {
@@ -29,12 +25,12 @@ class Builder {
         memories_(memories) {}
 
   Product made() {
-    first_ = one_ ? 0 : graph_.latch(true);
-    if (!one_) graph_.next(first_, 0);
-    Lit resets = 0;
+    first_ = one_ ? no : graph_.latch(true);
+    if (!one_) graph_.next(first_, no);
+    Bit resets = no;
     if (!one_) {
       for (int i = 0; i < q_.reset_clocks; ++i) {
-        const Lit before = resets;
+        const Bit before = resets;
         resets = graph_.latch(true);
         graph_.next(resets, before);
       }
@@ -49,17 +45,17 @@ class Builder {
     for (const Register& r : q_.gate.registers) {
       if (!r.name.first.empty()) gate_names_[r.name] = &r;
     }
-    Lits gate_unknown(q_.gate.unknowns);
-    for (Lit& lit : gate_unknown) lit = graph_.input();
+    Bits gate_unknown(q_.gate.unknowns);
+    for (Bit& lit : gate_unknown) lit = graph_.input();
     const bool as_many = q_.gold.unknowns == q_.gate.unknowns;
 
     const std::size_t copies = any_ ? fillers_.size() : 1;
     std::vector<Copy> golds;
     std::vector<Side::Made> made_golds;
     for (std::size_t c = 0; c < copies; ++c) {
-      Lits unknown(q_.gold.unknowns);
+      Bits unknown(q_.gold.unknowns);
       for (std::size_t i = 0; i < unknown.size(); ++i) {
-        unknown[i] = any_ ? filler(c, i) : free_ ? free() : as_many ? gate_unknown[i] : 0;
+        unknown[i] = any_ ? filler(c, i) : free_ ? free() : as_many ? gate_unknown[i] : no;
       }
       golds.push_back(gold_copy(c));
       made_golds.push_back(make(q_.gold, golds.back(), unknown, false));
@@ -67,13 +63,13 @@ class Builder {
     const Copy gate = gate_copy(golds.front());
     const Side::Made made_gate = make(q_.gate, gate, gate_unknown, true);
 
-    Lit bad = 0;
+    Bit bad = no;
     for (const auto& [name, gold] : made_golds.front().outputs) {
       if (q_.gold.outputs.contains(name.first)) {
         bad = graph_.or_of(bad, differ(name, made_golds, made_gate));
       }
     }
-    Lit strays = 0;
+    Bit strays = no;
     for (const auto& [i, j] : memories_) {
       for (const Side::Made& gold : made_golds) {
         strays = graph_.or_of(strays, strays_of(graph_, {q_.gold.memories[i], i, gold},
@@ -87,7 +83,7 @@ class Builder {
         strays = graph_.or_of(strays, graph_.xor_of(made_golds[0].next[i], made_gate.next[j]));
       }
     }
-    product_.differ = graph_.and_of(bad, Aig::inverted(settling()));
+    product_.differ = graph_.and_of(bad, !settling());
     product_.bad = graph_.or_of(strays, product_.differ);
     assume(made_golds.front());
     product_.matched = pairs_.size();
@@ -98,26 +94,26 @@ class Builder {
 
  private:
   // The value that a copy gives the i-th bit of an x: of a clock or, `at_first`, of the first.
-  Lit filler(std::size_t copy, std::size_t i, bool at_first = false) {
+  Bit filler(std::size_t copy, std::size_t i, bool at_first = false) {
     const Filler& rows = fillers_[copy];
-    if (at_first || rows.size() == 1) return rows.front()[i] ? 1 : 0;
-    Lit value = 0, before = 0;
+    if (at_first || rows.size() == 1) return rows.front()[i] ? yes : no;
+    Bit value = no, before = no;
     for (std::size_t t = 0; t + 1 < rows.size(); ++t) {
       if (rows[t][i]) value = graph_.or_of(value, clock(t));
       before = graph_.or_of(before, clock(t));
     }
-    return rows.back()[i] ? graph_.or_of(value, Aig::inverted(before)) : value;
+    return rows.back()[i] ? graph_.or_of(value, !before) : value;
   }
 
   // Whether it is clock t.
-  Lit clock(std::size_t t) {
+  Bit clock(std::size_t t) {
     if (clocks_.empty()) clocks_.push_back(first_);
     while (clocks_.size() <= t) clocks_.push_back(delayed(clocks_.back()));
     return clocks_[t];
   }
 
-  Lit free() {
-    const Lit input = graph_.input();
+  Bit free() {
+    const Bit input = graph_.input();
     product_.free.insert(input);
     return input;
   }
@@ -127,19 +123,19 @@ class Builder {
     return partner != gate_names_.end() && partner->second->any;
   }
 
-  Lit starting(Lit first, Lit latch) { return graph_.choose(first_, first, latch); }
+  Bit starting(Bit first, Bit latch) { return graph_.mux(first_, first, latch); }
 
   Copy gold_copy(std::size_t c) {
     Copy copy;
     std::size_t alone = q_.gold.unknowns;
     for (const Register& r : q_.gold.registers) {
-      const Lit latch = one_ ? graph_.input() : graph_.latch(r.first);
+      const Bit latch = one_ ? graph_.input() : graph_.latch(r.first);
       copy.own.push_back(latch);
-      const auto begins = [&](Lit lit) {
+      const auto begins = [&](Bit lit) {
         if (c == 0) product_.gold_begins.push_back(lit);
       };
       if (!r.any || one_) {
-        begins(r.first ? 1 : 0);
+        begins(r.first ? yes : no);
         copy.state.push_back(latch);
         product_.alone_any = product_.alone_any || (r.any && !any_in_both(r));
         continue;
@@ -174,10 +170,10 @@ class Builder {
           }
         }
       }
-      const Lit latch = one_ ? graph_.input() : graph_.latch(r.first);
+      const Bit latch = one_ ? graph_.input() : graph_.latch(r.first);
       copy.own.push_back(latch);
       if (!r.any || one_) {
-        product_.gate_begins.push_back(r.first ? 1 : 0);
+        product_.gate_begins.push_back(r.first ? yes : no);
         copy.state.push_back(latch);
         continue;
       }
@@ -189,7 +185,7 @@ class Builder {
   }
 
   // A bit of an input as a side gets it.
-  Lit input(const Name& name, const Side& side, bool is_gate) {
+  Bit input(const Name& name, const Side& side, bool is_gate) {
     std::string port = name.first;
     if (const auto pins = read_pins(is_gate); pins.contains(port)) {
       const auto [at, is_new] = reads_.try_emplace({pins.at(port), name.second}, 0);
@@ -198,11 +194,11 @@ class Builder {
     }
     const auto clock = side.clocks.find(port);
     const bool is_clock = clock != side.clocks.end();
-    if (is_clock && !q_.steps && clock_rests_) return clock->second ? 1 : 0;
+    if (is_clock && !q_.steps && clock_rests_) return clock->second ? yes : no;
     if (is_gate) port = gold_name(q_, port);
     // The one clock may have another name in the other.
     if (is_clock && !q_.steps && !q_.gold.clocks.empty()) port = q_.gold.clocks.begin()->first;
-    if (const auto tied = tied_bit(q_, {port, name.second})) return *tied ? 1 : 0;
+    if (const auto tied = tied_bit(q_, {port, name.second})) return *tied ? yes : no;
     const auto [at, is_new] = product_.inputs.try_emplace({port, name.second}, 0);
     if (is_new) {
       const auto reset = q_.resets->find(port);
@@ -211,14 +207,14 @@ class Builder {
       product_.widths[port] = side.inputs.at(name.first);
       if (is_clock && q_.steps) at->second = graph_.or_of(at->second, resets_);
       if (is_reset) {
-        const Lit resets = graph_.or_of(at->second, resets_);
-        at->second = reset->second ? resets : Aig::inverted(resets);
+        const Bit resets = graph_.or_of(at->second, resets_);
+        at->second = reset->second ? resets : !resets;
       }
     }
     return at->second;
   }
 
-  Side::Made make(const Side& side, const Copy& copy, const Lits& unknown, bool is_gate) {
+  Side::Made make(const Side& side, const Copy& copy, const Bits& unknown, bool is_gate) {
     const auto its_input = [&](const Name& name) { return input(name, side, is_gate); };
     Side::Made made = side.make(graph_, its_input, unknown, copy.state);
     // Registers take over what is there before the edge; outputs are seen on either side of it.
@@ -238,8 +234,8 @@ class Builder {
   // Nothing is bad from the first clock on that does not keep to what is assumed.
   void assume(const Side::Made& gold) {
     if (q_.assumed.empty()) return;
-    Lit holds = resets_;
-    Lit all = 1;
+    Bit holds = resets_;
+    Bit all = yes;
     for (const Assumption& one : q_.assumed) {
       const auto port = [&](const Name& name) {
         const auto output = gold.outputs.find(name);
@@ -250,12 +246,12 @@ class Builder {
     }
     holds = graph_.or_of(holds, all);
     if (!one_) {
-      const Lit before = graph_.latch(true);
+      const Bit before = graph_.latch(true);
       holds = graph_.and_of(before, holds);
       graph_.next(before, holds);
     }
-    for (Lit* bad : {&product_.bad, &product_.differ}) *bad = graph_.and_of(*bad, holds);
-    product_.held = graph_.and_of(holds, Aig::inverted(resets_));
+    for (Bit* bad : {&product_.bad, &product_.differ}) *bad = graph_.and_of(*bad, holds);
+    product_.held = graph_.and_of(holds, !resets_);
   }
 
   // The pins of a side that have what memories read, and those of the old RTL that are the same.
@@ -268,9 +264,9 @@ class Builder {
   }
 
   // While it resets, and until the first outputs of the new RTL can have come.
-  Lit settling() {
-    Lit all = resets_;
-    Lit last = resets_;
+  Bit settling() {
+    Bit all = resets_;
+    Bit last = resets_;
     for (int i = 0; i < q_.latency; ++i) {
       last = delayed(last, true);
       all = graph_.or_of(all, last);
@@ -278,19 +274,19 @@ class Builder {
     return all;
   }
 
-  Lit delayed(Lit lit, bool first = false) {
-    const Lit latch = graph_.latch(first);
+  Bit delayed(Bit lit, bool first = false) {
+    const Bit latch = graph_.latch(first);
     graph_.next(latch, lit);
     return latch;
   }
 
   // An output of both, where both have it and it is to be compared.
-  Lit differ(const Name& name, const std::vector<Side::Made>& golds, const Side::Made& gate) {
-    if (std::ranges::find(q_.ignored, name.first) != q_.ignored.end()) return 0;
+  Bit differ(const Name& name, const std::vector<Side::Made>& golds, const Side::Made& gate) {
+    if (std::ranges::find(q_.ignored, name.first) != q_.ignored.end()) return no;
     const auto other = gate.outputs.find({gate_name(q_, name.first), name.second});
     if (other == gate.outputs.end()) throw std::logic_error("no output " + name.first);
-    Lit gold = golds.front().outputs.at(name);
-    Lit unknown = 0;
+    Bit gold = golds.front().outputs.at(name);
+    Bit unknown = no;
     for (const Side::Made& copy : golds) {
       unknown = graph_.or_of(unknown, graph_.xor_of(gold, copy.outputs.at(name)));
     }
@@ -301,7 +297,7 @@ class Builder {
     product_.gold[name] = gold;
     product_.gate[name] = other->second;
     product_.any[name] = unknown;
-    return graph_.and_of(graph_.xor_of(gold, other->second), Aig::inverted(unknown));
+    return graph_.and_of(graph_.xor_of(gold, other->second), !unknown);
   }
 
   const Question& q_;
@@ -309,13 +305,13 @@ class Builder {
   bool clock_rests_ = true;  ///< a clock that is read is as it is before its edge
   const std::vector<Filler>& fillers_;
   const Pairs& memories_;
-  Aig graph_;
-  Lit first_ = 0, resets_ = 0;
+  Graph graph_;
+  Bit first_ = no, resets_ = no;
   std::map<Name, std::size_t> gold_at_;
   std::map<Name, const Register*> gate_names_;
-  Lits clocks_;
-  std::map<Name, Lit> reads_;   ///< what memories read, by the old RTL's pins
-  std::map<Name, Lit> shared_;  ///< what registers of that name begin as in both
+  Bits clocks_;
+  std::map<Name, Bit> reads_;   ///< what memories read, by the old RTL's pins
+  std::map<Name, Bit> shared_;  ///< what registers of that name begin as in both
   std::vector<std::pair<std::size_t, std::size_t>> pairs_;
   Product product_;
 };

@@ -9,27 +9,27 @@
 #include <vector>
 
 #include "tb/equiv/equiv.h"
-#include "tb/proof/aig.h"
+#include "tb/nets/graph.h"
 
 namespace cosim::equiv {
 
-inline constexpr proof::Aig::Lit unknown_begin = ~proof::Aig::Lit{0};
+inline constexpr Bit unknown_begin{~std::uint32_t{0}};
 
 struct Product {
-  proof::Aig graph;
-  proof::Aig::Lit bad = 0;                 ///< an output differs, or what is cut
-  proof::Aig::Lit differ = 0;              ///< an output differs
-  std::set<proof::Aig::Lit> free;          ///< what memories that are one read, and the old RTL's x
-  std::map<Name, proof::Aig::Lit> inputs;  ///< as both get them
-  std::map<std::string, int> widths;       ///< of the inputs
-  std::map<Name, proof::Aig::Lit> beginnings;  ///< of registers of that name, the same in both
+  Graph graph;
+  Bit bad = no;                       ///< an output differs, or what is cut
+  Bit differ = no;                    ///< an output differs
+  std::set<Bit> free;                 ///< what memories that are one read, and the old RTL's x
+  std::map<Name, Bit> inputs;         ///< as both get them
+  std::map<std::string, int> widths;  ///< of the inputs
+  std::map<Name, Bit> beginnings;     ///< of registers of that name, the same in both
   /// By register, what each begins as; of the old RTL `unknown_begin` where that may be any.
-  std::vector<proof::Aig::Lit> gold_begins, gate_begins;
-  std::map<Name, proof::Aig::Lit> gold, gate;  ///< the outputs that are compared, by the old names
-  std::map<Name, proof::Aig::Lit> any;         ///< the old RTL says x
-  proof::Aig::Lit held = 1;  ///< it is after the reset, and what is assumed held on every clock
-  std::size_t matched = 0;   ///< registers that both have by name
-  bool alone_any = false;    ///< the old RTL has a register without initial value that no other has
+  Bits gold_begins, gate_begins;
+  std::map<Name, Bit> gold, gate;  ///< the outputs that are compared, by the old names
+  std::map<Name, Bit> any;         ///< the old RTL says x
+  Bit held = yes;           ///< it is after the reset, and what is assumed held on every clock
+  std::size_t matched = 0;  ///< registers that both have by name
+  bool alone_any = false;   ///< the old RTL has a register without initial value that no other has
 };
 
 /// How the registers of both stand.

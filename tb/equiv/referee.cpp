@@ -16,16 +16,16 @@
 namespace cosim::equiv {
 namespace {
 
-using Bits = Stepped::Bits;
+using Values = Stepped::Values;
 using Inputs = RefereeInputs::Row;
 
 bool is_known(char digit) { return digit == '0' || digit == '1'; }
 
 // A value of the netlist: one digit a bit, 'x' where it is not the same in all runs.
-std::string word_of(const std::vector<Bits>& bits) {
+std::string word_of(const std::vector<Values>& bits) {
   std::string text;
   for (auto at = bits.rbegin(); at != bits.rend(); ++at) {
-    text += *at == 0 ? '0' : *at == ~Bits{0} ? '1' : 'x';
+    text += *at == 0 ? '0' : *at == ~Values{0} ? '1' : 'x';
   }
   return text;
 }
@@ -77,7 +77,7 @@ class Match {
       stepped_.clock(row);
       at = 0;
       for (const auto& [port, width] : vhdl.outputs) {
-        std::vector<Bits> bits;
+        std::vector<Values> bits;
         for (int i = 0; i < width; ++i) bits.push_back(stepped_.output({port, i}));
         const bool has_state = !side_.registers.empty() || !side_.memories.empty();
         compare("output " + port, ran.rows[t].substr(at, static_cast<std::size_t>(width)),
@@ -311,12 +311,12 @@ class Match {
     const bool all_known = !is_x && !was_x_;
     was_x_ = is_x;
     for (const auto& [port, width] : side_.outputs) {
-      std::vector<Bits> bits;
+      std::vector<Values> bits;
       for (int i = 0; i < width; ++i) bits.push_back(stepped_.output({port, i}));
       compare("output " + port, words[at++], word_of(bits), all_known, true, t);
     }
     for (const Variable& one : variables_) {
-      std::vector<Bits> bits;
+      std::vector<Values> bits;
       for (const std::size_t reg : *registers_of_.at(one.name)) bits.push_back(stepped_.seen(reg));
       compare("register " + one.name, words[at++], word_of(bits), all_known, false, t);
     }

@@ -13,31 +13,29 @@
 namespace cosim::equiv {
 namespace {
 
-using proof::Aig;
-using Lits = std::vector<Aig::Lit>;
 using Resets = std::map<std::string, bool>;
 
 // Of the registers of both, the old ones first.
 std::vector<bool> left_constant(const Question& q, const Resets& held) {
   std::vector<bool> constant;
   for (const Side* side : {&q.gold, &q.gate}) {
-    Aig graph;
+    Graph graph;
     const auto any = [&](std::size_t count) {
-      Lits lits(count);
-      for (Aig::Lit& lit : lits) lit = graph.input();
+      Bits lits(count);
+      for (Bit& lit : lits) lit = graph.input();
       return lits;
     };
-    const auto input = [&](const Name& name) -> Aig::Lit {
+    const auto input = [&](const Name& name) -> Bit {
       const std::string port = side == &q.gate ? gold_name(q, name.first) : name.first;
-      if (const auto tied = tied_bit(q, {port, name.second})) return *tied ? 1 : 0;
-      if (const auto at = held.find(port); at != held.end()) return at->second ? 1 : 0;
-      return q.steps && side->clocks.contains(name.first) ? 1 : graph.input();
+      if (const auto tied = tied_bit(q, {port, name.second})) return *tied ? yes : no;
+      if (const auto at = held.find(port); at != held.end()) return at->second ? yes : no;
+      return q.steps && side->clocks.contains(name.first) ? yes : graph.input();
     };
-    Lits state = any(side->registers.size());
+    Bits state = any(side->registers.size());
     for (int i = 0; i < q.reset_clocks; ++i) {
       state = side->make(graph, input, any(side->unknowns), state).next;
     }
-    for (const Aig::Lit lit : state) constant.push_back(lit < 2);
+    for (const Bit lit : state) constant.push_back(lit.is_constant());
   }
   return constant;
 }

@@ -12,10 +12,16 @@
 #include <vector>
 
 #include "tb/equiv/netlist.h"
-#include "tb/proof/aig.h"
+#include "tb/nets/graph.h"
 #include "tb/support/process.h"
 
 namespace cosim::equiv {
+
+using nets::Bit;
+using nets::Bits;
+using nets::Graph;
+using nets::no;
+using nets::yes;
 
 struct OutOfTime {};
 
@@ -124,15 +130,14 @@ class Side {
   std::size_t unknowns = 0;  ///< bits that the RTL leaves x
 
   struct Made {
-    std::map<Name, proof::Aig::Lit> outputs;
-    std::vector<proof::Aig::Lit> next;  ///< of the registers
+    std::map<Name, Bit> outputs;
+    Bits next;  ///< of the registers
     /// What the registers are seen as: another value than they hold where an asynchronous reset is.
-    std::vector<proof::Aig::Lit> seen;
+    Bits seen;
   };
   /// Its gates in `graph`; what the inputs, the unknown bits and the registers are is given.
-  Made make(proof::Aig& graph, const std::function<proof::Aig::Lit(const Name&)>& input,
-            const std::vector<proof::Aig::Lit>& unknown,
-            const std::vector<proof::Aig::Lit>& state) const;
+  Made make(Graph& graph, const std::function<Bit(const Name&)>& input, const Bits& unknown,
+            const Bits& state) const;
 
  private:
   class Builder;
@@ -153,10 +158,10 @@ class Side {
   std::string form_;
   bool is_cut_ = false;
 
-  proof::Aig logic_;
+  Graph logic_;
   std::vector<Source> sources_;  ///< by input of `logic_`
-  std::map<Name, proof::Aig::Lit> outputs_;
-  std::vector<proof::Aig::Lit> next_, seen_;
+  std::map<Name, Bit> outputs_;
+  Bits next_, seen_;
 };
 
 /// Reads the files with yosys or, where it cannot and slang is there, with slang. Throws as Side's

@@ -4,17 +4,14 @@
 
 namespace cosim::equiv {
 
-using proof::Aig;
-using Lit = Aig::Lit;
-
 Stepped::Stepped(const Side& side, bool cut, bool steps)
     : side_(side),
       cut_(cut),
       steps_(steps),
       made_([&] {
-        std::vector<Lit> unknown(side.unknowns), state(side.registers.size());
+        Bits unknown(side.unknowns), state(side.registers.size());
         const auto added = [&](std::size_t& place) {
-          place = graph_.inputs();
+          place = graph_.inputs().size();
           return graph_.input();
         };
         unknowns_.resize(unknown.size());
@@ -24,20 +21,20 @@ Stepped::Stepped(const Side& side, bool cut, bool steps)
         return side.make(
             graph_,
             [&](const Name& name) {
-              const Lit input = graph_.input();
-              ports_[name] = graph_.inputs() - 1;
+              const Bit input = graph_.input();
+              ports_[name] = graph_.inputs().size() - 1;
               return input;
             },
             unknown, state);
       }()),
-      inputs_(graph_.inputs(), 0),
+      inputs_(graph_.inputs().size(), 0),
       next_(side.registers.size(), 0),
       runs_(graph_),
       random_(Random::for_case(47, 0)) {
-  for (Bits& bits : next_) bits = unknown();
+  for (Values& bits : next_) bits = unknown();
   for (const auto& [clock, falls] : side.clocks) {  // as it is before its edge
     if (const auto at = ports_.find({clock, 0}); at != ports_.end() && falls) {
-      inputs_[at->second] = ~Bits{0};
+      inputs_[at->second] = ~Values{0};
     }
   }
   if (!cut_) return;
@@ -55,7 +52,7 @@ Stepped::Stepped(const Side& side, bool cut, bool steps)
       held.read_data.push_back(ports_.at({memory_port(number, "RD_DATA"), static_cast<int>(i)}));
     }
     const auto pins = [&](const char* pin) {
-      std::vector<Lit> lits;
+      Bits lits;
       for (std::size_t i = 0; i < cell.pins.at(pin).size(); ++i) {
         lits.push_back(made_.outputs.at({memory_port(number, pin), static_cast<int>(i)}));
       }
@@ -73,17 +70,17 @@ Stepped::Stepped(const Side& side, bool cut, bool steps)
   }
 }
 
-Stepped::Bits Stepped::unknown() { return (random_.next() & ~Bits{3}) | 2U; }
+Stepped::Values Stepped::unknown() { return (random_.next() & ~Values{3}) | 2U; }
 
 void Stepped::begin(std::size_t reg, char digit) {
-  next_[reg] = digit == '1' ? ~Bits{0} : digit == '0' ? 0 : unknown();
+  next_[reg] = digit == '1' ? ~Values{0} : digit == '0' ? 0 : unknown();
 }
 
 void Stepped::begin_memory(std::size_t memory, const std::string& digits) {
-  std::vector<Bits>& bits = memories_[memory].bits;
+  std::vector<Values>& bits = memories_[memory].bits;
   for (std::size_t i = 0; i < bits.size(); ++i) {
     const char digit = i < digits.size() ? digits[i] : 'x';
-    bits[i] = digit == '1' ? ~Bits{0} : digit == '0' ? 0 : unknown();
+    bits[i] = digit == '1' ? ~Values{0} : digit == '0' ? 0 : unknown();
   }
 }
 
@@ -91,7 +88,7 @@ void Stepped::clock(const std::map<std::string, std::string>& inputs) {
   for (const auto& [port, digits] : inputs) {
     for (std::size_t i = 0; i < digits.size(); ++i) {
       const auto at = ports_.find({port, static_cast<int>(digits.size() - 1 - i)});
-      if (at != ports_.end()) inputs_[at->second] = digits[i] == '1' ? ~Bits{0} : 0;
+      if (at != ports_.end()) inputs_[at->second] = digits[i] == '1' ? ~Values{0} : 0;
     }
   }
   for (const std::size_t place : unknowns_) inputs_[place] = unknown();
@@ -108,11 +105,10 @@ void Stepped::clock(const std::map<std::string, std::string>& inputs) {
   for (std::size_t m = 0; m < memories_.size(); ++m) write(m);
 }
 
-Stepped::Addresses Stepped::addresses(const std::vector<Lit>& pins, const Held& held,
-                                      std::size_t port) const {
+Stepped::Addresses Stepped::addresses(const Bits& pins, const Held& held, std::size_t port) const {
   Addresses all{};
   for (std::size_t i = held.address; i-- > 0;) {
-    const Bits bits = runs_.of(pins[port * held.address + i]);
+    const Values bits = runs_.of(pins[port * held.address + i]);
     for (unsigned run = 0; run < 64; ++run) {
       const bool is_long = all[run] >> 62U != 0;  // far beyond the end, and stays there
       all[run] = (is_long ? ~std::size_t{0} >> 2U : all[run]) << 1U | (bits >> run & 1U);
@@ -132,11 +128,11 @@ bool Stepped::read(std::size_t memory) {
       // Beyond the end it is not known; but the same as long as the address is.
       const auto stored = [&](std::size_t word) {
         return word < held.words ? held.bits[word * held.width + i]
-                                 : (Random::for_case(word, i).next() | 2U) & ~Bits{1};
+                                 : (Random::for_case(word, i).next() | 2U) & ~Values{1};
       };
-      Bits bits = is_one ? stored(at[0]) : 0;
-      for (unsigned run = 0; !is_one && run < 64; ++run) bits |= stored(at[run]) & Bits{1} << run;
-      Bits& input = inputs_[held.read_data[port * held.width + i]];
+      Values bits = is_one ? stored(at[0]) : 0;
+      for (unsigned run = 0; !is_one && run < 64; ++run) bits |= stored(at[run]) & Values{1} << run;
+      Values& input = inputs_[held.read_data[port * held.width + i]];
       changed = changed || input != bits;
       input = bits;
     }
@@ -150,26 +146,26 @@ void Stepped::write(std::size_t memory) {
   const auto clock = ports_.find({side_.memories[memory].clock, 0});
   if (steps_ && clock != ports_.end() && inputs_[clock->second] == 0) return;
   for (std::size_t port = 0; port < held.writes; ++port) {
-    const auto pin = [&](const std::vector<Lit>& lits, std::size_t i) {
+    const auto pin = [&](const Bits& lits, std::size_t i) {
       return runs_.of(lits[port * held.width + i]);
     };
-    Bits any = 0;
+    Values any = 0;
     for (std::size_t i = 0; i < held.width; ++i) any |= pin(held.enable, i);
     if (any == 0) continue;
     const Addresses at = addresses(held.write_address, held, port);
     const bool is_one = std::all_of(at.begin(), at.end(), [&](auto a) { return a == at[0]; });
     for (std::size_t i = 0; i < held.width; ++i) {
-      const Bits enabled = pin(held.enable, i), data = pin(held.data, i);
-      const auto store = [&](std::size_t word, Bits runs) {
+      const Values enabled = pin(held.enable, i), data = pin(held.data, i);
+      const auto store = [&](std::size_t word, Values runs) {
         if (word >= held.words) return;
-        Bits& stored = held.bits[word * held.width + i];
+        Values& stored = held.bits[word * held.width + i];
         stored = (stored & ~runs) | (data & runs);
       };
       if (is_one) {
         store(at[0], enabled);
         continue;
       }
-      for (unsigned run = 0; run < 64; ++run) store(at[run], enabled & Bits{1} << run);
+      for (unsigned run = 0; run < 64; ++run) store(at[run], enabled & Values{1} << run);
     }
   }
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tb/equiv/side.h"
+#include "tb/nets/runs.h"
 #include "tb/support/random.h"
 
 namespace cosim::equiv {
@@ -16,7 +17,7 @@ namespace cosim::equiv {
 class Stepped {
  public:
   /// A bit in each run.
-  using Bits = std::uint64_t;
+  using Values = std::uint64_t;
 
   /// `cut`: its memories were cut, and are held here. `steps`: clocks are inputs. What is not known
   /// is another value in each run and on each clock: 0 in the first, 1 in the second, and chance in
@@ -30,34 +31,33 @@ class Stepped {
   /// A clock with these inputs, and the values on it: binary digits by port, highest bit first.
   void clock(const std::map<std::string, std::string>& inputs);
 
-  Bits output(const Name& name) const { return runs_.of(made_.outputs.at(name)); }
-  Bits seen(std::size_t reg) const { return runs_.of(made_.seen[reg]); }
-  std::size_t gates() const { return graph_.gates(); }
+  Values output(const Name& name) const { return runs_.of(made_.outputs.at(name)); }
+  Values seen(std::size_t reg) const { return runs_.of(made_.seen[reg]); }
+  std::size_t gates() const { return graph_.gates().size(); }
 
  private:
   struct Held {
     std::size_t width = 0, address = 0, words = 0, low = 0, reads = 0, writes = 0;
-    std::vector<Bits> bits;
+    std::vector<Values> bits;
     std::vector<std::size_t> read_data;  ///< inputs of the graph
-    std::vector<proof::Aig::Lit> read_address, enable, write_address, data;
+    Bits read_address, enable, write_address, data;
   };
   /// A word address in each run.
   using Addresses = std::array<std::size_t, 64>;
-  Bits unknown();
+  Values unknown();
   bool read(std::size_t memory);
   void write(std::size_t memory);
-  Addresses addresses(const std::vector<proof::Aig::Lit>& pins, const Held& held,
-                      std::size_t port) const;
+  Addresses addresses(const Bits& pins, const Held& held, std::size_t port) const;
 
   const Side& side_;
   bool cut_, steps_;
-  proof::Aig graph_;
+  Graph graph_;
   std::map<Name, std::size_t> ports_;
   std::vector<std::size_t> unknowns_, states_;
   Side::Made made_;  // behind what it is made with
   std::vector<Held> memories_;
-  std::vector<Bits> inputs_, next_;
-  proof::Aig::Runs runs_;
+  std::vector<Values> inputs_, next_;
+  nets::Runs runs_;
   Random random_;
 };
 

@@ -12,19 +12,16 @@
 namespace cosim::equiv {
 namespace {
 
-using proof::Aig;
-using Lit = Aig::Lit;
-
 struct Rails {
-  Lit one = 0, zero = 0;  // it can be
+  Bit one = no, zero = no;  // it can be
 };
-Rails of(const std::vector<Rails>& all, Lit lit) {
-  const Rails is = all[lit / 2];
-  return (lit & 1U) == 0 ? is : Rails{is.zero, is.one};
+Rails of(const std::vector<Rails>& all, Bit lit) {
+  const Rails is = all[lit.gate()];
+  return lit.is_inverted() ? Rails{is.zero, is.one} : is;
 }
 
 // An input of the same word, as likely 1 by chance.
-Lit same_input(const Aig& from, std::size_t input, Aig& to) {
+Bit same_input(const Graph& from, std::size_t input, Graph& to) {
   if (from.is_seldom(input)) return to.seldom();
   const auto& words = from.words();
   const auto has = [&](const auto& word) { return std::ranges::find(word, input) != word.end(); };
@@ -37,35 +34,42 @@ Lit same_input(const Aig& from, std::size_t input, Aig& to) {
 Product whatever_is_free(const Product& product) {
   Product made = product;
   made.graph = {};
-  Aig& graph = made.graph;
-  std::vector<Rails> all{{0, 1}};
-  for (std::size_t n = 1; n < product.graph.nodes().size(); ++n) {
-    const Aig::Node& node = product.graph.nodes()[n];
+  Graph& graph = made.graph;
+  std::vector<Rails> all{{no, yes}};
+  for (std::size_t n = 1; n < product.graph.gates().size(); ++n) {
+    const Graph::Made& node = product.graph.gates()[n];
     Rails& is = all.emplace_back();
-    if (node.kind == Aig::Kind::input) {
-      const Lit input = same_input(product.graph, node.a, graph);
-      const bool is_x = product.free.contains(static_cast<Lit>(2 * n));
-      is = is_x ? Rails{1, 1} : Rails{input, Aig::inverted(input)};
-    } else if (node.kind == Aig::Kind::latch) {
-      const bool first = product.graph.registers()[node.a].first;
+    if (node.kind == nets::Gate::input) {
+      const Bit input = same_input(product.graph, node.number(), graph);
+      const bool is_x = product.free.contains(nets::gate_bit(n));
+      is = is_x ? Rails{yes, yes} : Rails{input, !input};
+    } else if (node.kind == nets::Gate::latch) {
+      const bool first = product.graph.latches()[node.number()].first;
       is.one = graph.latch(first);
       is.zero = graph.latch(!first);
     } else {
-      const Rails a = of(all, node.a), b = of(all, node.b);
-      is = {graph.and_of(a.one, b.one), graph.or_of(a.zero, b.zero)};
+      const Rails a = of(all, node.a), b = of(all, node.b), c = of(all, node.c);
+      const auto either = [&](Bit then, Bit otherwise) {
+        return graph.or_of(graph.and_of(a.one, then), graph.and_of(a.zero, otherwise));
+      };
+      is = node.kind == nets::Gate::and_gate
+               ? Rails{graph.and_of(a.one, b.one), graph.or_of(a.zero, b.zero)}
+           : node.kind == nets::Gate::xor_gate
+               ? Rails{either(b.zero, b.one), either(b.one, b.zero)}
+               : Rails{either(b.one, c.one), either(b.zero, c.zero)};
     }
   }
-  for (const Aig::Latch& latch : product.graph.registers()) {
+  for (const Graph::Latch& latch : product.graph.latches()) {
     const Rails next = of(all, latch.next);
-    graph.next(all[latch.node].one, next.one);
-    graph.next(all[latch.node].zero, next.zero);
+    graph.next(all[latch.now.gate()].one, next.one);
+    graph.next(all[latch.now.gate()].zero, next.zero);
   }
-  const auto known = [&](Lit& lit) { lit = Aig::inverted(of(all, lit).zero); };
+  const auto known = [&](Bit& lit) { lit = !of(all, lit).zero; };
   known(made.differ);
   made.bad = made.differ;
   known(made.held);
   for (auto* begins : {&made.gold_begins, &made.gate_begins}) {
-    for (Lit& lit : *begins) {
+    for (Bit& lit : *begins) {
       if (lit != unknown_begin) known(lit);
     }
   }
@@ -74,7 +78,7 @@ Product whatever_is_free(const Product& product) {
   }
   for (auto& [name, lit] : made.any) {
     lit = of(all, lit).one;
-    for (const Lit output : {made.gold.at(name), made.gate.at(name)}) {
+    for (const Bit output : {made.gold.at(name), made.gate.at(name)}) {
       const Rails is = of(all, output);
       lit = graph.or_of(lit, graph.and_of(is.one, is.zero));
     }

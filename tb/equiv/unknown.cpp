@@ -5,13 +5,11 @@
 #include <utility>
 
 #include "tb/equiv/clocks.h"
+#include "tb/nets/runs.h"
 #include "tb/support/random.h"
 
 namespace cosim::equiv {
 namespace {
-
-using proof::Aig;
-using Lit = Aig::Lit;
 
 // Clock after clock of the old RTL as logic alone, on the inputs of a stimulus; free is only what
 // it leaves x (bounded model checking).
@@ -21,11 +19,11 @@ class Unrolled {
       : q_(q), clocks_(reached.inputs.size()) {
     for (const auto& [name, lit] : product.inputs) watch(input_at_, name, lit);
     for (const auto& [name, lit] : product.beginnings) watch(first_at_, name, lit);
-    values_ = product.graph.run(reached.inputs, watched_);
-    std::vector<Lit> state = at_first();
+    values_ = nets::traced(product.graph, reached.inputs, watched_);
+    Bits state = at_first();
     const std::size_t last = clocks_ - 1 - static_cast<std::size_t>(q.latency);
     for (clock_ = 0; clock_ <= last; ++clock_) {
-      std::vector<Lit> unknown(q.gold.unknowns);
+      Bits unknown(q.gold.unknowns);
       for (std::size_t i = 0; i < unknown.size(); ++i) unknown[i] = free(i);
       Side::Made made = q.gold.make(
           graph_, [&](const Name& name) { return given(name); }, unknown, state);
@@ -36,9 +34,8 @@ class Unrolled {
 
   /// Whether an output of the last clock can be other than `value`; then `with` is such an x.
   proof::Ever other(const Name& output, bool value, Filler& with) const {
-    const Lit lit = outputs_.at(output);
-    const auto reached =
-        proof::reach(graph_, value ? Aig::inverted(lit) : lit, q_.budget.ends(), q_.jobs);
+    const Bit lit = outputs_.at(output);
+    const auto reached = proof::reach(graph_, value ? !lit : lit, q_.budget.ends(), q_.jobs);
     if (reached.ever != proof::Ever::yes) return reached.ever;
     with.assign(clocks_, std::vector<bool>(unknown_bits(q_)));
     for (std::size_t i = 0; i < free_.size(); ++i) {
@@ -48,29 +45,29 @@ class Unrolled {
   }
 
  private:
-  void watch(std::map<Name, std::size_t>& at, const Name& name, Lit lit) {
+  void watch(std::map<Name, std::size_t>& at, const Name& name, Bit lit) {
     at[name] = watched_.size();
     watched_.push_back(lit);
   }
-  Lit free(std::size_t bit) {
+  Bit free(std::size_t bit) {
     free_.emplace_back(clock_, bit);
     return graph_.input();
   }
-  Lit given(const Name& name) const {
+  Bit given(const Name& name) const {
     if (const auto at = input_at_.find(name); at != input_at_.end()) {
-      return values_[clock_][at->second] ? 1 : 0;
+      return values_[clock_][at->second] ? yes : no;
     }
-    return tied_bit(q_, name).value_or(false) ? 1 : 0;  // else it is the clock
+    return tied_bit(q_, name).value_or(false) ? yes : no;  // else it is the clock
   }
-  std::vector<Lit> at_first() {
-    std::vector<Lit> state;
+  Bits at_first() {
+    Bits state;
     std::size_t alone = q_.gold.unknowns;
     for (const Register& r : q_.gold.registers) {
       const auto shared = first_at_.find(r.name);
       if (!r.any) {
-        state.push_back(r.first ? 1 : 0);
+        state.push_back(r.first ? yes : no);
       } else if (shared != first_at_.end()) {
-        state.push_back(values_.front()[shared->second] ? 1 : 0);
+        state.push_back(values_.front()[shared->second] ? yes : no);
       } else {
         state.push_back(free(alone++));
       }
@@ -80,12 +77,12 @@ class Unrolled {
 
   const Question& q_;
   std::size_t clocks_, clock_ = 0;
-  std::vector<Lit> watched_;
+  Bits watched_;
   std::map<Name, std::size_t> input_at_, first_at_;
   std::vector<std::vector<bool>> values_;
-  Aig graph_;
+  Graph graph_;
   std::vector<std::pair<std::size_t, std::size_t>> free_;  // by input: its clock, its bit of a row
-  std::map<Name, Lit> outputs_;
+  std::map<Name, Bit> outputs_;
 };
 
 }  // namespace
@@ -105,12 +102,12 @@ std::vector<Filler> first_fillers(std::size_t bits) {
 
 Certain certain_of(const Question& q, const Product& product, const proof::Reached& reached) {
   std::vector<Name> names;
-  std::vector<Lit> watched;
+  Bits watched;
   for (const auto& [name, lit] : product.gold) {
     names.push_back(name);
-    for (const Lit one : {lit, product.gate.at(name), product.any.at(name)}) watched.push_back(one);
+    for (const Bit one : {lit, product.gate.at(name), product.any.at(name)}) watched.push_back(one);
   }
-  const auto last = product.graph.run(reached.inputs, watched).back();
+  const auto last = nets::traced(product.graph, reached.inputs, watched).back();
   const Unrolled unrolled(q, product, reached);
   Certain certain;
   for (std::size_t i = 0; i < names.size(); ++i) {

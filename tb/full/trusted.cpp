@@ -12,6 +12,7 @@
 #include "model/core/input_error.h"
 #include "tb/equiv/front_end.h"
 #include "tb/equiv/referee.h"
+#include "tb/nets/runs.h"
 #include "tb/program/registry.h"
 #include "tb/proof/rtl_nets.h"
 #include "tb/support/hash.h"
@@ -26,7 +27,7 @@ namespace cosim::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using proof::Aig;
+using nets::no;
 
 constexpr int time_for_one = 60;  // seconds
 
@@ -67,7 +68,7 @@ std::string key_of(const nets::Model& model, const proof::Source& source) {
 class SideBySide {
  public:
   SideBySide(const equiv::Side& side, const proof::RtlNets& gates) {
-    std::vector<Aig::Lit> unknown, state;
+    nets::Bits unknown, state;
     for (std::size_t i = 0; i < side.registers.size(); ++i) state.push_back(input(states_));
     for (std::size_t i = 0; i < side.unknowns; ++i) unknown.push_back(input(unknowns_));
     made_ = side.make(
@@ -115,7 +116,7 @@ class SideBySide {
     }
     Random random = Random::for_case(1989, 0);
     for (int round = 0; round < rounds; ++round) {
-      std::vector<std::uint64_t> in(cells_.inputs()), of_nets(nets_.inputs().size());
+      std::vector<std::uint64_t> in(cells_.inputs().size()), of_nets(nets_.inputs().size());
       for (auto& word : in) word = random.next();
       for (auto& word : of_nets) word = random.next();
       for (const auto& [gate_input, at] : pairs_) of_nets[gate_input] = in[at];
@@ -128,7 +129,7 @@ class SideBySide {
         for (const std::size_t at : unknowns_) {
           in[at] = fill == 0 ? 0 : fill == 1 ? ~std::uint64_t{0} : random.next();
         }
-        Aig::Runs runs(cells_);
+        nets::Runs runs(cells_);
         runs.clock(in);
         std::size_t wrong = compared_.size();
         for (std::size_t i = 0; i < compared_.size(); ++i) {
@@ -149,24 +150,24 @@ class SideBySide {
  private:
   struct Compared {
     std::string name;
-    Aig::Lit cell;
+    nets::Bit cell;
     nets::Bit gate;
   };
-  Aig::Lit input(std::vector<std::size_t>& kind) {
-    kind.push_back(cells_.inputs());
+  nets::Bit input(std::vector<std::size_t>& kind) {
+    kind.push_back(cells_.inputs().size());
     return cells_.input();
   }
-  Aig::Lit port(const equiv::Name& name) {
-    const auto [at, is_new] = ports_.try_emplace(name, cells_.inputs());
+  nets::Bit port(const equiv::Name& name) {
+    const auto [at, is_new] = ports_.try_emplace(name, cells_.inputs().size());
     if (is_new) port_lits_[name] = cells_.input();
     return port_lits_.at(name);
   }
 
-  Aig cells_;
+  nets::Graph cells_;
   nets::Graph nets_;
   std::vector<std::size_t> states_, unknowns_;  // inputs of cells_
   std::map<equiv::Name, std::size_t> ports_;
-  std::map<equiv::Name, Aig::Lit> port_lits_;
+  std::map<equiv::Name, nets::Bit> port_lits_;
   equiv::Side::Made made_;
   std::vector<nets::Bit> bits_;
   std::vector<std::pair<std::size_t, std::size_t>> pairs_;  // inputs of both

@@ -13,11 +13,35 @@ std::size_t Graph::Hash::operator()(const Made& m) const {
 
 Graph::Graph() : gates_(1) {}
 
-Bit Graph::input() {
-  inputs_.push_back({static_cast<std::uint32_t>(2 * gates_.size())});
-  gates_.push_back({Gate::input});
-  return inputs_.back();
+Bit Graph::leaf(Gate kind, std::size_t number) {
+  gates_.push_back({kind, {static_cast<std::uint32_t>(number)}});
+  return gate_bit(gates_.size() - 1);
 }
+
+Bit Graph::input() {
+  words_.push_back({inputs_.size()});
+  return inputs_.emplace_back(leaf(Gate::input, inputs_.size()));
+}
+
+Bit Graph::input(const std::string& word) {
+  const auto [at, is_new] = word_at_.try_emplace(word, words_.size());
+  if (is_new) return input();
+  words_[at->second].push_back(inputs_.size());
+  return inputs_.emplace_back(leaf(Gate::input, inputs_.size()));
+}
+
+Bit Graph::seldom() {
+  seldom_.insert(inputs_.size());
+  return input();
+}
+
+Bit Graph::latch(bool first) {
+  const Bit now = leaf(Gate::latch, latches_.size());
+  latches_.push_back({now, first, no});
+  return now;
+}
+
+void Graph::next(Bit latch, Bit value) { latches_[gates_[latch.gate()].number()].next = value; }
 
 Bit Graph::made(Gate kind, Bit a, Bit b, Bit c) {
   const Made gate{kind, a, b, c};
@@ -72,22 +96,43 @@ Bit Graph::lut(std::span<const Bit> of, std::uint64_t table) {
   return mux(of.back(), lut(rest, table >> half), lut(rest, table));
 }
 
-std::vector<Bit> placed(Graph& graph, const Graph& from, const std::map<std::size_t, Bit>& known) {
-  std::vector<Bit> all;
+std::vector<bool> Graph::cone(std::span<const Bit> roots, bool over_clocks) const {
+  std::vector<bool> is_in(gates_.size());
+  std::vector<std::size_t> open;
+  const auto put = [&](Bit bit) {
+    if (is_in[bit.gate()]) return;
+    is_in[bit.gate()] = true;
+    open.push_back(bit.gate());
+  };
+  for (const Bit root : roots) put(root);
+  while (!open.empty()) {
+    const Made& gate = gates_[open.back()];
+    open.pop_back();
+    if (over_clocks && gate.kind == Gate::latch) put(latches_[gate.number()].next);
+    if (!gate.is_logic()) continue;
+    for (const Bit read : {gate.a, gate.b, gate.c}) put(read);
+  }
+  return is_in;
+}
+
+Bit remade(Graph& graph, const Graph::Made& gate, const Bits& gates) {
+  const Bit a = placed_at(gates, gate.a), b = placed_at(gates, gate.b);
+  if (gate.kind == Gate::and_gate) return graph.and_of(a, b);
+  if (gate.kind == Gate::xor_gate) return graph.xor_of(a, b);
+  return graph.mux(a, b, placed_at(gates, gate.c));
+}
+
+Bits placed(Graph& graph, const Graph& from, const std::map<std::size_t, Bit>& known) {
+  Bits all;
   all.reserve(from.gates().size());
   for (const Graph::Made& gate : from.gates()) {
-    const auto at = [&](Bit bit) { return placed_at(all, bit); };
     const auto is = known.find(all.size());
     if (is != known.end()) {
       all.push_back(is->second);
     } else if (gate.kind == Gate::constant) {
       all.push_back(no);
-    } else if (gate.kind == Gate::and_gate) {
-      all.push_back(graph.and_of(at(gate.a), at(gate.b)));
-    } else if (gate.kind == Gate::xor_gate) {
-      all.push_back(graph.xor_of(at(gate.a), at(gate.b)));
-    } else if (gate.kind == Gate::mux) {
-      all.push_back(graph.mux(at(gate.a), at(gate.b), at(gate.c)));
+    } else if (gate.is_logic()) {
+      all.push_back(remade(graph, gate, all));
     } else {
       throw std::logic_error("nets: a free bit of a graph is not known in another");
     }
@@ -95,31 +140,29 @@ std::vector<Bit> placed(Graph& graph, const Graph& from, const std::map<std::siz
   return all;
 }
 
-std::vector<std::uint64_t> run(const Graph& graph, std::span<const std::uint64_t> inputs) {
-  std::vector<std::uint64_t> all;
-  all.reserve(graph.gates().size());
-  std::size_t next_input = 0;
-  for (const Graph::Made& gate : graph.gates()) {
-    const auto of = [&](Bit bit) { return in_runs(all, bit); };
-    switch (gate.kind) {
-      case Gate::constant:
-        all.push_back(0);
-        break;
-      case Gate::input:
-        all.push_back(inputs[next_input++]);
-        break;
-      case Gate::and_gate:
-        all.push_back(of(gate.a) & of(gate.b));
-        break;
-      case Gate::xor_gate:
-        all.push_back(of(gate.a) ^ of(gate.b));
-        break;
-      case Gate::mux:
-        all.push_back((of(gate.a) & of(gate.b)) | (~of(gate.a) & of(gate.c)));
-        break;
-    }
+Placing::Placing(const Graph& from, Graph& to)
+    : from_(from), to_(to), all_(from.gates().size()), is_made_(from.gates().size()) {
+  give(no, no);
+}
+
+void Placing::give(Bit gate, Bit is) {
+  all_[gate.gate()] = is ^ gate.is_inverted();
+  is_made_[gate.gate()] = true;
+}
+
+void Placing::make(std::span<const Bit> roots) {
+  const auto& gates = from_.gates();
+  std::vector<bool> is_needed(gates.size());
+  for (const Bit root : roots) is_needed[root.gate()] = true;
+  for (std::size_t i = gates.size(); i-- > 0;) {
+    if (!is_needed[i] || is_made_[i] || !gates[i].is_logic()) continue;
+    for (const Bit read : {gates[i].a, gates[i].b, gates[i].c}) is_needed[read.gate()] = true;
   }
-  return all;
+  for (std::size_t i = 0; i < gates.size(); ++i) {
+    if (!is_needed[i] || is_made_[i]) continue;
+    all_[i] = gates[i].is_logic() ? remade(to_, gates[i], all_) : to_.input();
+    is_made_[i] = true;
+  }
 }
 
 }  // namespace cosim::nets

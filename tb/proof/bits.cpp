@@ -37,23 +37,24 @@ Bounds range_of(int width) {
 
 // The operation on codes of `width` bits, which holds its result and both values, and on codes that
 // are as wide as the result.
-Bits made(const char* head, const Bits& a, const Bits& b, int width, const Bounds& bounds) {
+BitVector made(const char* head, const BitVector& a, const BitVector& b, int width,
+               const Bounds& bounds) {
   return {Expression(head, bit_vector(width), {a.code(width), b.code(width)}), width, bounds.least,
           bounds.most};
 }
-Bits made(const char* head, const Bits& a, const Bits& b, const Bounds& bounds) {
+BitVector made(const char* head, const BitVector& a, const BitVector& b, const Bounds& bounds) {
   return made(head, a, b, bounds.width(), bounds);
 }
 
 // Or, exclusive or: no more bits than the longer one.
-Bits bitwise(const char* head, const Bits& a, const Bits& b) {
+BitVector bitwise(const char* head, const BitVector& a, const BitVector& b) {
   const int width = std::max(a.width(), b.width());
   Bounds bounds = range_of(width);
   if (a.least() >= 0 && b.least() >= 0) bounds.least = 0;
   return made(head, a, b, width, bounds);
 }
 
-Truth compared(const char* head, const Bits& a, const Bits& b) {
+Truth compared(const char* head, const BitVector& a, const BitVector& b) {
   const int width = std::max(a.width(), b.width());
   return Truth(Expression(head, boolean, {a.code(width), b.code(width)}));
 }
@@ -90,15 +91,15 @@ Truth operator^(const Truth& a, const Truth& b) {
   return Truth(Expression("xor", boolean, {a.expression(), b.expression()}));
 }
 
-Bits::Bits(Word known)
+BitVector::BitVector(Word known)
     : least_(known),
       most_(known),
       width_(width_of(known)),
       expression_(literal(known, width_of(known))) {}
 
-Bits::Bits(const Truth& t) : Bits(select(t, Bits(1), Bits(0))) {}
+BitVector::BitVector(const Truth& t) : BitVector(select(t, BitVector(1), BitVector(0))) {}
 
-Bits::Bits(const Expression& e, int width, Word least, Word most, int zeros)
+BitVector::BitVector(const Expression& e, int width, Word least, Word most, int zeros)
     : least_(least),
       most_(most),
       width_(Bounds{least, most}.width()),
@@ -109,30 +110,30 @@ Bits::Bits(const Expression& e, int width, Word least, Word most, int zeros)
   }
 }
 
-Bits Bits::unsigned_code(const Expression& code, int width) {
+BitVector BitVector::unsigned_code(const Expression& code, int width) {
   if (width == kWord) return {code, kWord, kLeast, kMost};
   const Expression e("(_ zero_extend 1)", bit_vector(width + 1), {code});
   return {e, width + 1, 0, ones(width)};
 }
-Bits Bits::signed_code(const Expression& code, int width) {
+BitVector BitVector::signed_code(const Expression& code, int width) {
   const auto [least, most] = range_of(width);
   return {code, width, least, most};
 }
 
-std::optional<Word> Bits::known() const {
+std::optional<Word> BitVector::known() const {
   return least_ == most_ ? std::optional(least_) : std::nullopt;
 }
 
-Expression Bits::code(int width) const {
+Expression BitVector::code(int width) const {
   if (known()) return literal(*known(), width);
   if (width <= width_) return cut(expression_, 0, width);
   return {fmt::format("(_ sign_extend {})", width - width_), bit_vector(width), {expression_}};
 }
 
-Bits operator+(const Bits& a, const Bits& b) {
+BitVector operator+(const BitVector& a, const BitVector& b) {
   if (a.known() == 0) return b;
   if (b.known() == 0) return a;
-  if (a.known() && b.known()) return Bits(cosim::add(*a.known(), *b.known()));
+  if (a.known() && b.known()) return BitVector(cosim::add(*a.known(), *b.known()));
   if (a.code(a.width()).identity() == b.code(b.width()).identity()) return shift_left(a, 1);
   Bounds bounds;
   if (__builtin_add_overflow(a.least(), b.least(), &bounds.least) ||
@@ -148,9 +149,9 @@ Bits operator+(const Bits& a, const Bits& b) {
   }
   return made("bvadd", a, b, bounds);
 }
-Bits operator-(const Bits& a, const Bits& b) {
+BitVector operator-(const BitVector& a, const BitVector& b) {
   if (b.known() == 0) return a;
-  if (a.known() && b.known()) return Bits(cosim::subtract(*a.known(), *b.known()));
+  if (a.known() && b.known()) return BitVector(cosim::subtract(*a.known(), *b.known()));
   Bounds bounds;
   if (__builtin_sub_overflow(a.least(), b.most(), &bounds.least) ||
       __builtin_sub_overflow(a.most(), b.least(), &bounds.most)) {
@@ -158,29 +159,29 @@ Bits operator-(const Bits& a, const Bits& b) {
   }
   return made("bvsub", a, b, bounds);
 }
-Truth operator<(const Bits& a, const Bits& b) {
+Truth operator<(const BitVector& a, const BitVector& b) {
   if (a.most() < b.least()) return true;
   if (a.least() >= b.most()) return false;
   return compared("bvslt", a, b);
 }
-Truth operator>(const Bits& a, const Bits& b) { return b < a; }
-Truth operator==(const Bits& a, const Bits& b) {
+Truth operator>(const BitVector& a, const BitVector& b) { return b < a; }
+Truth operator==(const BitVector& a, const BitVector& b) {
   if (a.known() && b.known()) return *a.known() == *b.known();
   if (a.most() < b.least() || b.most() < a.least()) return false;
   return compared("=", a, b);
 }
-Bits low_bits(const Bits& v, int width) {
-  if (v.known()) return Bits(cosim::low_bits(*v.known(), width));
+BitVector low_bits(const BitVector& v, int width) {
+  if (v.known()) return BitVector(cosim::low_bits(*v.known(), width));
   if (width == kWord || (v.least() >= 0 && v.most() <= ones(width))) return v;
-  return Bits::unsigned_code(v.code(width), width);
+  return BitVector::unsigned_code(v.code(width), width);
 }
-Truth bit(const Bits& v, int i) {
+Truth bit(const BitVector& v, int i) {
   if (v.known()) return cosim::bit(*v.known(), i);
   return Truth(equal(cut(v.code(std::max(v.width(), i + 1)), i, 1), literal(1, 1)));
 }
-Bits shift_left(const Bits& v, int n) {
+BitVector shift_left(const BitVector& v, int n) {
   if (n == 0) return v;
-  if (v.known()) return Bits(cosim::shift_left(*v.known(), n));
+  if (v.known()) return BitVector(cosim::shift_left(*v.known(), n));
   const Word factor = Word{1} << std::min(n, kWord - 2);
   Bounds bounds;
   if (n > kWord - 2 || __builtin_mul_overflow(v.least(), factor, &bounds.least) ||
@@ -191,14 +192,14 @@ Bits shift_left(const Bits& v, int n) {
   return {Expression("concat", bit_vector(width), {v.code(width - n), literal(0, n)}), width,
           bounds.least, bounds.most, n + v.zeros()};
 }
-Bits shift_right(const Bits& v, int n) {
+BitVector shift_right(const BitVector& v, int n) {
   if (n == 0) return v;
   const Word least = cosim::shift_right(v.least(), n), most = cosim::shift_right(v.most(), n);
-  if (least == most) return Bits(least);
+  if (least == most) return BitVector(least);
   const int width = std::max(v.width(), n + 1);
   return {cut(v.code(width), n, width - n), width - n, least, most};
 }
-Bits select(const Truth& c, const Bits& a, const Bits& b) {
+BitVector select(const Truth& c, const BitVector& a, const BitVector& b) {
   if (c.known()) return *c.known() ? a : b;
   const Bounds bounds{std::min(a.least(), b.least()), std::max(a.most(), b.most())};
   if (bounds.least == bounds.most) return a;
@@ -209,8 +210,8 @@ Bits select(const Truth& c, const Bits& a, const Bits& b) {
 
 // The operations that few models need: products, shifts by values, bit by bit.
 
-Bits operator*(const Bits& a, const Bits& b) {
-  if (a.known() && b.known()) return Bits(cosim::multiply(*a.known(), *b.known()));
+BitVector operator*(const BitVector& a, const BitVector& b) {
+  if (a.known() && b.known()) return BitVector(cosim::multiply(*a.known(), *b.known()));
   if (a.known() == 0 || b.known() == 1) return a;
   if (b.known() == 0 || a.known() == 1) return b;
   std::array<Word, 4> ends{};
@@ -223,12 +224,12 @@ Bits operator*(const Bits& a, const Bits& b) {
   }
   if (!fits) return made("bvmul", a, b, kWord, range_of(kWord));
   const auto [least, most] = std::minmax_element(ends.begin(), ends.end());
-  const int width = std::max(Bits(*least).width(), Bits(*most).width());
+  const int width = std::max(BitVector(*least).width(), BitVector(*most).width());
   return made("bvmul", a, b, width, {*least, *most});
 }
 
-Bits operator&(const Bits& a, const Bits& b) {
-  if (a.known() && b.known()) return Bits(*a.known() & *b.known());
+BitVector operator&(const BitVector& a, const BitVector& b) {
+  if (a.known() && b.known()) return BitVector(*a.known() & *b.known());
   if (a.known() == 0 || b.known() == -1) return a;
   if (b.known() == 0 || a.known() == -1) return b;
   int width = std::max(a.width(), b.width());
@@ -238,18 +239,18 @@ Bits operator&(const Bits& a, const Bits& b) {
                       : a.least() < 0 ? b.most()
                                       : std::min(a.most(), b.most());
     bounds = {0, most};
-    width = Bits(most).width();
+    width = BitVector(most).width();
   }
   return made("bvand", a, b, width, bounds);
 }
-Bits operator|(const Bits& a, const Bits& b) {
-  if (a.known() && b.known()) return Bits(*a.known() | *b.known());
+BitVector operator|(const BitVector& a, const BitVector& b) {
+  if (a.known() && b.known()) return BitVector(*a.known() | *b.known());
   if (a.known() == 0) return b;
   if (b.known() == 0) return a;
   return bitwise("bvor", a, b);
 }
-Bits operator^(const Bits& a, const Bits& b) {
-  if (a.known() && b.known()) return Bits(*a.known() ^ *b.known());
+BitVector operator^(const BitVector& a, const BitVector& b) {
+  if (a.known() && b.known()) return BitVector(*a.known() ^ *b.known());
   if (a.known() == 0) return b;
   if (b.known() == 0) return a;
   return bitwise("bvxor", a, b);
@@ -257,8 +258,8 @@ Bits operator^(const Bits& a, const Bits& b) {
 
 // A shift of SMT-LIB 2 takes its second code as a number without a sign too, and shifts every bit
 // out where that is the width or more.
-Bits shift_left(const Bits& v, const Bits& n) {
-  if (v.known() && n.known()) return Bits(cosim::shift_left(*v.known(), *n.known()));
+BitVector shift_left(const BitVector& v, const BitVector& n) {
+  if (v.known() && n.known()) return BitVector(cosim::shift_left(*v.known(), *n.known()));
   if (n.known() && *n.known() >= 0 && *n.known() < kWord) {
     return shift_left(v, static_cast<int>(*n.known()));
   }
@@ -272,8 +273,8 @@ Bits shift_left(const Bits& v, const Bits& n) {
   }
   return made("bvshl", v, n, width, bounds);
 }
-Bits shift_right(const Bits& v, const Bits& n) {
-  if (v.known() && n.known()) return Bits(cosim::shift_right(*v.known(), *n.known()));
+BitVector shift_right(const BitVector& v, const BitVector& n) {
+  if (v.known() && n.known()) return BitVector(cosim::shift_right(*v.known(), *n.known()));
   if (n.known() && *n.known() >= 0 && *n.known() < kWord) {
     return shift_right(v, static_cast<int>(*n.known()));
   }

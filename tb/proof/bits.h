@@ -1,5 +1,5 @@
-// The machine word of the golden models as a symbol: a model run on Bits instead of Word gives the
-// formula of what it does.
+// The machine word of the golden models as a symbol: a model run on BitVector instead of Word gives
+// the formula of what it does.
 #pragma once
 
 #include <optional>
@@ -33,16 +33,16 @@ Truth operator^(const Truth& a, const Truth& b);
 /// A Word within known bounds. Its expression is a two's complement code with only as many bits as
 /// the bounds need, because each bit costs the solver work. If the bounds would leave 64 bits there
 /// are none, and the value wraps as a Word does.
-class Bits : public Symbolic {
+class BitVector : public Symbolic {
  public:
-  Bits() : Bits(0) {}
-  Bits(Word known);      // NOLINT: a number is one
-  Bits(const Truth& t);  // NOLINT: 1 or 0
+  BitVector() : BitVector(0) {}
+  BitVector(Word known);      // NOLINT: a number is one
+  BitVector(const Truth& t);  // NOLINT: 1 or 0
   /// A code of `width` bits as the number it is without a sign, or in two's complement.
-  static Bits unsigned_code(const Expression& code, int width);
-  static Bits signed_code(const Expression& code, int width);
+  static BitVector unsigned_code(const Expression& code, int width);
+  static BitVector signed_code(const Expression& code, int width);
   /// The number of least..most whose code is `e`, or the lower bits of `e`.
-  Bits(const Expression& e, int width, Word least, Word most, int zeros = 0);
+  BitVector(const Expression& e, int width, Word least, Word most, int zeros = 0);
 
   Word least() const { return least_; }
   Word most() const { return most_; }
@@ -64,26 +64,26 @@ class Bits : public Symbolic {
 /// `width` bits of a code, from bit `low` up.
 Expression cut(const Expression& code, int low, int width);
 
-Bits operator+(const Bits& a, const Bits& b);
-Bits operator-(const Bits& a, const Bits& b);
-Bits operator*(const Bits& a, const Bits& b);
-Bits operator&(const Bits& a, const Bits& b);
-Bits operator|(const Bits& a, const Bits& b);
-Bits operator^(const Bits& a, const Bits& b);
-Truth operator<(const Bits& a, const Bits& b);
-Truth operator>(const Bits& a, const Bits& b);
-Truth operator==(const Bits& a, const Bits& b);
-Bits low_bits(const Bits& v, int width);
-Truth bit(const Bits& v, int i);
-Bits shift_left(const Bits& v, int n);
-Bits shift_right(const Bits& v, int n);
-Bits shift_left(const Bits& v, const Bits& n);
-Bits shift_right(const Bits& v, const Bits& n);
-Bits select(const Truth& c, const Bits& a, const Bits& b);
+BitVector operator+(const BitVector& a, const BitVector& b);
+BitVector operator-(const BitVector& a, const BitVector& b);
+BitVector operator*(const BitVector& a, const BitVector& b);
+BitVector operator&(const BitVector& a, const BitVector& b);
+BitVector operator|(const BitVector& a, const BitVector& b);
+BitVector operator^(const BitVector& a, const BitVector& b);
+Truth operator<(const BitVector& a, const BitVector& b);
+Truth operator>(const BitVector& a, const BitVector& b);
+Truth operator==(const BitVector& a, const BitVector& b);
+BitVector low_bits(const BitVector& v, int width);
+Truth bit(const BitVector& v, int i);
+BitVector shift_left(const BitVector& v, int n);
+BitVector shift_right(const BitVector& v, int n);
+BitVector shift_left(const BitVector& v, const BitVector& n);
+BitVector shift_right(const BitVector& v, const BitVector& n);
+BitVector select(const Truth& c, const BitVector& a, const BitVector& b);
 
 // The operators wrap already.
-inline Bits add(const Bits& a, const Bits& b) { return a + b; }
-inline Bits subtract(const Bits& a, const Bits& b) { return a - b; }
-inline Bits multiply(const Bits& a, const Bits& b) { return a * b; }
+inline BitVector add(const BitVector& a, const BitVector& b) { return a + b; }
+inline BitVector subtract(const BitVector& a, const BitVector& b) { return a - b; }
+inline BitVector multiply(const BitVector& a, const BitVector& b) { return a * b; }
 
 }  // namespace cosim::proof

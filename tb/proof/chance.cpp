@@ -20,11 +20,11 @@ constexpr std::size_t now_and_then = 64;  // clocks
 
 class Stimuli {
  public:
-  Stimuli(const Aig& graph, std::uint64_t seed) : random_(Random::for_case(seed, 0)) {
+  Stimuli(const nets::Graph& graph, std::uint64_t seed) : random_(Random::for_case(seed, 0)) {
     for (const std::vector<std::size_t>& inputs : graph.words()) {
       words_.push_back({inputs, graph.is_seldom(inputs.front())});
     }
-    now_.resize(graph.inputs());
+    now_.resize(graph.inputs().size());
     begin_ways();
   }
 
@@ -98,11 +98,11 @@ class Stimuli {
 
 }  // namespace
 
-void run_by_chance(const Aig& graph, std::uint64_t seed, std::size_t clocks,
-                   const std::function<bool(const Aig::Runs&)>& see) {
+void run_by_chance(const nets::Graph& graph, std::uint64_t seed, std::size_t clocks,
+                   const std::function<bool(const nets::Runs&)>& see) {
   const InterruptGuard interrupts;
   Stimuli stimuli(graph, seed);
-  Aig::Runs runs(graph);
+  nets::Runs runs(graph);
   for (std::size_t clock = 0; clock < clocks; ++clock) {
     if (clock % now_and_then == 0) InterruptGuard::check();
     runs.clock(stimuli.now());
@@ -111,11 +111,12 @@ void run_by_chance(const Aig& graph, std::uint64_t seed, std::size_t clocks,
   }
 }
 
-std::vector<std::vector<bool>> by_chance(const Aig& graph, Aig::Lit bad, std::uint64_t seed,
-                                         std::size_t clocks, const std::function<bool()>& stop) {
+std::vector<std::vector<bool>> by_chance(const nets::Graph& graph, nets::Bit bad,
+                                         std::uint64_t seed, std::size_t clocks,
+                                         const std::function<bool()>& stop) {
   std::size_t clock = 0;
   Runs met = 0;
-  run_by_chance(graph, seed, clocks, [&](const Aig::Runs& runs) {
+  run_by_chance(graph, seed, clocks, [&](const nets::Runs& runs) {
     met = runs.of(bad);
     if (met != 0) return false;
     ++clock;

@@ -6,53 +6,55 @@
 namespace cosim::proof {
 namespace {
 
-using Lit = Aig::Lit;
-using Lits = std::vector<Lit>;
+using nets::Bit;
+using nets::Bits;
 
-// The nodes that these are made of.
-std::vector<bool> cone(const Aig& logic, const Lits& all, const Lits& any) {
-  const auto& nodes = logic.nodes();
-  std::vector<bool> read(nodes.size());
-  for (const Lits* lits : {&all, &any}) {
-    for (const Lit lit : *lits) read[lit / 2] = true;
-  }
-  for (std::size_t n = nodes.size(); n-- > 0;) {
-    if (read[n] && nodes[n].kind == Aig::Kind::both) {
-      read[nodes[n].a / 2] = read[nodes[n].b / 2] = true;
-    }
-  }
-  return read;
+// What a gate gives (Tseitin's encoding).
+Sat::Literal gate_of(Sat& sat, nets::Gate kind, Sat::Literal a, Sat::Literal b, Sat::Literal c) {
+  if (kind == nets::Gate::and_gate) return sat.and_of({a, b});
+  const Sat::Literal is = sat.variable();
+  const Sat::Literal otherwise = kind == nets::Gate::mux ? c : b;
+  const Sat::Literal then = kind == nets::Gate::mux ? b : -b;
+  sat.clause({-a, -then, is});
+  sat.clause({-a, then, -is});
+  sat.clause({a, -otherwise, is});
+  sat.clause({a, otherwise, -is});
+  return is;
 }
 
 }  // namespace
 
-Satisfied satisfy(const Aig& logic, const Lits& all, const Lits& any,
+Satisfied satisfy(const nets::Graph& logic, const Bits& all, const Bits& any,
                   std::chrono::steady_clock::time_point until) {
   Sat sat([until] {
     return InterruptGuard::signal() != 0 || std::chrono::steady_clock::now() >= until;
   });
-  const std::vector<bool> is_read = cone(logic, all, any);
-  const auto& nodes = logic.nodes();
+  Bits roots = all;
+  roots.insert(roots.end(), any.begin(), any.end());
+  const std::vector<bool> is_read = logic.cone(roots);
+  const auto& nodes = logic.gates();
   std::vector<Sat::Literal> literals(nodes.size());
-  const auto of = [&](Lit lit) {
-    const Sat::Literal is = literals[lit / 2];
-    return (lit & 1U) != 0 ? -is : is;
+  const auto of = [&](Bit lit) {
+    const Sat::Literal is = literals[lit.gate()];
+    return lit.is_inverted() ? -is : is;
   };
   for (std::size_t n = 0; n < nodes.size(); ++n) {
-    const bool is_gate = nodes[n].kind == Aig::Kind::both;
-    if (is_gate && !is_read[n]) continue;
-    literals[n] = is_gate ? sat.and_of({of(nodes[n].a), of(nodes[n].b)}) : sat.variable();
-    if (nodes[n].kind == Aig::Kind::constant) sat.clause({-literals[n]});
+    const bool is_logic = nodes[n].is_logic();
+    if (is_logic && !is_read[n]) continue;
+    literals[n] = is_logic
+                      ? gate_of(sat, nodes[n].kind, of(nodes[n].a), of(nodes[n].b), of(nodes[n].c))
+                      : sat.variable();
+    if (nodes[n].kind == nets::Gate::constant) sat.clause({-literals[n]});
   }
-  for (const Lit lit : all) sat.clause({of(lit)});
+  for (const Bit lit : all) sat.clause({of(lit)});
   std::vector<Sat::Literal> one;
-  for (const Lit lit : any) one.push_back(of(lit));
+  for (const Bit lit : any) one.push_back(of(lit));
   sat.clause(one);
   Satisfied satisfied{sat.solve(), {}};
   InterruptGuard::check();
   if (satisfied.answer != Answer::sat) return satisfied;
   for (std::size_t n = 0; n < nodes.size(); ++n) {
-    if (nodes[n].kind == Aig::Kind::input) satisfied.inputs.push_back(sat.holds(literals[n]));
+    if (nodes[n].kind == nets::Gate::input) satisfied.inputs.push_back(sat.holds(literals[n]));
   }
   return satisfied;
 }

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <vector>
 
-#include "tb/proof/aig.h"
+#include "tb/nets/graph.h"
 #include "tb/proof/answer.h"
 
 namespace cosim::proof {
@@ -16,7 +16,7 @@ struct Satisfied {
 
 /// Whether inputs of `logic`, which has no latches, make all of `all` 1 and one of `any` too. Ends
 /// when it is `until`, or the program is interrupted.
-Satisfied satisfy(const Aig& logic, const std::vector<Aig::Lit>& all,
-                  const std::vector<Aig::Lit>& any, std::chrono::steady_clock::time_point until);
+Satisfied satisfy(const nets::Graph& logic, const nets::Bits& all, const nets::Bits& any,
+                  std::chrono::steady_clock::time_point until);
 
 }  // namespace cosim::proof

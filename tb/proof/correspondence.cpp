@@ -16,35 +16,16 @@
 namespace cosim::proof {
 namespace {
 
-using Lit = Aig::Lit;
-using Lits = std::vector<Lit>;
+using nets::Bit;
+using nets::Bits;
+using nets::gate_bit;
+using nets::no;
+using nets::yes;
 using Runs = std::uint64_t;  // a bit each
-
-// The nodes that `bad` depends on, on this clock or a later one.
-std::vector<bool> cone(const Aig& graph, Lit bad) {
-  std::vector<bool> is_in(graph.nodes().size());
-  std::vector<std::size_t> open;
-  const auto put = [&](Lit lit) {
-    if (is_in[lit / 2]) return;
-    is_in[lit / 2] = true;
-    open.push_back(lit / 2);
-  };
-  put(0);
-  put(bad);
-  while (!open.empty()) {
-    const Aig::Node& node = graph.nodes()[open.back()];
-    open.pop_back();
-    if (node.kind == Aig::Kind::latch) put(graph.registers()[node.a].next);
-    if (node.kind != Aig::Kind::both) continue;
-    put(node.a);
-    put(node.b);
-  }
-  return is_in;
-}
 
 class Refinement {
  public:
-  Refinement(const Aig& graph, Lit bad, std::chrono::steady_clock::time_point until)
+  Refinement(const nets::Graph& graph, Bit bad, std::chrono::steady_clock::time_point until)
       : graph_(graph), until_(until) {
     begin(bad);
   }
@@ -61,19 +42,19 @@ class Refinement {
 
  private:
   // Literals that may be equal, in the order of their nodes.
-  using Class = Lits;
+  using Class = Bits;
 
   // Those that no run by chance tells apart, by a hash of what they were.
-  void begin(Lit bad) {
+  void begin(Bit bad) {
     constexpr std::size_t most = 4000, steps = 20'000'000;
     constexpr Runs factor = 0x9e3779b97f4a7c15ULL;
-    const std::size_t nodes = graph_.nodes().size();
-    const std::vector<bool> is_in = cone(graph_, bad);
+    const std::size_t nodes = graph_.gates().size();
+    const std::vector<bool> is_in = graph_.cone(Bits{no, bad}, true);
     std::vector<Runs> hash(nodes), turned(nodes);
     bool is_first = true;
-    run_by_chance(graph_, 0, std::min(most, steps / nodes + 1), [&](const Aig::Runs& runs) {
+    run_by_chance(graph_, 0, std::min(most, steps / nodes + 1), [&](const nets::Runs& runs) {
       for (std::size_t n = 0; n < nodes; ++n) {
-        const Runs is = runs.of(static_cast<Lit>(2 * n));
+        const Runs is = runs.of(gate_bit(n));
         if (is_first) turned[n] = 0 - (is & 1U);
         hash[n] = ((hash[n] ^ is ^ turned[n]) * factor) ^ (hash[n] >> 29U);
       }
@@ -85,8 +66,8 @@ class Refinement {
       if (!is_in[n]) continue;
       Class& its = classes[hash[n]];
       // An input is equal to nothing before it.
-      if (graph_.nodes()[n].kind == Aig::Kind::input && !its.empty()) continue;
-      its.push_back(static_cast<Lit>(2 * n + (turned[n] & 1U)));
+      if (graph_.gates()[n].kind == nets::Gate::input && !its.empty()) continue;
+      its.push_back(gate_bit(n) ^ ((turned[n] & 1U) != 0));
     }
     for (auto& [key, its] : classes) {
       if (its.size() > 1) classes_.push_back(std::move(its));
@@ -94,24 +75,25 @@ class Refinement {
   }
 
   Same same() const {
-    Same same(graph_.nodes().size());
-    for (std::size_t n = 0; n < same.size(); ++n) same[n] = static_cast<Lit>(2 * n);
+    Same same(graph_.gates().size());
+    for (std::size_t n = 0; n < same.size(); ++n) same[n] = gate_bit(n);
     for (const Class& its : classes_) {
-      for (const Lit lit : its) same[lit / 2] = its.front() ^ (lit & 1U);
+      for (const Bit lit : its) same[lit.gate()] = its.front() ^ lit.is_inverted();
     }
     return same;
   }
 
   // From the first state.
   Answer first() {
-    Aig logic;
-    Lits state;
-    for (const Aig::Latch& latch : graph_.registers()) state.push_back(latch.first ? 1 : 0);
+    nets::Graph logic;
+    Bits state;
+    for (const nets::Graph::Latch& latch : graph_.latches())
+      state.push_back(nets::constant(latch.first));
     const Frame now = frame_of(
         graph_, same(), logic, [&](std::size_t) { return logic.input(); }, &state);
     const Satisfied found = satisfy(logic, {}, now.differ, until_);
     if (found.answer != Answer::sat) return found.answer;
-    Aig::Runs tried(logic), runs(graph_);
+    nets::Runs tried(logic), runs(graph_);
     tried.clock(varied(found.inputs, found.inputs.size()));
     runs.clock(inputs(tried, now));
     return cut(runs, ~Runs{0});
@@ -119,24 +101,24 @@ class Refinement {
 
   // From a state in which all is so.
   Answer step() {
-    Aig logic;
+    nets::Graph logic;
     const auto leaf = [&](std::size_t) { return logic.input(); };
     const Frame was = frame_of(graph_, same(), logic, leaf);
-    const std::size_t given = logic.inputs();
-    const Lits state = next_state(graph_, was);
+    const std::size_t given = logic.inputs().size();
+    const Bits state = next_state(graph_, was);
     const Frame now = frame_of(graph_, same(), logic, leaf, &state);
-    Lits all;
-    for (const Lit lit : was.differ) all.push_back(Aig::inverted(lit));
+    Bits all;
+    for (const Bit lit : was.differ) all.push_back(!lit);
     const Satisfied found = satisfy(logic, all, now.differ, until_);
     if (found.answer != Answer::sat) return found.answer;
-    Aig::Runs tried(logic), runs(graph_);
+    nets::Runs tried(logic), runs(graph_);
     tried.clock(varied(found.inputs, given));
     Runs are_so = ~Runs{0};
-    for (const Lit lit : all) are_so &= tried.of(lit);
+    for (const Bit lit : all) are_so &= tried.of(lit);
     if ((are_so & 1U) == 0) return Answer::failed;
     std::vector<Runs> begun;
-    for (const Aig::Latch& latch : graph_.registers()) {
-      begun.push_back(tried.of(was.values[latch.node]));
+    for (const nets::Graph::Latch& latch : graph_.latches()) {
+      begun.push_back(tried.of(was.values[latch.now.gate()]));
     }
     runs.begin(std::move(begun));
     runs.clock(inputs(tried, was));
@@ -160,10 +142,10 @@ class Refinement {
     return inputs;
   }
 
-  std::vector<Runs> inputs(const Aig::Runs& tried, const Frame& frame) const {
+  std::vector<Runs> inputs(const nets::Runs& tried, const Frame& frame) const {
     std::vector<Runs> all;
-    for (std::size_t n = 0; n < graph_.nodes().size(); ++n) {
-      if (graph_.nodes()[n].kind == Aig::Kind::input) all.push_back(tried.of(frame.values[n]));
+    for (std::size_t n = 0; n < graph_.gates().size(); ++n) {
+      if (graph_.gates()[n].kind == nets::Gate::input) all.push_back(tried.of(frame.values[n]));
     }
     return all;
   }
@@ -171,7 +153,7 @@ class Refinement {
   // Cuts the classes by what they are in those runs, and on the clocks after it as long as that
   // cuts any: what is left is so on each of them, so that the next one is as good. Failed where
   // nothing is cut.
-  Answer cut(Aig::Runs& runs, Runs those) {
+  Answer cut(nets::Runs& runs, Runs those) {
     constexpr int idle = 8;
     bool any = false;
     for (int left = idle; left > 0; --left) {
@@ -179,26 +161,26 @@ class Refinement {
         any = true;
         left = idle;
       }
-      std::vector<Runs> inputs(graph_.inputs());
+      std::vector<Runs> inputs(graph_.inputs().size());
       for (Runs& one : inputs) one = random_.next();
       runs.clock(inputs);
     }
     return any ? Answer::sat : Answer::failed;
   }
 
-  bool cut_once(const Aig::Runs& runs, Runs those) {
+  bool cut_once(const nets::Runs& runs, Runs those) {
     std::vector<Class> cut;
     bool is_cut = false;
     for (Class& its : classes_) {
       const Runs value = runs.of(its.front()) & those;
-      const auto is_same = [&](Lit lit) { return (runs.of(lit) & those) == value; };
+      const auto is_same = [&](Bit lit) { return (runs.of(lit) & those) == value; };
       if (std::all_of(its.begin(), its.end(), is_same)) {
         cut.push_back(std::move(its));
         continue;
       }
       is_cut = true;
       std::map<Runs, Class> parts;
-      for (const Lit lit : its) parts[runs.of(lit) & those].push_back(lit);
+      for (const Bit lit : its) parts[runs.of(lit) & those].push_back(lit);
       for (auto& [own, part] : parts) {
         if (part.size() > 1) cut.push_back(std::move(part));
       }
@@ -207,7 +189,7 @@ class Refinement {
     return is_cut;
   }
 
-  const Aig& graph_;
+  const nets::Graph& graph_;
   std::chrono::steady_clock::time_point until_;
   std::vector<Class> classes_;
   Random random_{0};
@@ -215,37 +197,36 @@ class Refinement {
 
 }  // namespace
 
-Frame frame_of(const Aig& graph, const Same& same, Aig& to,
-               const std::function<Lit(std::size_t)>& leaf, const Lits* state) {
-  const auto& nodes = graph.nodes();
-  Frame frame{Lits(nodes.size()), {}};
-  const auto of = [&](Lit lit) { return frame.values[lit / 2] ^ (lit & 1U); };
+Frame frame_of(const nets::Graph& graph, const Same& same, nets::Graph& to,
+               const std::function<Bit(std::size_t)>& leaf, const Bits* state) {
+  const auto& nodes = graph.gates();
+  Frame frame{Bits(nodes.size()), {}};
   for (std::size_t n = 0; n < nodes.size(); ++n) {
-    const bool is_merged = same[n] / 2 != n;
-    const bool is_latch = nodes[n].kind == Aig::Kind::latch;
-    Lit own = 0;
-    if (nodes[n].kind == Aig::Kind::both) own = to.and_of(of(nodes[n].a), of(nodes[n].b));
-    if (is_latch && state != nullptr) own = (*state)[nodes[n].a];
-    if (nodes[n].kind == Aig::Kind::input || (is_latch && state == nullptr && !is_merged)) {
+    const bool is_merged = same[n].gate() != n;
+    const bool is_latch = nodes[n].kind == nets::Gate::latch;
+    Bit own = no;
+    if (nodes[n].is_logic()) own = remade(to, nodes[n], frame.values);
+    if (is_latch && state != nullptr) own = (*state)[nodes[n].number()];
+    if (nodes[n].kind == nets::Gate::input || (is_latch && state == nullptr && !is_merged)) {
       own = leaf(n);
     }
-    frame.values[n] = is_merged ? of(same[n]) : own;
+    frame.values[n] = is_merged ? placed_at(frame.values, same[n]) : own;
     if (!is_merged || (is_latch && state == nullptr)) continue;
-    const Lit differs = to.xor_of(own, frame.values[n]);
-    if (differs != 0) frame.differ.push_back(differs);
+    const Bit differs = to.xor_of(own, frame.values[n]);
+    if (differs != no) frame.differ.push_back(differs);
   }
   return frame;
 }
 
-Lits next_state(const Aig& graph, const Frame& frame) {
-  Lits state;
-  for (const Aig::Latch& latch : graph.registers()) {
-    state.push_back(frame.values[latch.next / 2] ^ (latch.next & 1U));
+Bits next_state(const nets::Graph& graph, const Frame& frame) {
+  Bits state;
+  for (const nets::Graph::Latch& latch : graph.latches()) {
+    state.push_back(placed_at(frame.values, latch.next));
   }
   return state;
 }
 
-std::optional<Same> corresponding(const Aig& graph, Lit bad,
+std::optional<Same> corresponding(const nets::Graph& graph, Bit bad,
                                   std::chrono::steady_clock::time_point until) {
   return Refinement(graph, bad, until).found();
 }

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "model/core/input_error.h"
+#include "tb/nets/runs.h"
 #include "tb/proof/engines_detail.h"
 #include "tb/support/words.h"
 

@@ -1,9 +1,7 @@
 #include "tb/proof/from_reset.h"
 
 namespace cosim::proof {
-namespace {
-using Lit = Aig::Lit;
-}
+namespace {}
 
 FromReset::FromReset(const nets::Model& model, const RtlNets& rtl,
                      const std::map<std::string, Word>& tied, const std::vector<Watched>& watched)
@@ -11,10 +9,10 @@ FromReset::FromReset(const nets::Model& model, const RtlNets& rtl,
 
 std::vector<std::vector<Word>> FromReset::words_of(
     const std::vector<std::vector<bool>>& inputs) const {
-  std::vector<Lit> bits;
+  nets::Bits bits;
   for (const auto& input : product_.inputs) bits.insert(bits.end(), input.begin(), input.end());
   std::vector<std::vector<Word>> clocks;
-  for (const auto& row : product_.graph.run(inputs, bits)) {
+  for (const auto& row : nets::traced(product_.graph, inputs, bits)) {
     auto& words = clocks.emplace_back();
     std::size_t bit = 0;
     for (const auto& input : product_.inputs) {
@@ -42,9 +40,9 @@ HappensFromReset FromReset::ask(Happens what, std::chrono::steady_clock::time_po
   all.reached = reach(any.graph, any.bad, until, jobs);
   if (all.reached.ever != Ever::yes) return all;
   all.clocks = words_of(all.reached.inputs);
-  std::vector<Lit> each;
+  nets::Bits each;
   for (const auto& [name, lit] : product_.asked.at(what)) each.push_back(lit);
-  const auto last = any.graph.run(all.reached.inputs, each).back();
+  const auto last = nets::traced(any.graph, all.reached.inputs, each).back();
   for (std::size_t i = 0; i < each.size(); ++i) {
     if (last[i]) all.what.push_back(product_.asked.at(what)[i].first);
   }
@@ -58,7 +56,7 @@ Invariant FromReset::check(Happens what, std::chrono::steady_clock::time_point u
 
 WatchedFromReset FromReset::ask_watched(std::chrono::steady_clock::time_point until, unsigned jobs,
                                         const std::function<void(std::size_t)>& left) const {
-  std::vector<Lit> each;
+  nets::Bits each;
   if (const auto at = product_.asked.find(Happens::watched); at != product_.asked.end()) {
     for (const auto& [name, lit] : at->second) each.push_back(lit);
   }

@@ -51,8 +51,8 @@ class FromReset {
 
  private:
   struct Any {
-    Aig graph;
-    Aig::Lit bad = 0;
+    nets::Graph graph;
+    nets::Bit bad = nets::no;
   };
   Any any_of(Happens what) const;
   std::vector<std::vector<Word>> words_of(const std::vector<std::vector<bool>>& inputs) const;

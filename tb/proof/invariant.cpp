@@ -21,37 +21,40 @@ namespace cosim::proof {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Lit = Aig::Lit;
-using Lits = std::vector<Lit>;
+using nets::Bit;
+using nets::Bits;
+using nets::gate_bit;
+using nets::no;
+using nets::yes;
 
 // States that are never reached: these registers of a graph have these values.
 using Cube = std::vector<std::pair<std::size_t, bool>>;
 
 // The graph with what is the same merged.
 struct Merged {
-  Aig graph;
-  Lit bad = 0;
+  nets::Graph graph;
+  Bit bad = no;
 };
 
-Merged merged(const Aig& graph, Lit bad, const Same& same) {
+Merged merged(const nets::Graph& graph, Bit bad, const Same& same) {
   Merged all;
   const auto leaf = [&](std::size_t n) {
-    const Aig::Node& node = graph.nodes()[n];
-    return node.kind == Aig::Kind::latch ? all.graph.latch(graph.registers()[node.a].first)
-                                         : all.graph.input();
+    const nets::Graph::Made& node = graph.gates()[n];
+    return node.kind == nets::Gate::latch ? all.graph.latch(graph.latches()[node.number()].first)
+                                          : all.graph.input();
   };
   const Frame now = frame_of(graph, same, all.graph, leaf);
-  const Lits next = next_state(graph, now);
+  const Bits next = next_state(graph, now);
   for (std::size_t i = 0; i < next.size(); ++i) {
-    const std::size_t n = graph.registers()[i].node;
-    if (same[n] / 2 == n) all.graph.next(now.values[n], next[i]);
+    const std::size_t n = graph.latches()[i].now.gate();
+    if (same[n].gate() == n) all.graph.next(now.values[n], next[i]);
   }
-  all.bad = now.values[bad / 2] ^ (bad & 1U);
+  all.bad = placed_at(now.values, bad);
   return all;
 }
 
 // A file of pdr: a line a cube, a column a register, as in AIGER.
-std::vector<Cube> cubes_in(const std::string& pla, const Aig& graph) {
+std::vector<Cube> cubes_in(const std::string& pla, const nets::Graph& graph) {
   std::vector<Cube> cubes;
   std::vector<std::size_t> registers;
   std::istringstream lines(pla);
@@ -65,8 +68,8 @@ std::vector<Cube> cubes_in(const std::string& pla, const Aig& graph) {
     if (word.find_first_not_of("01-") != std::string::npos || word.empty()) continue;
     Cube& cube = cubes.emplace_back();
     for (std::size_t i = 0; i < std::min(word.size(), registers.size()); ++i) {
-      if (word[i] == '-' || registers[i] >= graph.latches()) continue;
-      cube.emplace_back(registers[i], (word[i] == '1') != graph.registers()[registers[i]].first);
+      if (word[i] == '-' || registers[i] >= graph.latches().size()) continue;
+      cube.emplace_back(registers[i], (word[i] == '1') != graph.latches()[registers[i]].first);
     }
   }
   return cubes;
@@ -75,7 +78,7 @@ std::vector<Cube> cubes_in(const std::string& pla, const Aig& graph) {
 std::vector<Cube> learnt(const Merged& of, Clock::time_point until) {
   const Scratch scratch;
   OutputFile file((scratch.path() / "asked.aig").string());
-  file.text(of.graph.aiger(of.bad));
+  file.text(aiger(of.graph, of.bad));
   file.close();
   const std::string found = (scratch.path() / "invariant").string();
   run_until({"env", "-C", scratch.path().string(), "yosys-abc", "-s", "-q",
@@ -87,31 +90,32 @@ std::vector<Cube> learnt(const Merged& of, Clock::time_point until) {
 }
 
 // Whether none of the cubes holds the first state.
-bool begins_outside(const std::vector<Cube>& cubes, const Aig& graph) {
+bool begins_outside(const std::vector<Cube>& cubes, const nets::Graph& graph) {
   return std::all_of(cubes.begin(), cubes.end(), [&](const Cube& cube) {
     return std::any_of(cube.begin(), cube.end(), [&](const auto& one) {
-      return graph.registers()[one.first].first != one.second;
+      return graph.latches()[one.first].first != one.second;
     });
   });
 }
 
 // Whether a clock that begins outside of the cubes has no `bad`, and ends outside of them.
 Answer leaves(const Merged& of, const std::vector<Cube>& cubes, Clock::time_point until) {
-  Aig logic;
-  Same own(of.graph.nodes().size());
-  for (std::size_t n = 0; n < own.size(); ++n) own[n] = static_cast<Lit>(2 * n);
+  nets::Graph logic;
+  Same own(of.graph.gates().size());
+  for (std::size_t n = 0; n < own.size(); ++n) own[n] = gate_bit(n);
   const Frame now = frame_of(of.graph, own, logic, [&](std::size_t) { return logic.input(); });
-  Lits state;
-  for (const Aig::Latch& latch : of.graph.registers()) state.push_back(now.values[latch.node]);
-  const Lits next = next_state(of.graph, now);
-  Lits all, any{now.values[of.bad / 2] ^ (of.bad & 1U)};
+  Bits state;
+  for (const nets::Graph::Latch& latch : of.graph.latches())
+    state.push_back(now.values[latch.now.gate()]);
+  const Bits next = next_state(of.graph, now);
+  Bits all, any{placed_at(now.values, of.bad)};
   for (const Cube& cube : cubes) {
-    Lit is_in = 1, comes_in = 1;
+    Bit is_in = yes, comes_in = yes;
     for (const auto& [i, value] : cube) {
-      is_in = logic.and_of(is_in, state[i] ^ (value ? 0U : 1U));
-      comes_in = logic.and_of(comes_in, next[i] ^ (value ? 0U : 1U));
+      is_in = logic.and_of(is_in, state[i] ^ !value);
+      comes_in = logic.and_of(comes_in, next[i] ^ !value);
     }
-    all.push_back(Aig::inverted(is_in));
+    all.push_back(!is_in);
     any.push_back(comes_in);
   }
   return satisfy(logic, all, any, until).answer;
@@ -119,18 +123,18 @@ Answer leaves(const Merged& of, const std::vector<Cube>& cubes, Clock::time_poin
 
 }  // namespace
 
-Invariant invariant_of(const Aig& graph, Lit bad, Clock::time_point until) {
+Invariant invariant_of(const nets::Graph& graph, Bit bad, Clock::time_point until) {
   Invariant invariant;
   const auto began = Clock::now();
   const auto same = corresponding(graph, bad, began + (until - began) / 2);
-  Same merging(graph.nodes().size());
+  Same merging(graph.gates().size());
   for (std::size_t n = 0; n < merging.size(); ++n) {
-    merging[n] = same ? (*same)[n] : static_cast<Lit>(2 * n);
-    if (merging[n] / 2 != n) ++invariant.equalities;
+    merging[n] = same ? (*same)[n] : gate_bit(n);
+    if (merging[n].gate() != n) ++invariant.equalities;
   }
   const Merged left = merged(graph, bad, merging);
   std::vector<Cube> cubes;
-  if (left.bad != 0) {
+  if (left.bad != nets::no) {
     cubes = learnt(left, until);
     invariant.clauses = cubes.size();
   }

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string>
 
-#include "tb/proof/aig.h"
+#include "tb/nets/graph.h"
 
 namespace cosim::proof {
 
@@ -20,7 +20,8 @@ struct Invariant {
 };
 
 /// Looks for one. Ends when it is `until`.
-Invariant invariant_of(const Aig& graph, Aig::Lit bad, std::chrono::steady_clock::time_point until);
+Invariant invariant_of(const nets::Graph& graph, nets::Bit bad,
+                       std::chrono::steady_clock::time_point until);
 
 /// "checked by cadical: 28 equal signals and 9 clauses", or that it rests on abc alone, and why.
 std::string to_text(const Invariant& invariant);

@@ -11,7 +11,6 @@
 
 #include "model/core/input_error.h"
 #include "tb/proof/located.h"
-#include "tb/proof/translated.h"
 
 namespace cosim::proof {
 namespace {
@@ -19,7 +18,6 @@ namespace {
 using nets::Bit;
 using nets::no;
 using nets::yes;
-using Lit = Aig::Lit;
 using Code = std::vector<Bit>;
 
 class ProductMaker {
@@ -229,58 +227,56 @@ class ProductMaker {
   }
 
   void translate() {
-    Translated lits(graph_, product_.graph);
-    const auto give = [&](const nets::Wire& w, Lit turned) {
-      const bool is_word = w.code.size() > 1;
+    nets::Graph& graph = product_.graph;
+    nets::Placing placing(graph_, graph);
+    for (const nets::Wire& w : m_.inputs) {
+      const std::optional<bool> resets = resets_at(w);
       for (const Bit bit : w.code) {
         if (bit.is_constant()) continue;
         if (w.field.synchronizer != nullptr && has_mutants()) {
-          lits.give(bit, 0);
-        } else if (turned < 2) {
-          lits.give(bit, product_.graph.seldom() ^ turned);
+          placing.give(bit, no);
+        } else if (resets) {
+          placing.give(bit, graph.seldom() ^ !*resets);
         } else {
-          lits.give(bit,
-                    is_word ? product_.graph.input(label_of(w.field)) : product_.graph.input());
+          placing.give(bit, w.code.size() > 1 ? graph.input(label_of(w.field)) : graph.input());
         }
       }
-    };
-    for (const nets::Wire& w : m_.inputs) give(w, resets_at(w) ? Lit{!*resets_at(w)} : Lit{2});
-
+    }
     Code firsts;
     for (const Register& r : registers_now_) firsts.push_back(r.first);
-    lits.make(firsts);
-    Aig& graph = product_.graph;
-    const Lit is_first = graph.latch(true);
-    graph.next(is_first, 0);
-    lits.give(is_later_, is_first ^ 1);
-    std::vector<Lit> latches;
+    placing.make(firsts);
+    const Bit is_first = graph.latch(true);
+    graph.next(is_first, no);
+    placing.give(is_later_, !is_first);
+    Code latches;
     for (const Register& r : registers_now_) {
-      const Lit first = lits.of(r.first);
-      latches.push_back(graph.latch(first == 1));
-      lits.give(r.now, first < 2 ? latches.back() : graph.choose(is_first, first, latches.back()));
+      const Bit first = placing.of(r.first);
+      latches.push_back(graph.latch(first == yes));
+      placing.give(
+          r.now, first.is_constant() ? latches.back() : graph.mux(is_first, first, latches.back()));
     }
     Code roots{legal_};
     for (const Register& r : registers_now_) roots.push_back(r.next);
     for (const auto& [what, bits] : asked_) {
       for (const auto& [name, bit] : bits) roots.push_back(bit);
     }
-    lits.make(roots);
+    placing.make(roots);
     for (std::size_t i = 0; i < latches.size(); ++i) {
-      graph.next(latches[i], lits.of(registers_now_[i].next));
+      graph.next(latches[i], placing.of(registers_now_[i].next));
     }
     // All clocks so far, this one too; of a stuck one only those before.
-    const Lit was_legal = legal_ == yes ? 1 : graph.latch(true);
-    const Lit is_legal = graph.and_of(was_legal, lits.of(legal_));
+    const Bit was_legal = legal_ == yes ? yes : graph.latch(true);
+    const Bit is_legal = graph.and_of(was_legal, placing.of(legal_));
     if (legal_ != yes) graph.next(was_legal, is_legal);
     for (const auto& [what, bits] : asked_) {
       for (const auto& [name, bit] : bits) {
-        const Lit allowed = what == Happens::stuck ? was_legal : is_legal;
-        product_.asked[what].emplace_back(name, graph.and_of(allowed, lits.of(bit)));
+        const Bit allowed = what == Happens::stuck ? was_legal : is_legal;
+        product_.asked[what].emplace_back(name, graph.and_of(allowed, placing.of(bit)));
       }
     }
     for (const nets::Wire& w : m_.inputs) {
-      auto& own = product_.inputs.emplace_back();
-      for (const Bit bit : w.code) own.push_back(lits.of(bit));
+      Code& own = product_.inputs.emplace_back();
+      for (const Bit bit : w.code) own.push_back(placing.of(bit));
     }
   }
 

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "tb/nets/graph.h"
 #include "tb/nets/model.h"
-#include "tb/proof/aig.h"
 #include "tb/proof/rtl_nets.h"
 
 namespace cosim::proof {
@@ -31,9 +31,9 @@ struct Watched {
 };
 
 struct Product {
-  Aig graph;
-  std::vector<std::vector<Aig::Lit>> inputs;  ///< of the model, lowest bit first
-  std::map<Happens, std::vector<std::pair<std::string, Aig::Lit>>> asked;
+  nets::Graph graph;
+  std::vector<nets::Bits> inputs;  ///< of the model, lowest bit first
+  std::map<Happens, std::vector<std::pair<std::string, nets::Bit>>> asked;
 };
 
 /// `tied`: inputs of the RTL that are no inputs of the model, by their ports, and what they are;

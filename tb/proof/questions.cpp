@@ -1,7 +1,6 @@
 #include "tb/proof/questions.h"
 
-#include "tb/proof/aig.h"
-#include "tb/proof/translated.h"
+#include "tb/nets/runs.h"
 
 namespace cosim::proof {
 
@@ -18,14 +17,12 @@ std::map<std::string, Word> values_in(const Questions& questions,
 }
 
 std::vector<std::string> as_aiger(const Questions& questions) {
-  std::vector<std::string> names, all;
-  for (const nets::Port& p : questions.inputs) names.push_back(p.name);
+  std::vector<std::string> names(questions.graph.inputs().size()), all;
+  for (const nets::Port& p : questions.inputs) {
+    names[questions.graph.gates()[p.bit.gate()].number()] = p.name;
+  }
   for (const nets::Port& asked : questions.asked) {
-    Aig graph;
-    Translated gates(questions.graph, graph);
-    for (const nets::Port& p : questions.inputs) gates.give(p.bit, graph.input());
-    gates.make({asked.bit});
-    all.push_back(graph.aiger(gates.of(asked.bit), names));
+    all.push_back(aiger(questions.graph, asked.bit, names));
   }
   return all;
 }

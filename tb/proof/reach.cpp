@@ -32,19 +32,19 @@ constexpr auto kTurn = std::chrono::seconds(1);
 
 // The rows of inputs in a file of write_cex, cut behind the first clock on which bad is 1; none
 // where it is not.
-Rows tried(const Aig& graph, Aig::Lit bad, const std::string& file) {
+Rows tried(const nets::Graph& graph, nets::Bit bad, const std::string& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) return {};
   Rows rows;
   static const Pattern given(R"(p([0-9]+)@([0-9]+)=([01]))");
   for (const Pattern::Parts& part : given.all(read_file(file))) {
     const std::size_t clock = std::stoul(part[2]), input = std::stoul(part[1]);
-    if (clock >= rows.size()) rows.resize(clock + 1, std::vector<bool>(graph.inputs()));
-    if (input < graph.inputs()) rows[clock][input] = part[3] == "1";
+    if (clock >= rows.size()) rows.resize(clock + 1, std::vector<bool>(graph.inputs().size()));
+    if (input < graph.inputs().size()) rows[clock][input] = part[3] == "1";
   }
   // A file of an engine that was stopped may be empty.
-  if (rows.empty()) rows.emplace_back(graph.inputs());
-  const auto seen = graph.run(rows, {bad});
+  if (rows.empty()) rows.emplace_back(graph.inputs().size());
+  const auto seen = nets::traced(graph, rows, {bad});
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (!seen[i].front()) continue;
     rows.resize(i + 1);
@@ -76,15 +76,15 @@ const std::vector<Search> kLogic{{"dsat", "ifraig; dsat", true, false},
 
 class Portfolio {
  public:
-  Portfolio(const Aig& graph, Aig::Lit bad, Clock::time_point until, unsigned jobs)
+  Portfolio(const nets::Graph& graph, nets::Bit bad, Clock::time_point until, unsigned jobs)
       : graph_(graph),
         bad_(bad),
         until_(until),
         jobs_(jobs),
-        searches_(graph.latches() > 0 ? kSequential : kLogic),
-        is_logic_(graph.latches() == 0) {
+        searches_(!graph.latches().empty() ? kSequential : kLogic),
+        is_logic_(graph.latches().empty()) {
     OutputFile file((scratch_.path() / "asked.aig").string());
-    file.text(graph.aiger(bad));
+    file.text(aiger(graph, bad));
     file.close();
   }
 
@@ -171,7 +171,7 @@ class Portfolio {
   static void pause() { std::this_thread::sleep_for(std::chrono::milliseconds(10)); }
 
   std::size_t clocks_at_a_time() const {
-    return std::min(kClocks, kSteps / (graph_.gates() + graph_.inputs() + graph_.latches() + 1));
+    return std::min(kClocks, kSteps / (graph_.gates().size()));
   }
 
   // Long runs and short ones in turn, half of the time: the rest is for the others.
@@ -225,8 +225,8 @@ class Portfolio {
     return reached;
   }
 
-  const Aig& graph_;
-  Aig::Lit bad_;
+  const nets::Graph& graph_;
+  nets::Bit bad_;
   Clock::time_point until_;
   unsigned jobs_;
   const std::vector<Search>& searches_;
@@ -242,8 +242,8 @@ class Portfolio {
 
 }  // namespace
 
-Reached reach(const Aig& graph, Aig::Lit bad, Clock::time_point until, unsigned jobs) {
-  if (bad == 0) return Reached{Ever::never, "the same gates", {}, false, 0};
+Reached reach(const nets::Graph& graph, nets::Bit bad, Clock::time_point until, unsigned jobs) {
+  if (bad == nets::no) return Reached{Ever::never, "the same gates", {}, false, 0};
   return Portfolio(graph, bad, until, jobs).run();
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/proof/aig.h"
+#include "tb/nets/graph.h"
 
 namespace cosim::proof {
 
@@ -27,7 +27,7 @@ struct Reached {
 /// Whether `bad` is ever 1, where the registers begin as the graph says and the inputs are any. A
 /// stimulus has been tried on the graph, so that yes holds whatever the engine says. Ends when it
 /// is `until`, with `jobs` engines at a time. InputError where there is no yosys-abc.
-Reached reach(const Aig& graph, Aig::Lit bad, std::chrono::steady_clock::time_point until,
+Reached reach(const nets::Graph& graph, nets::Bit bad, std::chrono::steady_clock::time_point until,
               unsigned jobs = 4);
 
 }  // namespace cosim::proof

@@ -21,7 +21,7 @@ constexpr auto kLeastTime = std::chrono::seconds(2);  // for one question
 
 class Rounds {
  public:
-  Rounds(const Aig& graph, const std::vector<Aig::Lit>& points)
+  Rounds(const nets::Graph& graph, const nets::Bits& points)
       : graph_(graph), lits_(points), is_done_(points.size()) {
     all_.points.resize(points.size());
   }
@@ -46,25 +46,25 @@ class Rounds {
   }
 
  private:
-  Aig::Lit any_of(Aig& graph, const Some& some) const {
-    Aig::Lit any = 0;
+  nets::Bit any_of(nets::Graph& graph, const Some& some) const {
+    nets::Bit any = no;
     for (const std::size_t i : some) any = graph.or_of(any, lits_[i]);
     return any;
   }
 
   Reached reach_any(const Some& some, Clock::time_point ends, unsigned jobs) const {
-    Aig graph = graph_;
-    const Aig::Lit any = any_of(graph, some);
+    nets::Graph graph = graph_;
+    const nets::Bit any = any_of(graph, some);
     return reach(graph, any, ends, jobs);
   }
 
   // What one step of induction says of all together is known of each.
   void find_constant(const Some& some, Clock::time_point until) {
-    Aig graph = graph_;
-    const Aig::Lit any = any_of(graph, some);
+    nets::Graph graph = graph_;
+    const nets::Bit any = any_of(graph, some);
     const auto same = corresponding(graph, any, Clock::now() + (until - Clock::now()) / 2);
     for (const std::size_t i : some) {
-      if (same && ((*same)[lits_[i] / 2] ^ (lits_[i] & 1U)) == 0) never(i);
+      if (same && placed_at(*same, lits_[i]) == nets::no) never(i);
     }
   }
 
@@ -95,7 +95,7 @@ class Rounds {
 
   void take(const std::vector<std::vector<bool>>& inputs) {
     std::vector<bool> is_seen(lits_.size());
-    for (const auto& row : graph_.run(inputs, lits_)) {
+    for (const auto& row : nets::traced(graph_, inputs, lits_)) {
       for (std::size_t i = 0; i < row.size(); ++i) is_seen[i] = is_seen[i] || row[i];
     }
     for (std::size_t i = 0; i < is_seen.size(); ++i) {
@@ -106,8 +106,8 @@ class Rounds {
     all_.stimuli.push_back(inputs);
   }
 
-  const Aig& graph_;
-  const std::vector<Aig::Lit>& lits_;
+  const nets::Graph& graph_;
+  const nets::Bits& lits_;
   std::vector<bool> is_done_;
   std::deque<Some> questions_;
   bool knows_constant_ = false;
@@ -116,7 +116,7 @@ class Rounds {
 
 }  // namespace
 
-ReachedEach reach_each(const Aig& graph, const std::vector<Aig::Lit>& points,
+ReachedEach reach_each(const nets::Graph& graph, const nets::Bits& points,
                        std::chrono::steady_clock::time_point until, unsigned jobs,
                        const std::function<void(std::size_t)>& left) {
   return Rounds(graph, points).run(until, jobs, left);

@@ -23,7 +23,7 @@ struct ReachedEach {
 
 /// Whether each of `points` is ever 1, as of reach(). Ends when it is `until`; `left` is told now
 /// and then how many are not decided.
-ReachedEach reach_each(const Aig& graph, const std::vector<Aig::Lit>& points,
+ReachedEach reach_each(const nets::Graph& graph, const nets::Bits& points,
                        std::chrono::steady_clock::time_point until, unsigned jobs,
                        const std::function<void(std::size_t)>& left);
 

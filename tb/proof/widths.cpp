@@ -19,11 +19,11 @@ Theorem at_every_width(const std::string& design, const std::string& sentence,
   return theorem;
 }
 
-Bits free_number(Script& script, const std::string& name, int width) {
-  return Bits::unsigned_code(script.declare(name, bit_vector(width)), width);
+BitVector free_number(Script& script, const std::string& name, int width) {
+  return BitVector::unsigned_code(script.declare(name, bit_vector(width)), width);
 }
-Bits free_signed(Script& script, const std::string& name, int width) {
-  return Bits::signed_code(script.declare(name, bit_vector(width)), width);
+BitVector free_signed(Script& script, const std::string& name, int width) {
+  return BitVector::signed_code(script.declare(name, bit_vector(width)), width);
 }
 
 }  // namespace cosim::proof

@@ -20,7 +20,7 @@ Theorem at_every_width(const std::string& design, const std::string& sentence,
                        Asked (*ask)(const Widths&));
 
 /// A free number of `width` bits, without a sign or in two's complement.
-Bits free_number(Script& script, const std::string& name, int width);
-Bits free_signed(Script& script, const std::string& name, int width);
+BitVector free_number(Script& script, const std::string& name, int width);
+BitVector free_signed(Script& script, const std::string& name, int width);
 
 }  // namespace cosim::proof

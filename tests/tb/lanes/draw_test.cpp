@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "tb/nets/runs.h"
 #include "tb/stimulus/hostile.h"
 #include "tests/support/shapes.h"
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tb/nets/jobs.h"
+#include "tb/nets/runs.h"
 #include "tb/support/random.h"
 #include "tests/support/shapes.h"
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "model/core/input_error.h"
+#include "tb/nets/runs.h"
 #include "tb/support/random.h"
 #include "tests/support/error_of.h"
 

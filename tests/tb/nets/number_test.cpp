@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "tb/nets/runs.h"
 #include "tb/support/random.h"
 #include "tests/support/operations.h"
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tb/nets/runs.h"
 #include "tb/support/random.h"
 
 namespace cosim::test {

@@ -12,36 +12,36 @@
 namespace cosim::proof {
 namespace {
 
-using Operation = test::Operation<Bits>;
-const auto operations = test::operations<Bits>;
+using Operation = test::Operation<BitVector>;
+const auto operations = test::operations<BitVector>;
 
-TEST(Bits, OfKnownValuesAreKnown) {
+TEST(BitVector, OfKnownValuesAreKnown) {
   Random random(7);
   for (const Operation& o : operations()) {
     for (int i = 0; i < 1000; ++i) {
       const Word a = from_twos_complement(random.corner(9), 9),
                  b = from_twos_complement(random.corner(9), 9);
-      const Bits result = o.on_values(Bits(a), Bits(b));
+      const BitVector result = o.on_values(BitVector(a), BitVector(b));
       const Expression code = result.code(64);
       const Word expected = o.on_words(a, b);
-      EXPECT_EQ(code.text(), Bits(expected).code(64).text()) << o.name << ' ' << a << ' ' << b;
+      EXPECT_EQ(code.text(), BitVector(expected).code(64).text()) << o.name << ' ' << a << ' ' << b;
     }
   }
 }
 
 // The formula on symbols, with the symbols then said to be a and b, can only be the word's result.
-TEST(Bits, OfSymbolsAreWhatWordsAre) {
+TEST(BitVector, OfSymbolsAreWhatWordsAre) {
   if (run_program({"z3", "--version"}).status == 127) GTEST_SKIP() << "needs z3";
   Random random(8);
   Script script("QF_BV");
   std::size_t asked = 0;
   const Expression x = script.declare("x", bit_vector(9)), y = script.declare("y", bit_vector(9));
-  const auto both_ways = {std::pair{Bits::signed_code(x, 9), Bits::unsigned_code(y, 9)},
-                          std::pair{Bits::unsigned_code(x, 9), Bits::signed_code(y, 9)}};
+  const auto both_ways = {std::pair{BitVector::signed_code(x, 9), BitVector::unsigned_code(y, 9)},
+                          std::pair{BitVector::unsigned_code(x, 9), BitVector::signed_code(y, 9)}};
   for (const Operation& o : operations()) {
     bool x_signed = true;
     for (const auto& [a, b] : both_ways) {
-      const Bits result = o.on_values(a, b);
+      const BitVector result = o.on_values(a, b);
       for (int i = 0; i < 20; ++i) {
         const Word code_x = random.corner(9), code_y = random.corner(9);
         const Word u = x_signed ? from_twos_complement(code_x, 9) : code_x;
@@ -49,9 +49,9 @@ TEST(Bits, OfSymbolsAreWhatWordsAre) {
         const Word expected = o.on_words(u, v);
         ASSERT_LE(result.least(), expected) << o.name;
         ASSERT_GE(result.most(), expected) << o.name;
-        const Expression wrong = negation(equal(result.code(64), Bits(expected).code(64)));
+        const Expression wrong = negation(equal(result.code(64), BitVector(expected).code(64)));
         const Expression here =
-            conjunction(equal(x, Bits(code_x).code(9)), equal(y, Bits(code_y).code(9)));
+            conjunction(equal(x, BitVector(code_x).code(9)), equal(y, BitVector(code_y).code(9)));
         script.ask_apart(conjunction(here, wrong));
         ++asked;
       }
@@ -67,7 +67,7 @@ TEST(Bits, OfSymbolsAreWhatWordsAre) {
 
 // For all values of three bits, each with a sign and without: no pair for which the formula is not
 // what the words give.
-TEST(Bits, OfThreeBitsAreWhatWordsAreForAllValues) {
+TEST(BitVector, OfThreeBitsAreWhatWordsAreForAllValues) {
   if (run_program({"z3", "--version"}).status == 127) GTEST_SKIP() << "needs z3";
   constexpr int width = 3;
   Script script("QF_BV");
@@ -77,7 +77,7 @@ TEST(Bits, OfThreeBitsAreWhatWordsAreForAllValues) {
     return is_signed ? from_twos_complement(code, width) : code;
   };
   const auto bits = [](const Expression& e, bool is_signed) {
-    return is_signed ? Bits::signed_code(e, width) : Bits::unsigned_code(e, width);
+    return is_signed ? BitVector::signed_code(e, width) : BitVector::unsigned_code(e, width);
   };
   std::vector<const char*> asked;
   const std::vector<Operation> all = operations();
@@ -91,8 +91,8 @@ TEST(Bits, OfThreeBitsAreWhatWordsAreForAllValues) {
             const Word expected = o.on_words(value(a, x_signed), value(b, y_signed));
             wrong.emplace_back(
                 "and", boolean,
-                std::vector{equal(x, Bits(a).code(width)), equal(y, Bits(b).code(width)),
-                            negation(equal(result, Bits(expected).code(64)))});
+                std::vector{equal(x, BitVector(a).code(width)), equal(y, BitVector(b).code(width)),
+                            negation(equal(result, BitVector(expected).code(64)))});
           }
         }
         script.ask_apart(Expression("or", boolean, wrong));

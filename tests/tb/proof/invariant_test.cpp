@@ -14,15 +14,17 @@
 namespace cosim::proof {
 namespace {
 
-using Lit = Aig::Lit;
+using nets::Bit;
+using nets::no;
+using nets::yes;
 
-Invariant soon(const Aig& graph, Lit bad) {
+Invariant soon(const nets::Graph& graph, Bit bad) {
   return invariant_of(graph, bad, std::chrono::steady_clock::now() + std::chrono::minutes(5));
 }
 
 struct Machine {
-  Aig graph;
-  Lit bad = 0;
+  nets::Graph graph;
+  Bit bad = no;
 };
 
 // Registers and inputs in gates by chance.
@@ -30,36 +32,37 @@ Machine machine(std::uint64_t seed) {
   constexpr int latches = 5, inputs = 2, gates = 16;
   Random random(seed);
   Machine m;
-  std::vector<Lit> all, registers;
+  nets::Bits all, registers;
   for (int i = 0; i < latches; ++i) registers.push_back(m.graph.latch(random.below(2) == 1));
   all = registers;
   for (int i = 0; i < inputs; ++i) all.push_back(m.graph.input());
   const auto any = [&] {
-    return all[random.below(all.size())] ^ static_cast<Lit>(random.below(2));
+    return all[random.below(all.size())] ^ static_cast<Bit>(random.below(2));
   };
   for (int i = 0; i < gates; ++i) all.push_back(m.graph.and_of(any(), any()));
-  for (const Lit latch : registers) m.graph.next(latch, any());
+  for (const Bit latch : registers) m.graph.next(latch, any());
   m.bad = m.graph.and_of(any(), m.graph.and_of(any(), any()));
   return m;
 }
 
 // Whether it is ever so, by trying all inputs in all states that are reached.
 bool happens(const Machine& m) {
-  const std::vector<Aig::Latch>& latches = m.graph.registers();
+  const std::vector<nets::Graph::Latch>& latches = m.graph.latches();
   std::vector<bool> first;
-  for (const Aig::Latch& latch : latches) first.push_back(latch.first);
+  for (const nets::Graph::Latch& latch : latches) first.push_back(latch.first);
   std::set<std::vector<bool>> met{first};
   for (std::vector<std::vector<bool>> open{first}; !open.empty();) {
     std::vector<std::uint64_t> state;
     for (const bool bit : open.back()) state.push_back(bit ? ~std::uint64_t{0} : 0);
     open.pop_back();
-    Aig::Runs runs(m.graph);
+    nets::Runs runs(m.graph);
     runs.begin(state);
     runs.clock({0b1100, 0b1010});  // the four that two inputs have
     if ((runs.of(m.bad) & 0xfU) != 0) return true;
     for (unsigned i = 0; i < 4; ++i) {
       std::vector<bool> next;
-      for (const Aig::Latch& latch : latches) next.push_back(((runs.of(latch.next) >> i) & 1) != 0);
+      for (const nets::Graph::Latch& latch : latches)
+        next.push_back(((runs.of(latch.next) >> i) & 1) != 0);
       if (met.insert(next).second) open.push_back(next);
     }
   }
@@ -81,13 +84,13 @@ TEST(Invariant, IsThereWhereItNeverHappensAndElseNot) {
 
 TEST(Invariant, OfEqualSignalsAndOfClauses) {
   // Two of three registers in a ring, of which one is 1, are never 1; the third is there twice.
-  Aig graph;
-  const Lit goes = graph.input(), a = graph.latch(true), b = graph.latch(), c = graph.latch(),
+  nets::Graph graph;
+  const Bit goes = graph.input(), a = graph.latch(true), b = graph.latch(), c = graph.latch(),
             again = graph.latch();
-  graph.next(a, graph.choose(goes, c, a));
-  graph.next(b, graph.choose(goes, a, b));
-  graph.next(c, graph.choose(goes, b, c));
-  graph.next(again, graph.or_of(graph.and_of(goes, b), graph.and_of(Aig::inverted(goes), again)));
+  graph.next(a, graph.mux(goes, c, a));
+  graph.next(b, graph.mux(goes, a, b));
+  graph.next(c, graph.mux(goes, b, c));
+  graph.next(again, graph.or_of(graph.and_of(goes, b), graph.and_of(!goes, again)));
   const Invariant of_clauses = soon(graph, graph.and_of(a, c));
   EXPECT_TRUE(of_clauses.is_checked);
   EXPECT_GT(of_clauses.clauses, 0U);
@@ -99,10 +102,10 @@ TEST(Invariant, OfEqualSignalsAndOfClauses) {
 
 // Runs by chance do not come to it, and no other engine does in that time.
 TEST(Invariant, IsNotWhatHoldsForLong) {
-  Aig graph;
-  Lit carry = 1;
+  nets::Graph graph;
+  Bit carry = yes;
   for (int i = 0; i < 20; ++i) {
-    const Lit bit = graph.latch();
+    const Bit bit = graph.latch();
     graph.next(bit, graph.xor_of(bit, carry));
     carry = graph.and_of(carry, bit);
   }
@@ -114,13 +117,13 @@ TEST(Invariant, IsNotWhatHoldsForLong) {
 TEST(Invariant, ThatIsNoneIsNotTaken) {
   const test::StandIns bin{};
   bin.program("yosys-abc", "printf '.ilb r0\\n.ob inv\\n%s 1\\n' $SAID > invariant");
-  Aig graph;
-  const Lit sets = graph.input(), latch = graph.latch();
+  nets::Graph graph;
+  const Bit sets = graph.input(), latch = graph.latch();
   graph.next(latch, graph.or_of(latch, sets));
   setenv("SAID", "1", 1);  // never set: it is so at first, but is left
   EXPECT_FALSE(soon(graph, latch).is_checked);
   setenv("SAID", "0", 1);  // never 0: that is never left, but it is not so at first
-  EXPECT_FALSE(soon(graph, graph.and_of(sets, Aig::inverted(latch))).is_checked);
+  EXPECT_FALSE(soon(graph, graph.and_of(sets, !latch)).is_checked);
   unsetenv("SAID");
 }
 

@@ -9,22 +9,23 @@
 namespace cosim::proof {
 namespace {
 
-using Lit = Aig::Lit;
+using nets::Bit;
+using nets::no;
 
 TEST(ReachEach, TellsWhatHappensFromWhatNeverDoes) {
   if (!is_installed("yosys-abc")) GTEST_SKIP() << "needs yosys-abc";
   // A counter of three bits that stops at 5, where `go` is given.
-  Aig graph;
-  const Lit go = graph.input();
-  const std::vector<Lit> count{graph.latch(), graph.latch(), graph.latch()};
-  const Lit at_5 = graph.and_of(count[2], graph.and_of(count[0], Aig::inverted(count[1])));
-  Lit carry = graph.and_of(go, Aig::inverted(at_5));
-  for (const Lit bit : count) {
+  nets::Graph graph;
+  const Bit go = graph.input();
+  const nets::Bits count{graph.latch(), graph.latch(), graph.latch()};
+  const Bit at_5 = graph.and_of(count[2], graph.and_of(count[0], !count[1]));
+  Bit carry = graph.and_of(go, !at_5);
+  for (const Bit bit : count) {
     graph.next(bit, graph.xor_of(bit, carry));
     carry = graph.and_of(bit, carry);
   }
-  const Lit at_6 = graph.and_of(count[2], count[1]);
-  const Lit at_3 = graph.and_of(Aig::inverted(count[2]), graph.and_of(count[0], count[1]));
+  const Bit at_6 = graph.and_of(count[2], count[1]);
+  const Bit at_3 = graph.and_of(!count[2], graph.and_of(count[0], count[1]));
 
   std::vector<std::size_t> left;
   const ReachedEach all = reach_each(graph, {at_6, at_3, at_5, 0},
@@ -37,7 +38,7 @@ TEST(ReachEach, TellsWhatHappensFromWhatNeverDoes) {
     const auto& reached = all.points[static_cast<std::size_t>(point)];
     ASSERT_EQ(reached.ever, Ever::yes) << point;
     bool is_seen = false;
-    for (const auto& row : graph.run(all.stimuli.at(reached.stimulus), {lit})) {
+    for (const auto& row : traced(graph, all.stimuli.at(reached.stimulus), {lit})) {
       is_seen = is_seen || row.front();
     }
     EXPECT_TRUE(is_seen) << point;
@@ -51,9 +52,9 @@ TEST(ReachEach, TellsWhatHappensFromWhatNeverDoes) {
 class ReachEachFar : public testing::Test {
  protected:
   ReachEachFar() {
-    Lit carry = graph_.input();
+    Bit carry = graph_.input();
     for (int i = 0; i < 60; ++i) {
-      const Lit bit = graph_.latch(), stays = graph_.latch();
+      const Bit bit = graph_.latch(), stays = graph_.latch();
       graph_.next(bit, graph_.xor_of(bit, carry));
       graph_.next(stays, graph_.and_of(stays, bit));
       carry = graph_.and_of(bit, carry);
@@ -61,26 +62,26 @@ class ReachEachFar : public testing::Test {
     }
   }
 
-  Aig graph_;
-  std::vector<Lit> far_, stay_;
+  nets::Graph graph_;
+  nets::Bits far_, stay_;
 };
 
 // With time without end: how far the engine comes within some is the machine's.
 TEST_F(ReachEachFar, OneStepOfInductionTellsWhatStays) {
-  Lit any = 0;
+  Bit any = no;
   for (const auto& points : {far_, stay_}) {
-    for (const Lit point : points) any = graph_.or_of(any, point);
+    for (const Bit point : points) any = graph_.or_of(any, point);
   }
   const auto same =
       corresponding(graph_, any, std::chrono::steady_clock::now() + std::chrono::hours(1));
   ASSERT_TRUE(same);
-  for (const Lit point : stay_) EXPECT_EQ((*same)[point / 2], 0);
-  for (const Lit point : far_) EXPECT_EQ((*same)[point / 2], point);
+  for (const Bit point : stay_) EXPECT_EQ((*same)[point.gate()], 0);
+  for (const Bit point : far_) EXPECT_EQ((*same)[point.gate()], point);
 }
 
 TEST_F(ReachEachFar, NothingIsSaidOfWhatIsFarAway) {
   if (!is_installed("yosys-abc")) GTEST_SKIP() << "needs yosys-abc";
-  std::vector<Lit> points = far_;
+  nets::Bits points = far_;
   points.insert(points.end(), stay_.begin(), stay_.end());
   const auto soon = std::chrono::steady_clock::now() + std::chrono::seconds(6);
   const ReachedEach all = reach_each(graph_, points, soon, 1, [](auto) {});
@@ -91,8 +92,8 @@ TEST_F(ReachEachFar, NothingIsSaidOfWhatIsFarAway) {
 }
 
 TEST(ReachEach, SaysNothingOfWhatItHasNoTimeFor) {
-  Aig graph;
-  const Lit any = graph.input();
+  nets::Graph graph;
+  const Bit any = graph.input();
   const ReachedEach all =
       reach_each(graph, {any}, std::chrono::steady_clock::now(), 1, [](auto) {});
   ASSERT_EQ(all.points.size(), 1);

@@ -14,31 +14,31 @@ using namespace proof;
 Asked arc_begins(const Widths& widths) {
   const Params p{static_cast<int>(widths[0].value)};
   Script script("QF_BV");
-  const ArcPoint<Bits> at{free_number(script, "X", p.width), free_number(script, "Y", p.width),
-                          free_signed(script, "D", p.width + 1)};
+  const ArcPoint<BitVector> at{free_number(script, "X", p.width), free_number(script, "Y", p.width),
+                               free_signed(script, "D", p.width + 1)};
   const Truth in_second = !(at.x > at.y);
-  const Bits resting = select(in_second, at.y, at.x);
+  const BitVector resting = select(in_second, at.y, at.x);
   // Nearest, as in circular_theorems.cpp; on X = 0 the arc is over.
-  script.assume((at.x > Bits(0)).expression());
-  script.assume(((Bits(0) - resting < at.d) & !(at.d > resting)).expression());
+  script.assume((at.x > BitVector(0)).expression());
+  script.assume(((BitVector(0) - resting < at.d) & !(at.d > resting)).expression());
 
-  const State<Bits> first = in_sector1(at), second = in_sector2(at);
+  const State<BitVector> first = in_sector1(at), second = in_sector2(at);
   const auto of_sector = [&](auto member) {
     return select(in_second, second.*member, first.*member);
   };
   const auto code = [&](auto member) {
     return low_bits(to_ones_complement(of_sector(member), p.width + 1), p.width + 1);
   };
-  Inputs<Bits> pins;
-  pins.load = pins.start = Bits(1);
-  pins.sector2 = of_sector(&State<Bits>::t16);
-  pins.f = low_bits(shift_right(of_sector(&State<Bits>::f), 2), p.width + 2);
-  pins.ct7 = code(&State<Bits>::ct7);
-  pins.ct8 = code(&State<Bits>::ct8);
+  Inputs<BitVector> pins;
+  pins.load = pins.start = BitVector(1);
+  pins.sector2 = of_sector(&State<BitVector>::t16);
+  pins.f = low_bits(shift_right(of_sector(&State<BitVector>::f), 2), p.width + 2);
+  pins.ct7 = code(&State<BitVector>::ct7);
+  pins.ct8 = code(&State<BitVector>::ct8);
 
-  const auto step = next(p, reset_state<Bits>(), pins);
+  const auto step = next(p, reset_state<BitVector>(), pins);
   Truth right = !(is_set(step.outputs.step_x) | is_set(step.outputs.step_y));
-  for_each_member<State<Bits>>(
+  for_each_member<State<BitVector>>(
       [&](auto member, std::size_t) { right = right & (step.state.*member == of_sector(member)); });
   return {script, !right};
 }

@@ -15,8 +15,8 @@ constexpr int kMostBits = 32;
 // A sentence for every i from 1 to 32, each a question, on numbers of up to 32 bits.
 class ForEveryBit {
  public:
-  Bits number(const std::string& name) {
-    return Bits::unsigned_code(script_.declare(name, bit_vector(kMostBits)), kMostBits);
+  BitVector number(const std::string& name) {
+    return BitVector::unsigned_code(script_.declare(name, bit_vector(kMostBits)), kMostBits);
   }
   void assume(const Truth& t) { script_.assume(t.expression()); }
   void ask(int i, const Truth& t) {
@@ -36,18 +36,19 @@ class ForEveryBit {
 };
 
 // B_i = floor((BP + 2^(i-1)) / 2^i): what a_i weighs in a line of BP positions.
-Bits weight(const Bits& bp, int i) {
-  return shift_right(bp + Bits(cosim::shift_left(1, i - 1)), i);
+BitVector weight(const BitVector& bp, int i) {
+  return shift_right(bp + BitVector(cosim::shift_left(1, i - 1)), i);
 }
 
 Theorem weights_count() {
   ForEveryBit a;
-  const Bits q = a.number("q");
-  a.assume(q > Bits(0));
+  const BitVector q = a.number("q");
+  a.assume(q > BitVector(0));
   for (int i = 1; i <= kMostBits; ++i) {
-    const Truth is_here = low_bits(q, i) == Bits(cosim::shift_left(1, i - 1));
-    const Bits more = select(is_here, Bits(1), Bits(0));
-    a.ask(i, (weight(q, i) == weight(q - Bits(1), i) + more) & (weight(Bits(0), i) == Bits(0)));
+    const Truth is_here = low_bits(q, i) == BitVector(cosim::shift_left(1, i - 1));
+    const BitVector more = select(is_here, BitVector(1), BitVector(0));
+    a.ask(i, (weight(q, i) == weight(q - BitVector(1), i) + more) &
+                 (weight(BitVector(0), i) == BitVector(0)));
   }
   return a.theorem(
       "of the positions 1..BP exactly B_i belong to a_i, by induction over BP < 2^32: so a line "
@@ -56,11 +57,11 @@ Theorem weights_count() {
 
 Theorem weights_sum() {
   ForEveryBit a;
-  const Bits bp = a.number("BP");
+  const BitVector bp = a.number("BP");
   for (int i = 1; i <= kMostBits; ++i) {
-    const Truth some_left = shift_right(bp, i) > Bits(0);
+    const Truth some_left = shift_right(bp, i) > BitVector(0);
     a.ask(i, (shift_right(bp, i - 1) == weight(bp, i) + shift_right(bp, i)) &
-                 !(some_left & (bp < Bits(cosim::shift_left(1, i)))));
+                 !(some_left & (bp < BitVector(cosim::shift_left(1, i)))));
   }
   return a.theorem(
       "the sum of B_1..B_i is BP - floor(BP / 2^i), which for i = m is BP, for every BP < 2^m");
@@ -68,12 +69,12 @@ Theorem weights_sum() {
 
 Theorem codes() {
   ForEveryBit a;
-  const Bits bp = a.number("BP"), rest = a.number("rest");
+  const BitVector bp = a.number("BP"), rest = a.number("rest");
   for (int i = 1; i <= kMostBits; ++i) {
-    const Bits b = weight(bp, i);
-    const Bits less = select(rest < b, rest, rest - b);
+    const BitVector b = weight(bp, i);
+    const BitVector less = select(rest < b, rest, rest - b);
     const Truth too_much = rest > shift_right(bp, i - 1);
-    a.ask(i, too_much | !((less < Bits(0)) | (less > shift_right(bp, i))));
+    a.ask(i, too_much | !((less < BitVector(0)) | (less > shift_right(bp, i))));
   }
   return a.theorem(
       "every MP in 0..BP has a code: taking B_i wherever it fits leaves at most floor(BP / 2^i), "

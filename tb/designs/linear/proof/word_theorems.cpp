@@ -17,10 +17,11 @@ Params params(const Widths& widths) {
 
 // The machine with T words put out of BP positions and the code C: the next word is formed, or not
 // yet.
-State<Bits> on_its_way(const Params& p, const Bits& bp, const Bits& words, const Bits& code,
-                       const Bits& formed, const Bits& last_bit) {
-  State<Bits> s;
-  s.running = s.coded = Bits(1);
+State<BitVector> on_its_way(const Params& p, const BitVector& bp, const BitVector& words,
+                            const BitVector& code, const BitVector& formed,
+                            const BitVector& last_bit) {
+  State<BitVector> s;
+  s.running = s.coded = BitVector(1);
   s.formed = formed;
   s.left = bp - shift_left(words, p.gamma());
   s.tick = low_bits(words + formed, p.n);
@@ -31,13 +32,13 @@ State<Bits> on_its_way(const Params& p, const Bits& bp, const Bits& words, const
 }
 
 struct Line {
-  Bits bp, words, code;
-  State<Bits> state;
+  BitVector bp, words, code;
+  State<BitVector> state;
   Truth holds = true;
 };
 
 // What follows a clock is to be this again, for one word more.
-Truth formed_right(const Params& p, const State<Bits>& s) {
+Truth formed_right(const Params& p, const State<BitVector>& s) {
   return (s.last_bit == last_bit_of(p, s.low_code, s.tick)) | !is_set(s.formed);
 }
 
@@ -47,24 +48,24 @@ Line any_line(const Params& p, Script& script) {
   a.bp = free_number(script, "BP", p.m);
   a.words = free_number(script, "T", p.n + 1);
   a.code = free_number(script, "C", p.m);
-  const Bits formed = free_number(script, "formed", 1);
+  const BitVector formed = free_number(script, "formed", 1);
   a.state = on_its_way(p, a.bp, a.words, a.code, formed, free_number(script, "last_bit", 1));
   // Before the first word none is put out; behind that each has positions.
-  a.holds =
-      (a.state.left > Bits(0)) & ((a.words == Bits(0)) | is_set(formed)) & formed_right(p, a.state);
+  a.holds = (a.state.left > BitVector(0)) & ((a.words == BitVector(0)) | is_set(formed)) &
+            formed_right(p, a.state);
   return a;
 }
 
-Truth same(const State<Bits>& a, const State<Bits>& b) {
+Truth same(const State<BitVector>& a, const State<BitVector>& b) {
   Truth all = true;
-  for_each_member<State<Bits>>(
+  for_each_member<State<BitVector>>(
       [&](auto member, std::size_t) { all = all & (a.*member == b.*member); });
   return all;
 }
 
-Inputs<Bits> pins_at_rest() {
-  Inputs<Bits> in;
-  in.initial_set_n = Bits(1);
+Inputs<BitVector> pins_at_rest() {
+  Inputs<BitVector> in;
+  in.initial_set_n = BitVector(1);
   return in;
 }
 
@@ -72,17 +73,17 @@ Inputs<Bits> pins_at_rest() {
 Asked line_begins(const Widths& widths) {
   const Params p = params(widths);
   Script script("QF_BV");
-  const Bits bp = free_number(script, "BP", p.m), code = free_number(script, "C", p.m);
-  State<Bits> rest;
+  const BitVector bp = free_number(script, "BP", p.m), code = free_number(script, "C", p.m);
+  State<BitVector> rest;
   rest.low_code = free_number(script, "low_code", p.n);
   rest.pattern = free_number(script, "pattern", p.word() - 1);
-  std::array<Inputs<Bits>, 4> pins;
+  std::array<Inputs<BitVector>, 4> pins;
   pins.fill(pins_at_rest());
-  pins[0].write_bp = pins[1].write_uk = pins[2].start = Bits(1);
+  pins[0].write_bp = pins[1].write_uk = pins[2].start = BitVector(1);
   pins[0].data = bp;
   pins[1].data = code;
 
-  State<Bits> s = rest, started;
+  State<BitVector> s = rest, started;
   Truth strobe = false;
   for (const auto& in : pins) {
     started = s;  // in the end the state that the start left
@@ -90,16 +91,17 @@ Asked line_begins(const Widths& widths) {
     strobe = strobe | is_set(step.outputs.strobe);
     s = step.state;
   }
-  const Truth begun = same(started, on_its_way(p, bp, Bits(0), code, Bits(0), Bits(0)));
-  const Truth over = same(s, at_rest(started)) | (bp > Bits(0));
+  const Truth begun =
+      same(started, on_its_way(p, bp, BitVector(0), code, BitVector(0), BitVector(0)));
+  const Truth over = same(s, at_rest(started)) | (bp > BitVector(0));
   return {script, strobe | !(begun & over)};
 }
 
 // Whether minor steps at position q: the bit of the code that it belongs to.
-Truth belongs(const Params& p, const Bits& code, const Bits& q) {
+Truth belongs(const Params& p, const BitVector& code, const BitVector& q) {
   Truth any = false;
   for (int i = 1; i <= p.m; ++i) {
-    const Truth here = low_bits(q, i) == Bits(cosim::shift_left(1, i - 1));
+    const Truth here = low_bits(q, i) == BitVector(cosim::shift_left(1, i - 1));
     any = any | (here & bit(code, p.m - i));
   }
   return any;
@@ -114,10 +116,10 @@ Asked words_hold(const Widths& widths) {
   const Line a = any_line(p, script);
   script.assume((a.holds & is_set(a.state.formed)).expression());
   const auto out = next(p, a.state, pins_at_rest()).outputs;
-  const Bits before = shift_left(a.words, p.gamma());
+  const BitVector before = shift_left(a.words, p.gamma());
   Truth wrong = !is_set(out.strobe);
   for (int q = 1; q <= p.word(); ++q) {
-    const Bits position = before + Bits(q);
+    const BitVector position = before + BitVector(q);
     const Truth in_line = !(position > a.bp);
     const Truth steps = in_line & belongs(p, a.code, position);
     wrong = wrong | differ(bit(out.major, p.word() - q), in_line) |
@@ -132,10 +134,10 @@ Asked words_follow(const Widths& widths) {
   Script script("QF_BV");
   const Line a = any_line(p, script);
   script.assume(a.holds.expression());
-  const State<Bits> next = linear::next(p, a.state, pins_at_rest()).state;
-  const Bits words = a.words + a.state.formed;
-  const State<Bits> wanted = on_its_way(p, a.bp, words, a.code, Bits(1), next.last_bit);
-  const Truth some_left = wanted.left > Bits(0);
+  const State<BitVector> next = linear::next(p, a.state, pins_at_rest()).state;
+  const BitVector words = a.words + a.state.formed;
+  const State<BitVector> wanted = on_its_way(p, a.bp, words, a.code, BitVector(1), next.last_bit);
+  const Truth some_left = wanted.left > BitVector(0);
   const Truth goes_on = some_left & same(next, wanted) & formed_right(p, next);
   const Truth ends = same(next, at_rest(a.state)) & !some_left;
   return {script, !(goes_on | ends)};

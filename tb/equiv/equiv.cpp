@@ -15,6 +15,7 @@
 #include "tb/equiv/trust.h"
 #include "tb/equiv/unknown.h"
 #include "tb/proof/reach.h"
+#include "tb/support/output_file.h"
 #include "tb/support/parallel.h"
 
 namespace cosim::equiv {
@@ -64,10 +65,16 @@ void make_gates(Question& q, Memories how, Answer& answer) {
   answer.renamed = name_renamed(q);
 }
 
-// In this share of the time that is left, and no more than so many seconds.
-proof::Reached reach(const Question& q, const Product& product, double share = 1,
-                     std::chrono::seconds most = std::chrono::hours(24)) {
+// In this share of the time that is left, and no more than so many seconds. `called`: the file of
+// q.keep that the question goes to.
+proof::Reached reach(const Question& q, const Product& product, const std::string& called,
+                     double share = 1, std::chrono::seconds most = std::chrono::hours(24)) {
   q.budget.check();
+  if (!q.keep.empty()) {
+    OutputFile file((q.keep / (called + ".aig")).string());
+    file.text(aiger(product.graph, product.bad, product.names));
+    file.close();
+  }
   const auto now = Budget::Clock::now();
   const std::chrono::duration<double> left = share * (q.budget.ends() - now);
   const auto until = now + std::chrono::duration_cast<Budget::Clock::duration>(
@@ -94,7 +101,7 @@ bool is_equal_by_names(const Question& q, const Pairs& memories, Answer& answer)
   const Product cut = product_of(q, Registers::one, {}, memories);
   answer.matched = cut.matched;
   if (q.latency > 0) return false;
-  const auto step = reach(q, cut, 1, soon);
+  const auto step = reach(q, cut, memories.empty() ? "by-names" : "memories-by-names", 1, soon);
   if (step.ever != proof::Ever::never) return false;
   take_equal(q, cut, step, answer);
   if (cut.matched > 0) answer.by.insert(0, "registers by name, ");
@@ -108,10 +115,10 @@ bool is_decided_by_memories(const Question& q, const Pairs& memories, Answer& an
     // The rest is for what comes after; most of what is equal is so here, or it differs soon.
     constexpr double share = 0.7;
     const Product product = product_of(q, Registers::two, {}, memories);
-    const auto reached = reach(q, product, share);
+    const auto reached = reach(q, product, "memories-from-reset", share);
     if (reached.ever != proof::Ever::never) {
       const Product ternary = whatever_is_free(product_of(q, Registers::two, {{}, true}, memories));
-      const auto differs = reach(q, ternary, share);
+      const auto differs = reach(q, ternary, "memories-differ", share);
       if (differs.ever != proof::Ever::yes) return false;
       answer.by = differs.by;
       show(q, ternary, differs, {}, answer);
@@ -143,7 +150,7 @@ void compare_with_any(const Question& q, std::vector<Filler> first, Answer& answ
   for (Filler& one : first) unknown.fillers.push_back(std::move(one));
   for (int round = 0; round < rounds; ++round) {
     const Product product = product_of(q, Registers::two, unknown, {});
-    const proof::Reached reached = reach(q, product);
+    const proof::Reached reached = reach(q, product, "from-reset-with-x-tried");
     if (is_over(q, product, reached, answer)) return;
     const Certain certain = certain_of(q, product, reached);
     if (certain.any) {
@@ -177,7 +184,7 @@ void compare_all(Question& q, Answer& answer) {
   // all of the question.
   if (is_equal_by_names(q, {}, answer)) return;
   const Product product = product_of(q, Registers::two, {}, {});
-  const proof::Reached reached = reach(q, product);
+  const proof::Reached reached = reach(q, product, "from-reset");
   if (is_over(q, product, reached, answer)) return;
   // Whatever it leaves x, if there is any; else other values have to be tried.
   Certain certain;

@@ -41,6 +41,7 @@ struct Question {
   Budget budget{300};
   /// A proof is checked for as long as it took, but no less and no more than so long.
   std::chrono::seconds check_least{2}, check_most{10};
+  std::filesystem::path keep{};     ///< a folder for what the engines are asked; empty: nowhere
   unsigned jobs = 4;                ///< engines at a time, >= 1
   bool verilator = true;            ///< a difference is replayed in Verilator
   std::uint64_t wave_before = 200;  ///< clocks that a wave shows before a difference

@@ -1,5 +1,7 @@
 #include "tb/equiv/product.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -46,7 +48,7 @@ class Builder {
       if (!r.name.first.empty()) gate_names_[r.name] = &r;
     }
     Bits gate_unknown(q_.gate.unknowns);
-    for (Bit& lit : gate_unknown) lit = graph_.input();
+    for (Bit& lit : gate_unknown) lit = named(graph_.input(), "x of the new RTL");
     const bool as_many = q_.gold.unknowns == q_.gate.unknowns;
 
     const std::size_t copies = any_ ? fillers_.size() : 1;
@@ -112,8 +114,17 @@ class Builder {
     return clocks_[t];
   }
 
+  Bit named(Bit bit, const std::string& name) {
+    product_.names[bit.gate()] = name;
+    return bit;
+  }
+  Bit named(Bit bit, const Name& name, const char* of) {
+    return name.first.empty() ? bit
+                              : named(bit, fmt::format("{}[{}]{}", name.first, name.second, of));
+  }
+
   Bit free() {
-    const Bit input = graph_.input();
+    const Bit input = named(graph_.input(), "any");
     product_.free.insert(input);
     return input;
   }
@@ -129,7 +140,8 @@ class Builder {
     Copy copy;
     std::size_t alone = q_.gold.unknowns;
     for (const Register& r : q_.gold.registers) {
-      const Bit latch = one_ ? graph_.input() : graph_.latch(r.first);
+      const Bit latch =
+          named(one_ ? graph_.input() : graph_.latch(r.first), r.name, " of the old RTL");
       copy.own.push_back(latch);
       const auto begins = [&](Bit lit) {
         if (c == 0) product_.gold_begins.push_back(lit);
@@ -142,7 +154,7 @@ class Builder {
       }
       if (any_in_both(r)) {
         const auto [at, is_new] = shared_.try_emplace(r.name, 0);
-        if (is_new) at->second = graph_.input();
+        if (is_new) at->second = named(graph_.input(), r.name, " at first");
         begins(at->second);
         copy.state.push_back(starting(at->second, latch));
       } else {
@@ -164,13 +176,14 @@ class Builder {
         if (other.any == r.any && (r.any || other.first == r.first)) {
           pairs_.emplace_back(partner->second, j);
           if (one_) {
-            copy.own.push_back(gold.own[partner->second]);
+            copy.own.push_back(named(gold.own[partner->second], r.name, ""));
             copy.state.push_back(gold.state[partner->second]);
             continue;
           }
         }
       }
-      const Bit latch = one_ ? graph_.input() : graph_.latch(r.first);
+      const Bit latch =
+          named(one_ ? graph_.input() : graph_.latch(r.first), r.name, " of the new RTL");
       copy.own.push_back(latch);
       if (!r.any || one_) {
         product_.gate_begins.push_back(r.first ? yes : no);
@@ -203,7 +216,8 @@ class Builder {
     if (is_new) {
       const auto reset = q_.resets->find(port);
       const bool is_reset = reset != q_.resets->end();
-      at->second = is_reset ? graph_.seldom() : graph_.input(port);
+      at->second = is_reset ? named(graph_.seldom(), "resets by " + port)
+                            : named(graph_.input(port), at->first, "");
       product_.widths[port] = side.inputs.at(name.first);
       if (is_clock && q_.steps) at->second = graph_.or_of(at->second, resets_);
       if (is_reset) {

@@ -173,6 +173,10 @@ int compare(const EquivOptions& o, Junit& junit) {
     q.check_most = std::max(q.check_most, std::chrono::seconds(seconds));
   }
   q.jobs = jobs;
+  if (o.keep) {
+    make_folder(*o.keep);
+    q.keep = *o.keep;
+  }
   q.wave_before = o.common.window().before;
   for (const auto& [pin, value] : named_values("--tie", o.tied, "PIN=VALUE")) {
     q.tied[pin] = binary("--tie", value);
@@ -249,6 +253,8 @@ void add_equiv(const Command& program) {
   command.text("--latency", o->latency, "N", "The new outputs come N clocks later");
   command.flag("--netlists", o->netlists,
                "A difference is not replayed in Verilator, where Icarus Verilog cannot");
+  command.text("--keep", o->keep, "DIR",
+               "Keep what the engines are asked in DIR, as AIGER with the names of the RTL");
   command.text("--seconds", o->seconds, "N", "For all of it, reading included; default 300");
   command.text("--jobs", o->jobs, "J",
                "Engines at a time; default 4, or one a core where there are more");

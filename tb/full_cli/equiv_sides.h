@@ -14,7 +14,7 @@ namespace cosim::cli {
 struct EquivOptions {
   std::vector<std::string> gold, gate, files, cells, blackboxes, parameters, gold_parameters,
       gate_parameters, include_dirs, defines, resets, tied, ignored, renamed, same, assumed;
-  Text rev, top, gold_top, gate_top, seconds, jobs, reset_clocks, latency;
+  Text rev, top, gold_top, gate_top, seconds, jobs, reset_clocks, latency, keep;
   bool netlists = false;
   Common common;
 };

@@ -49,9 +49,7 @@ std::vector<ProveSubject> subjects_of(const std::vector<std::string>& words) {
 namespace {
 
 std::string text_of_file(const std::string& folder, const std::string& name) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw InputError(fmt::format("{}: cannot be made: {}", folder, error.message()));
+  make_folder(folder);
   std::string plain = name;
   std::replace(plain.begin(), plain.end(), ' ', '_');
   std::replace(plain.begin(), plain.end(), '/', '_');

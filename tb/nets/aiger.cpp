@@ -43,7 +43,7 @@ class Gates {
 
 }  // namespace
 
-std::string aiger(const Graph& graph, Bit bad, const std::vector<std::string>& names) {
+std::string aiger(const Graph& graph, Bit bad, const std::map<std::size_t, std::string>& names) {
   const std::vector<Graph::Made>& gates = graph.gates();
   // Numbered as AIGER wants it: inputs, latches, gates.
   std::vector<Literal> number(gates.size(), 0);
@@ -72,10 +72,13 @@ std::string aiger(const Graph& graph, Bit bad, const std::vector<std::string>& n
     text += fmt::format("{}\n", of(latch.next) ^ (latch.first ? 1U : 0U));
   }
   text += fmt::format("{}\n", of(bad)) + made.text();
-  for (std::size_t i = 0; i < inputs.size(); ++i) {
-    text += fmt::format("i{} {}\n", i, i < names.size() ? names[i] : fmt::format("p{}", i));
-  }
-  for (std::size_t i = 0; i < latches.size(); ++i) text += fmt::format("l{0} r{0}\n", i);
+  const auto name = [&](char kind, char otherwise, std::size_t i, Bit bit) {
+    const auto given = names.find(bit.gate());
+    text += fmt::format("{}{} {}\n", kind, i,
+                        given == names.end() ? fmt::format("{}{}", otherwise, i) : given->second);
+  };
+  for (std::size_t i = 0; i < inputs.size(); ++i) name('i', 'p', i, inputs[i]);
+  for (std::size_t i = 0; i < latches.size(); ++i) name('l', 'r', i, latches[i].now);
   return text;
 }
 

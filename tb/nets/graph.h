@@ -143,8 +143,9 @@ class Placing {
   std::vector<bool> is_made_;
 };
 
-/// Binary AIGER 1.0 with the one output `bad`; input i is called pI, or names[i], latch i rI. One
-/// that begins as 1 is kept inverted.
-std::string aiger(const Graph& graph, Bit bad, const std::vector<std::string>& names = {});
+/// Binary AIGER 1.0 with the one output `bad`. An input or a latch has the name that `names` gives
+/// its gate, else input i is called pI, latch i rI. A latch that begins as 1 is kept inverted.
+std::string aiger(const Graph& graph, Bit bad,
+                  const std::map<std::size_t, std::string>& names = {});
 
 }  // namespace cosim::nets

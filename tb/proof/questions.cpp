@@ -17,10 +17,9 @@ std::map<std::string, Word> values_in(const Questions& questions,
 }
 
 std::vector<std::string> as_aiger(const Questions& questions) {
-  std::vector<std::string> names(questions.graph.inputs().size()), all;
-  for (const nets::Port& p : questions.inputs) {
-    names[questions.graph.gates()[p.bit.gate()].number()] = p.name;
-  }
+  std::map<std::size_t, std::string> names;
+  for (const nets::Port& p : questions.inputs) names[p.bit.gate()] = p.name;
+  std::vector<std::string> all;
   for (const nets::Port& asked : questions.asked) {
     all.push_back(aiger(questions.graph, asked.bit, names));
   }

@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 
 #include "model/core/input_error.h"
 #include "tb/support/replace_file.h"
@@ -43,6 +44,12 @@ void OutputFile::close() {
 
 void OutputFile::fail() const {
   throw InputError(fmt::format("{}: cannot write: {}", path_, std::strerror(errno)));
+}
+
+void make_folder(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) throw InputError(fmt::format("{}: cannot be made: {}", path, error.message()));
 }
 
 void write_file(const std::string& path, const std::string& text) {

@@ -49,6 +49,8 @@ class OutputFile {
   std::string buffer_;
 };
 
+/// Makes the folder where it is not there. InputError if it cannot.
+void make_folder(const std::string& path);
 /// Writes such a file that is `text` alone.
 void write_file(const std::string& path, const std::string& text);
 

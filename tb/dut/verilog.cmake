@@ -1,13 +1,12 @@
 # The sources of a design as the Verilog that all tools are given.
 include_guard(GLOBAL)
 set_property(GLOBAL PROPERTY COSIM_VHDL_READER "${CMAKE_CURRENT_LIST_DIR}/vhdl.pl")
-set_property(GLOBAL PROPERTY COSIM_BLACKBOX_READER "${CMAKE_CURRENT_LIST_DIR}/blackbox.pl")
-set_property(GLOBAL PROPERTY COSIM_INOUT_READER "${CMAKE_CURRENT_LIST_DIR}/inout.pl")
+include(${CMAKE_CURRENT_LIST_DIR}/../rtl/tool.cmake)
 
 # cosim_verilog_of(VARIABLE WHAT TOP FOLDER SHAPE "NAME,..." FILE...): the files, with those of VHDL as
-# one of Verilog, and in place of those with instances of the blackboxes NAME (blackbox.pl) or with inout
-# ports that are split (inout.pl) copies, written into FOLDER for the shape "W=8 MODE=FAST". An error, one line that begins with WHAT, where GHDL is missing or
-# cannot do it, for a blackbox that there is none of, and for a port that cannot be split.
+# one of Verilog, and in place of those with instances of the blackboxes NAME or with inout ports copies
+# (tb/rtl/plain_verilog.h), written into FOLDER for the shape "W=8 MODE=FAST". An error is one line that begins
+# with WHAT.
 function(cosim_verilog_of variable what top folder shape blackboxes)
   set(vhdl ${ARGN})
   list(FILTER vhdl INCLUDE REGEX "[.]vhdl?$")
@@ -23,21 +22,11 @@ function(cosim_verilog_of variable what top folder shape blackboxes)
       RESULT_VARIABLE status ERROR_VARIABLE error)
     cosim_read_again("${what}" ${status} "${error}" ${reader} ${vhdl})
   endif()
-  foreach(program blackbox inout)
-    set(boxes)
-    if(program STREQUAL blackbox)
-      if(NOT blackboxes)
-        continue()
-      endif()
-      set(boxes ${blackboxes})
-    endif()
-    string(TOUPPER ${program} reader)
-    get_property(reader GLOBAL PROPERTY COSIM_${reader}_READER)
-    execute_process(COMMAND ${COSIM_PERL} ${reader} ${top} ${folder}/${program} ${boxes} ${verilog}
-      RESULT_VARIABLE status ERROR_VARIABLE error OUTPUT_VARIABLE read)
-    cosim_read_again("${what}" ${status} "${error}" ${reader} ${verilog})
-    string(REGEX MATCHALL "[^\n]+" verilog "${read}")
-  endforeach()
+  cosim_rtl_program(program)
+  execute_process(COMMAND ${program} verilog ${top} ${folder} "${blackboxes}" ${verilog}
+    RESULT_VARIABLE status ERROR_VARIABLE error OUTPUT_VARIABLE read)
+  cosim_read_again("${what}" ${status} "${error}" ${verilog})
+  string(REGEX MATCHALL "[^\n]+" verilog "${read}")
   set(${variable} ${verilog} PARENT_SCOPE)
 endfunction()
 

@@ -106,7 +106,7 @@ equiv::Side read_side(const EquivOptions& o, const SideFiles& own, const Named& 
   read_cells(verilog, o.blackboxes, cells);
   if (std::ranges::all_of(verilog, is_vhdl)) all.vhdl.assign(verilog.begin(), verilog.end());
   const std::string wrong = as_plain_verilog(verilog, all.top, all.parameters, o.blackboxes, ".",
-                                             made.parent_path(), made);
+                                             made.parent_path(), made, true);
   if (!wrong.empty()) throw InputError("equiv: " + wrong);
   all.files.assign(verilog.begin(), verilog.end());
   return equiv::read(all, named.what, budget);

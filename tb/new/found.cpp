@@ -134,18 +134,19 @@ Found found_in(const RtlQuestion& question) {
   fs::create_directory(work);
   StateLine line;
   line.show(question.top + ": reading it, and trying each parameter");
-  std::string shape;
-  for (const FoundParameter& p : question.parameters) {
-    shape += fmt::format("{}{}={}", shape.empty() ? "" : " ", p.name, p.value);
-  }
+  std::vector<std::string> shape, files = question.files;
+  for (const FoundParameter& p : question.parameters) shape.push_back(p.name + '=' + p.value);
+  const std::string wrong = as_plain_verilog(files, question.top, shape, question.blackboxes,
+                                             question.folder, reader, work / "vhdl.v", false);
+  if (!wrong.empty()) throw InputError("new: " + wrong);
   const auto& clocks = question.clocks;
   std::string clock = clocks.empty() ? "?" : fmt::format("{}", fmt::join(clocks, ","));
   if (clocks.size() > 1) clock += ',';
   const Ended ended = cosim::run_program(
       {"env", "-C", question.folder.string(), "cmake", "-DTOP=" + question.top,
        fmt::format("-DCLOCK={}{}{}", clock, question.reset.empty() ? "" : ":", question.reset),
-       "-DSHAPE=" + shape, fmt::format("-DFILES={}", fmt::join(question.files, ";")),
-       fmt::format("-DBLACKBOXES={}", fmt::join(question.blackboxes, ",")),
+       fmt::format("-DSHAPE={}", fmt::join(shape, " ")),
+       fmt::format("-DFILES={}", fmt::join(files, ";")),
        fmt::format("-DOPTIONS={}", fmt::join(question.options, ";")),
        fmt::format("-DYOSYS={}", fmt::join(question.options, " ")), "-DWORK=" + work.string(), "-P",
        (reader / "found_rtl.cmake").string()});

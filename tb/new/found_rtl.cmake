@@ -2,13 +2,11 @@
 #
 #   TOP, CLOCK     as rtl.pl has them
 #   SHAPE          parameters, as of cosim_add_design()
-#   BLACKBOXES     modules that no file has, "A,B"
 #   FILES, OPTIONS of Verilator; YOSYS, its options for yosys
 #   WORK           where the answer is to be: tree.xml, found.txt, verilator.txt, the program that
 #                  reads RTL, unread.txt as of cosim_read_netlist(), and error.txt, one line
 include(${CMAKE_CURRENT_LIST_DIR}/rtl.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/shape.cmake)
-include(${CMAKE_CURRENT_LIST_DIR}/verilog.cmake)
 function(message kind)
   if(kind STREQUAL FATAL_ERROR)
     string(JOIN "" text ${ARGN})
@@ -23,7 +21,6 @@ if(NOT VERILATOR_BIN)
 endif()
 file(WRITE ${WORK}/verilator.txt ${VERILATOR_BIN})
 cosim_shape(shape new "${SHAPE}")
-cosim_verilog_of(FILES new ${TOP} ${WORK} "${shape_title}" "${BLACKBOXES}" ${FILES})
 list(JOIN FILES "\" \"" files)
 cosim_read_rtl(rtl new ${TOP} ${CLOCK} ${WORK} FILES ${FILES} OPTIONS ${shape_generics} ${OPTIONS}
   YOSYS "read_verilog -sv -defer ${YOSYS} \"${files}\"; hierarchy -check -top ${TOP}${shape_chparams}")

@@ -9,8 +9,8 @@
 #include "model/core/input_error.h"
 #include "rtl_reader.h"
 #include "tb/new/new_sources.h"
+#include "tb/rtl/plain_verilog.h"
 #include "tb/support/output_file.h"
-#include "tb/support/read_file.h"
 #include "tb/support/words.h"
 
 namespace cosim::cli {
@@ -57,13 +57,13 @@ std::string as_plain_verilog(std::vector<std::string>& files, const std::string&
                              const std::vector<std::string>& parameters,
                              const std::vector<std::string>& blackboxes,
                              const std::filesystem::path& folder,
-                             const std::filesystem::path& reader,
-                             const std::filesystem::path& made) {
+                             const std::filesystem::path& reader, const std::filesystem::path& made,
+                             bool has_constants) {
   const auto vhdl = std::stable_partition(files.begin(), files.end(),
                                           [](const std::string& file) { return !is_vhdl(file); });
   const auto run = [&](const std::string& program, std::vector<std::string> words) {
-    words.insert(words.begin(), {"env", "-C", folder.string(), "COSIM_BLACKBOX=all", "perl",
-                                 (reader / program).string(), top});
+    words.insert(words.begin(),
+                 {"env", "-C", folder.string(), "perl", (reader / program).string(), top});
     return cosim::run_program(words);
   };
   if (vhdl != files.end()) {
@@ -75,20 +75,11 @@ std::string as_plain_verilog(std::vector<std::string>& files, const std::string&
     files.erase(vhdl, files.end());
     files.push_back(made.string());
   }
-  for (const std::string program : {"blackbox", "inout"}) {
-    std::vector<std::string> words{made.string() + '.' + program};
-    if (program == "blackbox") {
-      if (blackboxes.empty()) continue;
-      words.push_back(fmt::format("{}", fmt::join(blackboxes, ",")));
-    } else if (std::ranges::none_of(files, [&](const std::string& file) {
-                 return read_file((folder / file).string()).find("inout") != std::string::npos;
-               })) {
-      continue;
-    }
-    words.insert(words.end(), files.begin(), files.end());
-    const Ended ended = run(program + ".pl", words);
-    if (ended.status != 0) return ended.text.substr(0, ended.text.find('\n'));
-    files = lines_in(ended.text);
+  try {
+    files = rtl::plain_verilog({folder, files, top, parameters, blackboxes, has_constants},
+                               made.parent_path() / made.stem());
+  } catch (const InputError& error) {
+    return error.what();
   }
   return "";
 }
@@ -112,8 +103,9 @@ std::optional<FoundShape> shape_with(const RtlQuestion& question, const std::str
   for (const FoundParameter& p : question.parameters) {
     if (p.name != other) parameters.push_back(p.name + '=' + p.value);
   }
-  const std::string wrong = as_plain_verilog(files, question.top, parameters, question.blackboxes,
-                                             question.folder, reader.folder, work / "vhdl.v");
+  const std::string wrong =
+      as_plain_verilog(files, question.top, parameters, question.blackboxes, question.folder,
+                       reader.folder, work / "vhdl.v", false);
   if (!wrong.empty()) return std::nullopt;
   words.insert(words.end(), files.begin(), files.end());
   if (cosim::run_program(words).status != 0) return std::nullopt;

@@ -29,14 +29,14 @@ std::filesystem::path write_reader(const Scratch& scratch);
 
 /// Has plain Verilog in place of the files, which are named as from `folder`: `made` in place of
 /// those of VHDL, what GHDL makes of them with these parameters, "NAME=VALUE", and copies beside it
-/// without the blackboxes and with inout ports split. `reader`: that of write_reader(). What is
-/// wrong, one line; "" where nothing is.
+/// without the blackboxes and with inout ports split (rtl/plain_verilog.h). `reader`: that of
+/// write_reader(). What is wrong, one line; "" where nothing is.
 std::string as_plain_verilog(std::vector<std::string>& files, const std::string& top,
                              const std::vector<std::string>& parameters,
                              const std::vector<std::string>& blackboxes,
                              const std::filesystem::path& folder,
-                             const std::filesystem::path& reader,
-                             const std::filesystem::path& made);
+                             const std::filesystem::path& reader, const std::filesystem::path& made,
+                             bool has_constants);
 
 /// What reads RTL.
 struct RtlReader {

@@ -5,57 +5,10 @@
 #include <cctype>
 #include <utility>
 
+#include "tb/rtl/lexer.h"
+
 namespace cosim::cli {
 namespace {
-
-bool is_of_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '$';
-}
-
-// The words and signs of a text without its comments; a string is one, with its quotation marks.
-class Lexer {
- public:
-  explicit Lexer(std::string_view text) : text_(text) {}
-
-  // Empty at the end.
-  std::string_view next() {
-    skip();
-    const std::size_t from = at_;
-    if (at_ == text_.size()) return {};
-    if (text_[at_] == '"') {
-      for (++at_; at_ < text_.size() && text_[at_] != '"' && text_[at_] != '\n'; ++at_) {
-        if (text_[at_] == '\\') ++at_;
-      }
-      at_ = std::min(at_ + 1, text_.size());
-    } else if (is_of_word(text_[at_]) || text_[at_] == '`') {
-      ++at_;
-      while (at_ < text_.size() && is_of_word(text_[at_])) ++at_;
-    } else if (text_.substr(at_, 2) == "::") {
-      at_ += 2;
-    } else {
-      ++at_;
-    }
-    return text_.substr(from, at_ - from);
-  }
-
- private:
-  void skip() {
-    while (at_ < text_.size()) {
-      if (std::isspace(static_cast<unsigned char>(text_[at_])) != 0) {
-        ++at_;
-      } else if (text_.substr(at_, 2) == "//") {
-        at_ = std::min(text_.find('\n', at_), text_.size());
-      } else if (text_.substr(at_, 2) == "/*") {
-        const std::size_t end = text_.find("*/", at_ + 2);
-        at_ = end == std::string_view::npos ? text_.size() : end + 2;
-      } else {
-        return;
-      }
-    }
-  }
-  std::string_view text_;
-  std::size_t at_ = 0;
-};
 
 constexpr std::array begins{"module", "macromodule", "interface", "package", "program"};
 constexpr std::array closing_words{"endmodule", "endinterface", "endpackage", "endprogram"};
@@ -75,7 +28,7 @@ bool is_name(std::string_view word) {
 VerilogText verilog_words(std::string_view text) {
   VerilogText found;
   found.units.emplace_back();
-  Lexer lexer(text);
+  rtl::Lexer lexer(text);
   std::size_t in = 0;  // the unit
   bool in_head = false, imports = false;
   int depth = 0;  // of brackets in the head
@@ -123,7 +76,7 @@ VerilogText vhdl_words(std::string_view text) {
   }
   VerilogText found;
   found.units.emplace_back();
-  Lexer lexer(small);
+  rtl::Lexer lexer(small);
   bool in_entity = false;
   // "entity x is", "use work.x", "entity work.x" and "x port map".
   for (std::array<std::string_view, 4> w{"", "", "", lexer.next()}; !w[1].empty() || !w[3].empty();

@@ -1,0 +1,38 @@
+# The program cosim_rtl, which CMake asks of RTL. A package has it; else it is built here, once.
+include_guard(GLOBAL)
+set_property(GLOBAL PROPERTY COSIM_RTL_SOURCES "${CMAKE_CURRENT_LIST_DIR}")
+
+# cosim_rtl_program(VARIABLE): its path, the global property COSIM_RTL_PROGRAM. It is built anew where its
+# sources are newer. A launcher of the compiler, as ccache, is used.
+function(cosim_rtl_program variable)
+  get_property(program GLOBAL PROPERTY COSIM_RTL_PROGRAM)
+  if(NOT program)
+    get_property(folder GLOBAL PROPERTY COSIM_RTL_SOURCES)
+    cmake_path(SET root NORMALIZE ${folder}/../..)
+    set(program ${CMAKE_BINARY_DIR}/cosim_rtl)
+    file(GLOB sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+    file(GLOB headers ${folder}/*.h)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${sources} ${headers})
+    set(all "")
+    set(is_old FALSE)
+    foreach(file IN LISTS sources headers)
+      if(${file} IS_NEWER_THAN ${program})
+        set(is_old TRUE)
+      endif()
+      if(file MATCHES "[.]cpp$")
+        string(APPEND all "#include \"${file}\"\n")
+      endif()
+    endforeach()
+    if(is_old)
+      message(STATUS "Building cosim_rtl")
+      file(WRITE ${program}.cpp "${all}")
+      foreach(words "-c;${program}.cpp;-o;${program}.o" "${program}.o;-o;${program}")
+        execute_process(
+          COMMAND ${CMAKE_CXX_COMPILER_LAUNCHER} ${CMAKE_CXX_COMPILER} -std=c++20 -O1 -I${root} ${words}
+          COMMAND_ERROR_IS_FATAL ANY)
+      endforeach()
+    endif()
+    set_property(GLOBAL PROPERTY COSIM_RTL_PROGRAM ${program})
+  endif()
+  set(${variable} ${program} PARENT_SCOPE)
+endfunction()

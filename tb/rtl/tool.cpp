@@ -1,0 +1,43 @@
+// cosim_rtl: what CMake asks of RTL before there is a program of the project.
+#include <exception>
+#include <iostream>
+#include <sstream>
+
+#include "model/core/input_error.h"
+#include "tb/rtl/plain_verilog.h"
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+// The words of a text between such characters.
+Words parted(const std::string& text, char by) {
+  Words all;
+  std::istringstream in(text);
+  for (std::string word; std::getline(in, word, by);) all.push_back(word);
+  return all;
+}
+
+bool run(const Words& words) {
+  if (words.size() < 4 || words[0] != "verilog") return false;
+  cosim::rtl::Sources sources;
+  sources.top = words[1];
+  sources.blackboxes = parted(words[3], ',');
+  sources.files.assign(words.begin() + 4, words.end());
+  for (const std::string& file : cosim::rtl::plain_verilog(sources, words[2])) {
+    std::cout << file << '\n';
+  }
+  return true;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    if (run({argv + 1, argv + argc})) return 0;
+    std::cerr << "usage: cosim_rtl verilog TOP FOLDER BLACKBOX,BLACKBOX FILE...\n";
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+  }
+  return 2;
+}

@@ -162,7 +162,7 @@ function(cosim_add_design NAME)
       set(${list} "\"${${list}}\"")
     endif()
   endforeach()
-  find_program(COSIM_PERL perl REQUIRED)
+  cosim_rtl_program(program)
   string(TOLOWER "${D_UNPROVED}" UNPROVED)  # true or false, for C++
 
   get_property(root GLOBAL PROPERTY COSIM_ROOT)
@@ -173,8 +173,8 @@ function(cosim_add_design NAME)
   # What looks like a name that a model may have, and is none, is an error when it is built.
   set(names ${CMAKE_CURRENT_BINARY_DIR}/${NAME}.names)
   add_custom_command(OUTPUT ${names} DEPFILE ${names}.d VERBATIM
-    COMMAND ${COSIM_PERL} ${root}/tb/package/design_names.pl ${names} ${root} ${model}
-    DEPENDS ${root}/tb/package/design_names.pl COMMENT "Names of ${NAME}")
+    COMMAND ${program} names ${names} ${root} ${model}
+    DEPENDS ${program} COMMENT "Names of ${NAME}")
   target_sources(${NAME}_verilated PRIVATE ${names})
   foreach(text SHAPES VERILATED_INCLUDES OPEN_INCLUDES OPEN_MAKERS open_made_of ADD_BENCHES ADD_MACHINES prefixes)
     set(${text} "")

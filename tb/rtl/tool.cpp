@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "model/core/input_error.h"
+#include "tb/rtl/names.h"
 #include "tb/rtl/plain_verilog.h"
 
 namespace {
@@ -19,6 +20,10 @@ Words parted(const std::string& text, char by) {
 }
 
 bool run(const Words& words) {
+  if (words.size() > 3 && words[0] == "names") {
+    cosim::rtl::check_names(words[1], words[2], {words.begin() + 3, words.end()});
+    return true;
+  }
   if (words.size() < 4 || words[0] != "verilog") return false;
   cosim::rtl::Sources sources;
   sources.top = words[1];
@@ -35,7 +40,8 @@ bool run(const Words& words) {
 int main(int argc, char** argv) {
   try {
     if (run({argv + 1, argv + argc})) return 0;
-    std::cerr << "usage: cosim_rtl verilog TOP FOLDER BLACKBOX,BLACKBOX FILE...\n";
+    std::cerr << "usage: cosim_rtl verilog TOP FOLDER BLACKBOX,BLACKBOX FILE... | names STAMP ROOT "
+                 "HEADER...\n";
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
   }

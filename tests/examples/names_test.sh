@@ -1,12 +1,11 @@
 #!/usr/bin/env bash
-# names_test.sh ROOT
+# names_test.sh ROOT PROGRAM
 #
 # What a model may leave out is found by its name: one that is nearly such a name is refused, in a line
 # that says where and what is meant, in struct Design and beside it, and in a header that is included.
 # Names of a model's own are none of it. Status: 0 so, 1 not.
-root=$(realpath "$1")
+root=$(realpath "$1") program=$2
 source "$(dirname "${BASH_SOURCE[0]}")/../support/program.sh"
-program=perl
 uart=$root/examples/uart/uart.h
 # refused FROM TO LINE [MODEL]: a model, the uart's, with one name for another, included by the header that
 # is given.
@@ -15,7 +14,7 @@ refused() {
   grep -q "\b$2\b" part.h || fails "there is no $1 in ${4-$uart}"
   echo '#include "part.h"' > model.h
   rm -f stamp
-  ends 2 "$root/tb/package/design_names.pl" stamp "$root" model.h
+  ends 2 names stamp "$root" model.h
   [[ $(< said) == "$PWD"/part.h:*": $3" ]] || fails "it says: $3"
   [[ ! -e stamp ]] || fails "it leaves no stamp"
 }
@@ -40,7 +39,7 @@ refused Checker Cheker "Cheker in struct Design means nothing: is Checker meant?
   sed -n '/^struct Design/,$p' "$uart" | sed 's/^};/  static constexpr int own = 3;\n&/'
 } > model.h
 for header in "$root"/model/*/machine.h "$root"/examples/*/*.h "$root"/tests/*/designs/*.h model.h; do
-  ends 0 "$root/tb/package/design_names.pl" stamp "$root" "$header"
+  ends 0 names stamp "$root" "$header"
   grep -qF "$(basename "$header")" stamp.d || fails "ninja is told of $header"
 done
 echo "as it should be"

@@ -1,0 +1,169 @@
+#include "tb/rtl/names.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <set>
+
+#include "model/core/input_error.h"
+#include "tb/rtl/files.h"
+#include "tb/rtl/regex.h"
+
+namespace cosim::rtl {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string blank(std::string text) {
+  for (char& c : text) c = c == '\n' ? c : ' ';
+  return text;
+}
+
+// C++ with blanks in place of its comments, strings and characters.
+std::string plain(const std::string& text) {
+  static const Regex piece(
+      "\\w'|\"(\\\\.|[^\"\\\n])*\"|'(\\\\.|[^'\\\n])'|//[^\n]*|/\\*([^*]|\\*+[^*/])*\\*+/");
+  return piece.replaced(text, [](const Match& m) {
+    return m.size() == 2 && m[0].back() == '\'' ? m[0] : blank(m[0]);
+  });
+}
+
+// The fewest edits that make y of x.
+int edits(const std::string& x, const std::string& y) {
+  std::vector<std::vector<int>> d(x.size() + 1, std::vector<int>(y.size() + 1));
+  for (std::size_t i = 0; i <= x.size(); ++i) {
+    for (std::size_t j = 0; j <= y.size(); ++j) {
+      if (i == 0 || j == 0) {
+        d[i][j] = static_cast<int>(i + j);
+        continue;
+      }
+      d[i][j] = std::min(
+          {d[i - 1][j - 1] + (x[i - 1] == y[j - 1] ? 0 : 1), d[i - 1][j] + 1, d[i][j - 1] + 1});
+      if (i > 1 && j > 1 && x[i - 1] == y[j - 2] && x[i - 2] == y[j - 1]) {
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+      }
+    }
+  }
+  return d[x.size()][y.size()];
+}
+
+std::string small(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+using Names = std::set<std::string>;
+
+// The name that was meant; "" where none was.
+std::string meant(const std::string& name, const Names& known) {
+  const auto is_near = [&](const std::string& one) {
+    return one.size() >= 4 && edits(small(name), small(one)) <= (one.size() < 6 ? 1 : 2);
+  };
+  const auto one =
+      known.contains(name) ? known.end() : std::find_if(known.begin(), known.end(), is_near);
+  return one == known.end() ? "" : *one;
+}
+
+struct Text {
+  std::string file, text;
+  [[noreturn]] void refuse(std::size_t at, const std::string& what,
+                           const std::string& meant) const {
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(at);
+    throw InputError(file + ':' + std::to_string(1 + std::count(text.begin(), end, '\n')) + ": " +
+                     what + " means nothing: is " + meant + " meant?");
+  }
+};
+
+// Looks at what is in the braces of struct Design, but not in braces or parentheses in there.
+void check_members(const Text& of, const Names& known) {
+  static const std::map<std::string, std::string> renamed{
+      {"clear", "reset_inputs"}, {"cleared", "reset_state"}, {"clear_clocks", "reset_clocks"}};
+  static const Regex design("\\b(struct|class)\\s+Design\\b[^;{()]*\\{"), piece("[^;}]+");
+  static const Regex no_name(
+      "\\btemplate\\s*<[^>]*>|\\b(public|private|protected)\\s*:|\\brequires\\b[^;{]*");
+  static const Regex member(
+      "\\busing\\s+(\\w+)|\\b(struct|class)\\s+(\\w+)|(\\w+)\\s*[({=[]|(\\w+)\\s*$");
+  for (const Match& m : design.all(of.text)) {
+    std::string body;
+    int depth = 0;
+    for (std::size_t at = m.end(); at < of.text.size(); ++at) {
+      const char c = of.text[at];
+      if (c == '}' && depth == 0) break;
+      if (c == '}' || c == ')') --depth;
+      body += depth == 0 || c == '\n' ? c : ' ';
+      if (c == '{' || c == '(') ++depth;
+    }
+    body = no_name.replaced(body, [](const Match& one) { return blank(one[0]); });
+    for (const Match& one : piece.all(body)) {
+      const std::string text = one[0];
+      const Match found = member.find(text);
+      if (!found) continue;
+      const std::string name = found[1] + found[3] + found[4] + found[5];
+      const auto old = renamed.find(name);
+      const std::string is = old != renamed.end() ? old->second : meant(name, known);
+      if (!is.empty())
+        of.refuse(m.end() + one.begin() + found.begin(), name + " in struct Design", is);
+    }
+  }
+}
+
+struct Checked {
+  fs::path root;
+  Names members = {}, functions = {}, met = {};
+  std::string read = {};  // the files, as ninja wants them
+
+  void learn(const fs::path& folder) {
+    static const Regex member("\\bDesign::(template )?(\\w+)"),
+        stated("\\bCOSIM_STATED\\(\\w+, ([a-z]\\w*)\\)");
+    static const Regex function("\\brequires\\b[^{};]*\\{\\s*(\\w+)\\(p, s\\b");
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+      if (entry.path().extension() != ".h") continue;
+      const std::string text = text_of(entry.path());
+      for (const Match& m : member.all(text)) members.insert(m[2]);
+      for (const Match& m : function.all(text)) functions.insert(m[1]);
+      for (const Match& m : stated.all(text)) functions.insert(m[1]);
+    }
+  }
+  void check(const fs::path& file) {
+    static const Regex include("(^|\n)[ \t]*#[ \t]*include[ \t]*\"([^\"\n]+)\""), odd("[ #]");
+    static const Regex function(
+        "\\b(\\w+)\\s*\\(\\s*(const\\s+)?(\\w+::)*Params\\b[^,()]*,\\s*(const\\s+)?(\\w+::)*"
+        "State\\b");
+    const fs::path path = fs::weakly_canonical(file);
+    const auto is_below = [&](const char* folder) {
+      return path.string().starts_with((root / folder / "").string());
+    };
+    if (!met.insert(path).second || is_below("model/core") || is_below("tb")) return;
+    read += ' ' + odd.replaced(path.string(), [](const Match& m) { return '\\' + m[0]; });
+    const std::string text = text_of(file);
+    for (const Match& m : include.all(text)) {
+      for (const fs::path& folder : {path.parent_path(), root}) {
+        if (!fs::is_regular_file(folder / m[2])) continue;
+        check(folder / m[2]);
+        break;
+      }
+    }
+    const Text of{file, plain(text)};
+    check_members(of, members);
+    for (const Match& m : function.all(of.text)) {
+      const std::string is = meant(m[1], functions);
+      if (!is.empty()) of.refuse(m.begin(1), m[1] + "(p, s, ...)", is);
+    }
+  }
+};
+
+}  // namespace
+
+void check_names(const std::string& stamp, const fs::path& root,
+                 const std::vector<std::string>& headers) {
+  Checked checked{fs::canonical(root)};
+  checked.learn(checked.root / "model/core");
+  for (const fs::directory_entry& folder : fs::directory_iterator(checked.root / "tb")) {
+    if (folder.is_directory()) checked.learn(folder.path());
+  }
+  for (const std::string& header : headers) checked.check(header);
+  write_text(stamp + ".d", stamp + ':' + checked.read + '\n');
+  write_text(stamp, "");
+}
+
+}  // namespace cosim::rtl

@@ -1,0 +1,20 @@
+// Misspelt names in a model, which would silently be nothing: the harness finds by its name what a
+// model may have beside its step.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace cosim::rtl {
+
+/// Reads the headers of a model and what they include with "...". InputError where a member of
+/// struct Design, or a function of (const Params&, const State<V>&, ...), nearly has a name that
+/// the headers of the harness below `root` ask for: Design::NAME, and NAME(p, s) in a `requires` or
+/// in COSIM_STATED. That is one edit away (a letter put in, left out, changed or swapped with the
+/// next one) from a name of 4 or 5 letters, two edits from a longer one. Writes `stamp`, and
+/// `stamp`.d for ninja: the files that were read.
+void check_names(const std::string& stamp, const std::filesystem::path& root,
+                 const std::vector<std::string>& headers);
+
+}  // namespace cosim::rtl

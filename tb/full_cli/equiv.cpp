@@ -15,7 +15,6 @@
 #include "tb/full_cli/commands.h"
 #include "tb/full_cli/equiv_sides.h"
 #include "tb/new/files_read.h"
-#include "tb/new/found_shape.h"
 #include "tb/program/named_values.h"
 #include "tb/program/number.h"
 #include "tb/program/outputs.h"
@@ -161,7 +160,7 @@ int compare(const EquivOptions& o, Junit& junit) {
   };
   BothSides sides;
   try {
-    sides = read_sides(o, files, write_reader(scratch), budget, jobs);
+    sides = read_sides(o, files, scratch.path(), budget, jobs);
   } catch (const equiv::OutOfTime&) {
     return undecided("yosys does not read it");
   }

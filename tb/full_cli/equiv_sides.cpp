@@ -8,13 +8,13 @@
 
 #include "model/core/input_error.h"
 #include "tb/full_cli/revision.h"
-#include "tb/new/found_shape.h"
 #include "tb/new/liberty.h"
-#include "tb/new/new_sources.h"
 #include "tb/new/verilog_words.h"
 #include "tb/program/named_values.h"
+#include "tb/rtl/plain_verilog.h"
 #include "tb/support/output_file.h"
 #include "tb/support/parallel.h"
+#include "tb/support/process.h"
 #include "tb/support/read_file.h"
 #include "tb/support/words.h"
 
@@ -102,13 +102,19 @@ equiv::Side read_side(const EquivOptions& o, const SideFiles& own, const Named& 
     return !met.insert(std::filesystem::weakly_canonical(file)).second;
   });
   const std::filesystem::path cells = made.string() + ".cells";
-  std::filesystem::create_directory(cells);
+  std::filesystem::create_directories(cells);
+  std::filesystem::create_directory(made);
   read_cells(verilog, o.blackboxes, cells);
-  if (std::ranges::all_of(verilog, is_vhdl)) all.vhdl.assign(verilog.begin(), verilog.end());
-  const std::string wrong = as_plain_verilog(verilog, all.top, all.parameters, o.blackboxes, ".",
-                                             made.parent_path(), made, true);
-  if (!wrong.empty()) throw InputError("equiv: " + wrong);
-  all.files.assign(verilog.begin(), verilog.end());
+  if (std::ranges::all_of(verilog, rtl::is_vhdl)) all.vhdl.assign(verilog.begin(), verilog.end());
+  const auto status_of = [](const auto& words) { return cosim::run_program(words).status; };
+  try {
+    const auto plain = rtl::plain_verilog(
+        {".", verilog, all.top, all.parameters, o.blackboxes, true}, made, status_of);
+    all.files.assign(plain.begin(), plain.end());
+  } catch (const InputError& error) {
+    require_room(made.parent_path());
+    throw InputError(fmt::format("equiv: {}", error.what()));
+  }
   return equiv::read(all, named.what, budget);
 }
 
@@ -133,14 +139,14 @@ BothFiles files_of(const EquivOptions& o, const std::filesystem::path& scratch) 
 }
 
 BothSides read_sides(const EquivOptions& o, const BothFiles& files,
-                     const std::filesystem::path& reader, const equiv::Budget& budget,
+                     const std::filesystem::path& folder, const equiv::Budget& budget,
                      unsigned jobs) {
   BothSides both;
   const Named gold{"the old RTL", "--param and --gold-param", o.gold_top, o.gold_parameters};
   const Named gate{"the new RTL", "--param and --gate-param", o.gate_top, o.gate_parameters};
   in_parallel(2, jobs, [&](std::uint64_t i) {
-    if (i == 0) both.gold = read_side(o, files.gold, gold, reader / "was.v", budget);
-    if (i == 1) both.gate = read_side(o, files.gate, gate, reader / "is.v", budget);
+    if (i == 0) both.gold = read_side(o, files.gold, gold, folder / "was", budget);
+    if (i == 1) both.gate = read_side(o, files.gate, gate, folder / "is", budget);
     return true;
   });
   return both;

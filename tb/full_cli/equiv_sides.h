@@ -37,10 +37,10 @@ struct BothSides {
   std::optional<equiv::Side> gold, gate;
 };
 
-/// Reads both at once, on `jobs` threads at the most. `reader`: write_reader() (found_shape.h).
+/// Reads both at once, on `jobs` threads at the most. `folder`: one for temporary files.
 /// InputError, and OutOfTime.
 BothSides read_sides(const EquivOptions& options, const BothFiles& files,
-                     const std::filesystem::path& reader, const equiv::Budget& budget,
+                     const std::filesystem::path& folder, const equiv::Budget& budget,
                      unsigned jobs);
 
 }  // namespace cosim::cli

@@ -134,11 +134,14 @@ Found found_in(const RtlQuestion& question) {
   fs::create_directory(work);
   StateLine line;
   line.show(question.top + ": reading it, and trying each parameter");
-  std::vector<std::string> shape, files = question.files;
+  std::vector<std::string> shape, files;
   for (const FoundParameter& p : question.parameters) shape.push_back(p.name + '=' + p.value);
-  const std::string wrong = as_plain_verilog(files, question.top, shape, question.blackboxes,
-                                             question.folder, reader, work / "vhdl.v", false);
-  if (!wrong.empty()) throw InputError("new: " + wrong);
+  try {
+    files = plain_verilog(question, shape, work);
+  } catch (const InputError& error) {
+    require_room(scratch.path());
+    throw InputError(fmt::format("new: {}", error.what()));
+  }
   const auto& clocks = question.clocks;
   std::string clock = clocks.empty() ? "?" : fmt::format("{}", fmt::join(clocks, ","));
   if (clocks.size() > 1) clock += ',';

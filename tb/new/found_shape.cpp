@@ -3,12 +3,10 @@
 #include <fmt/core.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <sstream>
 
 #include "model/core/input_error.h"
 #include "rtl_reader.h"
-#include "tb/new/new_sources.h"
 #include "tb/rtl/plain_verilog.h"
 #include "tb/support/output_file.h"
 #include "tb/support/words.h"
@@ -53,35 +51,12 @@ std::filesystem::path write_reader(const Scratch& scratch) {
   return folder;
 }
 
-std::string as_plain_verilog(std::vector<std::string>& files, const std::string& top,
-                             const std::vector<std::string>& parameters,
-                             const std::vector<std::string>& blackboxes,
-                             const std::filesystem::path& folder,
-                             const std::filesystem::path& reader, const std::filesystem::path& made,
-                             bool has_constants) {
-  const auto vhdl = std::stable_partition(files.begin(), files.end(),
-                                          [](const std::string& file) { return !is_vhdl(file); });
-  const auto run = [&](const std::string& program, std::vector<std::string> words) {
-    words.insert(words.begin(),
-                 {"env", "-C", folder.string(), "perl", (reader / program).string(), top});
-    return cosim::run_program(words);
-  };
-  if (vhdl != files.end()) {
-    std::vector<std::string> words{made.string()};
-    words.insert(words.end(), parameters.begin(), parameters.end());
-    words.insert(words.end(), vhdl, files.end());
-    const Ended ended = run("vhdl.pl", words);
-    if (ended.status != 0) return ended.text.substr(0, ended.text.find('\n'));
-    files.erase(vhdl, files.end());
-    files.push_back(made.string());
-  }
-  try {
-    files = rtl::plain_verilog({folder, files, top, parameters, blackboxes, has_constants},
-                               made.parent_path() / made.stem());
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+std::vector<std::string> plain_verilog(const RtlQuestion& question,
+                                       const std::vector<std::string>& parameters,
+                                       const std::filesystem::path& work) {
+  return rtl::plain_verilog(
+      {question.folder, question.files, question.top, parameters, question.blackboxes}, work,
+      [](const auto& words) { return cosim::run_program(words).status; });
 }
 
 std::optional<FoundShape> shape_with(const RtlQuestion& question, const std::string& other,
@@ -99,15 +74,16 @@ std::optional<FoundShape> shape_with(const RtlQuestion& question, const std::str
     words.push_back(fmt::format("-G{}={}", p.name, p.is_text ? '"' + p.value + '"' : p.value));
   }
   words.push_back(fmt::format("-G{}={}", other, value));
-  std::vector<std::string> files = question.files, parameters{fmt::format("{}={}", other, value)};
+  std::vector<std::string> parameters{fmt::format("{}={}", other, value)};
   for (const FoundParameter& p : question.parameters) {
     if (p.name != other) parameters.push_back(p.name + '=' + p.value);
   }
-  const std::string wrong =
-      as_plain_verilog(files, question.top, parameters, question.blackboxes, question.folder,
-                       reader.folder, work / "vhdl.v", false);
-  if (!wrong.empty()) return std::nullopt;
-  words.insert(words.end(), files.begin(), files.end());
+  try {
+    const auto files = plain_verilog(question, parameters, work);
+    words.insert(words.end(), files.begin(), files.end());
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
   if (cosim::run_program(words).status != 0) return std::nullopt;
   const Ended ended = cosim::run_program({"perl", (reader.folder / "rtl_shape.pl").string(), tree});
   if (ended.status != 0) return std::nullopt;

@@ -27,16 +27,11 @@ FoundShape shape_of(std::string_view text);
 /// Makes a folder with the programs that read RTL.
 std::filesystem::path write_reader(const Scratch& scratch);
 
-/// Has plain Verilog in place of the files, which are named as from `folder`: `made` in place of
-/// those of VHDL, what GHDL makes of them with these parameters, "NAME=VALUE", and copies beside it
-/// without the blackboxes and with inout ports split (rtl/plain_verilog.h). `reader`: that of
-/// write_reader(). What is wrong, one line; "" where nothing is.
-std::string as_plain_verilog(std::vector<std::string>& files, const std::string& top,
-                             const std::vector<std::string>& parameters,
-                             const std::vector<std::string>& blackboxes,
-                             const std::filesystem::path& folder,
-                             const std::filesystem::path& reader, const std::filesystem::path& made,
-                             bool has_constants);
+/// The files as plain Verilog (rtl/plain_verilog.h), with parameters "NAME=VALUE"; `work`: a
+/// folder.
+std::vector<std::string> plain_verilog(const RtlQuestion& question,
+                                       const std::vector<std::string>& parameters,
+                                       const std::filesystem::path& work);
 
 /// What reads RTL.
 struct RtlReader {

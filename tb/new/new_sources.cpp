@@ -9,6 +9,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/new/verilog_words.h"
+#include "tb/rtl/plain_verilog.h"
 #include "tb/support/read_file.h"
 #include "tb/support/words.h"
 
@@ -26,7 +27,7 @@ struct Candidate {
 };
 
 bool is_rtl(const fs::path& file) {
-  return file.extension() == ".v" || file.extension() == ".sv" || is_vhdl(file);
+  return file.extension() == ".v" || file.extension() == ".sv" || rtl::is_vhdl(file);
 }
 
 std::vector<fs::path> rtl_in(const fs::path& folder, bool below) {
@@ -78,7 +79,7 @@ class Pool {
  private:
   void add(const fs::path& path, bool is_named) {
     std::string text = read_file(path.string());
-    VerilogText words = is_vhdl(path) ? vhdl_words(text) : verilog_words(text);
+    VerilogText words = rtl::is_vhdl(path) ? vhdl_words(text) : verilog_words(text);
     all.push_back({path, std::move(text), std::move(words), is_named});
   }
 };
@@ -196,10 +197,6 @@ void find_headers(Candidate& c, const std::vector<fs::path>& folders) {
 }
 
 }  // namespace
-
-bool is_vhdl(const fs::path& file) {
-  return file.extension() == ".vhd" || file.extension() == ".vhdl";
-}
 
 Sources sources_of(const GivenRtl& given) {
   for (const std::string& folder : given.includes) {

@@ -31,8 +31,6 @@ struct Sources {
   std::vector<SourceFile> headers;    ///< by the names that `include gives them
 };
 
-/// By its name.
-bool is_vhdl(const std::filesystem::path& file);
 
 /// InputError, one line, where the top cannot be told and for a file that cannot be read.
 Sources sources_of(const GivenRtl& given);

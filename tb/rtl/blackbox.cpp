@@ -84,7 +84,7 @@ std::vector<Instance> single_instances(const std::string& of, const std::string&
 Port constant_of(std::string name, const std::string& given) {
   static const Regex is_text("^\"[^\"]*\"$"), is_plain("^[-+]?[0-9.]+([eE][-+]?[0-9]+)?$");
   static const Regex is_real("[0-9]\\.[0-9]|(^|[^A-Za-z0-9_'.])[0-9][0-9_]*[eE][-+]?[0-9]");
-  static const Regex has_x("^[0-9]*\\s*'s?[bodh][0-9a-f_]*[xz?]", true);
+  static const Regex has_x("^[0-9]*\\s*'s?[bodh][0-9a-f_]*[xz?]", REG_ICASE);
   static const Regex has_name("^([^\"]*[^\"A-Za-z0-9_'])?[A-Za-z_`]"), size("([0-9]+)\\s*'");
   std::string e = trimmed(given), kind;
   std::size_t bits = 256;

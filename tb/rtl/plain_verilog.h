@@ -36,7 +36,14 @@ std::vector<std::string> without_blackboxes(const Sources& sources,
 /// without_blackboxes().
 std::vector<std::string> with_split_inouts(const Sources& sources, const std::filesystem::path& to);
 
-/// Both, in the folders blackbox and inout of `to`.
-std::vector<std::string> plain_verilog(Sources sources, const std::filesystem::path& to);
+/// Runs a program, found as a shell finds it, and gives its status, 127 where there is none.
+using Run = std::function<int(const std::vector<std::string>& words)>;
+
+bool is_vhdl(const std::filesystem::path& file);
+
+/// Does both, with one file of Verilog in place of those of VHDL (vhdl.h): writes vhdl.v and the
+/// folders ghdl, blackbox and inout into the folder `to`.
+std::vector<std::string> plain_verilog(Sources sources, const std::filesystem::path& to,
+                                       const Run& run);
 
 }  // namespace cosim::rtl

@@ -4,9 +4,10 @@
 
 namespace cosim::rtl {
 
-Regex::Regex(const std::string& expression, bool ignores_case) {
-  const int flags = REG_EXTENDED | (ignores_case ? REG_ICASE : 0);
-  if (regcomp(&compiled_, expression.c_str(), flags) != 0) throw std::logic_error(expression);
+Regex::Regex(const std::string& expression, int flags) {
+  if (regcomp(&compiled_, expression.c_str(), REG_EXTENDED | flags) != 0) {
+    throw std::logic_error(expression);
+  }
 }
 
 Match Regex::find(std::string_view text, std::size_t from) const {
@@ -40,6 +41,20 @@ std::string Regex::replaced(std::string_view text,
     from = match.end();
   }
   return made.append(text.substr(from));
+}
+
+std::string Regex::replaced(std::string_view text, std::string_view by) const {
+  return replaced(text, [&](const Match& match) {
+    std::string made;
+    for (std::size_t i = 0; i < by.size(); ++i) {
+      if (by[i] == '\\') {
+        made += match[static_cast<std::size_t>(by[++i] - '0')];
+      } else {
+        made += by[i];
+      }
+    }
+    return made;
+  });
 }
 
 }  // namespace cosim::rtl

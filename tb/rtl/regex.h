@@ -34,19 +34,22 @@ class Match {
 
 class Regex {
  public:
-  explicit Regex(const std::string& expression, bool ignores_case = false);
+  /// `flags`: REG_ICASE, and REG_NEWLINE: `^` and `$` are ends of lines, and only `\n` and `\s`
+  /// match what ends one.
+  explicit Regex(const std::string& expression, int flags = 0);
   ~Regex() { regfree(&compiled_); }
   Regex(const Regex&) = delete;
   Regex& operator=(const Regex&) = delete;
 
-  /// The first match that begins at `from` or behind it, the longest one there. `^` and `$` are the
-  /// ends of the text.
+  /// The first match that begins at `from` or behind it, the longest one there.
   Match find(std::string_view text, std::size_t from = 0) const;
   /// All matches, each behind the one before.
   std::vector<Match> all(std::string_view text) const;
   /// The text with `by` of each match in its place.
   std::string replaced(std::string_view text,
                        const std::function<std::string(const Match&)>& by) const;
+  /// With `by` in their place, in which `\1` to `\9` are groups of the match.
+  std::string replaced(std::string_view text, std::string_view by) const;
 
  private:
   regex_t compiled_;

@@ -1,4 +1,8 @@
 // cosim_rtl: what CMake asks of RTL before there is a program of the project.
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <exception>
 #include <iostream>
 #include <sstream>
@@ -19,17 +23,30 @@ Words parted(const std::string& text, char by) {
   return all;
 }
 
-bool run(const Words& words) {
+// The status of a program, as Run has it.
+int run_program(Words words) {
+  std::vector<char*> list;
+  for (std::string& word : words) list.push_back(word.data());
+  list.push_back(nullptr);
+  pid_t child = 0;
+  int status = 0;
+  if (posix_spawnp(&child, list[0], nullptr, nullptr, list.data(), environ) != 0) return 127;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+}
+
+bool answer(const Words& words) {
   if (words.size() > 3 && words[0] == "names") {
     cosim::rtl::check_names(words[1], words[2], {words.begin() + 3, words.end()});
     return true;
   }
-  if (words.size() < 4 || words[0] != "verilog") return false;
+  if (words.size() < 6 || words[0] != "verilog") return false;
   cosim::rtl::Sources sources;
   sources.top = words[1];
-  sources.blackboxes = parted(words[3], ',');
-  sources.files.assign(words.begin() + 4, words.end());
-  for (const std::string& file : cosim::rtl::plain_verilog(sources, words[2])) {
+  sources.parameters = parted(words[3], ' ');
+  sources.blackboxes = parted(words[4], ',');
+  sources.files.assign(words.begin() + 5, words.end());
+  for (const std::string& file : cosim::rtl::plain_verilog(sources, words[2], run_program)) {
     std::cout << file << '\n';
   }
   return true;
@@ -39,9 +56,9 @@ bool run(const Words& words) {
 
 int main(int argc, char** argv) {
   try {
-    if (run({argv + 1, argv + argc})) return 0;
-    std::cerr << "usage: cosim_rtl verilog TOP FOLDER BLACKBOX,BLACKBOX FILE... | names STAMP ROOT "
-                 "HEADER...\n";
+    if (answer({argv + 1, argv + argc})) return 0;
+    std::cerr << "usage: cosim_rtl verilog TOP FOLDER 'NAME=VALUE NAME=VALUE' BLACKBOX,BLACKBOX "
+                 "FILE... | names STAMP ROOT HEADER...\n";
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
   }

@@ -1,6 +1,11 @@
--- Functions of numeric_std that GHDL 2.0 synthesizes as something else, or not at all, by those that it
--- does right. vhdl.pl declares these names in each architecture and package body, in front of the ones of
--- numeric_std. A declaration is one line, and its types are written out, for vhdl.pl reads them.
+#include "tb/rtl/vhdl.h"
+
+namespace cosim::rtl {
+
+const std::string_view numeric_vhd =
+    R"vhdl(-- Functions of numeric_std that GHDL 2.0 synthesizes as something else, or not at all, by those that it
+-- does right. vhdl.cpp declares these names in each architecture and package body, in front of the ones of
+-- numeric_std. A declaration is one line, and its types are written out, for vhdl.cpp reads them.
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
@@ -257,3 +262,6 @@ package body cosim_numeric is
     return std_ulogic_vector(l * unsigned(r));
   end;
 end package body;
+)vhdl";
+
+}  // namespace cosim::rtl

@@ -1,0 +1,43 @@
+// VHDL as Verilog, by GHDL.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "tb/rtl/plain_verilog.h"
+
+namespace cosim::rtl {
+
+/// The entity `top` of the files with these parameters as its generics; every entity that no other
+/// has an instance of where a Verilog module is the top. The module has parameters of the names of
+/// the generics, whose values are those that it was made with. A register has the name of its
+/// signal. `run` runs a program and gives its status; `work` is a folder for it, which is made
+/// anew. InputError with the place in the VHDL where there is no GHDL, or it cannot do it.
+std::string verilog_of_vhdl(const Sources& sources, const std::filesystem::path& work,
+                            const Run& run);
+
+/// VHDL with functions of numeric_std that GHDL 2.0 synthesizes as something else.
+extern const std::string_view numeric_vhd;
+
+/// What GHDL's netlist as VHDL has of a module, and its Verilog lacks; values are those of Verilog.
+struct NetlistModule {
+  std::map<std::string, std::string> defaults;  ///< of a case, by the net that it drives
+  std::map<std::string, std::string> initial;   ///< of a register
+  std::map<std::string, std::string> edges;     ///< "posedge clk", by the net that is this edge
+};
+/// By the names of the modules, in small letters.
+std::map<std::string, NetlistModule> netlist_modules(const std::string& vhdl);
+
+/// InputError where GHDL gives a signal no value that has one: a register that only its reset
+/// writes, which is x in its Verilog, and bits that have their initial value alone. `said`: the
+/// warnings of GHDL, for a signal that truly has none.
+void refuse_lost_values(const std::string& verilog, const std::string& said);
+
+/// A module as GHDL 2.0 wrote it, with what its printer of Verilog gets wrong put right. InputError
+/// where it cannot be.
+std::string repaired(std::string module, const NetlistModule& netlist);
+
+std::string in_small_letters(std::string text);
+
+}  // namespace cosim::rtl

@@ -32,11 +32,11 @@ std::string uncommented(const std::string& text) {
 // numeric_std.
 class Ghdl {
  public:
-  Ghdl(const Sources& sources, const fs::path& work, const Run& run)
+  Ghdl(const Sources& sources, const std::vector<std::string>& texts, const fs::path& work,
+       const Run& run)
       : files_(sources.files), work_(work), run_(run) {
     fs::remove_all(work_);
     fs::create_directories(work_);
-    for (const std::string& file : files_) texts.push_back(text_of(sources.folder / file, file));
     const auto uses = [](const std::string& text) {
       static const Regex unsigned_package("\\bnumeric_std_unsigned\\b", REG_ICASE);
       return static_cast<bool>(unsigned_package.find(text));
@@ -96,8 +96,6 @@ class Ghdl {
       throw InputError(own_names(error.what()));
     }
   }
-
-  std::vector<std::string> texts;
 
  private:
   void declare_functions(bool on_vectors) {
@@ -294,15 +292,17 @@ std::string verilog_of_vhdl(const Sources& sources, const fs::path& work, const 
       by_netlist("^    case|or posedge|; // (pos|neg)edge$", REG_NEWLINE);
   static const Regex unknown("^  initial\n    \\S+ <= [0-9]+'bX+;\n", REG_NEWLINE),
       initial("^(  initial\n    \\S+) <= ", REG_NEWLINE);
-  const Ghdl ghdl(sources, work, run);
   std::map<std::string, Entity> entities;
   std::set<std::string> used, done;
-  for (const std::string& file : ghdl.texts) {
-    const std::string text = uncommented(file);
+  std::vector<std::string> texts;
+  for (const std::string& file : sources.files) {
+    texts.push_back(text_of(sources.folder / file, file));
+    const std::string text = uncommented(texts.back());
     entities.merge(entities_in(text));
     for (const Match& m : instance.all(text)) used.insert(in_small_letters(m[2]));
   }
   if (entities.empty()) throw InputError(sources.files.front() + ": no entity");
+  const Ghdl ghdl(sources, texts, work, run);
   const std::string top = in_small_letters(sources.top);
   const bool is_top = entities.contains(top);
   std::map<std::string, std::string> values;

@@ -31,7 +31,6 @@ struct Sources {
   std::vector<SourceFile> headers;    ///< by the names that `include gives them
 };
 
-
 /// InputError, one line, where the top cannot be told and for a file that cannot be read.
 Sources sources_of(const GivenRtl& given);
 

@@ -81,7 +81,7 @@ std::vector<Instance> single_instances(const std::string& of, const std::string&
 
 // A constant as an output. Different kinds of constants make different ports: a string is no
 // number, and real numbers and numbers with x are taken as strings.
-Port constant_of(std::string name, const std::string& given) {
+Port constant_of(const std::string& name, const std::string& given) {
   static const Regex is_text("^\"[^\"]*\"$"), is_plain("^[-+]?[0-9.]+([eE][-+]?[0-9]+)?$");
   static const Regex is_real("[0-9]\\.[0-9]|(^|[^A-Za-z0-9_'.])[0-9][0-9_]*[eE][-+]?[0-9]");
   static const Regex has_x("^[0-9]*\\s*'s?[bodh][0-9a-f_]*[xz?]", REG_ICASE);

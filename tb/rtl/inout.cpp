@@ -277,7 +277,8 @@ class Split {
     std::map<std::size_t, std::pair<std::size_t, std::string>> declared;  // length and text
     for (const auto& [net, port] : ports) {
       const std::string &range = port.range, in = net + "$in", out = net + "$out", en = net + "$en";
-      const auto write = [&](const std::string& in_list, const std::string& declaration) {
+      const auto write = [&, &net = net, &port = port](const std::string& in_list,
+                                                       const std::string& declaration) {
         if (head.is_ansi || in_list != net)
           verilog_.edit(module, port.item.at, port.item.text.size(), in_list);
         if (head.is_ansi) return;

@@ -236,21 +236,20 @@ std::string with_values(std::string text) {
 // The last one of a case is for all others, too: what is left open is no latch.
 std::string with_defaults(const std::string& text) {
   static const Regex begin("^    case \\(", REG_NEWLINE),
-      has_default("^      default:", REG_NEWLINE), last("      [^ \n]*[^ \n]:( [^\n]*\n)$"),
-      takes(" <= ");
+      has_default("^      default:", REG_NEWLINE), last("^      \\S+:( [^\n]*\n)$"), takes(" <= ");
   std::string made;
   std::size_t at = 0;
   for (Match m = begin.find(text); m; m = begin.find(text, at)) {
     const std::size_t end = text.find("endcase", m.end());
     if (end == std::string::npos) break;
-    const bool is_own_line = text.substr(0, end).ends_with("\n    ");
+    const bool is_own_line = std::string_view(text).substr(0, end).ends_with("\n    ");
     std::string one = text.substr(m.begin(), end - m.begin() - (is_own_line ? 4 : 0));
     if (is_own_line) {
       one = takes.replaced(one, " = ");
       const std::size_t line = one.rfind('\n', one.size() - 2) + 1;
       if (!has_default.find(one))
-        one = one.substr(0, line) +
-              Regex("^      \\S+:( [^\n]*\n)$").replaced(one.substr(line), "      default:\\1");
+        one.replace(line, one.size() - line,
+                    last.replaced(std::string_view(one).substr(line), "      default:\\1"));
     }
     made += text.substr(at, m.begin() - at) + one;
     at = m.begin() + (end - m.begin() - (is_own_line ? 4 : 0));

@@ -57,7 +57,7 @@ struct Nets {
 void replace_first(std::string& text, const std::string& expression, std::string_view by) {
   const Regex regex(expression, REG_NEWLINE);
   if (const Match m = regex.find(text)) {
-    text = text.substr(0, m.begin()) + regex.replaced(m[0], by) + text.substr(m.end());
+    text.replace(m.begin(), m.size(), regex.replaced(m[0], by));
   }
 }
 

@@ -1,0 +1,239 @@
+// What the registers of a model can be beside numbers: arrays, and numbers of which more is said.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <stdexcept>
+#include <string_view>
+
+#include "model/clocked/operators.h"
+#include "model/clocked/reflect.h"
+
+namespace cosim::clocked {
+
+template <class T>
+concept ArrayLike = requires { typename T::Element; };
+
+/// A T of zeros: a value, an Array, or a struct of them.
+template <class T>
+constexpr T zero();
+struct Zero {
+  template <class T>
+  constexpr operator T() const {  // NOLINT
+    return zero<T>();
+  }
+};
+template <class T, std::size_t... I>
+constexpr T zeros(std::index_sequence<I...>) {
+  return T{(static_cast<void>(I), Zero{})...};
+}
+template <class T>
+constexpr T zero() {
+  if constexpr (Value<T> || ArrayLike<T>) {
+    return T(0);
+  } else {
+    return zeros<T>(std::make_index_sequence<reflect::members<T>>());
+  }
+}
+
+#ifdef COSIM_SYMBOLIC
+/// a where c is not 0, else b: each value of a struct or an array.
+template <class T>
+T joined(const Bit& c, const T& a, T b) {
+  if constexpr (Value<T>) {
+    static_cast<Base<T>&>(b) = mux(c, Inside::base(a), Inside::base(b));
+  } else if constexpr (ArrayLike<T>) {
+    for (int i = 0; i < T::size; ++i) b[i] = joined(c, a[i], b[i]);
+  } else {
+    auto to = reflect::tie(b);
+    const auto from = reflect::tie(a);
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      ((std::get<I>(to) = joined(c, std::get<I>(from), std::get<I>(to))), ...);
+    }(std::make_index_sequence<reflect::members<T>>());
+  }
+  return b;
+}
+#endif
+
+/// N values, or structs of values. a[i] is read and written at a number of C++, which must be within,
+/// or at a UInt: outside it reads 0, and writing does nothing. In the exporter a member of an element
+/// that is a struct is read by a[i].x, and written by writing the whole element.
+template <class T, int N>
+class Array {
+  static_assert(N >= 1, "an Array has at least one element");
+
+ public:
+  using Element = T;
+  static constexpr int size = N;
+
+  template <class Never = void>
+  Array() {
+    static_assert(!std::is_void_v<Never>,
+                  "this Array has no initial value: write = 0, or = {1, 2, ...}; of registers that "
+                  "no reset reaches it is an Unreset<Array<...>>");
+  }
+  /// All elements alike.
+  template <class X>
+    requires(Operand<X> || std::same_as<X, T>)
+  constexpr Array(const X& x) {
+    for (Slot& slot : slots_) static_cast<T&>(slot) = fill<X>(x);
+  }
+  /// The first elements; the others are 0.
+  constexpr Array(std::initializer_list<T> first) {
+    if (first.size() > N) throw std::out_of_range("an Array has more initial values than elements");
+    int i = 0;
+    for (const T& x : first) (*this)[i++] = x;
+  }
+
+  template <Operand I>
+  constexpr decltype(auto) operator[](const I& i) {
+#ifdef COSIM_SYMBOLIC
+    if constexpr (Value<I>) {
+      const auto write = [this, i](const T& x) {
+        for (int k = 0; k < N; ++k) (*this)[k] = joined(i == k, x, (*this)[k]);
+      };
+      return Place<T, decltype(write)>(std::as_const(*this)[i], write);
+    } else {
+      return static_cast<T&>(slots_[index(i)]);
+    }
+#else
+    const std::size_t at = index(i);
+    if constexpr (Value<I> && may_be_outside<I>) {
+      if (at >= N) return nowhere();
+    }
+    return static_cast<T&>(slots_[at]);
+#endif
+  }
+  template <Operand I>
+  constexpr T operator[](const I& i) const {
+#ifdef COSIM_SYMBOLIC
+    if constexpr (Value<I>) return read(Inside::base(i), 0, Base<I>::width - 1);
+#endif
+    const std::size_t at = index(i);
+    if constexpr (Value<I>) {
+      if (may_be_outside<I> && at >= N) return zero<T>();
+    }
+    return slots_[at];
+  }
+  constexpr auto begin() { return slots_.begin(); }
+  constexpr auto begin() const { return slots_.begin(); }
+  constexpr auto end() { return slots_.end(); }
+  constexpr auto end() const { return slots_.end(); }
+
+ private:
+  struct Slot : T {
+    constexpr Slot() : T(zero<T>()) {}
+  };
+  static T& nowhere() {
+    static thread_local Slot slot;
+    return slot = Slot();
+  }
+  template <class I>
+  static constexpr bool may_be_outside = Base<I>::width > 30 || N < (1LL << Base<I>::width % 31);
+
+  template <class X>
+  static constexpr T fill(const X& x) {
+    if constexpr (Operand<X> && !std::is_constructible_v<T, X>) {
+      return zero<T>();
+    } else {
+      return T(x);
+    }
+  }
+  template <class I>
+  static constexpr std::size_t index(const I& i) {
+    if constexpr (Native<I>) {
+      if (i < 0 || static_cast<std::size_t>(i) >= N) {
+        throw std::out_of_range("an Array has no such element");
+      }
+      return static_cast<std::size_t>(i);
+    } else {
+      static_assert(!Base<I>::is_signed, "a shift or an index is unsigned: make it a UInt");
+      const auto& rep = Inside::rep(i);
+      if constexpr (Base<I>::width <= 64) return static_cast<std::size_t>(rep);
+      return rep < typename Base<I>::Rep(N) ? resized<std::size_t, false>(rep) : std::size_t{N};
+    }
+  }
+#ifdef COSIM_SYMBOLIC
+  // Of the elements from `first` on by bits `bit` to 0 of i.
+  template <class I>
+  T read(const I& i, long long first, int bit) const {
+    if (first >= N) return zero<T>();
+    if (bit < 0) return slots_[std::size_t(first)];
+    const T low = read(i, first, bit - 1);
+    const long long half = bit < 30 ? first + (1LL << bit) : N;
+    return joined(i[bit], half < N ? read(i, half, bit - 1) : zero<T>(), low);
+  }
+#endif
+  std::array<Slot, std::size_t(N)> slots_{};
+};
+
+/// A register that no reset reaches: the RTL's value at the start is the model's. Unreset<UInt<9>>.
+template <class T>
+struct Unreset : T {
+  static constexpr bool is_unreset = true;
+  constexpr Unreset() : T(0) {}
+  using T::T;
+  template <class X>
+    requires(Operand<X> || std::same_as<X, T>)
+  constexpr Unreset(const X& x) : T(x) {}  // NOLINT
+};
+
+template <std::size_t N>
+struct Text {
+  char text[N];
+  constexpr Text(const char (&from)[N]) {  // NOLINT: a text is written as it is
+    for (std::size_t i = 0; i < N; ++i) text[i] = from[i];
+  }
+  constexpr operator std::string_view() const { return {text, N - 1}; }  // NOLINT
+};
+
+/// A register that the RTL has elsewhere: At<"divider.count", UInt<8>>, from the top on.
+template <Text PATH, class T>
+struct At : T {
+  static constexpr std::string_view path = PATH;
+  using T::T;
+  template <class X>
+    requires(Operand<X> || std::same_as<X, T>)
+  constexpr At(const X& x) : T(x) {}  // NOLINT
+};
+
+/// A register, a port that a printed source numbers: Source<"16", Bit>.
+template <Text BLOCK, class T>
+struct Source : T {
+  static constexpr std::string_view block = BLOCK;
+  using T::T;
+  template <class X>
+    requires(Operand<X> || std::same_as<X, T>)
+  constexpr Source(const X& x) : T(x) {}  // NOLINT
+};
+
+/// A number of W bits, |v| < 2^(W-1), whose register is in ones' complement and adds with end-around
+/// carry: a number v that is assigned, |v| < 2^W - 1 as of a sum of two, is brought into range by
+/// 2^W - 1 more or less. The register's code of 0 is all zeros, or all ones where MINUS_ZERO.
+template <int W, bool MINUS_ZERO = false>
+struct OnesComplement : Int<W> {
+  template <class Never = void>
+  OnesComplement() : Int<W>() {}
+  template <Operand T>
+  constexpr OnesComplement(const T& x) : Int<W>(around(Inside::base(x))) {}
+  /// The number of a code; both of 0 are 0.
+  static constexpr OnesComplement from_code(const UInt<W>& code) {
+    return Int<W + 1>(mux(code[W - 1], Int<W + 1>(code - all), Int<W + 1>(code)));
+  }
+  constexpr UInt<W> code() const {
+    const Int<W>& v = *this;
+    return mux(MINUS_ZERO ? v <= 0 : v < 0, v + all, v);
+  }
+
+ private:
+  static constexpr UInt<W> all = UInt<W>(-1);
+  template <class V>
+  static constexpr Int<W> around(const V& v) {
+    constexpr UInt<W> most = all >> 1;
+    if constexpr (V::width < W) return v;
+    return mux(v > most, Int<W>(v - all), mux(v < -most, Int<W>(v + all), Int<W>(v)));
+  }
+};
+
+}  // namespace cosim::clocked

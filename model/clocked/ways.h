@@ -1,0 +1,145 @@
+// The ways through a function that is run on symbols: once for each, a condition that forks being
+// true first and false then, and what comes of them joined. Exporter alone.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "model/clocked/graph.h"
+#include "model/clocked/source_line.h"
+#include "model/core/input_error.h"
+
+namespace cosim::clocked {
+
+class Ways {
+ public:
+  std::uint64_t most_ways = 1'000'000;
+  double most_seconds = 10;
+
+  /// Ways run so far, those through blocks of merge() too.
+  std::uint64_t count() const { return count_; }
+
+  /// Begins with a model; `name` is for errors.
+  void begin(std::string name) {
+    script_ = {};
+    asked_.clear();
+    count_ = 0;
+    name_ = std::move(name);
+    begun_ = std::chrono::steady_clock::now();
+  }
+
+  /// Whether the condition holds on this way. It is asked at the address `from`.
+  bool ask(Id condition, const void* from) {
+    const bool is_not = graph[condition].op == Op::bnot;
+    if (is_not) condition = graph[condition].a;
+    if (const Wide* value = graph.known(condition)) return (*value != Wide(0)) != is_not;
+    if (const int fact = known(condition)) return (fact > 0) != is_not;
+    auto& [forks, at, facts, values] = script_;
+    if (at == forks.size()) {
+      ++asked_[from];
+      forks.push_back({condition, true, {}});
+      if (forks.size() % 1024 == 0) check(forks.size() > most_forks);
+    } else if (forks[at].condition != condition) {
+      unlike();
+    }
+    const bool yes = forks[at++].yes;
+    learn(condition, yes);
+    return yes != is_not;
+  }
+
+  /// Calls run() once for each way through it, always from the same values; it gives the nodes that
+  /// it came to, which are joined.
+  template <class Run>
+  std::vector<Id> join(Run run) {
+    const Script outer = script_;
+    std::vector<Fork>& forks = script_.forks;
+    forks.clear();
+    std::vector<Id> nodes;
+    for (;;) {
+      script_.at = 0;
+      script_.facts = outer.facts;
+      script_.values = outer.values;
+      nodes = run();
+      check(++count_ > most_ways);
+      if (script_.at != forks.size()) unlike();
+      while (!forks.empty() && !forks.back().yes) {
+        const Fork& fork = forks.back();
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+          nodes[i] = graph.ite(fork.condition, fork.nodes[i], nodes[i]);
+        }
+        forks.pop_back();
+      }
+      if (forks.empty()) break;
+      forks.back().yes = false;
+      forks.back().nodes = std::move(nodes);
+    }
+    script_ = outer;
+    return nodes;
+  }
+
+ private:
+  static constexpr std::size_t most_forks = 100'000;
+  struct Fork {
+    Id condition;
+    bool yes;               // the way that is run; where false,
+    std::vector<Id> nodes;  // what came of the other one
+  };
+
+  struct Script {
+    std::vector<Fork> forks;
+    std::size_t at = 0;                   // of the next fork on this way
+    std::unordered_map<Id, bool> facts;   // conditions known on this way
+    std::unordered_map<Id, Id> values;    // nodes known to be a constant
+  };
+
+  /// 1 or -1 where the condition is known to be true or false, else 0.
+  int known(Id condition) const {
+    if (const auto fact = script_.facts.find(condition); fact != script_.facts.end()) return fact->second ? 1 : -1;
+    const Node& n = graph[condition];
+    if (n.op != Op::eq || graph.known(n.b) == nullptr) return 0;
+    const auto value = script_.values.find(n.a);
+    return value == script_.values.end() ? 0 : value->second == n.b ? 1 : -1;
+  }
+  void learn(Id condition, bool yes) {
+    const Node& n = graph[condition];
+    script_.facts[condition] = yes;
+    if (n.op == Op::bnot) learn(n.a, !yes);
+    if (n.op == (yes ? Op::band : Op::bor)) {
+      learn(n.a, yes);
+      learn(n.b, yes);
+    }
+    if (n.op == Op::eq && yes && graph.known(n.b) != nullptr) script_.values[n.a] = n.b;
+  }
+  void check(bool is_too_many) const {
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begun_;
+    if (!is_too_many && spent.count() < most_seconds) return;
+    auto most = asked_.begin();
+    for (auto i = asked_.begin(); i != asked_.end(); ++i) {
+      if (i->second > most->second) most = i;
+    }
+    std::string line = name_ + ": " + std::to_string(count_) + " ways through clock() and more";
+    if (most != asked_.end()) {
+      line += "; the condition at " + source_line(most->first) + " forks most, " +
+              std::to_string(most->second) +
+              " times: take mux(), or join the ways of its block by merge(*this, [&] { ... })";
+    }
+    throw InputError(line);
+  }
+  [[noreturn]] void unlike() const {
+    throw InputError(name_ + ": clock() is not the same when it is run again: it may depend on its "
+                             "members and on In alone");
+  }
+
+  std::string name_;
+  std::chrono::steady_clock::time_point begun_;
+  std::uint64_t count_ = 0;
+  Script script_;
+  std::unordered_map<const void*, std::uint64_t> asked_;
+};
+
+inline Ways ways;
+
+}  // namespace cosim::clocked

@@ -1,0 +1,93 @@
+// Random expressions, the same text for values of a model and for big integers.
+#pragma once
+
+#include <type_traits>
+
+#include "model/clocked/model.h"
+
+namespace cosim::clocked::test {
+
+constexpr unsigned mixed(unsigned x) {
+  x = (x ^ x >> 16) * 0x45d9f3bu;
+  x = (x ^ x >> 16) * 0x45d9f3bu;
+  return x ^ x >> 16;
+}
+
+/// An expression of a and b: what it consists of is drawn from SEED.
+template <unsigned SEED, int DEPTH, class A, class B>
+auto expression(const A& a, const B& b) {
+  constexpr unsigned r = mixed(SEED);
+  if constexpr (DEPTH == 0 || r % 8 == 0) {
+    if constexpr (r >> 8 & 1) {
+      return a;
+    } else {
+      return b;
+    }
+  } else {
+    const auto x = expression<r + 1, DEPTH - 1>(a, b);
+    const auto y = expression<r + 2, DEPTH - 1>(a, b);
+    constexpr int constant = int(r >> 12 & 0xfff) - 1000, by = int(r >> 12 & 63);
+    if constexpr (r % 16 == 1) return x - y;
+    else if constexpr (r % 16 == 2) return x * y;
+    else if constexpr (r % 16 == 3) return x / y;
+    else if constexpr (r % 16 == 4) return x % y;
+    else if constexpr (r % 16 == 5) return x & y;
+    else if constexpr (r % 16 == 6) return x | y;
+    else if constexpr (r % 16 == 7) return x ^ y;
+    else if constexpr (r % 16 == 9) return x + constant;
+    else if constexpr (r % 16 == 10) return x - constant;
+    else if constexpr (r % 16 == 11) return constant - x;
+    else if constexpr (r % 16 == 12) return x * constant;
+    else if constexpr (r % 16 == 13) return -x;
+    else if constexpr (r % 16 == 14) return x >> by;
+    else if constexpr (r % 16 == 15) return x << by;
+    else return x + y;
+  }
+}
+
+/// The width of what is beside one of W bits.
+constexpr int other(int w) { return (37 * w + 11) % 130 + 1; }
+
+/// Expressions of a and b, of W bits and others, as a model's outputs.
+template <int W, bool S, bool T, unsigned SEED>
+struct Expressions {
+  using A = Integer<W, S>;
+  using B = Integer<other(W), T>;
+  using E = decltype(expression<SEED, 2>(std::declval<A>(), std::declval<B>()));
+  using F = decltype(expression<SEED + 999, 1>(std::declval<A>(), std::declval<B>()));
+  struct In {
+    A a;
+    B b;
+    UInt<6> n;
+  };
+  struct Out {
+    E e;
+    UInt<W> kept;         // its lower bits, as a number
+    Int<W + 3> extended;  // the same with a sign
+    Bit less, equal;      // than another one
+    Integer<W + 63, S> left;
+    A right;
+    UInt<W> inverse;
+    Bit bit, parity;
+    A written;
+  };
+  Out clock(const In& in) const {
+    const E e = expression<SEED, 2>(in.a, in.b);
+    const F f = expression<SEED + 999, 1>(in.a, in.b);
+    A written = in.a;
+    written.template slice<W - 1, W / 2>() = in.b;
+    written[in.n] = in.b[0];
+    return {.e = e, .kept = e, .extended = e, .less = e < f, .equal = e == f,
+            .left = in.a << in.n, .right = in.a >> in.n, .inverse = ~in.a, 
+            .bit = in.a[in.n], .parity = reduce_xor(in.a), .written = written};
+  }
+};
+
+/// Calls visit.operator()<Expressions<...>>(name) for every width from 1 to 130.
+template <class Visit, int... I>
+void for_each_width(const Visit& visit, std::integer_sequence<int, I...>) {
+  const auto name = [](int w) { return "expressions_" + std::to_string(w); };
+  (visit.template operator()<Expressions<I + 1, I % 2 != 0, I % 4 / 2 != 0, 7919u * I>>(name(I + 1)), ...);
+}
+
+}  // namespace cosim::clocked::test

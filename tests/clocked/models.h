@@ -1,0 +1,26 @@
+// The models of these tests, for the exporter and for the check of what it wrote.
+#pragma once
+
+#include <string>
+
+#include "tests/clocked/circular.h"
+#include "tests/clocked/features.h"
+#include "tests/clocked/rv32i.h"
+#include "tests/clocked/uart.h"
+
+namespace cosim::clocked::test {
+
+/// Calls visit.operator()<Model>(name) for each.
+template <class Visit>
+void for_each_model(const Visit& visit) {
+  visit.template operator()<Uart<4>>("uart_4");
+  visit.template operator()<Uart<16>>("uart_16");
+  visit.template operator()<Circular<8>>("circular_8");
+  visit.template operator()<Circular<16>>("circular_16");
+  visit.template operator()<Circular<32>>("circular_32");
+  visit.template operator()<Rv32i>("rv32i");
+  visit.template operator()<Features>("features");
+  visit.template operator()<Valid<60>>("valid_60");
+}
+
+}  // namespace cosim::clocked::test

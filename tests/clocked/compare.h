@@ -43,13 +43,13 @@ void draw(Random& random, T& object, std::vector<Wide>& codes) {
 }
 
 template <class T>
-void expect_codes(const T& object, const std::vector<Netlist::Cell>& cells, Id Netlist::Cell::*node,
-                  const std::vector<Wide>& values) {
+void expect_codes(const T& object, const Netlist& netlist, const std::vector<Netlist::Cell>& cells,
+                  Id Netlist::Cell::*node) {
   std::size_t i = 0;
   for_each_cell(object, [&](const Label& label, const auto& cell) {
     ASSERT_LT(i, cells.size());
     ASSERT_EQ(label.name, cells[i].name);
-    ASSERT_TRUE(to_wide(code_of(cell)) == values[cells[i].*node]) << label.name;
+    ASSERT_TRUE(to_wide(code_of(cell)) == netlist.value(cells[i].*node)) << label.name;
     ++i;
   });
   ASSERT_EQ(i, cells.size());
@@ -63,16 +63,16 @@ inline Netlist exported(const std::string& name) {
 template <class Model>
 void compare(const std::string& name, int clocks) {
   SCOPED_TRACE(name);
-  const Netlist netlist = exported(name);
+  Netlist netlist = exported(name);
   ASSERT_FALSE(netlist.outputs.empty());
   Random random(1);
   const Model initial{};
   std::size_t i = 0;
-  const auto reset = netlist.run(std::vector<Wide>(netlist.inputs.size() + netlist.states.size()));
+  netlist.run(std::vector<Wide>(netlist.inputs.size() + netlist.states.size()));
   for_each_cell(initial, [&](const Label& label, const auto& cell) {
     const Netlist::Cell& state = netlist.states.at(i++);
     ASSERT_EQ(state.init == 0, label.is_unreset) << label.name;
-    if (state.init != 0) ASSERT_TRUE(to_wide(code_of(cell)) == reset[state.init]) << label.name;
+    if (state.init != 0) ASSERT_TRUE(to_wide(code_of(cell)) == netlist.value(state.init)) << label.name;
   });
   for (int n = 0; n < clocks && !testing::Test::HasFatalFailure(); ++n) {
     SCOPED_TRACE("clock " + std::to_string(n));
@@ -81,10 +81,10 @@ void compare(const std::string& name, int clocks) {
     Model model = initial;
     draw(random, in, from);
     draw(random, model, from);
-    const std::vector<Wide> values = netlist.run(from);
+    netlist.run(from);
     const typename Model::Out out = model.clock(in);
-    expect_codes(out, netlist.outputs, &Netlist::Cell::node, values);
-    expect_codes(model, netlist.states, &Netlist::Cell::next, values);
+    expect_codes(out, netlist, netlist.outputs, &Netlist::Cell::node);
+    expect_codes(model, netlist, netlist.states, &Netlist::Cell::next);
   }
 }
 

@@ -54,7 +54,6 @@ struct Expressions {
   using A = Integer<W, S>;
   using B = Integer<other(W), T>;
   using E = decltype(expression<SEED, 2>(std::declval<A>(), std::declval<B>()));
-  using F = decltype(expression<SEED + 999, 1>(std::declval<A>(), std::declval<B>()));
   struct In {
     A a;
     B b;
@@ -62,24 +61,19 @@ struct Expressions {
   };
   struct Out {
     E e;
-    UInt<W> kept;         // its lower bits, as a number
-    Int<W + 3> extended;  // the same with a sign
-    Bit less, equal;      // than another one
+    Int<W + 3> kept;  // its lower bits
+    Bit less, equal;  // than b
     Integer<W + 63, S> left;
-    A right;
-    UInt<W> inverse;
-    Bit bit, parity;
-    A written;
+    A right, written;
+    Bit bit;
   };
   Out clock(const In& in) const {
     const E e = expression<SEED, 2>(in.a, in.b);
-    const F f = expression<SEED + 999, 1>(in.a, in.b);
     A written = in.a;
     written.template slice<W - 1, W / 2>() = in.b;
     written[in.n] = in.b[0];
-    return {.e = e, .kept = e, .extended = e, .less = e < f, .equal = e == f,
-            .left = in.a << in.n, .right = in.a >> in.n, .inverse = ~in.a, 
-            .bit = in.a[in.n], .parity = reduce_xor(in.a), .written = written};
+    return {.e = e, .kept = e, .less = e < in.b, .equal = e == in.b,
+            .left = in.a << in.n, .right = in.a >> in.n, .written = written, .bit = in.a[in.n]};
   }
 };
 

@@ -64,25 +64,25 @@ class Netlist {
     }
   }
 
-  /// The values of all nodes, from those of the inputs and the states.
-  std::vector<Wide> run(const std::vector<Wide>& from) const {
-    std::vector<Wide> v(nodes.size());
-    for (std::size_t i = 0; i < inputs.size(); ++i) v[inputs[i].node] = from[i];
-    for (std::size_t i = 0; i < states.size(); ++i) v[states[i].node] = from[inputs.size() + i];
+  /// Sets the values of all nodes, from those of the inputs and the states.
+  void run(const std::vector<Wide>& from) {
+    low_.resize(nodes.size());
+    for (std::size_t i = 0; i < inputs.size(); ++i) set(inputs[i].node, from[i]);
+    for (std::size_t i = 0; i < states.size(); ++i) set(states[i].node, from[inputs.size() + i]);
     for (Id i = 1; i < nodes.size(); ++i) {
       const Node& n = nodes[i];
-      if (n.op == Op::constant) v[i] = constants[n.a];
+      if (n.op == Op::constant) set(i, constants[n.a]);
       if (operands(n.op) == 0) continue;
       const Id b = operands(n.op) > 1 ? n.b : 0, c = operands(n.op) > 2 ? n.c : 0;
       const int wa = nodes[n.a].width, wb = nodes[b].width;
       if (n.width <= 64 && wa <= 64 && wb <= 64) {
-        v[i] = Wide(folded<std::uint64_t>(n, wa, wb, v[n.a][0], v[b][0], v[c][0]));
+        low_[i] = folded<std::uint64_t>(n, wa, wb, low_[n.a], low_[b], low_[c]);
       } else {
-        v[i] = folded<Wide>(n, wa, wb, v[n.a], v[b], v[c]);
+        set(i, folded<Wide>(n, wa, wb, value(n.a), value(b), value(c)));
       }
     }
-    return v;
   }
+  Wide value(Id id) const { return nodes[id].width > 64 ? wide_.at(id) : Wide(low_[id]); }
 
   static const std::vector<std::string>& names() {
     static const std::vector<std::string> all{
@@ -92,6 +92,10 @@ class Netlist {
   }
 
  private:
+  void set(Id id, const Wide& value) {
+    low_[id] = value[0];
+    if (nodes[id].width > 64) wide_[id] = value;
+  }
   Id add(const Node& n) {
     nodes.push_back(n);
     return Id(nodes.size() - 1);
@@ -102,6 +106,9 @@ class Netlist {
     }
     throw std::runtime_error("no operation of BTOR2: " + kind);
   }
+
+  std::vector<std::uint64_t> low_;
+  std::map<Id, Wide> wide_;  // those of more than 64 bits
 };
 
 }  // namespace cosim::clocked::test

@@ -17,8 +17,8 @@ struct Label {
   bool is_unreset = false;  ///< of an Unreset
 };
 
-/// Calls visit(label, cell) for each value in an object: a value, an Array, or a plain struct, whose
-/// members come in their order.
+/// Calls visit(label, cell) for each value in an object: a value, an Array, or a plain struct,
+/// whose members come in their order.
 template <class T, class Visit>
 void for_each_cell(T& object, const Visit& visit, Label label = {}) {
   using Plain = std::remove_const_t<T>;
@@ -46,7 +46,8 @@ void for_each_cell(T& object, const Visit& visit, Label label = {}) {
       };
       [[maybe_unused]] auto all = reflect::tie(object);
       (one(std::get<I>(all), reflect::name<Plain, I>()), ...);
-    }(std::make_index_sequence<reflect::members<Plain>>());
+    }
+    (std::make_index_sequence<reflect::members<Plain>>());
   }
 }
 

@@ -13,9 +13,9 @@
 //   N input SORT NAME                 each member of In, in their order
 //   N state SORT NAME                 each register, in their order
 //   N OP SORT ...                     nodes: the operations of BTOR2; constants are consth
-//   N init SORT STATE CONSTANT        a register's reset value, its default initializer; none of an Unreset
-//   N next SORT STATE NODE            its value after the clock
-//   N output NODE NAME                each member of Out, in their order: its value before the edge
+//   N init SORT STATE CONSTANT        a register's reset value, its default initializer; none of an
+//   Unreset N next SORT STATE NODE            its value after the clock N output NODE NAME each
+//   member of Out, in their order: its value before the edge
 //
 // All bits are codes as RTL has them: two's complement, or ones' complement of a OnesComplement.
 // Assignments to members of In that are OnesComplement may have either code of 0.
@@ -39,9 +39,9 @@
 namespace cosim::clocked {
 
 struct Exported {
-  std::string text;         ///< the file
-  std::uint64_t ways = 0;   ///< through clock(), and through blocks of merge()
-  std::size_t nodes = 0;    ///< in the file, inputs and states among them
+  std::string text;        ///< the file
+  std::uint64_t ways = 0;  ///< through clock(), and through blocks of merge()
+  std::size_t nodes = 0;   ///< in the file, inputs and states among them
 };
 
 // Lines of BTOR2, of nodes as they are needed.
@@ -94,10 +94,10 @@ class Btor2 {
     return lines_[wanted];
   }
   void write(Id id, const Node& n) {
-    static constexpr const char* names[] = {"consth", "input", "not", "add", "sub", "mul", "udiv",
-                                            "sdiv", "urem", "srem", "and", "or", "xor", "sll", "srl",
-                                            "sra", "eq", "ult", "slt", "ite", "concat", "slice",
-                                            "uext", "sext"};
+    static constexpr const char* names[] = {"consth", "input", "not",    "add",   "sub",  "mul",
+                                            "udiv",   "sdiv",  "urem",   "srem",  "and",  "or",
+                                            "xor",    "sll",   "srl",    "sra",   "eq",   "ult",
+                                            "slt",    "ite",   "concat", "slice", "uext", "sext"};
     const int of = sort(n.width);
     lines_[id] = ++last_;
     out_ << last_ << ' ' << names[int(n.op)] << ' ' << of;

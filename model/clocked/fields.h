@@ -13,7 +13,9 @@
 namespace cosim::clocked {
 
 template <class T>
-concept ArrayLike = requires { typename T::Element; };
+concept ArrayLike = requires {
+  typename T::Element;
+};
 
 /// A T of zeros: a value, an Array, or a struct of them.
 template <class T>
@@ -50,15 +52,16 @@ T joined(const Bit& c, const T& a, T b) {
     const auto from = reflect::tie(a);
     [&]<std::size_t... I>(std::index_sequence<I...>) {
       ((std::get<I>(to) = joined(c, std::get<I>(from), std::get<I>(to))), ...);
-    }(std::make_index_sequence<reflect::members<T>>());
+    }
+    (std::make_index_sequence<reflect::members<T>>());
   }
   return b;
 }
 #endif
 
-/// N values, or structs of values. a[i] is read and written at a number of C++, which must be within,
-/// or at a UInt: outside it reads 0, and writing does nothing. In the exporter a member of an element
-/// that is a struct is read by a[i].x, and written by writing the whole element.
+/// N values, or structs of values. a[i] is read and written at a number of C++, which must be
+/// within, or at a UInt: outside it reads 0, and writing does nothing. In the exporter a member of
+/// an element that is a struct is read by a[i].x, and written by writing the whole element.
 template <class T, int N>
 class Array {
   static_assert(N >= 1, "an Array has at least one element");
@@ -75,8 +78,7 @@ class Array {
   }
   /// All elements alike.
   template <class X>
-    requires(Operand<X> || std::same_as<X, T>)
-  constexpr Array(const X& x) {
+  requires(Operand<X> || std::same_as<X, T>) constexpr Array(const X& x) {
     for (Slot& slot : slots_) static_cast<T&>(slot) = fill<X>(x);
   }
   /// The first elements; the others are 0.
@@ -175,8 +177,7 @@ struct Unreset : T {
   constexpr Unreset() : T(0) {}
   using T::T;
   template <class X>
-    requires(Operand<X> || std::same_as<X, T>)
-  constexpr Unreset(const X& x) : T(x) {}  // NOLINT
+  requires(Operand<X> || std::same_as<X, T>) constexpr Unreset(const X& x) : T(x) {}  // NOLINT
 };
 
 template <std::size_t N>
@@ -194,8 +195,7 @@ struct At : T {
   static constexpr std::string_view path = PATH;
   using T::T;
   template <class X>
-    requires(Operand<X> || std::same_as<X, T>)
-  constexpr At(const X& x) : T(x) {}  // NOLINT
+  requires(Operand<X> || std::same_as<X, T>) constexpr At(const X& x) : T(x) {}  // NOLINT
 };
 
 /// A register, a port that a printed source numbers: Source<"16", Bit>.
@@ -204,13 +204,13 @@ struct Source : T {
   static constexpr std::string_view block = BLOCK;
   using T::T;
   template <class X>
-    requires(Operand<X> || std::same_as<X, T>)
-  constexpr Source(const X& x) : T(x) {}  // NOLINT
+  requires(Operand<X> || std::same_as<X, T>) constexpr Source(const X& x) : T(x) {}  // NOLINT
 };
 
-/// A number of W bits, |v| < 2^(W-1), whose register is in ones' complement and adds with end-around
-/// carry: a number v that is assigned, |v| < 2^W - 1 as of a sum of two, is brought into range by
-/// 2^W - 1 more or less. The register's code of 0 is all zeros, or all ones where MINUS_ZERO.
+/// A number of W bits, |v| < 2^(W-1), whose register is in ones' complement and adds with
+/// end-around carry: a number v that is assigned, |v| < 2^W - 1 as of a sum of two, is brought into
+/// range by 2^W - 1 more or less. The register's code of 0 is all zeros, or all ones where
+/// MINUS_ZERO.
 template <int W, bool MINUS_ZERO = false>
 struct OnesComplement : Int<W> {
   template <class Never = void>

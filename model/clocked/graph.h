@@ -38,7 +38,8 @@ class Graph {
   Id constant(int width, std::uint64_t value) { return constant(width, Wide(value)); }
   /// One of this width, as simple as it is known to be.
   Id make(Op op, int width, Id a, Id b = 0) {
-    if (is_commutative(op) && (known(a) != nullptr || (known(b) == nullptr && b < a))) std::swap(a, b);
+    if (is_commutative(op) && (known(a) != nullptr || (known(b) == nullptr && b < a)))
+      std::swap(a, b);
     const Node n{op, width, a, b};
     if (const Id simple = simplified(n)) return simple;
     return intern(n);
@@ -103,10 +104,14 @@ inline Id Graph::simplified(const Node& n) {
     return constant(w, folded<Wide>(n, width(a), width(b), *known(a), y, Wide()));
   }
   switch (n.op) {
-    case Op::bnot: return is(a, Op::bnot) ? nodes_[a].a : 0;
-    case Op::add: return is_zero(b) ? a : 0;
-    case Op::sub: return is_zero(b) ? a : a == b ? constant(w, 0) : 0;
-    case Op::mul: return is_zero(b) ? b : is(b, Op::constant) && *known(b) == Wide(1) ? a : 0;
+    case Op::bnot:
+      return is(a, Op::bnot) ? nodes_[a].a : 0;
+    case Op::add:
+      return is_zero(b) ? a : 0;
+    case Op::sub:
+      return is_zero(b) ? a : a == b ? constant(w, 0) : 0;
+    case Op::mul:
+      return is_zero(b) ? b : is(b, Op::constant) && *known(b) == Wide(1) ? a : 0;
     case Op::band:
       if (is(b, Op::bnot) && nodes_[b].a == a) return constant(w, 0);
       return is_zero(b) || is_ones(a) ? b : is_ones(b) || a == b ? a : 0;
@@ -121,14 +126,16 @@ inline Id Graph::simplified(const Node& n) {
       if (known(b) == nullptr) return 0;
       const int by = *known(b) < Wide(std::uint64_t(w)) ? int((*known(b))[0]) : w;
       if (by == 0) return a;
-      if (n.op == Op::sra) return resized(slice(a, std::min(by, w - 1), w - std::min(by, w - 1)), true, w);
+      if (n.op == Op::sra)
+        return resized(slice(a, std::min(by, w - 1), w - std::min(by, w - 1)), true, w);
       if (by == w) return constant(w, 0);
       if (n.op == Op::srl) return resized(slice(a, by, w - by), false, w);
       return make(Op::concat, w, slice(a, 0, w - by), constant(by, 0));
     }
     case Op::eq:
     case Op::ult:
-    case Op::slt: return simpler_compare(n);
+    case Op::slt:
+      return simpler_compare(n);
     case Op::concat:
       if (is_zero(a)) return resized(b, false, w);
       if (is(a, Op::slice) && is(b, Op::slice) && nodes_[a].a == nodes_[b].a &&
@@ -141,7 +148,8 @@ inline Id Graph::simplified(const Node& n) {
       if (width(a) == w) return a;
       if (is(a, Op::uext)) return resized(nodes_[a].a, false, w);
       return is(a, n.op) ? resized(nodes_[a].a, n.op == Op::sext, w) : 0;
-    default: return 0;
+    default:
+      return 0;
   }
 }
 
@@ -186,7 +194,8 @@ inline Id Graph::made_slice(Id a, int low, int count) {
   const Node n = nodes_[a];
   const auto piece = [&](Id x) { return slice(x, low, count); };
   switch (n.op) {
-    case Op::slice: return slice(n.a, int(n.b) + low, count);
+    case Op::slice:
+      return slice(n.a, int(n.b) + low, count);
     case Op::concat:
       if (low >= width(n.b)) return slice(n.a, low - width(n.b), count);
       if (low + count <= width(n.b)) return slice(n.b, low, count);
@@ -195,21 +204,26 @@ inline Id Graph::made_slice(Id a, int low, int count) {
     case Op::uext:
     case Op::sext:
       if (low + count <= width(n.a)) return piece(n.a);
-      if (low < width(n.a)) return resized(slice(n.a, low, width(n.a) - low), n.op == Op::sext, count);
+      if (low < width(n.a))
+        return resized(slice(n.a, low, width(n.a) - low), n.op == Op::sext, count);
       if (n.op == Op::uext) return constant(count, 0);
       return resized(slice(n.a, width(n.a) - 1, 1), true, count);
-    case Op::bnot: return bnot(piece(n.a));
+    case Op::bnot:
+      return bnot(piece(n.a));
     case Op::band:
     case Op::bor:
-    case Op::bxor: return make(n.op, count, piece(n.a), piece(n.b));
-    case Op::ite: return ite(n.a, piece(n.b), piece(n.c));
+    case Op::bxor:
+      return make(n.op, count, piece(n.a), piece(n.b));
+    case Op::ite:
+      return ite(n.a, piece(n.b), piece(n.c));
     case Op::add:
     case Op::sub:
     case Op::mul:  // lower bits are of lower bits alone
       if (low == 0) return make(n.op, count, piece(n.a), piece(n.b));
       if (low + count < n.width) return slice(slice(a, 0, low + count), low, count);
       break;
-    default: break;
+    default:
+      break;
   }
   return intern({Op::slice, count, a, Id(low)});
 }

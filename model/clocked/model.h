@@ -9,7 +9,8 @@
 //     UInt<8> count = 0;           // registers, by their names in the RTL, and their reset values
 //     Bit on = 0;
 //
-//     Out clock(const In& in) {    // gives the outputs before the edge; the members are those after
+//     Out clock(const In& in) {    // gives the outputs before the edge; the members are those
+//     after
 //       const Out out{.led = on};
 //       if (in.rst) {
 //         count = 0;
@@ -26,12 +27,12 @@
 //
 // A design without registers has `Out clock(const In&) const`.
 //
-// The same source is compiled twice. In the simulator a value is an integer. In the exporter, another
-// program, compiled with -DCOSIM_SYMBOLIC, it may be a symbol, which stands for any number: clock()
-// is run once for each way through it (a condition of if, while, ?: or && that is a symbol is a fork,
-// both ways of which are run) and what comes of the ways is joined into a graph, which export.h writes.
-// So loops, early returns, helper functions and local bools are what they are in C++. clock() may
-// depend on its members and on `in` alone.
+// The same source is compiled twice. In the simulator a value is an integer. In the exporter,
+// another program, compiled with -DCOSIM_SYMBOLIC, it may be a symbol, which stands for any number:
+// clock() is run once for each way through it (a condition of if, while, ?: or && that is a symbol
+// is a fork, both ways of which are run) and what comes of the ways is joined into a graph, which
+// export.h writes. So loops, early returns, helper functions and local bools are what they are in
+// C++. clock() may depend on its members and on `in` alone.
 //
 //   value.h      UInt<W>, Int<W>, Bit: their bits, slices, conversions
 //   operators.h  the widths of expressions; cat, mux, reduce_and, reduce_or, reduce_xor
@@ -63,17 +64,22 @@ void merge(Words&&... words) {
 #ifdef COSIM_SYMBOLIC
   const auto each = [&](const auto& visit) {
     [&]<std::size_t... I>(std::index_sequence<I...>) {
-      (for_each_cell(std::get<I>(all), [&](const Label&, auto& cell) {
-        using B = Base<std::remove_reference_t<decltype(cell)>>;
-        visit(static_cast<B&>(cell));
-      }), ...);
-    }(std::make_index_sequence<n>());
+      (for_each_cell(std::get<I>(all),
+                     [&](const Label&, auto& cell) {
+                       using B = Base<std::remove_reference_t<decltype(cell)>>;
+                       visit(static_cast<B&>(cell));
+                     }),
+       ...);
+    }
+    (std::make_index_sequence<n>());
   };
   std::vector<Id> before;
   each([&](auto& cell) { before.push_back(Inside::node(cell)); });
   const auto set = [&](const std::vector<Id>& nodes) {
     std::size_t i = 0;
-    each([&](auto& cell) { cell = Inside::of<std::remove_reference_t<decltype(cell)>>(nodes[i++]); });
+    each([&](auto& cell) {
+      cell = Inside::of<std::remove_reference_t<decltype(cell)>>(nodes[i++]);
+    });
   };
   set(ways.join([&] {
     set(before);

@@ -6,10 +6,10 @@
 //   a / b       rounded to 0; the bits of a, and one more where b has a sign. By 0: all bits set
 //   a % b       the bits and the sign of a. By 0: a
 //   a & b ...   the smallest type that holds both; ~a keeps its own
-//   a << n      n more bits: as many as n, a UInt, can be; where n is an int, as many as a has, or 64
-//   a >> n      the bits of a; an Int keeps its sign
-//   a == b ...  of numbers, not of bit patterns: Int<4>(-1) is not UInt<4>(15). A Bit.
-//   a && b, !a  a Bit. Both sides are computed, for a symbol has no other way.
+//   a << n      n more bits: as many as n, a UInt, can be; where n is an int, as many as a has, or
+//   64 a >> n      the bits of a; an Int keeps its sign a == b ...  of numbers, not of bit
+//   patterns: Int<4>(-1) is not UInt<4>(15). A Bit. a && b, !a  a Bit. Both sides are computed, for
+//   a symbol has no other way.
 //
 // A number of C++ stands for an Int or a UInt of its bits, an int for an Int<32>. No type has more
 // than 4,096 bits: upper ones are lost.
@@ -22,7 +22,7 @@
 namespace cosim::clocked {
 
 template <class A, class B>
-concept Operands = Operand<A> && Operand<B> && (Value<A> || Value<B>);
+concept Operands = Operand<A> && Operand<B> &&(Value<A> || Value<B>);
 
 constexpr int at_most(int width) { return std::min(width, most_bits); }
 
@@ -61,15 +61,17 @@ constexpr Bit compared(const A& a, const B& b) {
 /// How far to shift, 0 to 4,096.
 template <class N>
 constexpr int amount(const N& n) {
-  static_assert(!Value<N> || !Base<N>::is_signed, "a shift or an index is unsigned: make it a UInt");
+  static_assert(!Value<N> || !Base<N>::is_signed,
+                "a shift or an index is unsigned: make it a UInt");
   const auto base = Inside::base(n);
   using U = Base<N>;
   if (U::is_signed && is_negative<U::is_signed>(Inside::rep(base))) {
     throw std::out_of_range("a shift or an index is below 0");
   }
   const auto wide = resized<Rep<U::width + 14, false>, false>(Inside::rep(base));
-  return wide < Rep<U::width + 14, false>(most_bits) ? static_cast<int>(resized<std::uint64_t, false>(wide))
-                                             : most_bits;
+  return wide < Rep<U::width + 14, false>(most_bits)
+             ? static_cast<int>(resized<std::uint64_t, false>(wide))
+             : most_bits;
 }
 
 #ifdef COSIM_SYMBOLIC
@@ -77,7 +79,8 @@ constexpr int amount(const N& n) {
 template <Op op, class K, class A, class N>
 K shifted_symbol(const A& a, const N& n) {
   using Room = Integer<std::max(K::width, Base<N>::width), K::is_signed>;
-  static_assert(!Base<N>::is_signed || Native<N>, "a shift or an index is unsigned: make it a UInt");
+  static_assert(!Base<N>::is_signed || Native<N>,
+                "a shift or an index is unsigned: make it a UInt");
   const Id by = Inside::node(UInt<Room::width>(n));
   return K(Inside::of<Room>(graph.make(op, Room::width, Inside::node(Room(K(a))), by)));
 }
@@ -94,7 +97,8 @@ constexpr Base<A> kept_left(const A& a, const N& n) {
 #endif
   const int by = amount(n);
   if (by >= K::width) return K(0);
-  return K(Inside{}, wrapped<K::width, K::is_signed>(static_cast<typename K::Rep>(Inside::rep(Inside::base(a)) << by)));
+  return K(Inside{}, wrapped<K::width, K::is_signed>(
+                         static_cast<typename K::Rep>(Inside::rep(Inside::base(a)) << by)));
 }
 
 template <class A, class N>
@@ -115,47 +119,43 @@ constexpr Base<A> operator>>(const A& a, const N& n) {
   using K = Base<A>;
 #ifdef COSIM_SYMBOLIC
   if (Inside::is_symbol(Inside::base(a)) || Inside::is_symbol(Inside::base(n))) {
-    return shifted_symbol<K::is_signed ? Op::sra : Op::srl, K>(a, n);
+    return shifted_symbol < K::is_signed ? Op::sra : Op::srl, K > (a, n);
   }
 #endif
   return K(Inside{}, shifted_right<K::is_signed>(Inside::rep(Inside::base(a)), amount(n)));
 }
 
 template <class A, class B>
-  requires Operands<A, B>
+requires Operands<A, B>
 constexpr auto operator+(const A& a, const B& b) {
   using K = Both<A, B>;
   return operated<Op::add, Integer<at_most(K::width + 1), K::is_signed>>(a, b);
 }
 template <class A, class B>
-  requires Operands<A, B>
+requires Operands<A, B>
 constexpr auto operator-(const A& a, const B& b) {
   return operated<Op::sub, Int<at_most(Both<A, B>::width + 1)>>(a, b);
 }
 template <class A, class B>
-  requires Operands<A, B>
+requires Operands<A, B>
 constexpr auto operator*(const A& a, const B& b) {
   using K = Integer<at_most(Base<A>::width + Base<B>::width), Both<A, B>::is_signed>;
   return operated<Op::mul, K>(a, b);
 }
 template <class A, class B>
-  requires Operands<A, B>
+requires Operands<A, B>
 constexpr auto operator/(const A& a, const B& b) {
   using R = Integer<at_most(Base<A>::width + Base<B>::is_signed), Both<A, B>::is_signed>;
   return R(operated<Op::udiv, Both<R, Both<A, B>>>(a, b));
 }
 template <class A, class B>
-  requires Operands<A, B>
-constexpr Base<A> operator%(const A& a, const B& b) {
-  return operated<Op::urem, Both<A, B>>(a, b);
-}
+requires Operands<A, B>
+constexpr Base<A> operator%(const A& a, const B& b) { return operated<Op::urem, Both<A, B>>(a, b); }
 
-#define COSIM_OPERATOR(OP, RESULT)                    \
-  template <class A, class B>                         \
-    requires Operands<A, B>                           \
-  constexpr auto operator OP(const A& a, const B& b) { \
-    return RESULT;                                    \
-  }
+#define COSIM_OPERATOR(OP, RESULT) \
+  template <class A, class B>      \
+  requires Operands<A, B>          \
+  constexpr auto operator OP(const A& a, const B& b) { return RESULT; }
 #define COSIM_BOTH(OP) (operated<OP, Both<A, B>>(a, b))
 COSIM_OPERATOR(&, COSIM_BOTH(Op::band))
 COSIM_OPERATOR(|, COSIM_BOTH(Op::bor))
@@ -169,10 +169,10 @@ COSIM_OPERATOR(>=, (!compared<false>(a, b)))
 #undef COSIM_BOTH
 #undef COSIM_OPERATOR
 
-#define COSIM_ASSIGNMENT(OP)                         \
-  template <Value A, Operand B>                      \
-  constexpr A& operator OP##=(A& a, const B& b) {    \
-    return a = A(a OP b);                            \
+#define COSIM_ASSIGNMENT(OP)                      \
+  template <Value A, Operand B>                   \
+  constexpr A& operator OP##=(A& a, const B& b) { \
+    return a = A(a OP b);                         \
   }
 COSIM_ASSIGNMENT(+)
 COSIM_ASSIGNMENT(-)

@@ -16,7 +16,9 @@ struct Any {
 };
 
 template <class T, class... A>
-concept Braced = requires { T{std::declval<A>()...}; };
+concept Braced = requires {
+  T{std::declval<A>()...};
+};
 
 template <class T, class... A>
 consteval std::size_t count() {
@@ -53,11 +55,13 @@ inline constexpr std::size_t members = count<std::remove_cvref_t<T>>();
 /// References to the members of an aggregate of at most 64, none of them a base or a C array.
 template <class T>
 constexpr auto tie(T& object) {
-  static_assert(std::is_aggregate_v<std::remove_cv_t<T>>,
-                "a model, its In and its Out are plain structs: no constructor, no virtual function, "
-                "nothing private");
-  static_assert(members<T> <= 64, "a struct of a model has at most 64 members: put some of them "
-                                  "into a struct of their own, or into an Array");
+  static_assert(
+      std::is_aggregate_v<std::remove_cv_t<T>>,
+      "a model, its In and its Out are plain structs: no constructor, no virtual function, "
+      "nothing private");
+  static_assert(members<T> <= 64,
+                "a struct of a model has at most 64 members: put some of them "
+                "into a struct of their own, or into an Array");
   if constexpr (members<T> == 0) {
     return std::tie();
   }

@@ -11,8 +11,8 @@ extern "C" const char __executable_start;  // by the linker
 
 namespace cosim::clocked {
 
-/// "uart.h:31" of the address a call returns to, where the program was compiled with -g1 or more and
-/// there is an addr2line; else "address 0x...".
+/// "uart.h:31" of the address a call returns to, where the program was compiled with -g1 or more
+/// and there is an addr2line; else "address 0x...".
 inline std::string source_line(const void* address) {
   std::uintptr_t at = reinterpret_cast<std::uintptr_t>(address) - 1;
   const auto start = reinterpret_cast<std::uintptr_t>(&__executable_start);

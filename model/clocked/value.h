@@ -30,10 +30,12 @@ Integer<W, S> base_of(const Integer<W, S>&);
 
 /// An Integer, or what is derived from one.
 template <class T>
-concept Value = requires(const T& x) { base_of(x); };
+concept Value = requires(const T& x) {
+  base_of(x);
+};
 /// A number of C++ itself: a value of as many bits as its type has, bool of one.
 template <class T>
-concept Native = std::integral<T> || (std::is_enum_v<T> && std::convertible_to<T, std::int64_t>);
+concept Native = std::integral<T> ||(std::is_enum_v<T>&& std::convertible_to<T, std::int64_t>);
 template <class T>
 concept Operand = Value<T> || Native<T>;
 
@@ -42,8 +44,9 @@ struct BaseOf {
   using Type = Integer<std::same_as<T, bool> ? 1 : int(8 * sizeof(T)), std::is_signed_v<T>>;
 };
 template <class T>
-  requires std::is_enum_v<T>
-struct BaseOf<T> : BaseOf<std::underlying_type_t<T>> {};
+requires std::is_enum_v<T>
+struct BaseOf<T> : BaseOf<std::underlying_type_t<T>> {
+};
 template <Value T>
 struct BaseOf<T> {
   using Type = decltype(base_of(std::declval<const T&>()));
@@ -55,7 +58,8 @@ using Base = typename BaseOf<T>::Type;
 /// The smallest type that holds every number of A and of B.
 template <class A, class B, bool S = Base<A>::is_signed || Base<B>::is_signed>
 using Both = Integer<std::max(Base<A>::width + (S && !Base<A>::is_signed),
-                              Base<B>::width + (S && !Base<B>::is_signed)), S>;
+                              Base<B>::width + (S && !Base<B>::is_signed)),
+                     S>;
 
 /// Part of a value, read as a T and written in place: a bit, a slice. It lives as long as its
 /// expression; `auto b = a[3]` is a copy that can be read alone.
@@ -64,14 +68,13 @@ class Place : public T {
  public:
   constexpr Place(const T& value, Write write) : T(value), write_(write) {}
   template <class X>
-    requires(Operand<X> || std::same_as<X, T>)
-  constexpr void operator=(const X& x) && {
+  requires(Operand<X> || std::same_as<X, T>) constexpr void operator=(const X& x) && {
     write_(T(x));
   }
   constexpr void operator=(const Place& x) && { write_(static_cast<const T&>(x)); }
-#define COSIM_IN_PLACE(OP)                         \
-  template <Operand X>                             \
-  constexpr void operator OP##=(const X& x)&& {    \
+#define COSIM_IN_PLACE(OP)                        \
+  template <Operand X>                            \
+  constexpr void operator OP##=(const X& x)&& {   \
     write_(T(static_cast<const T&>(*this) OP x)); \
   }
   COSIM_IN_PLACE(+)
@@ -133,9 +136,10 @@ class Integer {
 
   template <class Never = void>
   Integer() {
-    static_assert(!std::is_void_v<Never>,
-                  "this value has no initial value: write = 0, or what a reset makes it; a register "
-                  "that no reset reaches is an Unreset<...>");
+    static_assert(
+        !std::is_void_v<Never>,
+        "this value has no initial value: write = 0, or what a reset makes it; a register "
+        "that no reset reaches is an Unreset<...>");
   }
   /// The lower W bits of x.
   template <Operand T>
@@ -160,19 +164,17 @@ class Integer {
 #endif
   /// As a number of C++, its upper bits cut off as by a cast of C++. A symbol is none.
   template <Native T>
-    requires(!std::same_as<T, bool>)
-  constexpr explicit operator T() const {
+  requires(!std::same_as<T, bool>) constexpr explicit operator T() const {
 #ifdef COSIM_SYMBOLIC
-    static_assert(std::same_as<T, bool>,
-                  "a symbol is no number of C++: keep it a UInt or an Int, or take value() of one of "
-                  "few bits, each number of which is then a way of its own");
+    static_assert(
+        std::same_as<T, bool>,
+        "a symbol is no number of C++: keep it a UInt or an Int, or take value() of one of "
+        "few bits, each number of which is then a way of its own");
 #endif
     return static_cast<T>(resized<std::int64_t, S>(rep_));
   }
   /// As a number of C++, for switch. Of a symbol: each number of its type is a way of its own.
-  constexpr std::int64_t value() const
-    requires(W < 64 || (S && W == 64))
-  {
+  constexpr std::int64_t value() const requires(W < 64 || (S && W == 64)) {
 #ifdef COSIM_SYMBOLIC
     static_assert(W <= 12, "value() of a symbol takes a way for each number: at most 12 bits");
     if (node_ != 0) {
@@ -196,12 +198,14 @@ class Integer {
   /// Bits high to low. It can be assigned to.
   template <int high, int low>
   constexpr auto slice() const& {
-    static_assert(high < W && high >= low && low >= 0, "slice<high, low>() is not within the value");
+    static_assert(high < W && high >= low && low >= 0,
+                  "slice<high, low>() is not within the value");
     return bits<high - low + 1>(low);
   }
   template <int high, int low>
   constexpr auto slice() & {
-    static_assert(high < W && high >= low && low >= 0, "slice<high, low>() is not within the value");
+    static_assert(high < W && high >= low && low >= 0,
+                  "slice<high, low>() is not within the value");
     return bits<high - low + 1>(low);
   }
   /// N bits from bit `low` on, a number of C++ or a UInt; 0 outside. It can be assigned to.

@@ -90,15 +90,23 @@ class Ways {
 
   struct Script {
     std::vector<Fork> forks;
-    std::size_t at = 0;                   // of the next fork on this way
-    std::unordered_map<Id, bool> facts;   // conditions known on this way
-    std::unordered_map<Id, Id> values;    // nodes known to be a constant
+    std::size_t at = 0;                  // of the next fork on this way
+    std::unordered_map<Id, bool> facts;  // conditions known on this way
+    std::unordered_map<Id, Id> values;   // nodes known to be a constant
   };
 
   /// 1 or -1 where the condition is known to be true or false, else 0.
-  int known(Id condition) const {
-    if (const auto fact = script_.facts.find(condition); fact != script_.facts.end()) return fact->second ? 1 : -1;
+  int known(Id condition, int depth = 8) const {
+    if (const auto fact = script_.facts.find(condition); fact != script_.facts.end())
+      return fact->second ? 1 : -1;
     const Node& n = graph[condition];
+    if (n.op == Op::bnot) return depth > 0 ? -known(n.a, depth - 1) : 0;
+    if (n.op == Op::band || n.op == Op::bor) {
+      const int enough = n.op == Op::band ? -1 : 1;  // of one of both
+      if (depth == 0) return 0;
+      const int a = known(n.a, depth - 1), b = known(n.b, depth - 1);
+      return a == enough || b == enough ? enough : a == b ? a : 0;
+    }
     if (n.op != Op::eq || graph.known(n.b) == nullptr) return 0;
     const auto value = script_.values.find(n.a);
     return value == script_.values.end() ? 0 : value->second == n.b ? 1 : -1;
@@ -129,8 +137,9 @@ class Ways {
     throw InputError(line);
   }
   [[noreturn]] void unlike() const {
-    throw InputError(name_ + ": clock() is not the same when it is run again: it may depend on its "
-                             "members and on In alone");
+    throw InputError(name_ +
+                     ": clock() is not the same when it is run again: it may depend on its "
+                     "members and on In alone");
   }
 
   std::string name_;

@@ -15,8 +15,30 @@ inline constexpr int most_bits = 4096;
 
 /// The operations of the graph, named and defined as in BTOR2.
 enum class Op : std::uint8_t {
-  constant, input, bnot, add, sub, mul, udiv, sdiv, urem, srem, band, bor, bxor, sll, srl, sra, eq,
-  ult, slt, ite, concat, slice, uext, sext
+  constant,
+  input,
+  bnot,
+  add,
+  sub,
+  mul,
+  udiv,
+  sdiv,
+  urem,
+  srem,
+  band,
+  bor,
+  bxor,
+  sll,
+  srl,
+  sra,
+  eq,
+  ult,
+  slt,
+  ite,
+  concat,
+  slice,
+  uext,
+  sext
 };
 
 /// A number without a sign modulo 2^(64 N), its lowest word first.
@@ -165,8 +187,8 @@ constexpr To resized(const R& v) {
 template <int W, bool S, class R>
 constexpr R wrapped(R v) {
   if constexpr (words_of<R> != 0) {
-    v[words_of<R> - 1] = std::uint64_t(
-        wrapped<W - 64 * (words_of<R> - 1), S>(Rep<64, S>(v[words_of<R> - 1])));
+    v[words_of<R> - 1] =
+        std::uint64_t(wrapped<W - 64 * (words_of<R> - 1), S>(Rep<64, S>(v[words_of<R> - 1])));
     return v;
   } else if constexpr (W == 8 * sizeof(R)) {
     return v;

@@ -10,7 +10,10 @@ namespace cosim::clocked::test {
 class Big {
  public:
   Big(long long v) : minus_(v < 0) {  // NOLINT
-    for (unsigned long long u = v < 0 ? 0ull - static_cast<unsigned long long>(v) : static_cast<unsigned long long>(v); u != 0; u >>= 16) d_.push_back(u & 0xffff);
+    for (unsigned long long u = v < 0 ? 0ull - static_cast<unsigned long long>(v)
+                                      : static_cast<unsigned long long>(v);
+         u != 0; u >>= 16)
+      d_.push_back(u & 0xffff);
   }
   static Big power(int n) {  // 2^n
     Big r(1);
@@ -41,7 +44,8 @@ class Big {
     Big r(0);
     std::int32_t borrow = 0;
     for (std::size_t i = 0; i < a.d_.size(); ++i) {
-      const std::int32_t x = static_cast<std::int32_t>(a.digit(i)) - static_cast<std::int32_t>(b.digit(i)) - borrow;
+      const std::int32_t x =
+          static_cast<std::int32_t>(a.digit(i)) - static_cast<std::int32_t>(b.digit(i)) - borrow;
       borrow = x < 0;
       r.d_.push_back(static_cast<std::uint32_t>(x + (borrow << 16)));
     }

@@ -11,9 +11,9 @@ struct Circular {
   using Count = OnesComplement<W + 1>;
   struct In {
     Bit rst, load;
-    Source<"29", Int<W + 2>> f;   // floor of F at the start
-    Source<"30", Count> ct7;      // Y in sector 1, X - 1 in sector 2
-    Source<"31", Count> ct8;      // X - Y - 1 in sector 1, X - Y in sector 2
+    Source<"29", Int<W + 2>> f;  // floor of F at the start
+    Source<"30", Count> ct7;     // Y in sector 1, X - 1 in sector 2
+    Source<"31", Count> ct8;     // X - Y - 1 in sector 1, X - Y in sector 2
     Bit sector2, start, stop;
   };
   struct Out {
@@ -22,7 +22,7 @@ struct Circular {
   };
 
   Source<"4", Bit> t4 = 0;
-  Source<"16", Bit> t16 = 0;  // sector 2
+  Source<"16", Bit> t16 = 0;                       // sector 2
   Source<"1", OnesComplement<W + 4, true>> f = 3;  // evaluation function F, in quarters
   Source<"7", Count> ct7 = 0;
   Source<"8", Count> ct8 = 0;
@@ -32,9 +32,8 @@ struct Circular {
     const Bit correct = t4 && !t16 && ct8 < 0;
     const Bit step = t4 && !finish && !correct && !in.stop;
     const Bit diagonal = t16 == (f > 0);
-    const Out out{.running = t4,
-                  .step_y = step && (diagonal || !t16),
-                  .step_x = step && (diagonal || t16)};
+    const Out out{
+        .running = t4, .step_y = step && (diagonal || !t16), .step_x = step && (diagonal || t16)};
     if (in.rst || in.stop || finish) {
       *this = Circular{};
     } else if (!t4) {

@@ -1,4 +1,5 @@
-// A model as it is compiled beside the file that the exporter wrote of it, on drawn states and inputs.
+// A model as it is compiled beside the file that the exporter wrote of it, on drawn states and
+// inputs.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -19,7 +20,8 @@ using Random = std::mt19937_64;
 inline Wide drawn(Random& random, int width) {
   Wide value;
   const std::uint64_t kind = random() % 8;
-  for (int i = 0; i < (width + 63) / 64; ++i) value[i] = kind == 0 ? 0 : kind == 1 ? ~0ull : random();
+  for (int i = 0; i < (width + 63) / 64; ++i)
+    value[i] = kind == 0 ? 0 : kind == 1 ? ~0ull : random();
   if (kind == 2) value = Wide(random() % 4);
   if (kind == 3) value = ~Wide(random() % 4);
   return value & ~(~Wide(0) << width);
@@ -72,7 +74,8 @@ void compare(const std::string& name, int clocks) {
   for_each_cell(initial, [&](const Label& label, const auto& cell) {
     const Netlist::Cell& state = netlist.states.at(i++);
     ASSERT_EQ(state.init == 0, label.is_unreset) << label.name;
-    if (state.init != 0) ASSERT_TRUE(to_wide(code_of(cell)) == netlist.value(state.init)) << label.name;
+    if (state.init != 0)
+      ASSERT_TRUE(to_wide(code_of(cell)) == netlist.value(state.init)) << label.name;
   });
   for (int n = 0; n < clocks && !testing::Test::HasFatalFailure(); ++n) {
     SCOPED_TRACE("clock " + std::to_string(n));

@@ -27,21 +27,36 @@ auto expression(const A& a, const B& b) {
     const auto x = expression<r + 1, DEPTH - 1>(a, b);
     const auto y = expression<r + 2, DEPTH - 1>(a, b);
     constexpr int constant = int(r >> 12 & 0xfff) - 1000, by = int(r >> 12 & 63);
-    if constexpr (r % 16 == 1) return x - y;
-    else if constexpr (r % 16 == 2) return x * y;
-    else if constexpr (r % 16 == 3) return x / y;
-    else if constexpr (r % 16 == 4) return x % y;
-    else if constexpr (r % 16 == 5) return x & y;
-    else if constexpr (r % 16 == 6) return x | y;
-    else if constexpr (r % 16 == 7) return x ^ y;
-    else if constexpr (r % 16 == 9) return x + constant;
-    else if constexpr (r % 16 == 10) return x - constant;
-    else if constexpr (r % 16 == 11) return constant - x;
-    else if constexpr (r % 16 == 12) return x * constant;
-    else if constexpr (r % 16 == 13) return -x;
-    else if constexpr (r % 16 == 14) return x >> by;
-    else if constexpr (r % 16 == 15) return x << by;
-    else return x + y;
+    if constexpr (r % 16 == 1)
+      return x - y;
+    else if constexpr (r % 16 == 2)
+      return x * y;
+    else if constexpr (r % 16 == 3)
+      return x / y;
+    else if constexpr (r % 16 == 4)
+      return x % y;
+    else if constexpr (r % 16 == 5)
+      return x & y;
+    else if constexpr (r % 16 == 6)
+      return x | y;
+    else if constexpr (r % 16 == 7)
+      return x ^ y;
+    else if constexpr (r % 16 == 9)
+      return x + constant;
+    else if constexpr (r % 16 == 10)
+      return x - constant;
+    else if constexpr (r % 16 == 11)
+      return constant - x;
+    else if constexpr (r % 16 == 12)
+      return x * constant;
+    else if constexpr (r % 16 == 13)
+      return -x;
+    else if constexpr (r % 16 == 14)
+      return x >> by;
+    else if constexpr (r % 16 == 15)
+      return x << by;
+    else
+      return x + y;
   }
 }
 
@@ -72,8 +87,14 @@ struct Expressions {
     A written = in.a;
     written.template slice<W - 1, W / 2>() = in.b;
     written[in.n] = in.b[0];
-    return {.e = e, .kept = e, .less = e < in.b, .equal = e == in.b,
-            .left = in.a << in.n, .right = in.a >> in.n, .written = written, .bit = in.a[in.n]};
+    return {.e = e,
+            .kept = e,
+            .less = e < in.b,
+            .equal = e == in.b,
+            .left = in.a << in.n,
+            .right = in.a >> in.n,
+            .written = written,
+            .bit = in.a[in.n]};
   }
 };
 
@@ -81,7 +102,9 @@ struct Expressions {
 template <class Visit, int... I>
 void for_each_width(const Visit& visit, std::integer_sequence<int, I...>) {
   const auto name = [](int w) { return "expressions_" + std::to_string(w); };
-  (visit.template operator()<Expressions<I + 1, I % 2 != 0, I % 4 / 2 != 0, 7919u * I>>(name(I + 1)), ...);
+  (visit.template operator()<Expressions<I + 1, I % 2 != 0, I % 4 / 2 != 0, 7919u * I>>(
+       name(I + 1)),
+   ...);
 }
 
 }  // namespace cosim::clocked::test

@@ -33,14 +33,14 @@ Both<V> same(const V& value, const Big& big) {
   EXPECT_TRUE(to_big(value) == big) << "of " << V::width << " bits";
   return {value, big};
 }
-#define COMPARED(OP)                                                                            \
-  template <class A, class B>                                                                   \
-  auto operator OP(const Both<A>& a, const Both<B>& b) {                                        \
-    return same(a.value OP b.value, a.big OP b.big);                                            \
-  }                                                                                             \
-  template <class A>                                                                            \
-  auto operator OP(const Both<A>& a, int b) {                                                   \
-    return same(a.value OP b, a.big OP Big(b));                                                 \
+#define COMPARED(OP)                                     \
+  template <class A, class B>                            \
+  auto operator OP(const Both<A>& a, const Both<B>& b) { \
+    return same(a.value OP b.value, a.big OP b.big);     \
+  }                                                      \
+  template <class A>                                     \
+  auto operator OP(const Both<A>& a, int b) {            \
+    return same(a.value OP b, a.big OP Big(b));          \
   }
 COMPARED(+)
 COMPARED(-)

@@ -34,8 +34,13 @@ struct Features {
   Int<70> sum = -1;
 
   Out clock(const In& in) {
-    Out out{.tag = entries[in.at].tag, .square = squares[in.key], .chosen = 0, .most = 0,
-            .outside = bytes[in.at], .found = 0, .wide = wide.slice<450, 351>()};
+    Out out{.tag = entries[in.at].tag,
+            .square = squares[in.key],
+            .chosen = 0,
+            .most = 0,
+            .outside = bytes[in.at],
+            .found = 0,
+            .wide = wide.slice<450, 351>()};
     for (int i = 0; i < 5; ++i) {
       if (entries[i].valid && entries[i].tag == in.entry.tag) {
         out.found = 1;
@@ -43,10 +48,17 @@ struct Features {
       }
     }
     switch (in.at.value()) {
-      case 0: out.chosen = 17; break;
-      case 3: out.chosen = in.key * in.key; [[fallthrough]];
-      case 5: ++out.chosen; break;
-      default: out.chosen = in.key;
+      case 0:
+        out.chosen = 17;
+        break;
+      case 3:
+        out.chosen = in.key * in.key;
+        [[fallthrough]];
+      case 5:
+        ++out.chosen;
+        break;
+      default:
+        out.chosen = in.key;
     }
     out.most = std::max(bytes[0], bytes[1]);
     for (const UInt<7>& word : in.words) sum += word;

@@ -49,7 +49,8 @@ class Netlist {
       } else if (kind == "consth") {
         line >> name;
         Wide value;
-        for (const char digit : name) value = value << 4 | Wide(std::stoul(std::string(1, digit), nullptr, 16));
+        for (const char digit : name)
+          value = value << 4 | Wide(std::stoul(std::string(1, digit), nullptr, 16));
         constants.push_back(value);
         ids[id] = add({Op::constant, sorts.at(sort), Id(constants.size() - 1)});
       } else {
@@ -85,9 +86,10 @@ class Netlist {
   Wide value(Id id) const { return nodes[id].width > 64 ? wide_.at(id) : Wide(low_[id]); }
 
   static const std::vector<std::string>& names() {
-    static const std::vector<std::string> all{
-        "consth", "input", "not", "add", "sub", "mul", "udiv", "sdiv", "urem", "srem", "and", "or",
-        "xor", "sll", "srl", "sra", "eq", "ult", "slt", "ite", "concat", "slice", "uext", "sext"};
+    static const std::vector<std::string> all{"consth", "input", "not",    "add",   "sub",  "mul",
+                                              "udiv",   "sdiv",  "urem",   "srem",  "and",  "or",
+                                              "xor",    "sll",   "srl",    "sra",   "eq",   "ult",
+                                              "slt",    "ite",   "concat", "slice", "uext", "sext"};
     return all;
   }
 

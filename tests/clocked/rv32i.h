@@ -15,13 +15,23 @@ struct Rv32i {
     UInt<32> pc, addr, wdata;
     UInt<4> we;  // of bytes from addr on
   };
-  enum Opcode { lui = 0x37, auipc = 0x17, jal = 0x6f, jalr = 0x67, branch = 0x63, load = 0x03,
-                store = 0x23, op_imm = 0x13, op = 0x33 };
+  enum Opcode {
+    lui = 0x37,
+    auipc = 0x17,
+    jal = 0x6f,
+    jalr = 0x67,
+    branch = 0x63,
+    load = 0x03,
+    store = 0x23,
+    op_imm = 0x13,
+    op = 0x33
+  };
 
   UInt<32> pc = 0;
   Unreset<Array<UInt<32>, 32>> x;
 
-  static UInt<32> computed(const UInt<3>& f3, const Bit& alt, const UInt<32>& a, const UInt<32>& b) {
+  static UInt<32> computed(const UInt<3>& f3, const Bit& alt, const UInt<32>& a,
+                           const UInt<32>& b) {
     const UInt<5> by = b;
     const Int<32> sa = a, sb = b;
     if (f3 == 0) return mux(alt, a - b, a + b);

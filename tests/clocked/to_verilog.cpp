@@ -16,8 +16,8 @@ static std::string expression(const test::Netlist& netlist, const Node& n) {
   const auto v = [](Id id) { return "n" + std::to_string(id); };
   const auto with_sign = [&](Id id) { return "$signed(" + v(id) + ")"; };
   const std::string a = v(n.a), b = v(n.b), width = std::to_string(n.width);
-  static const char* const infix[] = {"", "", "", "+", "-", "*", "/", "", "%", "", "&", "|", "^",
-                                      "<<", ">>", "", "==", "<"};
+  static const char* const infix[] = {"", "",  "",  "+", "-",  "*",  "/", "",   "%",
+                                      "", "&", "|", "^", "<<", ">>", "",  "==", "<"};
   switch (n.op) {
     case Op::constant: {
       std::string digits;
@@ -26,24 +26,36 @@ static std::string expression(const test::Netlist& netlist, const Node& n) {
       }
       return width + "'h" + digits;
     }
-    case Op::bnot: return "~" + a;
-    case Op::sra: return with_sign(n.a) + " >>> " + b;
-    case Op::slt: return with_sign(n.a) + " < " + with_sign(n.b);
-    case Op::ite: return a + " ? " + b + " : " + v(n.c);
-    case Op::concat: return "{" + a + ", " + b + "}";
-    case Op::slice: return a + " >> " + std::to_string(n.b);
-    case Op::uext: return a;
-    case Op::sext: return with_sign(n.a);
+    case Op::bnot:
+      return "~" + a;
+    case Op::sra:
+      return with_sign(n.a) + " >>> " + b;
+    case Op::slt:
+      return with_sign(n.a) + " < " + with_sign(n.b);
+    case Op::ite:
+      return a + " ? " + b + " : " + v(n.c);
+    case Op::concat:
+      return "{" + a + ", " + b + "}";
+    case Op::slice:
+      return a + " >> " + std::to_string(n.b);
+    case Op::uext:
+      return a;
+    case Op::sext:
+      return with_sign(n.a);
     case Op::sdiv:
-    case Op::srem: throw std::runtime_error("no signed division");
-    default: return a + ' ' + infix[int(n.op)] + ' ' + b;
+    case Op::srem:
+      throw std::runtime_error("no signed division");
+    default:
+      return a + ' ' + infix[int(n.op)] + ' ' + b;
   }
 }
 
 int main(int, char** arguments) {
   std::ifstream file(arguments[3]);
   const test::Netlist netlist(file);
-  const auto width = [&](const test::Netlist::Cell& cell) { return range(netlist.nodes[cell.node].width); };
+  const auto width = [&](const test::Netlist::Cell& cell) {
+    return range(netlist.nodes[cell.node].width);
+  };
   std::string ports = std::string("input ") + arguments[2], body, next;
   for (const auto& in : netlist.inputs) ports += ", input " + width(in) + name(in.name);
   for (const auto& out : netlist.outputs) ports += ", output " + width(out) + name(out.name);

@@ -18,7 +18,7 @@ struct Chain {
   UInt<8> count = 0;
   Out clock(const In& in) {
     for (int i = 0; i < N; ++i) {
-      if (in.set[i]) count = count * 3 + i;  // line 24
+      if (in.set[i]) count = count * 3 + i;
     }
     return {.count = count};
   }
@@ -33,16 +33,14 @@ std::string error_of(Exported (*run)(const std::string&)) {
   return "";
 }
 
-TEST(ClockedWays, AreOneForEachChoice) {
-  EXPECT_EQ(exported<Chain<5>>("chain").ways, 32U);
-}
+TEST(ClockedWays, AreOneForEachChoice) { EXPECT_EQ(exported<Chain<5>>("chain").ways, 32U); }
 
 TEST(ClockedWays, TooManyNameTheLineThatForksMost) {
   ways.most_ways = 1000;
   const std::string error = error_of(exported<Chain<20>>);
   ways.most_ways = 1'000'000;
   EXPECT_NE(error.find("chain: 1001 ways"), std::string::npos) << error;
-  EXPECT_NE(error.find("ways_test.cpp:24 forks most"), std::string::npos) << error;
+  EXPECT_NE(error.find("ways_test.cpp:21 forks most"), std::string::npos) << error;
 }
 
 struct Endless {

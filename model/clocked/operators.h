@@ -41,7 +41,9 @@ constexpr K operated(const A& a, const B& b) {
     return Inside::of<K>(graph.ite(graph.is_not_zero(n), r, Inside::node(K(-1))));
   }
 #endif
-  return K(Inside{}, computed<op, K::is_signed>(Inside::rep(x), Inside::rep(y)));
+  const typename K::Rep r = computed<op, K::is_signed>(Inside::rep(x), Inside::rep(y));
+  if constexpr (op != Op::udiv) return K(Inside{}, r);
+  return K(Inside{}, wrapped<K::width, K::is_signed>(r));  // of a division by 0
 }
 
 template <bool is_equal, class A, class B>

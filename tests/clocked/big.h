@@ -1,6 +1,7 @@
 // Integers without a bound, as slow and as simple as can be: what values are compared with.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -68,7 +69,7 @@ class Big {
     r.minus_ = a.minus_ != b.minus_ && !r.d_.empty();
     return r;
   }
-  /// Rounded to 0; by 0 as a model has it, which is asked at division() with the dividend's bits.
+  /// Rounded to 0; b is not 0.
   friend Big operator/(const Big& a, const Big& b) { return a.divided(b, false); }
   friend Big operator%(const Big& a, const Big& b) { return a.divided(b, true); }
   friend bool operator<(const Big& a, const Big& b) {
@@ -105,6 +106,7 @@ class Big {
   }
   Big& trimmed() {
     while (!d_.empty() && d_.back() == 0) d_.pop_back();
+    if (d_.empty()) minus_ = false;
     return *this;
   }
   Big divided(const Big& b, bool rest) const {
@@ -123,7 +125,7 @@ class Big {
     result.minus_ = (rest ? minus_ : minus_ != b.minus_) && !result.d_.empty();
     return result;
   }
-  // Bit by bit of numbers with a sign; bit 2x + y of the table is that of x and y.
+  // Bit by bit of numbers with a sign.
   Big bitwise(const Big& b, int table) const {
     const std::size_t n = std::max(d_.size(), b.d_.size()) + 1;
     const Big x = low(static_cast<int>(16 * n)), y = b.low(static_cast<int>(16 * n));

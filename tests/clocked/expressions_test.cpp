@@ -29,18 +29,18 @@ struct Both {
   Big big;
 };
 template <class V>
-Both<V> same(const V& value, const Big& big) {
-  EXPECT_TRUE(to_big(value) == big) << "of " << V::width << " bits";
+Both<V> same(const V& value, const Big& big, const char* what) {
+  EXPECT_TRUE(to_big(value) == big) << what << " of " << V::width << " bits";
   return {value, big};
 }
 #define COMPARED(OP)                                     \
   template <class A, class B>                            \
   auto operator OP(const Both<A>& a, const Both<B>& b) { \
-    return same(a.value OP b.value, a.big OP b.big);     \
+    return same(a.value OP b.value, a.big OP b.big, #OP);     \
   }                                                      \
   template <class A>                                     \
   auto operator OP(const Both<A>& a, int b) {            \
-    return same(a.value OP b, a.big OP Big(b));          \
+    return same(a.value OP b, a.big OP Big(b), #OP);          \
   }
 COMPARED(+)
 COMPARED(-)
@@ -52,27 +52,27 @@ COMPARED(^)
 template <class A, class B>
 auto operator/(const Both<A>& a, const Both<B>& b) {
   using R = decltype(a.value / b.value);
-  return same(a.value / b.value, b.big == Big(0) ? all_ones<R>() : a.big / b.big);
+  return same(a.value / b.value, b.big == Big(0) ? all_ones<R>() : a.big / b.big, "/");
 }
 template <class A, class B>
 auto operator%(const Both<A>& a, const Both<B>& b) {
-  return same(a.value % b.value, b.big == Big(0) ? a.big : a.big % b.big);
+  return same(a.value % b.value, b.big == Big(0) ? a.big : a.big % b.big, "%");
 }
 template <class A>
 auto operator-(int a, const Both<A>& b) {
-  return same(a - b.value, Big(a) - b.big);
+  return same(a - b.value, Big(a) - b.big, "int -");
 }
 template <class A>
 auto operator-(const Both<A>& a) {
-  return same(-a.value, -a.big);
+  return same(-a.value, -a.big, "-");
 }
 template <class A>
 auto operator<<(const Both<A>& a, int n) {
-  return same(a.value << n, a.big << n);
+  return same(a.value << n, a.big << n, "<<");
 }
 template <class A>
 auto operator>>(const Both<A>& a, int n) {
-  return same(a.value >> n, a.big >> n);
+  return same(a.value >> n, a.big >> n, ">>");
 }
 
 template <class Model>
@@ -85,21 +85,21 @@ struct Widths<Expressions<W, S, T, SEED>> {
     std::vector<Wide> codes;
     draw(random, in, codes);
     const typename M::Out out = M{}.clock(in);
-    const Both<typename M::A> a = same(in.a, to_big(in.a));
-    const Both<typename M::B> b = same(in.b, to_big(in.b));
+    const Both<typename M::A> a = same(in.a, to_big(in.a), "a");
+    const Both<typename M::B> b = same(in.b, to_big(in.b), "b");
     const auto e = expression<SEED, 2>(a, b);
     const int n = static_cast<int>(in.n);
     const auto fitted = [](const Big& x) { return S ? x.with_sign(W) : x.low(W); };
-    same(out.e, e.big);
-    same(out.kept, e.big.with_sign(W + 3));
-    same(out.less, Big(e.big < b.big));
-    same(out.equal, Big(e.big == b.big));
-    same(out.left, a.big << n);
-    same(out.right, a.big >> n);
-    same(out.bit, Big(n < W && a.big.bit(n)));
+    same(out.e, e.big, "e");
+    same(out.kept, e.big.with_sign(W + 3), "kept");
+    same(out.less, Big(e.big < b.big), "less");
+    same(out.equal, Big(e.big == b.big), "equal");
+    same(out.left, a.big << n, "left");
+    same(out.right, a.big >> n, "right");
+    same(out.bit, Big(n < W && a.big.bit(n)), "bit");
     Big written = a.big.low(W / 2) + (b.big.low(W - W / 2) << W / 2);
     if (n < W) written = written + Big(b.big.bit(0) - written.bit(n)) * Big::power(n);
-    same(out.written, fitted(written));
+    same(out.written, fitted(written), "written");
   }
 };
 

@@ -29,8 +29,8 @@
 //
 // The same source is compiled twice. In the simulator a value is an integer. In the exporter,
 // another program, compiled with -DCOSIM_SYMBOLIC, it may be a symbol, which stands for any number:
-// clock() is run once for each way through it (a condition of if, while, ?: or && that is a symbol
-// is a fork, both ways of which are run) and what comes of the ways is joined into a graph, which
+// clock() is run once for each way through it (a symbol as the condition of if, while or ?: is a
+// fork, both ways of which are run) and what comes of the ways is joined into a graph, which
 // export.h writes. So loops, early returns, helper functions and local bools are what they are in
 // C++. clock() may depend on its members and on `in` alone.
 //

@@ -13,9 +13,10 @@
 //   N input SORT NAME                 each member of In, in their order
 //   N state SORT NAME                 each register, in their order
 //   N OP SORT ...                     nodes: the operations of BTOR2; constants are consth
-//   N init SORT STATE CONSTANT        a register's reset value, its default initializer; none of an
-//   Unreset N next SORT STATE NODE            its value after the clock N output NODE NAME each
-//   member of Out, in their order: its value before the edge
+//   N init SORT STATE CONSTANT        a register's reset value, its default initializer; an
+//                                     Unreset has none
+//   N next SORT STATE NODE            its value after the clock
+//   N output NODE NAME                each member of Out, in their order: its value before the edge
 //
 // All bits are codes as RTL has them: two's complement, or ones' complement of a OnesComplement.
 // Assignments to members of In that are OnesComplement may have either code of 0.

@@ -9,8 +9,7 @@
 //     UInt<8> count = 0;           // registers, by their names in the RTL, and their reset values
 //     Bit on = 0;
 //
-//     Out clock(const In& in) {    // gives the outputs before the edge; the members are those
-//     after
+//     Out clock(const In& in) {    // outputs before the edge; the members after it
 //       const Out out{.led = on};
 //       if (in.rst) {
 //         count = 0;

@@ -239,7 +239,7 @@ Side::Made Side::make(Graph& graph, const std::function<Bit(const Name&)>& input
     const Graph::Made& node = logic_.gates()[n];
     if (node.is_logic()) value[n] = remade(graph, node, value);
     if (node.kind != nets::Gate::input) continue;
-    const Source& source = sources_[node.number()];
+    const Source& source = sources_[node.number];
     value[n] = source.kind == Source::Kind::port      ? input(source.name)
                : source.kind == Source::Kind::unknown ? unknown[source.number]
                                                       : state[source.number];

@@ -40,11 +40,11 @@ Product whatever_is_free(const Product& product) {
     const Graph::Made& node = product.graph.gates()[n];
     Rails& is = all.emplace_back();
     if (node.kind == nets::Gate::input) {
-      const Bit input = same_input(product.graph, node.number(), graph);
+      const Bit input = same_input(product.graph, node.number, graph);
       const bool is_x = product.free.contains(nets::gate_bit(n));
       is = is_x ? Rails{yes, yes} : Rails{input, !input};
     } else if (node.kind == nets::Gate::latch) {
-      const bool first = product.graph.latches()[node.number()].first;
+      const bool first = product.graph.latches()[node.number].first;
       is.one = graph.latch(first);
       is.zero = graph.latch(!first);
     } else {

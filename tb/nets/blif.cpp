@@ -22,21 +22,10 @@ std::vector<std::string> rows_of(const Graph::Made& g) {
       return {{is(g.a), is(g.b), '-'}, {is_not(g.a), '-', is(g.c)}};
     case Gate::constant:
     case Gate::input:
+    case Gate::latch:
       break;
   }
   return {};
-}
-
-// Which gates the outputs come to.
-std::vector<bool> needed(const Graph& graph, const std::vector<Port>& outputs) {
-  std::vector<bool> all(graph.gates().size());
-  for (const Port& p : outputs) all[p.bit.gate()] = true;
-  for (std::size_t i = all.size(); i-- > 0;) {
-    if (!all[i]) continue;
-    const Graph::Made& g = graph.gates()[i];
-    for (const Bit bit : {g.a, g.b, g.c}) all[bit.gate()] = true;
-  }
-  return all;
 }
 
 }  // namespace
@@ -53,7 +42,9 @@ std::string to_blif(const std::string& name, const Graph& graph, const std::vect
   for (const Port& p : outputs) text += ' ' + p.name;
   text += '\n';
 
-  const std::vector<bool> is_needed = needed(graph, outputs);
+  Bits roots;
+  for (const Port& p : outputs) roots.push_back(p.bit);
+  const std::vector<bool> is_needed = graph.cone(roots);
   for (std::size_t i = 1; i < names.size(); ++i) {
     const Graph::Made& g = graph.gates()[i];
     if (!is_needed[i]) continue;

@@ -14,7 +14,7 @@ std::size_t Graph::Hash::operator()(const Made& m) const {
 Graph::Graph() : gates_(1) {}
 
 Bit Graph::leaf(Gate kind, std::size_t number) {
-  gates_.push_back({kind, {static_cast<std::uint32_t>(number)}});
+  gates_.push_back({kind, no, no, no, static_cast<std::uint32_t>(number)});
   return gate_bit(gates_.size() - 1);
 }
 
@@ -41,7 +41,7 @@ Bit Graph::latch(bool first) {
   return now;
 }
 
-void Graph::next(Bit latch, Bit value) { latches_[gates_[latch.gate()].number()].next = value; }
+void Graph::next(Bit latch, Bit value) { latches_[gates_[latch.gate()].number].next = value; }
 
 Bit Graph::made(Gate kind, Bit a, Bit b, Bit c) {
   const Made gate{kind, a, b, c};
@@ -108,7 +108,7 @@ std::vector<bool> Graph::cone(std::span<const Bit> roots, bool over_clocks) cons
   while (!open.empty()) {
     const Made& gate = gates_[open.back()];
     open.pop_back();
-    if (over_clocks && gate.kind == Gate::latch) put(latches_[gate.number()].next);
+    if (over_clocks && gate.kind == Gate::latch) put(latches_[gate.number].next);
     if (!gate.is_logic()) continue;
     for (const Bit read : {gate.a, gate.b, gate.c}) put(read);
   }

@@ -74,9 +74,8 @@ class Graph {
 
   struct Made {
     Gate kind = Gate::constant;
-    Bit a{}, b{}, c{};  ///< what it reads: gates of smaller numbers
-    /// Which of the inputs or of the latches it is.
-    std::size_t number() const { return a.code; }
+    Bit a{}, b{}, c{};         ///< what it reads: gates of smaller numbers
+    std::uint32_t number = 0;  ///< which of the inputs or of the latches it is
     bool is_logic() const { return kind >= Gate::and_gate; }
   };
   struct Latch {

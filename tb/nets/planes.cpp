@@ -62,12 +62,7 @@ std::vector<std::uint32_t> alike_together(const Graph& graph,
 Planes::Planes(const Graph& graph, std::span<const Bit> roots, std::size_t lanes)
     : words_(lanes > 64 ? plane_words : 1) {
   const auto& gates = graph.gates();
-  std::vector<bool> needed(gates.size());
-  for (const Bit b : roots) needed[b.gate()] = true;
-  for (std::size_t i = gates.size(); i-- > 0;) {
-    if (!needed[i]) continue;
-    for (const Bit b : {gates[i].a, gates[i].b, gates[i].c}) needed[b.gate()] = true;
-  }
+  const std::vector<bool> needed = graph.cone(roots);
   place_.resize(gates.size());
   std::uint32_t places = 1;
   std::vector<std::uint32_t> run;

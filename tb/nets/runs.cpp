@@ -15,10 +15,10 @@ void evaluate(const Graph& graph, Words inputs, Words state, std::vector<std::ui
         all[i] = 0;
         break;
       case Gate::input:
-        all[i] = inputs[gate.number()];
+        all[i] = inputs[gate.number];
         break;
       case Gate::latch:
-        all[i] = gate.number() < state.size() ? state[gate.number()] : 0;
+        all[i] = gate.number < state.size() ? state[gate.number] : 0;
         break;
       case Gate::and_gate:
         all[i] = of(gate.a) & of(gate.b);

@@ -206,7 +206,7 @@ Frame frame_of(const nets::Graph& graph, const Same& same, nets::Graph& to,
     const bool is_latch = nodes[n].kind == nets::Gate::latch;
     Bit own = no;
     if (nodes[n].is_logic()) own = remade(to, nodes[n], frame.values);
-    if (is_latch && state != nullptr) own = (*state)[nodes[n].number()];
+    if (is_latch && state != nullptr) own = (*state)[nodes[n].number];
     if (nodes[n].kind == nets::Gate::input || (is_latch && state == nullptr && !is_merged)) {
       own = leaf(n);
     }

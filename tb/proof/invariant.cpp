@@ -40,7 +40,7 @@ Merged merged(const nets::Graph& graph, Bit bad, const Same& same) {
   Merged all;
   const auto leaf = [&](std::size_t n) {
     const nets::Graph::Made& node = graph.gates()[n];
-    return node.kind == nets::Gate::latch ? all.graph.latch(graph.latches()[node.number()].first)
+    return node.kind == nets::Gate::latch ? all.graph.latch(graph.latches()[node.number].first)
                                           : all.graph.input();
   };
   const Frame now = frame_of(graph, same, all.graph, leaf);

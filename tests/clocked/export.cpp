@@ -24,7 +24,7 @@ int main(int, char** arguments) {
                 static_cast<unsigned long long>(model.ways), model.nodes, spent.count() * 1e3);
   };
 #ifdef COSIM_EXPRESSIONS
-  test::for_each_width(write, std::make_integer_sequence<int, 130>());
+  test::for_each_width(write, test::AllWidths());
 #else
   test::for_each_model(write);
 #endif

@@ -98,7 +98,14 @@ struct Expressions {
   }
 };
 
-/// Calls visit.operator()<Expressions<...>>(name) for every width from 1 to 130.
+#ifdef COSIM_ALL_WIDTHS
+using AllWidths = std::make_integer_sequence<int, 130>;
+#else  // those beside the ends of a machine's words
+using AllWidths = std::integer_sequence<int, 0, 1, 2, 3, 6, 7, 8, 14, 15, 16, 30, 31, 32, 33, 47,
+                                        61, 62, 63, 64, 65, 66, 95, 126, 127, 128, 129>;
+#endif
+
+/// Calls visit.operator()<Expressions<...>>(name) for those widths, each less one.
 template <class Visit, int... I>
 void for_each_width(const Visit& visit, std::integer_sequence<int, I...>) {
   const auto name = [](int w) { return "expressions_" + std::to_string(w); };

@@ -28,7 +28,7 @@ TEST(ReachEach, TellsWhatHappensFromWhatNeverDoes) {
   const Bit at_3 = graph.and_of(!count[2], graph.and_of(count[0], count[1]));
 
   std::vector<std::size_t> left;
-  const ReachedEach all = reach_each(graph, {at_6, at_3, at_5, 0},
+  const ReachedEach all = reach_each(graph, {at_6, at_3, at_5, no},
                                      std::chrono::steady_clock::now() + std::chrono::hours(1), 1,
                                      [&](std::size_t points) { left.push_back(points); });
   ASSERT_EQ(all.points.size(), 4);
@@ -75,7 +75,7 @@ TEST_F(ReachEachFar, OneStepOfInductionTellsWhatStays) {
   const auto same =
       corresponding(graph_, any, std::chrono::steady_clock::now() + std::chrono::hours(1));
   ASSERT_TRUE(same);
-  for (const Bit point : stay_) EXPECT_EQ((*same)[point.gate()], 0);
+  for (const Bit point : stay_) EXPECT_EQ((*same)[point.gate()], no);
   for (const Bit point : far_) EXPECT_EQ((*same)[point.gate()], point);
 }
 

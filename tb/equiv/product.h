@@ -30,7 +30,7 @@ struct Product {
   Bit held = yes;           ///< it is after the reset, and what is assumed held on every clock
   std::size_t matched = 0;  ///< registers that both have by name
   std::map<std::size_t, std::string> names;  ///< of inputs and latches of the graph, by gate
-  bool alone_any = false;   ///< the old RTL has a register without initial value that no other has
+  bool alone_any = false;  ///< the old RTL has a register without initial value that no other has
 };
 
 /// How the registers of both stand.

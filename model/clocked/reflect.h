@@ -86,8 +86,15 @@ template <class T>
 struct Nowhere {
   T object;
 };
+#ifdef __clang__
+#pragma clang diagnostic push
+#pragma clang diagnostic ignored "-Wundefined-internal"  // of a type in an unnamed namespace
+#endif
 template <class T>
 extern Nowhere<T> nowhere;
+#ifdef __clang__
+#pragma clang diagnostic pop
+#endif
 
 template <class T>
 struct Boxed {  // Clang 14 prints the member of an address in a struct alone

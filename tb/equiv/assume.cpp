@@ -92,7 +92,7 @@ proof::Ever on_a_clock(const Question& q) {
   for (const Assumption& one : q.assumed) {
     const auto input = [&](const Name& name) {
       if (const auto tied = tied_bit(q, name)) return nets::constant(*tied);
-      const auto [at, is_new] = inputs.try_emplace(name, 0);
+      const auto [at, is_new] = inputs.try_emplace(name, no);
       if (is_new) at->second = graph.input();
       return at->second;
     };

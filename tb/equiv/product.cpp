@@ -153,7 +153,7 @@ class Builder {
         continue;
       }
       if (any_in_both(r)) {
-        const auto [at, is_new] = shared_.try_emplace(r.name, 0);
+        const auto [at, is_new] = shared_.try_emplace(r.name, no);
         if (is_new) at->second = named(graph_.input(), r.name, " at first");
         begins(at->second);
         copy.state.push_back(starting(at->second, latch));
@@ -201,7 +201,7 @@ class Builder {
   Bit input(const Name& name, const Side& side, bool is_gate) {
     std::string port = name.first;
     if (const auto pins = read_pins(is_gate); pins.contains(port)) {
-      const auto [at, is_new] = reads_.try_emplace({pins.at(port), name.second}, 0);
+      const auto [at, is_new] = reads_.try_emplace({pins.at(port), name.second}, no);
       if (is_new) at->second = free();
       return at->second;
     }
@@ -212,7 +212,7 @@ class Builder {
     // The one clock may have another name in the other.
     if (is_clock && !q_.steps && !q_.gold.clocks.empty()) port = q_.gold.clocks.begin()->first;
     if (const auto tied = tied_bit(q_, {port, name.second})) return *tied ? yes : no;
-    const auto [at, is_new] = product_.inputs.try_emplace({port, name.second}, 0);
+    const auto [at, is_new] = product_.inputs.try_emplace({port, name.second}, no);
     if (is_new) {
       const auto reset = q_.resets->find(port);
       const bool is_reset = reset != q_.resets->end();

@@ -3,7 +3,7 @@
 # equal to its RTL, and told apart from RTL in which something is changed.
 set -euo pipefail
 cosim=$1 to_verilog=$2 exported=$3 rtl=$4/examples/uart
-command -v yosys > /dev/null || exit 77
+command -v yosys > /dev/null || { echo 'needs yosys' && exit 77; }
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"

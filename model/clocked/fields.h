@@ -207,12 +207,65 @@ struct Source : T {
   requires(Operand<X> || std::same_as<X, T>) constexpr Source(const X& x) : T(x) {}  // NOLINT
 };
 
+/// A value that is shown in hexadecimal: Hex<UInt<32>>.
+template <class T>
+struct Hex : T {
+  static constexpr bool is_hex = true;
+  using T::T;
+  template <class X>
+  requires(Operand<X> || std::same_as<X, T>) constexpr Hex(const X& x) : T(x) {}  // NOLINT
+};
+
+/// An input that is a clock, one of several: 1 on a step on which it takes its rising edge.
+struct Rises : Bit {
+  static constexpr int edge = 1;
+  using Bit::Bit;
+};
+/// The same of one whose registers take its falling edge.
+struct Falls : Bit {
+  static constexpr int edge = -1;
+  using Bit::Bit;
+};
+
+/// A member of In that is no pin: the bits of a register, the first of a synchronizer, that take
+/// the new value of what it samples, where two clocks take their edge on one step. Drawn at random:
+/// Sampled<"w_first", UInt<4>>.
+template <Text REGISTER, class T>
+struct Sampled : T {
+  static constexpr std::string_view sampled = REGISTER;
+  using T::T;
+  template <class X>
+  requires(Operand<X> || std::same_as<X, T>) constexpr Sampled(const X& x) : T(x) {}  // NOLINT
+};
+
+constexpr int bits_for_range(std::int64_t low, std::int64_t high) {
+  int width = 1;
+  const auto holds = [&](std::int64_t v) {
+    const int free = width - (low < 0 ? 1 : 0);
+    return free >= 63 || ((v < 0 ? ~v : v) >> free) == 0;
+  };
+  while (!(holds(low) && holds(high))) ++width;
+  return width;
+}
+
+/// A number of a Job, from LOW to HIGH, both in it: Range<0, 255>.
+template <std::int64_t LOW, std::int64_t HIGH>
+struct Range : Integer<bits_for_range(LOW, HIGH), (LOW < 0)> {
+  static_assert(LOW <= HIGH, "the range is empty");
+  static constexpr std::int64_t low = LOW, high = HIGH;
+  using Number = Integer<bits_for_range(LOW, HIGH), (LOW < 0)>;
+  constexpr Range() : Number(LOW > 0 ? LOW : HIGH < 0 ? HIGH : 0) {}
+  template <Operand X>
+  constexpr Range(const X& x) : Number(x) {}  // NOLINT
+};
+
 /// A number of W bits, |v| < 2^(W-1), whose register is in ones' complement and adds with
 /// end-around carry: a number v that is assigned, |v| < 2^W - 1 as of a sum of two, is brought into
 /// range by 2^W - 1 more or less. The register's code of 0 is all zeros, or all ones where
 /// MINUS_ZERO.
 template <int W, bool MINUS_ZERO = false>
 struct OnesComplement : Int<W> {
+  static constexpr bool is_ones_complement = true, has_minus_zero = MINUS_ZERO;
   template <class Never = void>
   OnesComplement() : Int<W>() {}
   template <Operand T>

@@ -37,6 +37,7 @@
 //   operators.h  the widths of expressions; cat, mux, reduce_and, reduce_or, reduce_xor
 //   fields.h     Array<T, N>, Unreset<T>, At<"path", T>, Source<"7", T>, OnesComplement<W>
 //   cells.h      the members of such a struct, for what works on any model
+//   says.h       what a model may say beside its clock: its reset, its jobs, what must be possible
 //
 // `c ? a : b` wants a and b of one type, and forks; mux(c, a, b) takes any two, and does not.
 #pragma once
@@ -48,6 +49,7 @@
 #endif
 
 #include "model/clocked/cells.h"
+#include "model/clocked/says.h"
 
 namespace cosim::clocked {
 

@@ -5,6 +5,8 @@
 //   #include "model/clocked/export.h"
 //   int main() { std::cout << cosim::clocked::exported<Uart<4>>("uart").text; }
 //
+// or, for the files of a model, its driver and its checker, write_exported<Uart<4>>(path, "uart").
+//
 // The file, one line each, in this order; NAME is that of the member, "store[3]" of an element,
 // "head.tag" within a struct, or the path of an At:
 //
@@ -17,6 +19,15 @@
 //                                     Unreset has none
 //   N next SORT STATE NODE            its value after the clock
 //   N output NODE NAME                each member of Out, in their order: its value before the edge
+//   N output NODE SECTION:I           what the model says beside its clock (says.h), sentence I of
+//                                     cases, legal, invariant, reached, registers or outputs: the
+//                                     last two of compared()
+//   N output NODE SECTION:NAME        of idle, a member of In; of reset, a register after
+//                                     reset_at_once()
+//
+// A driver is such a file, too: its states are its members, its inputs those of Job and of Out, and
+// its outputs drive:NAME, the inputs that it drives, and over. Those of a checker are the members
+// of Job, Driver and Out, and over; its output is wrong.
 //
 // All bits are codes as RTL has them: two's complement, or ones' complement of a OnesComplement.
 // Assignments to members of In that are OnesComplement may have either code of 0.
@@ -29,6 +40,8 @@
 #error "export.h belongs to the exporter: compile it with -DCOSIM_SYMBOLIC"
 #endif
 
+#include <filesystem>
+#include <fstream>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -123,56 +136,208 @@ class Btor2 {
   std::unordered_map<Id, int> lines_;
 };
 
-/// The model as a file, `name` in its first line and in errors.
-template <class Model>
-Exported exported(const std::string& name) {
+/// Makes a file of a struct's registers and what becomes of them.
+class Exporting {
+ public:
+  /// `what`: "model uart", in the first line; `name` is for errors.
+  Exporting(std::string what, const std::string& name) : what_(std::move(what)) {
+    ways.begin(name);
+    graph = Graph();
+  }
+  /// A record of inputs.
+  template <class T>
+  T inputs() {
+    T all = zero<T>();
+    for_each_cell(all, [&](const Label& l, auto& cell) { declare("input", l, cell); });
+    return all;
+  }
+  /// The members of an object, which has its initial values, as states.
+  template <class T>
+  T states() {
+    T all{};
+    for_each_cell(all, [&](const Label& label, auto& cell) {
+      const Id init = Inside::node(code_of(cell));
+      const Id state = declare("state", label, cell);
+      states_.push_back({state, label.is_unreset ? std::nullopt : std::optional(init)});
+    });
+    return all;
+  }
+  /// run(object): what the object is after that is its next state. It gives what file() writes as
+  /// outputs, a record.
+  template <class T, class Run>
+  void clock(const T& object, const char* section, const Run& run) {
+    std::vector<std::string> names;
+    const std::vector<Id> nodes = ways.join([&] {
+      std::vector<Id> all;
+      T after = object;
+      const auto out = run(after);
+      names.clear();
+      for_each_cell(after, [&](const Label&, const auto& cell) { add(all, cell); });
+      for_each_cell(out, [&](const Label& label, const auto& cell) {
+        add(all, cell);
+        names.push_back(section + label.name);
+      });
+      return all;
+    });
+    next_.assign(nodes.begin(), nodes.begin() + std::ptrdiff_t(states_.size()));
+    for (std::size_t i = 0; i < names.size(); ++i) output(names[i], nodes[states_.size() + i]);
+  }
+  /// Outputs that run() gives: a record, sentences, or a condition.
+  template <class Run>
+  void say(const std::string& section, const Run& run) {
+    std::vector<std::string> names;
+    const std::vector<Id> nodes = ways.join([&] {
+      std::vector<Id> all;
+      const auto said = run();
+      names.clear();
+      if constexpr (Operand<decltype(said)>) {
+        add(all, Bit(said));
+        names.push_back(section + ":0");
+      } else if constexpr (requires { said[0].sentence; }) {
+        for (const Stated& one : said) {
+          add(all, one.holds);
+          names.push_back(section + ':' + std::to_string(all.size() - 1));
+        }
+      } else {
+        for_each_cell(said, [&](const Label& label, const auto& cell) {
+          add(all, cell);
+          names.push_back(section + ':' + label.name);
+        });
+      }
+      return all;
+    });
+    for (std::size_t i = 0; i < names.size(); ++i) output(names[i], nodes[i]);
+  }
+  Exported file() {
+    for (const Register& one : states_) {
+      if (one.init) file_.assign("init", one.state, *one.init);
+    }
+    for (std::size_t i = 0; i < states_.size(); ++i) {
+      file_.assign("next", states_[i].state, next_[i]);
+    }
+    for (const auto& [name, node] : outputs_) file_.output(node, name);
+    const std::string first =
+        "; " + what_ + ", " + std::to_string(ways.count()) + " ways through it\n";
+    return {first + file_.text(), ways.count(), file_.nodes()};
+  }
+
+ private:
   struct Register {
     Id state;
     std::optional<Id> init;
   };
-  ways.begin(name);
-  graph = Graph();
-  Btor2 file;
-  const auto declare = [&](const char* kind, const Label& label, auto& cell) {
-    using Cell = std::remove_reference_t<decltype(cell)>;
+  template <class Cell>
+  Id declare(const char* kind, const Label& label, Cell& cell) {
     const Id node = graph.input(Cell::width);
-    file.declare(kind, node, label.name);
+    file_.declare(kind, node, label.name);
     set_code(cell, Inside::of<UInt<Cell::width>>(node));
     return node;
-  };
-  auto in = zero<typename Model::In>();
-  Model before{};
-  std::vector<Register> registers;
-  for_each_cell(in, [&](const Label& label, auto& cell) { declare("input", label, cell); });
-  for_each_cell(before, [&](const Label& label, auto& cell) {
-    const Id init = Inside::node(code_of(cell));
-    const Id state = declare("state", label, cell);
-    registers.push_back({state, label.is_unreset ? std::nullopt : std::optional(init)});
-  });
-
-  std::vector<std::string> outputs;
-  const std::vector<Id> nodes = ways.join([&] {
-    std::vector<Id> all;
-    const auto keep = [&](const Label&, const auto& cell) {
-      all.push_back(Inside::node(code_of(cell)));
-    };
-    Model after = before;
-    const typename Model::Out out = after.clock(std::as_const(in));
-    for_each_cell(after, keep);
-    for_each_cell(out, keep);
-    outputs.clear();
-    for_each_cell(out, [&](const Label& label, const auto&) { outputs.push_back(label.name); });
-    return all;
-  });
-  for (const Register& one : registers) {
-    if (one.init) file.assign("init", one.state, *one.init);
   }
-  std::size_t i = 0;
-  for (const Register& one : registers) file.assign("next", one.state, nodes[i++]);
-  for (const std::string& output : outputs) file.output(nodes[i++], output);
-  const std::string first =
-      "; model " + name + ", " + std::to_string(ways.count()) + " ways through its clock\n";
-  return {first + file.text(), ways.count(), file.nodes()};
+  template <class Cell>
+  static void add(std::vector<Id>& all, const Cell& cell) {
+    all.push_back(Inside::node(code_of(cell)));
+  }
+  void output(const std::string& name, Id node) { outputs_.emplace_back(name, node); }
+
+  std::string what_;
+  Btor2 file_;
+  std::vector<Register> states_;
+  std::vector<Id> next_;
+  std::vector<std::pair<std::string, Id>> outputs_;
+};
+
+/// The model as a file, `name` in its first line and in errors.
+template <class Model>
+Exported exported(const std::string& name) {
+  Exporting file("model " + name, name);
+  const auto in = file.inputs<typename Model::In>();
+  const auto model = file.states<Model>();
+  using Out = typename Model::Out;
+  file.clock(model, "", [&](Model& m) { return m.clock(in); });
+  if constexpr (requires { model.cases(in); }) file.say("cases", [&] { return model.cases(in); });
+  if constexpr (requires { model.legal(in); }) file.say("legal", [&] { return model.legal(in); });
+  if constexpr (requires { model.invariant(); }) {
+    file.say("invariant", [&] { return model.invariant(); });
+  }
+  if constexpr (requires { model.reached(); }) file.say("reached", [&] { return model.reached(); });
+  if constexpr (requires { model.compared(); }) {
+    file.say("registers", [&] { return model.compared(); });
+  }
+  if constexpr (requires(const Out& out) { model.compared(in, out); }) {
+    file.say("outputs", [&] {
+      Model m = model;
+      const Out out = m.clock(in);
+      return model.compared(in, out);
+    });
+  }
+  if constexpr (requires { model.idle(); }) file.say("idle", [&] { return model.idle(); });
+  if constexpr (requires(Model m) { m.reset_at_once(in); }) {
+    file.say("reset", [&] {
+      Model m = model;
+      m.reset_at_once(in);
+      return m;
+    });
+  }
+  return file.file();
+}
+
+/// The driver of its jobs.
+template <class Model>
+Exported exported_driver(const std::string& name) {
+  using Driver = typename Model::Driver;
+  Exporting file("driver of " + name, name);
+  const auto job = file.inputs<typename Model::Job>();
+  const auto out = file.inputs<typename Model::Out>();
+  const auto driver = file.states<Driver>();
+  struct Over {
+    Bit over;
+  };
+  file.clock(driver, "", [&](Driver& d) { return Over{d.driven(job, out)}; });
+  file.say("drive", [&] { return driver.drive(job, resting<Model>(false)); });
+  return file.file();
+}
+
+/// The checker of its jobs.
+template <class Model>
+Exported exported_checker(const std::string& name) {
+  using Checker = typename Model::Checker;
+  Exporting file("checker of " + name, name);
+  const auto job = file.inputs<typename Model::Job>();
+  const auto driver = file.inputs<typename Model::Driver>();
+  const auto out = file.inputs<typename Model::Out>();
+  struct Over {
+    Bit over;
+  };
+  const auto over = file.inputs<Over>().over;
+  const auto checker = file.states<Checker>();
+  struct Wrong {
+    Bit wrong;
+  };
+  file.clock(checker, "", [&](Checker& c) { return Wrong{c.checked(job, driver, out, over)}; });
+  return file.file();
+}
+
+/// Writes PATH.btor2 and, of a model with jobs, PATH.driver.btor2 and PATH.checker.btor2. A file of
+/// what cannot be exported has a line "; error: TEXT" alone.
+template <class Model>
+void write_exported(const std::string& path, const std::string& name) {
+  const auto write = [&](const std::string& more, const auto& make) {
+    std::string text;
+    try {
+      text = make().text;
+    } catch (const InputError& error) {
+      text = std::string("; error: ") + error.what() + '\n';
+    }
+    std::ofstream(path + more + ".btor2.new") << text;
+    std::filesystem::rename(path + more + ".btor2.new", path + more + ".btor2");
+  };
+  write("", [&] { return exported<Model>(name); });
+  if constexpr (requires { typename Model::Job; }) {
+    write(".driver", [&] { return exported_driver<Model>(name); });
+  }
+  if constexpr (requires { typename Model::Checker; }) {
+    write(".checker", [&] { return exported_checker<Model>(name); });
+  }
 }
 
 }  // namespace cosim::clocked

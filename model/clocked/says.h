@@ -43,7 +43,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "model/clocked/value.h"
+#include "model/clocked/fields.h"
 
 namespace cosim::clocked {
 
@@ -85,6 +85,25 @@ struct Together {
 template <class... Levels>
 constexpr Together<Levels...> both(Levels...) {
   return {};
+}
+
+template <class M>
+concept SaysReset = requires {
+  M::reset;
+};
+
+/// The inputs of a clock at rest, or, where `resets`, of a reset.
+template <class M>
+constexpr typename M::In resting(bool resets) {
+  auto in = [] {
+    if constexpr (requires { M::rest(); }) {
+      return M::rest();
+    } else {
+      return zero<typename M::In>();
+    }
+  }();
+  if constexpr (SaysReset<M>) M::reset.set(in, resets);
+  return in;
 }
 
 }  // namespace cosim::clocked

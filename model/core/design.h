@@ -93,9 +93,11 @@ constexpr auto rest_on() {
 
 /// The state after a reset: reset_state<V>(), or all 0.
 template <class Design, class V>
-constexpr auto reset_state_of() {
+constexpr auto reset_state_of([[maybe_unused]] const typename Design::Params& p) {
   using State = typename Design::template State<V>;
-  if constexpr (requires { Design::template reset_state<V>(); }) {
+  if constexpr (requires { Design::template reset_state<V>(p); }) {
+    return Design::template reset_state<V>(p);
+  } else if constexpr (requires { Design::template reset_state<V>(); }) {
     return Design::template reset_state<V>();
   } else {
     State s;

@@ -85,7 +85,7 @@ constexpr decltype(auto) seen_state(const typename Design::Params& p,
   } else if constexpr (is_reset_asynchronous<Design>()) {
     using State = typename Design::template State<V>;
     const auto fields = Design::template State<Word>::fields(p);
-    auto reset_state = reset_state_of<Design, V>();
+    auto reset_state = reset_state_of<Design, V>(p);
     for_each_cell<State>([&](auto cell, std::size_t i) {
       if (fields[i].unreset) cell(reset_state) = cell(s);
     });
@@ -97,9 +97,9 @@ constexpr decltype(auto) seen_state(const typename Design::Params& p,
 
 /// One clock: next() of the state that it sees, and the same of what comes of it.
 template <class Design, class V>
-constexpr auto clocked(const typename Design::Params& p,
-                       const typename Design::template State<V>& s,
-                       const typename Design::template Inputs<V>& in) {
+constexpr auto clock_of(const typename Design::Params& p,
+                        const typename Design::template State<V>& s,
+                        const typename Design::template Inputs<V>& in) {
   if constexpr (is_reset_asynchronous<Design>()) {
     auto step = Design::next(p, seen_state<Design, V>(p, s, in), in);
     step.state = seen_state<Design, V>(p, step.state, in);

@@ -72,8 +72,8 @@ class Synchronizers {
         for (const std::size_t clock : clocks_) {
           if (clock != last) put<V>(alone, clock, V(0));
         }
-        const State<V> first = clocked<Design, V>(p, before, others).state;
-        const State<V> then = clocked<Design, V>(p, first, alone).state;
+        const State<V> first = clock_of<Design, V>(p, before, others).state;
+        const State<V> then = clock_of<Design, V>(p, first, alone).state;
         for (const One& one : all_) {
           const V turned = at<V>(in, one.choice) & (at<V>(then, one.held) ^ at<V>(s, one.held));
           put<V>(after, one.held, at<V>(after, one.held) ^ turned);

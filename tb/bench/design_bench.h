@@ -43,7 +43,7 @@ class DesignBench final : public Bench<Design> {
     using Inputs = typename Design::template Inputs<Word>;
     const auto before = Cells<State>(dut_.params).record(state);
     const auto in = Cells<Inputs>(dut_.params).record(inputs);
-    const auto after = clocked<Design, Word>(dut_.params, before, in).state;
+    const auto after = clock_of<Design, Word>(dut_.params, before, in).state;
     const auto taken = Synchronizers<Design>(dut_.params).taken(dut_.params, before, in, after);
     Stimulus s;
     s.machine = this->title();
@@ -171,7 +171,7 @@ class DesignBench final : public Bench<Design> {
     t.compared_text = fmt::format("{} registers and {} outputs", t.registers, outputs.size());
     t.inputs = fields<typename Design::template Inputs<Word>>();
     t.state = fields<State>();
-    const State reset = reset_state_of<Design, Word>();
+    const State reset = reset_state_of<Design, Word>(dut_.params);
     t.reset_state = words(reset);
     t.rest = words(rest_of<Design>());
     t.reset_inputs = {t.rest, 0};

@@ -5,6 +5,7 @@ include_guard(GLOBAL)
 #
 #   PREFIX_title      W=8 MASK=31 MODE=FAST
 #   PREFIX_values     8, 31, "FAST": numbers and texts of the model's Params
+#   PREFIX_names, PREFIX_list  its names, and these as a list
 #   PREFIX_generics   what Verilator is given: -GW=8;-GMASK=8'h1F;-GMODE="FAST"
 #   PREFIX_chparams   what yosys is given, which takes a text for its bits
 #   PREFIX_constants  the same by names, for C++, of those that are no plain number
@@ -12,7 +13,7 @@ include_guard(GLOBAL)
 # A value is a whole number, a constant of Verilog with a base, or else a text without blanks.
 function(cosim_shape prefix what shape)
   string(REGEX MATCHALL "[^ ]+" words "${shape}")
-  foreach(list title values generics chparams constants)
+  foreach(list title names values generics chparams constants)
     set(${list})
   endforeach()
   foreach(word IN LISTS words)
@@ -41,6 +42,7 @@ function(cosim_shape prefix what shape)
         "${what}: SHAPES: ${word}: ${value} is no number, no constant of Verilog and no word")
     endif()
     list(APPEND title "${name}=${plain}")
+    list(APPEND names "${name}")
     list(APPEND values "${number}")
     list(APPEND generics "-G${name}=${value}")
     list(APPEND chparams " -chparam ${name} ${constant}")
@@ -49,11 +51,12 @@ function(cosim_shape prefix what shape)
     endif()
   endforeach()
   list(JOIN title " " title)
+  set(list "${values}")
   list(JOIN values ", " values)
   list(JOIN chparams "" chparams)
   list(JOIN constants ", " constants)
-  foreach(list title values generics chparams constants)
-    set(${prefix}_${list} "${${list}}" PARENT_SCOPE)
+  foreach(one title names list values generics chparams constants)
+    set(${prefix}_${one} "${${one}}" PARENT_SCOPE)
   endforeach()
 endfunction()
 

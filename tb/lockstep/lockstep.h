@@ -75,7 +75,7 @@ class Lockstep {
   /// without a reset begins at its initial values.
   template <class PowerUp>
   explicit Lockstep(const PowerUp& power_up)
-      : dut_(power_up), state_(reset_state_of<Design, Word>()), mask_(dut_.params) {
+      : dut_(power_up), state_(reset_state_of<Design, Word>(dut_.params)), mask_(dut_.params) {
     if constexpr (has_reset<Design>) {
       dut_.drive(reset_inputs_of<Design>());
       for (int i = 0; i < reset_clocks_of<Design>(); ++i) edge();
@@ -133,7 +133,7 @@ class Lockstep {
       bits = difference(expected_.registers, dut_.registers());
     // One word from here on: else each register's difference waits on the stack for the outputs'.
     asm("" : "+r"(bits));
-    const auto step = clocked<Design, Word>(dut_.params, state_, in);
+    const auto step = clock_of<Design, Word>(dut_.params, state_, in);
     coverage::count<Design>(dut_.params, seen, in);
     copy_fields(dut_.params, expected_.outputs, step.outputs);
     if constexpr (CompareMask<Design>::any) {

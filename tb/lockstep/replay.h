@@ -113,13 +113,13 @@ template <class Design>
   Stimulus stimulus;
   stimulus.power_up = power_up;
   const Cells<typename Design::template Inputs<Word>> inputs(p);
-  auto state = reset_state_of<Design, Word>();
+  auto state = reset_state_of<Design, Word>(p);
   typename Design::template Inputs<Word> in;
   typename Design::template Outputs<Word> out{};
   const Synchronizers<Design> taking(p);
   while (stimulus.clocks.size() < clocks && source(state, in, out)) {
     stimulus.clocks.push_back(inputs.words(in));
-    const auto step = clocked<Design, Word>(p, state, in);
+    const auto step = clock_of<Design, Word>(p, state, in);
     out = step.outputs;
     copy_fields(p, state, taking.taken(p, state, in, step.state));
   }

@@ -170,7 +170,7 @@ Machine machine_of(const typename Design::Params& p, FreeState free_state, FreeI
   const auto s = detail::free_record<State>(state_fields, free_state, m.state);
 
   const auto seen = seen_state<Design, Number>(p, s, in);
-  auto step = clocked<Design, Number>(p, s, in);
+  auto step = clock_of<Design, Number>(p, s, in);
   State::trim(p, step.state);
   const auto after = Synchronizers<Design>(p).taken(p, s, in, step.state);
   m.invariant = detail::whole_invariant<Design>(p, s);
@@ -205,7 +205,7 @@ Machine machine_of(const typename Design::Params& p, FreeState free_state, FreeI
     }
   }
 
-  auto reset_state = reset_state_of<Design, Number>();
+  auto reset_state = reset_state_of<Design, Number>(p);
   m.begins = wires(reset_state, state_fields);
   for_each_cell<State>([&](auto cell, std::size_t i) {
     if (state_fields[i].unreset) cell(reset_state) = cell(s);

@@ -31,7 +31,7 @@ Played played_of(const typename Design::Params& p) {
     }
     return all;
   };
-  played.reset_state = codes(reset_state_of<Design, Word>(), State::fields(p));
+  played.reset_state = codes(reset_state_of<Design, Word>(p), State::fields(p));
   Inputs reset = rest_of<Design>();
   if constexpr (has_reset<Design>) reset = reset_inputs_of<Design>();
   played.reset_inputs = codes(reset, Inputs::fields(p));

@@ -7,8 +7,9 @@
 #     [CLOCK port | CLOCKS port... | COMBINATIONAL]
 #                                  its clock; default clk; or several; or it has no register
 #     [INCLUDE_DIRS folder...] [DEFINES name[=value]...]
-#     MODEL header...              what defines struct Design
-#     [NAMESPACE space]            where; default NAME_model
+#     MODEL header...              the struct that is its golden model, model/clocked/model.h
+#     [STRUCT name]                its name; default NAME in one word: AsyncFifo of async_fifo
+#     [NAMESPACE space]            where a model of streams defines struct Design; default NAME_model
 #     [SHAPES "W=8 M=8'h1F"...]    parameters of the top, one build each: numbers, constants, words
 #                                  (MODE=FAST is a text); none: as the RTL has them
 #     [NETLISTS file.v...]         one a shape, simulated in place of SOURCES; their registers are wires
@@ -43,6 +44,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/../dut/verilog.cmake)
 set_property(GLOBAL PROPERTY COSIM_ROOT "${CMAKE_CURRENT_LIST_DIR}/../..")
 include(${CMAKE_CURRENT_LIST_DIR}/design_control.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/design_open.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/design_struct.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/design_program.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../gtest/design_gtest.cmake)  # cosim_add_gtest(): tests by hand
 include(${CMAKE_CURRENT_LIST_DIR}/../coverage/design_cover.cmake)
@@ -75,7 +77,7 @@ function(cosim_add_design NAME)
   if(NOT VERILATOR_ROOT)
     find_package(verilator REQUIRED HINTS $ENV{VERILATOR_ROOT} /usr/share/verilator)
   endif()
-  cmake_parse_arguments(PARSE_ARGV 1 D "UNPROVED;COMBINATIONAL" "TOP;CLOCK;NAMESPACE"
+  cmake_parse_arguments(PARSE_ARGV 1 D "UNPROVED;COMBINATIONAL" "TOP;CLOCK;NAMESPACE;STRUCT"
     "CLOCKS;BLACKBOXES;SOURCES;INCLUDE_DIRS;DEFINES;MODEL;SHAPES;NETLISTS;LIBRARIES")
   set(what "cosim_add_design(${NAME})")
   if(D_UNPARSED_ARGUMENTS)
@@ -139,7 +141,20 @@ function(cosim_add_design NAME)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${header})
     string(APPEND MODEL_INCLUDES "#include \"${header}\"\n")
   endforeach()
-  if(model_text MATCHES "\nCOSIM_JOB[(]")
+  set(is_struct FALSE)
+  if(model_text MATCHES "#include [<\"]cosim/model[.]h")
+    set(is_struct TRUE)
+    if(NOT D_STRUCT)
+      string(REPLACE "_" ";" words ${NAME})
+      foreach(word IN LISTS words)
+        string(SUBSTRING "${word}" 0 1 letter)
+        string(SUBSTRING "${word}" 1 -1 word)
+        string(TOUPPER "${letter}" letter)
+        string(APPEND D_STRUCT "${letter}${word}")
+      endforeach()
+    endif()
+  endif()
+  if(model_text MATCHES "\nCOSIM_JOB[(]" OR (is_struct AND model_text MATCHES "\n *struct Job "))
     set_property(GLOBAL APPEND PROPERTY COSIM_WITH_JOBS ${NAME})
   endif()
   set(options)
@@ -176,9 +191,10 @@ function(cosim_add_design NAME)
     COMMAND ${program} names ${names} ${root} ${model}
     DEPENDS ${program} COMMENT "Names of ${NAME}")
   target_sources(${NAME}_verilated PRIVATE ${names})
-  foreach(text SHAPES VERILATED_INCLUDES OPEN_INCLUDES OPEN_MAKERS open_made_of ADD_BENCHES ADD_MACHINES prefixes)
+  foreach(text SHAPES VERILATED_INCLUDES OPEN_INCLUDES OPEN_MAKERS open_made_of ADD_BENCHES ADD_MACHINES prefixes struct_shapes struct_parameters struct_files EXPORTS)
     set(${text} "")
   endforeach()
+  set(shape_number 0)
   foreach(shape IN LISTS D_SHAPES)
     cosim_shape(shape "${what}" "${shape}")
     string(REGEX REPLACE "[ =]" "" ID "${NAME}${shape}")
@@ -230,6 +246,9 @@ function(cosim_add_design NAME)
     if(NOT D_CLOCKS)
       set(rtl_of_clocks "")
     endif()
+    if(is_struct)
+      cosim_struct_shape()
+    endif()
     string(APPEND SHAPES
       "struct Trait_${ID} {\n"
       "  using Design = ::${D_NAMESPACE}::Design;\n"
@@ -254,6 +273,9 @@ function(cosim_add_design NAME)
   cosim_ports(${NAME}_open ${classes})
   cosim_without_runtime(${NAME}_verilated ${NAME}_open)
   cosim_open_library("${open_made_of}")
+  if(is_struct)
+    cosim_struct_design()
+  endif()
   # The lockstep of all shapes is one file, and what is proved of them another.
   configure_file(${root}/tb/package/named_shapes.h.in ${CMAKE_CURRENT_BINARY_DIR}/${NAME}_shapes.h @ONLY)
   foreach(kind benches machines)

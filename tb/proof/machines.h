@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/core/stream.h"
+#include "tb/nets/exported.h"
 #include "tb/nets/jobs.h"
 #include "tb/nets/played.h"
 #include "tb/proof/yosys.h"

@@ -18,7 +18,7 @@ void compared(benchmark::State& state, const InputList<Adapter>& list) {
   const Source<typename Design::template Inputs<Word>> source{&list};
   Adapter dut(1);
   for (auto _ : state) {
-    auto model = reset_state_of<Design, Word>();
+    auto model = reset_state_of<Design, Word>(Adapter::params);
     dut.drive(Design::reset_inputs());
     dut.eval(false);
     dut.eval(true);

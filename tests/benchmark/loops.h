@@ -22,7 +22,7 @@ template <class Adapter, class Job>
 auto inputs_of(const std::vector<Job>& jobs) {
   using Design = typename Adapter::Design;
   std::vector<typename Design::template Inputs<Word>> inputs{Design::reset_inputs()};
-  auto state = reset_state_of<Design, Word>();
+  auto state = reset_state_of<Design, Word>(Adapter::params);
   typename Design::template Outputs<Word> seen;
   typename Design::template Inputs<Word> in;
   HostOf<Design> host(Adapter::params, jobs);

@@ -65,7 +65,7 @@ Record<Design> play(const Variant<Design>& variant, const Script<Design>& script
 
 template <class Design>
 Record<Design> predict(const typename Design::Params& p, const Script<Design>& script) {
-  auto state = reset_state_of<Design, Word>();
+  auto state = reset_state_of<Design, Word>(p);
   Record<Design> record;
   for (const auto& in : script) {
     const auto step = Design::next(p, state, in);

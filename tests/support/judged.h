@@ -17,7 +17,7 @@ Checked judged(const typename Design::Params& p, const std::vector<JobOf<Design>
                Change change) {
   JobCheck<Design, Figures> check(p, jobs);
   HostOf<Design> host(p, jobs);
-  auto s = reset_state_of<Design, Word>();
+  auto s = reset_state_of<Design, Word>(p);
   typename Design::template Inputs<Word> in;
   Compared<Design> seen{};
   const std::uint64_t most = 5000 * jobs.size();

@@ -27,7 +27,7 @@ class ModelAdapter : public Dut<D> {
   }
 
  private:
-  typename D::template State<Word> state_ = reset_state_of<D, Word>();
+  typename D::template State<Word> state_ = reset_state_of<D, Word>(P);
   typename D::template Inputs<Word> in_{};
   bool clk_ = false;
 };

@@ -12,7 +12,8 @@ class ModelMachine {
   using Outputs = typename Design::template Outputs<Word>;
   using Registers = typename Design::template Registers<Word>;
 
-  explicit ModelMachine(const typename Design::Params& p) : p_(p) {}
+  explicit ModelMachine(const typename Design::Params& p)
+      : state(reset_state_of<Design, Word>(p)), p_(p) {}
 
   /// The outputs during the clock; the registers and the state then are those behind it.
   Outputs clock(const Inputs& in) {
@@ -22,7 +23,7 @@ class ModelMachine {
   }
   Registers registers() const { return Design::registers(p_, state); }
 
-  typename Design::template State<Word> state = reset_state_of<Design, Word>();
+  typename Design::template State<Word> state;
 
  private:
   typename Design::Params p_;

@@ -47,7 +47,7 @@ TEST(PlainDesign, SaysWhereItsRegistersAreAndWhichNoResetReaches) {
 
 TEST(PlainDesign, RestsAtZeroAndStartsAtZero) {
   EXPECT_EQ(to_words(rest_of<Design>()), (Words<Inputs<Word>>{0}));
-  EXPECT_EQ(to_words(reset_state_of<Design, Word>()), (Words<State<Word>>{0, 0, 0}));
+  EXPECT_EQ(to_words(reset_state_of<Design, Word>(Params{5})), (Words<State<Word>>{0, 0, 0}));
   EXPECT_TRUE(parameters_of<Design>(Params{5}).empty());
   EXPECT_STREQ(source_of<Design>(), "");
 }

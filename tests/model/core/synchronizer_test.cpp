@@ -40,7 +40,7 @@ struct Design {
 };
 
 State<Word> after(const State<Word>& s, const Inputs<Word>& in) {
-  const auto step = clocked<Design, Word>({}, s, in);
+  const auto step = clock_of<Design, Word>({}, s, in);
   return Synchronizers<Design>({}).taken({}, s, in, step.state);
 }
 

@@ -56,7 +56,7 @@ template <class Design>
 void expect_strict_steps(const typename Design::Params& p) {
   auto hostile = stimulus<Design>(p, 0);
   ModelMachine<Design> machine(p);
-  auto state = reset_state_of<Design, Strict>();
+  auto state = reset_state_of<Design, Strict>(p);
   const auto words = [](const auto& record) {
     std::array<Word, std::decay_t<decltype(record)>::size> w{};
     for_each_member<std::decay_t<decltype(record)>>(
@@ -86,7 +86,7 @@ void expect_lanes_step(const typename Design::Params& p) {
   std::vector<ModelMachine<Design>> machines(kLanes, ModelMachine<Design>(p));
   for (std::size_t i = 0; i < kLanes; ++i) hostile.push_back(stimulus<Design>(p, i + 1));
 
-  auto state = reset_state_of<Design, Lanes>();
+  auto state = reset_state_of<Design, Lanes>(p);
   const auto words_of_lane = [](const auto& record, std::size_t i) {
     std::array<Word, std::decay_t<decltype(record)>::size> w{};
     for_each_member<std::decay_t<decltype(record)>>(

@@ -25,7 +25,8 @@ Stimulus hostile(const Bench<Design>& bench, const HostileCase& c) {
 template <class Design>
 std::vector<typename Design::template State<Word>> states(const Bench<Design>& bench,
                                                           const Stimulus& s) {
-  std::vector<typename Design::template State<Word>> all{reset_state_of<Design, Word>()};
+  std::vector<typename Design::template State<Word>> all{
+      reset_state_of<Design, Word>(bench.params())};
   Rows<Design> rows(bench.params(), s);
   typename Design::template Inputs<Word> in;
   while (rows.next(in, {})) all.push_back(Design::next(bench.params(), all.back(), in).state);

@@ -1,0 +1,290 @@
+// The records of a design whose model is a struct, as the tables of model/core/record.h have them:
+// cells that are words, the same record for each shape.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+#include "model/clocked/cells.h"
+#include "model/clocked/leaves.h"
+#include "model/core/fields.h"
+#include "model/core/job_table.h"
+#include "model/core/record.h"
+
+namespace cosim::clocked {
+
+/// What a shape is, of its design's.
+struct Shape {
+  int number = 0;
+};
+
+/// What a value is in a record: its number, with a sign where it has one, or its code.
+template <bool is_code, Value T>
+constexpr Word word_of(const T& value) {
+  if constexpr (is_code && Base<T>::is_signed) {
+    return static_cast<Word>(Inside::rep(code_of(value)));
+  } else {
+    return static_cast<Word>(Inside::rep(Inside::base(value)));
+  }
+}
+
+// Names with an end, and the fields of one struct.
+template <class T>
+class Names {
+  static constexpr std::size_t length = [] {
+    std::size_t sum = 1;
+    for (const Leaf& leaf : leaves_of<T>) {
+      sum += leaf.name.size + leaf.path.size() + leaf.block.size() + leaf.sampled.size() + 4;
+    }
+    return sum;
+  }();
+  struct Text {
+    std::array<char, length> text{};
+    std::array<std::array<std::size_t, 4>, leaves_of<T>.size()> at{};
+  };
+  static constexpr Text all = [] {
+    Text t;
+    std::size_t end = 0, i = 0;
+    const auto add = [&](std::string_view words) {
+      const std::size_t begin = end;
+      for (const char c : words) t.text[end++] = c;
+      t.text[end++] = '\0';
+      return begin;
+    };
+    for (const Leaf& leaf : leaves_of<T>) {
+      const std::string_view name(leaf.name.text.data(), leaf.name.size);
+      const std::size_t at = add(name);
+      t.at[i++] = {at, leaf.path.empty() ? at : add(leaf.path), add(leaf.block), add(leaf.sampled)};
+    }
+    return t;
+  }();
+
+ public:
+  enum Which { name, path, block, sampled };
+  static constexpr const char* of(std::size_t leaf, Which which) {
+    return all.text.data() + all.at[leaf][which];
+  }
+};
+
+/// The cells of the structs T, one for each shape of a design.
+template <class... T>
+struct RecordTable {
+  using First = std::tuple_element_t<0, std::tuple<T...>>;
+  static constexpr std::size_t leaves = leaves_of<First>.size();
+  static_assert(((leaves_of<T>.size() == leaves) && ...),
+                "all shapes of a design have the same members");
+
+  static constexpr int words(const Leaf& leaf) { return (leaf.width + 63) / 64; }
+  /// The most elements of each leaf, or words of a wide number; 0: it is one word.
+  static constexpr std::array<int, leaves> capacity = [] {
+    std::array<int, leaves> most{};
+    const auto see = [&](const auto& all) {
+      for (std::size_t i = 0; i < leaves; ++i) {
+        const int many = all[i].elements > 0 ? all[i].elements
+                         : words(all[i]) > 1 ? words(all[i])
+                                             : 0;
+        most[i] = std::max(most[i], many);
+      }
+    };
+    (see(leaves_of<T>), ...);
+    return most;
+  }();
+  static constexpr std::array<std::size_t, leaves + 1> first = [] {
+    std::array<std::size_t, leaves + 1> all{};
+    for (std::size_t i = 0; i < leaves; ++i) {
+      all[i + 1] = all[i] + std::size_t(std::max(capacity[i], 1));
+    }
+    return all;
+  }();
+  static constexpr std::size_t size = first[leaves];
+  static constexpr bool has_arrays = [] {
+    for (const int n : capacity) {
+      if (n > 0) return true;
+    }
+    return false;
+  }();
+  static constexpr int clocks = [] {
+    int n = 0;
+    for (const Leaf& leaf : leaves_of<First>) n += leaf.edge != 0;
+    return n;
+  }();
+  static constexpr int choices = [] {
+    int n = 0;
+    for (const Leaf& leaf : leaves_of<First>) n += !leaf.sampled.empty();
+    return n;
+  }();
+
+  /// Of each cell whether its register holds all ones for 0.
+  static constexpr std::array<bool, size> has_minus_zero = [] {
+    std::array<bool, size> all{};
+    for (std::size_t i = 0; i < leaves; ++i) {
+      for (std::size_t k = first[i]; k < first[i + 1]; ++k) {
+        all[k] = leaves_of<First>[i].has_minus_zero;
+      }
+    }
+    return all;
+  }();
+
+  static constexpr const std::array<Field, size>& fields(const Shape& shape) {
+    return fields_[std::size_t(shape.number)];
+  }
+  static constexpr std::array<JobField, leaves> job_fields(const Shape& shape) {
+    std::array<JobField, leaves> all{};
+    int number = 0;
+    const auto see = [&]<class S>(std::type_identity<S>) {
+      for (std::size_t i = 0; number == shape.number && i < leaves; ++i) {
+        const Leaf& leaf = leaves_of<S>[i];
+        all[i] = {Names<S>::of(i, Names<S>::name), leaf.low, leaf.high, ""};
+      }
+      ++number;
+    };
+    (see(std::type_identity<T>()), ...);
+    return all;
+  }
+  /// Every clock of a record takes its edge.
+  template <class R>
+  static constexpr void raise_clocks(R& r) {
+    R::each_member_of_clocks(r);
+  }
+
+ private:
+  static constexpr Format format(const Leaf& leaf) {
+    if (leaf.is_ones_complement) return Format::ones_complement;
+    if (leaf.width > 64 || (leaf.is_hex && leaf.width > 1)) return Format::bits;
+    if (leaf.is_signed) return Format::twos_complement;
+    return leaf.width == 1 ? Format::flag : Format::number;
+  }
+  template <class S>
+  static constexpr std::array<Field, size> fields_of() {
+    std::array<Field, size> all{};
+    for (std::size_t i = 0; i < leaves; ++i) {
+      using N = Names<S>;
+      const Leaf& leaf = leaves_of<S>[i];
+      Field whole{N::of(i, N::name), leaf.width,     format(leaf), N::of(i, N::block), "", 0,
+                  N::of(i, N::path), leaf.is_unreset};
+      whole.edge = leaf.edge > 0 ? Edge::rising : leaf.edge < 0 ? Edge::falling : Edge::none;
+      whole.is_placed = !leaf.path.empty();
+      if (!leaf.sampled.empty()) whole.synchronizer = N::of(i, N::sampled);
+      const bool is_wide = leaf.elements == 0;
+      const int present = is_wide ? words(leaf) : leaf.elements;
+      for (int k = 0; k < std::max(capacity[i], 1); ++k) {
+        Field& cell = all[first[i] + std::size_t(k)];
+        cell = whole;
+        if (capacity[i] == 0) continue;
+        const int each = is_wide ? std::min(64, leaf.width - 64 * k) : leaf.width;
+        cell.width = k < present ? each : 0;
+        cell.index = k;
+        cell.is_word = is_wide;
+        cell.low = k * (is_wide ? 64 : leaf.width);
+      }
+    }
+    return all;
+  }
+  static constexpr std::array<std::array<Field, size>, sizeof...(T)> fields_{fields_of<T>()...};
+};
+
+template <class V, std::size_t I, int CAPACITY>
+struct RecordMember {
+  row::Member<V, CAPACITY> value{};
+};
+template <class V, class Table, class Leaves>
+struct RecordMembers;
+template <class V, class Table, std::size_t... I>
+struct RecordMembers<V, Table, std::index_sequence<I...>>
+    : RecordMember<V, I, Table::capacity[I]>... {};
+
+/// A record of such cells: the struct of each shape as words.
+template <class V, class Of>
+struct ModelRecord : RecordMembers<V, Of, std::make_index_sequence<Of::leaves>> {
+  using Table = Of;
+  static constexpr std::size_t size = Of::size;
+  static constexpr bool has_arrays = Of::has_arrays;
+
+  template <std::size_t I>
+  constexpr auto& leaf() {
+    return RecordMember<V, I, Of::capacity[I]>::value;
+  }
+  template <std::size_t I>
+  constexpr const auto& leaf() const {
+    return RecordMember<V, I, Of::capacity[I]>::value;
+  }
+  template <class Visit>
+  static constexpr void each_member([[maybe_unused]] Visit& visit) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      (visit(pointer<I>(), std::integral_constant<std::size_t, Of::first[I]>()), ...);
+    }
+    (std::make_index_sequence<Of::leaves>());
+  }
+  static constexpr auto fields(const Shape& shape) { return Of::fields(shape); }
+  static constexpr auto job_fields(const Shape& shape) { return Of::job_fields(shape); }
+  /// Cells that a shape does not have are always 0.
+  static constexpr void trim(const Shape&, ModelRecord&) {}
+  static constexpr void each_member_of_clocks(ModelRecord& r) {
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      const auto raise = [&]<std::size_t K>(std::integral_constant<std::size_t, K>) {
+        if constexpr (leaves_of<typename Of::First>[K].edge != 0) r.template leaf<K>() = V(1);
+      };
+      (raise(std::integral_constant<std::size_t, I>()), ...);
+    }
+    (std::make_index_sequence<Of::leaves>());
+  }
+
+ private:
+  template <std::size_t I>
+  static constexpr auto pointer() {
+    using Member = RecordMember<V, I, Of::capacity[I]>;
+    return static_cast<row::Member<V, Of::capacity[I]> ModelRecord::*>(&Member::value);
+  }
+};
+
+/// A struct as words.
+template <class Record, bool are_codes = false, class T>
+constexpr Record record_of(const T& object) {
+  Record r{};
+  for_each_leaf(object, [&](const auto& leaf, auto i) {
+    using L = std::remove_cvref_t<decltype(leaf)>;
+    auto& to = r.template leaf<decltype(i)::value>();
+    if constexpr (ArrayLike<L>) {
+      static_assert(L::Element::width <= 64, "an Array of numbers of more than 64 bits");
+      for (int k = 0; k < L::size; ++k) to[k] = word_of<are_codes>(leaf[k]);
+    } else if constexpr (L::width > 64) {
+      constexpr int n = (L::width + 63) / 64;
+      const auto words = resized<Words<n>, false>(Inside::rep(UInt<L::width>(leaf)));
+      for (int k = 0; k < n; ++k) to[k] = static_cast<Word>(words[k]);
+    } else if constexpr (std::same_as<std::remove_cvref_t<decltype(to)>, Word>) {
+      to = word_of<are_codes>(leaf);
+    } else {
+      to[0] = word_of<are_codes>(leaf);
+    }
+  });
+  return r;
+}
+/// And back: of numbers or of codes.
+template <class Record, class T>
+constexpr void take_record(const Record& r, T& object) {
+  for_each_leaf(object, [&](auto& leaf, auto i) {
+    using L = std::remove_cvref_t<decltype(leaf)>;
+    const auto& from = r.template leaf<decltype(i)::value>();
+    const auto set = []<class Cell>(Cell& cell, const auto& number) {
+      static_cast<Base<Cell>&>(cell) = Base<Cell>(number);
+    };
+    if constexpr (ArrayLike<L>) {
+      for (int k = 0; k < L::size; ++k) set(leaf[k], from[k]);
+    } else if constexpr (L::width > 64) {
+      constexpr int n = (L::width + 63) / 64;
+      Words<n> words;
+      for (int k = 0; k < n; ++k) words[k] = static_cast<std::uint64_t>(from[k]);
+      using U = UInt<L::width>;
+      set(leaf, U(Inside{}, wrapped<L::width, false>(resized<typename U::Rep, false>(words))));
+    } else if constexpr (std::same_as<std::remove_cvref_t<decltype(from)>, Word>) {
+      set(leaf, from);
+    } else {
+      set(leaf, from[0]);
+    }
+  });
+}
+
+}  // namespace cosim::clocked

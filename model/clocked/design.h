@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 #include <type_traits>
+#include <typeindex>
 #include <utility>
 #include <vector>
 
@@ -247,6 +248,10 @@ struct DesignOf : JobRecords<FirstModel, More...>, CheckerRecords<FirstModel, Mo
   template <class F>
   static constexpr auto shaped(const Params& p, const F& f) {
     return pick<0, F, First, More...>(p.number, f);
+  }
+  /// That model.
+  static std::type_index model(const Params& p) {
+    return shaped(p, []<class M>() { return std::type_index(typeid(M)); });
   }
   /// What the RTL's registers hold: codes.
   template <class V>

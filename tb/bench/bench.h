@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <typeindex>
 #include <utility>
 #include <vector>
 
@@ -55,6 +56,7 @@ struct ResetInputs {
 /// What the tables of a design say at one set of parameters, without its types.
 struct BenchTables {
   std::string design, source;
+  std::type_index model = typeid(void);  ///< the struct that is its golden model
   std::vector<Parameter> parameters;
   /// What of the design it looks at, where another bench of the same RTL looks at the rest; else
   /// "".
@@ -91,6 +93,7 @@ class AnyBench {
   // BenchTables says what each is.
   const std::string& design() const { return tables_.design; }
   const std::string& source() const { return tables_.source; }
+  std::type_index model() const { return tables_.model; }
   const std::vector<Parameter>& parameters() const { return tables_.parameters; }
   const std::string& view() const { return tables_.view; }
   const std::vector<Field>& compared() const { return tables_.compared; }

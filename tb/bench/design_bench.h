@@ -163,6 +163,7 @@ class DesignBench final : public Bench<Design> {
     BenchTables t;
     t.design = Design::name;
     t.source = source_of<Design>();
+    if constexpr (requires { Design::model(dut_.params); }) t.model = Design::model(dut_.params);
     t.parameters = list(parameters_of<Design>(dut_.params));
     t.compared = fields<typename Design::template Registers<Word>>();
     t.registers = t.compared.size();
@@ -195,16 +196,29 @@ class DesignBench final : public Bench<Design> {
     using typename ByHand<Design>::Outputs;
     using typename ByHand<Design>::State;
 
-    explicit HandLockstep(const typename AnyAdapter<Design>::PowerUp& start) : both_(start) {}
+    explicit HandLockstep(const typename AnyAdapter<Design>::PowerUp& start)
+        : both_(start),
+          inputs_(start.maker.params),
+          outputs_(start.maker.params),
+          state_(start.maker.params) {}
+    const char* broken_rule(const std::vector<Word>& inputs) const override {
+      return broken_rule(inputs_.record(inputs));
+    }
+    bool clock(const std::vector<Word>& inputs) override { return clock(inputs_.record(inputs)); }
+    std::vector<Word> outputs() const override { return outputs_.words(out()); }
+    std::vector<Word> state() const override { return state_.words(now()); }
     const char* broken_rule(const Inputs& in) const override {
       return cosim::broken_rule<Design>(both_.dut().params, both_.state(), in);
     }
     bool clock(const Inputs& in) override { return both_.clock(in); }
     const Outputs& out() const override { return both_.expected().outputs; }
-    const State& state() const override { return both_.state(); }
+    const State& now() const override { return both_.state(); }
 
    private:
     AnyLockstep<Design> both_;
+    Cells<Inputs> inputs_;
+    Cells<Outputs> outputs_;
+    Cells<State> state_;
   };
 
   class HostSession final : public Session<Design> {

@@ -1,5 +1,6 @@
 #include "tb/gtest/directed.h"
 
+#include <cxxabi.h>
 #include <fmt/core.h>
 
 #include <cstdlib>
@@ -43,6 +44,20 @@ const AnyBench& directed_choice(const std::vector<const AnyBench*>& benches,
   throw InputError(fmt::format("{}: {}; there is {}", design,
                                shape.empty() ? "name one of the shapes" : "no shape " + shape,
                                there.empty() ? "none" : there));
+}
+
+const AnyBench& directed_choice(const std::vector<const AnyBench*>& benches,
+                                std::type_index model) {
+  for (const AnyBench* bench : benches) {
+    if (bench->model() == model) return *bench;
+  }
+  std::string name = model.name();
+  int status = 0;
+  if (char* plain = abi::__cxa_demangle(model.name(), nullptr, nullptr, &status)) {
+    name = plain;
+    std::free(plain);
+  }
+  throw InputError(name + ": no design was built with it as its model at this shape");
 }
 
 DirectedRecord::DirectedRecord(const AnyBench& bench, std::uint32_t power_up)

@@ -10,6 +10,7 @@
 #include "tb/nets/exported.h"
 #include "tb/nets/jobs.h"
 #include "tb/nets/played.h"
+#include "tb/nets/same_model.h"
 #include "tb/proof/yosys.h"
 
 namespace cosim::proof {
@@ -50,7 +51,13 @@ BuiltMachine built_machine(Source source) {
     machine.resets_itself = std::string_view(Trait::resets).find("inner ") != std::string::npos;
   }
   if constexpr (StepsOn<Design, nets::Number>) {
-    machine.nets = [] { return nets::model_of<Design>(Trait::params); };
+    machine.nets = [] {
+      auto model = nets::model_of<Design>(Trait::params);
+      if constexpr (requires { Design::model(Trait::params); }) {
+        nets::require_same<Design>(model, Trait::params, Trait::title);
+      }
+      return model;
+    };
     machine.played = [] { return nets::played_of<Design>(Trait::params); };
     if constexpr (nets::DrivesOnNets<Design>) {
       machine.jobs = [] { return nets::draw_of_jobs<Design>(Trait::params); };

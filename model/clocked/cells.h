@@ -12,9 +12,10 @@ namespace cosim::clocked {
 
 /// What is said of a cell by its member's type and name.
 struct Label {
-  std::string name;         ///< "left", "store[3]", "head.tag"; the path of an At
-  std::string_view block;   ///< of a Source, else ""
-  bool is_unreset = false;  ///< of an Unreset
+  std::string name;           ///< "left", "store[3]", "head.tag"; the path of an At
+  std::string_view block;     ///< of a Source, else ""
+  bool is_unreset = false;    ///< of an Unreset
+  bool is_auxiliary = false;  ///< of an Auxiliary
 };
 
 /// Calls visit(label, cell) for each value in an object: a value, an Array, or a plain struct,
@@ -25,6 +26,7 @@ void for_each_cell(T& object, const Visit& visit, Label label = {}) {
   if constexpr (requires { Plain::path; }) label.name = Plain::path;
   if constexpr (requires { Plain::block; }) label.block = Plain::block;
   if constexpr (requires { Plain::is_unreset; }) label.is_unreset = true;
+  if constexpr (requires { Plain::is_auxiliary; }) label.is_auxiliary = true;
   if constexpr (Value<Plain>) {
     visit(std::as_const(label), object);
   } else if constexpr (ArrayLike<Plain>) {

@@ -17,6 +17,10 @@ concept ArrayLike = requires {
   typename T::Element;
 };
 
+/// What a T, or a type derived from it, can be made of: a number, a T, a base of T.
+template <class X, class T>
+concept MadeInto = Operand<X> || std::derived_from<T, X>;
+
 /// A T of zeros: a value, an Array, or a struct of them.
 template <class T>
 constexpr T zero();
@@ -77,8 +81,8 @@ class Array {
                   "no reset reaches it is an Unreset<Array<...>>");
   }
   /// All elements alike.
-  template <class X>
-  requires(Operand<X> || std::same_as<X, T>) constexpr Array(const X& x) {
+  template <MadeInto<T> X>
+  constexpr Array(const X& x) {
     for (Slot& slot : slots_) static_cast<T&>(slot) = fill<X>(x);
   }
   /// The first elements; the others are 0.
@@ -176,8 +180,8 @@ struct Unreset : T {
   static constexpr bool is_unreset = true;
   constexpr Unreset() : T(0) {}
   using T::T;
-  template <class X>
-  requires(Operand<X> || std::same_as<X, T>) constexpr Unreset(const X& x) : T(x) {}  // NOLINT
+  template <MadeInto<T> X>
+  constexpr Unreset(const X& x) : T(x) {}  // NOLINT
 };
 
 template <std::size_t N>
@@ -194,8 +198,8 @@ template <Text PATH, class T>
 struct At : T {
   static constexpr std::string_view path = PATH;
   using T::T;
-  template <class X>
-  requires(Operand<X> || std::same_as<X, T>) constexpr At(const X& x) : T(x) {}  // NOLINT
+  template <MadeInto<T> X>
+  constexpr At(const X& x) : T(x) {}  // NOLINT
 };
 
 /// A register, a port that a printed source numbers: Source<"16", Bit>.
@@ -203,8 +207,17 @@ template <Text BLOCK, class T>
 struct Source : T {
   static constexpr std::string_view block = BLOCK;
   using T::T;
-  template <class X>
-  requires(Operand<X> || std::same_as<X, T>) constexpr Source(const X& x) : T(x) {}  // NOLINT
+  template <MadeInto<T> X>
+  constexpr Source(const X& x) : T(x) {}  // NOLINT
+};
+
+/// A register of the model alone, to which none of the RTL's is compared: Auxiliary<UInt<8>>.
+template <class T>
+struct Auxiliary : T {
+  static constexpr bool is_auxiliary = true;
+  using T::T;
+  template <MadeInto<T> X>
+  constexpr Auxiliary(const X& x) : T(x) {}  // NOLINT
 };
 
 /// A value that is shown in hexadecimal: Hex<UInt<32>>.
@@ -212,8 +225,8 @@ template <class T>
 struct Hex : T {
   static constexpr bool is_hex = true;
   using T::T;
-  template <class X>
-  requires(Operand<X> || std::same_as<X, T>) constexpr Hex(const X& x) : T(x) {}  // NOLINT
+  template <MadeInto<T> X>
+  constexpr Hex(const X& x) : T(x) {}  // NOLINT
 };
 
 /// An input that is a clock, one of several: 1 on a step on which it takes its rising edge.
@@ -234,8 +247,8 @@ template <Text REGISTER, class T>
 struct Sampled : T {
   static constexpr std::string_view sampled = REGISTER;
   using T::T;
-  template <class X>
-  requires(Operand<X> || std::same_as<X, T>) constexpr Sampled(const X& x) : T(x) {}  // NOLINT
+  template <MadeInto<T> X>
+  constexpr Sampled(const X& x) : T(x) {}  // NOLINT
 };
 
 constexpr int bits_for_range(std::int64_t low, std::int64_t high) {

@@ -6,11 +6,11 @@
 //   a / b       rounded to 0; the bits of a, and one more where b has a sign. By 0: all bits set
 //   a % b       the bits and the sign of a. By 0: a
 //   a & b ...   the smallest type that holds both; ~a keeps its own
-//   a << n      n more bits: as many as n, a UInt, can be; where n is an int, as many as a has, or 64
+//   a << n      n more bits: as many as a UInt n can be; of an int n, as many as a has, or 64
 //   a >> n      the bits of a; an Int keeps its sign
-//   a == b ...  of numbers, not of bit patterns: Int<4>(-1) is not UInt<4>(15). A Bit
-//   a && b, !a  a Bit. Both sides are computed, for a symbol has no other way. Where a is a number of
-//               C++, && is that of C++: b is computed only where a is true, and forks then
+//   a == b ...  a Bit. Numbers are compared, not bit patterns: Int<4>(-1) is not UInt<4>(15)
+//   a && b, !a  a Bit. Both sides are computed, for a symbol has no other way. A number of C++
+//               before && is C++'s own: b is computed only where it is true, and then forks
 //
 // A number of C++ stands for an Int or a UInt of its bits, an int for an Int<32>. No type has more
 // than 4,096 bits: upper ones are lost.

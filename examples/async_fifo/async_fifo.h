@@ -1,97 +1,90 @@
-// Golden model of async_fifo.v.
+// Both models of async_fifo.v: what it does on every clock, and what goes through it.
 #pragma once
 
-#include "model/core/design.h"
-#include "model/core/memory.h"
+#include <cosim/model.h>
+
 #include "model/core/stream.h"
+
+/// WIDTH: bits of a word, 1 to 64. BITS: of a word's number in the queue, 2 to 4.
+template <int WIDTH, int BITS>
+struct AsyncFifo {
+  using Word = Hex<UInt<WIDTH>>;
+  using Count = UInt<BITS + 1>;
+  using Gray = Hex<Count>;
+  struct In {
+    Bit rst_n;                             // 0 empties it
+    Rises w_clk;                           // the writer's clock
+    Bit w_valid;                           // there is a word
+    Word w_data;                           // the word
+    Rises r_clk;                           // the reader's clock
+    Bit r_ready;                           // a word can be taken
+    Sampled<"r_first", Gray> r_first_new;  // bits that take the new value
+    Sampled<"w_first", Gray> w_first_new;  // bits that take the new value
+  };
+  struct Out {
+    Bit w_ready;  // there is room for a word
+    Bit r_valid;  // there is a word
+    Word r_data;  // the oldest
+  };
+  static constexpr auto reset = active_low<&In::rst_n>;
+  static constexpr bool asynchronous_reset = true;
+
+  Count w_count = 0;                      // words that went in
+  Gray w_gray = 0;                        // the same in Gray code
+  Gray r_first = 0;                       // r_gray, at the writer, a clock ago
+  Gray r_seen = 0;                        // the same, two clocks ago
+  Count r_count = 0;                      // words that came out
+  Gray r_gray = 0;                        // the same in Gray code
+  Gray w_first = 0;                       // w_gray, at the reader, a clock ago
+  Gray w_seen = 0;                        // the same, two clocks ago
+  Unreset<Array<Word, 1 << BITS>> store;  // the words, in a circle
+
+  Out clock(const In& in) {
+    // As many words more than seen as there are places: in Gray code the first two bits differ.
+    const Out out{.w_ready = w_gray != (r_seen ^ 3 << (BITS - 1)),
+                  .r_valid = r_gray != w_seen,
+                  .r_data = store[UInt<BITS>(r_count)]};
+    const Gray w_before = w_gray;
+    if (in.w_clk) {
+      const Bit push = in.w_valid && out.w_ready;
+      if (push) store[UInt<BITS>(w_count)] = in.w_data;
+      w_count += push;
+      w_gray = w_count ^ w_count >> 1;
+      r_seen = r_first;
+      r_first = r_gray;
+    }
+    if (in.r_clk) {
+      r_count += in.r_ready && out.r_valid;
+      r_gray = r_count ^ r_count >> 1;
+      w_seen = w_first;
+      w_first = w_before;
+    }
+    return out;
+  }
+
+  /// What stands at the output of an empty queue means nothing.
+  auto compared(const In&, const Out& out) const { return stated({{"r_data", out.r_valid}}); }
+};
 
 namespace async_fifo_model {
 
 using namespace cosim;
 
 struct Params {
-  int width;  ///< bits of a word, 1 to 64
-  int bits;   ///< of a word's number in the queue, 2 to 4
-
-  constexpr int words() const { return 1 << bits; }
-  constexpr int count() const { return bits + 1; }
+  int width, bits;
 };
-
-#define ASYNC_FIFO_INPUTS(FIELD)                                                                  \
-  FIELD(rst_n, 1, flag, "", "0 empties it")                                                       \
-  FIELD(w_clk, 1, rises, "", "the writer's clock")                                                \
-  FIELD(w_valid, 1, flag, "", "there is a word")                                                  \
-  FIELD(w_data, p.width, bits, "", "the word")                                                    \
-  FIELD(r_clk, 1, rises, "", "the reader's clock")                                                \
-  FIELD(r_ready, 1, flag, "", "a word can be taken")                                              \
-  FIELD(r_first_new, p.count(), bits.synchronizer("r_first"), "", "bits that take the new value") \
-  FIELD(w_first_new, p.count(), bits.synchronizer("w_first"), "", "bits that take the new value")
-#define ASYNC_FIFO_OUTPUTS(FIELD)                         \
-  FIELD(w_ready, 1, flag, "", "there is room for a word") \
-  FIELD(r_valid, 1, flag, "", "there is a word")          \
-  FIELD(r_data, p.width, bits, "", "the oldest")
-#define ASYNC_FIFO_STATE(FIELD)                                             \
-  FIELD(w_count, p.count(), number, "", "words that went in")               \
-  FIELD(w_gray, p.count(), bits, "", "the same in Gray code")               \
-  FIELD(r_first, p.count(), bits, "", "r_gray, at the writer, a clock ago") \
-  FIELD(r_seen, p.count(), bits, "", "the same, two clocks ago")            \
-  FIELD(r_count, p.count(), number, "", "words that came out")              \
-  FIELD(r_gray, p.count(), bits, "", "the same in Gray code")               \
-  FIELD(w_first, p.count(), bits, "", "w_gray, at the reader, a clock ago") \
-  FIELD(w_seen, p.count(), bits, "", "the same, two clocks ago")            \
-  FIELD(store, p.width, bits.array<16>(p.words()).unreset(), "", "the words, in a circle")
-COSIM_RECORDS(ASYNC_FIFO, Params);
-
-template <class V>
-constexpr V gray_of(V count) {
-  return count ^ shift_right(count, 1);
-}
-
-template <class V>
-constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) {
-  const auto w_ready = !(s.w_gray == (s.r_seen ^ V(3 << (p.bits - 1))));
-  const auto r_valid = !(s.r_gray == s.w_seen);
-  const auto push = is_set(in.w_valid) & w_ready, pop = is_set(in.r_ready) & r_valid;
-  Step<V> step{s, {flag<V>(w_ready), flag<V>(r_valid), read(s.store, wrap(s.r_count, p.bits))}};
-
-  State<V> w = step.state;  // where w_clk rises
-  w.store = write_where(push, s.store, wrap(s.w_count, p.bits), in.w_data);
-  w.w_count = wrap(s.w_count + flag<V>(push), p.count());
-  w.w_gray = gray_of(w.w_count);
-  w.r_first = s.r_gray;
-  w.r_seen = s.r_first;
-  step.state = select(is_set(in.w_clk), w, step.state);
-
-  State<V> r = step.state;  // where r_clk rises
-  r.r_count = wrap(s.r_count + flag<V>(pop), p.count());
-  r.r_gray = gray_of(r.r_count);
-  r.w_first = s.w_gray;
-  r.w_seen = s.w_first;
-  step.state = select(is_set(in.r_clk), r, step.state);
-  return step;
-}
-
-/// What stands at the output of an empty queue means nothing.
-template <class V>
-constexpr auto compared(const Params&, const State<V>&, const Inputs<V>&, const Outputs<V>& out) {
-  return std::array{Stated<V>{"r_data", is_set(out.r_valid)}};
-}
 
 /// What goes through it.
 #define ASYNC_FIFO_ITEM(FIELD) FIELD(data, p.width, bits, "", "a word")
 COSIM_RECORD(Item, ASYNC_FIFO_ITEM, Params);
 
+/// A stream, whose two sides have each a clock of their own: all that goes in comes out.
 struct Design {
-  COSIM_DESIGN(async_fifo_model);
+  using Params = async_fifo_model::Params;
   static constexpr const char* name = "async_fifo";
-  static constexpr Inputs<Word> rest() { return {.rst_n = 1}; }
-  static constexpr Inputs<Word> reset_inputs() { return {}; }
-  static constexpr bool asynchronous_reset = true;
   static constexpr std::array<Parameter, 2> parameters(const Params& p) {
     return {{{"WIDTH", p.width}, {"BITS", p.bits}}};
   }
-
-  // As a stream, whose two sides have each a clock of their own: all that goes in comes out.
   static constexpr auto in(const Params&) { return stream<Item>("w").clock("w_clk"); }
   static constexpr auto out(const Params&) { return stream<Item>("r").clock("r_clk"); }
   static constexpr auto pins(const Params&) { return std::array{pin::reset_low("rst_n")}; }

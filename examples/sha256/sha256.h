@@ -11,6 +11,8 @@ namespace sha256_model {
 
 using namespace cosim;
 
+struct Params {};
+
 #define SHA256_BLOCK(FIELD)                                       \
   FIELD(data, 512, bits.words<8>(), "", "a block of the message") \
   FIELD(last, 1, flag, "", "the message ends")
@@ -19,16 +21,8 @@ COSIM_RECORD(Block, SHA256_BLOCK, Params);
 COSIM_RECORD(Hash, SHA256_DIGEST, Params);
 
 struct Design {
-  COSIM_DESIGN(sha256_model);
+  using Params = sha256_model::Params;
   static constexpr const char* name = "sha256";
-  static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
-  template <class V>
-  static constexpr State<V> reset_state() {
-    State<V> s;
-    s.fresh = V(1);
-    return s;
-  }
-
   static constexpr auto in(const Params&) { return stream<Block>("block"); }
   static constexpr auto out(const Params&) { return stream<Hash>("digest").latency(66).steady(); }
   static constexpr auto pins(const Params&) { return std::array{pin::reset("rst")}; }

@@ -7,9 +7,9 @@
 template <int D>
 struct Uart {
   struct In {
-    Bit rst_n;           // 0: stop at once
-    Bit valid;           // there is a byte to send
-    Hex<UInt<8>> data;   // the byte
+    Bit rst_n;          // 0: stop at once
+    Bit valid;          // there is a byte to send
+    Hex<UInt<8>> data;  // the byte
   };
   struct Out {
     Bit ready;  // a byte would be taken
@@ -76,8 +76,8 @@ struct Uart {
   };
   /// The byte stands on the line, behind its start bit: looked at in the middle of each bit.
   struct Checker {
-    UInt<12> since = 0;        // clocks since the start bit began
-    Hex<UInt<8>> byte = 0;     // the bits so far
+    UInt<12> since = 0;     // clocks since the start bit began
+    Hex<UInt<8>> byte = 0;  // the bits so far
 
     Bit checked(const Job& job, const Driver&, const Out& out, const Bit& over) {
       const Bit begun = since != 0 || !out.tx;

@@ -2,52 +2,42 @@
 // first register of the synchronizer takes the old value in some bits and the new one in others.
 #pragma once
 
-#include "../../support/fault.h"
-#include "model/core/design.h"
+#include <cosim/model.h>
 
-namespace counted_model {
-
-using namespace cosim;
-using faulty::Params;
-
-#define COUNTED_INPUTS(FIELD)                          \
-  FIELD(rst_n, 1, flag, "", "0 begins anew, at once")  \
-  FIELD(a_clk, 1, rises, "", "the side that counts")   \
-  FIELD(tick, 1, flag, "", "there is an event")        \
-  FIELD(b_clk, 1, rises, "", "the side that looks on") \
-  FIELD(first_new, 4, bits.synchronizer("first"), "", "bits of first that take the new value")
-#define COUNTED_OUTPUTS(FIELD) FIELD(seen, 4, number, "", "events seen")
-#define COUNTED_STATE(FIELD)                                    \
-  FIELD(count, 4, number, "", "events, at most 15")             \
-  FIELD(code, 4, bits, "", "the same in the code that crosses") \
-  FIELD(first, 4, bits, "", "the code, at the other clock")     \
-  FIELD(second, 4, bits, "", "the same, a clock of that later")
-COSIM_RECORDS(COUNTED, Params);
-
-template <class V>
-constexpr Step<V> next(const Params& p, const State<V>& s, const Inputs<V>& in) {
-  State<V> a = s;  // where a_clk rises
-  a.count = s.count + flag<V>(is_set(in.tick) & s.count < V(15));
-  a.code = p.fault != 0 ? a.count : a.count ^ shift_right(a.count, 1);
-  Step<V> step{select(is_set(in.a_clk), a, s), {s.second}};
-  if (p.fault == 0) {
-    for (int i = 1; i < 4; ++i) {
-      step.outputs.seen = step.outputs.seen ^ shift_right(s.second, i);
-    }
-  }
-  State<V> b = step.state;  // where b_clk rises
-  b.first = s.code;
-  b.second = s.first;
-  step.state = select(is_set(in.b_clk), b, step.state);
-  return step;
-}
-
-struct Design : faulty::Design {
-  COSIM_DESIGN(counted_model);
-  static constexpr const char* name = "counted";
-  static constexpr Inputs<Word> rest() { return {.rst_n = 1}; }
-  static constexpr Inputs<Word> reset_inputs() { return {}; }
+template <int FAULT>
+struct Counted {
+  using Code = Hex<UInt<4>>;
+  struct In {
+    Bit rst_n;                         // 0 begins anew, at once
+    Rises a_clk;                       // the side that counts
+    Bit tick;                          // there is an event
+    Rises b_clk;                       // the side that looks on
+    Sampled<"first", Code> first_new;  // bits of first that take the new value
+  };
+  struct Out {
+    UInt<4> seen;  // events seen
+  };
+  static constexpr auto reset = active_low<&In::rst_n>;
   static constexpr bool asynchronous_reset = true;
-};
 
-}  // namespace counted_model
+  UInt<4> count = 0;  // events, at most 15
+  Code code = 0;      // the same in the code that crosses
+  Code first = 0;     // the code, at the other clock
+  Code second = 0;    // the same, a clock of that later
+
+  Out clock(const In& in) {
+    Out out{.seen = second};
+    if (FAULT == 0) out.seen = second ^ second >> 1 ^ second >> 2 ^ second >> 3;
+    const Code before = code;
+    if (in.a_clk) {
+      count += in.tick && count < 15;
+      code = count;
+      if (FAULT == 0) code = count ^ count >> 1;
+    }
+    if (in.b_clk) {
+      second = first;
+      first = before;
+    }
+    return out;
+  }
+};

@@ -1,49 +1,40 @@
 // Golden model of crossing.sv.
 #pragma once
 
-#include "../../support/fault.h"
-#include "model/core/design.h"
+#include <cosim/model.h>
 
-namespace crossing_model {
+template <int FAULT>
+struct Crossing {
+  struct In {
+    Bit rst;   // begin with red
+    Bit walk;  // somebody wants to walk
+  };
+  struct Out {
+    Hex<UInt<2>> light;  // 0 red, 1 green, 2 amber
+    Bit stays;           // it does not change this clock
+  };
+  static constexpr auto reset = active_high<&In::rst>;
+  enum Light { red, green, amber };
 
-using namespace cosim;
-using faulty::Params;
+  static UInt<6> begun(Light light) { return cat(UInt<2>(light), UInt<4>(light == amber ? 2 : 9)); }
 
-#define CROSSING_INPUTS(FIELD)              \
-  FIELD(rst, 1, flag, "", "begin with red") \
-  FIELD(walk, 1, flag, "", "somebody wants to walk")
-#define CROSSING_OUTPUTS(FIELD)                        \
-  FIELD(light, 2, bits, "", "0 red, 1 green, 2 amber") \
-  FIELD(stays, 1, flag, "", "it does not change this clock")
-#define CROSSING_STATE(FIELD) FIELD(now, 6, bits, "", "the light above the clocks left, four bits")
-COSIM_RECORDS(CROSSING, Params);
+  Hex<UInt<6>> now = begun(red);  // the light above the clocks left, four bits
 
-constexpr int red = 0, green = 1, amber = 2;
-
-template <class V>
-constexpr V begun(int light) {
-  return join(V(light), V(light == amber ? 2 : 9), 4);
-}
-
-template <class V>
-constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
-  const V light = slice(s.now, 5, 4), left = slice(s.now, 3, 0);
-  const Condition<V> stays = is_set(left);
-  const V from_green = select(is_set(in.walk), begun<V>(amber), s.now);
-  const V changed = select(light == V(red), begun<V>(green),
-                           select(light == V(green), from_green, begun<V>(red)));
-  const V after = select(stays, join(light, left - flag<V>(stays), 4), changed);
-  return {{select(is_set(in.rst), begun<V>(red), after)}, {light, flag<V>(stays)}};
-}
-
-struct Design : faulty::Design {
-  COSIM_DESIGN(crossing_model);
-  static constexpr const char* name = "crossing";
-  static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
-  template <class V>
-  static constexpr State<V> reset_state() {
-    return {begun<V>(red)};
+  Out clock(const In& in) {
+    const UInt<2> light = now.slice<5, 4>();
+    const UInt<4> left = now.slice<3, 0>();
+    const Out out{.light = light, .stays = left != 0};
+    if (in.rst) {
+      now = begun(red);
+    } else if (out.stays) {
+      now.slice<3, 0>() = left - 1;
+    } else if (light == red) {
+      now = begun(green);
+    } else if (light == green) {
+      if (in.walk) now = begun(amber);
+    } else {
+      now = begun(red);
+    }
+    return out;
   }
 };
-
-}  // namespace crossing_model

@@ -1,56 +1,53 @@
 // Golden model of domains.v.
 #pragma once
 
-#include "../../support/fault.h"
-#include "model/core/design.h"
+#include <cosim/model.h>
 
-namespace domains_model {
+template <int FAULT>
+struct Domains {
+  struct In {
+    Rises a_clk;  // the side that sends
+    Bit a_rst;    // resets it, at its clock
+    Bit send;     // there is an event
+    Falls b_clk;  // the side that counts
+    Bit b_rst_n;  // resets it where it is 0, at once
+  };
+  struct Out {
+    UInt<3> q;  // events seen
+  };
+  static constexpr auto reset = both(active_high<&In::a_rst>, active_low<&In::b_rst_n>);
 
-using namespace cosim;
-using faulty::Params;
+  Bit turned = 0;    // over, on each event
+  Bit first = 0;     // the same, sampled
+  Bit second = 0;    // a clock later
+  Bit last = 0;      // two clocks later
+  UInt<3> seen = 0;  // events seen
 
-#define DOMAINS_INPUTS(FIELD)                          \
-  FIELD(a_clk, 1, rises, "", "the side that sends")    \
-  FIELD(a_rst, 1, flag, "", "resets it, at its clock") \
-  FIELD(send, 1, flag, "", "there is an event")        \
-  FIELD(b_clk, 1, falls, "", "the side that counts")   \
-  FIELD(b_rst_n, 1, flag, "", "resets it where it is 0, at once")
-#define DOMAINS_OUTPUTS(FIELD) FIELD(q, 3, number, "", "events seen")
-#define DOMAINS_STATE(FIELD)                        \
-  FIELD(turned, 1, flag, "", "over, on each event") \
-  FIELD(first, 1, flag, "", "the same, sampled")    \
-  FIELD(second, 1, flag, "", "a clock later")       \
-  FIELD(last, 1, flag, "", "two clocks later")      \
-  FIELD(seen, 3, number, "", "events seen")
-COSIM_RECORDS(DOMAINS, Params);
+  Out clock(const In& in) {
+    const Out out{.q = seen};
+    const Bit before = turned;
+    if (in.a_clk) {
+      if (in.a_rst) {
+        turned = 0;
+      } else if (in.send) {
+        turned = !turned;
+      }
+    }
+    if (in.b_clk) {
+      seen += second != last;
+      last = second;
+      second = first;
+      first = before;
+    }
+    return out;
+  }
 
-template <class V>
-constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
-  State<V> a = s;  // where a_clk rises
-  a.turned = select(is_set(in.a_rst), V(0), s.turned ^ in.send);
-  State<V> b = s;  // where b_clk falls
-  b.first = s.turned;
-  b.second = s.first;
-  b.last = s.second;
-  b.seen = wrap(s.seen + (s.second ^ s.last), 3);
-
-  Step<V> step{select(is_set(in.b_clk), b, s), {s.seen}};
-  step.state.turned = select(is_set(in.a_clk), a.turned, s.turned);
-  return step;
-}
-
-template <class V>
-constexpr State<V> reset(const Params&, const State<V>& s, const Inputs<V>& in) {
-  State<V> b{};
-  b.turned = s.turned;
-  return select(is_set(in.b_rst_n), s, b);
-}
-
-struct Design : faulty::Design {
-  COSIM_DESIGN(domains_model);
-  static constexpr const char* name = "domains";
-  static constexpr Inputs<Word> rest() { return {.b_rst_n = 1}; }
-  static constexpr Inputs<Word> reset_inputs() { return {.a_rst = 1}; }
+  void reset_at_once(const In& in) {
+    if (!in.b_rst_n) {
+      first = 0;
+      second = 0;
+      last = 0;
+      seen = 0;
+    }
+  }
 };
-
-}  // namespace domains_model

@@ -1,50 +1,41 @@
 // Golden model of released.v.
 #pragma once
 
-#include "../../support/fault.h"
-#include "model/core/design.h"
+#include <cosim/model.h>
 
-namespace released_model {
+template <int FAULT>
+struct Released {
+  struct In {
+    Bit rst_n;  // 0: reset, at once
+    Bit stop;   // reset, at the clock
+    Bit en;     // count this clock
+  };
+  struct Out {
+    UInt<3> q;  // the count
+  };
+  static constexpr auto reset = active_low<&In::rst_n>;
 
-using namespace cosim;
-using faulty::Params;
+  Bit first = 0;      // no reset so far
+  Bit ready = 0;      // it may count
+  UInt<3> count = 5;  // the count
 
-#define RELEASED_INPUTS(FIELD)                    \
-  FIELD(rst_n, 1, flag, "", "0: reset, at once")  \
-  FIELD(stop, 1, flag, "", "reset, at the clock") \
-  FIELD(en, 1, flag, "", "count this clock")
-#define RELEASED_OUTPUTS(FIELD) FIELD(q, 3, number, "", "the count")
-#define RELEASED_STATE(FIELD)                  \
-  FIELD(first, 1, flag, "", "no reset so far") \
-  FIELD(ready, 1, flag, "", "it may count")    \
-  FIELD(count, 3, number, "", "the count")
-COSIM_RECORDS(RELEASED, Params);
+  Out clock(const In& in) {
+    const Out out{.q = count};
+    if (!ready) {
+      count = 5;  // on the edge on which it ends the reset still holds
+    } else {
+      count += in.en;
+    }
+    ready = first && !in.stop;
+    first = 1;
+    return out;
+  }
 
-template <class V>
-constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
-  const V ready = select(is_set(in.stop), V(0), s.first);
-  // On the edge on which it ends the reset still holds.
-  const V count = select(is_set(s.ready), wrap(s.count + in.en, 3), V(5));
-  return {{V(1), ready, count}, {s.count}};
-}
-
-template <class V>
-constexpr State<V> reset(const Params&, State<V> s, const Inputs<V>& in) {
-  s.first = select(is_set(in.rst_n), s.first, V(0));
-  s.ready = select(is_set(in.rst_n), s.ready, V(0));
-  s.count = select(is_set(s.ready), s.count, V(5));
-  return s;
-}
-
-struct Design : faulty::Design {
-  COSIM_DESIGN(released_model);
-  static constexpr const char* name = "released";
-  static constexpr Inputs<Word> rest() { return {.rst_n = 1}; }
-  static constexpr Inputs<Word> reset_inputs() { return {}; }
-  template <class V>
-  static constexpr State<V> reset_state() {
-    return {V(0), V(0), V(5)};
+  void reset_at_once(const In& in) {
+    if (!in.rst_n) {
+      first = 0;
+      ready = 0;
+    }
+    if (!ready) count = 5;
   }
 };
-
-}  // namespace released_model

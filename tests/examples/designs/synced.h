@@ -1,38 +1,33 @@
 // Golden model of synced.v.
 #pragma once
 
-#include "../../support/fault.h"
-#include "model/core/design.h"
+#include <cosim/model.h>
 
-namespace synced_model {
-
-using namespace cosim;
-using faulty::Params;
-
-#define SYNCED_INPUTS(FIELD)                                \
-  FIELD(reset, 1, flag, "", "on the third clock from here") \
-  FIELD(en, 1, flag, "", "count this clock")
-#define SYNCED_OUTPUTS(FIELD) FIELD(q, 3, number, "", "the count")
-#define SYNCED_STATE(FIELD)                           \
-  FIELD(first, 1, flag, "", "reset, one clock ago")   \
-  FIELD(second, 1, flag, "", "reset, two clocks ago") \
-  FIELD(count, 3, number, "", "the count")
-COSIM_RECORDS(SYNCED, Params);
-
-template <class V>
-constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
-  return {{in.reset, s.first, select(is_set(s.second), V(0), wrap(s.count + in.en, 3))}, {s.count}};
-}
-
-struct Design : faulty::Design {
-  COSIM_DESIGN(synced_model);
-  static constexpr const char* name = "synced";
-  static constexpr Inputs<Word> reset_inputs() { return {.reset = 1}; }
+template <int FAULT>
+struct Synced {
+  struct In {
+    Bit reset;  // on the third clock from here
+    Bit en;     // count this clock
+  };
+  struct Out {
+    UInt<3> q;  // the count
+  };
+  static constexpr auto reset = active_high<&In::reset>;
   static constexpr int reset_clocks = 3;
-  template <class V>
-  static constexpr State<V> reset_state() {
-    return {V(1), V(1), V(0)};
+
+  Bit first = 1;      // reset, one clock ago
+  Bit second = 1;     // reset, two clocks ago
+  UInt<3> count = 0;  // the count
+
+  Out clock(const In& in) {
+    const Out out{.q = count};
+    if (second) {
+      count = 0;
+    } else {
+      count += in.en;
+    }
+    second = first;
+    first = in.reset;
+    return out;
   }
 };
-
-}  // namespace synced_model

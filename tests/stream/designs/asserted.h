@@ -1,30 +1,28 @@
 // Golden model of asserted.sv, with its fault.
 #pragma once
 
-#include "../../support/fault.h"
-#include "model/core/design.h"
+#include <cosim/model.h>
 
-namespace asserted_model {
+template <int FAULT>
+struct Asserted {
+  struct In {
+    Bit rst;  // begin anew at 0
+    Bit en;   // count this clock
+  };
+  struct Out {
+    UInt<4> count;  // the clocks so far
+  };
+  static constexpr auto reset = active_high<&In::rst>;
 
-using namespace cosim;
-using faulty::Params;
+  UInt<4> count = 0;  // the clocks so far
 
-#define ASSERTED_INPUTS(FIELD)               \
-  FIELD(rst, 1, flag, "", "begin anew at 0") \
-  FIELD(en, 1, flag, "", "count this clock")
-#define ASSERTED_OUTPUTS(FIELD) FIELD(count, 4, number, "", "the clocks so far")
-#define ASSERTED_STATE(FIELD) FIELD(count, 4, number, "", "the clocks so far")
-COSIM_RECORDS(ASSERTED, Params);
-
-inline Step<Word> next(const Params& p, const State<Word>& s, const Inputs<Word>& in) {
-  const Word counted = s.count == 9 + p.fault ? 0 : wrap(s.count + 1, 4);
-  return {{in.rst != 0 ? 0 : in.en != 0 ? counted : s.count}, {s.count}};
-}
-
-struct Design : faulty::Design {
-  COSIM_DESIGN(asserted_model);
-  static constexpr const char* name = "asserted";
-  static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
+  Out clock(const In& in) {
+    const Out out{.count = count};
+    if (in.rst) {
+      count = 0;
+    } else if (in.en) {
+      count = mux(count == 9 + FAULT, 0, count + 1);
+    }
+    return out;
+  }
 };
-
-}  // namespace asserted_model

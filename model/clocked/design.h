@@ -149,7 +149,7 @@ struct DesignOf : JobRecords<FirstModel, More...>, CheckerRecords<FirstModel, Mo
   template <class V>
   using State = ModelRecord<V, RecordTable<First, More...>>;
   template <class V>
-  using Registers = State<V>;
+  using Registers = ModelRecord<V, RegisterTable<First, More...>>;
   template <class V>
   using Step = StepOf<State<V>, Outputs<V>>;
 
@@ -255,11 +255,16 @@ struct DesignOf : JobRecords<FirstModel, More...>, CheckerRecords<FirstModel, Mo
   }
   /// What the RTL's registers hold: codes.
   template <class V>
-  static constexpr State<V> registers(const Params& p, const State<V>& s) {
-    State<V> codes = s;
-    const auto fields = State<V>::fields(p);
-    cosim::for_each_cell<State<V>>([&](auto cell, std::size_t i) {
+  static constexpr Registers<V> registers(const Params& p, const State<V>& s) {
+    Registers<V> codes;
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+      ((codes.template leaf<I>() = s.template leaf<I>()), ...);
+    }
+    (std::make_index_sequence<Registers<V>::Table::leaves>());
+    const auto fields = Registers<V>::fields(p);
+    cosim::for_each_cell<Registers<V>>([&](auto cell, std::size_t i) {
       const Field& f = fields[i];
+      if (f.width == 0) cell(codes) = V(0);
       if (f.format == Format::twos_complement) cell(codes) = low_bits(cell(codes), f.width);
       if (f.format == Format::ones_complement) {
         const V number = cell(codes), all = V(ones(f.width));

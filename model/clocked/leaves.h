@@ -41,7 +41,7 @@ struct Leaf {
   int width = 0;               ///< of an element
   int elements = 0;            ///< of an Array; 0: it is a value
   bool is_signed = false, is_ones_complement = false, has_minus_zero = false;
-  bool is_hex = false, is_unreset = false;
+  bool is_hex = false, is_unreset = false, is_auxiliary = false;
   int edge = 0;                    ///< of a clock: 1 it rises, -1 it falls
   std::int64_t low = 0, high = 0;  ///< of a Range
 
@@ -52,6 +52,7 @@ struct Leaf {
     if constexpr (requires { T::sampled; }) sampled = T::sampled;
     if constexpr (requires { T::is_hex; }) is_hex = true;
     if constexpr (requires { T::is_unreset; }) is_unreset = true;
+    if constexpr (requires { T::is_auxiliary; }) is_auxiliary = true;
     if constexpr (requires { T::edge; }) edge = T::edge;
     if constexpr (requires { T::low; }) low = T::low;
     if constexpr (requires { T::high; }) high = T::high;

@@ -186,6 +186,21 @@ struct RecordTable {
   static constexpr std::array<std::array<Field, size>, sizeof...(T)> fields_{fields_of<T>()...};
 };
 
+/// The same of the registers: an Auxiliary is as a cell that the shape does not have.
+template <class... T>
+struct RegisterTable : RecordTable<T...> {
+  static constexpr auto fields(const Shape& shape) {
+    using Base = RecordTable<T...>;
+    auto all = Base::fields(shape);
+    for (std::size_t i = 0; i < Base::leaves; ++i) {
+      for (std::size_t k = Base::first[i]; k < Base::first[i + 1]; ++k) {
+        if (leaves_of<typename Base::First>[i].is_auxiliary) all[k].width = 0;
+      }
+    }
+    return all;
+  }
+};
+
 template <class V, std::size_t I, int CAPACITY>
 struct RecordMember {
   row::Member<V, CAPACITY> value{};

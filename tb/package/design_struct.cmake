@@ -2,7 +2,34 @@
 # model as a file for all that reasons on it.
 include_guard(GLOBAL)
 
-# Both are to be called by cosim_add_design(), whose variables they use: the first for a shape.
+# All are to be called by cosim_add_design(), whose variables they use: the second for a shape. Sets
+# is_struct, for the text of the model, and then D_STRUCT and D_NAMESPACE, which gets the Design of the
+# struct; STREAMS is where there is one of a model of streams, else empty.
+function(cosim_struct)
+  string(FIND "${model_text}" "#include <cosim/model.h>" at)
+  set(is_struct FALSE PARENT_SCOPE)
+  if(at EQUAL -1)
+    return()
+  endif()
+  if(NOT D_STRUCT)
+    string(REPLACE "_" ";" words ${NAME})
+    foreach(word IN LISTS words)
+      string(SUBSTRING "${word}" 0 1 letter)
+      string(SUBSTRING "${word}" 1 -1 word)
+      string(TOUPPER "${letter}" letter)
+      string(APPEND D_STRUCT "${letter}${word}")
+    endforeach()
+  endif()
+  set(STREAMS "")
+  if(model_text MATCHES "\n *struct Design[ {]")
+    set(STREAMS ${D_NAMESPACE})
+  endif()
+  set(is_struct TRUE PARENT_SCOPE)
+  set(D_STRUCT ${D_STRUCT} PARENT_SCOPE)
+  set(STREAMS "${STREAMS}" PARENT_SCOPE)
+  set(D_NAMESPACE cosim::struct_${NAME} PARENT_SCOPE)
+endfunction()
+
 function(cosim_struct_shape)
   set(type "::${D_STRUCT}")
   if(shape_values)
@@ -17,11 +44,23 @@ function(cosim_struct_shape)
   string(APPEND struct_shapes ", ${type}")
   string(APPEND struct_parameters "std::array<Parameter, count>{${parameters}}, ")
   string(APPEND struct_files "\"${file}\", ")
+  list(APPEND struct_paths ${file})
   string(APPEND EXPORTS "  cosim::clocked::write_exported<${type}>(\"${file}\", \"${TITLE}\");\n")
-  foreach(text shapes parameters files)
+  foreach(text shapes parameters files paths)
     set(struct_${text} "${struct_${text}}" PARENT_SCOPE)
   endforeach()
   set(EXPORTS "${EXPORTS}" PARENT_SCOPE)
+  set(trait_streams "" PARENT_SCOPE)
+  if(STREAMS)
+    string(CONCAT trait_streams
+      "  struct Streams;\n"
+      "};\n"
+      "struct Trait_${ID}::Streams : Trait_${ID} {\n"
+      "  using Design = ::${STREAMS}::Design;\n"
+      "  static constexpr bool is_beside_clocks = true;\n"
+      "  static constexpr Design::Params params{${shape_values}};\n")
+    set(trait_streams "${trait_streams}" PARENT_SCOPE)
+  endif()
   set(shape_values ${shape_number} PARENT_SCOPE)  # its number in place of its parameters
   list(LENGTH shape_names count)
   set(shape_count ${count} PARENT_SCOPE)
@@ -45,19 +84,19 @@ function(cosim_struct_design)
     "}  // namespace ${D_NAMESPACE}\n"
     "namespace cosim {\n\n")
   set(SHAPES "${SHAPES}" PARENT_SCOPE)
-  if(D_UNPROVED)
-    return()
-  endif()
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/exported)
   file(MAKE_DIRECTORY ${folder})
-  configure_file(${root}/tb/package/named_export_of.cpp.in ${CMAKE_CURRENT_BINARY_DIR}/${NAME}_export.cpp @ONLY)
-  add_executable(${NAME}_export EXCLUDE_FROM_ALL ${CMAKE_CURRENT_BINARY_DIR}/${NAME}_export.cpp)
-  target_compile_definitions(${NAME}_export PRIVATE COSIM_SYMBOLIC)
-  target_compile_options(${NAME}_export PRIVATE -O1 -g1)  # it says lines of the model
-  target_link_libraries(${NAME}_export PRIVATE ${D_LIBRARIES} cosim::core)
-  add_custom_command(OUTPUT ${folder}/${NAME}.stamp VERBATIM
-    COMMAND ${NAME}_export COMMAND ${CMAKE_COMMAND} -E touch ${folder}/${NAME}.stamp
-    DEPENDS ${NAME}_export COMMENT "The model of ${NAME} as a file")
-  add_custom_target(${NAME}_exported DEPENDS ${folder}/${NAME}.stamp)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/${NAME}_export.cpp)
+  configure_file(${root}/tb/package/named_export_of.cpp.in ${source} @ONLY)
+  set(stamp ${folder}/${NAME}.stamp)
+  list(TRANSFORM D_LIBRARIES REPLACE "(.+)" "$<TARGET_PROPERTY:\\1,INTERFACE_INCLUDE_DIRECTORIES>"
+    OUTPUT_VARIABLE includes)
+  add_custom_command(OUTPUT ${stamp} DEPFILE ${stamp}.d VERBATIM
+    COMMAND ${CMAKE_COMMAND} "-DCOMPILER=${CMAKE_CXX_COMPILER_LAUNCHER};${CMAKE_CXX_COMPILER}"
+      -DSOURCE=${source} -DSTAMP=${stamp} "-DMODEL=${model}" "-DFILES=${struct_paths}"
+      "-DINCLUDES=$<TARGET_PROPERTY:cosim::core,INTERFACE_INCLUDE_DIRECTORIES>;${includes}"
+      -P ${root}/tb/package/design_export.cmake
+    DEPENDS ${source} ${root}/tb/package/design_export.cmake COMMENT "The model of ${NAME} as a file")
+  add_custom_target(${NAME}_exported DEPENDS ${stamp})
   set_property(GLOBAL APPEND PROPERTY COSIM_EXPORTED ${NAME}_exported)
 endfunction()

@@ -16,6 +16,17 @@
 
 namespace cosim {
 
+/// Of a shape, what has the Design of its streams.
+template <class Trait>
+struct StreamsOf {
+  using Streams = Trait;
+};
+template <class Trait>
+requires requires { typename Trait::Streams; }
+struct StreamsOf<Trait> {
+  using Streams = typename Trait::Streams;
+};
+
 /// Top: the Verilated class; open: that with its whole hierarchy open. Trait has Design, params,
 /// title and clock, and what the RTL's text says of its registers and resets. InputError where that
 /// does not fit a model in lockstep.
@@ -24,7 +35,8 @@ std::vector<std::unique_ptr<AnyBench>> named_benches(const OpenClass& open) {
   using Design = typename Trait::Design;
   std::vector<std::unique_ptr<AnyBench>> all;
 #ifdef COSIM_STREAMS
-  constexpr bool has_streams = HasStreams<Design>;
+  using Streams = typename StreamsOf<Trait>::Streams;
+  constexpr bool has_streams = HasStreams<typename Streams::Design>;
 #else
   constexpr bool has_streams = false;
 #endif
@@ -41,7 +53,7 @@ std::vector<std::unique_ptr<AnyBench>> named_benches(const OpenClass& open) {
   }
 #ifdef COSIM_STREAMS
   if constexpr (has_streams) {
-    all.push_back(std::make_unique<StreamBench<Trait, VerilatedStreamDut<Top>>>(open));
+    all.push_back(std::make_unique<StreamBench<Streams, VerilatedStreamDut<Top>>>(open));
   }
 #endif
   return all;

@@ -50,7 +50,9 @@ class StreamBench final : public AnyStreamBench {
  public:
   /// `open`: the same with its whole hierarchy open, where there is one.
   explicit StreamBench(std::optional<OpenClass> open = {}) : open_(open) {
-    if constexpr (StepsOn<Design, Word>) tables_.view = "streams";
+    if constexpr (StepsOn<Design, Word> || requires { Trait::is_beside_clocks; }) {
+      tables_.view = "streams";
+    }
     tables_.design = Design::name;
     if constexpr (requires { Trait::clocks; }) {
       shape_.set_clocks(Trait::clock, Trait::clocks);

@@ -1,0 +1,40 @@
+# cmake -DCOMPILER=... -DSOURCE=... -DSTAMP=... -DINCLUDES=... -DMODEL=... -DFILES=... -P design_export.cmake
+#
+# Compiles the exporter of a design's golden model and runs it: then FILES.btor2 are there, and STAMP,
+# with what it depends on in STAMP.d. A model that no exporter can be compiled for is simulated all the
+# same: its files have one line "; error: TEXT", which names the line of a header of MODEL, and which
+# prove, lanes and all else that reasons on it says.
+set(options "")
+list(REMOVE_DUPLICATES INCLUDES)
+foreach(folder IN LISTS INCLUDES)
+  if(folder)
+    list(APPEND options -isystem ${folder})
+  endif()
+endforeach()
+list(REMOVE_ITEM COMPILER "")
+execute_process(
+  COMMAND ${COMPILER} -std=c++20 -O1 -g1 -DCOSIM_SYMBOLIC ${options} -w
+    -MD -MF ${STAMP}.d -MT ${STAMP} ${SOURCE} -o ${STAMP}.program
+  RESULT_VARIABLE status ERROR_VARIABLE said)
+if(status EQUAL 0)
+  execute_process(COMMAND ${STAMP}.program COMMAND_ERROR_IS_FATAL ANY)
+else()
+  string(REGEX MATCH "error: ([^\n]*)" error "${said}")
+  string(REGEX REPLACE "^static assertion failed( due to requirement [^:]*)?: |^static_assert failed( due to requirement '[^\n]*')? " "" error "${CMAKE_MATCH_1}")
+  string(REGEX REPLACE "^\"(.*)\"$" "\\1" error "${error}")  # as Clang has it
+  foreach(file IN LISTS MODEL)
+    string(REGEX REPLACE "([][+.*()^$?|\\])" "\\\\\\1" pattern "${file}")
+    if(said MATCHES "(${pattern}:[0-9]+):[0-9]+:")
+      string(PREPEND error "${CMAKE_MATCH_1}: ")
+      break()
+    endif()
+  endforeach()
+  foreach(file IN LISTS FILES)
+    file(WRITE ${file}.btor2 "; error: ${error}\n")
+  endforeach()
+  if(NOT EXISTS ${STAMP}.d)
+    list(JOIN MODEL " " headers)
+    file(WRITE ${STAMP}.d "${STAMP}: ${headers}\n")
+  endif()
+endif()
+file(WRITE ${STAMP} "")

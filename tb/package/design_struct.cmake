@@ -32,7 +32,7 @@ endfunction()
 
 function(cosim_struct_shape)
   set(type "::${D_STRUCT}")
-  if(shape_values)
+  if(NOT "${shape_values}" STREQUAL "")
     string(APPEND type "<${shape_values}>")
   endif()
   set(parameters "")

@@ -30,6 +30,8 @@ struct Features {
 
   Array<Entry, 5> entries = Entry{.tag = 3, .valid = 0};
   Unreset<Array<UInt<8>, 4>> bytes;
+  At<"copied.bytes", Unreset<Array<UInt<8>, 4>>> copy;
+  Auxiliary<UInt<2>> copies = 0;
   UInt<500> wide = 1;
   Int<70> sum = -1;
 
@@ -62,6 +64,8 @@ struct Features {
     }
     out.most = std::max(bytes[0], bytes[1]);
     for (const UInt<7>& word : in.words) sum += word;
+    copy = bytes;
+    ++copies;
     entries[in.at] = in.entry;
     bytes[in.at] = in.words[1];
     bytes[in.key.slice<1, 0>()] += 3;

@@ -28,6 +28,12 @@ TEST(ClockedModels, CellsHaveTheNamesOfTheirMembers) {
     names += label.name + '=' + std::string(label.block) + ' ';
   });
   EXPECT_EQ(names, "t4=4 t16=16 f=1 ct7=7 ct8=8 ");
+  names.clear();
+  const Features features{};
+  for_each_cell(features, [&](const Label& label, const auto&) {
+    if (label.is_auxiliary) names += label.name + ' ';
+  });
+  EXPECT_EQ(names, "copies ");
 }
 
 // The byte stands on the line behind its start bit, as uart.v has it.

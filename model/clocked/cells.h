@@ -23,10 +23,12 @@ struct Label {
 template <class T, class Visit>
 void for_each_cell(T& object, const Visit& visit, Label label = {}) {
   using Plain = std::remove_const_t<T>;
-  if constexpr (requires { Plain::path; }) label.name = Plain::path;
-  if constexpr (requires { Plain::block; }) label.block = Plain::block;
-  if constexpr (requires { Plain::is_unreset; }) label.is_unreset = true;
-  if constexpr (requires { Plain::is_auxiliary; }) label.is_auxiliary = true;
+  if constexpr (Value<Plain> || ArrayLike<Plain>) {  // a struct's members are the user's
+    if constexpr (requires { Plain::path; }) label.name = Plain::path;
+    if constexpr (requires { Plain::block; }) label.block = Plain::block;
+    if constexpr (requires { Plain::is_unreset; }) label.is_unreset = true;
+    if constexpr (requires { Plain::is_auxiliary; }) label.is_auxiliary = true;
+  }
   if constexpr (Value<Plain>) {
     visit(std::as_const(label), object);
   } else if constexpr (ArrayLike<Plain>) {

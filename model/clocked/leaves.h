@@ -95,7 +95,7 @@ consteval std::size_t count() {
 
 template <class T, std::size_t N>
 constexpr void add(std::array<Leaf, N>& all, std::size_t& at, Leaf leaf) {
-  leaf.say<T>();
+  if constexpr (Value<T> || ArrayLike<T>) leaf.say<T>();  // a struct's members are the user's
   if constexpr (Value<T>) {
     all[at++] = leaf;
   } else if constexpr (Plain<T>) {

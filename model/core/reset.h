@@ -30,7 +30,7 @@ constexpr auto reset_inputs_of() {
 template <class Design>
 constexpr int reset_clocks_of() {
   if constexpr (requires { Design::reset_clocks; }) {
-    static_assert(Design::reset_clocks >= 1);
+    static_assert(Design::reset_clocks >= (has_reset<Design> ? 1 : 0));
     return Design::reset_clocks;
   } else if constexpr (has_reset<Design>) {
     return 1;
@@ -55,7 +55,8 @@ constexpr bool is_reset_asynchronous() {
     static_assert(has_reset<Design>, "reset_inputs() gives all the resets");
     return true;
   } else if constexpr (requires { Design::asynchronous_reset; }) {
-    static_assert(has_reset<Design>, "an asynchronous reset is what reset_inputs() gives");
+    static_assert(has_reset<Design> || !Design::asynchronous_reset,
+                  "an asynchronous reset is what reset_inputs() gives");
     return Design::asynchronous_reset;
   } else {
     return false;

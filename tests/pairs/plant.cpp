@@ -58,6 +58,7 @@ std::string swapped(Expr& e, Random& random) {
 std::string change(Expr& e, Random& random) {
   switch (e.kind) {
     case Kind::constant: {
+      if (e.bits.empty()) return "";  // a loop has no value
       const bool has_sign = e.op != "unsized" && random.percent(25);
       if (has_sign && e.bits.find_first_not_of("01") == std::string::npos) {
         e.type.is_signed = !e.type.is_signed;
@@ -86,6 +87,7 @@ std::string change(Expr& e, Random& random) {
       std::swap(e.args[1], e.args[2]);
       return "branches of ?:";
     case Kind::concat:
+      if (e.args.size() == 1) return "";
       std::swap(e.args[0], e.args[1]);
       return "order in { }";
     default:

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "model/core/input_error.h"
+#include "tb/equiv/casts.h"
 #include "tb/equiv/prints.h"
 #include "tb/equiv/yosys_messages.h"
 #include "tb/support/output_file.h"
@@ -47,6 +48,36 @@ std::string simpler(const std::string& text) {
   return real.replaced(without_prints(text), "$1$2");
 }
 
+std::string for_yosys(const fs::path& file, bool prints) {
+  const std::string text = with_casts_apart(read_file(file.string()));
+  return prints ? text : simpler(text);
+}
+
+// Files that are included are read as they are.
+void require_no_casts(const Files& files) {
+  static const Pattern include(R"re(`include\s*"([^"]+)")re");
+  std::vector<fs::path> all = files.files, folders = files.include_dirs;
+  folders.push_back(files.folder);
+  for (const fs::path& file : files.files) folders.push_back(file.parent_path());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string text = read_file(all[i].string());
+    if (i >= files.files.size() && with_casts_apart(text) != text) {
+      throw InputError(fmt::format(
+          "{}: an operator before a cast, as |5'(x), which yosys misreads in a file that is "
+          "included: put brackets around the cast",
+          all[i].string()));
+    }
+    for (const Pattern::Parts& part : include.all(text)) {
+      for (const fs::path& folder : folders) {
+        const fs::path file = folder / part[1];
+        if (fs::is_regular_file(file) && std::ranges::find(all, file) == all.end()) {
+          all.push_back(file);
+        }
+      }
+    }
+  }
+}
+
 // Files and folders have names of ours in `scratch`: nothing that a person types is read as a
 // command. A file stands in its own folder, where $readmemh and `include look for others first.
 class Reading {
@@ -71,17 +102,20 @@ class Reading {
     }
   }
 
-  std::string file(std::size_t i, bool prints) {
+  // What is read in place of file i: the file itself where that is its text.
+  std::string file(std::size_t i, const std::string& text) {
     const fs::path& file = files_.files[i];
     const fs::path folder = folder_of(fs::absolute(file).parent_path());
     static const Pattern plain(R"([\w.+-]+)");
     const std::string name = file.filename().string();
-    if (prints && !plain.whole(name).empty()) return (folder / name).string();
+    const bool is_same = text == read_file(file.string());
+    if (is_same && !plain.whole(name).empty()) return (folder / name).string();
     const fs::path own = scratch_ / fmt::format("file{}{}", i, extension(file));
-    if (prints) {
-      if (!fs::is_symlink(own)) fs::create_symlink(fs::absolute(file), own);
+    fs::remove(own);
+    if (is_same) {
+      fs::create_symlink(fs::absolute(file), own);
     } else {
-      write_file(own.string(), simpler(read_file(file.string())));
+      write_file(own.string(), text);
     }
     return own.string();
   }
@@ -142,7 +176,7 @@ std::string script(const Files& files, Reading& reading, const fs::path& scratch
   for (std::size_t i = 0; i < files.files.size(); ++i) {
     const bool is_system_verilog = Reading::extension(files.files[i]) == ".sv";
     commands += fmt::format("read_verilog{}{} {}\n", is_system_verilog ? " -sv" : "", options,
-                            reading.file(i, prints));
+                            reading.file(i, for_yosys(files.files[i], prints)));
   }
   // Parameters as an instance would give them, so that each has the sign that Verilog says; then
   // the module that has them is the top.
@@ -192,6 +226,7 @@ Ended run(std::vector<std::string> words, const fs::path& scratch, const fs::pat
 }
 
 Elaborated by_yosys(const Files& files, const std::string& what, const Budget& budget) {
+  require_no_casts(files);
   const Scratch scratch;
   const fs::path own = scratch.path();
   Reading reading(files, own);
@@ -216,8 +251,15 @@ Elaborated by_yosys(const Files& files, const std::string& what, const Budget& b
   // It may be what is printed that it does not read, or a file of $readmemh that is not beside the
   // RTL but where one works.
   std::optional<InputError> first;
+  std::vector<fs::path> folders{empty, fs::absolute(files.folder)};
+  // A file that is not read itself is not beside its files of $readmemh.
+  for (const fs::path& file : files.files) {
+    const fs::path folder = fs::absolute(file).parent_path();
+    const bool is_there = std::ranges::find(folders, folder) != folders.end();
+    if (!is_there && for_yosys(file, true) != read_file(file.string())) folders.push_back(folder);
+  }
   for (const bool prints : {true, false}) {
-    for (const fs::path& folder : {empty, fs::absolute(files.folder)}) {
+    for (const fs::path& folder : folders) {
       try {
         attempt(prints, folder);
         const auto has_latch = [&] {
@@ -298,14 +340,15 @@ Elaborated by_slang(const Files& files, const std::string& what, const Budget& b
   const auto seen = [&](const fs::path& path) {
     return is_program ? path.string() : path.lexically_relative(own).string();
   };
-  std::string commands = "read_slang --threads 1 --top " + files.top;
+  // A position beyond the end is no error in Verilog: reads give x there, and writes do nothing.
+  std::string commands = "read_slang --threads 1 -Wno-range-oob -Wno-index-oob --top " + files.top;
   for (const fs::path& folder : reading.folders()) commands += " -I " + seen(folder);
   for (const std::string& define : files.defines) commands += " -D " + define;
   for (const auto& [name, value] : reading.parameters()) {
     commands += fmt::format(" -G {}={}", name, value);
   }
   for (std::size_t i = 0; i < files.files.size(); ++i) {
-    commands += ' ' + seen(reading.file(i, true));
+    commands += ' ' + seen(reading.file(i, read_file(files.files[i].string())));
   }
   const std::string out = seen(own / "top");
   commands += fmt::format("\nhierarchy -top {0}\n{3}{1}write_json {2}.json\nwrite_rtlil {2}.il\n",

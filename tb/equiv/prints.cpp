@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <string_view>
 
 namespace cosim::equiv {
 namespace {
@@ -16,7 +15,8 @@ bool is_of_name(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '$';
 }
 
-// Behind the string or the comment that begins at `at`; `at` itself where none does.
+}  // namespace
+
 std::size_t skipped(std::string_view text, std::size_t at) {
   const auto behind = [&](std::string_view end, std::size_t from) {
     const std::size_t found = text.find(end, from);
@@ -31,7 +31,6 @@ std::size_t skipped(std::string_view text, std::size_t at) {
   return std::min(at + 1, text.size());
 }
 
-// Behind the arguments in brackets that begin at `at`, if some do.
 std::size_t behind_arguments(std::string_view text, std::size_t at) {
   std::size_t open = at;
   while (open < text.size() && std::isspace(static_cast<unsigned char>(text[open])) != 0) ++open;
@@ -48,8 +47,6 @@ std::size_t behind_arguments(std::string_view text, std::size_t at) {
   }
   return at;
 }
-
-}  // namespace
 
 std::string without_prints(std::string text) {
   for (std::size_t at = 0; at < text.size();) {

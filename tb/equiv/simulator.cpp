@@ -58,6 +58,8 @@ Program::Program(const Side& side, Stimulus stimulus, Simulator simulator,
   if (simulator_ == Simulator::verilator) {
     stimulus_.variables.clear();
     stimulus_.memories.clear();
+  } else {
+    copy_with_braces();
   }
   // Verilog-2005 has fewer keywords; but some files are SystemVerilog whatever their names are.
   std::vector<std::string> generations{"-g2005", "-g2012"};
@@ -74,12 +76,37 @@ Program::Program(const Side& side, Stimulus stimulus, Simulator simulator,
       why_not_.clear();
       if (built.status == 0) return;
       why_not_ = built.status == 127 ? fmt::format("{} is not installed", name_of(simulator_))
-                                     : reason(built.text, own_);
+                                     : by_own_names(reason(built.text, own_));
       const auto had = stimulus_.variables.size() + stimulus_.memories.size();
       leave_out(built.text, std::move(line_of));
       if (had == stimulus_.variables.size() + stimulus_.memories.size()) break;
     }
   }
+}
+
+// Icarus Verilog 11 takes the count of a shift and an index in a process as signed where they
+// select all bits of a signed variable, as s[2:0] of `reg signed [2:0] s`. Braces mend that, and
+// change nothing else.
+void Program::copy_with_braces() {
+  static const Pattern select(
+      R"((<<<?=?|>>>?=?|\[)([\s(+]*)([A-Za-z_][\w$.]*\s*\[[^\[\]?;]*:[^\[\]?;]*\]))");
+  for (const fs::path& one : side_.files().files) {
+    const std::string text = read_file(one.string()), braced = select.replaced(text, "$1$2{$3}");
+    if (braced == text) continue;
+    std::string& copy = copies_[fs::absolute(one).string()];
+    copy = fmt::format("{}/source{}{}", own_, copies_.size(), one.extension().string());
+    write_file(copy, braced);
+  }
+}
+
+// A text with the files that a person knows in place of their copies.
+std::string Program::by_own_names(std::string text) const {
+  for (const auto& [file, copy] : copies_) {
+    if (const std::size_t at = text.find(copy); at != std::string::npos) {
+      text.replace(at, copy.size(), file);
+    }
+  }
+  return text;
 }
 
 std::vector<std::string> Program::command(const std::string& generation) const {
@@ -108,7 +135,11 @@ std::vector<std::string> Program::command(const std::string& generation) const {
     words.push_back((is_icarus ? "-I" : "+incdir+") + folder);
   }
   words.push_back(own_ + "/timescale.v");
-  for (const fs::path& one : files.files) words.push_back(fs::absolute(one).string());
+  for (const fs::path& one : files.files) {
+    const std::string file = fs::absolute(one).string();
+    const auto copy = copies_.find(file);
+    words.push_back(copy == copies_.end() ? file : copy->second);
+  }
   words.push_back(own_ + "/cosim_replay.v");
   if (!is_icarus) {
     for (const char* word : {"-MAKEFLAGS", "OPT_FAST= OPT_GLOBAL="}) words.emplace_back(word);

@@ -45,6 +45,8 @@ class Program {
 
  private:
   std::vector<std::string> command(const std::string& generation) const;
+  void copy_with_braces();
+  std::string by_own_names(std::string text) const;
   void leave_out(const std::string& said, std::map<std::size_t, std::string> line_of);
 
   const Side& side_;
@@ -52,6 +54,7 @@ class Program {
   Simulator simulator_;
   Scratch scratch_;
   std::string own_, why_not_;
+  std::map<std::string, std::string> copies_;  ///< by files: those that Icarus reads in their place
 };
 
 }  // namespace cosim::equiv

@@ -116,7 +116,9 @@ Side read(const Files& files, const std::string& what, const Budget& budget) {
   } catch (const InputError& error) {
     if (!has_slang()) throw;
     try {
-      return {files, what, FrontEnd::slang, budget};
+      Side side(files, what, FrontEnd::slang, budget);
+      side.refused = error.what();
+      return side;
     } catch (const InputError&) {
       throw InputError(error.what());
     }

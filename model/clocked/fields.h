@@ -184,6 +184,7 @@ struct Unreset : T {
   constexpr Unreset(const X& x) : T(x) {}  // NOLINT
 };
 
+/// A parameter that is a text: template <Text MODE>, and in it MODE == "FAST".
 template <std::size_t N>
 struct Text {
   char text[N];
@@ -191,6 +192,9 @@ struct Text {
     for (std::size_t i = 0; i < N; ++i) text[i] = from[i];
   }
   constexpr operator std::string_view() const { return {text, N - 1}; }  // NOLINT
+  friend constexpr bool operator==(const Text& a, std::string_view b) {
+    return std::string_view(a) == b;
+  }
 };
 
 /// A register that the RTL has elsewhere: At<"divider.count", UInt<8>>, from the top on.
@@ -250,6 +254,13 @@ struct Sampled : T {
   template <MadeInto<T> X>
   constexpr Sampled(const X& x) : T(x) {}  // NOLINT
 };
+
+/// Bits that number n things, Verilog's $clog2(n): of 1 none.
+constexpr int clog2(std::int64_t n) {
+  int bits = 0;
+  while (bits < 62 && (std::int64_t{1} << bits) < n) ++bits;
+  return bits;
+}
 
 constexpr int bits_for_range(std::int64_t low, std::int64_t high) {
   int width = 1;

@@ -32,37 +32,43 @@ template <class T>
 inline constexpr std::size_t members = count<std::remove_cvref_t<T>>();
 
 // clang-format off
-#define COSIM_TIE(n, ...)                                              \
-  else if constexpr (members<T> == (n)) {                              \
+#define COSIM_TIE(k, ...)                                              \
+  else if constexpr (n == (k)) {                                       \
     auto& [__VA_ARGS__] = object;                                      \
     return std::tie(__VA_ARGS__);                                      \
   }
-#define COSIM_TIES(n, ...)                                             \
-  COSIM_TIE(n + 1, __VA_ARGS__ a)                                      \
-  COSIM_TIE(n + 2, __VA_ARGS__ a, b)                                   \
-  COSIM_TIE(n + 3, __VA_ARGS__ a, b, c)                                \
-  COSIM_TIE(n + 4, __VA_ARGS__ a, b, c, d)                             \
-  COSIM_TIE(n + 5, __VA_ARGS__ a, b, c, d, e)                          \
-  COSIM_TIE(n + 6, __VA_ARGS__ a, b, c, d, e, f)                       \
-  COSIM_TIE(n + 7, __VA_ARGS__ a, b, c, d, e, f, g)                    \
-  COSIM_TIE(n + 8, __VA_ARGS__ a, b, c, d, e, f, g, h)
+#define COSIM_TIES(k, ...)                                             \
+  COSIM_TIE(k + 1, __VA_ARGS__ a)                                      \
+  COSIM_TIE(k + 2, __VA_ARGS__ a, b)                                   \
+  COSIM_TIE(k + 3, __VA_ARGS__ a, b, c)                                \
+  COSIM_TIE(k + 4, __VA_ARGS__ a, b, c, d)                             \
+  COSIM_TIE(k + 5, __VA_ARGS__ a, b, c, d, e)                          \
+  COSIM_TIE(k + 6, __VA_ARGS__ a, b, c, d, e, f)                       \
+  COSIM_TIE(k + 7, __VA_ARGS__ a, b, c, d, e, f, g)                    \
+  COSIM_TIE(k + 8, __VA_ARGS__ a, b, c, d, e, f, g, h)
 #define COSIM_8(x) x##0, x##1, x##2, x##3, x##4, x##5, x##6, x##7,
 #define COSIM_16 COSIM_8(p) COSIM_8(q)
 #define COSIM_32 COSIM_16 COSIM_8(r) COSIM_8(s)
 #define COSIM_48 COSIM_32 COSIM_8(t) COSIM_8(u)
 // clang-format on
 
-/// References to the members of an aggregate of at most 64, none of them a base or a C array.
+/// Of structs of N members, more than 64: model/cosim/many_members.h.
+template <std::size_t N>
+struct Many;
+
+/// References to the members of an aggregate of at most 64, none of them a base or a C array; with
+/// many_members.h of at most 256.
 template <class T>
 constexpr auto tie(T& object) {
   static_assert(
       std::is_aggregate_v<std::remove_cv_t<T>>,
       "a model, its In and its Out are plain structs: no constructor, no virtual function, "
       "nothing private");
-  static_assert(members<T> <= 64,
-                "a struct of a model has at most 64 members: put some of them "
-                "into a struct of their own, or into an Array");
-  if constexpr (members<T> == 0) {
+  constexpr std::size_t n = members<T>;
+  static_assert(n <= 64 || requires { sizeof(Many<n>); },
+                "a struct of a model has at most 64 members, or 256 behind a line #include "
+                "<cosim/many_members.h>: put others into a struct of their own, or into an Array");
+  if constexpr (n == 0) {
     return std::tie();
   }
   COSIM_TIES(0)
@@ -73,6 +79,9 @@ constexpr auto tie(T& object) {
   COSIM_TIES(40, COSIM_32 COSIM_8(t))
   COSIM_TIES(48, COSIM_48)
   COSIM_TIES(56, COSIM_48 COSIM_8(v))
+  else {
+    return Many<n>::tie(object);
+  }
 }
 #undef COSIM_TIE
 #undef COSIM_TIES

@@ -88,12 +88,18 @@ sub shape_of {
     return (size_of($_[0]), -1) if $type->{tag} ne 'unpackarraydtype' || type_of($word)->{tag} =~ /array/;
     return (size_of($word), elements($type));
 }
+# 1 where it, or a word of it, is a number with a sign.
+sub is_signed {
+    my $type = type_of($_[0]);
+    return is_signed($type->{has}{sub_dtype_id}) if $type->{tag} eq 'unpackarraydtype';
+    return $type->{has}{signed} ? 1 : 0;
+}
 
 # Bits of a net, as a string of them.
 sub bits { return pack 'b*', '0' x $_[0] . '1' x $_[1] }
 sub without { return $_[0] ^ ($_[0] & $_[1]) }
 
-our %info;        # net => its width, words and all its bits
+our %info;        # net => its width, words, all its bits, and whether it is signed
 our %by_name;     # name => all nets of that name
 our %packaged;    # name => variables of packages
 our %in_package;  # name => tasks of packages
@@ -108,6 +114,7 @@ sub declare {
             my ($width, $words) = shape_of($in->{has}{dtype_id});
             my $net = $path . $name;
             $info{$net} = {width => $width, words => $words, bits => $width * ($words > 0 ? $words : 1),
+                signed => is_signed($in->{has}{dtype_id}),
                 first => $words > 0 ? first_of(type_of($in->{has}{dtype_id})) : 0};
             push @{$by_name{$name}}, $net;
             push @{$packaged{$name}}, $net if $node->{tag} eq 'package';

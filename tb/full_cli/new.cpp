@@ -129,8 +129,8 @@ int run(const NewOptions& o) {
   if (o.words.empty()) throw InputError("NAME: is needed");
   if (o.plain && o.stream) throw InputError("--plain: does not go with --stream");
   const NewModel model = o.stream  ? NewModel::stream
-                         : o.plain ? NewModel::plain
-                                   : NewModel::generic;
+                         : o.plain ? NewModel::unproved
+                                   : NewModel::proved;
   const std::string& name = o.words.front();
   require_name(name);
   const bool has_rtl = o.words.size() > 1 || !o.libraries.empty();
@@ -146,7 +146,7 @@ int run(const NewOptions& o) {
     if (o.stream && found.clocks.empty()) {
       throw InputError("new: " + found.top + " has no register: nothing of it is a stream");
     }
-    begun = o.stream ? stream_model(name, found) : lockstep_model(name, found, o.plain);
+    begun = o.stream ? stream_model(name, found) : lockstep_model(name, found);
     project.write(name + ".h", begun.text);
     design = design_of(name, found, rtl.sources, model, rtl.has_headers, o.defines, o.blackboxes);
   } else {
@@ -168,10 +168,10 @@ int run(const NewOptions& o) {
              count(found.inputs.size(), "input"), count(found.outputs.size(), "output"),
              o.stream ? "as streams" : count(found.registers.size(), "register"));
   if (!found.language.empty()) fmt::print("{}: {}\n", name, found.language);
-  if (!found.unread.empty() && model == NewModel::generic) {
+  if (!found.unread.empty() && model == NewModel::proved) {
     begun.left.push_back(found.unread + ": nothing is proved of it");
   }
-  if (found.has_inner_reset() && model == NewModel::generic) {
+  if (found.has_inner_reset() && model == NewModel::proved) {
     begun.left.emplace_back("a register resets others at once: nothing is proved of it");
   }
   for (const std::string& left : begun.left) fmt::print("{0}/{0}.h: {1}\n", name, left);
@@ -185,11 +185,11 @@ void add_new(const Command& program) {
   const Command command = program.sub(new_command.name, new_command.help);
   command.arguments("NAME FILE...", o->words,
                     "The name of the folder and the design; then its Verilog or VHDL, whose\n"
-                    "ports, parameters and registers become the model's tables. A folder in place\n"
+                    "ports, parameters and registers become the model's members. A folder in place\n"
                     "of files: what the top needs of those in it. Without a file: a small design\n"
                     "that passes");
   command.flag("--plain", o->plain,
-               "The model's step in any C++, on machine integers: nothing is proved of it");
+               "A model in any C++, on machine integers alone: nothing is proved of it");
   command.flag("--stream", o->stream,
                "A model without clocks: what comes out of the ports *_valid for what goes in");
   command.text("--top", o->top, "NAME",

@@ -109,11 +109,12 @@ void order_resets(Found& found) {
 }
 
 void read_shape(Found& found, const FoundShape& shape) {
-  for (const auto& [way, net] : shape.ports) {
-    const std::string& name = net.name;
-    if (net.words.number < 0) {
+  for (const auto& [way, name] : shape.ports) {
+    const FoundShape::Net& is = shape.nets.at(name);
+    const FoundNet net{name, {is.width}, {is.words}, is.is_signed};
+    if (is.words < 0) {
       throw InputError(
-          fmt::format("new: {}: a port that is an array of more dimensions than one", net.name));
+          fmt::format("new: {}: a port that is an array of more dimensions than one", name));
     }
     const auto clock = std::ranges::find(found.clocks, name, &FoundClock::name);
     if (clock == found.clocks.end()) {
@@ -122,6 +123,10 @@ void read_shape(Found& found, const FoundShape& shape) {
       found.inputs.push_back(net);
       found.inputs.back().edge = clock->edge;
     }
+  }
+  for (FoundNet& net : found.registers) {
+    const auto is = shape.nets.find(net.name);
+    net.is_signed = is != shape.nets.end() && is->second.is_signed;
   }
   order_resets(found);
 }

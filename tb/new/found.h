@@ -14,7 +14,7 @@ namespace cosim::cli {
 /// A number with the parameters' defaults.
 struct FoundSize {
   int number = 1;
-  std::string text = {};  ///< how it follows parameters, in C++: "p.WIDTH + 1"; empty: not
+  std::string text = {};  ///< how it follows parameters: "{WIDTH} + 1"; empty: not
 };
 
 /// A port, a register or a memory.
@@ -22,6 +22,7 @@ struct FoundNet {
   std::string name;        ///< of a register its path below the top
   FoundSize width;         ///< bits, of a memory those of a word
   FoundSize words = {0};   ///< of a memory; 0: none; -1: of more dimensions than one
+  bool is_signed = false;  ///< it, or each word, is a number with a sign
   bool is_reset = true;    ///< false of a register to which no reset gives a constant
   std::string value = {};  ///< that constant, in hexadecimal; empty: 0
   /// The bits that hold a state, high and low; empty: all.

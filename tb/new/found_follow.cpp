@@ -10,7 +10,6 @@
 #include <set>
 
 #include "tb/new/found_shape.h"
-#include "tb/new/new.h"
 #include "tb/support/parallel.h"
 #include "tb/support/words.h"
 
@@ -30,7 +29,7 @@ long bits_for(long values) {
   return values < 1 ? 0 : static_cast<long>(std::bit_width(static_cast<unsigned long>(values) - 1));
 }
 
-// In C++, or empty where none of these forms explains the points.
+// As of FoundSize, or empty where none of these forms explains the points.
 std::string form_of(const std::string& p, const Points& points) {
   const auto [at, size] = points.front();
   if (all_are(points, [s = size](long) { return s; })) return "";
@@ -51,7 +50,7 @@ std::string form_of(const std::string& p, const Points& points) {
   if (small && all_are(points, [](long v) { return 1L << v; })) return "1 << " + p;
   const long above = size - bits_for(at);
   if (all_are(points, [&](long v) { return bits_for(v) + above; })) {
-    return sum(fmt::format("detail::bits_for({})", p), above);
+    return sum(fmt::format("clog2({})", p), above);
   }
   return "";
 }
@@ -65,16 +64,16 @@ struct Tried {
 void put(FoundSize& size, const std::string& p, long value, const Points& points) {
   const bool changes = !all_are(points, [s = points.front().second](long) { return s; });
   if (!changes || size.text == "?") return;
-  const std::string form = points.size() < 3 ? "" : form_of("p." + p, points);
+  const std::string form = points.size() < 3 ? "" : form_of(p, points);
   if (size.text.empty()) {
     size.text = form.empty() ? "?" : form;
     return;
   }
-  // "p.A * n" where n is the value of this one.
+  // "{A} * n" where n is the value of this one.
   const std::string by = fmt::format(" * {}", value);
   const bool fits =
-      size.text.ends_with(by) && form == fmt::format("p.{} * {}", p, size.number / value);
-  size.text = fits ? size.text.substr(0, size.text.size() - by.size()) + " * p." + p : "?";
+      size.text.ends_with(by) && form == fmt::format("{} * {}", p, size.number / value);
+  size.text = fits ? size.text.substr(0, size.text.size() - by.size()) + " * " + p : "?";
 }
 
 }  // namespace
@@ -142,12 +141,12 @@ void follow_parameters(Found& found, const FoundShape& shape, const RtlQuestion&
         for (const Tried& t : tries) {
           const auto same = t.shape.nets.find(net.name);
           if (same == t.shape.nets.end()) continue;
-          bits.emplace_back(t.value, same->second.first);
-          words.emplace_back(t.value, same->second.second);
+          bits.emplace_back(t.value, same->second.width);
+          words.emplace_back(t.value, same->second.words);
         }
         if (bits.empty() || bits.front().first != tries.front().value) continue;
-        put(net.width, field_of(name), tries.front().value, bits);
-        put(net.words, field_of(name), tries.front().value, words);
+        put(net.width, '{' + name + '}', tries.front().value, bits);
+        put(net.words, '{' + name + '}', tries.front().value, words);
       }
       for (FoundSize* size : {&net.width, &net.words}) {
         if (size->text == "?") size->text.clear();

@@ -19,19 +19,19 @@ FoundShape shape_of(std::string_view text) {
     std::istringstream words(line);
     std::string what, name, way;
     words >> what;
-    int width = 0, count = 0;
     if (what == "top") {
       words >> shape.top;
     } else if (what == "port") {
-      words >> way >> name >> width >> count;
-      shape.ports.emplace_back(way, FoundNet{name, {width}, {count}});
+      words >> way >> name;
+      shape.ports.emplace_back(way, name);
     } else if (what == "parameter") {
       long value = 0;
       words >> name >> value;
       shape.parameters.emplace_back(name, value);
     } else if (what == "net") {
-      words >> name >> width >> count;
-      shape.nets[name] = {width, count};
+      words >> name;
+      FoundShape::Net& net = shape.nets[name];
+      words >> net.width >> net.words >> net.is_signed;
     }
   }
   return shape;

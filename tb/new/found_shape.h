@@ -15,10 +15,15 @@
 namespace cosim::cli {
 
 struct FoundShape {
+  struct Net {
+    int width = 0, words = 0;  ///< words as of FoundNet
+    bool is_signed = false;
+    bool operator==(const Net&) const = default;
+  };
   std::string top;
-  std::vector<std::pair<std::string, FoundNet>> ports;  ///< "input" or "output", and which
+  std::vector<std::pair<std::string, std::string>> ports;  ///< "input" or "output", and its name
   std::vector<std::pair<std::string, long>> parameters;
-  std::map<std::string, std::pair<int, int>> nets;  ///< width and words
+  std::map<std::string, Net> nets;
 };
 
 /// Of the text of rtl_shape.pl.

@@ -1,6 +1,8 @@
 // What `cosim new` writes: the texts of a project around a design of one's own.
 #pragma once
 
+#include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -10,46 +12,49 @@
 namespace cosim::cli {
 
 enum class NewModel {
-  generic,  ///< a step over a value type
-  plain,    ///< a step on machine integers alone
-  stream,   ///< a function of transactions
-};
-
-/// A row of a table.
-struct NewRow {
-  std::string field;  ///< its name in the model
-  FoundNet net;
-  bool elsewhere = false;  ///< where the RTL has it does not follow from that name
-  std::string bits = {};   ///< "[7:4]", where it is only these of the net
-
-  std::string at() const { return net.name + bits; }
+  proved,    ///< of every clock
+  unproved,  ///< the same, of which nothing is proved
+  stream,    ///< a function of transactions
 };
 
 /// "uart" as "UART".
 std::string upper(std::string text);
-/// A net's name as one of C++: "fifo.count" as "fifo_count"; one that C++ or the records need for
-/// themselves ends in _.
-std::string field_of(const std::string& path);
+/// "async_fifo" as "AsyncFifo".
+std::string in_one_word(const std::string& name);
+
+/// Names that C++, its library and macros, or a model have already.
+class TakenNames {
+ public:
+  /// Beside those of C++: words with blanks between them.
+  explicit TakenNames(const std::string& more);
+  void insert(const std::string& name) { all_.insert(name); }
+  bool contains(const std::string& name) const { return all_.contains(name); }
+  /// A net's name as one of C++: "fifo.count" as "fifo_count"; one that is taken ends in _.
+  std::string other_than(const std::string& path) const;
+
+ private:
+  std::set<std::string> all_;
+};
+
 /// InputError, one line, for files that a project cannot hold: two of one name, one of a name that
 /// it has itself or that CMake would not take, one with a byte-order mark.
 void require_files(const std::string& name, const Sources& sources);
 /// The same for names in the RTL that cannot be written in a table.
 void require_names(const Found& found);
-/// "p.WIDTH + 1", or the number alone.
-std::string text_of(const FoundSize& size);
-/// #define NAME and the rows behind it.
-std::string table_of(const std::string& name, const std::vector<NewRow>& rows);
-/// The members of struct Params.
-std::string params_of(const Found& found);
-/// The function parameters() of struct Design; nothing where there are none.
-std::string parameters_of(const Found& found);
+/// A size in C++, or the number alone: "p.WIDTH + 1", where `name` makes p.WIDTH of WIDTH.
+std::string text_of(const FoundSize& size,
+                    const std::function<std::string(const std::string&)>& name);
+/// The widest elements of equal width, at most 64 bits, that make up a word of a memory.
+int part_of(const FoundNet& memory);
 
 /// The model of RTL that was read.
 struct BegunModel {
   std::string text;
   std::vector<std::string> left;  ///< what is left to be done, sentences
 };
-BegunModel lockstep_model(const std::string& name, const Found& found, bool plain);
+BegunModel lockstep_model(const std::string& name, const Found& found);
+/// The name of its struct.
+std::string struct_of(const std::string& name, const Found& found);
 /// InputError where no streams are found among its ports.
 BegunModel stream_model(const std::string& name, const Found& found);
 

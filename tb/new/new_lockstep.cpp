@@ -1,235 +1,350 @@
-// The model of every clock that `cosim new` begins for RTL.
+// The model of every clock that `cosim new` begins for RTL: a struct.
 #include <fmt/core.h>
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <set>
+#include <map>
 
+#include "model/core/input_error.h"
 #include "tb/new/new.h"
 
 namespace cosim::cli {
 namespace {
 
-// A table of more cells than this takes a compiler minutes.
-constexpr int most_cells = 4096;
+// More words of a memory than this take a compiler minutes.
+constexpr int most_words = 4096;
+// What a struct of a model can have, model/clocked/reflect.h.
+constexpr std::size_t most_members = 256;
 
-// Names of fields that differ: the second of two alike ends in _2.
+constexpr const char* types = "Bit UInt Int Array Unreset At Rises Falls Text clog2 In Out ";
+constexpr const char* others =
+    "in out clock reset reset_clocks asynchronous_reset reset_at_once rest cases legal idle "
+    "invariant reached compared unobserved source Job Driver Checker most_clocks Auxiliary Hex "
+    "Source Sampled Range OnesComplement Stated stated active_low active_high both zero cat mux "
+    "merge reduce_and reduce_or reduce_xor";
+
+// A member of the struct.
+struct Member {
+  std::string name;
+  std::string type;
+  FoundNet net;
+  std::string value = {};  // of a register
+};
+
+std::string parameter(const std::string& name) {
+  return TakenNames(std::string(types) + others).other_than(name);
+}
+std::string text_of(const FoundSize& size) { return cli::text_of(size, parameter); }
+
+// A number of RTL, from its hexadecimal digits.
+std::string bits_of(const std::string& hex, int high, int low) {
+  std::string digits;
+  for (int at = low; at <= high; at += 4) {
+    int digit = 0;
+    for (int bit = at; bit < at + 4 && bit <= high; ++bit) {
+      const auto from_end = static_cast<std::size_t>(bit / 4);
+      if (from_end >= hex.size()) break;
+      const int all = std::stoi(hex.substr(hex.size() - 1 - from_end, 1), nullptr, 16);
+      digit |= (all >> bit % 4 & 1) << (bit - at);
+    }
+    digits.insert(0, fmt::format("{:x}", digit));
+  }
+  digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));
+  return digits;
+}
+std::string number(const std::string& hex) {
+  const bool is_digit = hex.size() == 1 && hex < "a";
+  return is_digit ? hex : "0x" + hex;
+}
+// The value of so many bits in C++.
+std::string value_of(const std::string& hex, int width, bool follows) {
+  const bool is_all_ones = follows && bits_of(hex, width - 1, 0) ==
+                                          bits_of(std::string(hex.size() + 1, 'f'), width - 1, 0);
+  if (is_all_ones) return "-1";  // whatever the parameters
+  if (width <= 64) return number(hex);
+  std::string parts;
+  for (int high = width - 1; high >= 0;) {
+    const int low = high / 64 * 64;
+    parts += fmt::format("{}UInt<{}>({})", parts.empty() ? "" : ", ", high - low + 1,
+                         number(bits_of(hex, high, low)));
+    high = low - 1;
+  }
+  return "cat(" + parts + ')';
+}
+
+// Names of members, each another one.
 class Names {
  public:
+  explicit Names(const std::string& taken) : taken_(taken) {}
   std::string of(const std::string& path) {
-    const std::string name = field_of(path);
-    std::string another = name;
-    for (int i = 2; !taken_.insert(another).second; ++i) another = fmt::format("{}_{}", name, i);
-    return another;
+    std::string name = taken_.other_than(path);
+    taken_.insert(name);
+    return name;
   }
 
  private:
-  std::set<std::string> taken_;
+  TakenNames taken_;
 };
 
-std::vector<NewRow> rows_of(const std::vector<FoundNet>& nets) {
-  std::vector<NewRow> rows;
-  Names names;
+std::string type_of(const FoundNet& net) {
+  if (net.edge != Edge::none) return net.edge == Edge::rising ? "Rises" : "Falls";
+  const bool is_split = net.words.number != 0 && part_of(net) != net.width.number;
+  const FoundSize width = is_split ? FoundSize{part_of(net)} : net.width;
+  std::string type = width.number == 1 && width.text.empty()
+                         ? "Bit"
+                         : fmt::format("{}Int<{}>", net.is_signed ? "" : "U", text_of(width));
+  if (net.words.number == 0) return type;
+  const int each = is_split ? net.width.number / width.number : 1;
+  const std::string words =
+      is_split ? std::to_string(net.words.number * each) : text_of(net.words);
+  return fmt::format("Array<{}, {}>", type, words);
+}
+
+Member member_of(const FoundNet& net, const std::string& name, const std::string& at) {
+  Member m{name, type_of(net), net};
+  if (name != at) m.type = fmt::format("At<\"{}\", {}>", at, m.type);
+  if (!net.is_reset) {
+    m.type = fmt::format("Unreset<{}>", m.type);
+  } else if (net.value.empty() || net.words.number != 0) {
+    m.value = "0";
+  } else {
+    m.value = value_of(net.value, net.width.number, !net.width.text.empty());
+  }
+  return m;
+}
+
+std::vector<Member> ports_of(const std::vector<FoundNet>& nets, const std::string& taken) {
+  Names names(taken);
+  std::vector<Member> members;
   for (const FoundNet& net : nets) {
+    members.push_back(member_of(net, names.of(net.name), net.name));
+    members.back().value.clear();
+  }
+  return members;
+}
+
+// The bits of a net that hold a state.
+FoundNet part_of(const FoundNet& net, int high, int low) {
+  FoundNet part = net;
+  part.width = {high - low + 1};
+  part.is_signed = false;
+  part.value = net.value.empty() ? "" : bits_of(net.value, high, low);
+  return part;
+}
+
+std::vector<Member> registers_of(const std::vector<FoundNet>& nets, const std::string& taken) {
+  // A register below the top has its own name where no other one has it.
+  const auto last = [](const std::string& path) { return path.substr(path.rfind('.') + 1); };
+  std::map<std::string, int> alike;
+  for (const FoundNet& net : nets) ++alike[last(net.name)];
+  Names names(taken);
+  std::vector<Member> members;
+  for (const FoundNet& net : nets) {
+    const std::string stem = alike[last(net.name)] == 1 ? last(net.name) : net.name;
     if (net.bits.empty() || net.words.number != 0) {
-      const std::string field = names.of(net.name);
-      rows.push_back({field, net, field != net.name});
+      members.push_back(member_of(net, names.of(stem), net.name));
       continue;
     }
     for (const auto& [high, low] : net.bits) {
-      FoundNet part = net;
-      part.width = {high - low + 1};
-      part.value.clear();
       const std::string bits =
           high == low ? fmt::format("[{}]", low) : fmt::format("[{}:{}]", high, low);
-      rows.push_back({names.of(fmt::format("{}_{}_{}", net.name, high, low)), part, true, bits});
+      members.push_back(member_of(part_of(net, high, low), names.of(stem + bits), net.name + bits));
     }
   }
-  return rows;
+  return members;
 }
 
-bool is_in_table(const FoundNet& net) {
-  return net.words.number >= 0 && net.words.number * ((net.width.number + 63) / 64) <= most_cells;
+std::string struct_text(const std::string& name, const std::vector<Member>& members) {
+  if (members.empty()) return fmt::format("  struct {} {{}};\n", name);
+  std::string text = fmt::format("  struct {} {{\n", name);
+  for (const Member& m : members) text += fmt::format("    {} {};\n", m.type, m.name);
+  return text + "  };\n";
 }
 
-// The head of a model's step, up to its body.
-std::string step_head(bool plain) {
-  return fmt::format(
-      "{0} Step<{1}> next([[maybe_unused]] const Params& p, const State<{1}>& s,\n"
-      "                       [[maybe_unused]] const Inputs<{1}>& in) {{\n",
-      plain ? "inline" : "template <class V>\nconstexpr", plain ? "Word" : "V");
+std::string name_of(const std::vector<Member>& members, const std::string& net) {
+  const auto m =
+      std::ranges::find_if(members, [&](const Member& one) { return one.net.name == net; });
+  return m == members.end() ? "" : m->name;
 }
 
-std::string reset_inputs_of(const Found& f) {
-  std::string rest, reset;
+// What is said of the resets.
+std::string reset_of(const Found& f, const std::vector<Member>& inputs) {
+  std::string high, low;
   for (const FoundReset& r : f.resets) {
     if (r.is_inner) continue;
-    if (r.active_low) rest += fmt::format("{}.{} = 1", rest.empty() ? "" : ", ", field_of(r.name));
-    reset += fmt::format("{}.{} = {}", reset.empty() ? "" : ", ", field_of(r.name),
-                         r.active_low ? 0 : 1);
+    std::string& pins = r.active_low ? low : high;
+    pins += fmt::format("{}&In::{}", pins.empty() ? "" : ", ", name_of(inputs, r.name));
   }
-  if (reset.empty()) return "";
-  std::string text;
-  if (!rest.empty()) {
-    text += fmt::format(
-        "  /// A clock on which nothing is asked, and one that resets every register.\n"
-        "  static constexpr Inputs<Word> rest() {{ return {{{}}}; }}\n",
-        rest);
-  } else {
-    text += "  /// a clock that resets every register.\n";
+  if (!high.empty()) high = fmt::format("active_high<{}>", high);
+  if (!low.empty()) low = fmt::format("active_low<{}>", low);
+  const bool is_both = !high.empty() && !low.empty();
+  if (high.empty() && low.empty()) return "";
+  return fmt::format("  static constexpr auto reset = {};\n",
+                     is_both ? fmt::format("both({}, {})", high, low) : high + low);
+}
+bool has_reset_at_once(const Found& f) {
+  return f.asynchronous && (f.resets.size() > 1 || f.has_inner_reset());
+}
+std::string reset_at_once_of(const Found& f, const std::vector<Member>& inputs,
+                             const std::vector<Member>& registers) {
+  std::string text = "\n  /// What each reset does that does not wait for a clock.\n"
+                     "  void reset_at_once(const In& in) {\n";
+  for (const FoundReset& r : f.resets) {
+    std::string values;
+    for (const auto& [name, value] : r.values) {
+      for (const Member& m : registers) {
+        if (m.net.name != name) continue;
+        const std::string is = m.net.bits.empty() && m.net.words.number == 0
+                                   ? value_of(value, m.net.width.number, false)
+                                   : m.value;
+        values += fmt::format("      {} = {};\n", m.name, is.empty() ? "0" : is);
+      }
+    }
+    if (values.empty()) continue;
+    const std::string pin =
+        r.is_inner ? name_of(registers, r.name) : "in." + name_of(inputs, r.name);
+    text += fmt::format("    if ({}{}) {{\n{}    }}\n", r.active_low ? "!" : "", pin, values);
   }
-  text +=
-      fmt::format("  static constexpr Inputs<Word> reset_inputs() {{ return {{{}}}; }}\n", reset);
-  if (f.asynchronous && f.resets.size() == 1) {
-    text += "  static constexpr bool asynchronous_reset = true;\n";
-  }
-  return text;
+  return text + "  }\n";
 }
 
-// "V(7)", for a field of at most 63 bits.
-std::string constant(const std::string& hex) { return hex == "0" ? "V(0)" : "V(0x" + hex + ")"; }
-bool is_word(const NewRow& row) {
-  return row.net.words.number == 0 && row.net.width.number < 64 && row.bits.empty();
-}
-
-// What the registers hold after a reset, where it is not 0.
-std::string reset_state_of(const std::vector<NewRow>& rows) {
-  std::string values;
-  for (const NewRow& row : rows) {
-    if (row.net.value.empty() || !is_word(row)) continue;
-    values += fmt::format("    s.{} = {};\n", row.field, constant(row.net.value));
-  }
-  if (values.empty()) return "";
-  return "  template <class V>\n  static constexpr State<V> reset_state() {\n    State<V> s;\n" +
-         values + "    return s;\n  }\n";
-}
-
-// A comment of some words, in lines of a usual length.
-std::string comment_of(const std::vector<std::string>& words) {
-  constexpr std::size_t longest = 92;
-  std::string text, line = "  //";
+// A comment, in lines of a usual length.
+std::string comment_of(const std::vector<std::string>& words, const std::string& indent) {
+  constexpr std::size_t longest = 98;
+  std::string text, line = indent + "//";
   for (const std::string& word : words) {
     if (line.size() + word.size() > longest) {
       text += line + '\n';
-      line = "  //";
+      line = indent + "//";
     }
     line += ' ' + word;
   }
   return text + line + '\n';
 }
 
-// What is to be written in a step. Of several clocks each has its part.
-std::string step_of(const Found& f, const std::vector<NewRow>& rows, bool plain) {
-  if (!f.clocks_are_inputs()) {
-    return "  // To be written: step.outputs of this clock, step.state after it.\n";
-  }
-  std::string text =
-      "  // To be written: step.outputs of this step, and of each clock what its edge makes of "
-      "s.\n";
+// What a clock of the one clock, or of each of several, is to do.
+std::string edges_of(const Found& f, const std::vector<Member>& inputs,
+                     const std::vector<Member>& registers, const std::string& title) {
+  std::string text;
   for (const FoundClock& clock : f.clocks) {
-    std::vector<std::string> words{clock.name, clock.edge == Edge::rising ? "rises:" : "falls:"};
-    for (const NewRow& row : rows) {
-      const auto& of = row.net.clocks;
+    if (!f.clocks_are_inputs()) break;
+    std::vector<std::string> words;
+    for (const Member& m : registers) {
+      const auto& of = m.net.clocks;
       if (f.clocks.size() > 1 && std::ranges::find(of, clock.name) == of.end()) continue;
-      words.push_back(row.field + ',');
+      words.push_back(m.name + ',');
     }
-    words.back().back() = words.size() == 2 ? ':' : '.';
-    text += '\n' + comment_of(words);
-    const std::string pin = field_of(clock.name);
-    text += plain ? fmt::format("  if (in.{} != 0) {{\n  }}\n", pin)
-                  : fmt::format(
-                        "  State<V> on_{0} = step.state;\n"
-                        "  step.state = select(is_set(in.{0}), on_{0}, step.state);\n",
-                        pin);
+    if (!words.empty()) words.back().pop_back();
+    text += fmt::format("    if (in.{}) {{\n{}    }}\n", name_of(inputs, clock.name),
+                        words.empty() ? "" : comment_of(words, "      "));
   }
-  return text;
+  if (f.clocks_are_inputs() || f.resets.size() != 1 || f.asynchronous) return text;
+  const FoundReset& r = f.resets.front();
+  const bool all = std::ranges::all_of(registers, [](const auto& m) { return m.net.is_reset; });
+  std::string values;
+  for (const Member& m : registers) {
+    if (m.net.is_reset) values += fmt::format("      {} = {};\n", m.name, m.value);
+  }
+  return fmt::format("    if ({}in.{}) {{\n{}    }} else {{\n    }}\n", r.active_low ? "!" : "",
+                     name_of(inputs, r.name), all ? fmt::format("      *this = {}{{}};\n", title) : values);
 }
 
-// The state under each of several resets.
-std::string reset_of(const Found& f, const std::vector<NewRow>& rows, bool plain) {
-  if (!f.asynchronous || (f.resets.size() < 2 && !f.has_inner_reset())) return "";
-  const std::string type = plain ? "Word" : "V";
-  std::string text = fmt::format(
-      "/// Under the resets that do not wait for the clock.\n"
-      "{0} State<{1}> reset(const Params&, State<{1}> s, const Inputs<{1}>& in) {{\n",
-      plain ? "inline" : "template <class V>\nconstexpr", type);
-  for (const FoundReset& r : f.resets) {
-    const std::string pin = (r.is_inner ? "s." : "in.") + field_of(r.name);
-    const std::string on = plain ? fmt::format("({} {} 0)", pin, r.active_low ? "==" : "!=")
-                                 : fmt::format("{}is_set({})", r.active_low ? "!" : "", pin);
-    for (const auto& [name, value] : r.values) {
-      const auto row = std::ranges::find_if(
-          rows, [&n = name](const NewRow& q) { return q.net.name == n && q.bits.empty(); });
-      if (row == rows.end()) continue;
-      const std::string is = plain ? "0x" + value : constant(value);
-      if (is_word(*row)) {
-        text += plain ? fmt::format("  if {} s.{} = {};\n", on, row->field, is)
-                      : fmt::format("  s.{0} = select({1}, {2}, s.{0});\n", row->field, on, is);
-      } else if (value == "0") {
-        text += plain
-                    ? fmt::format("  if {} s.{} = {{}};\n", on, row->field)
-                    : fmt::format("  for (V& v : s.{}) v = select({}, V(0), v);\n", row->field, on);
-      }
-    }
-  }
-  return text + "  return s;\n}\n\n";
+std::string clock_of(const Found& f, const std::vector<Member>& inputs,
+                     const std::vector<Member>& outputs, const std::vector<Member>& registers,
+                     const std::string& title) {
+  const std::string edges = edges_of(f, inputs, registers, title);
+  std::string text = fmt::format("\n  Out clock({}const In& in){} {{\n",
+                                 edges.empty() ? "[[maybe_unused]] " : "",
+                                 f.clocks.empty() ? " const" : "");
+  std::vector<std::string> zeros;
+  for (const Member& m : outputs) zeros.push_back(fmt::format(".{} = 0", m.name));
+  const std::string one_line = fmt::format("    const Out out{{{}}};\n", fmt::join(zeros, ", "));
+  text += f.clocks.empty() ? "    // To be written: the outputs.\n"
+                           : "    // To be written: the outputs, before the clock, and then the "
+                             "registers after it.\n";
+  if (f.clocks.size() > 1) text += "    // Each clock takes the registers of the others as they "
+                                   "are before it.\n";
+  text += one_line.size() <= 100
+              ? one_line
+              : fmt::format("    const Out out{{\n        {},\n    }};\n",
+                            fmt::join(zeros, ",\n        "));
+  return text + edges + "    return out;\n  }\n";
+}
+
+void require_few(const std::vector<Member>& members, const std::string& of, const char* what) {
+  if (members.size() <= most_members) return;
+  throw InputError(fmt::format("new: {}: {} {}: a model has at most {}", of, members.size(), what,
+                               most_members));
 }
 
 }  // namespace
 
-BegunModel lockstep_model(const std::string& name, const Found& f, bool plain) {
-  const std::string table = upper(name);
-  BegunModel model;
-  std::vector<FoundNet> in_table;
+std::string struct_of(const std::string& name, const Found& found) {
+  TakenNames taken(std::string(types) + others);
+  for (const FoundParameter& p : found.parameters) taken.insert(p.name);
+  const std::string word = in_one_word(name);
+  return taken.contains(word) ? word + "Model" : word;
+}
+
+BegunModel lockstep_model(const std::string& name, const Found& f) {
+  BegunModel model{"", {"clock() is to be written"}};
+  std::vector<FoundNet> nets;
   std::vector<std::string> unobserved;
   for (const FoundNet& net : f.registers) {
-    if (is_in_table(net)) {
-      in_table.push_back(net);
-    } else {
-      unobserved.push_back('"' + net.name + '"');
-      model.left.push_back(fmt::format(
-          "{} is not compared: {}", net.name,
-          net.words.number < 0 ? "it has more dimensions than one" : "it has too many words"));
+    if (net.words.number >= 0 && net.words.number <= most_words) {
+      nets.push_back(net);
+      continue;
     }
+    unobserved.push_back('"' + net.name + '"');
+    model.left.push_back(fmt::format("{} is not compared: {}", net.name,
+                                     net.words.number < 0 ? "it has more dimensions than one"
+                                                          : "it has too many words"));
   }
-  const std::vector<NewRow> rows = rows_of(in_table);
-  model.left.insert(model.left.begin(), "next() is to be written");
   if (f.resets.empty() && !f.clocks.empty()) {
     model.left.push_back(
         "no reset is found: it begins at its initial values; --reset PIN names one");
   }
-  std::string more;
-  if (!unobserved.empty()) {
-    more = fmt::format("  static constexpr std::array unobserved{{{}}};\n",
-                       fmt::join(unobserved, ", "));
+  const std::string title = struct_of(name, f);
+  std::string taken = types + title;
+  std::vector<std::string> parameters;
+  for (const FoundParameter& p : f.parameters) {
+    taken += ' ' + parameter(p.name);
+    parameters.push_back((p.is_text ? "Text " : "int ") + parameter(p.name));
   }
-  model.text = fmt::format(
-      "// Golden model of {0}: what every register and output is, clock by clock.\n"
+  const auto inputs = ports_of(f.inputs, taken), outputs = ports_of(f.outputs, taken);
+  const auto registers = registers_of(nets, taken + ' ' + others);
+  require_few(inputs, f.top, "inputs");
+  require_few(outputs, f.top, "outputs");
+  require_few(registers, f.top, "registers");
+
+  std::string& text = model.text;
+  text = fmt::format(
+      "// Golden model of {}: what every register and output is, clock by clock.\n"
       "#pragma once\n\n"
-      "#include <array>\n\n"
-      "#include \"model/core/design.h\"\n\n"
-      "namespace {0}_model {{\n\n"
-      "using namespace cosim;\n\n"
-      "{1}\n"
-      "// FIELD(name, width, format, its number in a printed source, meaning)\n"
-      "{2}{3}{4}"
-      "COSIM_RECORDS({5}, Params);\n\n"
-      "{8}"
-      "  Step<{9}> step{{s, {{}}}};\n"
-      "{11}"
-      "  return step;\n"
-      "}}\n\n"
-      "{10}"
-      "struct Design {{\n"
-      "  COSIM_DESIGN({0}_model);\n"
-      "  static constexpr const char* name = \"{0}\";\n"
-      "{6}{7}"
-      "}};\n\n"
-      "}}  // namespace {0}_model\n",
-      name, params_of(f), table_of(table + "_INPUTS", rows_of(f.inputs)),
-      table_of(table + "_OUTPUTS", rows_of(f.outputs)), table_of(table + "_STATE", rows), table,
-      reset_inputs_of(f) + reset_state_of(rows) + more, parameters_of(f), step_head(plain),
-      plain ? "Word" : "V", reset_of(f, rows, plain), step_of(f, rows, plain));
+      "#include <cosim/model.h>\n",
+      f.top);
+  if (std::max({inputs.size(), outputs.size(), registers.size()}) > 64) {
+    text += "#include <cosim/many_members.h>\n";
+  }
+  text += '\n';
+  if (!parameters.empty()) text += fmt::format("template <{}>\n", fmt::join(parameters, ", "));
+  text += fmt::format("struct {} {{\n", title) + struct_text("In", inputs) +
+          struct_text("Out", outputs) + reset_of(f, inputs);
+  if (f.asynchronous && !has_reset_at_once(f)) {
+    text += "  static constexpr bool asynchronous_reset = true;\n";
+  }
+  if (!unobserved.empty()) {
+    text += fmt::format("  static constexpr std::array unobserved{{{}}};\n",
+                        fmt::join(unobserved, ", "));
+  }
+  if (!registers.empty()) text += '\n';
+  for (const Member& m : registers) {
+    const bool is_set = !m.value.empty();
+    text += fmt::format("  {} {}{}{};\n", m.type, m.name, is_set ? " = " : "", m.value);
+  }
+  text += clock_of(f, inputs, outputs, registers, title);
+  if (has_reset_at_once(f)) text += reset_at_once_of(f, inputs, registers);
+  text += "};\n";
   return model;
 }
 

@@ -58,10 +58,11 @@ void require_names(const Found& found) {
   for (const auto* nets : {&found.inputs, &found.outputs, &found.registers}) {
     for (const FoundNet& net : *nets) require(net.name);
   }
+  const TakenNames taken("");
   std::set<std::string> fields;
   for (const FoundParameter& p : found.parameters) {
     require(p.name);
-    if (!fields.insert(field_of(p.name)).second) {
+    if (!fields.insert(taken.other_than(p.name)).second) {
       throw InputError(fmt::format("new: {}: another parameter would have its name", p.name));
     }
   }

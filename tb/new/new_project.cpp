@@ -16,38 +16,22 @@ std::string replaced(std::string text, const std::string& what, const std::strin
   return text;
 }
 
-// The counter's model, but its step in C++ as anyone writes it.
-std::string plain_counter() {
-  std::string model = counter_model;
-  const std::size_t from = model.find("template <class V>\n"), to = model.find("\n}\n", from) + 3;
-  return model.replace(
-      from, to - from,
-      R"(inline Step<Word> next(const Params& p, const State<Word>& s, const Inputs<Word>& in) {
-  Step<Word> step{s, {s.total, 0}};
-  if (s.total == ones(p.width)) step.outputs.last = 1;
-  if (in.en != 0) step.state.total = wrap(s.total + 1, p.width);
-  if (in.rst != 0) step.state.total = 0;
-  return step;
-}
-)");
-}
-
 }  // namespace
 
 FirstDesign first_design(const std::string& name, NewModel model) {
   const bool streams = model == NewModel::stream;
   const std::string was = streams ? "fir" : "counter";
   const auto named = [&](const std::string& text) {
-    return replaced(replaced(text, was, name), upper(was), upper(name));
+    const std::string again = replaced(replaced(text, was, name), upper(was), upper(name));
+    return replaced(again, in_one_word(was), in_one_word(name));
   };
   const std::string call = name + " SOURCES " + name + ".v MODEL " + name + ".h SHAPES ";
   if (streams) {
     return {"a filter", named(fir_rtl), named(fir_model),
             call + "\"W=8 STAGES=1\" \"W=12 STAGES=3\" UNPROVED"};
   }
-  const bool plain = model == NewModel::plain;
-  return {"a counter", named(counter_rtl), named(plain ? plain_counter() : counter_model),
-          call + (plain ? "\"W=8\" UNPROVED" : "\"W=8\"")};
+  return {"a counter", named(counter_rtl), named(counter_model),
+          call + "\"W=8\"" + (model == NewModel::unproved ? " UNPROVED" : "")};
 }
 
 std::string design_of(const std::string& name, const Found& f,
@@ -73,12 +57,14 @@ std::string design_of(const std::string& name, const Found& f,
     for (const FoundClock& clock : f.clocks) text += ' ' + for_cmake(clock.name);
   }
   text += fmt::format(" MODEL {}.h", name);
+  const std::string type = struct_of(name, f);
+  if (model != NewModel::stream && type != in_one_word(name)) text += " STRUCT " + type;
   std::string shape;
   for (const FoundParameter& p : f.parameters) {
     shape += fmt::format("{}{}={}", shape.empty() ? "" : " ", p.name, p.value);
   }
   if (!shape.empty()) text += fmt::format(" SHAPES \"{}\"", shape);
-  return model == NewModel::generic && f.unread.empty() && !f.has_inner_reset()
+  return model == NewModel::proved && f.unread.empty() && !f.has_inner_reset()
              ? text
              : text + " UNPROVED";
 }
@@ -113,7 +99,7 @@ The first needs cosim installed, or `-DCOSIM_SOURCE=` and the folder of its sour
 `build/{0}_cosim --help` says what else there is: the failures of a sweep shrink themselves and are
 kept in `failures/`, `replay` draws them{1}.
 )",
-      name, model == NewModel::generic ? ", `prove` proves that RTL and model are the same" : "",
+      name, model == NewModel::proved ? ", `prove` proves that RTL and model are the same" : "",
       model == NewModel::stream ? "what comes out of the streams for what goes in"
                                 : "what every register and output is, clock by clock");
 }

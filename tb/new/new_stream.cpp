@@ -12,12 +12,19 @@
 namespace cosim::cli {
 namespace {
 
+// A row of a table.
+struct StreamRow {
+  std::string field;  // its name in the model
+  FoundNet net;
+  bool elsewhere = false;  // where the RTL has it does not follow from that name
+};
+
 struct FoundStream {
   bool goes_in = true;
   std::string prefix;  // of its ports
   std::string valid;   // the ports themselves; empty where there are none
   std::string ready = {}, credit = {}, done = {};
-  std::vector<NewRow> rows = {};
+  std::vector<StreamRow> rows = {};
 
   bool starts() const { return valid == "start" || valid == "done"; }
   std::string name() const {
@@ -27,19 +34,71 @@ struct FoundStream {
     return name.empty() ? (goes_in ? "in" : "out") : name;
   }
   std::string table() const { return upper(name()); }
-  // "s_axis" as "SAxisData".
-  std::string record() const {
-    std::string record;
-    bool begins = true;
-    for (const char c : name()) {
-      if (c != '_') {
-        record += begins ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
-      }
-      begins = c == '_';
-    }
-    return record + "Data";
-  }
+  std::string record() const { return in_one_word(name()) + "Data"; }
 };
+
+// What records and their templates have (model/core/record.h).
+const TakenNames& taken() {
+  static const TakenNames all(
+      "V p Inputs Outputs State Table Index size Self members fields trim select index_end Record "
+      "Params has_arrays FIELD Word each_member Visit select_record Condition Field");
+  return all;
+}
+
+std::string param_of(const std::string& name) { return taken().other_than(name); }
+std::string size_of(const FoundSize& size) {
+  const std::string text =
+      cli::text_of(size, [](const std::string& name) { return "p." + param_of(name); });
+  const std::size_t at = text.find("clog2(");
+  return at == std::string::npos ? text : text.substr(0, at) + "detail::bits_for" + text.substr(at + 5);
+}
+
+std::string text_of(const StreamRow& row) {
+  const FoundNet& net = row.net;
+  const int width = net.width.number, words = net.words.number;
+  std::string format = width == 1 && net.width.text.empty() ? "flag" : "bits";
+  std::string shown = size_of(net.width);
+  if (words == 0 && width > 64) {
+    format += fmt::format(".words<{}>()", (width + 63) / 64);
+  } else if (words != 0 && part_of(net) != width) {
+    shown = std::to_string(part_of(net));
+    format += fmt::format(".array<{}>()", words * (width / part_of(net)));
+  } else if (words != 0) {
+    format += fmt::format(".array<{}>({})", words, net.words.text.empty() ? "" : size_of(net.words));
+  }
+  if (row.elsewhere) format += fmt::format(".at(\"{}\")", net.name);
+  return fmt::format("FIELD({}, {}, {}, \"\", \"\")", row.field, shown, format);
+}
+
+std::string table_of(const std::string& name, const std::vector<StreamRow>& rows) {
+  std::string text = fmt::format("#define {}(FIELD)", name);
+  for (const StreamRow& row : rows) text += " \\\n  " + text_of(row);
+  return text + '\n';
+}
+
+// The members of struct Params.
+std::string params_of(const Found& found) {
+  std::string members;
+  for (const FoundParameter& p : found.parameters) {
+    members += p.is_text ? fmt::format("  const char* {} = \"{}\";\n", param_of(p.name), p.value)
+                         : fmt::format("  int {} = {};\n", param_of(p.name), p.value);
+  }
+  return "struct Params {\n" + members + "};\n";
+}
+
+// The function parameters() of struct Design; nothing where there are none.
+std::string parameters_of(const Found& found) {
+  std::string pairs;
+  for (const FoundParameter& p : found.parameters) {
+    pairs += fmt::format("{}{{\"{}\", p.{}}}", pairs.empty() ? "" : ", ", p.name, param_of(p.name));
+  }
+  if (pairs.empty()) return "";
+  return fmt::format(
+      "  static constexpr std::array<Parameter, {}> parameters(const Params& p) {{\n"
+      "    return {{{{{}}}}};\n"
+      "  }}\n",
+      found.parameters.size(), pairs);
+}
 
 // A port's name without the direction that some put behind it.
 std::string stem_of(const std::string& port) {
@@ -116,10 +175,10 @@ std::vector<FoundNet> share_out(std::vector<FoundStream>& streams, const Found& 
       left.push_back(port);
       continue;
     }
-    const std::string field = stem.substr(owner->prefix.size());
-    const bool is_name = std::isdigit(static_cast<unsigned char>(field.front())) == 0;
-    owner->rows.push_back(
-        {is_name ? field : stem, port, !is_name || port.name != owner->prefix + field});
+    std::string field = stem.substr(owner->prefix.size());
+    if (std::isdigit(static_cast<unsigned char>(field.front())) != 0) field = stem;
+    field = taken().other_than(field);
+    owner->rows.push_back({field, port, port.name != owner->prefix + field});
   }
   return left;
 }
@@ -165,7 +224,7 @@ std::string pins_of(const Found& f, const std::vector<FoundNet>& tied,
   }
   const auto width = [](const FoundNet& n) {
     const bool is_bit = n.width.number == 1 && n.width.text.empty();
-    return is_bit ? "" : ", " + text_of(n.width);
+    return is_bit ? "" : ", " + size_of(n.width);
   };
   for (const FoundNet& n : tied)
     pins.push_back(fmt::format("pin::tied(\"{}\", 0{})", n.name, width(n)));

@@ -45,9 +45,13 @@ std::string form_of(const std::string& p, const Points& points) {
       return fmt::format("({} + {}) / {}", p, by - 1, by);
     }
   }
-  const bool small =
-      std::ranges::all_of(points, [](const auto& v) { return v.first >= 0 && v.first < 31; });
-  if (small && all_are(points, [](long v) { return 1L << v; })) return "1 << " + p;
+  // Verilog's 1 << 33 is no size.
+  const auto is_small = [](const auto& v) { return v.first >= 0 && v.first < 31; };
+  if (std::ranges::count_if(points, is_small) > 1 && std::ranges::all_of(points, [&](const auto& v) {
+        return !is_small(v) || v.second == 1L << v.first;
+      })) {
+    return "1 << " + p;
+  }
   const long above = size - bits_for(at);
   if (all_are(points, [&](long v) { return bits_for(v) + above; })) {
     return sum(fmt::format("clog2({})", p), above);

@@ -56,11 +56,15 @@ std::string number(const std::string& hex) {
   const bool is_digit = hex.size() == 1 && hex < "a";
   return is_digit ? hex : "0x" + hex;
 }
-// The value of so many bits in C++.
-std::string value_of(const std::string& hex, int width, bool follows) {
-  const bool is_all_ones = follows && bits_of(hex, width - 1, 0) ==
-                                          bits_of(std::string(hex.size() + 1, 'f'), width - 1, 0);
-  if (is_all_ones) return "-1";  // whatever the parameters
+// The value of a register in C++.
+std::string value_of(const std::string& hex, const FoundNet& net) {
+  const int width = net.width.number;
+  const std::string ones = bits_of(std::string(static_cast<std::size_t>(width), 'f'), width - 1, 0);
+  if (hex == ones && !net.width.text.empty()) return "-1";  // whatever the parameters
+  if (net.is_signed && width <= 64 && bits_of(hex, width - 1, width - 1) == "1") {
+    const std::uint64_t above = width == 64 ? 0 : ~std::uint64_t{0} << width;
+    return std::to_string(static_cast<std::int64_t>(std::stoull(hex, nullptr, 16) | above));
+  }
   if (width <= 64) return number(hex);
   std::string parts;
   for (int high = width - 1; high >= 0;) {
@@ -108,7 +112,7 @@ Member member_of(const FoundNet& net, const std::string& name, const std::string
   } else if (net.value.empty() || net.words.number != 0) {
     m.value = "0";
   } else {
-    m.value = value_of(net.value, net.width.number, !net.width.text.empty());
+    m.value = value_of(net.value, net);
   }
   return m;
 }
@@ -195,7 +199,7 @@ std::string reset_at_once_of(const Found& f, const std::vector<Member>& inputs,
       for (const Member& m : registers) {
         if (m.net.name != name) continue;
         const std::string is = m.net.bits.empty() && m.net.words.number == 0
-                                   ? value_of(value, m.net.width.number, false)
+                                   ? value_of(value, m.net)
                                    : m.value;
         values += fmt::format("      {} = {};\n", m.name, is.empty() ? "0" : is);
       }
@@ -260,8 +264,8 @@ std::string clock_of(const Found& f, const std::vector<Member>& inputs,
   for (const Member& m : outputs) zeros.push_back(fmt::format(".{} = 0", m.name));
   const std::string one_line = fmt::format("    const Out out{{{}}};\n", fmt::join(zeros, ", "));
   text += f.clocks.empty() ? "    // To be written: the outputs.\n"
-                           : "    // To be written: the outputs, before the clock, and then the "
-                             "registers after it.\n";
+                           : "    // To be written: the outputs, from the registers before the edge; "
+                             "then the registers after it.\n";
   if (f.clocks.size() > 1) text += "    // Each clock takes the registers of the others as they "
                                    "are before it.\n";
   text += one_line.size() <= 100

@@ -44,32 +44,37 @@ rtl 'always @* if (other) q = d; always @(posedge clk) r <= q;'
 wrong "q: a latch"
 rtl 'always @(posedge clk or posedge other) if (other) q <= 0; else q <= d;'
 "$program" new made made.v > said
-grep -q 'reset_inputs() { return {.other = 1}; }' made/made.h
+grep -qx '  static constexpr auto reset = active_high<&In::other>;' made/made.h
 grep -qx '  static constexpr bool asynchronous_reset = true;' made/made.h
 rtl 'always @(posedge clk or negedge other) if (!other) q <= 0; else q <= d;
      always @(posedge clk or posedge d) if (d) r <= 0; else r <= w[0];'
 "$program" new made made.v > said
-diff - <(sed -n '/^constexpr State/,/^}/p; /reset_inputs()\|rest()/p' made/made.h) << 'RESET'
-constexpr State<V> reset(const Params&, State<V> s, const Inputs<V>& in) {
-  s.q = select(!is_set(in.other), V(0), s.q);
-  s.r = select(is_set(in.d), V(0), s.r);
-  return s;
-}
-  static constexpr Inputs<Word> rest() { return {.other = 1}; }
-  static constexpr Inputs<Word> reset_inputs() { return {.other = 0, .d = 1}; }
+resets() { sed -n '/reset = /p; /void reset_at_once/,/^  }/p' made/made.h; }
+diff - <(resets) << 'RESET'
+  static constexpr auto reset = both(active_high<&In::d>, active_low<&In::other>);
+  void reset_at_once(const In& in) {
+    if (!in.other) {
+      q = 0;
+    }
+    if (in.d) {
+      r = 0;
+    }
+  }
 RESET
 # A register that resets others, behind what resets it.
 rtl 'reg ready; always @(posedge clk or negedge other) if (!other) ready <= 0; else ready <= 1;
      always @(posedge clk or negedge ready) if (!ready) q <= 1; else q <= d;'
 "$program" new made made.v > said
-diff - <(sed -n '/^constexpr State/,/^}/p; /reset_inputs()\|rest()/p' made/made.h) << 'RESET'
-constexpr State<V> reset(const Params&, State<V> s, const Inputs<V>& in) {
-  s.ready = select(!is_set(in.other), V(0), s.ready);
-  s.q = select(!is_set(s.ready), V(0x1), s.q);
-  return s;
-}
-  static constexpr Inputs<Word> rest() { return {.other = 1}; }
-  static constexpr Inputs<Word> reset_inputs() { return {.other = 0}; }
+diff - <(resets) << 'RESET'
+  static constexpr auto reset = active_low<&In::other>;
+  void reset_at_once(const In& in) {
+    if (!in.other) {
+      ready = 0;
+    }
+    if (!ready) {
+      q = 1;
+    }
+  }
 RESET
 grep -q ' UNPROVED)$' made/CMakeLists.txt
 grep -qx 'made/made.h: a register resets others at once: nothing is proved of it' said
@@ -89,7 +94,7 @@ wrong "made: no stream goes in: it has no input whose name ends in valid or vld,
 rtl 'wire x = !other; always @(posedge clk or posedge x) if (x) q <= 0; else q <= d;
      always @(posedge clk or negedge other) if (!other) r <= 0; else r <= d;'
 "$program" new made made.v > said
-grep -q 'reset_inputs() { return {.other = 0}; }' made/made.h
+grep -qx '  static constexpr auto reset = active_low<&In::other>;' made/made.h
 # The variable of loops in several processes is no latch, and none that only some ways write, where each
 # writes it before it is read.
 rtl 'integer i; reg [3:0] a, b;
@@ -101,14 +106,14 @@ rtl 'integer i, n; reg [3:0] a;
      always @* begin a = 0; if (d) begin n = 0; for (i = 0; i < 4; i = i + 1) if (w[i]) n = i; a = n; end end
      always @(posedge clk) q <= ^a;'
 "$program" new made made.v > said
-# A word of C++ is no name of a field.
+# A word of C++ is no name of a member.
 rtl 'always @(posedge clk) begin q <= d; r <= other; end'
 sed -i 's/\bother\b/delete/g' made.v
 "$program" new made made.v > said
-grep -qF 'FIELD(delete_, 1, flag.at("delete"), "", "")' made/made.h
+grep -qx '    At<"delete", Bit> delete_;' made/made.h
 rtl 'reg mem[1:4]; always @(posedge clk) begin mem[w[2:0]] <= d; q <= mem[w[6:4]]; end'
 "$program" new made made.v > said
-grep -qF 'FIELD(mem, 1, flag.array<4>().unreset(), "", "")' made/made.h
+grep -qx '  Unreset<Array<Bit, 4>> mem;' made/made.h
 rtl '(* nomem2reg *) reg mem[0:3]; always @* if (other) mem[w[1:0]] = d; always @(posedge clk) q <= mem[w[5:4]];'
 wrong "mem: a latch"
 # Ports of both directions are split, whatever drives them; one that nothing drives is an input.
@@ -118,19 +123,23 @@ both() {
 module made(input wire clk, d, inout wire a, inout [1:0] w, /* inout x */ output reg q);
 %s always @(posedge clk) q <= a ^ ^w; endmodule\n' "$1" > made.v
 }
-# ports TEXT: those are the names of the ports, and how wide the bits are that go out.
+# members: the ports and the registers.
+members() {
+  sed -nE 's/^ +(At<"[^"]*", |Unreset<)?(Bit|UInt<[0-9]>)>? ([A-Za-z_]+);$/\2 \3/p' made/made.h | paste -sd';'
+}
+# ports TEXT: those are the ports and the register.
 ports() {
   "$program" new made made.v --top made > said
-  diff - <(sed -n 's/^  FIELD(\([^,]*, [0-9]\).*/\1/p' made/made.h | paste -sd';') <<< "$1;q, 1;q, 1"
+  diff - <(members) <<< "$1;Bit q;Bit q"
   cmp -s made.v made/made.v || { echo "the RTL is not as it was" && exit 1; }
   rm -r made
 }
 both 'assign a = d ? 1'"'"'b0 : 1'"'"'bz;'
-ports 'd, 1;a_in, 1;w, 2;a_out, 1;a_en, 1'
+ports 'Bit d;Bit a_in;UInt<2> w;Bit a_out;Bit a_en'
 both 'assign #1 w = d ? 2'"'"'b10 : {2{1'"'"'bz}}; pad one(.p(a), .o(d), .e(q));'
-ports 'd, 1;a_in, 1;w_in, 2;a_out, 1;a_en, 1;w_out, 2;w_en, 2'
+ports 'Bit d;Bit a_in;UInt<2> w_in;Bit a_out;Bit a_en;UInt<2> w_out;UInt<2> w_en'
 both 'wire x = d ? q : '"'"'z; assign w[0] = x, w[1] = q ? 1'"'"'bZ : q; bufif0 (a, d, q);'
-ports 'd, 1;a_in, 1;w_in, 2;a_out, 1;a_en, 1;w_out, 2;w_en, 2'
+ports 'Bit d;Bit a_in;UInt<2> w_in;Bit a_out;Bit a_en;UInt<2> w_out;UInt<2> w_en'
 both 'assign {a, w[0]} = d ? 2'"'"'b0 : 2'"'"'bz;'
 wrong "made: a: an inout port that is driven in a part of { }" --top made
 both 'reg x; always @* if (d) x = 0; else x = 1'"'"'bz; assign a = x;'
@@ -157,8 +166,7 @@ wrong "made.v:5: no file has the module BUF: give a file that models it, or make
   --top made
 sed -i 's/output reg q, r/output reg q, output r/' made.v
 "$program" new made made.v --top made --blackbox MULT --blackbox BUF > said
-diff - <(sed -n 's/^  FIELD(\([^,]*, [0-9]\).*/\1/p' made/made.h | paste -sd';') \
-  <<< "other, 1;d, 1;w, 8;m_Y, 2;m_Z, 1;in_b_O, 1;q, 1;r, 1;m_A, 2;m_C, 1;in_b_I, 1;q, 1"
+diff - <(members) <<< 'Bit other;Bit d;UInt<8> w;UInt<2> m_Y;Bit m_Z;Bit in_b_O;Bit q;Bit r;UInt<2> m_A;Bit m_C;Bit in_b_I;Bit q'
 grep -q ' BLACKBOXES MULT BUF CLOCK\| BLACKBOXES MULT BUF MODEL' made/CMakeLists.txt
 rm -r made
 wrong "NONE: a blackbox that made has no instance of" --top made --blackbox NONE
@@ -166,7 +174,7 @@ wrong "NONE: a blackbox that made has no instance of" --top made --blackbox NONE
 rtl 'wire y; (* keep, x="1" *) (* z *) BOX b(.A(y), .Y(d)); always @(posedge clk) q <= y;'
 printf 'module BOX(input Y, output A); endmodule\n' >> made.v
 "$program" new made made.v --top made --blackbox BOX > said
-grep -q 'FIELD(b_A, 1' <(sed -n '/_INPUTS/,/_OUTPUTS/p' made/made.h)
+sed -n '/struct In/,/}/p' made/made.h | grep -qx '    At<"b$A", Bit> b_A;'
 ! grep -q UNPROVED made/CMakeLists.txt || { echo "yosys does not read it" && exit 1; }
 rtl 'wire y; BOX b(.A(d & w[0]), .Y(y)); always @(posedge clk) q <= y;'
 wrong "BOX b: its pin A is joined to 'd & w[0]', and only a net, or its inverse, tells how wide it is" --blackbox BOX
@@ -179,7 +187,7 @@ rtl 'always @* q = d;'
 wrong "made has no register: nothing of it is a stream" --stream
 "$program" new made made.v > said
 grep -q ' COMBINATIONAL MODEL made.h)$' made/CMakeLists.txt
-grep -q '^#define MADE_STATE(FIELD)$' made/made.h
+grep -qx '  Out clock(\[\[maybe_unused\]\] const In& in) const {' made/made.h
 # Names that are commands, or more than names, to what reads them.
 rtl 'always @(posedge clk) q <= d;'
 # shellcheck disable=SC2016  # a name, not a variable
@@ -208,17 +216,30 @@ wrong "'q\"x': an escaped name is not supported"
 # A file whose name is a pattern to yosys is not another file; a field of any name compiles.
 mkdir '[o]' o
 cp made.v o/made.v
-printf 'module made(input wire clk, V, p, Inputs, select, size, linux, EOF, index_a, a,\n' > '[o]/made.v'
-printf '  output reg Table, FIELD);\nalways @(posedge clk) begin Table <= V ^ p ^ Inputs ^ select;\n' >> '[o]/made.v'
-printf 'FIELD <= size ^ linux ^ EOF ^ index_a ^ a; end\nendmodule\n' >> '[o]/made.v'
+printf 'module made(input wire clk, in, path, low, Bit, Made, linux, EOF, std,\n' > '[o]/made.v'
+printf '  output reg Array, clock);\nreg idle;\nalways @(posedge clk) begin Array <= in ^ path ^ low;\n' >> '[o]/made.v'
+printf 'idle <= Bit ^ Made ^ linux; clock <= EOF ^ std ^ idle; end\nendmodule\n' >> '[o]/made.v'
 "$program" new made '[o]/made.v' > said
-printf '#include "made/made.h"\nint main() { return made_model::Inputs<cosim::Word>{}.V_ != 0; }\n' |
-  "${CXX:-c++}" -std=gnu++20 -Wall -Wextra -Werror -fsyntax-only -I . -I "$sources" -x c++ -
+diff - <(grep 'At<' made/made.h) << 'NAMES'
+    At<"Bit", Bit> Bit_;
+    At<"Made", Bit> Made_;
+    At<"linux", Bit> linux_;
+    At<"EOF", Bit> EOF_;
+    At<"std", Bit> std_;
+    At<"Array", Bit> Array_;
+  Unreset<At<"Array", Bit>> Array_;
+  Unreset<At<"clock", Bit>> clock_;
+  Unreset<At<"idle", Bit>> idle_;
+NAMES
 # A name may be a word of C++, or one that the harness has itself.
+cp made/made.h new_made.h
 rtl 'always @(posedge clk) q <= d;'
-for name in switch parity select; do "$program" new $name made.v > said; done
-printf '#include "%s"\n' switch/switch.h parity/parity.h select/select.h |
-  "${CXX:-c++}" -std=gnu++20 -Wall -Wextra -Werror -fsyntax-only -I . -I "$sources" -x c++ -
+for name in switch parity array; do "$program" new $name made.v > said; done
+grep -q ' MODEL array.h STRUCT ArrayModel' array/CMakeLists.txt
+printf '#include "%s"\n' new_made.h switch/switch.h parity/parity.h array/array.h > all.cpp
+printf 'auto made = cosim::clocked::zero<Made::In>(), array = cosim::clocked::zero<ArrayModel::In>();\n' >> all.cpp
+"${CXX:-c++}" -std=gnu++20 -Wall -Wextra -Wconversion -Wshadow -Werror -fsyntax-only -I . -I "$sources" \
+  -I "$sources/model" all.cpp
 rtl 'always @(posedge clk) q <= d;'
 refused "--top: no file has a module 'other'" made made.v --top other
 refused "--clock: 'a b' is no name in Verilog" made made.v --clock 'a b'

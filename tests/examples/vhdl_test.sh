@@ -66,20 +66,19 @@ RTL
 "$program" new made rtl > said
 diff - said << 'SAID'
 made/: 2 inputs, 1 output, 3 registers; README.md has its two commands
-made/made.h: next() is to be written
+made/made.h: clock() is to be written
 SAID
-diff - <(grep -E 'FIELD\(|int |RST_N =' made/made.h) << 'TABLES'
-  int WIDTH = 8;
-// FIELD(name, width, format, its number in a printed source, meaning)
-  FIELD(RST_N, 1, flag, "", "") \
-  FIELD(D, p.WIDTH, bits, "", "")
-  FIELD(Q, p.WIDTH, bits, "", "")
-  FIELD(below_kept, p.WIDTH, bits.at("below.kept").unreset(), "", "") \
-  FIELD(phase, 2, bits, "", "") \
-  FIELD(sum, p.WIDTH, bits, "", "")
-  static constexpr Inputs<Word> rest() { return {.RST_N = 1}; }
-  static constexpr Inputs<Word> reset_inputs() { return {.RST_N = 0}; }
-TABLES
+diff - <(sed -n '/^template/p; /clock(/q; s/^ *\(.*[A-Za-z].*;\)$/\1/p' made/made.h) << 'MEMBERS'
+template <int WIDTH>
+Bit RST_N;
+UInt<WIDTH> D;
+UInt<WIDTH> Q;
+static constexpr auto reset = active_low<&In::RST_N>;
+static constexpr bool asynchronous_reset = true;
+Unreset<At<"below.kept", UInt<WIDTH>>> kept;
+UInt<2> phase = 0;
+UInt<WIDTH> sum = 0;
+MEMBERS
 grep -q '^cosim_add_design(made SOURCES b_kinds.vhd a_top.vhd c_store.vhdl TOP top CLOCK CLK MODEL' \
   made/CMakeLists.txt
 
@@ -109,7 +108,7 @@ begin
 end architecture;
 RTL
 "$program" new mixed over.v store4.vhd > said
-grep -qF '  FIELD(one_kept, 4, bits.at("one.kept")' mixed/mixed.h
+grep -qF 'At<"one.kept", UInt<4>>' mixed/mixed.h
 printf '%s\n' 'entity store4_tb is end entity; architecture a of store4_tb is' \
   'component store4 is port (clk : in std_logic); end component;' \
   'begin dut: store4 port map (clk); end architecture;' > store4_tb.vhd
@@ -122,8 +121,8 @@ module wrap(input wire clk, input wire rst_n, input wire [7:0] d, output wire [7
 endmodule
 RTL
 "$program" new wrapped wrap.v rtl/*.vhd* > said
-grep -qF 'bits.at("one.below.kept")' wrapped/wrapped.h
-grep -qF 'return {.rst = 1}; }' alone/alone.h
+grep -qF 'At<"one.below.kept", ' wrapped/wrapped.h
+grep -qF 'reset = active_high<&In::rst>;' alone/alone.h
 
 # Two versions are compared, with a parameter, and one of them may be Verilog.
 sed 's/Sum <= Sum + unsigned(held)/Sum <= unsigned(held) + Sum/' rtl/a_top.vhd > a_top.vhd

@@ -107,9 +107,33 @@ void check_members(const Text& of, const Names& known) {
   }
 }
 
+// Looks at the functions, the types and the constants of a struct that has In: at its registers,
+// which have any name, it does not.
+void check_struct(const Text& of, const Names& known) {
+  static const Regex model("\\bstruct\\s+(\\w+)[^;{()]*\\{");
+  static const Regex member(
+      "\\bstruct\\s+(\\w+)|\\bstatic\\s+constexpr\\b[^;={]*\\b(\\w+)\\s*[={]|(\\w+)\\s*\\(");
+  for (const Match& m : model.all(of.text)) {
+    std::string body;
+    int depth = 0;
+    for (std::size_t at = m.end(); at < of.text.size() && depth >= 0; ++at) {
+      const char c = of.text[at];
+      if (c == '}' || c == ')') --depth;
+      body += depth == 0 || c == '\n' ? c : ' ';
+      if (c == '{' || c == '(') ++depth;
+    }
+    static const Regex has_in("\\bstruct\\s+In\\b");
+    if (!has_in.find(body)) continue;
+    for (const Match& one : member.all(body)) {
+      const std::string name = one[1] + one[2] + one[3], is = meant(name, known);
+      if (!is.empty()) of.refuse(m.end() + one.begin(), name + " in struct " + m[1], is);
+    }
+  }
+}
+
 struct Checked {
   fs::path root;
-  Names members = {}, functions = {}, met = {};
+  Names members = {}, functions = {}, met = {}, of_struct = {};
   std::string read = {};  // the files, as ninja wants them
 
   void learn(const fs::path& folder) {
@@ -122,6 +146,9 @@ struct Checked {
       for (const Match& m : member.all(text)) members.insert(m[2]);
       for (const Match& m : function.all(text)) functions.insert(m[1]);
       for (const Match& m : stated.all(text)) functions.insert(m[1]);
+      static const Regex said("\\b(m\\.|M::|First::|Model::)([A-Za-z]\\w+)");
+      if (folder.filename() != "clocked") continue;
+      for (const Match& m : said.all(text)) of_struct.insert(m[2]);
     }
   }
   void check(const fs::path& file) {
@@ -133,7 +160,9 @@ struct Checked {
     const auto is_below = [&](const char* folder) {
       return path.string().starts_with((root / folder / "").string());
     };
-    if (!met.insert(path).second || is_below("model/core") || is_below("tb")) return;
+    if (!met.insert(path).second || is_below("model/core") || is_below("model/clocked") ||
+        is_below("tb"))
+      return;
     read += ' ' + odd.replaced(path.string(), [](const Match& m) { return '\\' + m[0]; });
     const std::string text = text_of(file);
     for (const Match& m : include.all(text)) {
@@ -145,6 +174,7 @@ struct Checked {
     }
     const Text of{file, plain(text)};
     check_members(of, members);
+    check_struct(of, of_struct);
     for (const Match& m : function.all(of.text)) {
       const std::string is = meant(m[1], functions);
       if (!is.empty()) of.refuse(m.begin(1), m[1] + "(p, s, ...)", is);
@@ -157,7 +187,7 @@ struct Checked {
 void check_names(const std::string& stamp, const fs::path& root,
                  const std::vector<std::string>& headers) {
   Checked checked{fs::canonical(root)};
-  checked.learn(checked.root / "model/core");
+  for (const char* folder : {"model/core", "model/clocked"}) checked.learn(checked.root / folder);
   for (const fs::directory_entry& folder : fs::directory_iterator(checked.root / "tb")) {
     if (folder.is_directory()) checked.learn(folder.path());
   }

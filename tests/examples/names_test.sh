@@ -19,24 +19,23 @@ refused() {
   [[ ! -e stamp ]] || fails "it leaves no stamp"
 }
 guarded=$root/tests/stream/designs/guarded.h
-refused invariant invarient "invarient(p, s, ...) means nothing: is invariant meant?" "$guarded"
-refused cases casse "casse(p, s, ...) means nothing: is cases meant?"
-refused invariant legall "legall(p, s, ...) means nothing: is legal meant?" "$guarded"
-refused reset_inputs reset_input "reset_input in struct Design means nothing: is reset_inputs meant?"
-refused reset_inputs clear "clear in struct Design means nothing: is reset_inputs meant?"
-refused rest cleared "cleared in struct Design means nothing: is reset_state meant?"
-refused rest clear_clocks "clear_clocks in struct Design means nothing: is reset_clocks meant?"
-refused Checker Cheker "Cheker in struct Design means nothing: is Checker meant?"
+refused invariant invarient "invarient in struct Guarded means nothing: is invariant meant?" "$guarded"
+refused cases casse "casse in struct Uart means nothing: is cases meant?"
+refused cases legall "legall in struct Uart means nothing: is legal meant?"
+refused reset resett "resett in struct Uart means nothing: is reset meant?"
+refused Checker Cheker "Cheker in struct Uart means nothing: is Checker meant?"
+machine=$root/model/circular/machine.h
+refused reset_inputs reset_input "reset_input in struct Design means nothing: is reset_inputs meant?" "$machine"
+refused reset_inputs clear "clear in struct Design means nothing: is reset_inputs meant?" "$machine"
 
-# What only reads like one: a comment, a text, a member of another struct, a call, other arguments.
+# What only reads like one: a comment, a text, a register, a member of another struct, a call.
 {
-  sed '/^struct Design/,$d' "$uart"
-  echo '// invarient(const Params& p, const State<V>& s)'
-  echo 'inline const char* text = "legall(const Params& p, const State<V>& s)";'
-  echo 'struct Other { static constexpr int reset_input = 1; };'
-  echo 'constexpr int invarients(int p, int s) { return p + s; }'
-  echo 'constexpr int twice(const Params& p, const State<Word>& s) { return legall(p, s); }'
-  sed -n '/^struct Design/,$p' "$uart" | sed 's/^};/  static constexpr int own = 3;\n&/'
+  sed '/  UInt<4> left/,$d' "$uart"
+  echo '// auto casse(const In&) const'
+  echo '  UInt<4> cases_ = 0, rest_ = 0; Bit legall = 0;'
+  echo '  const char* text() const { return "legall(const In&)"; }'
+  echo '  struct Other { static constexpr int reset_input = 1; Bit casse() { return legall(1); } };'
+  sed -n '/  UInt<4> left/,$p' "$uart"
 } > model.h
 for header in "$root"/model/*/machine.h "$root"/examples/*/*.h "$root"/tests/*/designs/*.h model.h; do
   ends 0 names stamp "$root" "$header"

@@ -10,13 +10,19 @@ namespace {
 
 [[maybe_unused]] const bool measured = [] {
   measure_jobs<NamedAdapter<VuartD16, Trait_uartD16>>("uart", [](Below& below) {
-    return JobOf<uart_model::Design>{below(41), below(256)};
+    using Job = JobOf<Trait_uartD16::Design>;
+    return clocked::record_of<Job>(Uart<16>::Job{.idle = below(41), .byte = below(256)});
   });
   measure_loops<NamedAdapter<Vuart_rxD16, Trait_uart_rxD16>>("uart_rx", [] {
     Below below;
     InputList<NamedAdapter<Vuart_rxD16, Trait_uart_rxD16>> any{
-        uart_rx_model::Design::reset_inputs()};
-    while (any.size() < rows) any.push_back({.rst_n = below(64) != 0, .rx = below(2)});
+        Trait_uart_rxD16::Design::reset_inputs()};
+    using Model = UartRx<16>;
+    using Inputs = Trait_uart_rxD16::Design::Inputs<Word>;
+    while (any.size() < rows) {
+      const Model::In in{.rst_n = below(64) != 0, .rx = below(2)};
+      any.push_back(clocked::record_of<Inputs>(in));
+    }
     return any;
   });
   return true;

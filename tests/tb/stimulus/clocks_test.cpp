@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 
+#include "model/clocked/design.h"
 #include "model/core/reset.h"
 #include "tb/stimulus/hostile.h"
 #include "tests/examples/designs/domains.h"
@@ -13,7 +14,14 @@
 namespace cosim::test {
 namespace {
 
-using domains_model::Design, domains_model::Inputs;
+struct Says {
+  static constexpr const char* name = "domains";
+  static constexpr std::array<std::array<Parameter, 0>, 1> parameters{};
+  static constexpr std::array files{""};
+};
+using Design = clocked::DesignOf<Says, Domains<0>>;
+template <class V>
+using Inputs = Design::Inputs<V>;
 
 TEST(Clocks, AllTakeTheirEdgeWhereTheDesignRestsOrIsCleared) {
   static_assert(clocks_of<Design> == 2);
@@ -28,20 +36,22 @@ TEST(Clocks, AreDrawnAsClocksRun) {
   int idle = 0;              // stretches in which nothing moves
   int rare = 0, on_end = 0;  // stretches with few edges; the longest row of edges among others
   for (std::uint64_t index = 0; index < 200; ++index) {
-    HostileStimulus<Design> hostile(domains_model::Params{}, {7, index, 1024});
+    HostileStimulus<Design> hostile(Design::Params{}, {7, index, 1024});
     int row = 0, turns = 0, edges = 0, any = 0, together = 0, clock = 0;
     Word last = 0;
-    for (Inputs<Word> in; hostile.next(in, {}); ++clock) {
-      ++sets[static_cast<std::size_t>(2 * in.a_clk + in.b_clk)];
-      row = in.a_clk == 0 ? row + static_cast<int>(in.b_clk) : 0;
-      turns = in.a_clk != last ? turns + 1 : 0;
-      if (in.a_clk == 0 && together < 100) on_end = std::max(on_end, together);
-      together = in.a_clk != 0 ? together + 1 : 0;
+    for (Inputs<Word> inputs; hostile.next(inputs, {}); ++clock) {
+      const auto in = clocked::object_of<Domains<0>::In>(inputs);
+      const Word a = in.a_clk ? 1 : 0, b = in.b_clk ? 1 : 0;
+      ++sets[static_cast<std::size_t>(2 * a + b)];
+      row = a == 0 ? row + static_cast<int>(b) : 0;
+      turns = a != last ? turns + 1 : 0;
+      if (a == 0 && together < 100) on_end = std::max(on_end, together);
+      together = a != 0 ? together + 1 : 0;
       still = std::max(still, row);
       by_turns = std::max(by_turns, turns);
-      last = in.a_clk;
-      edges += static_cast<int>(in.a_clk);
-      any += static_cast<int>(in.a_clk | in.b_clk);
+      last = a;
+      edges += static_cast<int>(a);
+      any += static_cast<int>(a | b);
       if (clock % 256 == 255) {
         rare += edges > 0 && edges < 32 ? 1 : 0;
         idle += any == 0 ? 1 : 0;

@@ -14,7 +14,7 @@
 #                                  (MODE=FAST is a text); none: as the RTL has them
 #     [NETLISTS file.v...]         one a shape, simulated in place of SOURCES; their registers are wires
 #     [LIBRARIES target...]        what the model needs besides its headers
-#     [UNPROVED])                  no proof: the model is plain, or yosys cannot read the RTL
+#     [UNPROVED])                  no proof: the model cannot be exported, or yosys cannot read the RTL
 #
 #   cosim_add_program(TARGET       a program with every command for all designs added so far
 #     [SOURCES file.cpp...] [LIBRARIES target...]
@@ -30,12 +30,12 @@
 #     [REGRESSIONS folder])        NAME.regression.FILE, for each FILE.stim in the folder: RTL and
 #                                  model must not differ on it
 #
-# The parameters of a shape are those of the model's Params, in its order: int, or const char* for a
-# text. Paths are relative to the folder that calls. RTL with a clock that is no input, both edges of
+# The parameters of a shape are the template parameters of the struct, by their position: integers, or
+# Text (of a model of streams, those of Params: int, or const char*). Paths are relative to the folder that calls. RTL with a clock that is no input, both edges of
 # one, a latch, a combinational loop or a bidirectional port is refused, in a line that names the net.
 #
 # One clock rises on each step and is no input of the model. Of several, or of one whose falling edge the
-# registers take, each is: a row of the inputs that says `rises` or `falls`, 1 on a step on which it does.
+# registers take, each is: a member Rises or Falls of In, 1 on a step on which it does.
 include_guard(GLOBAL)
 include(${CMAKE_CURRENT_LIST_DIR}/../dut/ports.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../dut/rtl.cmake)

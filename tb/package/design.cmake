@@ -31,8 +31,9 @@
 #                                  model must not differ on it
 #
 # The parameters of a shape are the template parameters of the struct, by their position: integers, or
-# Text (of a model of streams, those of Params: int, or const char*). Paths are relative to the folder that calls. RTL with a clock that is no input, both edges of
-# one, a latch, a combinational loop or a bidirectional port is refused, in a line that names the net.
+# Text (of a model of streams, those of Params: int, or const char*). Paths are relative to the folder
+# that calls. RTL with a clock that is no input, both edges of one, a latch, a combinational loop or a
+# bidirectional port is refused, in a line that names the net.
 #
 # One clock rises on each step and is no input of the model. Of several, or of one whose falling edge the
 # registers take, each is: a member Rises or Falls of In, 1 on a step on which it does.

@@ -47,9 +47,9 @@ std::string form_of(const std::string& p, const Points& points) {
   }
   // Verilog's 1 << 33 is no size.
   const auto is_small = [](const auto& v) { return v.first >= 0 && v.first < 31; };
-  if (std::ranges::count_if(points, is_small) > 1 && std::ranges::all_of(points, [&](const auto& v) {
-        return !is_small(v) || v.second == 1L << v.first;
-      })) {
+  if (std::ranges::count_if(points, is_small) > 1 &&
+      std::ranges::all_of(
+          points, [&](const auto& v) { return !is_small(v) || v.second == 1L << v.first; })) {
     return "1 << " + p;
   }
   const long above = size - bits_for(at);

@@ -99,8 +99,7 @@ std::string type_of(const FoundNet& net) {
                          : fmt::format("{}Int<{}>", net.is_signed ? "" : "U", text_of(width));
   if (net.words.number == 0) return type;
   const int each = is_split ? net.width.number / width.number : 1;
-  const std::string words =
-      is_split ? std::to_string(net.words.number * each) : text_of(net.words);
+  const std::string words = is_split ? std::to_string(net.words.number * each) : text_of(net.words);
   return fmt::format("Array<{}, {}>", type, words);
 }
 
@@ -191,16 +190,16 @@ bool has_reset_at_once(const Found& f) {
 }
 std::string reset_at_once_of(const Found& f, const std::vector<Member>& inputs,
                              const std::vector<Member>& registers) {
-  std::string text = "\n  /// What each reset does that does not wait for a clock.\n"
-                     "  void reset_at_once(const In& in) {\n";
+  std::string text =
+      "\n  /// What each reset does that does not wait for a clock.\n"
+      "  void reset_at_once(const In& in) {\n";
   for (const FoundReset& r : f.resets) {
     std::string values;
     for (const auto& [name, value] : r.values) {
       for (const Member& m : registers) {
         if (m.net.name != name) continue;
-        const std::string is = m.net.bits.empty() && m.net.words.number == 0
-                                   ? value_of(value, m.net)
-                                   : m.value;
+        const std::string is =
+            m.net.bits.empty() && m.net.words.number == 0 ? value_of(value, m.net) : m.value;
         values += fmt::format("      {} = {};\n", m.name, is.empty() ? "0" : is);
       }
     }
@@ -250,28 +249,31 @@ std::string edges_of(const Found& f, const std::vector<Member>& inputs,
     if (m.net.is_reset) values += fmt::format("      {} = {};\n", m.name, m.value);
   }
   return fmt::format("    if ({}in.{}) {{\n{}    }} else {{\n    }}\n", r.active_low ? "!" : "",
-                     name_of(inputs, r.name), all ? fmt::format("      *this = {}{{}};\n", title) : values);
+                     name_of(inputs, r.name),
+                     all ? fmt::format("      *this = {}{{}};\n", title) : values);
 }
 
 std::string clock_of(const Found& f, const std::vector<Member>& inputs,
                      const std::vector<Member>& outputs, const std::vector<Member>& registers,
                      const std::string& title) {
   const std::string edges = edges_of(f, inputs, registers, title);
-  std::string text = fmt::format("\n  Out clock({}const In& in){} {{\n",
-                                 edges.empty() ? "[[maybe_unused]] " : "",
-                                 f.clocks.empty() ? " const" : "");
+  std::string text =
+      fmt::format("\n  Out clock({}const In& in){} {{\n", edges.empty() ? "[[maybe_unused]] " : "",
+                  f.clocks.empty() ? " const" : "");
   std::vector<std::string> zeros;
   for (const Member& m : outputs) zeros.push_back(fmt::format(".{} = 0", m.name));
   const std::string one_line = fmt::format("    const Out out{{{}}};\n", fmt::join(zeros, ", "));
-  text += f.clocks.empty() ? "    // To be written: the outputs.\n"
-                           : "    // To be written: the outputs, from the registers before the edge; "
-                             "then the registers after it.\n";
-  if (f.clocks.size() > 1) text += "    // Each clock takes the registers of the others as they "
-                                   "are before it.\n";
-  text += one_line.size() <= 100
-              ? one_line
-              : fmt::format("    const Out out{{\n        {},\n    }};\n",
-                            fmt::join(zeros, ",\n        "));
+  text += f.clocks.empty()
+              ? "    // To be written: the outputs.\n"
+              : "    // To be written: the outputs, from the registers before the edge; "
+                "then the registers after it.\n";
+  if (f.clocks.size() > 1)
+    text +=
+        "    // Each clock takes the registers of the others as they "
+        "are before it.\n";
+  text += one_line.size() <= 100 ? one_line
+                                 : fmt::format("    const Out out{{\n        {},\n    }};\n",
+                                               fmt::join(zeros, ",\n        "));
   return text + edges + "    return out;\n  }\n";
 }
 
@@ -300,9 +302,9 @@ BegunModel lockstep_model(const std::string& name, const Found& f) {
       continue;
     }
     unobserved.push_back('"' + net.name + '"');
-    model.left.push_back(fmt::format("{} is not compared: {}", net.name,
-                                     net.words.number < 0 ? "it has more dimensions than one"
-                                                          : "it has too many words"));
+    model.left.push_back(fmt::format(
+        "{} is not compared: {}", net.name,
+        net.words.number < 0 ? "it has more dimensions than one" : "it has too many words"));
   }
   if (f.resets.empty() && !f.clocks.empty()) {
     model.left.push_back(

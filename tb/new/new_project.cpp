@@ -64,9 +64,8 @@ std::string design_of(const std::string& name, const Found& f,
     shape += fmt::format("{}{}={}", shape.empty() ? "" : " ", p.name, p.value);
   }
   if (!shape.empty()) text += fmt::format(" SHAPES \"{}\"", shape);
-  return model == NewModel::proved && f.unread.empty() && !f.has_inner_reset()
-             ? text
-             : text + " UNPROVED";
+  return model == NewModel::proved && f.unread.empty() && !f.has_inner_reset() ? text
+                                                                               : text + " UNPROVED";
 }
 
 std::string cmake_of(const std::string& name, const std::string& design) {

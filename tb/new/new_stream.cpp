@@ -50,7 +50,8 @@ std::string size_of(const FoundSize& size) {
   const std::string text =
       cli::text_of(size, [](const std::string& name) { return "p." + param_of(name); });
   const std::size_t at = text.find("clog2(");
-  return at == std::string::npos ? text : text.substr(0, at) + "detail::bits_for" + text.substr(at + 5);
+  return at == std::string::npos ? text
+                                 : text.substr(0, at) + "detail::bits_for" + text.substr(at + 5);
 }
 
 std::string text_of(const StreamRow& row) {
@@ -64,7 +65,8 @@ std::string text_of(const StreamRow& row) {
     shown = std::to_string(part_of(net));
     format += fmt::format(".array<{}>()", words * (width / part_of(net)));
   } else if (words != 0) {
-    format += fmt::format(".array<{}>({})", words, net.words.text.empty() ? "" : size_of(net.words));
+    format +=
+        fmt::format(".array<{}>({})", words, net.words.text.empty() ? "" : size_of(net.words));
   }
   if (row.elsewhere) format += fmt::format(".at(\"{}\")", net.name);
   return fmt::format("FIELD({}, {}, {}, \"\", \"\")", row.field, shown, format);

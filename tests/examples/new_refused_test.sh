@@ -237,7 +237,7 @@ rtl 'always @(posedge clk) q <= d;'
 for name in switch parity array; do "$program" new $name made.v > said; done
 grep -q ' MODEL array.h STRUCT ArrayModel' array/CMakeLists.txt
 printf '#include "%s"\n' new_made.h switch/switch.h parity/parity.h array/array.h > all.cpp
-printf 'auto made = cosim::clocked::zero<Made::In>(), array = cosim::clocked::zero<ArrayModel::In>();\n' >> all.cpp
+printf 'auto made = cosim::clocked::zero<Made::In>();\nauto array = cosim::clocked::zero<ArrayModel::In>();\n' >> all.cpp
 "${CXX:-c++}" -std=gnu++20 -Wall -Wextra -Wconversion -Wshadow -Werror -fsyntax-only -I . -I "$sources" \
   -I "$sources/model" all.cpp
 rtl 'always @(posedge clk) q <= d;'

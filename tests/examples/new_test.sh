@@ -253,6 +253,14 @@ mv tree/rtl/include tree/headers
   --clock ck_i --reset nreset > said
 grep -qF 'SHAPES "W=4 D=8" UNPROVED)' tree2/CMakeLists.txt
 
+# All of these are models that compile as they are.
+{
+  printf '#include "%s"\n' {two/two,low/low,pair/pair,store/store,tree1/tree1}.h
+  printf 'template struct %s;\n' 'Pair<6>' 'Store<8, 6>' 'Tree1<16, 8>'
+} > all.cpp
+"${CXX:-c++}" -std=c++20 -Wall -Wextra -Wconversion -Wshadow -Werror -fsyntax-only -I . -I "$sources" \
+  -I "$sources/model" all.cpp
+
 # What no model has is said in a line where it is written, and nothing else.
 printf '%s\n' '#include "tb/nets/number.h"' 'using V = cosim::nets::Number;' \
   'V f(V a) { if (a < 1) return a / 2; return a; }' 'V g(V a) { return a > 2 && a ? a % 3 : a << 1; }' > no.cpp

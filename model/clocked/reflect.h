@@ -65,9 +65,10 @@ constexpr auto tie(T& object) {
       "a model, its In and its Out are plain structs: no constructor, no virtual function, "
       "nothing private");
   constexpr std::size_t n = members<T>;
-  static_assert(n <= 64 || requires { sizeof(Many<n>); },
-                "a struct of a model has at most 64 members, or 256 behind a line #include "
-                "<cosim/many_members.h>: put others into a struct of their own, or into an Array");
+  static_assert(
+      n <= 64 || requires { sizeof(Many<n>); },
+      "a struct of a model has at most 64 members, or 256 behind a line #include "
+      "<cosim/many_members.h>: put others into a struct of their own, or into an Array");
   if constexpr (n == 0) {
     return std::tie();
   }

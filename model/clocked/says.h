@@ -4,10 +4,8 @@
 //                                 active_high<&In::rst>, both(active_high<...>, active_low<...>);
 //                                 none: it begins at its initial values
 //   static constexpr int reset_clocks = 3;                     so many clocks of it are needed; 1
-//   static constexpr bool asynchronous_reset = true;           the reset does not wait for the
-//   clock void reset_at_once(const In&)                              what each of several
-//   asynchronous
-//                                 resets does to the registers
+//   static constexpr bool asynchronous_reset = true;           it does not wait for the clock
+//   void reset_at_once(const In&) what each of several asynchronous resets does to the registers
 //   static constexpr In rest()    the inputs of a clock with nothing to do; else all 0. A reset pin
 //                                 is inactive whatever stands here
 //   auto cases(const In&) const   what must be possible on a clock

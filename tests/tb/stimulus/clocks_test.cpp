@@ -17,7 +17,7 @@ namespace {
 struct Says {
   static constexpr const char* name = "domains";
   static constexpr std::array<std::array<Parameter, 0>, 1> parameters{};
-  static constexpr std::array files{""};
+  [[maybe_unused]] static constexpr std::array files{""};
 };
 using Design = clocked::DesignOf<Says, Domains<0>>;
 template <class V>

@@ -268,7 +268,7 @@ std::vector<Net> find_ports(const std::vector<PortNet>& of_rtl, const Ports& por
 
 std::vector<Net> find_registers(VerilatedContext& context, const std::string& title,
                                 std::span<const Field> cells, std::string_view text) {
-  std::vector<Net> nets;
+  std::vector<Net> nets(absent_after(cells, cells.first(0)));
   std::vector<std::string> absent;
   for (const auto& row : rows_of(cells)) {
     const std::string net = net_path(row.front().net).path;

@@ -51,7 +51,6 @@ Register register_of(const std::vector<std::string>& words) {
 
 // What a row of a table has of a register is no longer open.
 void close(Register& r, std::span<const Field> row, const std::string& title) {
-  if (row.front().width == 0) return;
   const std::string path = net_path(row.front().net).path;
   for (const Carrier& c : r.carriers) {
     if (c.name != path || c.net.words != r.net.words) continue;

@@ -122,7 +122,7 @@ std::vector<std::span<const Field>> rows_of(std::span<const Field> cells) {
     // What the shape does not have stands last.
     std::size_t present = end - i;
     while (present > 1 && cells[i + present - 1].width == 0) --present;
-    rows.push_back(cells.subspan(i, present));
+    if (cells[i].width != 0) rows.push_back(cells.subspan(i, present));
   }
   return rows;
 }

@@ -36,7 +36,7 @@ struct Place {
 std::vector<Place> places_in(const RtlNet& net, std::span<const Field> cells,
                              const std::string& what);
 
-/// The cells of each field of a table, those of an array together.
+/// The cells of each field of a table that the shape has, those of an array together.
 std::vector<std::span<const Field>> rows_of(std::span<const Field> cells);
 
 }  // namespace cosim

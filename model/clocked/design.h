@@ -165,21 +165,24 @@ struct DesignOf : JobRecords<FirstModel, More...>, CheckerRecords<FirstModel, Mo
     if constexpr (requires { First::unobserved; }) {
       return First::unobserved;
     } else {
-      return std::array<const char*, 0>{};
+      std::array<const char*, 0> none{};
+      return none;
     }
   }();
   static constexpr int reset_clocks = [] {
     if constexpr (requires { First::reset_clocks; }) {
       return First::reset_clocks;
+    } else if constexpr (SaysReset<First>) {
+      return 1;
     } else {
-      return SaysReset<First> ? 1 : 0;
+      return 0;
     }
   }();
   static constexpr std::uint64_t most_clocks = [] {
     if constexpr (requires { First::most_clocks; }) {
-      return std::uint64_t{First::most_clocks};
+      return static_cast<std::uint64_t>(First::most_clocks);
     } else {
-      return std::uint64_t{1'000'000};
+      return static_cast<std::uint64_t>(1'000'000);
     }
   }();
   static constexpr bool asynchronous_reset = [] {
@@ -199,7 +202,10 @@ struct DesignOf : JobRecords<FirstModel, More...>, CheckerRecords<FirstModel, Mo
   }
   template <class V>
   static constexpr State<V> reset_state(const Params& p) {
-    const auto words = shaped(p, []<class M>() { return record_of<State<Word>>(M{}); });
+    const auto words = shaped(p, [](auto of) {
+      using M = typename decltype(of)::type;
+      return record_of<State<Word>>(M{});
+    });
     State<V> s;
     for_each_member<State<V>>([&](auto member, auto first) {
       constexpr std::size_t at = decltype(first)::value;
@@ -214,10 +220,14 @@ struct DesignOf : JobRecords<FirstModel, More...>, CheckerRecords<FirstModel, Mo
   }
 
   static constexpr Step<Word> next(const Params& p, const State<Word>& s, const Inputs<Word>& in) {
-    return shaped(p, [&]<class M>() {
-      M model = object_of<M>(s);
-      const typename M::Out out = model.clock(object_of<typename M::In>(in));
-      return Step<Word>{record_of<State<Word>>(model), record_of<Outputs<Word>, true>(out)};
+    return shaped(p, [&](auto of) {
+      using M = typename decltype(of)::type;
+      auto model = object_of<M>(s);
+      const auto out = model.clock(object_of<typename M::In>(in));
+      Step<Word> step;
+      step.state = record_of<State<Word>>(model);
+      step.outputs = codes_of<Outputs<Word>>(out);
+      return step;
     });
   }
   template <class V>
@@ -244,14 +254,17 @@ struct DesignOf : JobRecords<FirstModel, More...>, CheckerRecords<FirstModel, Mo
     (add(inputs), ...);
     return all;
   }
-  /// f.operator()<M>() of that shape's model M.
+  /// f(of), `of` a std::type_identity of that shape's model.
   template <class F>
   static constexpr auto shaped(const Params& p, const F& f) {
     return pick<0, F, First, More...>(p.number, f);
   }
   /// That model.
   static std::type_index model(const Params& p) {
-    return shaped(p, []<class M>() { return std::type_index(typeid(M)); });
+    return shaped(p, [](auto of) {
+      using M = typename decltype(of)::type;
+      return std::type_index(typeid(M));
+    });
   }
   /// What the RTL's registers hold: codes.
   template <class V>
@@ -279,9 +292,9 @@ struct DesignOf : JobRecords<FirstModel, More...>, CheckerRecords<FirstModel, Mo
   template <int N, class F, class M, class... Others>
   static constexpr auto pick(int number, const F& f) {
     if constexpr (sizeof...(Others) == 0) {
-      return f.template operator()<M>();
+      return f(std::type_identity<M>());
     } else {
-      if (number == N) return f.template operator()<M>();
+      if (number == N) return f(std::type_identity<M>());
       return pick<N + 1, F, Others...>(number, f);
     }
   }
@@ -306,7 +319,8 @@ constexpr auto said(const char* section, const P& p, const typename P::Design::t
                     const typename P::Design::template Outputs<V>& out, const Call& call) {
   using Design = typename P::Design;
   const auto words = [&](const auto& state, const auto& inputs, const auto& outputs) {
-    return Design::shaped(p, [&]<class M>() {
+    return Design::shaped(p, [&](auto of) {
+      using M = typename decltype(of)::type;
       const auto list =
           sentences(section, call(object_of<M>(state), object_of<typename M::In>(inputs),
                                   object_of<typename M::Out>(outputs)));
@@ -372,8 +386,10 @@ constexpr auto idle(const P& p, const ModelRecord<V, S>& s) {
   using Design = typename P::Design;
   using Inputs = typename Design::template Inputs<V>;
   if constexpr (std::same_as<V, Word>) {
-    return Design::shaped(
-        p, [&]<class M>() { return record_of<Inputs, true>(object_of<M>(s).idle()); });
+    return Design::shaped(p, [&](auto of) {
+      using M = typename decltype(of)::type;
+      return codes_of<Inputs>(object_of<M>(s).idle());
+    });
   } else {
     return answer<Inputs>(p, Design::asked(p, s, Inputs{}), "idle");
   }
@@ -384,7 +400,8 @@ constexpr auto reset(const P& p, const ModelRecord<V, S>& s, const ModelRecord<V
   using Design = typename P::Design;
   using State = typename Design::template State<V>;
   if constexpr (std::same_as<V, Word>) {
-    return Design::shaped(p, [&]<class M>() {
+    return Design::shaped(p, [&](auto of) {
+      using M = typename decltype(of)::type;
       M model = object_of<M>(s);
       model.reset_at_once(object_of<typename M::In>(in));
       return record_of<State>(model);
@@ -400,8 +417,9 @@ constexpr auto drive(const P& p, const ModelRecord<V, J>& job, const ModelRecord
                      const ModelRecord<V, I>& rest) {
   using Inputs = ModelRecord<V, I>;
   if constexpr (std::same_as<V, Word>) {
-    return P::Design::shaped(p, [&]<class M>() {
-      return record_of<Inputs, true>(object_of<typename M::Driver>(driver).drive(
+    return P::Design::shaped(p, [&](auto of) {
+      using M = typename decltype(of)::type;
+      return codes_of<Inputs>(object_of<typename M::Driver>(driver).drive(
           object_of<typename M::Job>(job), object_of<typename M::In>(rest)));
     });
   } else {
@@ -417,7 +435,8 @@ constexpr auto driven(const P& p, const ModelRecord<V, J>& job, const ModelRecor
   using Driver = ModelRecord<V, D>;
   using Turn = cosim::Turn<P::Design::template Driver, V>;
   if constexpr (std::same_as<V, Word>) {
-    return P::Design::shaped(p, [&]<class M>() {
+    return P::Design::shaped(p, [&](auto of) {
+      using M = typename decltype(of)::type;
       auto device = object_of<typename M::Driver>(driver);
       const Bit over =
           device.driven(object_of<typename M::Job>(job), object_of<typename M::Out>(out));
@@ -436,7 +455,8 @@ constexpr auto checked(const P& p, const ModelRecord<V, J>& job, const ModelReco
   using Checker = ModelRecord<V, C>;
   using Verdict = cosim::Verdict<P::Design::template Checker, V>;
   if constexpr (std::same_as<V, Word>) {
-    return P::Design::shaped(p, [&]<class M>() {
+    return P::Design::shaped(p, [&](auto of) {
+      using M = typename decltype(of)::type;
       auto check = object_of<typename M::Checker>(checker);
       const Bit wrong =
           check.checked(object_of<typename M::Job>(job), object_of<typename M::Driver>(driver),

@@ -135,6 +135,9 @@ consteval auto list() {
 template <class T>
 inline constexpr auto leaves_of = leaves::list<T>();
 
+template <std::size_t FIRST, class T, class Visit>
+constexpr void for_each_leaf_of(T&& object, const Visit& visit);
+
 /// Calls visit(leaf, i) for each, i a constant by its type.
 template <std::size_t FIRST = 0, class T, class Visit>
 constexpr void for_each_leaf(T& object, const Visit& visit) {
@@ -143,12 +146,9 @@ constexpr void for_each_leaf(T& object, const Visit& visit) {
     visit(object, std::integral_constant<std::size_t, FIRST>());
   } else if constexpr (ArrayLike<Plain>) {
     constexpr std::size_t each = leaves::count<typename Plain::Element>();
+    const auto element = [&](int i) -> decltype(auto) { return object[i]; };
     [&]<std::size_t... I>(std::index_sequence<I...>) {
-      const auto element = [&](int i) -> decltype(auto) { return object[i]; };
-      const auto one = [&]<std::size_t K>(auto&& of, std::integral_constant<std::size_t, K>) {
-        for_each_leaf<FIRST + K * each>(of, visit);
-      };
-      (one(element(int(I)), std::integral_constant<std::size_t, I>()), ...);
+      (for_each_leaf_of<FIRST + I * each>(element(int(I)), visit), ...);
     }
     (std::make_index_sequence<std::size_t(Plain::size)>());
   } else {
@@ -164,6 +164,11 @@ constexpr void for_each_leaf(T& object, const Visit& visit) {
     }
     (std::make_index_sequence<reflect::members<Plain>>());
   }
+}
+// Of an object that may be a copy.
+template <std::size_t FIRST, class T, class Visit>
+constexpr void for_each_leaf_of(T&& object, const Visit& visit) {
+  for_each_leaf<FIRST>(object, visit);
 }
 
 }  // namespace cosim::clocked

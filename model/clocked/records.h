@@ -120,10 +120,10 @@ struct RecordTable {
   /// Of each cell whether its register holds all ones for 0.
   static constexpr std::array<bool, size> has_minus_zero = [] {
     std::array<bool, size> all{};
-    for (std::size_t i = 0; i < leaves; ++i) {
-      for (std::size_t k = first[i]; k < first[i + 1]; ++k) {
-        all[k] = leaves_of<First>[i].has_minus_zero;
-      }
+    std::size_t i = 0;
+    for (const Leaf& leaf : leaves_of<First>) {
+      for (std::size_t k = first[i]; k < first[i + 1]; ++k) all[k] = leaf.has_minus_zero;
+      ++i;
     }
     return all;
   }();
@@ -134,14 +134,13 @@ struct RecordTable {
   static constexpr std::array<JobField, leaves> job_fields(const Shape& shape) {
     std::array<JobField, leaves> all{};
     int number = 0;
-    const auto see = [&]<class S>(std::type_identity<S>) {
+    const auto see = [&](const auto& list, auto names) {
       for (std::size_t i = 0; number == shape.number && i < leaves; ++i) {
-        const Leaf& leaf = leaves_of<S>[i];
-        all[i] = {Names<S>::of(i, Names<S>::name), leaf.low, leaf.high, ""};
+        all[i] = {names.of(i, names.name), list[i].low, list[i].high, ""};
       }
       ++number;
     };
-    (see(std::type_identity<T>()), ...);
+    (see(leaves_of<T>, Names<T>()), ...);
     return all;
   }
   /// Every clock of a record takes its edge.
@@ -160,9 +159,10 @@ struct RecordTable {
   template <class S>
   static constexpr std::array<Field, size> fields_of() {
     std::array<Field, size> all{};
+    const auto& list = leaves_of<S>;
     for (std::size_t i = 0; i < leaves; ++i) {
       using N = Names<S>;
-      const Leaf& leaf = leaves_of<S>[i];
+      const Leaf& leaf = list[i];
       Field whole{N::of(i, N::name), leaf.width,     format(leaf), N::of(i, N::block), "", 0,
                   N::of(i, N::path), leaf.is_unreset};
       whole.edge = leaf.edge > 0 ? Edge::rising : leaf.edge < 0 ? Edge::falling : Edge::none;
@@ -192,10 +192,12 @@ struct RegisterTable : RecordTable<T...> {
   static constexpr auto fields(const Shape& shape) {
     using Base = RecordTable<T...>;
     auto all = Base::fields(shape);
-    for (std::size_t i = 0; i < Base::leaves; ++i) {
+    std::size_t i = 0;
+    for (const Leaf& leaf : leaves_of<typename Base::First>) {
       for (std::size_t k = Base::first[i]; k < Base::first[i + 1]; ++k) {
-        if (leaves_of<typename Base::First>[i].is_auxiliary) all[k].width = 0;
+        if (leaf.is_auxiliary) all[k].width = 0;
       }
+      ++i;
     }
     return all;
   }
@@ -239,8 +241,10 @@ struct ModelRecord : RecordMembers<V, Of, std::make_index_sequence<Of::leaves>> 
   static constexpr void trim(const Shape&, ModelRecord&) {}
   static constexpr void each_member_of_clocks(ModelRecord& r) {
     [&]<std::size_t... I>(std::index_sequence<I...>) {
-      const auto raise = [&]<std::size_t K>(std::integral_constant<std::size_t, K>) {
-        if constexpr (leaves_of<typename Of::First>[K].edge != 0) r.template leaf<K>() = V(1);
+      const auto raise = [&](auto i) {
+        constexpr std::size_t at = decltype(i)::value;
+        constexpr Leaf leaf = std::get<at>(leaves_of<typename Of::First>);
+        if constexpr (leaf.edge != 0) r.template leaf<at>() = V(1);
       };
       (raise(std::integral_constant<std::size_t, I>()), ...);
     }
@@ -277,14 +281,21 @@ constexpr Record record_of(const T& object) {
   });
   return r;
 }
+/// The same as codes.
+template <class Record, class T>
+constexpr Record codes_of(const T& object) {
+  constexpr bool are_codes = true;
+  return record_of<Record, are_codes>(object);
+}
 /// And back: of numbers or of codes.
 template <class Record, class T>
 constexpr void take_record(const Record& r, T& object) {
   for_each_leaf(object, [&](auto& leaf, auto i) {
     using L = std::remove_cvref_t<decltype(leaf)>;
     const auto& from = r.template leaf<decltype(i)::value>();
-    const auto set = []<class Cell>(Cell& cell, const auto& number) {
-      static_cast<Base<Cell>&>(cell) = Base<Cell>(number);
+    const auto set = [](auto& cell, const auto& number) {
+      using B = Base<std::remove_reference_t<decltype(cell)>>;
+      static_cast<B&>(cell) = B(number);
     };
     if constexpr (ArrayLike<L>) {
       for (int k = 0; k < L::size; ++k) set(leaf[k], from[k]);

@@ -44,6 +44,7 @@ enum class Op : std::uint8_t {
 /// A number without a sign modulo 2^(64 N), its lowest word first.
 template <int N>
 struct Words {
+  static constexpr int last = N - 1;
   std::array<std::uint64_t, std::size_t(N)> word{};
 
   constexpr Words() = default;
@@ -148,14 +149,17 @@ template <class R>
 inline constexpr int words_of = 0;  // of a machine integer
 template <int N>
 inline constexpr int words_of<Words<N>> = N;
+template <class R>
+concept IsWords = words_of<R> >
+0;
 
 /// Whether v is below 0, where numbers of its kind have a sign.
 template <bool S, class R>
 constexpr bool is_negative(const R& v) {
   if constexpr (!S) {
     return false;
-  } else if constexpr (words_of<R> != 0) {
-    return v[words_of<R> - 1] >> 63 != 0;
+  } else if constexpr (IsWords<R>) {
+    return v[R::last] >> 63 != 0;
   } else {
     return v < 0;
   }
@@ -164,16 +168,16 @@ constexpr bool is_negative(const R& v) {
 /// v modulo the bits of To; with its sign in front where S.
 template <class To, bool S, class R>
 constexpr To resized(const R& v) {
-  if constexpr (words_of<To> == 0 && words_of<R> == 0) {
+  if constexpr (!IsWords<To> && !IsWords<R>) {
     return static_cast<To>(v);
-  } else if constexpr (words_of<To> == 0) {
+  } else if constexpr (!IsWords<To>) {
     return static_cast<To>(Uint128{v[1]} << 64 | v[0]);
   } else {
-    constexpr int n = words_of<R> != 0 ? words_of<R> : int(sizeof(R) / 8);
+    constexpr int n = IsWords<R> ? words_of<R> : int(sizeof(R) / 8);
     const std::uint64_t sign = is_negative<S>(v) ? ~std::uint64_t{0} : 0;
     To r;
     for (int i = 0; i < words_of<To>; ++i) {
-      if constexpr (words_of<R> != 0) {
+      if constexpr (IsWords<R>) {
         r[i] = i < n ? v[i] : sign;
       } else {
         r[i] = i < n ? std::uint64_t(i == 0 ? v : v >> (sizeof(R) == 16 ? 64 : 0)) : sign;
@@ -186,9 +190,8 @@ constexpr To resized(const R& v) {
 /// The number of W bits, with a sign where S, that the lower W bits of v are.
 template <int W, bool S, class R>
 constexpr R wrapped(R v) {
-  if constexpr (words_of<R> != 0) {
-    v[words_of<R> - 1] =
-        std::uint64_t(wrapped<W - 64 * (words_of<R> - 1), S>(Rep<64, S>(v[words_of<R> - 1])));
+  if constexpr (IsWords<R>) {
+    v[R::last] = std::uint64_t(wrapped<W - 64 * R::last, S>(Rep<64, S>(v[R::last])));
     return v;
   } else if constexpr (W == 8 * sizeof(R)) {
     return v;
@@ -204,7 +207,7 @@ constexpr R wrapped(R v) {
 /// 0 has all bits set, a remainder by 0 is the dividend.
 template <Op op, bool S, class R>
 constexpr R computed(const R& a, const R& b) {
-  constexpr bool wide_signed = S && words_of<R> != 0;
+  constexpr bool wide_signed = S && IsWords<R>;
   if constexpr (op == Op::add) return a + b;
   if constexpr (op == Op::sub) return a - b;
   if constexpr (op == Op::mul) return a * b;
@@ -228,7 +231,7 @@ constexpr R computed(const R& a, const R& b) {
 /// Whether a < b.
 template <bool S, class R>
 constexpr bool less(const R& a, const R& b) {
-  if constexpr (S && words_of<R> != 0) {
+  if constexpr (S && IsWords<R>) {
     const bool x = is_negative<S>(a), y = is_negative<S>(b);
     return x != y ? x : a < b;
   } else {
@@ -239,8 +242,8 @@ constexpr bool less(const R& a, const R& b) {
 /// a / 2^n, rounded down, 0 <= n.
 template <bool S, class R>
 constexpr R shifted_right(const R& a, int n) {
-  constexpr int bits = words_of<R> != 0 ? 64 * words_of<R> : int(8 * sizeof(R));
-  if constexpr (words_of<R> != 0) {
+  constexpr int bits = IsWords<R> ? 64 * words_of<R> : int(8 * sizeof(R));
+  if constexpr (IsWords<R>) {
     const R r = a >> n;
     return is_negative<S>(a) && n > 0 ? r | ~(~R() >> n) : r;
   } else {

@@ -91,11 +91,16 @@ constexpr auto rest_on() {
   }
 }
 
+/// Whether its state after a reset depends on the shape.
+template <class Design, class V>
+concept ResetsByShape = requires(const typename Design::Params& p) {
+  Design::template reset_state<V>(p);
+};
 /// The state after a reset: reset_state<V>(), or all 0.
 template <class Design, class V>
 constexpr auto reset_state_of([[maybe_unused]] const typename Design::Params& p) {
   using State = typename Design::template State<V>;
-  if constexpr (requires { Design::template reset_state<V>(p); }) {
+  if constexpr (ResetsByShape<Design, V>) {
     return Design::template reset_state<V>(p);
   } else if constexpr (requires { Design::template reset_state<V>(); }) {
     return Design::template reset_state<V>();

@@ -102,7 +102,7 @@ struct HandOf {
     return clocked::object_of<Inputs>(record);
   }
   static std::vector<Word> words(const Inputs& in) {
-    const auto all = to_words(clocked::record_of<Record<Inputs>, true>(in));
+    const auto all = to_words(clocked::codes_of<Record<Inputs>>(in));
     return {all.begin(), all.end()};
   }
   const char* broken_rule(const Inputs& in) const { return both.broken_rule(words(in)); }

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "model/core/input_error.h"
@@ -55,7 +56,8 @@ void require_same(const Model& model, const typename Design::Params& p, const st
     std::array<std::vector<Word>, lanes> states, outputs;
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       std::size_t next = 0;
-      const auto draw = [&]<class Record>(Record& r, bool are_codes) {
+      const auto draw = [&](auto& r, bool are_codes) {
+        using Record = std::remove_reference_t<decltype(r)>;
         const auto fields = Record::fields(p);
         auto words = to_words(r);
         for (std::size_t i = 0; i < fields.size(); ++i) {

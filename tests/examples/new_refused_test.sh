@@ -174,6 +174,7 @@ wrong "NONE: a blackbox that made has no instance of" --top made --blackbox NONE
 rtl 'wire y; (* keep, x="1" *) (* z *) BOX b(.A(y), .Y(d)); always @(posedge clk) q <= y;'
 printf 'module BOX(input Y, output A); endmodule\n' >> made.v
 "$program" new made made.v --top made --blackbox BOX > said
+# shellcheck disable=SC2016 # a name with a dollar
 sed -n '/struct In/,/}/p' made/made.h | grep -qx '    At<"b$A", Bit> b_A;'
 ! grep -q UNPROVED made/CMakeLists.txt || { echo "yosys does not read it" && exit 1; }
 rtl 'wire y; BOX b(.A(d & w[0]), .Y(y)); always @(posedge clk) q <= y;'

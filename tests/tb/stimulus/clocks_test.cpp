@@ -12,14 +12,17 @@
 #include "tests/examples/designs/domains.h"
 
 namespace cosim::test {
-namespace {
 
-struct Says {
+// What CMake would know of the design.
+struct DomainsSays {
   static constexpr const char* name = "domains";
   static constexpr std::array<std::array<Parameter, 0>, 1> parameters{};
-  [[maybe_unused]] static constexpr std::array files{""};
+  static constexpr std::array files{""};
 };
-using Design = clocked::DesignOf<Says, Domains<0>>;
+
+namespace {
+
+using Design = clocked::DesignOf<DomainsSays, Domains<0>>;
 template <class V>
 using Inputs = Design::Inputs<V>;
 

@@ -73,6 +73,12 @@ class SideBySide {
     for (std::size_t i = 0; i < side.unknowns; ++i) unknown.push_back(input(unknowns_));
     made_ = side.make(
         cells_, [&](const equiv::Name& name) { return port(name); }, unknown, state);
+    // A word of a memory that nothing writes.
+    for (std::size_t i = 0; i < side.registers.size(); ++i) {
+      if (made_.next[i] != state[i] || side.registers[i].any) continue;
+      const std::uint64_t always = side.registers[i].first ? ~std::uint64_t{0} : 0;
+      constants_.emplace_back(states_[i], always);
+    }
     const nets::Cells& all = gates.cells();
     std::vector<nets::Bit> given(all.nets.size());
     std::map<std::size_t, std::size_t> input_of;  // of the gates' graph, by net
@@ -119,6 +125,7 @@ class SideBySide {
       std::vector<std::uint64_t> in(cells_.inputs().size()), of_nets(nets_.inputs().size());
       for (auto& word : in) word = random.next();
       for (auto& word : of_nets) word = random.next();
+      for (const auto& [at, word] : constants_) in[at] = word;
       for (const auto& [gate_input, at] : pairs_) of_nets[gate_input] = in[at];
       const auto gates = nets::run(nets_, of_nets);
       // What is not known is 0, 1, or anything: what it then changes is no difference. Most often a
@@ -165,7 +172,8 @@ class SideBySide {
 
   nets::Graph cells_;
   nets::Graph nets_;
-  std::vector<std::size_t> states_, unknowns_;  // inputs of cells_
+  std::vector<std::size_t> states_, unknowns_;                    // inputs of cells_
+  std::vector<std::pair<std::size_t, std::uint64_t>> constants_;  // states that are always the same
   std::map<equiv::Name, std::size_t> ports_;
   std::map<equiv::Name, nets::Bit> port_lits_;
   equiv::Side::Made made_;

@@ -116,9 +116,7 @@ Side read(const Files& files, const std::string& what, const Budget& budget) {
   } catch (const InputError& error) {
     if (!has_slang()) throw;
     try {
-      Side side(files, what, FrontEnd::slang, budget);
-      side.refused = error.what();
-      return side;
+      return {files, what, FrontEnd::slang, budget};
     } catch (const InputError&) {
       throw InputError(error.what());
     }

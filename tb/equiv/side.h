@@ -128,7 +128,6 @@ class Side {
   /// Variables of the source that are registers alone: which ones, the lowest bit first.
   std::vector<std::pair<std::string, std::vector<std::size_t>>> variables;
   std::size_t unknowns = 0;  ///< bits that the RTL leaves x
-  std::string refused;       ///< why yosys does not read what slang has read
 
   struct Made {
     std::map<Name, Bit> outputs;

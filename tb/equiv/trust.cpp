@@ -65,9 +65,6 @@ bool are_trusted(Question& q, Answer& answer) {
     if (const std::string kept = side->kept_by_function(); !kept.empty()) {
       throw Refused(fmt::format("{}: {}", side->what(), kept));
     }
-    if (!trusted->is.by.empty() && !side->refused.empty()) {
-      throw Refused(side->refused + "; slang does not read it as it is written");
-    }
     answer.left =
         trusted->is.by.empty()
             ? fmt::format("no simulator runs {}: {}", side->what(), trusted->is.wrong)

@@ -183,14 +183,12 @@ int run(const NewOptions& o) {
 void add_new(const Command& program) {
   auto o = std::make_shared<NewOptions>();
   const Command command = program.sub(new_command.name, new_command.help);
-  command.arguments(
-      "NAME FILE...", o->words,
-      "The name of the folder and the design; then its Verilog or VHDL, whose\n"
-      "ports, parameters and registers become the model's members. A folder in place\n"
-      "of files: what the top needs of those in it. Without a file: a small design\n"
-      "that passes");
-  command.flag("--plain", o->plain,
-               "A model in any C++, on machine integers alone: nothing is proved of it");
+  command.arguments("NAME FILE...", o->words,
+                    "The name of the folder and the design; then its Verilog or VHDL, whose\n"
+                    "ports, parameters and registers the model has. A folder in place\n"
+                    "of files: what the top needs of those in it. Without a file: a small design\n"
+                    "that passes");
+  command.flag("--plain", o->plain, "RTL of which nothing can be proved: it is simulated alone");
   command.flag("--stream", o->stream,
                "A model without clocks: what comes out of the ports *_valid for what goes in");
   command.text("--top", o->top, "NAME",

@@ -31,14 +31,16 @@ bool is_own(const std::vector<std::string>& part) {
 // Whether the file `from` of model/ or tb/ may include `what`.
 bool may_include(const std::string& from, const std::string& what) {
   const std::vector<std::string> to = parts(what), at = parts(from);
-  const bool shared =
-      to[0] == "model" && (to[1] == "core" || (to[1] == "plane" && at[1] != "core"));
+  // What a model is written with.
+  const bool language =
+      to[0] == "model" && (to[1] == "core" || (to[1] == "clocked" && at[1] != "core"));
+  const bool shared = language || (to[0] == "model" && to[1] == "plane" && at[1] != "core");
   if (at[0] == "model") {
     // What joins designs belongs to studies.
     const bool joins = at[1] == "prior_art" || at[1] == "toolpath";
     return to[0] == "model" && (joins || shared || to[1] == at[1]);
   }
-  if (!is_own(at)) return to[0] == "tb" ? !is_own(to) : to[0] == "model" && to[1] == "core";
+  if (!is_own(at)) return to[0] == "tb" ? !is_own(to) : language;
   if (at[1] == "studies") return to[0] == "tb" || to[0] == "model";
   if (to[0] == "tb") return !is_own(to) || (to[1] == at[1] && to[2] == at[2]);
   return shared || (to[0] == "model" && to[1] == at[2]);

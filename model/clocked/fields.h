@@ -174,14 +174,20 @@ class Array {
   std::array<Slot, std::size_t(N)> slots_{};
 };
 
-/// A register that no reset reaches: the RTL's value at the start is the model's. Unreset<UInt<9>>.
+/// A T of which more is said by a type that is derived from it.
 template <class T>
-struct Unreset : T {
-  static constexpr bool is_unreset = true;
-  constexpr Unreset() : T(0) {}
+struct Described : T {
   using T::T;
   template <MadeInto<T> X>
-  constexpr Unreset(const X& x) : T(x) {}  // NOLINT
+  constexpr Described(const X& x) : T(x) {}  // NOLINT: it is a T
+};
+
+/// A register that no reset reaches: the RTL's value at the start is the model's. Unreset<UInt<9>>.
+template <class T>
+struct Unreset : Described<T> {
+  static constexpr bool is_unreset = true;
+  constexpr Unreset() : Described<T>(T(0)) {}
+  using Described<T>::Described;
 };
 
 /// A parameter that is a text: template <Text MODE>, and in it MODE == "FAST".
@@ -199,38 +205,30 @@ struct Text {
 
 /// A register that the RTL has elsewhere: At<"divider.count", UInt<8>>, from the top on.
 template <Text PATH, class T>
-struct At : T {
+struct At : Described<T> {
   static constexpr std::string_view path = PATH;
-  using T::T;
-  template <MadeInto<T> X>
-  constexpr At(const X& x) : T(x) {}  // NOLINT
+  using Described<T>::Described;
 };
 
 /// A register, a port that a printed source numbers: Source<"16", Bit>.
 template <Text BLOCK, class T>
-struct Source : T {
+struct Source : Described<T> {
   static constexpr std::string_view block = BLOCK;
-  using T::T;
-  template <MadeInto<T> X>
-  constexpr Source(const X& x) : T(x) {}  // NOLINT
+  using Described<T>::Described;
 };
 
 /// A register of the model alone, to which none of the RTL's is compared: Auxiliary<UInt<8>>.
 template <class T>
-struct Auxiliary : T {
+struct Auxiliary : Described<T> {
   static constexpr bool is_auxiliary = true;
-  using T::T;
-  template <MadeInto<T> X>
-  constexpr Auxiliary(const X& x) : T(x) {}  // NOLINT
+  using Described<T>::Described;
 };
 
 /// A value that is shown in hexadecimal: Hex<UInt<32>>.
 template <class T>
-struct Hex : T {
+struct Hex : Described<T> {
   static constexpr bool is_hex = true;
-  using T::T;
-  template <MadeInto<T> X>
-  constexpr Hex(const X& x) : T(x) {}  // NOLINT
+  using Described<T>::Described;
 };
 
 /// An input that is a clock, one of several: 1 on a step on which it takes its rising edge.
@@ -248,11 +246,9 @@ struct Falls : Bit {
 /// the new value of what it samples, where two clocks take their edge on one step. Drawn at random:
 /// Sampled<"w_first", UInt<4>>.
 template <Text REGISTER, class T>
-struct Sampled : T {
+struct Sampled : Described<T> {
   static constexpr std::string_view sampled = REGISTER;
-  using T::T;
-  template <MadeInto<T> X>
-  constexpr Sampled(const X& x) : T(x) {}  // NOLINT
+  using Described<T>::Described;
 };
 
 /// Bits that number n things, Verilog's $clog2(n): of 1 none.

@@ -63,7 +63,10 @@ template <class Model>
 void compare_gates(const std::string& name, int clocks) {
   SCOPED_TRACE(name);
   const std::string path = COSIM_EXPORTED "/" + name + ".btor2";
-  const nets::Btor2 file = nets::read_btor2(read_file(path), path);
+  nets::Btor2 file = nets::read_btor2(read_file(path), path);
+  std::erase_if(file.outputs, [](const auto& of) {  // what the model says beside its clock
+    return of.name.find(':') != std::string::npos;
+  });
   expect_cells(zero<typename Model::In>(), file.inputs);
   expect_cells(Model{}, file.states);
   expect_cells(zero<typename Model::Out>(), file.outputs);

@@ -3,10 +3,10 @@
 
 #include <string>
 
+#include "examples/uart/uart.h"
 #include "tests/clocked/circular.h"
 #include "tests/clocked/features.h"
 #include "tests/clocked/rv32i.h"
-#include "tests/clocked/uart.h"
 
 namespace cosim::clocked::test {
 

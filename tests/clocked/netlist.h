@@ -44,8 +44,8 @@ class Netlist {
           if (state.node == ids.at(a)) (kind == "init" ? state.init : state.next) = ids.at(b);
         }
       } else if (kind == "output") {
-        line >> name;
-        outputs.push_back({name, ids.at(sort)});
+        line >> name;  // with a colon: what the model says beside its clock
+        if (name.find(':') == std::string::npos) outputs.push_back({name, ids.at(sort)});
       } else if (kind == "consth") {
         line >> name;
         Wide value;

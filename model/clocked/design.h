@@ -168,6 +168,25 @@ constexpr auto reset(const P& p, const ModelRecord<V, S>& s, const ModelRecord<V
   }
 }
 
+/// Driver and checker as a job begins.
+template <class P>
+requires IsShape<P> && requires { typename FirstOf<P>::Driver; }
+constexpr auto driver_of(const P& p) {
+  using Driver = typename P::Design::template Driver<Word>;
+  return P::Design::shaped(p, [](auto of) {
+    using M = typename decltype(of)::type;
+    return record_of<Driver>(typename M::Driver{});
+  });
+}
+template <class P, class J>
+requires IsShape<P> && requires { typename FirstOf<P>::Checker; }
+constexpr auto checker_of(const P& p, const ModelRecord<Word, J>& /*job*/) {
+  using Checker = typename P::Design::template Checker<Word>;
+  return P::Design::shaped(p, [](auto of) {
+    using M = typename decltype(of)::type;
+    return record_of<Checker>(typename M::Checker{});
+  });
+}
 template <class P, class V, class J, class D, class I>
 requires IsShape<P>
 constexpr auto drive(const P& p, const ModelRecord<V, J>& job, const ModelRecord<V, D>& driver,

@@ -88,6 +88,7 @@ class Array {
   /// The first elements; the others are 0.
   constexpr Array(std::initializer_list<T> first) {
     if (first.size() > N) throw std::out_of_range("an Array has more initial values than elements");
+    for (Slot& slot : slots_) static_cast<T&>(slot) = zero<T>();  // else GCC 12 loses the others
     int i = 0;
     for (const T& x : first) (*this)[i++] = x;
   }

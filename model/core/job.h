@@ -4,7 +4,8 @@
 // jobs has
 //
 //   Job<V>                a record: the numbers of a job, by COSIM_JOB (job_table.h)
-//   Driver<V>             a record: what the driver goes on from; all 0 as a job begins
+//   Driver<V>             a record: what the driver goes on from; all 0 as a job begins, or
+//                         Driver<Word> driver_of(p)
 //   Inputs<V> drive(p, job, driver, rest)            of the next clock; `rest`: those at rest
 //   Turn<Driver, V> driven(p, job, driver, out)      after a clock with these outputs
 //
@@ -152,6 +153,18 @@ CheckerOf<Design, Word> checker_for(const typename Design::Params& p, const JobO
   }
 }
 
+/// The driver as a job begins.
+template <class Design, class V>
+DriverOf<Design, V> driver_for([[maybe_unused]] const typename Design::Params& p) {
+  DriverOf<Design, V> driver{};
+  if constexpr (requires { driver_of(p); }) {
+    const auto words = to_words(driver_of(p));
+    for_each_cell<DriverOf<Design, V>>(
+        [&](auto cell, std::size_t i) { cell(driver) = V(words[i]); });
+  }
+  return driver;
+}
+
 /// What the fields of such a record hold of numbers: their lowest bits, as in lanes.
 template <class Record>
 class Held {
@@ -209,7 +222,7 @@ class JobHost {
     if (job_ == jobs_.size()) return false;
     if (begins) {
       task_ = task_for<Design>(p_, jobs_[job_]);
-      driver_ = {};
+      driver_ = driver_for<Design, Word>(p_);
       clocks_ = 0;
     }
     if (++clocks_ > most_clocks_of<Design>()) refuse_endless();

@@ -70,7 +70,7 @@ class JobCheck final : public Observer<Design> {
   // Once a job, and not part of each clock.
   [[gnu::noinline]] void begin(const Job& job) {
     task_ = task_for<Design>(p_, job);
-    driver_ = {};
+    driver_ = driver_for<Design, Word>(p_);
     checker_ = checker_for<Design>(p_, job);
   }
   [[gnu::noinline]] void end(const Job& job) {

@@ -51,16 +51,27 @@ BuiltMachine built_machine(Source source) {
     machine.resets_itself = std::string_view(Trait::resets).find("inner ") != std::string::npos;
   }
   if constexpr (StepsOn<Design, nets::Number>) {
+    constexpr bool is_exported = requires { Design::model(Trait::params); };
     machine.nets = [] {
       auto model = nets::model_of<Design>(Trait::params);
-      if constexpr (requires { Design::model(Trait::params); }) {
-        nets::require_same<Design>(model, Trait::params, Trait::title);
-      }
+      if constexpr (is_exported) nets::require_same<Design>(model, Trait::params, Trait::title);
       return model;
     };
-    machine.played = [] { return nets::played_of<Design>(Trait::params); };
+    machine.played = [] {
+      auto played = nets::played_of<Design>(Trait::params);
+      if constexpr (is_exported) {
+        nets::require_same<Design>(played.model, Trait::params, Trait::title);
+      }
+      return played;
+    };
     if constexpr (nets::DrivesOnNets<Design>) {
-      machine.jobs = [] { return nets::draw_of_jobs<Design>(Trait::params); };
+      machine.jobs = [] {
+        auto draw = nets::draw_of_jobs<Design>(Trait::params);
+        if constexpr (is_exported) {
+          nets::require_same_jobs<Design>(draw, Trait::params, Trait::title);
+        }
+        return draw;
+      };
     }
   }
   return machine;

@@ -1,0 +1,3 @@
+module t(input [7:0] d, output q);
+  `include "part.svh"
+endmodule

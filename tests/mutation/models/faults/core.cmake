@@ -22,4 +22,4 @@ fault("An array is written at its first element"
 faults_in(core/job.h)
 fault("The second job of a host is its first one again"
   [=[task_for<Design>(p_, jobs_[job_])]=] [=[task_for<Design>(p_, jobs_[job_ == 1 ? 0 : job_])]=])
-fault("A driver goes on from the job before" [[driver_ = {};]] [[]])
+fault("A driver goes on from the job before" [[driver_ = driver_for<Design, Word>(p_);]] [[]])

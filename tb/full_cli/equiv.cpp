@@ -200,11 +200,7 @@ int compare(const EquivOptions& o, Junit& junit) {
 }
 
 int run(const EquivOptions& o) {
-  std::vector<std::string> named;
-  for (const auto* files : {&o.gold, &o.gate, &o.files, &o.cells}) {
-    named.insert(named.end(), files->begin(), files->end());
-  }
-  check_outputs(o.common, files_read(named, o.include_dirs));
+  check_outputs(o.common, files_read(files_named(o), o.include_dirs));
   const std::string top = o.top.value_or(o.gate_top.value_or(""));
   require_own_folder(equiv::folder_of(top, o.common.failures_folder()));
   Junit junit(o);
@@ -222,10 +218,15 @@ void add_equiv(const Command& program) {
   auto o = std::make_shared<EquivOptions>();
   const Command command = program.sub(equiv_command.name, equiv_command.help);
   command.arguments("FILE", o->files, "With --rev: the files of the new RTL");
-  command.texts("--gold", o->gold, "FILE", "The files of the old RTL");
-  command.texts("--gate", o->gate, "FILE", "The files of the new RTL");
+  command.texts("--gold", o->gold, "FILE",
+                "The files of the old RTL; FILE.f is a list, as with -F");
+  command.texts("--gate", o->gate, "FILE", "The files of the new RTL, or FILE.f");
   command.text("--rev", o->rev, "REV",
                "The old RTL: the same files as git has them in revision REV");
+  command.each("-f", o->lists, "LIST",
+               "With --rev: a list of files, +incdir+DIR, +define+NAME=VALUE, -y DIR, -v FILE,\n"
+               "-f LIST; the old RTL has the list of that revision");
+  command.each("-F", o->own_lists, "LIST", "The same, whose paths begin at the folder of the list");
   command.text("--top", o->top, "NAME", "The module that is compared");
   command.text("--gold-top", o->gold_top, "NAME", "What it is called in the old RTL");
   command.text("--gate-top", o->gate_top, "NAME", "What it is called in the new RTL");

@@ -9,8 +9,10 @@
 #include "model/core/input_error.h"
 #include "tb/full_cli/revision.h"
 #include "tb/new/liberty.h"
+#include "tb/new/new_sources.h"
 #include "tb/new/verilog_words.h"
 #include "tb/program/named_values.h"
+#include "tb/rtl/file_list.h"
 #include "tb/rtl/plain_verilog.h"
 #include "tb/support/output_file.h"
 #include "tb/support/parallel.h"
@@ -21,28 +23,68 @@
 namespace cosim::cli {
 namespace {
 
+std::vector<std::string> with(std::vector<std::string> all, const std::vector<std::string>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+  return all;
+}
+
+// Files, some of which may be lists, and with `both` what the options name of both sides. `file_at`
+// is for files that no list names.
+rtl::FileList listed(const EquivOptions& o, const std::vector<std::string>& files, bool both,
+                     const rtl::Place& file_at, const rtl::Place& place) {
+  rtl::FileList all;
+  for (const std::string& file : files) {
+    if (rtl::is_file_list(file)) {
+      rtl::read_file_list(file, true, place, all);
+    } else if (const auto at = file_at(file)) {
+      all.files.push_back(*at);
+    }
+  }
+  if (!both) return all;
+  for (const std::string& list : o.lists) rtl::read_file_list(list, false, place, all);
+  for (const std::string& list : o.own_lists) rtl::read_file_list(list, true, place, all);
+  return all;
+}
+
+SideFiles side_of(const rtl::FileList& list, const EquivOptions& o) {
+  SideFiles side{list.files, {}, {}, {}, list.libraries};
+  side.defines = rtl::with_defines(list.defines, o.defines);
+  return side;
+}
+
+SideFiles new_files(const EquivOptions& o, const std::vector<std::string>& files, bool both) {
+  // A file that is not there is named where it is read.
+  const auto as_typed = [](const std::filesystem::path& file) { return file.string(); };
+  const rtl::FileList list = listed(o, files, both, as_typed, rtl::place_today);
+  SideFiles side = side_of(list, o);
+  side.cells = o.cells;
+  side.include_dirs = with(o.include_dirs, list.include_dirs);
+  return side;
+}
+
 // What is of both sides, as the old one had it.
 SideFiles old_files(const EquivOptions& o, const std::filesystem::path& scratch) {
   namespace fs = std::filesystem;
-  for (const std::string& file : o.files) {
+  const std::vector<std::string> named = with(with(o.files, o.lists), o.own_lists);
+  for (const std::string& file : named) {
     if (!fs::exists(file)) throw InputError(file + ": No such file or directory");
   }
-  const Revision revision(*o.rev, o.files.front(), scratch);
-  SideFiles old;
-  for (const std::string& file : o.files) {
-    if (const auto was = revision.old(file)) old.files.push_back(*was);
-  }
+  const Revision revision(*o.rev, named.front(), scratch);
+  const auto was = [&](const fs::path& path) { return revision.old(path); };
+  const rtl::FileList list = listed(o, o.files, true, was, was);
+  SideFiles old = side_of(list, o);
   if (old.files.empty()) {
     throw InputError(fmt::format("--rev: {} has none of the files", in_quotes(*o.rev)));
   }
   const auto add = [&](std::vector<std::string>& to, const std::vector<std::string>& all) {
     for (const std::string& one : all) {
-      if (const auto was = revision.old(one, true)) to.push_back(*was);
+      if (const auto at = revision.old(one, true)) to.push_back(*at);
     }
   };
   add(old.cells, o.cells);
   add(old.include_dirs, o.include_dirs);
-  if (const auto was = revision.old(".")) old.folder = *was;
+  old.include_dirs = with(old.include_dirs, list.include_dirs);
+  if (const auto folder = was(".")) old.folder = *folder;
   return old;
 }
 
@@ -90,12 +132,17 @@ equiv::Side read_side(const EquivOptions& o, const SideFiles& own, const Named& 
   for (const auto& [name, value] : named_values(option, parameters, "NAME=VALUE")) {
     all.parameters.push_back(name + '=' + value);
   }
-  named_values("--define", o.defines);
-  all.defines = o.defines;
+  all.defines = own.defines;
   all.include_dirs.assign(own.include_dirs.begin(), own.include_dirs.end());
   all.folder = own.folder;
   std::vector<std::string> verilog = own.files;
-  verilog.insert(verilog.end(), own.cells.begin(), own.cells.end());
+  if (!own.libraries.empty()) {
+    verilog.clear();
+    const Sources needed =
+        sources_of({all.top, own.files, own.libraries, own.include_dirs, all.top});
+    for (const SourceFile& file : needed.files) verilog.push_back(file.from.string());
+  }
+  verilog = with(verilog, own.cells);
   // A file that is named twice, as by a pattern and itself, is one.
   std::set<std::filesystem::path> met;
   std::erase_if(verilog, [&](const std::string& file) {
@@ -125,7 +172,9 @@ BothFiles files_of(const EquivOptions& o, const std::filesystem::path& scratch) 
   if (o.rev) {
     if (!o.gold.empty() || !o.gate.empty())
       throw InputError("--rev: does not go with --gold or --gate");
-    if (o.files.empty()) throw InputError("FILE: is needed");
+    if (o.files.empty() && o.lists.empty() && o.own_lists.empty()) {
+      throw InputError("FILE: is needed, or -f LIST");
+    }
   } else if (!o.files.empty()) {
     throw InputError(fmt::format("equiv: takes no {} without --rev", in_quotes(o.files.front())));
   } else if (o.gold.empty()) {
@@ -133,9 +182,29 @@ BothFiles files_of(const EquivOptions& o, const std::filesystem::path& scratch) 
   } else if (o.gate.empty()) {
     throw InputError("--gate: is needed");
   }
-  both.gate = {o.rev ? o.files : o.gate, o.cells, o.include_dirs};
-  both.gold = o.rev ? old_files(o, scratch) : SideFiles{o.gold, o.cells, o.include_dirs};
+  named_values("--define", o.defines);
+  const bool is_one_list = o.rev.has_value();
+  if (!is_one_list && !(o.lists.empty() && o.own_lists.empty())) {
+    throw InputError("-f and -F: go with --rev; --gold and --gate take a list as FILE.f");
+  }
+  both.gate = new_files(o, o.rev ? o.files : o.gate, is_one_list);
+  both.gold = o.rev ? old_files(o, scratch) : new_files(o, o.gold, false);
   return both;
+}
+
+std::vector<std::string> files_named(const EquivOptions& o) {
+  std::vector<std::string> all = o.cells;
+  const auto as_typed = [](const std::filesystem::path& file) { return file.string(); };
+  for (const auto* files : {&o.gold, &o.gate, &o.files}) {
+    all = with(all, *files);
+    try {
+      const rtl::FileList list = listed(o, *files, files == &o.files, as_typed, rtl::place_today);
+      all = with(with(all, list.files), list.lists);
+    } catch (const InputError&) {
+      continue;
+    }
+  }
+  return all;
 }
 
 BothSides read_sides(const EquivOptions& o, const BothFiles& files,

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -10,6 +11,7 @@
 #include "tb/full_cli/commands.h"
 #include "tb/new/new_sources.h"
 #include "tb/program/named_values.h"
+#include "tb/rtl/file_list.h"
 #include "tb/support/draft.h"
 #include "tb/support/pattern.h"
 #include "tb/support/words.h"
@@ -23,8 +25,34 @@ struct NewOptions {
   std::vector<std::string> words;  ///< the name, then files and folders
   bool plain = false, stream = false;
   Text top, clock, reset;
-  std::vector<std::string> includes, libraries, defines, parameters, blackboxes;
+  std::vector<std::string> includes, libraries, defines, parameters, blackboxes, lists, own_lists;
 };
+
+// What lists of files name, as if it was typed.
+NewOptions with_lists(NewOptions o) {
+  named_values("--define", o.defines);
+  rtl::FileList all;
+  for (const std::string& list : o.lists) {
+    rtl::read_file_list(list, false, rtl::place_today, all);
+  }
+  for (const std::string& list : o.own_lists) {
+    rtl::read_file_list(list, true, rtl::place_today, all);
+  }
+  for (std::size_t i = 1; i < o.words.size(); ++i) {  // behind the name
+    if (!rtl::is_file_list(o.words[i])) continue;
+    rtl::read_file_list(o.words[i], true, rtl::place_today, all);
+    o.words.erase(o.words.begin() + static_cast<std::ptrdiff_t>(i--));
+  }
+  const auto add = [](std::vector<std::string>& to, const std::vector<std::string>& more) {
+    to.insert(to.end(), more.begin(), more.end());
+  };
+  add(o.words, all.files);
+  add(o.libraries, all.libraries);
+  add(o.includes, all.include_dirs);
+  o.defines = rtl::with_defines(all.defines, o.defines);
+  if (!o.top && !all.top.empty()) o.top = all.top;
+  return o;
+}
 
 // The folder's name is a part of names in C++, too.
 void require_name(const std::string& name) {
@@ -70,25 +98,38 @@ std::vector<FoundParameter> parameters_in(const std::vector<std::string>& words)
 }
 
 // The words that Verilator and yosys are given.
-std::vector<std::string> options_of(const NewOptions& o, bool has_headers) {
+std::vector<std::string> options_of(const NewOptions& o, const std::string& headers) {
   static const Pattern define(R"([A-Za-z_][A-Za-z0-9_$]*(=[A-Za-z0-9_.:+'-]*)?)");
   std::vector<std::string> options;
-  if (has_headers) options.emplace_back("-Iinclude");
+  if (!headers.empty()) options.push_back("-I" + headers);
   for (const std::string& d : o.defines) {
     if (define.whole(d).empty()) {
       throw InputError(fmt::format("--define: {} is not NAME or NAME=VALUE", in_quotes(d)));
     }
     options.push_back("-D" + d);
   }
-  named_values("--define", o.defines);
   return options;
+}
+
+// The folder of the headers, deep enough for those whose names begin with "../" to be in the
+// project;
+// "" where there are none.
+std::string header_folder(const Sources& rtl) {
+  std::size_t depth = 0;
+  for (const SourceFile& header : rtl.headers) {
+    const fs::path name = fs::path(header.name).lexically_normal();
+    depth = std::max(depth, static_cast<std::size_t>(std::count(name.begin(), name.end(), "..")));
+  }
+  std::string folder = rtl.headers.empty() ? "" : "include";
+  for (; depth > 0; --depth) folder += "/here";
+  return folder;
 }
 
 // Copies what the design needs, and reads it there: by those names every program can be given them.
 struct BegunProject {
   Found found;
   std::vector<std::string> sources, left_out;
-  bool has_headers = false;
+  std::string headers;  ///< their folder
 };
 BegunProject begin_project(const NewOptions& o, const Draft& project) {
   const std::string& name = o.words.front();
@@ -106,26 +147,31 @@ BegunProject begin_project(const NewOptions& o, const Draft& project) {
   const Sources rtl = sources_of({name, given, o.libraries, o.includes, name_in("--top", o.top)});
   require_files(name, rtl);
   BegunProject begun;
-  begun.has_headers = !rtl.headers.empty();
+  begun.headers = header_folder(rtl);
   begun.left_out = rtl.left_out;
   for (const SourceFile& file : rtl.files) {
     begun.sources.push_back(file.name);
     project.write(file.name, file.text);
   }
   for (const SourceFile& header : rtl.headers) {
-    const fs::path to = fs::path("include") / header.name;
+    const fs::path to = (fs::path(begun.headers) / header.name).lexically_normal();
     fs::create_directories((project.folder() / to).parent_path());
     project.write(to.string(), header.text);
   }
+  if (!begun.headers.empty() && !fs::exists(project.folder() / begun.headers)) {
+    fs::create_directories(project.folder() / begun.headers);
+    project.write(begun.headers + "/.gitkeep", "");
+  }
   question.files = begun.sources;
-  question.options = options_of(o, begun.has_headers);
+  question.options = options_of(o, begun.headers);
   question.top = rtl.top;
   begun.found = found_in(question);
   require_names(begun.found);
   return begun;
 }
 
-int run(const NewOptions& o) {
+int run(const NewOptions& given) {
+  const NewOptions o = with_lists(given);
   if (o.words.empty()) throw InputError("NAME: is needed");
   if (o.plain && o.stream) throw InputError("--plain: does not go with --stream");
   const NewModel model = o.stream  ? NewModel::stream
@@ -148,7 +194,7 @@ int run(const NewOptions& o) {
     }
     begun = o.stream ? stream_model(name, found) : lockstep_model(name, found);
     project.write(name + ".h", begun.text);
-    design = design_of(name, found, rtl.sources, model, rtl.has_headers, o.defines, o.blackboxes);
+    design = design_of(name, found, rtl.sources, model, rtl.headers, o.defines, o.blackboxes);
   } else {
     project.write(name + ".v", first.rtl);
     project.write(name + ".h", first.model);
@@ -186,8 +232,8 @@ void add_new(const Command& program) {
   command.arguments("NAME FILE...", o->words,
                     "The name of the folder and the design; then its Verilog or VHDL, whose\n"
                     "ports, parameters and registers the model has. A folder in place\n"
-                    "of files: what the top needs of those in it. Without a file: a small design\n"
-                    "that passes");
+                    "of files: what the top needs of those in it; FILE.f: a list, as with -F.\n"
+                    "Without a file: a small design that passes");
   command.flag("--plain", o->plain, "RTL of which nothing can be proved: it is simulated alone");
   command.flag("--stream", o->stream,
                "A model without clocks: what comes out of the ports *_valid for what goes in");
@@ -206,6 +252,9 @@ void add_new(const Command& program) {
                "inputs outputs");
   command.each("-y", o->libraries, "DIR",
                "A folder with further modules, of which those needed are taken");
+  command.each("-f", o->lists, "LIST",
+               "A list of files, +incdir+DIR, +define+NAME=VALUE, -y DIR, -v FILE, -f LIST");
+  command.each("-F", o->own_lists, "LIST", "The same, whose paths begin at the folder of the list");
   command.footer(
       fmt::format("Example: {} new adder adder.v\n"
                   "         {} new fifo rtl/ --top axis_fifo --param DEPTH=16",

@@ -66,10 +66,10 @@ struct FirstDesign {
 };
 FirstDesign first_design(const std::string& name, NewModel model);
 
-/// The words of cosim_add_design() for RTL that was read.
+/// The words of cosim_add_design() for RTL that was read; `headers`: their folder, or "".
 std::string design_of(const std::string& name, const Found& found,
-                      const std::vector<std::string>& sources, NewModel model, bool has_headers,
-                      const std::vector<std::string>& defines,
+                      const std::vector<std::string>& sources, NewModel model,
+                      const std::string& headers, const std::vector<std::string>& defines,
                       const std::vector<std::string>& blackboxes);
 std::string cmake_of(const std::string& name, const std::string& design);
 std::string readme_of(const std::string& name, NewModel model);

@@ -13,7 +13,7 @@ namespace cosim::cli {
 
 void require_files(const std::string& name, const Sources& sources) {
   static const Pattern plain("[A-Za-z0-9_][A-Za-z0-9_.+-]*"),
-      path("([A-Za-z0-9_][A-Za-z0-9_.+-]*/?)+");
+      path(R"((\.{1,2}/)*([A-Za-z0-9_][A-Za-z0-9_.+-]*/?)+)");
   const std::set<std::string> own{name + ".h", "CMakeLists.txt", "README.md", "include"};
   std::map<std::string, std::string> seen;
   const auto quoted = [](const SourceFile& file) { return in_quotes(file.from.string()); };

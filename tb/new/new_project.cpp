@@ -35,13 +35,13 @@ FirstDesign first_design(const std::string& name, NewModel model) {
 }
 
 std::string design_of(const std::string& name, const Found& f,
-                      const std::vector<std::string>& sources, NewModel model, bool has_headers,
-                      const std::vector<std::string>& defines,
+                      const std::vector<std::string>& sources, NewModel model,
+                      const std::string& headers, const std::vector<std::string>& defines,
                       const std::vector<std::string>& blackboxes) {
   std::string text = name + " SOURCES";
   for (const std::string& s : sources) text += ' ' + for_cmake(s);
   if (f.top != name) text += " TOP " + for_cmake(f.top);
-  if (has_headers) text += " INCLUDE_DIRS include";
+  if (!headers.empty()) text += " INCLUDE_DIRS " + headers;
   if (!blackboxes.empty()) {
     text += " BLACKBOXES";
     for (const std::string& box : blackboxes) text += ' ' + for_cmake(box);

@@ -55,6 +55,10 @@ class Pool {
       }
     }
     for (const std::string& folder : given.libraries) {
+      if (fs::is_regular_file(folder)) {
+        add(folder, false);
+        continue;
+      }
       if (!fs::is_directory(folder))
         throw InputError("-y: " + in_quotes(folder) + ": no such folder");
       for (const fs::path& path : rtl_in(folder, false)) add(path, false);

@@ -11,7 +11,7 @@ namespace cosim::cli {
 struct GivenRtl {
   std::string name;                         ///< of the design
   std::vector<std::string> files = {};      ///< files and folders
-  std::vector<std::string> libraries = {};  ///< folders that have a module in a file of its name
+  std::vector<std::string> libraries = {};  ///< files, and folders, of modules to take where needed
   std::vector<std::string> includes = {};   ///< folders of headers
   std::string top = {};                     ///< "": to be found
 };

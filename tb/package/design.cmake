@@ -3,6 +3,8 @@
 #   cosim_add_design(NAME
 #     SOURCES file.v...            Verilog or SystemVerilog that Verilator reads; VHDL (.vhd, .vhdl), which
 #                                  GHDL turns into Verilog
+#     [FILELIST list.f...]         what lists name as well, +incdir+ and +define+ included; their paths begin
+#                                  at their folder, tb/rtl/file_list.h
 #     [TOP module]                 the top module; default NAME
 #     [CLOCK port | CLOCKS port... | COMBINATIONAL]
 #                                  its clock; default clk; or several; or it has no register
@@ -63,6 +65,25 @@ function(cosim_files variable what)
   set(${variable} ${all} PARENT_SCOPE)
 endfunction()
 
+# Adds what the lists of FILELIST name to SOURCES, INCLUDE_DIRS and DEFINES of cosim_add_design().
+macro(cosim_file_lists)
+  if(D_FILELIST)
+    cosim_files(lists "${what}: FILELIST" ${D_FILELIST})
+    execute_process(COMMAND ${program} lists ${lists}
+      OUTPUT_VARIABLE said ERROR_VARIABLE error RESULT_VARIABLE status)
+    if(status)
+      string(STRIP "${error}" error)
+      message(FATAL_ERROR "${what}: ${error}")
+    endif()
+    string(REGEX MATCHALL "[^\n]+" said "${said}")
+    foreach(line IN LISTS said)
+      string(REGEX MATCH "^([A-Z_]+) (.*)$" line "${line}")
+      list(APPEND D_${CMAKE_MATCH_1} "${CMAKE_MATCH_2}")
+    endforeach()
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${D_LISTS})
+  endif()
+endmacro()
+
 # Many small files, most of whose time to compile is Verilator's header: compiled some classes at a
 # time. Newer Verilators refuse two classes in one file, by a macro, for the sake of precompiled
 # headers, which are not used here.
@@ -79,7 +100,7 @@ function(cosim_add_design NAME)
     find_package(verilator REQUIRED HINTS $ENV{VERILATOR_ROOT} /usr/share/verilator)
   endif()
   cmake_parse_arguments(PARSE_ARGV 1 D "UNPROVED;COMBINATIONAL" "TOP;CLOCK;NAMESPACE;STRUCT"
-    "CLOCKS;BLACKBOXES;SOURCES;INCLUDE_DIRS;DEFINES;MODEL;SHAPES;NETLISTS;LIBRARIES")
+    "CLOCKS;BLACKBOXES;SOURCES;FILELIST;INCLUDE_DIRS;DEFINES;MODEL;SHAPES;NETLISTS;LIBRARIES")
   set(what "cosim_add_design(${NAME})")
   if(D_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "${what}: what is ${D_UNPARSED_ARGUMENTS}?")
@@ -87,6 +108,8 @@ function(cosim_add_design NAME)
   if(NOT NAME MATCHES "^[A-Za-z][A-Za-z0-9_]*$")
     message(FATAL_ERROR "${what}: names are letters, digits and _, a letter first")
   endif()
+  cosim_rtl_program(program)
+  cosim_file_lists()
   foreach(needed SOURCES MODEL)
     if(NOT D_${needed})
       message(FATAL_ERROR "${what}: needs ${needed}")
@@ -166,7 +189,6 @@ function(cosim_add_design NAME)
       set(${list} "\"${${list}}\"")
     endif()
   endforeach()
-  cosim_rtl_program(program)
   string(TOLOWER "${D_UNPROVED}" UNPROVED)  # true or false, for C++
 
   get_property(root GLOBAL PROPERTY COSIM_ROOT)

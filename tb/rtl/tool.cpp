@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "model/core/input_error.h"
+#include "tb/rtl/file_list.h"
 #include "tb/rtl/names.h"
 #include "tb/rtl/plain_verilog.h"
 
@@ -35,7 +36,29 @@ int run_program(Words words) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
 }
 
+// What lists of files name, a line each; each path is absolute where those of the lists are.
+void print_lists(const Words& lists) {
+  cosim::rtl::FileList all;
+  for (const std::string& list : lists) {
+    cosim::rtl::read_file_list(list, true, cosim::rtl::place_today, all);
+  }
+  if (!all.libraries.empty()) {
+    throw cosim::InputError(lists.front() + ": -y or -v: the files that are needed must be named");
+  }
+  const auto print = [](const char* kind, const Words& words) {
+    for (const std::string& word : words) std::cout << kind << ' ' << word << '\n';
+  };
+  print("SOURCES", all.files);
+  print("INCLUDE_DIRS", all.include_dirs);
+  print("DEFINES", cosim::rtl::with_defines(all.defines, {}));
+  print("LISTS", all.lists);
+}
+
 bool answer(const Words& words) {
+  if (words.size() > 1 && words[0] == "lists") {
+    print_lists({words.begin() + 1, words.end()});
+    return true;
+  }
   if (words.size() > 3 && words[0] == "names") {
     cosim::rtl::check_names(words[1], words[2], {words.begin() + 3, words.end()});
     return true;
@@ -58,7 +81,7 @@ int main(int argc, char** argv) {
   try {
     if (answer({argv + 1, argv + argc})) return 0;
     std::cerr << "usage: cosim_rtl verilog TOP FOLDER 'NAME=VALUE NAME=VALUE' BLACKBOX,BLACKBOX "
-                 "FILE... | names STAMP ROOT HEADER...\n";
+                 "FILE... | names STAMP ROOT HEADER... | lists LIST...\n";
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
   }

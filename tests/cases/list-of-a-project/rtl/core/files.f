@@ -1,0 +1,2 @@
+core.v +incdir+. -y ../../lib
+--top-module core

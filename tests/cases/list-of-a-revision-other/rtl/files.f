@@ -1,0 +1,3 @@
+t.v
+one.v
++define+BY=1

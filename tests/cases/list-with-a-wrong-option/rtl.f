@@ -1,0 +1,3 @@
+t.v
+
+--build t.cpp

@@ -1,0 +1,1 @@
+module unused(; // nobody has an instance of it

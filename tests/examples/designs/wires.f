@@ -1,0 +1,2 @@
+wires_part.v
++incdir+include +define+WIRES_STEP=3

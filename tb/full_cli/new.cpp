@@ -130,6 +130,7 @@ struct BegunProject {
   Found found;
   std::vector<std::string> sources, left_out;
   std::string headers;  ///< their folder
+  bool top_is_guessed = false;
 };
 BegunProject begin_project(const NewOptions& o, const Draft& project) {
   const std::string& name = o.words.front();
@@ -149,6 +150,7 @@ BegunProject begin_project(const NewOptions& o, const Draft& project) {
   BegunProject begun;
   begun.headers = header_folder(rtl);
   begun.left_out = rtl.left_out;
+  begun.top_is_guessed = rtl.top_is_guessed;
   for (const SourceFile& file : rtl.files) {
     begun.sources.push_back(file.name);
     project.write(file.name, file.text);
@@ -210,6 +212,10 @@ int run(const NewOptions& given) {
   }
   for (const std::string& file : rtl.left_out) fmt::print("{}: a testbench, left out\n", file);
   const Found& found = rtl.found;
+  if (rtl.top_is_guessed) {
+    fmt::print("{}: the top is {}, by the name of the first file; --top names another\n", name,
+               found.top);
+  }
   fmt::print("{}/: {}, {}, {}; README.md has its two commands\n", name,
              count(found.inputs.size(), "input"), count(found.outputs.size(), "output"),
              o.stream ? "as streams" : count(found.registers.size(), "register"));

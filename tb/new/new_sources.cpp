@@ -95,8 +95,8 @@ bool is_testbench(const VerilogText& text) {
 }
 
 // The module that no other has an instance of, testbenches aside; of several the one that these
-// have.
-std::string top_of(const Pool& pool, const GivenRtl& given) {
+// have, or, and then it `is_guessed`, the one that is called like the first file.
+std::string top_of(const Pool& pool, const GivenRtl& given, bool& is_guessed) {
   if (!given.top.empty()) {
     const auto found = pool.home.find(given.top);
     if (found == pool.home.end())
@@ -129,6 +129,11 @@ std::string top_of(const Pool& pool, const GivenRtl& given) {
   }
   if (all.size() == 1) return *all.begin();
   if (all.empty()) all = tops;
+  const fs::path first = given.files.empty() ? "" : fs::path(given.files.front()).stem();
+  if (all.contains(first.string())) {
+    is_guessed = true;
+    return first.string();
+  }
   std::vector<std::string> some(
       all.begin(), std::next(all.begin(), std::min<std::ptrdiff_t>(8, std::ssize(all))));
   throw InputError(fmt::format("new: the top may be {}{}: --top says which",
@@ -209,7 +214,7 @@ Sources sources_of(const GivenRtl& given) {
   }
   Pool pool(given);
   Sources sources;
-  sources.top = top_of(pool, given);
+  sources.top = top_of(pool, given, sources.top_is_guessed);
   const std::vector<fs::path> folders = header_folders(given);
   for (Candidate& c : pool.all) find_headers(c, folders);
   Order order(pool);

@@ -25,6 +25,7 @@ struct SourceFile {
 
 struct Sources {
   std::string top;
+  bool top_is_guessed = false;  ///< by the name of the first file
   /// Packages first, then the top and what it needs; files that were named are all there.
   std::vector<SourceFile> files;
   std::vector<std::string> left_out;  ///< but for these, which are testbenches

@@ -252,7 +252,8 @@ refused "--include: 'none': no such folder" made made.v --include none
 refused "-y: 'none': no such folder" made made.v -y none
 refused "--param: 'W' is not NAME=VALUE" made made.v --param W
 refused "--define: '1' is not NAME or NAME=VALUE" made made.v --define 1
-refused "new: the top may be made or part: --top says which" another made.v part.v
+cat made.v part.v > both.v
+refused "new: the top may be made or part: --top says which" another both.v
 refused "new: no module in 'other/none.v'" made other/none.v
 refused "--plain: does not go with --stream" made --plain --stream
 rtl 'always @(posedge clk) q <= d;'

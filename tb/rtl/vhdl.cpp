@@ -176,43 +176,6 @@ std::map<std::string, Entity> entities_in(const std::string& text) {
   return all;
 }
 
-// A module with registers by the names of their signals.
-std::string with_names(std::string text) {
-  static const Regex initial(
-      "^  always @\\*\n    (\\w+) = ([A-Za-z0-9_']+); // \\(isignal\\)\n  initial\n    (\\w+) <= "
-      "[^;]*;\n",
-      REG_NEWLINE);
-  static const Regex is_register("^  reg (\\[[0-9]+:0\\] )?(\\w+);$", REG_NEWLINE);
-  static const Regex copy("^  assign (\\w+) = (n[0-9]+_q); // \\(signal\\)\n", REG_NEWLINE);
-  static const Regex declared("^  (wire|reg) (\\[[0-9]+:0\\] )?(\\w+);\n", REG_NEWLINE),
-      numbered("^n[0-9]+_(\\w+)$"), word("\\w+");
-  std::set<std::string> registers, words;
-  for (const Match& m : is_register.all(text)) registers.insert(m[2]);
-  text = initial.replaced(text, [](const Match& m) {
-    return m[1] == m[3] ? "  assign " + m[1] + " = " + m[2] + "; // (signal)\n" : m[0];
-  });
-  for (const Match& m : word.all(text)) words.insert(m[0]);
-  std::map<std::string, std::vector<std::string>> copies;
-  for (const Match& m : copy.all(text)) copies[m[2]].push_back(m[1]);
-  // A register that has one other name goes by it.
-  std::map<std::string, std::string> names;
-  std::set<std::string> gone;
-  for (const auto& [net, signals] : copies) {
-    if (signals.size() > 1 || !registers.contains(net)) continue;
-    std::string name = signals[0];
-    const Match m = numbered.find(name);
-    if (m && words.insert(m[1]).second) name = m[1];
-    names[net] = names[signals[0]] = name;
-    gone.insert(signals[0]);
-  }
-  text = copy.replaced(text, [&](const Match& m) { return gone.contains(m[1]) ? "" : m[0]; });
-  text = declared.replaced(text, [&](const Match& m) { return gone.contains(m[3]) ? "" : m[0]; });
-  return word.replaced(text, [&](const Match& m) {
-    const auto name = names.find(m[0]);
-    return name == names.end() ? m[0] : name->second;
-  });
-}
-
 // What a register takes stands where it takes it: a reset is to be seen there.
 std::string with_values(std::string text) {
   static const Regex taken("^( +\\w+ <= )(n[0-9]+_o);$", REG_NEWLINE), word("\\bn[0-9]+_o\\b");

@@ -12,8 +12,9 @@ namespace cosim::rtl {
 /// The entity `top` of the files with these parameters as its generics; every entity that no other
 /// has an instance of where a Verilog module is the top. The module has parameters of the names of
 /// the generics, whose values are those that it was made with. A register has the name of its
-/// signal. `run` runs a program and gives its status; `work` is a folder for it, which is made
-/// anew. InputError with the place in the VHDL where there is no GHDL, or it cannot do it.
+/// signal or of the output that it is; one that is a part of it has its place as well, q_3_0. `run`
+/// runs a program and gives its status; `work` is a folder for it, which is made anew. InputError
+/// with the place in the VHDL where there is no GHDL, or it cannot do it.
 std::string verilog_of_vhdl(const Sources& sources, const std::filesystem::path& work,
                             const Run& run);
 
@@ -37,6 +38,9 @@ void refuse_lost_values(const std::string& verilog, const std::string& said);
 /// A module as GHDL 2.0 wrote it, with what its printer of Verilog gets wrong put right. InputError
 /// where it cannot be.
 std::string repaired(std::string module, const NetlistModule& netlist);
+
+/// A module of GHDL's with registers by such names in place of n49_q.
+std::string with_names(std::string module);
 
 std::string in_small_letters(std::string text);
 

@@ -245,7 +245,8 @@ for my $p (@processes) {
         $p->{is_inner} = "$input$inverse" eq '';
         push @by_others, [$named, $way, $net] if $p->{is_inner};
     }
-    $registers{$_} = ($registers{$_} // '') | $held{$_} for keys %held;
+    # Verilator keeps what an assertion samples in such a variable.
+    $registers{$_} = ($registers{$_} // '') | $held{$_} for grep { !/(^|\.)_Vpast_\d+_\d+$/ } keys %held;
 }
 # A register of one bit may reset others, itself or inverted.
 my %inner;

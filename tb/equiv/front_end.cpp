@@ -341,7 +341,8 @@ Elaborated by_slang(const Files& files, const std::string& what, const Budget& b
     return is_program ? path.string() : path.lexically_relative(own).string();
   };
   // A position beyond the end is no error in Verilog: reads give x there, and writes do nothing.
-  std::string commands = "read_slang --threads 1 -Wno-range-oob -Wno-index-oob --top " + files.top;
+  std::string commands =
+      "read_slang --threads 1 --ignore-assertions -Wno-range-oob -Wno-index-oob --top " + files.top;
   for (const fs::path& folder : reading.folders()) commands += " -I " + seen(folder);
   for (const std::string& define : files.defines) commands += " -D " + define;
   for (const auto& [name, value] : reading.parameters()) {

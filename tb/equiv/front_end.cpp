@@ -316,7 +316,7 @@ try {
   if (!(Exit && error instanceof Exit)) said += String(error);
 }
 process.stdout.write(said);
-for (const name of ['top.json', 'top.il']) if (made[name]) writeFileSync(own + '/' + name, made[name]);
+for (const name of ['top.json', 'top.il', 'top.v']) if (made[name]) writeFileSync(own + '/' + name, made[name]);
 process.exit(status);
 )js";
 
@@ -327,7 +327,10 @@ fs::path slang_place() {
   return fs::exists(place) ? fs::absolute(place) : fs::path{};
 }
 
-Elaborated by_slang(const Files& files, const std::string& what, const Budget& budget) {
+// What slang reads, and then `commands` of yosys write as files OUT.ENDING: their texts.
+std::vector<std::string> by_slang(const Files& files, const std::string& what, const Budget& budget,
+                                  const char* commands_behind,
+                                  const std::vector<const char*>& endings) {
   const fs::path place = slang_place();
   if (place.empty()) {
     throw InputError(what + ": slang is not installed; scripts/setup systemverilog brings it");
@@ -351,9 +354,14 @@ Elaborated by_slang(const Files& files, const std::string& what, const Budget& b
   for (std::size_t i = 0; i < files.files.size(); ++i) {
     commands += ' ' + seen(reading.file(i, read_file(files.files[i].string())));
   }
-  const std::string out = seen(own / "top");
-  commands += fmt::format("\nhierarchy -top {0}\n{3}{1}write_json {2}.json\nwrite_rtlil {2}.il\n",
-                          files.top, to_cells, out, with_rmdead);
+  commands += fmt::format("\nhierarchy -top {}\n{}", files.top, commands_behind);
+  for (const char* ending : endings) {
+    const std::string kind = ending == std::string("il")  ? "rtlil"
+                             : ending == std::string("v") ? "verilog"
+                                                          : ending;
+    commands += fmt::format("\nwrite_{} {}.{}", kind, seen(own / "top"), ending);
+  }
+  commands += '\n';
   write_file((own / "script.ys").string(), commands);
   std::vector<std::string> words{place.string(), "-q", "-s", (own / "script.ys").string()};
   if (!is_program) {
@@ -369,7 +377,11 @@ Elaborated by_slang(const Files& files, const std::string& what, const Budget& b
   }
   const std::string wrong = misread(ended.text, reading);
   if (!wrong.empty()) throw InputError(fmt::format("{}: slang cannot read it: {}", what, wrong));
-  return {read_file((own / "top.json").string()), read_file((own / "top.il").string())};
+  std::vector<std::string> texts;
+  for (const char* ending : endings) {
+    texts.push_back(read_file((own / "top").string() + '.' + ending));
+  }
+  return texts;
 }
 
 }  // namespace
@@ -378,8 +390,19 @@ bool has_slang() { return !slang_place().empty(); }
 
 Elaborated elaborated(const Files& files, const std::string& what, FrontEnd front_end,
                       const Budget& budget) {
-  return front_end == FrontEnd::yosys ? by_yosys(files, what, budget)
-                                      : by_slang(files, what, budget);
+  if (front_end == FrontEnd::yosys) return by_yosys(files, what, budget);
+  const std::string commands = std::string(with_rmdead) + to_cells;
+  const auto texts = by_slang(files, what, budget, commands.c_str(), {"json", "il"});
+  return {texts[0], texts[1]};
+}
+
+std::string verilog_by_slang(const Files& files, const std::string& what, const Budget& budget) {
+  // All public nets are kept, and $bwmux, which yosys 0.23 does not know, is not.
+  return by_slang(files, what, budget,
+                  "proc\nbwmuxmap\nsetattr -set keep 1 w:* w:$* %d\nopt_expr\nopt_clean\n"
+                  "setattr -unset keep w:* w:$* %d",
+                  {"v"})
+      .front();
 }
 
 }  // namespace cosim::equiv

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "model/core/input_error.h"
+#include "tb/full/readable.h"
 
 namespace cosim::cli {
 
@@ -16,12 +17,12 @@ const proof::BuiltMachine& machine_of(const AnyBench& bench) {
 proof::Source source_of(const AnyBench& bench) {
   proof::Source source = machine_of(bench).source;
   source.parameters = bench.parameters();
-  return source;
+  return readable(std::move(source));
 }
 
 proof::Source source_for(const nets::Model& model, proof::Source source) {
   source.parameters = model.machine.parameters;
-  return read_for(model.machine, std::move(source));
+  return read_for(model.machine, readable(std::move(source)));
 }
 
 }  // namespace cosim::cli

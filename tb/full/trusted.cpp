@@ -12,6 +12,7 @@
 #include "model/core/input_error.h"
 #include "tb/equiv/front_end.h"
 #include "tb/equiv/referee.h"
+#include "tb/full/readable.h"
 #include "tb/nets/runs.h"
 #include "tb/program/registry.h"
 #include "tb/proof/rtl_nets.h"
@@ -31,35 +32,8 @@ using nets::no;
 
 constexpr int time_for_one = 60;  // seconds
 
-equiv::Files files_of(const proof::Source& source) {
-  equiv::Files files;
-  files.files = source.files;
-  files.top = source.top;
-  for (const Parameter& p : source.parameters) {
-    const auto given = source.constants.find(p.name);
-    files.parameters.push_back(
-        fmt::format("{}={}", p.name, given == source.constants.end() ? to_text(p) : given->second));
-  }
-  files.include_dirs = source.include_dirs;
-  files.defines = source.defines;
-  return files;
-}
-
-// Of the files, of what may be included in them, and of how they are read.
 std::string key_of(const nets::Model& model, const proof::Source& source) {
-  std::set<fs::path> folders(source.include_dirs.begin(), source.include_dirs.end()), all;
-  for (const fs::path& file : source.files) {
-    all.insert(file);
-    folders.insert(fs::absolute(file).parent_path());
-  }
-  constexpr std::uintmax_t most = 10'000'000;  // bytes of what is read beside the sources
-  for (const fs::path& folder : folders) {
-    for (const auto& entry : fs::directory_iterator(folder)) {
-      if (entry.is_regular_file() && entry.file_size() < most) all.insert(entry.path());
-    }
-  }
-  std::string key = COSIM_REFEREE_VERSION + proof::commands_to_elaborate(source);
-  for (const fs::path& file : all) key += file.string() + hash_of_file(file.string());
+  std::string key = COSIM_REFEREE_VERSION + hash_of_rtl(source);
   for (const nets::Wire& w : model.machine.registers) key += w.field.net + std::string("\n");
   return hash_of(key);
 }

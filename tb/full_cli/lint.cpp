@@ -92,7 +92,8 @@ int run(const Words& words) {
   bool clean = true;
   for (const AnyBench* bench : chosen_shapes(words)) {
     const Scratch scratch;
-    const proof::Source source = source_of(*bench);
+    proof::Source source = machine_of(*bench).source;
+    source.parameters = bench->parameters();
     bool verilator_reads = false, is_2005 = false;
     for (const std::string tool : {"verilator -Wall", "iverilog -Wall", "yosys check"}) {
       const bool is_verilator = tool.starts_with("verilator"), is_yosys = tool.starts_with("yosys");

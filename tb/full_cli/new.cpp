@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "model/core/input_error.h"
+#include "tb/equiv/front_end.h"
 #include "tb/full_cli/commands.h"
 #include "tb/new/new_sources.h"
 #include "tb/program/named_values.h"
@@ -125,6 +126,33 @@ std::string header_folder(const Sources& rtl) {
   return folder;
 }
 
+// What yosys cannot read may be read by slang: then what keeps the design unproved is none.
+void try_slang(Found& found, const RtlQuestion& asked, const std::string& headers,
+               const std::vector<std::string>& defines) {
+  if (found.unread.empty()) return;
+  if (!equiv::has_slang()) {
+    found.unread += "; scripts/setup systemverilog brings slang, which may";
+    return;
+  }
+  equiv::Files files;
+  for (const std::string& file : asked.files) files.files.push_back(asked.folder / file);
+  if (!headers.empty()) files.include_dirs = {asked.folder / headers};
+  files.top = found.top;
+  files.defines = defines;
+  for (const FoundParameter& p : asked.parameters) {
+    files.parameters.push_back(p.name + '=' + (p.is_text ? '"' + p.value + '"' : p.value));
+  }
+  try {
+    constexpr int seconds = 60;
+    equiv::verilog_by_slang(files, found.top, equiv::Budget(seconds));
+    found.unread.clear();
+  } catch (const InputError& error) {
+    found.unread = error.what();
+  } catch (const equiv::OutOfTime&) {
+    found.unread = found.top + ": slang takes too long";
+  }
+}
+
 // Copies what the design needs, and reads it there: by those names every program can be given them.
 struct BegunProject {
   Found found;
@@ -168,6 +196,7 @@ BegunProject begin_project(const NewOptions& o, const Draft& project) {
   question.options = options_of(o, begun.headers);
   question.top = rtl.top;
   begun.found = found_in(question);
+  try_slang(begun.found, question, begun.headers, o.defines);
   require_names(begun.found);
   return begun;
 }

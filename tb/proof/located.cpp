@@ -34,8 +34,11 @@ std::vector<RtlCell> located_fields(const RtlNets& rtl, const std::string& desig
     }
     const auto places =
         places_in(net, row, fmt::format("{}: {} {}", design, kind, row.front().net));
+    const bool is_array = row.size() > 1 && !row.front().is_word && net.words == 0;
+    const bool is_upward = is_array && rtl.is_upward(path);
     for (std::size_t i = 0; i < row.size(); ++i) {
-      const auto [word, low] = places[i];
+      auto [word, low] = places[i];
+      if (is_upward) low = net.width - low - row[i].width;
       all.push_back({word < 0 ? path : word_net(path, first + word), low, row[i].width});
     }
   }

@@ -72,6 +72,7 @@ RtlNets::RtlNets(const Source& source)
         run_yosys(flat_commands(source) + net_commands(source, scratch.path()), source.top);
         RtlNets nets = written_nets(scratch.path(), source);
         nets.asserts_ = !read_file((scratch.path() / kAsserts).string()).empty();
+        if (!source.written.empty()) nets.arrays_ = declared_arrays(source.files);
         return nets;
       }()) {}
 
@@ -116,6 +117,15 @@ int RtlNets::first_word(const std::string& memory) const {
     first = std::min(first.value_or(number), number);
   }
   return first.value_or(0);
+}
+
+bool RtlNets::is_upward(const std::string& array) const {
+  if (!arrays_) return false;
+  const auto known = arrays_->find(array.substr(array.rfind('.') + 1));
+  if (known == arrays_->end()) return false;  // parts of a vector
+  if (known->second != Order::both) return known->second == Order::upward;
+  throw InputError(
+      fmt::format("{}: {}: two arrays of this name count upward and downward", cells_.name, array));
 }
 
 std::vector<std::string> RtlNets::inputs() const {

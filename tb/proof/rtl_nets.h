@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "tb/nets/cells.h"
+#include "tb/proof/arrays.h"
 #include "tb/proof/yosys.h"
 
 namespace cosim::proof {
@@ -36,6 +37,9 @@ class RtlNets {
   int width(const std::string& wire) const;
   /// The number that the RTL gives the first word of a memory; 0 where there is no such memory.
   int first_word(const std::string& memory) const;
+  /// Whether element 0 of an array that has become one wire has the wire's highest bits. InputError
+  /// where it is declared in two ways.
+  bool is_upward(const std::string& array) const;
   /// The net of a bit of it, counted from the lowest.
   std::size_t net(const std::string& wire, int bit) const;
   /// The flip-flop that a net shows, by its number. Under an asynchronous reset a net that shows a
@@ -66,6 +70,7 @@ class RtlNets {
 
   nets::Cells cells_;
   bool asserts_ = false;
+  std::optional<std::map<std::string, Order>> arrays_;  ///< of RTL that slang has read
   std::map<std::string, Wire> wires_;
   std::map<std::string, std::size_t> numbers_;  // of nets, by name
   std::vector<std::optional<std::size_t>> shown_;

@@ -34,6 +34,9 @@ std::string kept_net(const std::string& name) {
 }
 
 std::string read_commands(const Source& source) {
+  if (!source.written.empty()) {
+    return fmt::format("read_verilog -sv {}; ", file_for_yosys(source.written));
+  }
   std::string options;
   for (const fs::path& folder : source.include_dirs)
     options += " " + word_for_yosys("-I" + folder.string());
@@ -50,6 +53,7 @@ std::string read_commands(const Source& source) {
 std::string commands_to_elaborate(const Source& source) {
   std::string commands =
       read_commands(source) + "hierarchy -check -top " + word_for_yosys(source.top);
+  if (!source.written.empty()) return commands;
   for (const Parameter& p : source.parameters) {
     commands += fmt::format(" -chparam {} {}", p.name, word_for_yosys(as_constant(source, p)));
   }

@@ -22,6 +22,9 @@ struct Source {
   std::vector<std::string> defines = {};  ///< "NAME" or "NAME=VALUE"
   /// Parameters that Verilog writes otherwise than as a plain number, as it does.
   std::map<std::string, std::string> constants = {};
+  /// Plain Verilog of the same, with its parameters, that yosys reads in place of the files, which
+  /// it cannot read; empty: none is needed.
+  std::filesystem::path written = {};
   /// A register's net may be the register and, where the reset is given, a constant.
   bool asynchronous_reset = false;
   /// It has several clocks, inputs that say whether they take their edge.

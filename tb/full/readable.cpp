@@ -1,0 +1,85 @@
+#include "tb/full/readable.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+
+#include "model/core/input_error.h"
+#include "tb/equiv/front_end.h"
+#include "tb/program/registry.h"
+#include "tb/support/hash.h"
+#include "tb/support/replace_file.h"
+
+namespace cosim::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int time_for_slang = 60;  // seconds
+
+}  // namespace
+
+equiv::Files files_of(const proof::Source& source) {
+  equiv::Files files;
+  files.files = source.files;
+  files.top = source.top;
+  for (const Parameter& p : source.parameters) {
+    const auto given = source.constants.find(p.name);
+    files.parameters.push_back(
+        fmt::format("{}={}", p.name, given == source.constants.end() ? to_text(p) : given->second));
+  }
+  files.include_dirs = source.include_dirs;
+  files.defines = source.defines;
+  return files;
+}
+
+std::string hash_of_rtl(const proof::Source& source) {
+  std::set<fs::path> folders(source.include_dirs.begin(), source.include_dirs.end()), all;
+  for (const fs::path& file : source.files) {
+    all.insert(file);
+    folders.insert(fs::absolute(file).parent_path());
+  }
+  constexpr std::uintmax_t most = 10'000'000;  // bytes of what is read beside the sources
+  for (const fs::path& folder : folders) {
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (entry.is_regular_file() && entry.file_size() < most) all.insert(entry.path());
+    }
+  }
+  std::string key = proof::commands_to_elaborate(source);
+  for (const fs::path& file : all) key += file.string() + hash_of_file(file.string());
+  return hash_of(key);
+}
+
+proof::Source readable(proof::Source source) {
+  const bool is_verilog = std::ranges::none_of(
+      source.files, [](const fs::path& file) { return file.extension() == ".sv"; });
+  if (is_verilog || !source.written.empty()) return source;
+  const fs::path kept =
+      fs::path(registry().build_folder()) / "slang" / (hash_of_rtl(source) + ".v");
+  if (!fs::exists(kept)) {
+    try {
+      proof::run_yosys(proof::commands_to_elaborate(source) + "; proc", source.top);
+      return source;
+    } catch (const InputError& error) {
+      if (!equiv::has_slang()) {
+        throw InputError(
+            fmt::format("{}; scripts/setup systemverilog brings slang, which may", error.what()));
+      }
+    }
+    std::string text;
+    try {
+      text = equiv::verilog_by_slang(files_of(source), source.top, equiv::Budget(time_for_slang));
+    } catch (const equiv::OutOfTime&) {
+      throw InputError(
+          fmt::format("{}: slang does not read it in {} s", source.top, time_for_slang));
+    }
+    fs::create_directories(kept.parent_path());
+    replace_file(kept.string(), text);
+  }
+  source.written = kept;
+  return source;
+}
+
+}  // namespace cosim::cli

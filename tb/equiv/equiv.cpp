@@ -7,11 +7,11 @@
 
 #include "model/core/input_error.h"
 #include "tb/equiv/clocks.h"
-#include "tb/equiv/front_end.h"
 #include "tb/equiv/ports.h"
 #include "tb/equiv/product.h"
 #include "tb/equiv/renamed.h"
 #include "tb/equiv/replay.h"
+#include "tb/equiv/slang.h"
 #include "tb/equiv/trust.h"
 #include "tb/equiv/unknown.h"
 #include "tb/proof/reach.h"

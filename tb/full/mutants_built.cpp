@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "model/core/input_error.h"
+#include "tb/full/machine_of.h"
 #include "tb/report/failure.h"
 #include "tb/support/quoted.h"
 #include "tb/support/replace_file.h"
@@ -16,13 +17,15 @@ namespace fs = std::filesystem;
 
 std::string built_mutants(const Registry& registry, const AnyBench& bench, std::uint64_t mutants) {
   const OnDemand& attacks = registry.attacks();
+  const fs::path written = source_of(bench).written;
+  const std::string option = written.empty() ? "" : " --written " + for_shell(written.string());
   build(registry, {attacks});
   const fs::path folder = fs::path(attacks.folder) / "mutants";
   fs::create_directories(folder);
   const fs::path file = folder / failure_name(bench, fmt::format("{} mutants", mutants));
   replace_file(file.string(),
-               fmt::format("#!/bin/sh\nexec {} {} {} \"$@\"\n", for_shell(path_of(attacks)),
-                           for_shell(bench.built_as()), mutants));
+               fmt::format("#!/bin/sh\nexec {} {} {}{} \"$@\"\n", for_shell(path_of(attacks)),
+                           for_shell(bench.built_as()), mutants, option));
   fs::permissions(file, fs::perms::owner_exec, fs::perm_options::add);
   return file.string();
 }

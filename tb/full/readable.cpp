@@ -7,7 +7,7 @@
 #include <set>
 
 #include "model/core/input_error.h"
-#include "tb/equiv/front_end.h"
+#include "tb/equiv/slang.h"
 #include "tb/program/registry.h"
 #include "tb/support/hash.h"
 #include "tb/support/replace_file.h"

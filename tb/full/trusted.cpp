@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "model/core/input_error.h"
-#include "tb/equiv/front_end.h"
 #include "tb/equiv/referee.h"
+#include "tb/equiv/slang.h"
 #include "tb/full/readable.h"
 #include "tb/nets/runs.h"
 #include "tb/program/registry.h"

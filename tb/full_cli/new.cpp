@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "model/core/input_error.h"
-#include "tb/equiv/front_end.h"
+#include "tb/equiv/slang.h"
 #include "tb/full_cli/commands.h"
 #include "tb/new/new_sources.h"
 #include "tb/program/named_values.h"

@@ -69,7 +69,7 @@ class Asked {
 };
 
 struct Options {
-  std::string shape, results, failures = "failures", prover = "scripts/prove";
+  std::string shape, results, written, failures = "failures", prover = "scripts/prove";
   std::optional<std::string> verilog, engines;
   std::optional<unsigned> draw;
   bool unproved = false, about = false;
@@ -138,6 +138,7 @@ int run(const Options& o, Cases (*cases)(const AnyBench&)) {
   proof::Source source = machine.source;
   source.parameters = bench.parameters();
   source.kept = registers_of(bench);
+  source.written = o.written;
   const Subject subject(bench, cases(bench), source, o.mutants);
   if (o.draw) {
     draw(subject, *o.draw, o.results);
@@ -176,6 +177,7 @@ int main_of_built(Cases (*cases)(const AnyBench&), int argc, char** argv) {
                  "Which prove; default cec,cadical, which have to agree; one alone decides by "
                  "itself")
       ->type_name("A,B");
+  app.add_option("--written", o.written, "Verilog of the RTL that yosys reads in its place");
   app.add_option("--prover", o.prover, "How a survivor's folder calls what proves");
   app.add_option("--failures", o.failures, "Where a survivor leaves its folder");
   app.add_option("--jobs", o.threads, "Threads")->check(CLI::Range(1, 1024));

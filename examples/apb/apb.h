@@ -2,85 +2,68 @@
 // clocks.
 #pragma once
 
-#include <optional>
+#include <cosim/stream.h>
 
-#include "model/core/stream.h"
+struct Apb {
+  struct Access {
+    Bit write;           // or it reads
+    UInt<2> reg;         // which register
+    Hex<UInt<32>> data;  // what is written
+  };
+  struct Result {
+    Hex<UInt<32>> data;  // prdata on the clock of pready
+  };
 
-namespace apb_model {
+  /// Begins an access with psel, sets penable a clock later, and holds both until pready.
+  struct Master {
+    struct Drives {
+      Bit psel = 0, penable = 0, pwrite = 0;
+      UInt<4> paddr = 0;
+      UInt<32> pwdata = 0;
+    };
+    struct Reads {
+      Bit pready;
+    };
+    bool is_selected = false, is_enabled = false;
 
-using namespace cosim;
+    Drives drive(const Access* access) {
+      if (access == nullptr) return {};
+      is_enabled = is_selected;
+      is_selected = true;
+      return {1, is_enabled, access->write, access->reg << 2, access->data};
+    }
+    bool took(const Reads& pins) {
+      if (!is_enabled || !pins.pready) return false;
+      is_selected = is_enabled = false;
+      return true;
+    }
+  };
 
-struct Params {};
+  /// Sees what is read; pready is only set on the last clock of an access.
+  struct Reader {
+    struct Reads {
+      Bit pready;
+      UInt<32> prdata;
+    };
+    std::optional<Result> came(const Reads& pins) {
+      if (!pins.pready) return {};
+      return Result{pins.prdata};
+    }
+  };
 
-#define APB_ACCESS(FIELD)                     \
-  FIELD(write, 1, flag, "", "or it reads")    \
-  FIELD(reg, 2, number, "", "which register") \
-  FIELD(data, 32, bits, "", "what is written")
-#define APB_RESULT(FIELD) FIELD(data, 32, bits, "", "prdata on the clock of pready")
-COSIM_RECORD(Access, APB_ACCESS, Params);
-COSIM_RECORD(Result, APB_RESULT, Params);
+  static constexpr auto in() { return stream<Access, Master>("access"); }
+  static constexpr auto out() { return stream<Result, Reader>("result"); }
+  static constexpr auto pins() { return std::array{pin::reset_low("presetn")}; }
 
-/// Begins an access with psel, sets penable a clock later, and holds both until pready.
-class Master {
- public:
-  static constexpr auto drives(const Params&) {
-    return std::array{pin::wire("psel"), pin::wire("penable"), pin::wire("pwrite"),
-                      pin::wire("paddr", 4), pin::wire("pwdata", 32)};
-  }
-  static constexpr auto reads(const Params&) { return std::array{pin::wire("pready")}; }
-
-  void drive(const Access<Word>* access, std::span<Word> pins) {
-    if (access == nullptr) return;  // all pins are 0
-    enabled_ = selected_;
-    selected_ = true;
-    pins[0] = 1;
-    pins[1] = enabled_ ? 1 : 0;
-    pins[2] = access->write;
-    pins[3] = access->reg << 2;
-    pins[4] = access->data;
-  }
-  bool took(std::span<const Word> pins) {
-    if (!enabled_ || pins[0] == 0) return false;
-    selected_ = enabled_ = false;
-    return true;
-  }
-
- private:
-  bool selected_ = false, enabled_ = false;
-};
-
-/// Sees what is read; pready is only set on the last clock of an access.
-class Reader {
- public:
-  static constexpr std::array<Pin, 0> drives(const Params&) { return {}; }
-  static constexpr auto reads(const Params&) {
-    return std::array{pin::wire("pready"), pin::wire("prdata", 32)};
-  }
-  void drive(bool, std::span<Word>) {}
-  std::optional<Result<Word>> came(std::span<const Word> pins) {
-    if (pins[0] == 0) return {};
-    return Result<Word>{pins[1]};
-  }
-};
-
-struct Design {
-  using Params = apb_model::Params;
-  static constexpr const char* name = "apb";
-  static constexpr std::array<Parameter, 0> parameters(const Params&) { return {}; }
-  static constexpr auto in(const Params&) { return stream<Access>("access").by<Master>(); }
-  static constexpr auto out(const Params&) { return stream<Result>("result").by<Reader>(); }
-  static constexpr auto pins(const Params&) { return std::array{pin::reset_low("presetn")}; }
-
-  static std::vector<Result<Word>> run(const Params&, const std::vector<Access<Word>>& accesses) {
-    Word held[2] = {0, 0}, count = 0;
-    std::vector<Result<Word>> results;
-    for (const Access<Word>& access : accesses) {
-      const Word all[4] = {held[0], held[1], low_bits(held[0] + held[1], 32), count++};
-      results.push_back({all[access.reg]});
-      if (access.write != 0 && access.reg < 2) held[access.reg] = access.data;
+  static std::vector<Result> run(const std::vector<Access>& accesses) {
+    Array<UInt<32>, 4> held = 0;  // two registers, their sum, and the number of accesses
+    std::vector<Result> results;
+    for (const Access& access : accesses) {
+      held[2] = held[0] + held[1];
+      results.push_back({held[access.reg]});
+      if (access.write && access.reg < 2) held[access.reg] = access.data;
+      ++held[3];
     }
     return results;
   }
 };
-
-}  // namespace apb_model

@@ -1,9 +1,7 @@
 // Both models of async_fifo.v: what it does on every clock, and what goes through it.
 #pragma once
 
-#include <cosim/model.h>
-
-#include "model/core/stream.h"
+#include <cosim/stream.h>
 
 /// WIDTH: bits of a word, 1 to 64. BITS: of a word's number in the queue, 2 to 4.
 template <int WIDTH, int BITS>
@@ -64,33 +62,13 @@ struct AsyncFifo {
 
   /// What stands at the output of an empty queue means nothing.
   auto compared(const In&, const Out& out) const { return stated({{"r_data", out.r_valid}}); }
+
+  /// What goes through it: a stream whose two sides have each a clock of their own.
+  struct Item {
+    Word data;  // a word
+  };
+  static constexpr auto in() { return stream<Item>("w").clock("w_clk"); }
+  static constexpr auto out() { return stream<Item>("r").clock("r_clk"); }
+  static constexpr auto pins() { return std::array{pin::reset_low("rst_n")}; }
+  static std::vector<Item> run(const std::vector<Item>& in) { return in; }
 };
-
-namespace async_fifo_model {
-
-using namespace cosim;
-
-struct Params {
-  int width, bits;
-};
-
-/// What goes through it.
-#define ASYNC_FIFO_ITEM(FIELD) FIELD(data, p.width, bits, "", "a word")
-COSIM_RECORD(Item, ASYNC_FIFO_ITEM, Params);
-
-/// A stream, whose two sides have each a clock of their own: all that goes in comes out.
-struct Design {
-  using Params = async_fifo_model::Params;
-  static constexpr const char* name = "async_fifo";
-  static constexpr std::array<Parameter, 2> parameters(const Params& p) {
-    return {{{"WIDTH", p.width}, {"BITS", p.bits}}};
-  }
-  static constexpr auto in(const Params&) { return stream<Item>("w").clock("w_clk"); }
-  static constexpr auto out(const Params&) { return stream<Item>("r").clock("r_clk"); }
-  static constexpr auto pins(const Params&) { return std::array{pin::reset_low("rst_n")}; }
-  static std::vector<Item<Word>> run(const Params&, const std::vector<Item<Word>>& in) {
-    return in;
-  }
-};
-
-}  // namespace async_fifo_model

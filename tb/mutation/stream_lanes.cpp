@@ -30,7 +30,7 @@ void StreamLanes::look_at(const StreamShape& shape) {
     for (const Interface& i : *side) {
       const auto valid = find(i.valid);
       for (const std::string* port : {&i.ready, &i.credit, &i.done}) find(*port);
-      for (const Pin& p : i.own.reads) find(p.port);
+      for (const Field& f : i.own.reads) find(f.name);
       for (const Field& f : i.cells) {
         if (!i.goes_in) find(f.name, valid);
       }

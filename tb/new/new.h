@@ -39,11 +39,19 @@ class TakenNames {
 /// InputError, one line, for files that a project cannot hold: two of one name, one of a name that
 /// it has itself or that CMake would not take, one with a byte-order mark.
 void require_files(const std::string& name, const Sources& sources);
-/// The same for names in the RTL that cannot be written in a table.
+/// The same for names in the RTL that no model can have.
 void require_names(const Found& found);
-/// A size in C++, or the number alone: "p.WIDTH + 1", where `name` makes p.WIDTH of WIDTH.
+/// A size in C++, or the number alone: "WIDTH + 1", where `name` makes WIDTH of WIDTH.
 std::string text_of(const FoundSize& size,
                     const std::function<std::string(const std::string&)>& name);
+/// The same in a model of a struct.
+std::string text_of(const FoundSize& size);
+/// The type of a net in such a model: "UInt<WIDTH + 1>".
+std::string type_of(const FoundNet& net);
+/// The line before the struct with its parameters; none where it has none.
+std::string template_of(const Found& found);
+/// Names that a member of a struct in it cannot have.
+std::string taken_in(const std::string& title, const Found& found);
 /// The widest elements of equal width, at most 64 bits, that make up a word of a memory.
 int part_of(const FoundNet& memory);
 
@@ -53,7 +61,7 @@ struct BegunModel {
   std::vector<std::string> left;  ///< what is left to be done, sentences
 };
 BegunModel lockstep_model(const std::string& name, const Found& found);
-/// The name of its struct.
+/// The name of the struct of either.
 std::string struct_of(const std::string& name, const Found& found);
 /// InputError where no streams are found among its ports.
 BegunModel stream_model(const std::string& name, const Found& found);

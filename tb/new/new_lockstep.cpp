@@ -34,7 +34,6 @@ struct Member {
 std::string parameter(const std::string& name) {
   return TakenNames(std::string(types) + others).other_than(name);
 }
-std::string text_of(const FoundSize& size) { return cli::text_of(size, parameter); }
 
 // A number of RTL, from its hexadecimal digits.
 std::string bits_of(const std::string& hex, int high, int low) {
@@ -89,19 +88,6 @@ class Names {
  private:
   TakenNames taken_;
 };
-
-std::string type_of(const FoundNet& net) {
-  if (net.edge != Edge::none) return net.edge == Edge::rising ? "Rises" : "Falls";
-  const bool is_split = net.words.number != 0 && part_of(net) != net.width.number;
-  const FoundSize width = is_split ? FoundSize{part_of(net)} : net.width;
-  std::string type = width.number == 1 && width.text.empty()
-                         ? "Bit"
-                         : fmt::format("{}Int<{}>", net.is_signed ? "" : "U", text_of(width));
-  if (net.words.number == 0) return type;
-  const int each = is_split ? net.width.number / width.number : 1;
-  const std::string words = is_split ? std::to_string(net.words.number * each) : text_of(net.words);
-  return fmt::format("Array<{}, {}>", type, words);
-}
 
 Member member_of(const FoundNet& net, const std::string& name, const std::string& at) {
   Member m{name, type_of(net), net};
@@ -285,8 +271,37 @@ void require_few(const std::vector<Member>& members, const std::string& of, cons
 
 }  // namespace
 
+std::string type_of(const FoundNet& net) {
+  if (net.edge != Edge::none) return net.edge == Edge::rising ? "Rises" : "Falls";
+  const bool is_split = net.words.number != 0 && part_of(net) != net.width.number;
+  const FoundSize width = is_split ? FoundSize{part_of(net)} : net.width;
+  std::string type = width.number == 1 && width.text.empty()
+                         ? "Bit"
+                         : fmt::format("{}Int<{}>", net.is_signed ? "" : "U", text_of(width));
+  if (net.words.number == 0) return type;
+  const int each = is_split ? net.width.number / width.number : 1;
+  const std::string words = is_split ? std::to_string(net.words.number * each) : text_of(net.words);
+  return fmt::format("Array<{}, {}>", type, words);
+}
+
+std::string text_of(const FoundSize& size) { return text_of(size, parameter); }
+
+std::string template_of(const Found& found) {
+  std::vector<std::string> all;
+  for (const FoundParameter& p : found.parameters) {
+    all.push_back((p.is_text ? "Text " : "int ") + parameter(p.name));
+  }
+  return all.empty() ? "" : fmt::format("template <{}>\n", fmt::join(all, ", "));
+}
+
+std::string taken_in(const std::string& title, const Found& found) {
+  std::string taken = types + title;
+  for (const FoundParameter& p : found.parameters) taken += ' ' + parameter(p.name);
+  return taken;
+}
+
 std::string struct_of(const std::string& name, const Found& found) {
-  TakenNames taken(std::string(types) + others);
+  TakenNames taken(std::string(types) + others + " Stream Pin");
   for (const FoundParameter& p : found.parameters) taken.insert(p.name);
   const std::string word = in_one_word(name);
   return taken.contains(word) ? word + "Model" : word;
@@ -311,12 +326,7 @@ BegunModel lockstep_model(const std::string& name, const Found& f) {
         "no reset is found: it begins at its initial values; --reset PIN names one");
   }
   const std::string title = struct_of(name, f);
-  std::string taken = types + title;
-  std::vector<std::string> parameters;
-  for (const FoundParameter& p : f.parameters) {
-    taken += ' ' + parameter(p.name);
-    parameters.push_back((p.is_text ? "Text " : "int ") + parameter(p.name));
-  }
+  const std::string taken = taken_in(title, f);
   const auto inputs = ports_of(f.inputs, taken), outputs = ports_of(f.outputs, taken);
   const auto registers = registers_of(nets, taken + ' ' + others);
   require_few(inputs, f.top, "inputs");
@@ -332,8 +342,7 @@ BegunModel lockstep_model(const std::string& name, const Found& f) {
   if (std::max({inputs.size(), outputs.size(), registers.size()}) > 64) {
     text += "#include <cosim/many_members.h>\n";
   }
-  text += '\n';
-  if (!parameters.empty()) text += fmt::format("template <{}>\n", fmt::join(parameters, ", "));
+  text += '\n' + template_of(f);
   text += fmt::format("struct {} {{\n", title) + struct_text("In", inputs) +
           struct_text("Out", outputs) + reset_of(f, inputs);
   if (f.asynchronous && !has_reset_at_once(f)) {

@@ -28,7 +28,7 @@ FirstDesign first_design(const std::string& name, NewModel model) {
   const std::string call = name + " SOURCES " + name + ".v MODEL " + name + ".h SHAPES ";
   if (streams) {
     return {"a filter", named(fir_rtl), named(fir_model),
-            call + "\"W=8 STAGES=1\" \"W=12 STAGES=3\" UNPROVED"};
+            call + "\"W=8 STAGES=1\" \"W=12 STAGES=3\""};
   }
   return {"a counter", named(counter_rtl), named(counter_model),
           call + "\"W=8\"" + (model == NewModel::unproved ? " UNPROVED" : "")};
@@ -58,14 +58,14 @@ std::string design_of(const std::string& name, const Found& f,
   }
   text += fmt::format(" MODEL {}.h", name);
   const std::string type = struct_of(name, f);
-  if (model != NewModel::stream && type != in_one_word(name)) text += " STRUCT " + type;
+  if (type != in_one_word(name)) text += " STRUCT " + type;
   std::string shape;
   for (const FoundParameter& p : f.parameters) {
     shape += fmt::format("{}{}={}", shape.empty() ? "" : " ", p.name, p.value);
   }
   if (!shape.empty()) text += fmt::format(" SHAPES \"{}\"", shape);
-  return model == NewModel::proved && f.unread.empty() && !f.has_inner_reset() ? text
-                                                                               : text + " UNPROVED";
+  const bool is_proved = model == NewModel::proved && f.unread.empty() && !f.has_inner_reset();
+  return is_proved || model == NewModel::stream ? text : text + " UNPROVED";
 }
 
 std::string cmake_of(const std::string& name, const std::string& design) {

@@ -12,9 +12,9 @@
 namespace cosim::cli {
 namespace {
 
-// A row of a table.
-struct StreamRow {
-  std::string field;  // its name in the model
+// A field of what passes.
+struct StreamField {
+  std::string name;  // in the model
   FoundNet net;
   bool elsewhere = false;  // where the RTL has it does not follow from that name
 };
@@ -24,7 +24,7 @@ struct FoundStream {
   std::string prefix;  // of its ports
   std::string valid;   // the ports themselves; empty where there are none
   std::string ready = {}, credit = {}, done = {};
-  std::vector<StreamRow> rows = {};
+  std::vector<StreamField> fields = {};
 
   bool starts() const { return valid == "start" || valid == "done"; }
   std::string name() const {
@@ -33,73 +33,17 @@ struct FoundStream {
     while (name.ends_with('_')) name.pop_back();
     return name.empty() ? (goes_in ? "in" : "out") : name;
   }
-  std::string table() const { return upper(name()); }
   std::string record() const { return in_one_word(name()) + "Data"; }
 };
 
-// What records and their templates have (model/core/record.h).
-const TakenNames& taken() {
-  static const TakenNames all(
-      "V p Inputs Outputs State Table Index size Self members fields trim select index_end Record "
-      "Params has_arrays FIELD Word each_member Visit select_record Condition Field");
-  return all;
-}
-
-std::string param_of(const std::string& name) { return taken().other_than(name); }
-std::string size_of(const FoundSize& size) {
-  const std::string text =
-      cli::text_of(size, [](const std::string& name) { return "p." + param_of(name); });
-  const std::size_t at = text.find("clog2(");
-  return at == std::string::npos ? text
-                                 : text.substr(0, at) + "detail::bits_for" + text.substr(at + 5);
-}
-
-std::string text_of(const StreamRow& row) {
-  const FoundNet& net = row.net;
-  const int width = net.width.number, words = net.words.number;
-  std::string format = width == 1 && net.width.text.empty() ? "flag" : "bits";
-  std::string shown = size_of(net.width);
-  if (words == 0 && width > 64) {
-    format += fmt::format(".words<{}>()", (width + 63) / 64);
-  } else if (words != 0 && part_of(net) != width) {
-    shown = std::to_string(part_of(net));
-    format += fmt::format(".array<{}>()", words * (width / part_of(net)));
-  } else if (words != 0) {
-    format +=
-        fmt::format(".array<{}>({})", words, net.words.text.empty() ? "" : size_of(net.words));
+std::string text_of(const FoundStream& s) {
+  std::string text = fmt::format("  struct {} {{\n", s.record());
+  for (const StreamField& f : s.fields) {
+    const std::string type = type_of(f.net);
+    text += f.elsewhere ? fmt::format("    At<\"{}\", {}> {};\n", f.net.name, type, f.name)
+                        : fmt::format("    {} {};\n", type, f.name);
   }
-  if (row.elsewhere) format += fmt::format(".at(\"{}\")", net.name);
-  return fmt::format("FIELD({}, {}, {}, \"\", \"\")", row.field, shown, format);
-}
-
-std::string table_of(const std::string& name, const std::vector<StreamRow>& rows) {
-  std::string text = fmt::format("#define {}(FIELD)", name);
-  for (const StreamRow& row : rows) text += " \\\n  " + text_of(row);
-  return text + '\n';
-}
-
-// The members of struct Params.
-std::string params_of(const Found& found) {
-  std::string members;
-  for (const FoundParameter& p : found.parameters) {
-    members += p.is_text ? fmt::format("  const char* {} = \"{}\";\n", param_of(p.name), p.value)
-                         : fmt::format("  int {} = {};\n", param_of(p.name), p.value);
-  }
-  return "struct Params {\n" + members + "};\n";
-}
-
-// The function parameters() of struct Design; nothing where there are none.
-std::string parameters_of(const Found& found) {
-  std::string pairs;
-  for (const FoundParameter& p : found.parameters) {
-    pairs += fmt::format("{}{{\"{}\", p.{}}}", pairs.empty() ? "" : ", ", p.name, param_of(p.name));
-  }
-  if (pairs.empty()) return "";
-  return fmt::format(
-      "  static constexpr std::array<Parameter, {}> parameters(const Params& p) {{\n"
-      "    return {{{{{}}}}};\n"
-      "  }}\n",
-      found.parameters.size(), pairs);
+  return text + "  };\n";
 }
 
 // A port's name without the direction that some put behind it.
@@ -158,7 +102,8 @@ bool is_reset(const Found& f, const std::string& port) {
 }
 
 // Gives each port to the stream of its direction with the longest prefix; those left are returned.
-std::vector<FoundNet> share_out(std::vector<FoundStream>& streams, const Found& f, bool goes_in) {
+std::vector<FoundNet> share_out(std::vector<FoundStream>& streams, const Found& f, bool goes_in,
+                                const TakenNames& taken) {
   std::vector<FoundNet> left;
   for (const FoundNet& port : goes_in ? f.inputs : f.outputs) {
     const std::string stem = stem_of(port.name);
@@ -179,8 +124,8 @@ std::vector<FoundNet> share_out(std::vector<FoundStream>& streams, const Found& 
     }
     std::string field = stem.substr(owner->prefix.size());
     if (std::isdigit(static_cast<unsigned char>(field.front())) != 0) field = stem;
-    field = taken().other_than(field);
-    owner->rows.push_back({field, port, port.name != owner->prefix + field});
+    field = taken.other_than(field);
+    owner->fields.push_back({field, port, port.name != owner->prefix + field});
   }
   return left;
 }
@@ -226,7 +171,7 @@ std::string pins_of(const Found& f, const std::vector<FoundNet>& tied,
   }
   const auto width = [](const FoundNet& n) {
     const bool is_bit = n.width.number == 1 && n.width.text.empty();
-    return is_bit ? "" : ", " + size_of(n.width);
+    return is_bit ? "" : ", " + text_of(n.width);
   };
   for (const FoundNet& n : tied)
     pins.push_back(fmt::format("pin::tied(\"{}\", 0{})", n.name, width(n)));
@@ -234,7 +179,7 @@ std::string pins_of(const Found& f, const std::vector<FoundNet>& tied,
     pins.push_back(fmt::format("pin::unread(\"{}\"{})", n.name, width(n)));
   if (pins.empty()) return "";
   return fmt::format(
-      "  static constexpr auto pins([[maybe_unused]] const Params& p) {{\n"
+      "  static constexpr auto pins() {{\n"
       "    return std::array{{{}}};\n"
       "  }}\n",
       fmt::join(pins, ",\n                      "));
@@ -250,9 +195,11 @@ std::string tuple_of(const std::vector<std::string>& all, const char* tuple, con
 }  // namespace
 
 BegunModel stream_model(const std::string& name, const Found& f) {
+  const std::string title = struct_of(name, f);
   std::vector<FoundStream> streams = streams_of(f);
-  const std::vector<FoundNet> tied = share_out(streams, f, true);
-  const std::vector<FoundNet> unread = share_out(streams, f, false);
+  TakenNames taken(taken_in(title, f));
+  const std::vector<FoundNet> tied = share_out(streams, f, true, taken);
+  const std::vector<FoundNet> unread = share_out(streams, f, false, taken);
 
   BegunModel model;
   model.left.push_back("run() is to be written");
@@ -260,18 +207,16 @@ BegunModel stream_model(const std::string& name, const Found& f) {
   for (const FoundNet& n : tied) {
     model.left.push_back(n.name + " is tied to 0; what belongs to a transaction is a field of it");
   }
-  std::string tables, records;
+  std::string records;
   std::vector<std::string> in, out, given, results;
   for (const FoundStream& s : streams) {
-    if (s.rows.empty()) {
+    if (s.fields.empty()) {
       throw InputError(
           fmt::format("new: {}: the stream {} has no port for what passes", f.top, s.name()));
     }
-    const std::string table = upper(name) + '_' + s.table();
-    tables += table_of(table, s.rows);
     if (!s.credit.empty())
       model.left.push_back("how many credits " + s.name() + " has is to be said");
-    records += fmt::format("COSIM_RECORD({}, {}, Params);\n", s.record(), table);
+    records += text_of(s);
     std::string clock = f.clocks.size() > 1 ? clock_like(s, f) : "";
     if (f.clocks.size() > 1 && clock.empty()) {
       clock = f.clocks.front().name;
@@ -279,42 +224,34 @@ BegunModel stream_model(const std::string& name, const Found& f) {
                            clock);
     }
     (s.goes_in ? in : out).push_back(text_of(s, clock));
-    const std::string all = fmt::format("std::vector<{}<Word>>", s.record());
+    const std::string all = fmt::format("std::vector<{}>", s.record());
     if (s.goes_in) {
-      given.push_back(fmt::format("[[maybe_unused]] const {}& {}", all, s.name()));
+      given.push_back(
+          fmt::format("[[maybe_unused]] const {}& {}", all, taken.other_than(s.name())));
     } else {
       results.push_back(all);
     }
   }
   model.text = fmt::format(
-      "// What comes out of {0} for what goes in.\n"
+      "// What comes out of {} for what goes in.\n"
       "#pragma once\n\n"
-      "#include \"model/core/stream.h\"\n\n"
-      "namespace {0}_model {{\n\n"
-      "using namespace cosim;\n\n"
-      "{1}\n"
-      "// FIELD(name, width, format, its number in a printed source, meaning)\n"
-      "{2}{3}\n"
-      "struct Design {{\n"
-      "  using Params = {0}_model::Params;\n"
-      "  static constexpr const char* name = \"{0}\";\n"
-      "{4}"
-      "  static constexpr auto in(const Params&) {{\n"
-      "    return {5};\n"
+      "#include <cosim/stream.h>\n\n"
+      "{}struct {} {{\n"
+      "{}"
+      "  static constexpr auto in() {{\n"
+      "    return {};\n"
       "  }}\n"
-      "  static constexpr auto out(const Params&) {{\n"
-      "    return {6};\n"
+      "  static constexpr auto out() {{\n"
+      "    return {};\n"
       "  }}\n"
-      "{7}\n"
-      "  static {8} run(\n"
-      "      [[maybe_unused]] const Params& p,\n"
-      "      {9}) {{\n"
+      "{}\n"
+      "  static {} run(\n"
+      "      {}) {{\n"
       "    // To be written: all that must come out, in its order.\n"
       "    return {{}};\n"
       "  }}\n"
-      "}};\n\n"
-      "}}  // namespace {0}_model\n",
-      name, params_of(f), tables, records, parameters_of(f), tuple_of(in, "std::tuple", "{", "}"),
+      "}};\n",
+      f.top, template_of(f), title, records, tuple_of(in, "std::tuple", "{", "}"),
       tuple_of(out, "std::tuple", "{", "}"), pins_of(f, tied, unread),
       tuple_of(results, "std::tuple", "<", ">"), fmt::join(given, ",\n      "));
   return model;

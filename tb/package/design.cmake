@@ -9,14 +9,16 @@
 #     [CLOCK port | CLOCKS port... | COMBINATIONAL]
 #                                  its clock; default clk; or several; or it has no register
 #     [INCLUDE_DIRS folder...] [DEFINES name[=value]...]
-#     MODEL header...              the struct that is its golden model, model/clocked/model.h
+#     MODEL header...              the struct that is its golden model, model/clocked/model.h, or its model
+#                                  of streams, model/clocked/stream.h
 #     [STRUCT name]                its name; default NAME in one word: AsyncFifo of async_fifo
-#     [NAMESPACE space]            where a model of streams defines struct Design; default NAME_model
+#     [NAMESPACE space]            of a model of tables, where it defines struct Design; default NAME_model
 #     [SHAPES "W=8 M=8'h1F"...]    parameters of the top, one build each: numbers, constants, words
 #                                  (MODE=FAST is a text); none: as the RTL has them
 #     [NETLISTS file.v...]         one a shape, simulated in place of SOURCES; their registers are wires
 #     [LIBRARIES target...]        what the model needs besides its headers
-#     [UNPROVED])                  no proof: the model cannot be exported, or yosys cannot read the RTL
+#     [UNPROVED])                  no proof: the model cannot be exported, or yosys cannot read the RTL; a
+#                                  model of streams alone is
 #
 #   cosim_add_program(TARGET       a program with every command for all designs added so far
 #     [SOURCES file.cpp...] [LIBRARIES target...]
@@ -33,8 +35,7 @@
 #                                  model must not differ on it
 #
 # The parameters of a shape are the template parameters of the struct, by their position: integers, or
-# Text (of a model of streams, those of Params: int, or const char*). Paths are relative to the folder
-# that calls. RTL with a clock that is no input, both edges of one, a latch, a combinational loop or a
+# Text. Paths are relative to the folder that calls. RTL with a clock that is no input, both edges of one, a latch, a combinational loop or a
 # bidirectional port is refused, in a line that names the net.
 #
 # One clock rises on each step and is no input of the model. Of several, or of one whose falling edge the
@@ -257,7 +258,7 @@ function(cosim_add_design NAME)
     if(NOT D_CLOCKS)
       set(rtl_of_clocks "")
     endif()
-    set(trait_streams "")
+    set(trait_model "")
     if(is_struct)
       cosim_struct_shape()
     endif()
@@ -272,7 +273,7 @@ function(cosim_add_design NAME)
       "  static constexpr const char* registers = \"${rtl_of_registers}\";\n"
       "  static constexpr const char* resets = \"${rtl_of_resets}\";\n"
       "  static constexpr const char* outputs = \"${rtl_of_outputs}\";\n"
-      "${trait_streams}"
+      "${trait_model}"
       "};\n")
     string(APPEND ADD_BENCHES "  add_benches(all, add_shape<V${ID}, Trait_${ID}, open_library>);\n")
     string(APPEND ADD_MACHINES

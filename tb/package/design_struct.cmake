@@ -4,12 +4,17 @@ include_guard(GLOBAL)
 
 # All are to be called by cosim_add_design(), whose variables they use: the second for a shape. Sets
 # is_struct, for the text of the model, and then D_STRUCT and D_NAMESPACE, which gets the Design of the
-# struct; STREAMS is where there is one of a model of streams, else empty.
+# struct, and has_clock: whether it is a model of every clock. One of streams alone is UNPROVED.
 function(cosim_struct)
-  string(FIND "${model_text}" "#include <cosim/model.h>" at)
   set(is_struct FALSE PARENT_SCOPE)
-  if(at EQUAL -1)
+  if(NOT model_text MATCHES "#include <cosim/(model|stream)[.]h>")
     return()
+  endif()
+  set(has_clock TRUE PARENT_SCOPE)
+  string(REGEX REPLACE "//[^\n]*" "" code "${model_text}")
+  if(code MATCHES "#include <cosim/stream[.]h>" AND NOT code MATCHES "[^.A-Za-z0-9_]clock *[(]")
+    set(has_clock FALSE PARENT_SCOPE)
+    set(D_UNPROVED TRUE PARENT_SCOPE)
   endif()
   if(NOT D_STRUCT)
     string(REPLACE "_" ";" words ${NAME})
@@ -20,13 +25,8 @@ function(cosim_struct)
       string(APPEND D_STRUCT "${letter}${word}")
     endforeach()
   endif()
-  set(STREAMS "")
-  if(model_text MATCHES "\n *struct Design[ {]")
-    set(STREAMS ${D_NAMESPACE})
-  endif()
   set(is_struct TRUE PARENT_SCOPE)
   set(D_STRUCT ${D_STRUCT} PARENT_SCOPE)
-  set(STREAMS "${STREAMS}" PARENT_SCOPE)
   set(D_NAMESPACE cosim::struct_${NAME} PARENT_SCOPE)
 endfunction()
 
@@ -50,17 +50,7 @@ function(cosim_struct_shape)
     set(struct_${text} "${struct_${text}}" PARENT_SCOPE)
   endforeach()
   set(EXPORTS "${EXPORTS}" PARENT_SCOPE)
-  set(trait_streams "" PARENT_SCOPE)
-  if(STREAMS)
-    string(CONCAT trait_streams
-      "  struct Streams;\n"
-      "};\n"
-      "struct Trait_${ID}::Streams : Trait_${ID} {\n"
-      "  using Design = ::${STREAMS}::Design;\n"
-      "  static constexpr bool is_beside_clocks = true;\n"
-      "  static constexpr Design::Params params{${shape_values}};\n")
-    set(trait_streams "${trait_streams}" PARENT_SCOPE)
-  endif()
+  set(trait_model "  using Model = ${type};\n" PARENT_SCOPE)
   set(shape_values ${shape_number} PARENT_SCOPE)  # its number in place of its parameters
   list(LENGTH shape_names count)
   set(shape_count ${count} PARENT_SCOPE)
@@ -69,9 +59,16 @@ function(cosim_struct_shape)
 endfunction()
 
 function(cosim_struct_design)
+  if(has_clock)
+    set(header model/clocked/design.h)
+    set(design DesignOf)
+  else()
+    set(header model/core/fields.h)
+    set(design StreamDesign)
+  endif()
   string(PREPEND SHAPES
     "}  // namespace cosim\n"
-    "#include \"model/clocked/design.h\"\n"
+    "#include \"${header}\"\n"
     "namespace ${D_NAMESPACE} {\n"
     "using cosim::Parameter;\n"
     "struct Says {\n"
@@ -81,10 +78,13 @@ function(cosim_struct_design)
     "    ${struct_parameters}}};\n"
     "  static constexpr std::array files{${struct_files}};\n"
     "};\n"
-    "using Design = cosim::clocked::DesignOf<Says${struct_shapes}>;\n"
+    "using Design = cosim::clocked::${design}<Says${struct_shapes}>;\n"
     "}  // namespace ${D_NAMESPACE}\n"
     "namespace cosim {\n\n")
   set(SHAPES "${SHAPES}" PARENT_SCOPE)
+  if(NOT has_clock)
+    return()
+  endif()
   set(folder ${CMAKE_CURRENT_BINARY_DIR}/exported)
   file(MAKE_DIRECTORY ${folder})
   set(source ${CMAKE_CURRENT_BINARY_DIR}/${NAME}_export.cpp)

@@ -10,37 +10,20 @@
 #include "tb/dut/named_adapter.h"
 #include "tb/dut/open_dut.h"
 #include "tb/dut/registers.h"
-#ifdef COSIM_STREAMS  // the model, which is read before, has read model/core/stream.h
+#ifdef COSIM_STREAMS  // the model, which is read before, has read model/clocked/stream.h
 #include "tb/stream/stream_bench.h"
 #endif
 
 namespace cosim {
 
-/// Of a shape, what has the Design of its streams.
-template <class Trait>
-struct StreamsOf {
-  using Streams = Trait;
-};
-template <class Trait>
-requires requires { typename Trait::Streams; }
-struct StreamsOf<Trait> {
-  using Streams = typename Trait::Streams;
-};
-
 /// Top: the Verilated class; open: that with its whole hierarchy open. Trait has Design, params,
-/// title and clock, and what the RTL's text says of its registers and resets. InputError where that
-/// does not fit a model in lockstep.
+/// title and clock, Model where it is a struct, and what the RTL's text says of its registers and
+/// resets. InputError where that does not fit a model in lockstep.
 template <class Top, class Trait>
 std::vector<std::unique_ptr<AnyBench>> named_benches(const OpenClass& open) {
   using Design = typename Trait::Design;
   std::vector<std::unique_ptr<AnyBench>> all;
-#ifdef COSIM_STREAMS
-  using Streams = typename StreamsOf<Trait>::Streams;
-  constexpr bool has_streams = HasStreams<typename Streams::Design>;
-#else
-  constexpr bool has_streams = false;
-#endif
-  if constexpr (!has_streams || StepsOn<Design, Word>) {
+  if constexpr (StepsOn<Design, Word>) {
     using Adapter = NamedAdapter<Top, Trait>;
     auto bench = std::make_unique<DesignBench<Design>>(
         dut_maker<Adapter>(), open_maker<Design>(open, Trait::params), fast_loop<Adapter>);
@@ -52,8 +35,8 @@ std::vector<std::unique_ptr<AnyBench>> named_benches(const OpenClass& open) {
     all.push_back(std::move(bench));
   }
 #ifdef COSIM_STREAMS
-  if constexpr (has_streams) {
-    all.push_back(std::make_unique<StreamBench<Streams, VerilatedStreamDut<Top>>>(open));
+  if constexpr (requires { requires clocked::HasStreams<typename Trait::Model>; }) {
+    all.push_back(std::make_unique<StreamBench<Trait, VerilatedStreamDut<Top>>>(open));
   }
 #endif
   return all;

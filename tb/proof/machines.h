@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "model/core/stream.h"
+#include "model/core/design.h"
 #include "tb/nets/exported.h"
 #include "tb/nets/jobs.h"
 #include "tb/nets/played.h"
@@ -46,7 +46,7 @@ BuiltMachine built_machine(Source source) {
   source.clocks_are_inputs = clocks_of<Design> != 0;
   if constexpr (requires { Trait::clocks; }) source.clocks_are_inputs |= *Trait::clocks != '\0';
   BuiltMachine machine{Trait::title, nullptr, std::move(source),
-                       HasStreams<Design> && !StepsOn<Design, Word>};
+                       !StepsOn<Design, Word>};
   if constexpr (requires { Trait::resets; }) {
     machine.resets_itself = std::string_view(Trait::resets).find("inner ") != std::string::npos;
   }

@@ -54,10 +54,12 @@ std::string small(std::string text) {
 
 using Names = std::set<std::string>;
 
-// The name that was meant; "" where none was.
-std::string meant(const std::string& name, const Names& known) {
+// The name that was meant; "" where none was. A name of three letters is meant where one is
+// missing, one too many, or one of another case, if there are any so short.
+std::string meant(const std::string& name, const Names& known, std::size_t shortest = 4) {
   const auto is_near = [&](const std::string& one) {
-    return one.size() >= 4 && edits(small(name), small(one)) <= (one.size() < 6 ? 1 : 2);
+    const int most = one.size() < 4 && name.size() == one.size() ? 0 : one.size() < 6 ? 1 : 2;
+    return one.size() >= shortest && edits(small(name), small(one)) <= most;
   };
   const auto one =
       known.contains(name) ? known.end() : std::find_if(known.begin(), known.end(), is_near);
@@ -107,25 +109,42 @@ void check_members(const Text& of, const Names& known) {
   }
 }
 
-// Looks at the functions, the types and the constants of a struct that has In: at its registers,
-// which have any name, it does not.
-void check_struct(const Text& of, const Names& known) {
+// What each kind of struct may have.
+struct StructNames {
+  Names clocks, streams, driver;
+};
+
+// Looks at the functions, the types and the constants of a struct that has In, that names a stream,
+// or that drives one: at its other members, which have any name, it does not.
+void check_struct(const Text& of, const StructNames& names) {
   static const Regex model("\\bstruct\\s+(\\w+)[^;{()]*\\{");
+  static const Regex has_in("\\bstruct\\s+In\\b"), has_stream("\\bstream\\s*<");
+  static const Regex driven("\\bstream\\s*<\\s*[A-Za-z0-9_:]+\\s*,\\s*([A-Za-z0-9_:]+)\\s*>");
+  Names drivers;
+  for (const Match& m : driven.all(of.text)) drivers.insert(m[1]);
   static const Regex member(
       "\\bstruct\\s+(\\w+)|\\bstatic\\s+constexpr\\b[^;={]*\\b(\\w+)\\s*[={]|(\\w+)\\s*\\(");
   for (const Match& m : model.all(of.text)) {
     std::string body;
     int depth = 0;
-    for (std::size_t at = m.end(); at < of.text.size() && depth >= 0; ++at) {
+    std::size_t at = m.end();
+    for (; at < of.text.size() && depth >= 0; ++at) {
       const char c = of.text[at];
       if (c == '}' || c == ')') --depth;
       body += depth == 0 || c == '\n' ? c : ' ';
       if (c == '{' || c == '(') ++depth;
     }
-    static const Regex has_in("\\bstruct\\s+In\\b");
-    if (!has_in.find(body)) continue;
+    const bool streams = bool(has_stream.find(of.text.substr(m.end(), at - m.end())));
+    Names known = streams ? names.streams : Names();
+    if (has_in.find(body)) known.insert(names.clocks.begin(), names.clocks.end());
+    if (drivers.contains(m[1])) known = names.driver;
+    Names types, others;
+    for (const std::string& one : known) {
+      (std::isupper(static_cast<unsigned char>(one.front())) != 0 ? types : others).insert(one);
+    }
     for (const Match& one : member.all(body)) {
-      const std::string name = one[1] + one[2] + one[3], is = meant(name, known);
+      const std::string name = one[1] + one[2] + one[3];
+      const std::string is = meant(name, one[1].empty() ? others : types, streams ? 3 : 4);
       if (!is.empty()) of.refuse(m.end() + one.begin(), name + " in struct " + m[1], is);
     }
   }
@@ -133,7 +152,8 @@ void check_struct(const Text& of, const Names& known) {
 
 struct Checked {
   fs::path root;
-  Names members = {}, functions = {}, met = {}, of_struct = {};
+  Names members = {}, functions = {}, met = {};
+  StructNames of_struct = {};
   std::string read = {};  // the files, as ninja wants them
 
   void learn(const fs::path& folder) {
@@ -147,8 +167,14 @@ struct Checked {
       for (const Match& m : function.all(text)) functions.insert(m[1]);
       for (const Match& m : stated.all(text)) functions.insert(m[1]);
       static const Regex said("\\b(m\\.|M::|First::|Model::)([A-Za-z]\\w+)");
-      if (folder.filename() != "clocked") continue;
-      for (const Match& m : said.all(text)) of_struct.insert(m[2]);
+      static const Regex of_driver("\\b([Dd]river(::|_?\\.))([A-Za-z]\\w+)");
+      const bool is_stream = folder.filename() == "stream";
+      if (folder.filename() != "clocked" && !is_stream) continue;
+      Names& names = is_stream ? of_struct.streams : of_struct.clocks;
+      for (const Match& m : said.all(text)) names.insert(m[2]);
+      for (const Match& m : of_driver.all(text)) {
+        if (is_stream) of_struct.driver.insert(m[3]);
+      }
     }
   }
   void check(const fs::path& file) {

@@ -39,8 +39,7 @@ class AnyStreamBench : public AnyBench {
   virtual std::unique_ptr<StreamDut> dut(std::uint32_t power_up) const = 0;
   /// One that shows its whole hierarchy.
   virtual std::unique_ptr<StreamDut> open_dut(std::uint32_t power_up) const = 0;
-  /// What must come out of each stream, in place of what `all` holds. InputError where the model
-  /// gives what no port can hold.
+  /// What must come out of each stream, in place of what `all` holds.
   virtual void expect(const std::vector<Sequence>& given, std::vector<Sequence>& all) const = 0;
   /// The sizes of that alone for the first so many transactions of each stream of `given`, which
   /// stays; called with ever more.

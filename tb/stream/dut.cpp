@@ -1,11 +1,18 @@
 #include "tb/stream/dut.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
 
 namespace cosim {
 namespace {
+
+// Of a cell of a driver; of one bit the port's name alone, for one() may have it.
+std::string key_of(const Field& f) {
+  return f.width == 1 && f.index < 0 ? f.net : fmt::format("{} {} {}", f.net, f.index, f.width);
+}
 
 // Collects the ports, each once: the done of one stream may be the valid of another.
 class Collector {
@@ -73,8 +80,13 @@ class Collector {
     if (!i.own.is_there()) {
       for (const Field& f : i.cells) add(i.goes_in, f, "");
     }
-    for (const Pin& p : i.own.drives) one(p.port, true, p.width);
-    for (const Pin& p : i.own.reads) one(p.port, false, p.width);
+    for (const Field& f : i.own.drives) shared(f, true);
+    for (const Field& f : i.own.reads) shared(f, false);
+  }
+  /// A cell of a driver, which another may have too.
+  void shared(const Field& field, bool drives) {
+    const std::string name = key_of(field);
+    if (seen_.insert(name).second) add(drives, field, name);
   }
   void add(bool drives, const Field& field, const std::string& name) {
     (drives ? ports.inputs : ports.outputs).push_back(field);
@@ -98,10 +110,8 @@ StreamNets::StreamNets(const StreamShape& shape, StreamDut& dut) {
   std::size_t driven = 0, read = 0;
   const auto found = [&](const Interface& i) {
     InterfaceNets n{all.one(i.valid), all.one(i.ready), all.one(i.credit), all.one(i.done), {}};
-    const auto add = [&](std::vector<Net>& words, const std::vector<Pin>& wires) {
-      for (const Pin& p : wires) {
-        words.insert(words.end(), all.named[p.port].begin(), all.named[p.port].end());
-      }
+    const auto add = [&](std::vector<Net>& words, const std::vector<Field>& cells) {
+      for (const Field& f : cells) words.push_back(all.named[key_of(f)].front());
     };
     add(n.drives, i.own.drives);
     add(n.reads, i.own.reads);

@@ -81,7 +81,7 @@ class BitNet {
 struct InterfaceNets {
   BitNet valid, ready, credit, done;
   std::vector<Net> cells;
-  std::vector<Net> drives = {}, reads = {};  ///< of a driver of its own, words of 64 bits
+  std::vector<Net> drives = {}, reads = {};  ///< of a driver of its own, its cells
 };
 
 /// All ports of one instance.

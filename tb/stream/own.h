@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "model/core/stream.h"
+#include "model/core/fields.h"
 
 namespace cosim {
 
@@ -28,9 +28,10 @@ class OwnTaker {
   virtual bool came(std::span<const Word> pins, std::vector<Word>& words) = 0;
 };
 
-/// How they are made anew for each case, and their pins; nothing where ports say all.
+/// How they are made anew for each case, and the cells of their pins, named as the ports; nothing
+/// where ports say all.
 struct OwnDriver {
-  std::vector<Pin> drives, reads;
+  std::vector<Field> drives, reads;
   std::function<std::unique_ptr<OwnGiver>()> giver;
   std::function<std::unique_ptr<OwnTaker>()> taker;
 

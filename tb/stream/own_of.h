@@ -3,79 +3,87 @@
 
 #include <deque>
 #include <memory>
-#include <optional>
 #include <span>
 #include <type_traits>
 #include <vector>
 
-#include "model/core/input_error.h"
+#include "tb/stream/codes.h"
 #include "tb/stream/own.h"
-#include "tb/stream/payload.h"
 
 namespace cosim::detail {
 
-template <class Driver, class Record>
+template <class Driver, class X>
 class OwnGiverOf final : public OwnGiver {
  public:
-  template <class Params>
-  explicit OwnGiverOf(const Params& p) : payload_(p) {}
   void drive(const std::span<const Word>* words, std::span<Word> pins) override {
-    if (words == nullptr) return driver_.drive(nullptr, pins);
-    if (!is_offered_) offered_.push_back(payload_.record(*words));
-    is_offered_ = true;
-    driver_.drive(&offered_.back(), pins);
+    if (words != nullptr && !is_offered_) offered_.push_back(Codes<X>::object(*words));
+    is_offered_ |= words != nullptr;
+    const X* one = words != nullptr ? &offered_.back() : nullptr;
+    Codes<typename Driver::Drives>::put(driver_.drive(one), pins);
   }
   bool took(std::span<const Word> pins) override {
-    const bool taken = driver_.took(pins);
+    const bool taken(driver_.took(Codes<typename Driver::Reads>::object(pins)));
     if (taken) is_offered_ = false;
     return taken;
   }
 
  private:
-  Payload<Record> payload_;
   // A driver keeps the pointer for as long as the transaction takes at its pins, which may be
   // longer than until took(): each record stays where it is to the end of the case.
-  std::deque<Record> offered_;
+  std::deque<X> offered_;
   bool is_offered_ = false;  // the last one, and it has not gone in yet
   Driver driver_;
 };
 
-template <class Driver, class Record>
+template <class Driver, class Y>
 class OwnTakerOf final : public OwnTaker {
  public:
-  template <class Params>
-  explicit OwnTakerOf(const Params& p) : payload_(p), one_(payload_.cells()) {}
-  void drive(bool ready, std::span<Word> pins) override { driver_.drive(ready, pins); }
+  void drive(bool ready, std::span<Word> pins) override {
+    if constexpr (requires { typename Driver::Drives; }) {
+      Codes<typename Driver::Drives>::put(driver_.drive(ready), pins);
+    }
+  }
   bool came(std::span<const Word> pins, std::vector<Word>& words) override {
-    const std::optional<Record> record = driver_.came(pins);
-    if (!record) return false;
-    payload_.sequence({*record}, "a driver", "its stream", one_);
-    words.assign(one_[0].begin(), one_[0].end());
+    const auto one = driver_.came(Codes<typename Driver::Reads>::object(pins));
+    if (!one) return false;
+    words.resize(Codes<Y>::fields().size());
+    Codes<Y>::put(*one, words);
     return true;
   }
 
  private:
-  Payload<Record> payload_;
-  Sequence one_;
   Driver driver_;
 };
 
-template <class Driver, class Record, class Params>
-OwnDriver own_driver([[maybe_unused]] const Params& p, bool goes_in) {
+/// The cells of a driver's pins, each by the name of its port.
+template <class Pins>
+std::vector<Field> pins_of() {
+  const auto& fields = Codes<Pins>::fields();
+  std::vector<Field> all(fields.begin(), fields.end());
+  for (Field& f : all) f.name = f.net;
+  return all;
+}
+
+/// Of a stream of X, whose driver may be void.
+template <class Driver, class X, bool goes_in>
+OwnDriver own_driver() {
   OwnDriver own;
   if constexpr (!std::is_void_v<Driver>) {
-    const auto drives = Driver::drives(p);
-    const auto reads = Driver::reads(p);
-    own.drives.assign(drives.begin(), drives.end());
-    own.reads.assign(reads.begin(), reads.end());
-    if constexpr (requires(Driver d) { d.drive(nullptr, std::span<Word>()); }) {
-      if (goes_in) own.giver = [&p] { return std::make_unique<OwnGiverOf<Driver, Record>>(p); };
+    using Reads = typename Driver::Reads;
+    own.reads = pins_of<Reads>();
+    if constexpr (requires { typename Driver::Drives; })
+      own.drives = pins_of<typename Driver::Drives>();
+    if constexpr (goes_in) {
+      static_assert(
+          requires(Driver driver, const Reads& pins) { driver.took(pins); },
+          "the driver of a stream that goes in has Drives drive(const X*) and bool took(const "
+          "Reads&)");
+      own.giver = [] { return std::make_unique<OwnGiverOf<Driver, X>>(); };
     } else {
-      if (!goes_in) own.taker = [&p] { return std::make_unique<OwnTakerOf<Driver, Record>>(p); };
-    }
-    if (!own.is_there()) {
-      throw InputError(goes_in ? "a stream that goes in has the driver of one that comes out"
-                               : "a stream that comes out has the driver of one that goes in");
+      static_assert(
+          requires(Driver driver, const Reads& pins) { driver.came(pins); },
+          "the driver of a stream that comes out has std::optional<Y> came(const Reads&)");
+      own.taker = [] { return std::make_unique<OwnTakerOf<Driver, X>>(); };
     }
   }
   return own;

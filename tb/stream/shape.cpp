@@ -8,6 +8,18 @@
 #include "tb/support/words.h"
 
 namespace cosim {
+namespace {
+
+// Of a field behind the prefix: "head_tag" of "head.tag", "lanes_3_on" of "lanes[3].on".
+std::string port_of(std::string_view field) {
+  std::string port;
+  for (const char c : field) {
+    if (c != ']') port += c == '.' || c == '[' ? '_' : c;
+  }
+  return port;
+}
+
+}  // namespace
 
 void StreamShape::set_clocks(const char* one, std::string_view several) {
   clocks.clear();
@@ -65,8 +77,7 @@ void StreamShape::add(const StreamPorts& ports, bool goes_in, std::span<const Fi
   }
   if (i.can_wait()) column({kept(i.name + "_waits"), 1, Format::flag, "", "ready waits for valid"});
   for (Field cell : cells) {
-    if (cell.width == 0) continue;  // of an array: this shape does not have it
-    if (!cell.is_placed) cell.net = kept(prefix + cell.name);
+    if (!cell.is_placed) cell.net = kept(prefix + port_of(cell.name));
     cell.name = kept(i.name + '_' + cell.name);
     i.cells.push_back(cell);
     if (goes_in) column(cell);

@@ -16,12 +16,14 @@
 #include <string_view>
 #include <vector>
 
+#include "model/clocked/stream.h"
 #include "model/core/fields.h"
-#include "model/core/stream.h"
 #include "tb/stream/own.h"
 #include "tb/stream/sequence.h"
 
 namespace cosim {
+
+using clocked::Pin, clocked::StreamPorts;
 
 /// Bits of a stall.
 inline constexpr int stall_width = 8;

@@ -1,7 +1,7 @@
-// The bench of one shape of a design with a stream model: what of it needs the design's types.
+// The bench of one shape of a design with a stream model: what of it needs the model's types.
 #pragma once
 
-#include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 #include <tuple>
@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "model/clocked/says.h"
+#include "model/clocked/stream.h"
 #include "model/core/design.h"
-#include "model/core/input_error.h"
-#include "model/core/stream.h"
 #include "tb/stream/bench.h"
+#include "tb/stream/codes.h"
 #include "tb/stream/own_of.h"
-#include "tb/stream/payload.h"
 
 namespace cosim {
 namespace detail {
@@ -34,53 +34,51 @@ constexpr auto as_tuple(T one) {
   }
 }
 
+/// Calls visit(i) for each i < N, a constant by its type; gives its results as a tuple.
+template <std::size_t N, class Visit>
+constexpr auto each(const Visit& visit) {
+  return [&]<std::size_t... I>(std::index_sequence<I...>) {
+    return std::tuple{visit(std::integral_constant<std::size_t, I>())...};
+  }
+  (std::make_index_sequence<N>());
+}
+
 }  // namespace detail
 
-/// Trait has Design, params, and the names of the shape and of the clock. Instance is the RTL.
+/// Trait has Model, Design, params, and the names of the clock. Instance is the RTL.
 template <class Trait, class Instance>
 class StreamBench final : public AnyStreamBench {
-  using Design = typename Trait::Design;
-  using In = decltype(detail::as_tuple(Design::in(Trait::params)));
-  using Out = decltype(detail::as_tuple(Design::out(Trait::params)));
+  using M = typename Trait::Model;
+  static_assert(
+      requires {
+        M::in();
+        M::out();
+      },
+      "a model of streams has in(), out() and run()");
+  using In = decltype(detail::as_tuple(M::in()));
+  using Out = decltype(detail::as_tuple(M::out()));
   template <std::size_t S, class Side>
-  using RecordOf = typename std::tuple_element_t<S, Side>::template Payload<Word>;
-  template <class Side>
-  using Numbers = std::make_index_sequence<std::tuple_size_v<Side>>;
+  using StreamOf = std::tuple_element_t<S, Side>;
+  template <std::size_t S, class Side>
+  using CodesOf = detail::Codes<typename StreamOf<S, Side>::Record>;
 
  public:
   /// `open`: the same with its whole hierarchy open, where there is one.
   explicit StreamBench(std::optional<OpenClass> open = {}) : open_(open) {
-    if constexpr (StepsOn<Design, Word> || requires { Trait::is_beside_clocks; }) {
-      tables_.view = "streams";
-    }
+    using Design = typename Trait::Design;
+    if constexpr (StepsOn<Design, Word>) tables_.view = "streams";
     tables_.design = Design::name;
-    if constexpr (requires { Trait::clocks; }) {
-      shape_.set_clocks(Trait::clock, Trait::clocks);
-    } else {
-      shape_.set_clocks(Trait::clock, "");
-    }
+    shape_.set_clocks(Trait::clock, Trait::clocks);
     const auto parameters = parameters_of<Design>(Trait::params);
     tables_.parameters.assign(parameters.begin(), parameters.end());
     shape_.title = title();
-    if constexpr (requires { Design::watchdog; }) shape_.watchdog = Design::watchdog;
-    if constexpr (requires { Design::pins(Trait::params); }) {
-      const auto pins = Design::pins(Trait::params);
+    if constexpr (requires { M::watchdog; }) shape_.watchdog = M::watchdog;
+    if constexpr (requires { M::pins(); }) {
+      const auto pins = M::pins();
       shape_.pins.assign(pins.begin(), pins.end());
     }
-    const auto add = [&]<class Side, std::size_t... S>(const Side& side, bool goes_in,
-                                                       std::index_sequence<S...>) {
-      (shape_.add(
-           std::get<S>(side).ports, goes_in, RecordOf<S, Side>::fields(Trait::params),
-           detail::own_driver<typename std::tuple_element_t<S, Side>::Own, RecordOf<S, Side>>(
-               Trait::params, goes_in)),
-       ...);
-    };
-    const In in = detail::as_tuple(Design::in(Trait::params));
-    const Out out = detail::as_tuple(Design::out(Trait::params));
-    add(in, true, Numbers<In>());
-    add(out, false, Numbers<Out>());
-    [&]<std::size_t... S>(std::index_sequence<S...>) { (add_rules<S>(), ...); }
-    (Numbers<In>());
+    add_all<true>(detail::as_tuple(M::in()));
+    add_all<false>(detail::as_tuple(M::out()));
     fill_tables();
   }
 
@@ -93,76 +91,84 @@ class StreamBench final : public AnyStreamBench {
   }
 
   void expect(const std::vector<Sequence>& given, std::vector<Sequence>& all) const override {
-    const auto results = [&]<std::size_t... S>(std::index_sequence<S...>) {
-      return detail::as_tuple(Design::run(Trait::params, payload<S, In>().records(given[S])...));
-    }
-    (Numbers<In>());
-    while (all.size() < shape_.out.size()) {
-      all.emplace_back(shape_.out[all.size()].cells.size());
-    }
-    [&]<std::size_t... S>(std::index_sequence<S...>) {
-      (payload<S, Out>().sequence(std::get<S>(results), shape_.title, shape_.out[S].name, all[S]),
-       ...);
-    }
-    (Numbers<Out>());
+    const auto results = run(each_in([&](auto s) { return CodesOf<s, In>::objects(given[s]); }));
+    each_out([&](auto s) {
+      if (all.size() == s) all.emplace_back(shape_.out[s].cells.size());
+      all[s].clear();
+      std::vector<Word> words(all[s].cells());
+      for (const auto& one : std::get<s>(results)) {
+        CodesOf<s, Out>::put(one, words);
+        all[s].push(words);
+      }
+      return 0;
+    });
   }
 
   StreamSizes sizes(const std::vector<Sequence>& given) const override {
-    return sizes(given, Numbers<In>(), Numbers<Out>());
+    // Each transaction is made once, and once in the vector that the model is given.
+    return [&given, some = each_in([](auto s) {
+                      return std::vector<typename StreamOf<s, In>::Record>();
+                    })](std::span<const std::size_t> taken, std::span<std::size_t> sizes) mutable {
+      each_in([&](auto s) {
+        auto& all = std::get<s>(some);
+        if (all.size() > taken[s]) all.clear();
+        all.reserve(given[s].size());
+        while (all.size() < taken[s]) all.push_back(CodesOf<s, In>::object(given[s][all.size()]));
+        return 0;
+      });
+      const auto results = run(some);
+      each_out([&](auto s) { return sizes[s] = std::get<s>(results).size(); });
+    };
   }
 
-  const char* broken_rule(std::size_t s, std::span<const Word> words) const override {
+  const char* broken_rule(std::size_t stream, std::span<const Word> words) const override {
     const char* broken = nullptr;
-    [&]<std::size_t... S>(std::index_sequence<S...>) {
-      ((S == s ? void(broken = broken_in<S>(words)) : void()), ...);
-    }
-    (Numbers<In>());
+    each_in([&](auto s) {
+      if (s != stream) return 0;
+      for (const auto& rule : rules_of(CodesOf<s, In>::object(words))) {
+        if (broken == nullptr && !rule.holds) broken = rule.sentence;
+      }
+      return 0;
+    });
     return broken;
   }
 
  private:
-  // Each record is made once, and once in the vector that the model is given.
-  template <std::size_t... S, std::size_t... R>
-  static StreamSizes sizes(const std::vector<Sequence>& given, std::index_sequence<S...>,
-                           std::index_sequence<R...>) {
-    return [&given, some = std::tuple<std::vector<RecordOf<S, In>>...>()](
-               std::span<const std::size_t> taken, std::span<std::size_t> sizes) mutable {
-      const auto take = [&](auto& records, std::size_t s, const auto& codes) {
-        if (records.size() > taken[s]) records.resize(taken[s]);
-        records.reserve(given[s].size());
-        while (records.size() < taken[s]) records.push_back(codes.record(given[s][records.size()]));
-      };
-      (take(std::get<S>(some), S, payload<S, In>()), ...);
-      const auto results = detail::as_tuple(Design::run(Trait::params, std::get<S>(some)...));
-      ((sizes[R] = std::get<R>(results).size()), ...);
-    };
+  template <class Visit>
+  static auto each_in(const Visit& visit) {
+    return detail::each<std::tuple_size_v<In>>(visit);
   }
-  template <std::size_t S, class Side>
-  static const detail::Payload<RecordOf<S, Side>>& payload() {
-    static const detail::Payload<RecordOf<S, Side>> one(Trait::params);
-    return one;
+  template <class Visit>
+  static auto each_out(const Visit& visit) {
+    return detail::each<std::tuple_size_v<Out>>(visit);
   }
-  template <std::size_t S>
-  static constexpr bool has_rules = requires(const RecordOf<S, In>& r) {
-    Design::legal(Trait::params, r);
-  };
-  template <std::size_t S>
-  void add_rules() {
-    if constexpr (has_rules<S>) {
-      for (const auto& rule : Design::legal(Trait::params, RecordOf<S, In>{})) {
-        tables_.assumed.push_back(shape_.in[S].name + ": " + rule.sentence);
-      }
+  template <class Given>
+  static auto run(const Given& given) {
+    return detail::as_tuple(
+        std::apply([](const auto&... stream) { return M::run(stream...); }, given));
+  }
+  /// What is assumed of a transaction, and whether it holds.
+  template <class X>
+  static auto rules_of(const X& x) {
+    if constexpr (requires { M::legal(x); }) {
+      return M::legal(x);
+    } else {
+      return std::array<clocked::Stated, 0>();
     }
   }
-  template <std::size_t S>
-  const char* broken_in([[maybe_unused]] std::span<const Word> words) const {
-    if constexpr (has_rules<S>) {
-      const auto record = payload<S, In>().record(words);
-      for (const auto& rule : Design::legal(Trait::params, record)) {
-        if (!rule.holds) return rule.sentence;
+  template <bool goes_in, class Side>
+  void add_all(const Side& side) {
+    detail::each<std::tuple_size_v<Side>>([&](auto s) {
+      using X = typename StreamOf<s, Side>::Record;
+      const auto& ports = std::get<s>(side).ports;
+      shape_.add(ports, goes_in, detail::Codes<X>::fields(),
+                 detail::own_driver<typename StreamOf<s, Side>::Own, X, goes_in>());
+      if (!goes_in) return 0;
+      for (const auto& rule : rules_of(clocked::zero<X>())) {
+        tables_.assumed.push_back(std::string(ports.name) + ": " + rule.sentence);
       }
-    }
-    return nullptr;
+      return 0;
+    });
   }
 
   std::optional<OpenClass> open_;

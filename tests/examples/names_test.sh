@@ -24,6 +24,13 @@ refused cases casse "casse in struct Uart means nothing: is cases meant?"
 refused cases legall "legall in struct Uart means nothing: is legal meant?"
 refused reset resett "resett in struct Uart means nothing: is reset meant?"
 refused Checker Cheker "Cheker in struct Uart means nothing: is Checker meant?"
+refused out ot "ot in struct Guarded means nothing: is out meant?" "$guarded"
+fir=$root/examples/fir/fir.h
+refused run Run "Run in struct Fir means nothing: is run meant?" "$fir"
+refused pins pin_s "pin_s in struct Fir means nothing: is pins meant?" "$fir"
+apb=$root/examples/apb/apb.h
+refused Drives Drive "Drive in struct Master means nothing: is Drives meant?" "$apb"
+refused took tok "tok in struct Master means nothing: is took meant?" "$apb"
 machine=$root/model/circular/machine.h
 refused reset_inputs reset_input "reset_input in struct Design means nothing: is reset_inputs meant?" "$machine"
 refused reset_inputs clear "clear in struct Design means nothing: is reset_inputs meant?" "$machine"

@@ -21,6 +21,6 @@ is "bench/list.h" "$(reads "$(cat "$root/tb/package/benches.cpp.in")")"
 is "program/built.h" "$(reads "$(cat "$root/tb/package/program.cpp.in")")"
 bench='#include "tb/package/named_bench.h"'
 [[ $(reads "$bench") != *stream/* ]] || fails "a design without streams reads of streams: $(reads "$bench")"
-[[ $(reads '#include "model/core/stream.h"'$'\n'"$bench") == *stream/stream_bench.h* ]] ||
+[[ $(reads '#include "model/clocked/stream.h"'$'\n'"$bench") == *stream/stream_bench.h* ]] ||
   fails "a design with streams reads nothing of streams"
 echo "as expected"

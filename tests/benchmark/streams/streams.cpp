@@ -16,10 +16,15 @@ namespace {
 using namespace cosim;
 
 struct Trait {
-  using Design = fir_model::Design;
-  static constexpr fir_model::Params params{12, 3};
-  static constexpr const char* title = "fir W=12 STAGES=3";
-  static constexpr const char* clock = "clk";
+  using Model = Fir<12, 3>;
+  struct Says {
+    static constexpr const char* name = "fir";
+    static constexpr std::array<std::array<Parameter, 2>, 1> parameters{
+        {{Parameter{"W", 12}, Parameter{"STAGES", 3}}}};
+  };
+  using Design = clocked::StreamDesign<Says, Model>;
+  static constexpr Design::Params params{};
+  static constexpr const char *clock = "clk", *clocks = "";
 };
 using Bench = StreamBench<Trait, VerilatedStreamDut<VfirW12STAGES3>>;
 

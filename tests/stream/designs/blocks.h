@@ -1,51 +1,59 @@
-// A wire wider than a word: a block of 100 bits, which a driver gives in words.
+// Wires wider than a word: a block of 100 bits, which a driver gives on one clock.
 #pragma once
 
-#include "../../support/fault.h"
-#include "model/core/stream.h"
+#include <cosim/stream.h>
 
-namespace blocks_model {
+template <int FAULT>
+struct Blocks {
+  struct Block {
+    struct Halves {
+      Hex<UInt<64>> low;
+      Hex<UInt<36>> high;
+    };
+    Halves half;
+  };
+  struct Digest {
+    At<"digest", Hex<UInt<50>>> digest;  // both halves
+  };
 
-using namespace cosim;
-using faulty::Params;
+  struct Giver {
+    struct Drives {
+      At<"block", UInt<100>> bits;
+      Bit go;
+    };
+    struct Reads {
+      UInt<70> seen;
+    };
+    UInt<100> given = 0;
+    bool is_given = false;
 
-#define BLOCKS_BLOCK(FIELD)                     \
-  FIELD(low, 64, bits, "", "its lower 64 bits") \
-  FIELD(high, 36, bits, "", "its upper 36 bits")
-COSIM_RECORD(Block, BLOCKS_BLOCK, Params);
-#define BLOCKS_DIGEST(FIELD) FIELD(digest, 50, bits.at("digest"), "", "both halves")
-COSIM_RECORD(Digest, BLOCKS_DIGEST, Params);
+    Drives drive(const Block* block) {
+      if (block == nullptr) return {~UInt<64>(0), 0};
+      const bool go = !is_given;
+      is_given = true;
+      given = cat(block->half.high, block->half.low);
+      return {given, go};
+    }
+    /// A clock after go.
+    bool took(const Reads& pins) {
+      const bool taken = is_given && pins.seen == given >> 30;
+      if (taken) is_given = false;
+      return taken;
+    }
+  };
 
-class Giver {
- public:
-  static constexpr auto drives(const Params&) {
-    return std::array{pin::wire("block", 100), pin::wire("go")};
+  static constexpr auto in() { return stream<Block, Giver>("in"); }
+  static constexpr auto out() { return stream<Digest>("digest").always_ready(); }
+  static constexpr auto pins() {
+    return std::array{pin::reset("rst"), pin::tied("key", std::uint64_t{1} << 63, 70)};
   }
-  static constexpr auto reads(const Params&) { return std::array{pin::wire("seen", 70)}; }
-
-  void drive(const Block<Word>* block, std::span<Word> pins) {
-    pins[2] = block != nullptr;
-    pins[0] = block != nullptr ? block->low : -1;
-    pins[1] = block != nullptr ? block->high : 0;
-  }
-  bool took(std::span<const Word> pins) { return pins.size() == 2; }
-};
-
-struct Design : faulty::Design {
-  static constexpr const char* name = "blocks";
-  static constexpr auto in(const Params&) { return stream<Block>("in").by<Giver>(); }
-  static constexpr auto out(const Params&) { return stream<Digest>("digest").always_ready(); }
-  static constexpr auto pins(const Params&) {
-    return std::array{pin::reset("rst"), pin::tied("key", Word{1} << 63, 70)};
-  }
-  static std::vector<Digest<Word>> run(const Params&, const std::vector<Block<Word>>& in) {
-    std::vector<Digest<Word>> out;
-    for (const Block<Word>& block : in) {
-      const Word upper = low_bits(block.low >> 50, 14) + (block.high << 14);
-      out.push_back({upper ^ low_bits(block.low, 50) ^ (Word{1} << 43)});
+  static std::vector<Digest> run(const std::vector<Block>& in) {
+    std::vector<Digest> out;
+    for (const Block& block : in) {
+      const UInt<100> all = cat(block.half.high, block.half.low);
+      out.push_back(
+          {all.template slice<99, 50>() ^ all.template slice<49, 0>() ^ UInt<50>(1) << 43});
     }
     return out;
   }
 };
-
-}  // namespace blocks_model

@@ -1,10 +1,7 @@
 // Both models of guarded.sv: what it does on every clock, and that what passes is as it was.
 #pragma once
 
-#include <cosim/model.h>
-
-#include "../../support/fault.h"
-#include "model/core/stream.h"
+#include <cosim/stream.h>
 
 template <int FAULT>
 struct Guarded {
@@ -45,22 +42,12 @@ struct Guarded {
   auto invariant() const {
     return stated({{"the parity is that of what is held", !y_valid || odd == is_odd(y_data)}});
   }
+
+  struct Passed {
+    UInt<8> data;  // what passes
+  };
+  static constexpr auto in() { return stream<Passed>("x"); }
+  static constexpr auto out() { return stream<Passed>("y").latency(1).steady(); }
+  static constexpr auto pins() { return std::array{pin::reset("rst")}; }
+  static auto run(const std::vector<Passed>& x) { return x; }
 };
-
-namespace guarded_model {
-
-using namespace cosim;
-using faulty::Params;
-
-#define GUARDED_WORD(FIELD) FIELD(data, 8, number, "", "what passes")
-COSIM_RECORD(Passed, GUARDED_WORD, Params);
-
-struct Design : faulty::Design {
-  static constexpr const char* name = "guarded";
-  static constexpr auto in(const Params&) { return stream<Passed>("x"); }
-  static constexpr auto out(const Params&) { return stream<Passed>("y").latency(1).steady(); }
-  static constexpr auto pins(const Params&) { return std::array{pin::reset("rst")}; }
-  static auto run(const Params&, const std::vector<Passed<Word>>& x) { return x; }
-};
-
-}  // namespace guarded_model

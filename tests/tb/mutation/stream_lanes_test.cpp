@@ -30,21 +30,26 @@ class None final : public StreamDut {
   void eval() override {}
 };
 
-template <class D, int fault>
+template <class M, clocked::Text NAME, int fault>
 struct OfTest {
-  using Design = D;
-  static constexpr typename D::Params params{fault};
-  static constexpr const char *title = D::name, *clock = "clk", *clocks = "";
+  using Model = M;
+  struct Says {
+    static constexpr const char* name = NAME.text;
+    static constexpr std::array<std::array<Parameter, 1>, 1> parameters{{{{{"FAULT", fault}}}}};
+  };
+  using Design = clocked::StreamDesign<Says, M>;
+  static constexpr typename Design::Params params{};
+  static constexpr const char *clock = "clk", *clocks = "";
 };
 template <int fault>
-struct Pairs : OfTest<pairs_model::Design, fault> {
+struct OfPairs : OfTest<Pairs<fault>, "pairs", fault> {
   static constexpr const char* clock = "clock";
 };
 template <int fault>
-struct Crosses : OfTest<crosses_model::Design, fault> {
+struct OfCrosses : OfTest<Crosses<fault>, "crosses", fault> {
   static constexpr const char *clock = "", *clocks = "fast\nfalling slow\n";
 };
-using Serial = OfTest<serial_model::Design, 0>;
+using OfSerial = OfTest<Serial<0>, "serial", 0>;
 
 template <class Trait>
 struct Rtl {
@@ -109,9 +114,9 @@ void expect_the_same_together_and_alone() {
 }
 
 TEST_F(StreamMutants, AreKilledTogetherAsAlone) {
-  expect_the_same_together_and_alone<Pairs<0>>();
-  expect_the_same_together_and_alone<Crosses<0>>();
-  expect_the_same_together_and_alone<Serial>();
+  expect_the_same_together_and_alone<OfPairs<0>>();
+  expect_the_same_together_and_alone<OfCrosses<0>>();
+  expect_the_same_together_and_alone<OfSerial>();
 }
 
 template <class Trait>
@@ -124,8 +129,8 @@ std::string said_of_faulty() {
 
 TEST_F(StreamMutants, AreNotAttackedWhereTheRtlDiffersWithoutOne) {
   const std::string said = "RTL and model differ without a mutant: random transactions, case ";
-  EXPECT_NE(said_of_faulty<Pairs<1>>().find("pairs FAULT=1: " + said), std::string::npos);
-  EXPECT_NE(said_of_faulty<Crosses<1>>().find("crosses FAULT=1: " + said), std::string::npos);
+  EXPECT_NE(said_of_faulty<OfPairs<1>>().find("pairs FAULT=1: " + said), std::string::npos);
+  EXPECT_NE(said_of_faulty<OfCrosses<1>>().find("crosses FAULT=1: " + said), std::string::npos);
 }
 
 // The numbers of those at such a pin.
@@ -154,9 +159,9 @@ std::tuple<std::size_t, std::size_t> planted_and_killed(const std::string& pin) 
 // Of four registers; a clock of several is no pin in the nets. A reset that never comes leaves what
 // powered up: two registers say valid.
 TEST_F(StreamMutants, OfClocksAndOfResetsAtOnceAreKilled) {
-  EXPECT_EQ(planted_and_killed<Pairs<0>>("CLK"), std::tuple(12, 12));
-  EXPECT_EQ(planted_and_killed<Pairs<0>>("ARST"), std::tuple(6, 6));
-  EXPECT_EQ(planted_and_killed<Crosses<0>>("CLK"), std::tuple(0, 0));
+  EXPECT_EQ(planted_and_killed<OfPairs<0>>("CLK"), std::tuple(12, 12));
+  EXPECT_EQ(planted_and_killed<OfPairs<0>>("ARST"), std::tuple(6, 6));
+  EXPECT_EQ(planted_and_killed<OfCrosses<0>>("CLK"), std::tuple(0, 0));
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ class QueueBench final : public AnyStreamBench {
     shape_.title = "queue";
     shape_.set_clocks("clk", "");
     shape_.watchdog = 50;
-    shape_.pins = {pin::reset("rst")};
+    shape_.pins = {clocked::pin::reset("rst")};
     const Field data{"data", 8, Format::bits, "", "", 0, "data"};
     shape_.add({.name = "x"}, true, {&data, 1});
     shape_.add({.name = "y"}, false, {&data, 1});

@@ -1,31 +1,39 @@
-// A driver of a design's own may keep the record that it was given.
+// A driver of a design's own: what it sees, and that it may keep the record that it was given.
 #include "tb/stream/own_of.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
+#include <string>
 #include <utility>
+
+#include "tb/stream/shape.h"
 
 namespace cosim {
 namespace {
 
-struct Params {
-  int width = 16;
+struct Kept {
+  clocked::UInt<16> data;
 };
-#define KEPT_BITS(FIELD) FIELD(data, p.width, bits, "", "what goes in")
-COSIM_RECORD(Kept, KEPT_BITS, Params);
 
 /// Drives the record that it was given first, and reads it through the pointer alone.
 struct Keeper {
-  void drive(const Kept<Word>* kept, std::span<Word> pins) {
+  struct Drives {
+    clocked::UInt<16> kept, now;
+  };
+  struct Reads {
+    clocked::Bit takes;
+  };
+  Drives drive(const Kept* kept) {
     if (kept != nullptr && first == nullptr) first = kept;
-    given = kept;
-    pins[0] = first == nullptr ? 0 : first->data;
-    pins[1] = given == nullptr ? 0 : given->data;
+    const auto data = [](const Kept* one) {
+      return one == nullptr ? clocked::UInt<16>(0) : one->data;
+    };
+    return {data(first), data(kept)};
   }
-  bool took(std::span<const Word> pins) { return pins[0] != 0; }
+  bool took(const Reads& pins) { return bool(pins.takes); }
 
-  const Kept<Word>*first = nullptr, *given = nullptr;
+  const Kept* first = nullptr;
 };
 
 // So deep in the stack that what a record in a frame of drive() was is written over.
@@ -36,8 +44,7 @@ struct Keeper {
 }
 
 TEST(OwnDriver, KeepsARecordUntilTheCaseEnds) {
-  const Params p;
-  detail::OwnGiverOf<Keeper, Kept<Word>> own(p);
+  detail::OwnGiverOf<Keeper, Kept> own;
   std::array<Word, 2> pins{};
   const auto drives = [&](Word word) {
     const std::span<const Word> words(&word, 1);
@@ -59,6 +66,38 @@ TEST(OwnDriver, KeepsARecordUntilTheCaseEnds) {
     ASSERT_EQ(drives(next), std::pair(Word{77}, next));
     ASSERT_TRUE(took(1));
   }
+}
+
+// What each kind of field is in a case, at its port, and as a number.
+TEST(OwnDriver, ItsPinsAndTransactionsAreCodes) {
+  struct Group {
+    clocked::Bit on;
+    clocked::Array<clocked::Int<4>, 2> few;
+  };
+  struct All {
+    Group group;
+    clocked::OnesComplement<5> ones;
+    clocked::At<"elsewhere", clocked::UInt<100>> wide;
+  };
+  using Codes = detail::Codes<All>;
+  std::vector<std::string> labels, ports;
+  StreamShape shape;
+  shape.add({.name = "x"}, false, Codes::fields());
+  for (const Field& f : shape.out[0].cells) {
+    labels.push_back(label_of(f));
+    ports.push_back(f.net);
+  }
+  EXPECT_EQ(labels, (std::vector<std::string>{"x_group.on", "x_group.few[0]", "x_group.few[1]",
+                                              "x_ones", "x_wide[63:0]", "x_wide[99:64]"}));
+  EXPECT_EQ(ports, (std::vector<std::string>{"x_group_on", "x_group_few", "x_group_few", "x_ones",
+                                             "elsewhere", "elsewhere"}));
+  const All all{{1, {-1, 7}}, -3, clocked::UInt<100>(5) << 64 | 9};
+  std::array<Word, 6> words{};
+  Codes::put(all, words);
+  EXPECT_EQ(words, (std::array<Word, 6>{1, 15, 7, 28, 9, 5}));
+  const All again = Codes::object(words);
+  EXPECT_TRUE(again.group.few[0] == -1 && again.group.few[1] == 7 && again.ones == -3);
+  EXPECT_TRUE(again.group.on && again.wide == all.wide);
 }
 
 }  // namespace

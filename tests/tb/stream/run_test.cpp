@@ -29,7 +29,7 @@ class Case {
     shape_.title = "queue";
     shape_.set_clocks("clk", "");
     shape_.watchdog = 50;
-    shape_.pins = {pin::reset("rst")};
+    shape_.pins = {clocked::pin::reset("rst")};
     const Field data{"data", 8, Format::bits, "", "", 0, "data"};
     shape_.add({.name = "x"}, true, {&data, 1});
     shape_.add({.name = "y", .latency = s.latency, .steady = s.steady}, false, {&data, 1});

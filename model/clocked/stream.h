@@ -1,58 +1,84 @@
-// Stream models: a design as an untimed function from the transactions that go in at its interfaces
-// to those that must come out. There is no clock in it: how long anything takes, and who waits for
-// whom, is left to the harness.
+// Stream models: a struct that is an untimed function from the transactions that go in at a
+// design's interfaces to those that must come out. There is no clock in it: how long anything
+// takes, and who waits for whom, is left to the harness.
 //
-// What goes through an interface is a record of fields. struct Design says which interfaces there
-// are, and what comes out:
+//   template <int W>                   // the module's parameters, in their order
+//   struct Doubled {
+//     struct X { UInt<W> data; };      // what passes at an interface on one clock
+//     struct Y { UInt<W + 1> data; };
+//     static constexpr auto in() { return stream<X>("x"); }
+//     static constexpr auto out() { return stream<Y>("y").latency(2); }
+//     static constexpr auto pins() { return std::array{pin::reset("rst")}; }
 //
-//   static constexpr auto in(const Params&) { return stream<X>("x"); }
-//   static constexpr auto out(const Params& p) { return stream<Y>("y").latency(p.stages + 1); }
-//   static constexpr auto pins(const Params&) { return std::array{pin::reset("rst")}; }
-//   static std::vector<Y<Word>> run(const Params& p, const std::vector<X<Word>>& x);
-//
-// Of several interfaces in() and out() give a std::tuple, run() takes a vector of each and gives a
-// std::tuple of vectors. Signed fields are numbers in run(), not codes. Given only the first
-// transactions of a case, run() must give the first of its results: what came out once stays.
-//
-// An interface of another kind has a driver of your own, by<Driver>(). Of an input stream:
-//
-//   struct Driver {
-//     static constexpr auto drives(const Params&) { return std::array{pin::wire("rx")}; }
-//     static constexpr auto reads(const Params&) { return std::array{pin::wire("busy")}; }
-//     void drive(const X<Word>* x, std::span<Word> pins);  // sets the pins of drives(), each clock
-//     bool took(std::span<const Word> pins);  // then sees those of reads(), on the same clock
+//     static std::vector<Y> run(const std::vector<X>& x) {
+//       std::vector<Y> y;
+//       for (const X& one : x) y.push_back({one.data + one.data});
+//       return y;
+//     }
 //   };
 //
-// A wire of more than 64 bits is as many words of `pins` as it needs, the lowest first.
+// Of several interfaces in() and out() give a std::tuple, run() takes a vector of each and gives a
+// std::tuple of vectors. Given only the first transactions of a case, run() must give the first of
+// its results: what came out once stays. Beside these the struct may have
+//
+//   static auto legal(const X&)              what is assumed of a transaction, stated({{...}, ...})
+//   static constexpr int watchdog = 1000;    clocks for which nothing may move while something
+//   should
+//
+// and clock(), In and Out of a golden model of every clock (model.h): then all is compared.
+//
+// The ports of stream "x" are x_valid, x_ready, and x_FIELD for each field; prefix() puts something
+// else before them, and a field At<"PORT", T> has that port. The member `tag` of a field `head`
+// that is a struct has x_head_tag. A transaction passes on a clock on which valid and ready are
+// both high.
+//
+// An interface of another kind has a driver of your own, stream<X, Sender>("x"). Of an input
+// stream:
+//
+//   struct Sender {
+//     struct Drives { Bit rx; };               // ports that it sets on each clock
+//     struct Reads { Bit busy; };              // ports that it then sees, on the same clock
+//     Drives drive(const X* x);
+//     bool took(const Reads& pins);
+//   };
+//
 // x is the transaction that may go in, the same one until took() says that it went in; null where
 // there is none, or the case holds it back. The record that it points to neither moves nor changes
 // before the case ends: a driver may keep the pointer. The driver of an output stream has
-// drive(bool ready, pins), where ready is false while the case takes nothing, and
-// std::optional<Y<Word>> came(pins). Each case has a new driver; drive() is called once in the
-// reset, too.
-//
-// The ports of stream "x" are x_valid, x_ready, and x_FIELD for each field; prefix() puts something
-// else before them, and a field with at("PORT") has that port. A transaction passes on a clock on
-// which valid and ready are both high.
+// Drives drive(bool ready), where ready is false while the case takes nothing, and
+// std::optional<Y> came(const Reads&); one that drives nothing has neither Drives nor drive(). Each
+// case has a new driver; drive() is called once in the reset, too.
 #pragma once
 
 #include <array>
-#include <span>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <tuple>
 #include <vector>
-
-#include "model/core/record.h"
 
 /// Only a file that has read this one needs what the harness has for streams.
 #define COSIM_STREAMS
 
-namespace cosim {
+namespace cosim::clocked {
 
-/// A design that has a stream model. It may have a step beside it, design.h: then all is compared.
-template <class Design>
-concept HasStreams = requires(const typename Design::Params& p) {
-  Design::in(p);
-  Design::out(p);
+/// A struct that is a model of streams.
+template <class M>
+concept HasStreams = requires {
+  M::in();
+}
+|| requires { M::out(); };
+/// The design of the models of streams alone, one for each shape. `Says` has its name and their
+/// parameters, as that of DesignOf.
+template <class Says, class... Models>
+struct StreamDesign {
+  static_assert(!(requires { typename Models::In; } || ...),
+                "a model with In has clock(), and MODEL of cosim_add_design() names its header");
+  struct Params {
+    std::size_t number = 0;
+  };
+  static constexpr const char* name = Says::name;
+  static constexpr auto parameters(const Params& p) { return Says::parameters[p.number]; }
 };
 
 /// What an interface has beside its fields. For a name that is null the default beside it is used.
@@ -71,22 +97,15 @@ struct StreamPorts {
   bool steady = false;  ///< what is offered stays until it is taken
 };
 
-/// An interface for transactions of the type Record<Word>: an input stream goes into the design, an
-/// output stream comes out of it. Each function gives a copy of it with one more property.
-/// `Driver`: void, or the type of a driver of your own in place of valid and ready.
-template <template <class> class Record, class Driver = void>
+/// An interface for transactions X: an input stream goes into the design, an output stream comes
+/// out of it. Each function gives a copy of it with one more property. `Driver`: void, or the type
+/// of a driver of your own in place of valid and ready.
+template <class X, class Driver = void>
 struct Stream {
-  template <class V>
-  using Payload = Record<V>;
+  using Record = X;
   using Own = Driver;
 
   StreamPorts ports;
-
-  /// Its pins are of another kind; a driver of the type Other knows them.
-  template <class Other>
-  constexpr Stream<Record, Other> by() const {
-    return {ports};
-  }
 
   /// Its ports begin with `text`: prefix("s_axis_t") makes them s_axis_tvalid, s_axis_tready.
   constexpr Stream prefix(const char* text) const { return with(&StreamPorts::prefix, text); }
@@ -126,19 +145,19 @@ struct Stream {
   }
 };
 
-template <template <class> class Record>
-constexpr Stream<Record> stream(const char* name) {
+template <class X, class Driver = void>
+constexpr Stream<X, Driver> stream(const char* name) {
   return {{name}};
 }
 
 /// A port of the top module that is no part of a transaction.
 struct Pin {
-  enum class Kind { reset, tied, unread, driver };
+  enum class Kind { reset, tied, unread };
   const char* port;
   Kind kind;
-  Word value = 0;  ///< of a reset: the level that resets; of a tied input: its value
-  int width = 1;   ///< bits, from 1 on
-  int clocks = 1;  ///< of a reset: how long it lasts
+  std::int64_t value = 0;  ///< of a reset: the level that resets; of a tied input: its value
+  int width = 1;           ///< bits, from 1 on
+  int clocks = 1;          ///< of a reset: how long it lasts
 };
 
 namespace pin {
@@ -151,15 +170,13 @@ constexpr Pin reset_low(const char* port, int clocks = 2) {
   return {port, Pin::Kind::reset, 0, 1, clocks};
 }
 /// An input that always has one value; bits from 64 on are 0.
-constexpr Pin tied(const char* port, Word value, int width = 1) {
-  return {port, Pin::Kind::tied, value, width};
+constexpr Pin tied(const char* port, std::uint64_t value, int width = 1) {
+  return {port, Pin::Kind::tied, static_cast<std::int64_t>(value), width};
 }
-/// A pin of a driver of your own.
-constexpr Pin wire(const char* port, int width = 1) { return {port, Pin::Kind::driver, 0, width}; }
 /// An output that is not compared.
 constexpr Pin unread(const char* port, int width = 1) {
   return {port, Pin::Kind::unread, 0, width};
 }
 
 }  // namespace pin
-}  // namespace cosim
+}  // namespace cosim::clocked

@@ -12,7 +12,7 @@
 #     MODEL header...              the struct that is its golden model, model/clocked/model.h, or its model
 #                                  of streams, model/clocked/stream.h
 #     [STRUCT name]                its name; default NAME in one word: AsyncFifo of async_fifo
-#     [NAMESPACE space]            of a model of tables, where it defines struct Design; default NAME_model
+#     [NAMESPACE space]            of a model of tables, where it defines struct Design
 #     [SHAPES "W=8 M=8'h1F"...]    parameters of the top, one build each: numbers, constants, words
 #                                  (MODE=FAST is a text); none: as the RTL has them
 #     [NETLISTS file.v...]         one a shape, simulated in place of SOURCES; their registers are wires
@@ -116,9 +116,7 @@ function(cosim_add_design NAME)
       message(FATAL_ERROR "${what}: needs ${needed}")
     endif()
   endforeach()
-  if(NOT D_NAMESPACE)
-    set(D_NAMESPACE ${NAME}_model)
-  elseif(NOT D_NAMESPACE MATCHES "^[A-Za-z_][A-Za-z0-9_]*(::[A-Za-z_][A-Za-z0-9_]*)*$")
+  if(D_NAMESPACE AND NOT D_NAMESPACE MATCHES "^[A-Za-z_][A-Za-z0-9_]*(::[A-Za-z_][A-Za-z0-9_]*)*$")
     message(FATAL_ERROR "${what}: NAMESPACE: names are letters, digits and _: ${D_NAMESPACE}")
   endif()
   set(TOP ${NAME})

@@ -48,4 +48,10 @@ for header in "$root"/model/*/machine.h "$root"/examples/*/*.h "$root"/tests/*/d
   ends 0 names stamp "$root" "$header"
   grep -qF "$(basename "$header")" stamp.d || fails "ninja is told of $header"
 done
+# A model none of whose headers reads the language is refused.
+printf '%s\n' 'set(VERILATOR_ROOT x)' "include($root/tb/package/design.cmake)" \
+  "cosim_add_design(queue SOURCES model.h MODEL other.h)" > add.cmake
+echo '#include "model.h"' > other.h
+if cmake -P add.cmake > said 2>&1; then fails "a model without the language is refused"; fi
+says_like 'MODEL: no header has #include <cosim/model.h> or'
 echo "as it should be"

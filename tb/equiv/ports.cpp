@@ -6,6 +6,7 @@
 #include <set>
 
 #include "model/core/input_error.h"
+#include "tb/equiv/clocks.h"
 #include "tb/support/words.h"
 
 namespace cosim::equiv {

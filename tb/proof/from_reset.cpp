@@ -1,5 +1,7 @@
 #include "tb/proof/from_reset.h"
 
+#include "tb/nets/runs.h"
+
 namespace cosim::proof {
 namespace {}
 

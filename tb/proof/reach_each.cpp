@@ -9,6 +9,7 @@
 #include <deque>
 #include <utility>
 
+#include "tb/nets/runs.h"
 #include "tb/proof/correspondence.h"
 
 namespace cosim::proof {
@@ -47,7 +48,7 @@ class Rounds {
 
  private:
   nets::Bit any_of(nets::Graph& graph, const Some& some) const {
-    nets::Bit any = no;
+    nets::Bit any = nets::no;
     for (const std::size_t i : some) any = graph.or_of(any, lits_[i]);
     return any;
   }

@@ -143,6 +143,11 @@ struct DesignOf : JobRecords<FirstModel, More...>, CheckerRecords<FirstModel, Mo
     const Asked<V> question = asked(p, s, in);
     return Step<V>{answer<State<V>>(p, question, "next"), answer<Outputs<V>>(p, question, "out")};
   }
+  /// The ways through clock(): the words of each, and whether it is taken.
+  template <class V>
+  static auto ways(const Params& p, const State<V>& s, const Inputs<V>& in) {
+    return SymbolsOf<V>::ways(asked(".ways", p, s, in));
+  }
   /// What that shape's exporter wrote, to be asked for a clock in these states and with these
   /// inputs; `more`: which of its files.
   template <class S, class... I>

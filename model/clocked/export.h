@@ -29,6 +29,13 @@
 // its outputs drive:NAME, the inputs that it drives, and over. Those of a checker are the members
 // of Job, Driver and Out, and over; its output is wrong.
 //
+// The ways through clock() are another file, PATH.ways.btor2, of the same inputs and states, which keep
+// their values. Its outputs are ways:I, each whether a clock takes a way; one of them is true on
+// every clock. Where there are more than 256 ways they are what each condition may be, and so are
+// those of conditions in blocks of merge() always. Each has a comment, a tabulator between two words:
+//
+//   ; ways:I KIND FILE LINE WHAT      as WayPoint has them (way_points.h)
+//
 // All bits are codes as RTL has them: two's complement, or ones' complement of a OnesComplement.
 // Assignments to members of In that are OnesComplement may have either code of 0.
 //
@@ -49,6 +56,7 @@
 #include <vector>
 
 #include "model/clocked/model.h"
+#include "model/clocked/way_points.h"
 
 namespace cosim::clocked {
 
@@ -159,6 +167,7 @@ class Exporting {
       const Id init = Inside::node(code_of(cell));
       const Id state = declare("state", label, cell);
       states_.push_back({state, label.is_unreset ? std::nullopt : std::optional(init)});
+      next_.push_back(state);
     });
     return all;
   }
@@ -207,6 +216,21 @@ class Exporting {
       return all;
     });
     for (std::size_t i = 0; i < names.size(); ++i) output(names[i], nodes[i]);
+  }
+  /// The ways through run() as outputs.
+  template <class Run>
+  void say_ways(const Run& run) {
+    ways.keep();
+    ways.join([&] {
+      run();
+      return std::vector<Id>();
+    });
+    for (const WayPoint& point : WayPoints().all()) {
+      const std::string name = "ways:" + std::to_string(outputs_.size());
+      file_.comment(name + '\t' + point.kind + '\t' + point.at.path + '\t' +
+                    std::to_string(point.at.line) + '\t' + point.what);
+      output(name, point.holds);
+    }
   }
   Exported file() {
     for (const Register& one : states_) {
@@ -281,6 +305,19 @@ Exported exported(const std::string& name) {
   return file.file();
 }
 
+/// The ways through its clock.
+template <class Model>
+Exported exported_ways(const std::string& name) {
+  Exporting file("ways of " + name, name);
+  const auto in = file.inputs<typename Model::In>();
+  const auto model = file.states<Model>();
+  file.say_ways([&] {
+    Model m = model;
+    m.clock(in);
+  });
+  return file.file();
+}
+
 /// The driver of its jobs.
 template <class Model>
 Exported exported_driver(const std::string& name) {
@@ -317,7 +354,7 @@ Exported exported_checker(const std::string& name) {
   return file.file();
 }
 
-/// Writes PATH.btor2 and, of a model with jobs, PATH.driver.btor2 and PATH.checker.btor2. A file of
+/// Writes PATH.btor2, PATH.ways.btor2 and, of a model with jobs, PATH.driver.btor2 and PATH.checker.btor2. A file of
 /// what cannot be exported has a line "; error: TEXT" alone.
 template <class Model>
 void write_exported(const std::string& path, const std::string& name) {
@@ -332,6 +369,7 @@ void write_exported(const std::string& path, const std::string& name) {
     std::filesystem::rename(path + more + ".btor2.new", path + more + ".btor2");
   };
   write("", [&] { return exported<Model>(name); });
+  write(".ways", [&] { return exported_ways<Model>(name); });
   if constexpr (requires { typename Model::Job; }) {
     write(".driver", [&] { return exported_driver<Model>(name); });
   }

@@ -1,4 +1,5 @@
-// PROGRAM cover: what of the RTL, and which cases of the model, the sweeps of a design never reach.
+// PROGRAM cover: what of the RTL, and which cases and ways of the model, the sweeps of a design never
+// reach.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -45,13 +46,16 @@ struct CoverOptions {
 
 bool is_toggle(const Point& p) { return p.kind == "toggle"; }
 bool is_cover(const Point& p) { return p.kind == "user"; }
-bool is_line(const Point& p) { return !is_toggle(p) && !is_cover(p); }
+bool is_way(const Point& p) { return p.kind == "model way"; }
+bool is_branch(const Point& p) { return p.kind == "model branch"; }
+bool is_line(const Point& p) { return !is_toggle(p) && !is_cover(p) && !is_of_model(p); }
 
 struct Kind {
   const char* name;
   bool (*is)(const Point&);
 };
-constexpr Kind point_kinds[] = {{"lines", is_line}, {"toggles", is_toggle}, {"covers", is_cover}};
+constexpr Kind kinds_of_rtl[] = {{"lines", is_line}, {"toggles", is_toggle}, {"covers", is_cover}};
+constexpr Kind kinds_of_model[] = {{"ways", is_way}, {"branches", is_branch}};
 
 // "24 of 24 lines"; nothing where there is none.
 void add_part(std::string& text, Json& json, const char* name, std::uint64_t reached,
@@ -68,14 +72,20 @@ std::string known(const std::vector<Answer>& answers, std::size_t i) {
   return answers[i] == Answer::open ? ": open" : ": unreachable, proved";
 }
 
+std::string never_taken(const Point& p, const std::string& answer) {
+  const std::size_t colon = p.what.find(':');  // "false: if (x); after 36 true"
+  return fmt::format("{}:{}: never {}{}{}", p.file, p.line, p.what.substr(0, colon), answer,
+                     p.what.substr(colon));
+}
+
 // One line a place; bits of one declaration that never toggle share it.
 std::vector<std::string> never_reached(const Points& points, const Answers& answers) {
   std::vector<std::string> lines;
   std::string place;
-  for (std::size_t i = 0; i < points.rtl.size(); ++i) {
-    const Point& p = points.rtl[i];
-    if (p.hits != 0) continue;
-    const std::string answer = known(answers.rtl, i);
+  for (std::size_t i = 0; i < points.places.size(); ++i) {
+    const Point& p = points.places[i];
+    if (p.hits != 0 || is_of_model(p)) continue;
+    const std::string answer = known(answers.places, i);
     const std::string here = fmt::format("{}:{}:{}{}", p.file, p.line, p.column, answer);
     if (is_toggle(p) && here == place) {
       lines.back() += ' ' + p.what;
@@ -90,13 +100,17 @@ std::vector<std::string> never_reached(const Points& points, const Answers& answ
     lines.push_back(
         fmt::format("never happens{}: {}", known(answers.cases, i), points.cases[i].name));
   }
+  for (std::size_t i = 0; i < points.places.size(); ++i) {
+    const Point& p = points.places[i];
+    if (p.hits == 0 && is_of_model(p)) lines.push_back(never_taken(p, known(answers.places, i)));
+  }
   return lines;
 }
 
 // How many of all points have each answer.
 Json closed(const Points& points, const Answers& answers) {
   std::map<Answer, std::size_t> sums;
-  for (const Answer a : answers.rtl) ++sums[a];
+  for (const Answer a : answers.places) ++sums[a];
   for (const Answer a : answers.cases) ++sums[a];
   std::string text =
       fmt::format("{} reached, {} unreachable, {} open", sums[Answer::reached],
@@ -105,7 +119,7 @@ Json closed(const Points& points, const Answers& answers) {
     text += fmt::format(", {} of these not asked: no lines are, nor bits that yosys has no net of",
                         sums[Answer::not_asked]);
   }
-  fmt::print("of {}: {}\n", count(points.rtl.size() + points.cases.size(), "point"), text);
+  fmt::print("of {}: {}\n", count(points.places.size() + points.cases.size(), "point"), text);
   return {{"reached", sums[Answer::reached]},
           {"unreachable", sums[Answer::unreachable]},
           {"open", sums[Answer::open]},
@@ -167,16 +181,18 @@ Json covered(const CoverOptions& o, const Registry& registry, const Benches& ben
   const Answers answers = o.close ? form().ask_points(asking, points) : Answers{};
   Json json{{"design", design}, {"shapes", benches.size()}, {"differs", differed}};
   std::string text;
-  for (const Kind& kind : point_kinds) {
-    const auto all = std::ranges::count_if(points.rtl, kind.is);
+  const auto add_kind = [&](const Kind& kind) {
+    const auto all = std::ranges::count_if(points.places, kind.is);
     const auto reached = std::ranges::count_if(
-        points.rtl, [&](const Point& p) { return kind.is(p) && p.hits != 0; });
+        points.places, [&](const Point& p) { return kind.is(p) && p.hits != 0; });
     add_part(text, json, kind.name, static_cast<std::uint64_t>(reached),
              static_cast<std::uint64_t>(all));
-  }
+  };
+  for (const Kind& kind : kinds_of_rtl) add_kind(kind);
   const auto hit =
       std::ranges::count_if(points.cases, [](const auto& one) { return one.hits != 0; });
   add_part(text, json, "cases", static_cast<std::uint64_t>(hit), points.cases.size());
+  for (const Kind& kind : kinds_of_model) add_kind(kind);
   fmt::print("{}, {}: reached {}\n", design, count(benches.size(), "shape"), text);
   const auto left = never_reached(points, answers);
   for (const std::string& line : left) fmt::print("{}\n", line);
@@ -239,7 +255,7 @@ void add_cover(const Command& program, const Registry& registry) {
   if (!registry.has_designs()) return;
   auto o = std::make_shared<CoverOptions>();
   const Command command = program.sub(
-      "cover", "Which lines and bits of the RTL, and which cases, the sweeps never reach");
+      "cover", "Which lines and bits of the RTL, and cases and ways of the model, the sweeps never reach");
   command.arguments("MACHINE", o->words, "A design, or a line of 'list'; default all");
   command.text("--hostile", o->hostile, "CLOCKS",
                "How many hostile clocks each shape gets; default 100000");
@@ -260,8 +276,11 @@ void add_cover(const Command& program, const Registry& registry) {
       "instances\n"
       "and shapes of a design; not what stands between '// verilator coverage_off' and\n"
       "'// verilator coverage_on'. The program with counters is built when first asked for.\n"
-      "--close asks, of the RTL and the model from their reset on, for each bit, cover statement\n"
-      "and case; its stimuli are kept, and run in the RTL with counters.\n"
+      "The ways through clock() of the model are those that its exporter takes; where there are\n"
+      "more than 256 they are branches, what each condition may be, and so are conditions in\n"
+      "blocks of merge(). A way is printed by the line of its last condition.\n"
+      "--close asks, of the RTL and the model from their reset on, for each bit, cover statement,\n"
+      "case and way; its stimuli are kept, and run in the RTL with counters.\n"
       "Exit status: 0 all reached, or proved unreachable; 1 something was not; 2 bad input.\n"
       "Example: {0} cover {1} --hostile 10000",
       program_name(), benches().front()->built_as()));

@@ -20,7 +20,7 @@ enum class Answer {
 
 /// Of the points of a design, in their order.
 struct Answers {
-  std::vector<Answer> rtl, cases;
+  std::vector<Answer> places, cases;
 };
 
 struct Asking {

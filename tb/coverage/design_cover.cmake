@@ -31,6 +31,9 @@ function(cosim_shape_cover)
     ${FOLDER} ${FOLDER}/verilated ${CMAKE_CURRENT_BINARY_DIR})
   target_link_libraries(${program} PRIVATE ${D_LIBRARIES} cosim::stream cosim::dut
     cosim::runtime_parts cosim::runtime)
+  if(is_struct)  # the ways through it
+    add_dependencies(${program} ${NAME}_exported)
+  endif()
   set_property(GLOBAL APPEND PROPERTY COSIM_ON_DEMAND
     "    {BuiltOnDemand::Kind::cover, \"${TITLE}\", \"${program}\", \"${FOLDER}\"},\n")
 endfunction()

@@ -71,7 +71,24 @@ Point point_in(const std::string& line) {
           {below_top(name_in(has['h']))}};
 }
 
+// DESIGN, what is a way's in the file of its model, and hits.
+Point way_in(const std::string& line) {
+  const auto words = parts_in(line, '\t');
+  if (words.size() != 6) throw InputError(fmt::format("no count of a way: {}", line));
+  return {"model " + words[1],
+          words[2],
+          number_in<int>(words[3], line),
+          0,
+          words[4],
+          number_in<std::uint64_t>(words[5], line),
+          {""}};
+}
+
 }  // namespace
+
+std::string name_in_model(const Point& p) {
+  return fmt::format("{}\t{}\t{}\t{}", p.kind.substr(p.kind.find(' ') + 1), p.file, p.line, p.what);
+}
 
 bool is_same(const Point& a, const Point& b) {
   const auto place = [](const Point& p) {
@@ -86,7 +103,7 @@ Points read_points(const std::string& folder) {
     std::uint64_t hits = 0;
     std::set<std::string> instances;
   };
-  std::map<Place, Seen> rtl;
+  std::map<Place, Seen> places;
   Points all;
   std::set<fs::path> paths;
   for (const auto& file : fs::recursive_directory_iterator(folder)) {
@@ -95,6 +112,7 @@ Points read_points(const std::string& folder) {
   for (const fs::path& path : paths) {
     const std::string name_of_file = path.filename().string();
     const bool cases = name_of_file.starts_with("cases.");
+    const bool ways = name_of_file.starts_with("ways.");
     const bool before = name_of_file.starts_with("before.");
     for (const std::string& line : lines_in(read_file(path.string()))) {
       if (cases) {
@@ -109,22 +127,22 @@ Points read_points(const std::string& folder) {
           same->hits += count.hits;
         }
       } else if (!line.starts_with('#')) {
-        const Point p = point_in(line);
-        Seen& seen = rtl[{p.file, p.line, p.column, p.kind, p.what}];
+        const Point p = ways ? way_in(line) : point_in(line);
+        Seen& seen = places[{p.file, p.line, p.column, p.kind, p.what}];
         seen.hits += before && p.kind == "toggle" ? 0 : p.hits;
         seen.instances.insert(p.instances.front());
       }
     }
   }
-  for (const auto& [place, seen] : rtl) {
+  for (const auto& [place, seen] : places) {
     const auto& [file, line, column, kind, what] = place;
-    all.rtl.push_back({kind,
-                       file,
-                       line,
-                       column,
-                       what,
-                       seen.hits,
-                       {seen.instances.begin(), seen.instances.end()}});
+    all.places.push_back({kind,
+                          file,
+                          line,
+                          column,
+                          what,
+                          seen.hits,
+                          {seen.instances.begin(), seen.instances.end()}});
   }
   return all;
 }

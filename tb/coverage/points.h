@@ -1,5 +1,5 @@
-// What Verilator and the cases of a model have counted, read out of the files that counted runs
-// left.
+// What Verilator and the cases and ways of a model have counted, read out of the files that counted
+// runs left.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,13 @@
 
 namespace cosim::coverage {
 
-/// A place in the RTL.
+/// A place in the RTL, or a way through the model, at its last condition.
 struct Point {
-  std::string kind;  ///< line, branch, toggle, user
+  std::string kind;  ///< line, branch, toggle, user; model way, model branch
   std::string file;
   int line = 0, column = 0;
-  std::string what;  ///< "count[3]" of a toggle, "if" or "else" of a branch
+  /// "count[3]" of a toggle, "if" or "else" of a branch; "false: if (x); after 36 true" of a way.
+  std::string what;
   std::uint64_t hits = 0;
   /// The instances below the top, "a.b", or "*" in place of what differs between them.
   std::vector<std::string> instances = {};
@@ -24,8 +25,12 @@ struct Point {
 /// Whether they are the same place, however often it was reached.
 bool is_same(const Point& a, const Point& b);
 
+inline bool is_of_model(const Point& p) { return p.kind.starts_with("model "); }
+/// What a way or a branch of the model is called in its file (model/clocked/export.h).
+std::string name_in_model(const Point& p);
+
 struct Points {
-  std::vector<Point> rtl;    ///< by file, line and column
+  std::vector<Point> places;  ///< by file, line and column
   std::vector<Count> cases;  ///< in the order in which they were found
 };
 

@@ -14,8 +14,8 @@ std::string file_for(const std::string& what, int number) {
   return fmt::format("{}/{}.{}.{}", folder, what, getpid(), number);
 }
 
-void leave(const std::string& design, const std::vector<Count>& counts) {
-  const std::string path = file_for("cases", 0);
+void leave(const std::string& what, const std::string& design, const std::vector<Count>& counts) {
+  const std::string path = file_for(what, 0);
   if (path.empty()) return;
   std::ofstream file(path, std::ios::app);
   for (const Count& count : counts) {

@@ -1,5 +1,5 @@
-// In a build that measures coverage, lockstep counts how often each of a model's cases happens. In
-// other builds this costs nothing.
+// In a build that measures coverage, lockstep counts how often each of a model's cases happens, and
+// each way through it is taken. In other builds this costs nothing.
 #pragma once
 
 #include <array>
@@ -32,8 +32,14 @@ struct Count {
 /// COSIM_COVERAGE names; empty if it is not set: then no counts are written.
 std::string file_for(const std::string& what, int number);
 
-/// Writes the counts of a design's cases into such a file, one line a case.
-void leave(const std::string& design, const std::vector<Count>& counts);
+/// Writes the counts of a design's cases or ways into such a file, one line each.
+void leave(const std::string& what, const std::string& design, const std::vector<Count>& counts);
+
+}  // namespace cosim::coverage
+#ifdef COSIM_COVERAGE
+#include "tb/coverage/ways_taken.h"  // which leaves counts
+#endif
+namespace cosim::coverage {
 
 /// The counts of a design's cases, written when the process ends.
 template <class Design, std::size_t n>
@@ -49,7 +55,7 @@ class Counts {
   ~Counts() {
     std::vector<Count> all;
     for (std::size_t i = 0; i < n; ++i) all.push_back({cases_[i].sentence, hits_[i]});
-    leave(Design::name, all);
+    leave("cases", Design::name, all);
   }
 
  private:
@@ -66,6 +72,9 @@ void count([[maybe_unused]] const Params& p, [[maybe_unused]] const State& s,
     const auto cases = cases_of<Word>(p, s, in);
     constexpr std::size_t n = std::tuple_size_v<std::remove_const_t<decltype(cases)>>;
     if constexpr (n != 0) Counts<Design, n>::clock(cases);
+#ifdef COSIM_COVERAGE
+    if constexpr (requires { Design::model(p); }) WaysTaken<Design>::clock(p, s, in);
+#endif
   }
 }
 

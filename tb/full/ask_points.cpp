@@ -40,13 +40,13 @@ struct Told {
 class Asker {
  public:
   Asker(const coverage::Asking& asking, coverage::Points& points)
-      : asking_(asking), points_(points), rtl_(points.rtl.size()), cases_(points.cases.size()) {}
+      : asking_(asking), points_(points), places_(points.places.size()), cases_(points.cases.size()) {}
 
   coverage::Answers ask() {
     for (const auto& shape : asking_.shapes) ask(shape);
     coverage::Answers all;
-    for (std::size_t i = 0; i < rtl_.size(); ++i) {
-      all.rtl.push_back(rtl_[i].answer(points_.rtl[i].hits));
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      all.places.push_back(places_[i].answer(points_.places[i].hits));
     }
     for (std::size_t i = 0; i < cases_.size(); ++i) {
       all.cases.push_back(cases_[i].answer(points_.cases[i].hits));
@@ -57,27 +57,27 @@ class Asker {
  private:
   // The points that the shape has and nothing has reached.
   void ask(const coverage::Asking::Shape& shape) {
-    std::vector<std::size_t> rtl, cases;
-    for (std::size_t i = 0; i < rtl_.size(); ++i) {
-      const auto same = [&](const Point& other) { return is_same(points_.rtl[i], other); };
-      const auto& its = shape.points.rtl;
-      if (points_.rtl[i].hits == 0 && std::ranges::any_of(its, same)) rtl.push_back(i);
+    std::vector<std::size_t> places, cases;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const auto same = [&](const Point& other) { return is_same(points_.places[i], other); };
+      const auto& its = shape.points.places;
+      if (points_.places[i].hits == 0 && std::ranges::any_of(its, same)) places.push_back(i);
     }
     for (std::size_t i = 0; i < cases_.size(); ++i) {
       if (points_.cases[i].hits == 0) cases.push_back(i);
     }
-    if (rtl.empty() && cases.empty()) return;
+    if (places.empty() && cases.empty()) return;
     try {
-      ask(*shape.bench, rtl, cases);
+      ask(*shape.bench, places, cases);
     } catch (const InputError& error) {
       if (!is_installed("yosys") || !is_installed("yosys-abc")) throw;
       fmt::print("{}: nothing can be asked of it\n", error.what());
-      for (const std::size_t i : rtl) rtl_[i].is_missing = true;
+      for (const std::size_t i : places) places_[i].is_missing = true;
       for (const std::size_t i : cases) cases_[i].is_missing = true;
     }
   }
 
-  void ask(const AnyBench& bench, const std::vector<std::size_t>& rtl,
+  void ask(const AnyBench& bench, const std::vector<std::size_t>& places,
            const std::vector<std::size_t>& cases) {
     const proof::BuiltMachine& machine = machine_of(bench);
     if (!machine.is_provable()) {
@@ -90,22 +90,30 @@ class Asker {
     const proof::RtlNets nets(source);
     watched_.clear();
     tell_.clear();
-    for (const std::size_t i : rtl) {
-      Watched watched = watched_of(points_.rtl[i], nets);
-      if (watched.toggles.empty() && watched.holds.empty()) {
-        rtl_[i].is_missing = true;
+    for (const std::size_t i : places) {
+      Watched watched = watched_of(points_.places[i], nets);
+      if (watched.toggles.empty() && watched.holds.empty() && watched.model_case.empty()) {
+        places_[i].is_missing = true;
       } else {
-        watch(std::move(watched), rtl_[i], points_.rtl[i].what);
+        watch(std::move(watched), places_[i], words_for(points_.places[i]));
       }
     }
     for (const std::size_t i : cases) {
       watch({{}, {}, points_.cases[i].name}, cases_[i], points_.cases[i].name);
     }
-    if (!watched_.empty()) answer(bench, proof::FromReset(machine.nets(), nets, {}, watched_));
+    if (!watched_.empty()) answer(bench, proof::FromReset(machine.covered(), nets, {}, watched_));
+  }
+
+  // The point in the head of a stimulus.
+  static std::string words_for(const Point& point) {
+    if (!is_of_model(point)) return point.what;
+    const std::string file = fs::path(point.file).filename().string();
+    return fmt::format("{}:{} {}", file, point.line, point.what);
   }
 
   static Watched watched_of(const Point& point, const proof::RtlNets& rtl) {
     Watched watched;
+    if (is_of_model(point)) watched.model_case = name_in_model(point);
     if (point.kind == "toggle") {
       for (const std::string& instance : point.instances) {
         const auto nets = rtl.nets_in(instance, point.what);
@@ -166,7 +174,7 @@ class Asker {
   };
   const coverage::Asking& asking_;
   coverage::Points& points_;
-  std::vector<Told> rtl_, cases_;
+  std::vector<Told> places_, cases_;
   std::vector<Watched> watched_;  // in the shape that is asked
   std::vector<Tell> tell_;        // and whom it is told
 };

@@ -8,6 +8,8 @@
 
 #include "model/core/input_error.h"
 #include "tb/nets/btor2.h"
+#include "tb/support/read_file.h"
+#include "tb/support/words.h"
 
 namespace cosim::clocked {
 namespace {
@@ -122,6 +124,16 @@ std::vector<Truth> SymbolsOf<Number>::conditions(const Question& asked,
   std::vector<Truth> all;
   for (const Bits& bit : gives(asked, section, spare, graph)) {
     all.push_back(bit[0].is_constant() ? Truth(bit[0] == nets::yes) : Truth(*graph, bit[0]));
+  }
+  return all;
+}
+
+std::vector<std::pair<std::string, Truth>> SymbolsOf<Number>::ways(const Question& asked) {
+  const auto taken = conditions(asked, "ways");
+  std::vector<std::pair<std::string, Truth>> all;
+  for (const std::string& line : lines_in(read_file(asked.file + ".btor2"))) {
+    if (!line.starts_with("; ways:")) continue;
+    all.emplace_back(line.substr(line.find('\t') + 1), taken.at(all.size()));
   }
   return all;
 }

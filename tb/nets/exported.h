@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "model/clocked/design.h"
@@ -20,6 +21,8 @@ struct SymbolsOf<nets::Number> {
   static void give(const Question& asked, const std::string& section, Cells& wanted);
   /// Its outputs of one bit.
   static std::vector<nets::Truth> conditions(const Question& asked, const std::string& section);
+  /// The words of the ways in the file, as they are in their comments, and whether each is taken.
+  static std::vector<std::pair<std::string, nets::Truth>> ways(const Question& asked);
 };
 
 }  // namespace cosim::clocked

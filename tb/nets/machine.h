@@ -58,6 +58,9 @@ struct Machine {
   std::vector<Wire> turned;
   std::vector<Wire> next;    ///< the state after it, with what they take
   std::vector<Named> cases;  ///< what may happen on a clock; each must be possible
+  /// The ways through clock() of an exported model, where they are asked for; their words are those
+  /// in its file.
+  std::vector<Named> ways;
   std::vector<Named> legal;  ///< what is assumed of the inputs of a clock
   std::vector<Named> idle;   ///< the same of the inputs that the model says are legal always
   /// The inputs that reset the machine, with the values they have then, and on how many clocks they
@@ -150,10 +153,24 @@ std::vector<Named> whole_invariant(const typename Design::Params& p,
 
 }  // namespace detail
 
+/// The ways through clock() in this state and with these inputs; none of a model that is not
+/// exported.
+template <class Design>
+std::vector<Named> ways_of(const typename Design::Params& p,
+                           const typename Design::template State<Number>& s,
+                           const typename Design::template Inputs<Number>& in) {
+  if constexpr (requires { Design::ways(p, s, in); }) {
+    return detail::named(Design::ways(p, s, in));
+  } else {
+    return {};
+  }
+}
+
 /// The machine of one design at the parameters p. free_state(field) and free_input(field) make a
 /// FreeCell: of a state's field a number with a sign where it has one, of an input's its code.
 template <class Design, class FreeState, class FreeInput>
-Machine machine_of(const typename Design::Params& p, FreeState free_state, FreeInput free_input) {
+Machine machine_of(const typename Design::Params& p, FreeState free_state, FreeInput free_input,
+                   bool with_ways = false) {
   using detail::compared_when, detail::named, detail::wires;
   using State = typename Design::template State<Number>;
   using Inputs = typename Design::template Inputs<Number>;
@@ -192,6 +209,7 @@ Machine machine_of(const typename Design::Params& p, FreeState free_state, FreeI
   }
   m.next = wires(after, state_fields);
   m.cases = named(cases_of<Number>(p, s, in));
+  if (with_ways) m.ways = ways_of<Design>(p, seen, in);
   m.legal = named(legal_of<Number>(p, s, in));
   if (!m.legal.empty()) m.idle = named(legal_of<Number>(p, s, idle_of<Design, Number>(p, s)));
   // Else nothing would show that the invariant can be met.

@@ -31,14 +31,14 @@ FreeCell free_state(Model& model, const Field& field);
 
 /// The nets of one design at the parameters p.
 template <class Design>
-Model model_of(const typename Design::Params& p) {
+Model model_of(const typename Design::Params& p, bool with_ways = false) {
   Model model;
   const auto state = [&](const Field& f) { return free_state(model, f); };
   const auto input = [&](const Field& f) {
     const std::vector<Bit> code = free_bits(model, "in", f);
     return FreeCell{Number::unsigned_code(model.graph, code), code};
   };
-  model.machine = machine_of<Design>(p, state, input);
+  model.machine = machine_of<Design>(p, state, input, with_ways);
   return model;
 }
 

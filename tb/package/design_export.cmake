@@ -1,6 +1,6 @@
 # cmake -DCOMPILER=... -DSOURCE=... -DSTAMP=... -DINCLUDES=... -DMODEL=... -DFILES=... -P design_export.cmake
 #
-# Compiles the exporter of a design's golden model and runs it: then FILES.btor2 are there, and STAMP,
+# Compiles the exporter of a design's golden model and runs it: then FILES.btor2 and more are there, and STAMP,
 # with what it depends on in STAMP.d. A model that no exporter can be compiled for is simulated all the
 # same: its files have one line "; error: TEXT", which names the line of a header of MODEL, and which
 # prove, lanes and all else that reasons on it says.
@@ -30,7 +30,9 @@ else()
     endif()
   endforeach()
   foreach(file IN LISTS FILES)
-    file(WRITE ${file}.btor2 "; error: ${error}\n")
+    foreach(part .btor2 .ways.btor2)
+      file(WRITE ${file}${part} "; error: ${error}\n")
+    endforeach()
   endforeach()
   if(NOT EXISTS ${STAMP}.d)
     list(JOIN MODEL " " headers)

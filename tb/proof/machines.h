@@ -19,7 +19,8 @@ namespace cosim::proof {
 struct BuiltMachine {
   std::string title;
   nets::Model (*nets)();  ///< makes its model; null where it cannot be made
-  Source source;          ///< the RTL it was built from
+  nets::Model (*covered)();  ///< the same with the ways through it
+  Source source;             ///< the RTL it was built from
   bool streams = false;   ///< it has a stream model alone, without a step
   /// All that runs in lanes; null where there are no nets.
   nets::Played (*played)() = nullptr;
@@ -45,7 +46,7 @@ BuiltMachine built_machine(Source source) {
   using Design = typename Trait::Design;
   source.clocks_are_inputs = clocks_of<Design> != 0;
   if constexpr (requires { Trait::clocks; }) source.clocks_are_inputs |= *Trait::clocks != '\0';
-  BuiltMachine machine{Trait::title, nullptr, std::move(source),
+  BuiltMachine machine{Trait::title, nullptr, nullptr, std::move(source),
                        !StepsOn<Design, Word>};
   if constexpr (requires { Trait::resets; }) {
     machine.resets_itself = std::string_view(Trait::resets).find("inner ") != std::string::npos;
@@ -57,6 +58,7 @@ BuiltMachine built_machine(Source source) {
       if constexpr (is_exported) nets::require_same<Design>(model, Trait::params, Trait::title);
       return model;
     };
+    machine.covered = [] { return nets::model_of<Design>(Trait::params, true); };
     machine.played = [] {
       auto played = nets::played_of<Design>(Trait::params);
       if constexpr (is_exported) {

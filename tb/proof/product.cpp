@@ -220,8 +220,10 @@ class ProductMaker {
       const Bit holds = nets[net];
       any = graph_.or_of(any, rtl_.is_sampled(net) ? graph_.and_of(is_later_, holds) : holds);
     }
-    for (const nets::Named& n : m_.cases) {
-      if (n.name == one.model_case) any = graph_.or_of(any, n.condition);
+    for (const auto* all : {&m_.cases, &m_.ways}) {
+      for (const nets::Named& n : *all) {
+        if (n.name == one.model_case) any = graph_.or_of(any, n.condition);
+      }
     }
     return any;
   }

@@ -28,7 +28,7 @@ using Texts = std::vector<std::string>;
 // "count[3] 12": what it is, and how often.
 Texts told(const Points& all) {
   Texts texts;
-  for (const auto& p : all.rtl) texts.push_back(p.what + ' ' + std::to_string(p.hits));
+  for (const auto& p : all.places) texts.push_back(p.what + ' ' + std::to_string(p.hits));
   for (const auto& c : all.cases) texts.push_back(c.name + ' ' + std::to_string(c.hits));
   return texts;
 }
@@ -42,12 +42,12 @@ TEST_F(CoveragePoints, OfAllInstancesAndFilesAreAddedUp) {
                                     counted("toggle", 12, "word__024a[4]", "TOP.top.one", 0));
   const Points all = read();
   ASSERT_EQ(told(all), (Texts{"block 0", "count[3] 12", "word$a[4] 0"}));
-  EXPECT_EQ(all.rtl[0].kind, "line");
-  EXPECT_EQ(all.rtl[0].file, "/some where/part.v");
-  EXPECT_EQ(all.rtl[0].line, 7);
-  EXPECT_EQ(all.rtl[0].column, 5);
-  EXPECT_EQ(all.rtl[1].kind, "toggle");
-  EXPECT_EQ(all.rtl[1].instances, (Texts{"one", "two.part"}));
+  EXPECT_EQ(all.places[0].kind, "line");
+  EXPECT_EQ(all.places[0].file, "/some where/part.v");
+  EXPECT_EQ(all.places[0].line, 7);
+  EXPECT_EQ(all.places[0].column, 5);
+  EXPECT_EQ(all.places[1].kind, "toggle");
+  EXPECT_EQ(all.places[1].instances, (Texts{"one", "two.part"}));
   EXPECT_TRUE(all.cases.empty());
 }
 

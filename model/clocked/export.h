@@ -29,10 +29,11 @@
 // its outputs drive:NAME, the inputs that it drives, and over. Those of a checker are the members
 // of Job, Driver and Out, and over; its output is wrong.
 //
-// The ways through clock() are another file, PATH.ways.btor2, of the same inputs and states, which keep
-// their values. Its outputs are ways:I, each whether a clock takes a way; one of them is true on
-// every clock. Where there are more than 256 ways they are what each condition may be, and so are
-// those of conditions in blocks of merge() always. Each has a comment, a tabulator between two words:
+// The ways through clock() are another file, PATH.ways.btor2, of the same inputs and states, which
+// keep their values. Its outputs are ways:I, each whether a clock takes a way; one of them is true
+// on every clock. Where there are more than 256 ways they are what each condition may be, and so
+// are those of conditions in blocks of merge() always. Each has a comment, a tabulator between two
+// words:
 //
 //   ; ways:I KIND FILE LINE WHAT      as WayPoint has them (way_points.h)
 //
@@ -354,8 +355,8 @@ Exported exported_checker(const std::string& name) {
   return file.file();
 }
 
-/// Writes PATH.btor2, PATH.ways.btor2 and, of a model with jobs, PATH.driver.btor2 and PATH.checker.btor2. A file of
-/// what cannot be exported has a line "; error: TEXT" alone.
+/// Writes PATH.btor2, PATH.ways.btor2 and, of a model with jobs, PATH.driver.btor2 and
+/// PATH.checker.btor2. A file of what cannot be exported has a line "; error: TEXT" alone.
 template <class Model>
 void write_exported(const std::string& path, const std::string& name) {
   const auto write = [&](const std::string& more, const auto& make) {

@@ -31,7 +31,7 @@ std::string name_in_model(const Point& p);
 
 struct Points {
   std::vector<Point> places;  ///< by file, line and column
-  std::vector<Count> cases;  ///< in the order in which they were found
+  std::vector<Count> cases;   ///< in the order in which they were found
 };
 
 /// The sums over all files in the folder and below it: a place is the same in every instance and

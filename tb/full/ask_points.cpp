@@ -40,7 +40,10 @@ struct Told {
 class Asker {
  public:
   Asker(const coverage::Asking& asking, coverage::Points& points)
-      : asking_(asking), points_(points), places_(points.places.size()), cases_(points.cases.size()) {}
+      : asking_(asking),
+        points_(points),
+        places_(points.places.size()),
+        cases_(points.cases.size()) {}
 
   coverage::Answers ask() {
     for (const auto& shape : asking_.shapes) ask(shape);

@@ -18,10 +18,10 @@ namespace cosim::proof {
 /// A design at a shape.
 struct BuiltMachine {
   std::string title;
-  nets::Model (*nets)();  ///< makes its model; null where it cannot be made
+  nets::Model (*nets)();     ///< makes its model; null where it cannot be made
   nets::Model (*covered)();  ///< the same with the ways through it
   Source source;             ///< the RTL it was built from
-  bool streams = false;   ///< it has a stream model alone, without a step
+  bool streams = false;      ///< it has a stream model alone, without a step
   /// All that runs in lanes; null where there are no nets.
   nets::Played (*played)() = nullptr;
   /// What drives and checks its jobs; null where there are no nets.

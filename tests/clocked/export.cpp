@@ -20,6 +20,9 @@ int main(int, char** arguments) {
     const Exported model = exported<Model>(name);
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
     std::ofstream(folder + "/" + name + ".btor2") << model.text;
+#ifndef COSIM_EXPRESSIONS
+    std::ofstream(folder + "/" + name + ".ways.btor2") << exported_ways<Model>(name).text;
+#endif
     std::printf("%-16s %5llu ways %6zu nodes %8.2f ms\n", name.c_str(),
                 static_cast<unsigned long long>(model.ways), model.nodes, spent.count() * 1e3);
   };

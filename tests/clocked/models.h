@@ -7,6 +7,7 @@
 #include "tests/clocked/circular.h"
 #include "tests/clocked/features.h"
 #include "tests/clocked/rv32i.h"
+#include "tests/clocked/turnstile.h"
 
 namespace cosim::clocked::test {
 
@@ -20,6 +21,7 @@ void for_each_model(const Visit& visit) {
   visit.template operator()<Circular<32>>("circular_32");
   visit.template operator()<Rv32i>("rv32i");
   visit.template operator()<Features>("features");
+  visit.template operator()<Turnstile>("turnstile");
   visit.template operator()<Valid<60>>("valid_60");
 }
 

@@ -19,7 +19,7 @@ class Netlist {
     Id node;
     Id init = 0, next = 0;  // of a state; 0: none
   };
-  std::vector<Cell> inputs, states, outputs;
+  std::vector<Cell> inputs, states, outputs, said;  // said: outputs with a colon in their names
   std::vector<Node> nodes{1};
   std::vector<Wide> constants;
 
@@ -44,8 +44,9 @@ class Netlist {
           if (state.node == ids.at(a)) (kind == "init" ? state.init : state.next) = ids.at(b);
         }
       } else if (kind == "output") {
-        line >> name;  // with a colon: what the model says beside its clock
-        if (name.find(':') == std::string::npos) outputs.push_back({name, ids.at(sort)});
+        line >> name;
+        const bool is_said = name.find(':') != std::string::npos;
+        (is_said ? said : outputs).push_back({name, ids.at(sort)});
       } else if (kind == "consth") {
         line >> name;
         Wide value;

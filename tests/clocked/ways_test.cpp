@@ -35,6 +35,35 @@ std::string error_of(Exported (*run)(const std::string&)) {
 
 TEST(ClockedWays, AreOneForEachChoice) { EXPECT_EQ(exported<Chain<5>>("chain").ways, 32U); }
 
+// The words of their comments: what each is, from its kind on.
+std::vector<std::string> points_of(const Exported& file) {
+  std::vector<std::string> all;
+  std::istringstream lines(file.text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("; ways:")) all.push_back(line.substr(line.find('\t') + 1));
+  }
+  return all;
+}
+
+TEST(ClockedWays, EachHasTheLineOfItsLastCondition) {
+  const auto points = points_of(exported_ways<Chain<5>>("chain"));
+  EXPECT_EQ(points.size(), 32U);
+  for (const std::string& point : points) {
+    EXPECT_TRUE(point.starts_with("way\t/")) << point;
+    EXPECT_NE(point.find("/ways_test.cpp\t21\t"), std::string::npos) << point;
+    EXPECT_NE(point.find(": if (in.set[i]) count = count * 3 + i; after 21 "), std::string::npos)
+        << point;
+  }
+}
+
+TEST(ClockedWays, TooManyToListAreBranches) {
+  const auto points = points_of(exported_ways<Chain<9>>("chain"));
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_TRUE(points[0].starts_with("branch\t/")) << points[0];
+  EXPECT_TRUE(points[0].ends_with("\t21\tfalse: if (in.set[i]) count = count * 3 + i"));
+  EXPECT_TRUE(points[1].ends_with("\t21\ttrue: if (in.set[i]) count = count * 3 + i"));
+}
+
 TEST(ClockedWays, TooManyNameTheLineThatForksMost) {
   ways.most_ways = 1000;
   const std::string error = error_of(exported<Chain<20>>);

@@ -51,6 +51,17 @@ TEST_F(CoveragePoints, OfAllInstancesAndFilesAreAddedUp) {
   EXPECT_TRUE(all.cases.empty());
 }
 
+TEST_F(CoveragePoints, AWayIsTheSameInEachShape) {
+  const std::string way = "way\t/uart.h\t38\ttrue: if (left != 0); after 27 false";
+  folder.write("ways.12.0", "uart\t" + way + "\t3\nuart\tbranch\t/uart.h\t40\tfalse: if (x)\t0\n");
+  folder.write("ways.13.0", "uart\t" + way + "\t4\n");
+  const Points all = read();
+  ASSERT_EQ(told(all), (Texts{"true: if (left != 0); after 27 false 7", "false: if (x) 0"}));
+  EXPECT_EQ(all.places[0].kind, "model way");
+  EXPECT_EQ(all.places[0].line, 38);
+  EXPECT_EQ(name_in_model(all.places[0]), way);
+}
+
 TEST_F(CoveragePoints, ToggledByTheStimuliOnly) {
   folder.write("before.Vpart.12.0", counted("toggle", 12, "count[3]", "TOP.a", 3) +
                                         counted("line", 7, "block", "TOP.a", 2));

@@ -22,7 +22,11 @@ struct Decade {
     if (in.rst || out.carry) {
       digit_q = 0;
     } else if (in.en) {
-      ++digit_q;
+      if (digit_q > 9) {
+        digit_q = 0;
+      } else {
+        ++digit_q;
+      }
     }
     return out;
   }

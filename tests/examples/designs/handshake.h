@@ -28,7 +28,7 @@ struct Handshake {
       *this = Handshake{};
     } else if (busy) {
       busy = 0;
-      if (in.by != 0) total += asked / in.by;
+      total += asked / in.by;
     } else if (in.valid) {
       busy = 1;
       asked = in.data;

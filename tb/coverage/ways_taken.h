@@ -14,7 +14,6 @@
 #include "model/core/input_error.h"
 #include "tb/dut/counts.h"
 #include "tb/nets/exported.h"
-#include "tb/nets/jobs.h"
 #include "tb/nets/machine.h"
 #include "tb/nets/runs.h"
 
@@ -44,9 +43,8 @@ class WaysTaken {
   explicit WaysTaken(const Params& p) {
     typename Design::template State<nets::Number> s;
     typename Design::template Inputs<nets::Number> in;
-    nets::Bits bits;
-    nets::detail::free_code(p, graph_, s, bits);
-    nets::detail::free_code(p, graph_, in, bits, true);
+    make_free(p, s, false);
+    make_free(p, in, true);
     try {
       ways_ = nets::ways_of<Design>(p, s, in);
     } catch (const InputError& error) {
@@ -54,6 +52,20 @@ class WaysTaken {
                  error.what());
     }
     hits_.resize(ways_.size());
+  }
+
+  // A record of numbers whose bits are free, or of codes.
+  template <class Record>
+  void make_free(const Params& p, Record& r, bool are_codes) {
+    const auto fields = Record::fields(p);
+    for_each_cell<Record>([&](auto cell, std::size_t i) {
+      nets::Bits code;
+      for (int b = 0; b < fields[i].width; ++b) code.push_back(graph_.input());
+      if (code.empty()) return;
+      const bool has_sign = is_signed(fields[i]) && !are_codes;
+      cell(r) = has_sign ? nets::Number::signed_code(graph_, code)
+                         : nets::Number::unsigned_code(graph_, code);
+    });
   }
 
   // Those of one thread.

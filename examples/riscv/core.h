@@ -1,0 +1,125 @@
+// Golden model of core.v, without clocks. Each transaction is an instruction, with the word that it
+// loads if it loads one; the accesses to the bus and the retirements come out.
+#pragma once
+
+#include <cosim/stream.h>
+
+#include "program.h"
+#include "rv32i.h"
+
+struct Core {
+  using Word = Hex<UInt<32>>;
+  struct Step {
+    UInt<6> code;  // of program.h
+    UInt<5> rd, rs1, rs2;
+    Word immediate;
+    Word loaded;    // the word that it loads, if it loads one
+    UInt<3> waits;  // clocks for which a load or a store is not answered
+
+    UInt<32> instruction() const { return encoded(code, rd, rs1, rs2, immediate); }
+  };
+  struct Access {
+    Bit fetch;  // of an instruction
+    Word addr;
+    Hex<UInt<4>> wmask;
+    Word wdata;
+  };
+  struct Retired {
+    UInt<32> order;
+    Word insn;
+    Bit trap;
+    Word pc, next_pc;
+    UInt<5> rd;
+    Word rd_data;
+    Word mem_addr;
+    Hex<UInt<4>> rmask, wmask;
+    Word mem_data;  // the word that it read, or what it stored
+  };
+
+  /// Answers a fetch with the next instruction, and its load or store after it. A fetch waits for
+  /// as long as the case holds the instruction back.
+  struct Memory {
+    struct Drives {
+      Bit bus_ready = 0;
+      UInt<32> bus_rdata = 0x5a5a5a5a;
+    };
+    struct Reads {
+      Bit bus_valid, bus_fetch;
+    };
+    const Step* next = nullptr;      // may be fetched
+    const Step* executed = nullptr;  // was fetched: the record stays until the case ends
+    bool is_ready = false;
+    bool waits_for_fetch = false, waits_for_data = false;  // the core, since the clock before
+    int waited = 0;
+
+    Drives drive(const Step* step) {
+      next = step;
+      Drives pins;
+      if (waits_for_fetch && next != nullptr) {
+        pins = {1, next->instruction()};
+      } else if (waits_for_data && executed != nullptr && executed->waits <= waited) {
+        pins = {1, executed->loaded};
+      }
+      is_ready = bool(pins.bus_ready);
+      return pins;
+    }
+    bool took(const Reads& pins) {
+      const bool is_valid(pins.bus_valid), is_fetch(pins.bus_fetch);
+      const bool passes = is_valid && is_ready;
+      const bool fetches = passes && is_fetch;
+      if (fetches) executed = next;
+      waited = waits_for_data ? waited + 1 : 0;
+      waits_for_fetch = is_valid && is_fetch && !passes;
+      waits_for_data = is_valid && !is_fetch && !passes;
+      return fetches;
+    }
+  };
+
+  /// Sees each access on the clock on which it passes.
+  struct Bus {
+    struct Reads {
+      Bit bus_valid, bus_ready, bus_fetch;
+      UInt<32> bus_addr;
+      UInt<4> bus_wmask;
+      UInt<32> bus_wdata;
+    };
+    std::optional<Access> came(const Reads& pins) {
+      if (!pins.bus_valid || !pins.bus_ready) return {};
+      return Access{pins.bus_fetch, pins.bus_addr, pins.bus_wmask, pins.bus_wdata};
+    }
+  };
+
+  static constexpr auto in() { return stream<Step, Memory>("step"); }
+  static constexpr auto out() {
+    return std::tuple{stream<Access, Bus>("access"), stream<Retired>("retired").always_ready()};
+  }
+  static constexpr auto pins() { return std::array{pin::reset("rst")}; }
+  static auto legal(const Step& step) {
+    return stated({{"code is one of the table", step.code < int(std::size(codes))}});
+  }
+
+  static std::tuple<std::vector<Access>, std::vector<Retired>> run(const std::vector<Step>& steps) {
+    std::vector<Access> accesses;
+    std::vector<Retired> retired;
+    Rv32i simulator;
+    for (const Step& step : steps) {
+      const UInt<32> insn = step.instruction();
+      const Rv32i::Out did = simulator.clock({.rst = 0, .insn = insn, .rdata = step.loaded});
+      accesses.push_back({.fetch = 1, .addr = did.pc, .wmask = 0, .wdata = 0});
+      const bool loads = did.rmask != 0;
+      if (loads || did.wmask != 0) accesses.push_back({0, did.mem_addr, did.wmask, did.wdata});
+      retired.push_back({.order = retired.size(),
+                         .insn = insn,
+                         .trap = did.trap,
+                         .pc = did.pc,
+                         .next_pc = did.next_pc,
+                         .rd = did.rd,
+                         .rd_data = did.rd_data,
+                         .mem_addr = did.mem_addr,
+                         .rmask = did.rmask,
+                         .wmask = did.wmask,
+                         .mem_data = loads ? step.loaded : did.wdata});
+    }
+    return {accesses, retired};
+  }
+};

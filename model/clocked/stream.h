@@ -62,12 +62,17 @@
 
 namespace cosim::clocked {
 
+template <class M>
+concept HasInputStreams = requires {
+  M::in();
+};
+template <class M>
+concept HasOutputStreams = requires {
+  M::out();
+};
 /// A struct that is a model of streams.
 template <class M>
-concept HasStreams = requires {
-  M::in();
-}
-|| requires { M::out(); };
+concept HasStreams = HasInputStreams<M> || HasOutputStreams<M>;
 /// The design of the models of streams alone, one for each shape. `Says` has its name and their
 /// parameters, as that of DesignOf.
 template <class Says, class... Models>

@@ -224,8 +224,8 @@ void add_equiv(const Command& program) {
   command.text("--rev", o->rev, "REV",
                "The old RTL: the same files as git has them in revision REV");
   command.each("-f", o->lists, "LIST",
-               "With --rev: a list of files, +incdir+DIR, +define+NAME=VALUE, -y DIR, -v FILE,\n"
-               "-f LIST; the old RTL has the list of that revision");
+               "With --rev: a list of files, +incdir+DIR, +define+NAME=VALUE, -y DIR, -v\n"
+               "FILE, -f LIST; the old RTL has the list of that revision");
   command.each("-F", o->own_lists, "LIST", "The same, whose paths begin at the folder of the list");
   command.text("--top", o->top, "NAME", "The module that is compared");
   command.text("--gold-top", o->gold_top, "NAME", "What it is called in the old RTL");

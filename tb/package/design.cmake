@@ -69,6 +69,7 @@ endfunction()
 # Adds what the lists of FILELIST name to SOURCES, INCLUDE_DIRS and DEFINES of cosim_add_design().
 macro(cosim_file_lists)
   if(D_FILELIST)
+    cosim_rtl_program(program)
     cosim_files(lists "${what}: FILELIST" ${D_FILELIST})
     execute_process(COMMAND ${program} lists ${lists}
       OUTPUT_VARIABLE said ERROR_VARIABLE error RESULT_VARIABLE status)
@@ -109,7 +110,6 @@ function(cosim_add_design NAME)
   if(NOT NAME MATCHES "^[A-Za-z][A-Za-z0-9_]*$")
     message(FATAL_ERROR "${what}: names are letters, digits and _, a letter first")
   endif()
-  cosim_rtl_program(program)
   cosim_file_lists()
   foreach(needed SOURCES MODEL)
     if(NOT D_${needed})
@@ -188,6 +188,7 @@ function(cosim_add_design NAME)
       set(${list} "\"${${list}}\"")
     endif()
   endforeach()
+  cosim_rtl_program(program)
   string(TOLOWER "${D_UNPROVED}" UNPROVED)  # true or false, for C++
 
   get_property(root GLOBAL PROPERTY COSIM_ROOT)

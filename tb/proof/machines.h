@@ -46,8 +46,7 @@ BuiltMachine built_machine(Source source) {
   using Design = typename Trait::Design;
   source.clocks_are_inputs = clocks_of<Design> != 0;
   if constexpr (requires { Trait::clocks; }) source.clocks_are_inputs |= *Trait::clocks != '\0';
-  BuiltMachine machine{Trait::title, nullptr, nullptr, std::move(source),
-                       !StepsOn<Design, Word>};
+  BuiltMachine machine{Trait::title, nullptr, nullptr, std::move(source), !StepsOn<Design, Word>};
   if constexpr (requires { Trait::resets; }) {
     machine.resets_itself = std::string_view(Trait::resets).find("inner ") != std::string::npos;
   }

@@ -169,7 +169,8 @@ class Reader {
       next(word);
     } else if (word.front() == '-' || word.front() == '+') {
       const auto begins = [&](const char* with) { return word.starts_with(with); };
-      if (std::ranges::none_of(ignored, begins)) refuse("'" + word + "' is not understood in a list of files");
+      if (std::ranges::none_of(ignored, begins))
+        refuse("'" + word + "' is not understood in a list of files");
     } else {
       all_.files.push_back(there(word));
     }

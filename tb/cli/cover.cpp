@@ -255,7 +255,7 @@ void add_cover(const Command& program, const Registry& registry) {
   if (!registry.has_designs()) return;
   auto o = std::make_shared<CoverOptions>();
   const Command command = program.sub(
-      "cover", "Which lines and bits of the RTL, cases and ways of the model no sweep reaches");
+      "cover", "Which lines and bits of the RTL, cases, ways of the model no sweep reaches");
   command.arguments("MACHINE", o->words, "A design, or a line of 'list'; default all");
   command.text("--hostile", o->hostile, "CLOCKS",
                "How many hostile clocks each shape gets; default 100000");

@@ -37,7 +37,7 @@ class Beside {
   /// expected, in the order of `results`. InputError where the graph gives another.
   template <class Clock>
   void compare(const std::vector<Result>& results, const Clock& clock) {
-    for (int round = 0; round < 100'000 / lanes; ++round) {
+    for (std::size_t round = 0; round < 100'000 / lanes; ++round) {
       given_.assign(graph_.inputs().size(), 0);
       for (lane_ = 0; lane_ < lanes; ++lane_) {
         next_ = 0;

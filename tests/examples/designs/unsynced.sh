@@ -6,4 +6,4 @@ ends 0 replay old.stim
 # Of two resets at once, one a clock, `new` says what each resets.
 ends 0 new made "$designs/unsynced.sv"
 grep -q 'CLOCKS a_clk b_clk' made/CMakeLists.txt || fails "the clocks are found"
-grep -q 'reset_inputs() { return {.a_rst_n = 0, .b_rst = 1}; }' made/made.h || fails "so are the resets"
+grep -q 'reset = both(active_high<&In::b_rst>, active_low<&In::a_rst_n>);' made/made.h || fails "so are the resets"

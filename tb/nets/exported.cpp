@@ -93,7 +93,10 @@ std::vector<Bits> gives(const Asked<Number>& asked, const std::string& section, 
   std::vector<Bits> all;
   for (std::size_t i = 0; i < model.outputs.size(); ++i) {
     const std::string& name = model.outputs[i].name;
-    const std::size_t colon = name.find(':');
+    // "cases:0", but not the slice "status[7:0]" of an output.
+    const std::size_t end = name.find_first_of("[:");
+    const std::size_t colon =
+        end != std::string::npos && name[end] == ':' ? end : std::string::npos;
     const bool is_own =
         section == "out" ? colon == std::string::npos : name.substr(0, colon) == section;
     if (is_own) all.push_back(clock.outputs[i]);

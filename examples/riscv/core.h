@@ -4,19 +4,23 @@
 
 #include <cosim/stream.h>
 
+#include <string>
+
 #include "program.h"
 #include "rv32i.h"
 
 struct Core {
   using Word = Hex<UInt<32>>;
   struct Step {
-    UInt<6> code;  // of program.h
+    Enum<Operation> op;
     UInt<5> rd, rs1, rs2;
     Word immediate;
     Word loaded;    // the word that it loads, if it loads one
     UInt<3> waits;  // clocks for which a load or a store is not answered
 
-    UInt<32> instruction() const { return encoded(code, rd, rs1, rs2, immediate); }
+    UInt<32> instruction() const {
+      return encoded(static_cast<Operation>(op), rd, rs1, rs2, immediate);
+    }
   };
   struct Access {
     Bit fetch;  // of an instruction
@@ -94,8 +98,54 @@ struct Core {
     return std::tuple{stream<Access, Bus>("access"), stream<Retired>("retired").always_ready()};
   }
   static constexpr auto pins() { return std::array{pin::reset("rst")}; }
-  static auto legal(const Step& step) {
-    return stated({{"code is one of the table", step.code < int(std::size(codes))}});
+
+  /// Half of the programs use few registers, so that an instruction meets what another one wrote;
+  /// immediates are small ones, or any.
+  static auto draws() {
+    return std::tuple{drawn(&Step::rd, {{0, 3, 3}, {0, 31, 1}}),
+                      drawn(&Step::rs1, {{0, 3, 3}, {0, 31, 1}}),
+                      drawn(&Step::rs2, {{0, 3, 3}, {0, 31, 1}}),
+                      drawn(&Step::immediate, {{0, 31, 1}, 4, any(2)})};
+  }
+
+  static std::string text_of(const Step& step) {
+    return ::text_of(step.op, step.rd, step.rs1, step.rs2, step.immediate);
+  }
+  static std::string state_after(const std::vector<Step>& steps) {
+    Rv32i simulator;
+    for (const Step& step : steps) {
+      simulator.clock({.rst = 0, .insn = step.instruction(), .rdata = step.loaded});
+    }
+    std::string text = "pc " + hexadecimal(simulator.pc);
+    for (int i = 0; i < 31; ++i) {
+      if (simulator.x[i] == 0) continue;
+      text += ", x" + std::to_string(i + 1) + ' ' + hexadecimal(simulator.x[i]);
+    }
+    return text;
+  }
+
+  /// What must have happened before the core is believed: each operation, each kind of it with
+  /// and without a trap, and the corners of jumps, waits and results that are used at once.
+  static auto cases(const Step& step) { return values(step.op); }
+  static auto cases(const Retired& r, const Retired* before) {
+    const UInt<7> opcode = r.insn.slice<6, 0>();
+    const Bit loads = opcode == 0x03, stores = opcode == 0x23, branches = opcode == 0x63;
+    const Bit jumps = opcode == 0x6f || opcode == 0x67;
+    const Bit follows_a_load = before != nullptr ? before->rmask != 0 && before->rd != 0 : Bit(0);
+    const Bit uses_it = before != nullptr ? r.insn.slice<19, 15>() == before->rd : Bit(0);
+    return std::tuple{
+        crossed(stated({{"a load", loads},
+                        {"a store", stores},
+                        {"a branch", branches},
+                        {"a jump", jumps},
+                        {"another", !(loads || stores || branches || jumps)}}),
+                stated({{"traps", r.trap}, {"does not trap", !r.trap}})),
+        stated({{"a branch by 4",
+                 branches && !r.trap && r.insn.slice<31, 25>() == 0 && r.insn.slice<11, 7>() == 4},
+                {"a branch back that is taken", branches && r.next_pc < r.pc && !r.trap},
+                {"a jump to itself", jumps && r.next_pc == r.pc},
+                {"a load whose result the next instruction reads", follows_a_load && uses_it},
+                {"a store behind a load", follows_a_load && stores}})};
   }
 
   static std::tuple<std::vector<Access>, std::vector<Retired>> run(const std::vector<Step>& steps) {

@@ -1,30 +1,40 @@
-// Instructions as random programs draw them: a code of a table, registers and an immediate.
+// Instructions as random programs draw them: an operation, registers and an immediate.
 #pragma once
 
-#include <cosim/model.h>
+#include <cosim/stream.h>
 
 #include <cstdint>
-#include <iterator>
+#include <cstdio>
+#include <string>
 
-/// All instructions without their registers and immediates; 0 is one of any 32 bits. The first are
-/// drawn most often, and shrinking turns an instruction into the very first.
+/// The instructions; `other` is one of any 32 bits. Shrinking turns one into the very first.
+// clang-format off
+enum class Operation {
+  addi, slti, sltiu, xori, ori, andi, slli, srli, srai,      // with an immediate
+  add, sub, sll, slt, sltu, xor_, srl, sra, or_, and_,       // of two registers
+  lb, lh, lw, lbu, lhu, sb, sh, sw,
+  beq, bne, blt, bge, bltu, bgeu, jal, jalr,
+  lui, auipc, fence, ecall, ebreak, other
+};
+// clang-format on
+
+/// Each without its registers and its immediate.
 inline constexpr std::uint32_t codes[] = {
-    0x00000013, 0x00000033, 0x00002003, 0x00002023, 0x00000063,  // ADDI ADD LW SW BEQ
-    0x00002013, 0x00003013, 0x00004013, 0x00006013, 0x00007013,  // SLTI SLTIU XORI ORI ANDI
-    0x00001013, 0x00005013, 0x40005013, 0x00000037, 0x00000017,  // SLLI SRLI SRAI LUI AUIPC
-    0x40000033, 0x00001033, 0x00002033, 0x00003033, 0x00004033,  // SUB SLL SLT SLTU XOR
-    0x00005033, 0x40005033, 0x00006033, 0x00007033, 0x0000000f,  // SRL SRA OR AND FENCE
-    0x00000003, 0x00001003, 0x00004003, 0x00005003, 0x00000023, 0x00001023,  // LB LH LBU LHU SB SH
-    0x0000006f, 0x00000067, 0x00001063, 0x00004063, 0x00005063,              // JAL JALR BNE BLT BGE
-    0x00006063, 0x00007063, 0x00000073, 0x00100073, 0x00000000};  // BLTU BGEU ECALL EBREAK
+    0x00000013, 0x00002013, 0x00003013, 0x00004013, 0x00006013, 0x00007013,
+    0x00001013, 0x00005013, 0x40005013,  // addi to srai
+    0x00000033, 0x40000033, 0x00001033, 0x00002033, 0x00003033, 0x00004033,
+    0x00005033, 0x40005033, 0x00006033, 0x00007033,  // add to and_
+    0x00000003, 0x00001003, 0x00002003, 0x00004003, 0x00005003, 0x00000023,
+    0x00001023, 0x00002023,  // lb to sw
+    0x00000063, 0x00001063, 0x00004063, 0x00005063, 0x00006063, 0x00007063,
+    0x0000006f, 0x00000067,  // beq to jalr
+    0x00000037, 0x00000017, 0x0000000f, 0x00000073, 0x00100073, 0x00000000};
 
 /// The instruction; fields that its kind does not have are ignored. A branch or JAL is to a
 /// multiple of 4 unless bits 0 and 1 of the immediate are set: another target traps.
-inline UInt<32> encoded(const UInt<6>& code, const UInt<5>& rd, const UInt<5>& rs1,
-                        const UInt<5>& rs2, const UInt<32>& immediate) {
-  Array<UInt<32>, std::size(codes)> table = 0;
-  for (int i = 0; i < static_cast<int>(std::size(codes)); ++i) table[i] = codes[i];
-  UInt<32> insn = table[code];
+inline UInt<32> encoded(Operation op, const UInt<5>& rd, const UInt<5>& rs1, const UInt<5>& rs2,
+                        const UInt<32>& immediate) {
+  UInt<32> insn = codes[static_cast<int>(op)];
   UInt<32> offset = immediate;
   offset[1] = offset[1] && offset[0];
   const UInt<32> to_rd = rd << 7, from_rs1 = rs1 << 15, from_rs2 = rs2 << 20;
@@ -57,4 +67,44 @@ inline UInt<32> encoded(const UInt<6>& code, const UInt<5>& rd, const UInt<5>& r
       return insn;
   }
   return immediate;
+}
+
+inline std::string hexadecimal(const UInt<32>& word) {
+  char text[11];
+  std::snprintf(text, sizeof text, "%08x", static_cast<unsigned>(word.value()));
+  return text;
+}
+
+/// The instruction as an assembler has it; fields that its kind does not have are left out.
+inline std::string text_of(const Enum<Operation>& op, const UInt<5>& rd, const UInt<5>& rs1,
+                           const UInt<5>& rs2, const UInt<32>& immediate) {
+  const auto x = [](const UInt<5>& number) { return "x" + std::to_string(number.value()); };
+  const UInt<32> insn = encoded(static_cast<Operation>(op), rd, rs1, rs2, immediate);
+  const std::string name = std::string(op.name()) + ' ';
+  const std::string number = std::to_string(Int<12>(UInt<12>(immediate)).value());
+  switch (insn.slice<6, 0>().value()) {
+    case 0x13:
+      return name + x(rd) + ", " + x(rs1) + ", " +
+             (insn[12] && !insn[13] ? std::to_string(UInt<5>(immediate).value()) : number);
+    case 0x33:
+      return name + x(rd) + ", " + x(rs1) + ", " + x(rs2);
+    case 0x03:
+    case 0x67:
+      return name + x(rd) + ", " + number + '(' + x(rs1) + ')';
+    case 0x23:
+      return name + x(rs2) + ", " + number + '(' + x(rs1) + ')';
+    case 0x63: {
+      const auto offset = cat(insn[31], insn[7], insn.slice<30, 25>(), insn.slice<11, 8>(), Bit(0));
+      return name + x(rs1) + ", " + x(rs2) + ", . + " + std::to_string(Int<13>(offset).value());
+    }
+    case 0x6f: {
+      const auto offset =
+          cat(insn[31], insn.slice<19, 12>(), insn[20], insn.slice<30, 21>(), Bit(0));
+      return name + x(rd) + ", . + " + std::to_string(Int<21>(offset).value());
+    }
+    case 0x17:
+    case 0x37:
+      return name + x(rd) + ", 0x" + hexadecimal(insn >> 12).substr(3);
+  }
+  return op == Operation::other ? ".word 0x" + hexadecimal(insn) : op.name();
 }

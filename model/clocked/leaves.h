@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string_view>
 #include <tuple>
 #include <type_traits>
@@ -42,8 +43,9 @@ struct Leaf {
   int elements = 0;            ///< of an Array; 0: it is a value
   bool is_signed = false, is_ones_complement = false, has_minus_zero = false;
   bool is_hex = false, is_unreset = false, is_auxiliary = false;
-  int edge = 0;                    ///< of a clock: 1 it rises, -1 it falls
-  std::int64_t low = 0, high = 0;  ///< of a Range
+  int edge = 0;                          ///< of a clock: 1 it rises, -1 it falls
+  std::int64_t low = 0, high = 0;        ///< of a Range
+  std::span<const char* const> names{};  ///< of an Enum, of its values from 0 on
 
   template <class T>
   constexpr void say() {
@@ -56,6 +58,7 @@ struct Leaf {
     if constexpr (requires { T::edge; }) edge = T::edge;
     if constexpr (requires { T::low; }) low = T::low;
     if constexpr (requires { T::high; }) high = T::high;
+    if constexpr (requires { T::names; }) names = T::names;
     if constexpr (requires { T::is_ones_complement; }) {
       is_ones_complement = true;
       has_minus_zero = T::has_minus_zero;

@@ -167,6 +167,8 @@ struct RecordTable {
                   N::of(i, N::path), leaf.is_unreset};
       whole.edge = leaf.edge > 0 ? Edge::rising : leaf.edge < 0 ? Edge::falling : Edge::none;
       whole.is_placed = !leaf.path.empty();
+      whole.names = leaf.names.data();
+      whole.named = leaf.names.size();
       if (!leaf.sampled.empty()) whole.synchronizer = N::of(i, N::sampled);
       const bool is_wide = leaf.elements == 0;
       const int present = is_wide ? words(leaf) : leaf.elements;

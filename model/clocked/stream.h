@@ -24,6 +24,19 @@
 //   static auto legal(const X&)              what is assumed of a transaction, stated({{...}, ...})
 //   static constexpr int watchdog = 1000;    clocks for which nothing may move while something
 //   should
+//   static auto draws()                      how fields are drawn, std::tuple{drawn(&X::field,
+//                                            {...}), ...}; a field without a rule has any value
+//   static X arranged(X x)                   makes a transaction that was drawn one that may come,
+//                                            where rules join its fields
+//   static constexpr int most_transactions = 256;    of a case
+//   static auto cases(const X&)              what may happen to a transaction: cover counts it, and
+//                                            each verdict names what never did. It gives
+//                                            stated({{...}, ...}), crossed(stated(...),
+//                                            stated(...)), or a std::tuple of these
+//   static std::string text_of(const X&)     a transaction as a report has it: "lw x25, 0(x0)"
+//   static std::string state_after(const std::vector<X>&)   the state of the model behind these,
+//                                            with the arguments of run(); printed at a difference
+//   static auto cases(const X& x, const X* before)   the same, with the transaction before it
 //
 // and clock(), In and Out of a golden model of every clock (model.h): then all is compared.
 //
@@ -39,6 +52,7 @@
 //     struct Drives { Bit rx; };               // ports that it sets on each clock
 //     struct Reads { Bit busy; };              // ports that it then sees, on the same clock
 //     Drives drive(const X* x);
+//     Drives answer(const Reads& pins);        // optional: what it drives within the same clock
 //     bool took(const Reads& pins);
 //   };
 //
@@ -47,7 +61,10 @@
 // before the case ends: a driver may keep the pointer. The driver of an output stream has
 // Drives drive(bool ready), where ready is false while the case takes nothing, and
 // std::optional<Y> came(const Reads&); one that drives nothing has neither Drives nor drive(). Each
-// case has a new driver; drive() is called once in the reset, too.
+// case has a new driver; drive() is called once in the reset, too. A driver whose pins depend on
+// the outputs of the design within one clock, as a memory without wait states, has answer()
+// besides: it is called when the design has settled behind drive(), and took() sees what comes of
+// it. It must not depend on pins that depend on what it drives.
 #pragma once
 
 #include <array>
@@ -56,6 +73,10 @@
 #include <optional>
 #include <tuple>
 #include <vector>
+
+#include "model/clocked/cases.h"
+#include "model/clocked/draw.h"
+#include "model/clocked/enum.h"
 
 /// Only a file that has read this one needs what the harness has for streams.
 #define COSIM_STREAMS

@@ -47,6 +47,8 @@ struct Field {
   /// Of an input that is no pin: the register of the state, the first of a synchronizer, whose bits
   /// it has take the new value (synchronizer.h); null of any other.
   const char* synchronizer = nullptr;
+  const char* const* names = nullptr;  ///< of the values below `named`
+  std::size_t named = 0;
 };
 
 /// The name for a person and in files: "count", of an element "store[3]", of a word of a wide

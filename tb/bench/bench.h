@@ -67,6 +67,7 @@ struct BenchTables {
   std::string compared_text;  ///< all that is compared, in words
   /// Those that go in, then those that come out; none where clocks are compared.
   std::vector<StreamName> streams;
+  std::vector<std::string> cases;  ///< what may happen to a transaction, "STREAM: SENTENCE"
   std::vector<Field> inputs;
   const char* row = "clock";         ///< what a row of a stimulus is, a noun
   std::vector<std::string> assumed;  ///< of the inputs, sentences
@@ -101,6 +102,7 @@ class AnyBench {
   const std::string& compared_text() const { return tables_.compared_text; }
   const std::vector<Field>& inputs() const { return tables_.inputs; }
   const std::vector<StreamName>& streams() const { return tables_.streams; }
+  const std::vector<std::string>& cases() const { return tables_.cases; }
   const char* row() const { return tables_.row; }
   const std::vector<std::string>& assumed() const { return tables_.assumed; }
   const std::vector<Probe>& probes() const { return tables_.probes; }
@@ -160,6 +162,10 @@ class AnyBench {
   /// RTL and model for a test by hand, on a machine powered up at random from `power_up`: a
   /// ByHand<Design>; null where what is compared is not clocks.
   virtual std::unique_ptr<AnyByHand> by_hand(std::uint32_t /*power_up*/) const { return {}; }
+
+  /// How the fields of random transactions are distributed, some lines; empty of a bench that has
+  /// none.
+  virtual std::string drawn_text(std::uint64_t /*seed*/) const { return {}; }
 
   /// Makes what replays and waves need besides, which they do themselves where it is missing: for
   /// where there is no compiler later. InputError where that fails.

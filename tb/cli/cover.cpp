@@ -5,12 +5,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <memory>
 
 #include "model/core/input_error.h"
 #include "tb/cli/commands.h"
 #include "tb/coverage/asked.h"
+#include "tb/coverage/main_of.h"
 #include "tb/program/chosen.h"
 #include "tb/program/common.h"
 #include "tb/program/full.h"
@@ -21,6 +23,7 @@
 #include "tb/support/json.h"
 #include "tb/support/process.h"
 #include "tb/support/words.h"
+#include "tb/sweep/progress.h"
 
 namespace cosim::cli {
 namespace {
@@ -126,6 +129,12 @@ Json closed(const Points& points, const Answers& answers) {
           {"not_asked", sums[Answer::not_asked]}};
 }
 
+std::string first_line(const std::string& path) {
+  std::string line;
+  std::ifstream file(path);
+  return std::getline(file, line) ? line : "begins";
+}
+
 // Runs the counted program of a shape, which is built, and leaves its counts in the folder. False
 // where RTL and model differ.
 bool counted(const Registry& registry, const AnyBench& bench, const std::string& folder,
@@ -133,7 +142,11 @@ bool counted(const Registry& registry, const AnyBench& bench, const std::string&
   const OnDemand& program = on_demand(registry.covers(), bench.built_as());
   std::vector<std::string> command{path_of(program), folder};
   command.insert(command.end(), words.begin(), words.end());
-  const Ended ended = cosim::run_program(command);
+  const Ended ended = [&] {
+    StateLine line;
+    line.show([&] { return bench.title() + ", " + first_line(folder + coverage::progress_file); });
+    return cosim::run_program(command);
+  }();
   if (ended.status > 1) throw InputError(ended.text.substr(0, ended.text.find('\n')));
   fmt::print("{}", ended.text);
   return ended.status == 0;

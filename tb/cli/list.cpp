@@ -2,6 +2,7 @@
 #include <fmt/core.h>
 #include <fmt/ranges.h>
 
+#include <memory>
 #include <string>
 
 #include "tb/cli/commands.h"
@@ -14,7 +15,10 @@ namespace cosim::cli {
 
 void add_list(const Command& program) {
   const Command command = program.sub("list", "The designs that were built, and their parameters");
-  command.action([] {
+  auto drawn = std::make_shared<bool>(false);
+  command.flag("--drawn", *drawn,
+               "Of designs with a stream model, how random transactions are distributed");
+  command.action([drawn] {
     for (const Unusable& unused : unusable()) leave_out(unused.why);
     std::string design;
     for (const auto& bench : benches()) {
@@ -25,6 +29,7 @@ void add_list(const Command& program) {
                    source.empty() ? "" : ", " + source, compared_signals(*bench));
       }
       fmt::print("  {}\n", bench->title());
+      if (*drawn) fmt::print("{}", bench->drawn_text(1));
     }
     return 0;
   });

@@ -4,9 +4,11 @@
 
 #include <cstdlib>
 #include <exception>
+#include <fstream>
 #include <string>
 
 #include "tb/bench/stimulus_text.h"
+#include "tb/dut/counts.h"
 #include "tb/support/parallel.h"
 #include "tb/support/stack.h"
 #include "tb/support/words.h"
@@ -15,11 +17,29 @@
 namespace cosim::coverage {
 namespace {
 
-int run(const AnyBench& bench, std::uint64_t seed, std::uint64_t clocks, std::uint64_t jobs) {
+// What happened to the transactions of streams.
+void leave_cases(const AnyBench& bench, const Result& result) {
+  std::vector<Count> counts;
+  for (std::size_t i = 0; i < result.happened.size(); ++i) {
+    counts.push_back({bench.cases()[i], result.happened[i]});
+  }
+  if (!counts.empty()) leave("cases", bench.design(), counts);
+}
+
+// For who reads the file meanwhile.
+Progress told_to(const std::string& file, const std::string& what) {
+  return [=](std::uint64_t done, std::uint64_t cases) {
+    std::ofstream(file) << fmt::format("{}: {} of {}\n", what, done, cosim::count(cases, "case"));
+  };
+}
+
+int run(const AnyBench& bench, std::uint64_t seed, std::uint64_t clocks, std::uint64_t jobs,
+        const std::string& progress) {
   std::vector<Sweep> sweeps{hostile_sweep(bench, seed, clocks)};
   if (!bench.job_fields().empty()) sweeps.push_back(job_sweep(bench, seed, jobs));
   for (const Sweep& sweep : sweeps) {
-    const Result result = run_sweep(sweep, cores());
+    const Result result = run_sweep(sweep, cores(), told_to(progress, sweep.name));
+    leave_cases(bench, result);
     if (result.match()) continue;
     fmt::print("{}, {}: RTL and model differ in {}; what comes after it is not counted\n",
                bench.title(), sweep.name, result.failed);
@@ -52,7 +72,7 @@ int main_of(const std::vector<std::unique_ptr<AnyBench>>& benches, int argc, cha
     }
     for (std::size_t i = 0; i < benches.size() && status == 0; ++i) {
       status = run(*benches[i], std::stoull(words.at(2)), std::stoull(words.at(3)),
-                   std::stoull(words.at(4)));
+                   std::stoull(words.at(4)), words.at(1) + progress_file);
     }
     return status;
   } catch (const std::exception& error) {

@@ -8,6 +8,9 @@
 
 namespace cosim::coverage {
 
+/// How far a program is: the file FOLDER/progress, which it writes several times a second.
+inline constexpr const char* progress_file = "/progress";
+
 /// main() of PROGRAM FOLDER SEED CLOCKS JOBS: runs so many hostile clocks and, of a design that
 /// declares jobs, so many random ones; the counts go to files in FOLDER (counts.h). Or of PROGRAM
 /// FOLDER replay FILE...: runs the stimuli in these files.

@@ -107,7 +107,7 @@ Points read_points(const std::string& folder) {
   Points all;
   std::set<fs::path> paths;
   for (const auto& file : fs::recursive_directory_iterator(folder)) {
-    if (file.is_regular_file()) paths.insert(file.path());
+    if (file.is_regular_file() && file.path().filename() != "progress") paths.insert(file.path());
   }
   for (const fs::path& path : paths) {
     const std::string name_of_file = path.filename().string();

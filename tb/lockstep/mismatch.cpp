@@ -48,6 +48,7 @@ std::string difference_text(const Mismatch& m) {
                         m.clock, m.signal, *m.field.source != '\0' ? ", block " : "",
                         m.field.source, show(m.field, m.expected), show(m.field, m.actual));
   }
+  for (const std::string& line : m.told) text += "  " + line + '\n';
   return text;
 }
 

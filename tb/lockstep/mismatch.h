@@ -58,8 +58,9 @@ struct Mismatch {
   /// What is wrong, one line, where it is more than a signal's value; else empty. Without a value
   /// the width of `field` is 0.
   std::string finding;
-  std::uint64_t first = 0;    ///< the clock of the traces' first entry
-  std::vector<Trace> traces;  ///< inputs, registers, outputs, in table order
+  std::vector<std::string> told;  ///< what the model says in words of its own, lines
+  std::uint64_t first = 0;        ///< the clock of the traces' first entry
+  std::vector<Trace> traces;      ///< inputs, registers, outputs, in table order
   /// Leads to the same difference. The caller fills in machine and origin. It may start from a
   /// state, long after clock 0.
   Stimulus stimulus;

@@ -47,7 +47,7 @@ std::vector<Net> StreamLanes::nets(const Ports& ports) {
   return all;
 }
 
-bool StreamLanes::restart(std::uint32_t power_up) {
+bool StreamLanes::restart(std::uint32_t power_up, bool /*is_reset*/) {
   lanes_.begin(power_up);
   std::fill(inputs_.begin(), inputs_.end(), 0);
   has_begun_ = false;

@@ -34,7 +34,7 @@ class StreamLanes final : public StreamDut {
   /// The inputs that it is given before the edges of clocks stay until behind them. Of the outputs
   /// those are set that a bench looks at, cells where their valid is 1.
   void eval() override;
-  bool restart(std::uint32_t power_up) override;
+  bool restart(std::uint32_t power_up, bool is_reset) override;
   void begin() override { has_begun_ = true; }
 
  private:

@@ -47,6 +47,7 @@ Json to_json(const Result& r) {
             {"measures", measures},
             {"left_out", r.left_out}};
   for (const Transactions& one : r.streams) json["streams"].push_back({one.moved, one.compared});
+  if (!r.happened.empty()) json["happened"] = r.happened;
   return json;
 }
 
@@ -66,6 +67,10 @@ Result result_from(const JsonAt& j, const AnyBench& bench) {
       const auto figures = one.list(2, 2);
       r.streams.push_back({figures[0].whole(), figures[1].whole()});
     }
+  }
+  if (const auto happened = j.find("happened")) {
+    const std::size_t all = bench.cases().size();
+    for (const JsonAt& one : happened->list(all, all)) r.happened.push_back(one.whole());
   }
   for (const JsonAt& one : j.at("measures").list()) {
     Checked with;

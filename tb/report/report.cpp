@@ -43,6 +43,7 @@ Json mismatch(const Result& r) {
   const Mismatch& m = *r.mismatch;
   object["kind"] = m.finding.empty() ? "lockstep" : "finding";
   if (!m.finding.empty()) object["finding"] = m.finding;
+  if (!m.told.empty()) object["told"] = m.told;
   object["clock"] = m.clock;
   object["signal"] = m.signal;
   if (m.field.width != 0) {
@@ -85,6 +86,12 @@ void put_left_out(Json& object, const AnyBench& bench, const Result& r) {
   }
 }
 
+void put_cases(Json& object, const AnyBench& bench, const Result& r) {
+  for (std::size_t i = 0; i < r.happened.size(); ++i) {
+    object["cases"][bench.cases()[i]] = r.happened[i];
+  }
+}
+
 // Of a failure that was shrunk there are no figures.
 void put_streams(Json& object, const AnyBench& bench, const Result& r) {
   for (std::size_t s = 0; s < r.streams.size(); ++s) {
@@ -108,6 +115,7 @@ Json run_object(const Outcome& o) {
   if (Json rules = assumed(*o.bench); !rules.empty()) object["assumed"] = std::move(rules);
   object["clocks"] = o.result.clocks;
   put_streams(object, *o.bench, o.result);
+  put_cases(object, *o.bench, o.result);
   put_left_out(object, *o.bench, o.result);
   put_measures(object, o.result.checked);
   if (!o.result.match()) object["mismatch"] = mismatch(o.result);
@@ -137,6 +145,7 @@ struct Sum {
   std::uint64_t clocks = 0;
   std::map<std::string, std::uint64_t> left_out;
   std::vector<Transactions> streams;
+  std::vector<std::uint64_t> happened;
 };
 Sum sum_of(const std::vector<Outcome>& outcomes, const std::string& looked) {
   Sum sum;
@@ -144,6 +153,7 @@ Sum sum_of(const std::vector<Outcome>& outcomes, const std::string& looked) {
     if (looked_at(*o.bench) != looked) continue;
     sum.clocks += o.result.clocks;
     add(sum.streams, o.result.streams);
+    add(sum.happened, o.result.happened);
     // Shapes have arrays of other lengths.
     const std::vector<Field> fields = o.bench->compared();
     for (std::size_t i = 0; i < o.result.left_out.size(); ++i) {
@@ -176,6 +186,25 @@ std::string swept_text(const Result& result) {
   return count(result.cases, "case") + ", " + measured_text(result);
 }
 
+std::string cases_text(const std::string& of, const std::vector<std::string>& cases,
+                       const std::vector<std::uint64_t>& happened) {
+  constexpr std::size_t most = 20;
+  std::vector<std::string> never;
+  for (std::size_t i = 0; i < happened.size(); ++i) {
+    if (happened[i] == 0) never.push_back(cases[i]);
+  }
+  std::string text = fmt::format("cases{}: {} of {} happened\n", of, happened.size() - never.size(),
+                                 happened.size());
+  for (std::size_t i = 0; i < std::min(never.size(), most); ++i) {
+    text += fmt::format("never happened{}: {}\n", of, never[i]);
+  }
+  if (never.size() > most) {
+    text +=
+        fmt::format("never happened{}: {} more, which --report names\n", of, never.size() - most);
+  }
+  return text;
+}
+
 bool all_match(const std::vector<Outcome>& outcomes) {
   return std::ranges::all_of(outcomes, [](const Outcome& o) { return o.result.match(); });
 }
@@ -186,7 +215,7 @@ std::string comparison_text(const std::vector<Outcome>& outcomes) {
   std::string text;
   const auto benches = designs(outcomes);
   for (const AnyBench* bench : benches) {
-    const auto [clocks, signals, streams] = sum_of(outcomes, looked_at(*bench));
+    const auto [clocks, signals, streams, happened] = sum_of(outcomes, looked_at(*bench));
     const std::string of = benches.size() > 1 ? " of " + looked_at(*bench) : "";
     text += fmt::format("compared: {}{} on {} clock{}\n", compared_signals(*bench), of,
                         clocks == 1 ? "the one" : fmt::format("each of {}", clocks),
@@ -194,6 +223,7 @@ std::string comparison_text(const std::vector<Outcome>& outcomes) {
     if (!streams.empty()) {
       text += fmt::format("transactions{}: {}\n", of, streams_text(*bench, streams));
     }
+    if (!happened.empty()) text += cases_text(of, bench->cases(), happened);
     if (const auto& left = bench->unobserved(); !left.empty()) {
       text += fmt::format("unobserved{}: {}: {}\n", of, count(left.size(), "signal"),
                           fmt::join(bench->patterns(), ", "));

@@ -46,10 +46,16 @@ std::string swept_text(const Result& result);
 /// "9 registers and 4 outputs"
 std::string compared_signals(const AnyBench& bench);
 
+/// How many of the cases happened, and a line for each of the first 20 that never did; `of` stands
+/// behind the first words.
+std::string cases_text(const std::string& of, const std::vector<std::string>& cases,
+                       const std::vector<std::uint64_t>& happened);
+
 /// What was compared and over how many clocks, one line a design, with its name if there are
-/// several, a line with the transactions of its streams, a line on what is not compared, one for
-/// each thing that is assumed of its inputs, and one for each field that was not compared on every
-/// clock and each stream that was never compared. Lines end in '\n', here and below.
+/// several, a line with the transactions of its streams, those of cases_text(), a line on what is
+/// not compared, one for each thing that is assumed of its inputs, and one for each field that was
+/// not compared on every clock and each stream that was never compared. Lines end in '\n', here and
+/// below.
 std::string comparison_text(const std::vector<Outcome>& outcomes);
 
 /// Every mismatch and every error of an oracle in full, then the verdict of all outcomes.
@@ -61,7 +67,7 @@ std::string verdict_text(const std::vector<Outcome>& outcomes);
 /// something is assumed of the inputs `assumed`, sentences; where
 /// registers or outputs are not compared `unobserved`, their paths; of a design with streams
 /// `streams`, under the name of each how many transactions went `in`, or came `out` and were
-/// `compared`; where
+/// `compared`, and under `cases` how often each case happened; where
 /// something was not always compared `left_out`, the number of clocks under each name, and
 /// `never_compared`, the names of what was left out on all of them. Over several outcomes clocks
 /// are added up, measures are combined as they say, mismatch is the first, and parameters is an

@@ -56,7 +56,7 @@ struct AnyStreamBench::Rig {
                                  bench.title(), broken));
   }
   StreamResult run(std::uint64_t budget) {
-    if (dut == nullptr || !dut->restart(power_up)) make();
+    if (dut == nullptr || !dut->restart(power_up, bench.shape_.has_reset())) make();
     return runner->run(order(budget, false));
   }
   /// Runs a hostile case up to the first finding. Gives that, the number of its case, the clocks of
@@ -65,16 +65,35 @@ struct AnyStreamBench::Rig {
     StreamResult last;
     std::uint64_t number = 0, clocks = 0;
     std::vector<Transactions> streams{};
+    std::vector<std::uint64_t> happened{};
   };
   Hostile run(const HostileCase& c) {
     // Every case has a clock at least.
-    for (Hostile all;; ++all.number) {
+    Hostile all;
+    all.happened.resize(bench.cases().size());
+    for (;; ++all.number) {
       draw(c, all.number);
       all.last = run(c.clocks - all.clocks);
       add(all.streams, all.last.streams);
+      count_cases(all.last.streams, all.happened);
       if (all.last.finding) return all;
       all.clocks += all.last.clocks;
       if (all.clocks >= c.clocks) return all;
+    }
+  }
+  /// What happened to the transactions that went in, and to those that were compared.
+  void count_cases(const std::vector<Transactions>& moved,
+                   std::span<std::uint64_t> happened) const {
+    if (happened.empty()) return;
+    const StreamShape& shape = bench.shape_;
+    for (std::size_t s = 0; s < moved.size(); ++s) {
+      const bool goes_in = s < shape.in.size();
+      const std::size_t number = goes_in ? s : s - shape.in.size();
+      const std::size_t cases = (goes_in ? shape.in : shape.out)[number].cases.size();
+      if (cases == 0) continue;
+      bench.count_cases(goes_in, number, (goes_in ? given.given : expected)[number],
+                        goes_in ? moved[s].moved : moved[s].compared, happened.first(cases));
+      happened = happened.subspan(cases);
     }
   }
   /// On a new instance.
@@ -152,6 +171,11 @@ void AnyStreamBench::fill_tables() {
     t.compared.insert(t.compared.end(), i.cells.begin(), i.cells.end());
     t.compared_text += (&i == &shape_.out.front() ? "" : ", ") + i.name;
   }
+  for (const auto* side : {&shape_.in, &shape_.out}) {
+    for (const Interface& i : *side) {
+      for (const std::string& one : i.cases) t.cases.push_back(i.name + ": " + one);
+    }
+  }
   t.inputs = shape_.columns();
   t.row = "transaction";
   t.rest.assign(t.inputs.size(), 0);
@@ -180,6 +204,7 @@ Run AnyStreamBench::run_hostile(const HostileCase& c) const {
   }
   run.clocks += all.clocks;
   run.streams = all.streams;
+  run.happened = all.happened;
   return run;
 }
 
@@ -203,6 +228,7 @@ Run AnyStreamBench::replay(const Stimulus& stimulus, Window window) const {
   Mismatch m = recorder.take();
   m.bench = this;
   m.finding = to_text(shape_, rig.order(no_budget, true), first);
+  m.told = told(*first.finding, rig.order(no_budget, true), first.came, recorder.taken());
   m.stimulus = stimulus;
   run.mismatch = std::move(m);
   return run;

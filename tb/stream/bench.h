@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "tb/bench/bench.h"
@@ -24,6 +25,7 @@ class AnyStreamBench : public AnyBench {
   ~AnyStreamBench() override;
 
   Run run_hostile(const HostileCase& c) const override;
+  std::string drawn_text(std::uint64_t seed) const override;
   void prepare_replays() const override { open_dut(1); }
   Run replay(const Stimulus& stimulus, Window window) const override;
   std::optional<std::uint64_t> first_difference(const Stimulus& stimulus) const override;
@@ -44,6 +46,17 @@ class AnyStreamBench : public AnyBench {
   /// The sizes of that alone for the first so many transactions of each stream of `given`, which
   /// stays; called with ever more.
   virtual StreamSizes sizes(const std::vector<Sequence>& given) const = 0;
+  /// A transaction in words of the design's own; empty where it has none.
+  virtual std::string text_of(bool /*goes_in*/, std::size_t /*s*/,
+                              std::span<const Word> /*words*/) const {
+    return {};
+  }
+  /// The state of the model behind these transactions of each stream that goes in, likewise.
+  virtual std::string state_after(const std::vector<Sequence>& /*given*/) const { return {}; }
+  /// Adds to `hits`, of each of the cases() of stream s, how often it happened in the first n
+  /// transactions of `some`.
+  virtual void count_cases(bool /*goes_in*/, std::size_t /*s*/, const Sequence& /*some*/,
+                           std::size_t /*n*/, std::span<std::uint64_t> /*hits*/) const {}
   /// The first rule that a transaction of stream s breaks; null where it may go in.
   virtual const char* broken_rule(std::size_t s, std::span<const Word> words) const = 0;
 
@@ -57,6 +70,9 @@ class AnyStreamBench : public AnyBench {
   struct Rig;
   class Borrowed;
 
+  // Of the last that went in, of what was expected and what came, and the state: lines.
+  std::vector<std::string> told(const StreamFinding& finding, const StreamOrder& order,
+                                const Sequence& came, const std::vector<std::size_t>& taken) const;
   MayGo may_go() const;
   // The case as a stimulus, that Rig::draw() takes apart.
   Stimulus drawn(const HostileCase& c, std::uint64_t number) const;

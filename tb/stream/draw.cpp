@@ -67,9 +67,27 @@ std::vector<Density> densities(Random& random, std::size_t interfaces) {
   return all;
 }
 
-std::uint64_t transactions(Random& random, std::uint64_t most) {
-  static constexpr std::uint64_t sizes[] = {4, 16, 64, 256};
-  return 1 + random.below(std::clamp<std::uint64_t>(sizes[random.below(4)], 1, most));
+// At most `longest`, or a fourth of it, a sixteenth, a sixty-fourth.
+std::uint64_t transactions(Random& random, std::uint64_t longest, std::uint64_t most) {
+  const std::uint64_t size = longest >> (6 - 2 * random.below(4));
+  return 1 + random.below(std::clamp<std::uint64_t>(size, 1, most));
+}
+
+Word any(Random& random, const Field& field) {
+  if (field.named > 0) return static_cast<Word>(random.below(field.named));
+  return random.corner(field.width);
+}
+
+Word value(Random& random, const Field& field, const CellDraw& draw) {
+  if (draw.shares.empty()) return any(random, field);
+  std::uint64_t at = random.below(draw.total);
+  auto share = draw.shares.begin();
+  for (; at >= share->weight; ++share) at -= share->weight;
+  if (share->is_any) return any(random, field);
+  const auto values =
+      static_cast<std::uint64_t>(share->high) - static_cast<std::uint64_t>(share->low) + 1;
+  const auto above = static_cast<std::int64_t>(random.below(values));
+  return low_bits(static_cast<Word>(share->low + above), field.width);
 }
 
 // Calls take(row) for each row, whose memory is used again; gives the power-up.
@@ -78,7 +96,8 @@ std::uint32_t draw(const StreamShape& shape, std::uint64_t seed, std::uint64_t i
                    std::uint64_t most, const MayGo& may_go, const Take& take) {
   Random random = Random::for_case(seed, index);
   const auto power_up = static_cast<std::uint32_t>(random.next());
-  const std::uint64_t rows = transactions(random, std::max<std::uint64_t>(most, 1));
+  const std::uint64_t rows =
+      transactions(random, shape.most_transactions, std::max<std::uint64_t>(most, 1));
   const auto density = densities(random, shape.in.size() + shape.out.size());
   // Where two streams belong together, a transaction too few in one leaves the other waiting.
   const bool all_give = shape.in.size() == 1 || random.one_in_power(1);
@@ -93,15 +112,19 @@ std::uint32_t draw(const StreamShape& shape, std::uint64_t seed, std::uint64_t i
       *column++ = gives ? 1 : 0;
       const Word stall = density[at++].stall(random, n);
       *column++ = gives ? stall : 0;
-      const std::vector<Field>& fields = shape.in[s].cells;
+      const Interface& in = shape.in[s];
+      const std::vector<Field>& fields = in.cells;
       const std::span<Word> words(column, fields.size());
       column += static_cast<std::ptrdiff_t>(fields.size());
       for (int i = 0; i < tries; ++i) {
-        for (std::size_t c = 0; c < words.size(); ++c) words[c] = random.corner(fields[c].width);
+        for (std::size_t c = 0; c < words.size(); ++c) {
+          words[c] = value(random, fields[c], in.draws[c]);
+        }
+        if (in.arrange) in.arrange(words);
         if (!may_go || may_go(s, words)) break;
         if (i + 1 == tries) {
           throw InputError(fmt::format("{}: of {} random transactions of stream {} none is legal",
-                                       shape.title, tries, shape.in[s].name));
+                                       shape.title, tries, in.name));
         }
       }
       if (!gives) std::fill(words.begin(), words.end(), 0);

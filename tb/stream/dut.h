@@ -21,8 +21,10 @@ class StreamDut {
   /// Settles everything that depends on the inputs and the clock.
   virtual void eval() = 0;
   /// Powers up again from `power_up`: then it is as a new instance would be, with its nets where
-  /// they were. False where that cannot be, and it stays as it is.
-  virtual bool restart(std::uint32_t /*power_up*/) { return false; }
+  /// they were. False where that cannot be, and it stays as it is. Where coverage is counted and it
+  /// `is_reset` next, its registers keep their values, for a new instance registers its points
+  /// anew.
+  virtual bool restart(std::uint32_t /*power_up*/, bool /*is_reset*/) { return false; }
   /// The reset has ended.
   virtual void begin() {}
   /// Empty if the instance does not show them.
@@ -39,7 +41,10 @@ class VerilatedStreamDut : public StreamDut, protected VerilatedInstance<Top, fa
     return find_ports(ports_of(this->top()), ports);
   }
   void eval() override { this->top().eval(); }
-  bool restart(std::uint32_t power_up) override { return Base::restart(power_up); }
+  bool restart(std::uint32_t power_up, bool is_reset) override {
+    if constexpr (coverage::measured) return is_reset;
+    return Base::restart(power_up);
+  }
   void begin() override { Base::begin(); }
 };
 

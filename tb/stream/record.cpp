@@ -70,6 +70,9 @@ bool TraceRecorder::clock(std::uint64_t clock, const std::vector<Word>& edges,
   for (std::size_t s = 0; s < out.size(); ++s) keep(at, shape_.out[s], out[s]);
   if (clock == m.clock) {
     m.signal = signal_of(shape_, finding_);
+    for (const InterfaceSeen& seen : in) {
+      taken_.push_back(seen.number + (seen.valid && seen.ready ? 1 : 0));
+    }
     if (finding_.kind == StreamFinding::Kind::value) {
       const InterfaceSeen& seen = out[finding_.stream];
       m.field = shape_.out[finding_.stream].cells[finding_.cell];

@@ -20,6 +20,8 @@ class TraceRecorder final : public StreamObserver {
   bool clock(std::uint64_t clock, const std::vector<Word>& edges,
              const std::vector<InterfaceSeen>& in, const std::vector<InterfaceSeen>& out) override;
   Mismatch take() { return std::move(mismatch_); }
+  /// How many of each stream had gone in by the end of the clock of the finding.
+  const std::vector<std::size_t>& taken() const { return taken_; }
 
  private:
   void add(const Interface& i);
@@ -29,6 +31,7 @@ class TraceRecorder final : public StreamObserver {
   StreamFinding finding_;
   Window window_;
   Mismatch mismatch_;
+  std::vector<std::size_t> taken_;
 };
 
 /// The RTL's hierarchy, of several clocks on which steps they take their edge, and of each

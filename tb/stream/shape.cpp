@@ -82,7 +82,38 @@ void StreamShape::add(const StreamPorts& ports, bool goes_in, std::span<const Fi
     i.cells.push_back(cell);
     if (goes_in) column(cell);
   }
+  i.draws.resize(i.cells.size());
   (goes_in ? in : out).push_back(std::move(i));
+}
+
+void StreamShape::draw(Interface& i, std::size_t cell,
+                       std::span<const clocked::Share> shares) const {
+  const Field& field = i.cells[cell];
+  const auto refuse = [&](const std::string& why) {
+    throw InputError(fmt::format("{}: draws() of {}: {}", title, label_of(field), why));
+  };
+  if (field.is_word) refuse("it has more than 64 bits, and no rule says how it is drawn");
+  CellDraw& draw = i.draws[cell];
+  if (!draw.shares.empty()) refuse("it has two rules");
+  for (const clocked::Share& share : shares) {
+    const auto holds = [&](std::int64_t value) {
+      const Word code = low_bits(static_cast<Word>(value), field.width);
+      return units_of(field, code) == static_cast<Word>(value) &&
+             (field.named == 0 || static_cast<std::size_t>(code) < field.named);
+    };
+    for (const std::int64_t value : {share.low, share.high}) {
+      if (!share.is_any && !holds(value)) refuse(fmt::format("{} is no value of it", value));
+    }
+    if (share.low > share.high) refuse(fmt::format("{} is above {}", share.low, share.high));
+    draw.shares.push_back({share.low, share.high, share.weight, share.is_any});
+    draw.total += share.weight;
+  }
+  if (draw.total == 0 || draw.total > 1000000000)
+    refuse("weights are from 0 to 1000000000 together, and one is above 0");
+}
+
+bool StreamShape::has_reset() const {
+  return std::ranges::any_of(pins, [](const Pin& p) { return p.kind == Pin::Kind::reset; });
 }
 
 void StreamShape::column(const Field& field) {

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -28,6 +29,17 @@ using clocked::Pin, clocked::StreamPorts;
 /// Bits of a stall.
 inline constexpr int stall_width = 8;
 
+/// How a cell is drawn: from one of these, in proportion to their weights.
+struct CellDraw {
+  struct Share {
+    std::int64_t low = 0, high = 0;
+    std::uint64_t weight = 1;
+    bool is_any = false;  ///< as a cell without a rule
+  };
+  std::vector<Share> shares;  ///< none: all names alike, or a number with its corners
+  std::uint64_t total = 0;    ///< of the weights
+};
+
 /// One interface. A port without a name is not there.
 struct Interface {
   std::string name;
@@ -39,6 +51,10 @@ struct Interface {
   int latency = -1;
   bool pulse = false, steady = false;
   OwnDriver own = {};
+  std::vector<std::string> cases = {};  ///< what may happen to a transaction of it, sentences
+  std::vector<CellDraw> draws = {};     ///< of each cell
+  /// Makes a transaction that was drawn one that may come; empty: it is left as it is.
+  std::function<void(std::span<Word>)> arrange = {};
 
   /// It says on each clock whether it takes.
   bool has_ready() const { return !ready.empty() || own.is_there(); }
@@ -67,16 +83,20 @@ struct StreamShape {
   std::vector<Interface> in, out;
   std::vector<Pin> pins;
   std::uint64_t watchdog = 1000;  ///< clocks for which nothing may move while something should
+  std::uint64_t most_transactions = 256;  ///< of a case, >= 1
 
   /// The clock `one`, or where that is empty `several`, in lines as Ports has them.
   void set_clocks(const char* one, std::string_view several);
   /// Adds an interface with the cells of its record. InputError where that cannot be.
   void add(const StreamPorts& ports, bool goes_in, std::span<const Field> cells,
            OwnDriver own = {});
+  /// Has a cell drawn so. InputError where it cannot be.
+  void draw(Interface& i, std::size_t cell, std::span<const clocked::Share> shares) const;
   /// Each says whether it takes its edge: several, or one whose registers take the falling edge.
   bool clocks_are_inputs() const {
     return clocks.size() > 1 || (clocks.size() == 1 && clocks.front().falls);
   }
+  bool has_reset() const;
   /// The columns of a case.
   const std::vector<Field>& columns() const { return columns_; }
 

@@ -2,8 +2,11 @@
 #pragma once
 
 #include <array>
+#include <concepts>
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -59,6 +62,9 @@ class StreamBench final : public AnyStreamBench {
   using Out = decltype(detail::as_tuple(M::out()));
   template <std::size_t S, class Side>
   using StreamOf = std::tuple_element_t<S, Side>;
+  // Names the type of a transaction.
+  template <std::size_t S, class Side>
+  static constexpr const typename StreamOf<S, Side>::Record* pointer = nullptr;
   template <std::size_t S, class Side>
   using CodesOf = detail::Codes<typename StreamOf<S, Side>::Record>;
 
@@ -73,6 +79,10 @@ class StreamBench final : public AnyStreamBench {
     tables_.parameters.assign(parameters.begin(), parameters.end());
     shape_.title = title();
     if constexpr (requires { M::watchdog; }) shape_.watchdog = M::watchdog;
+    if constexpr (requires { M::most_transactions; }) {
+      static_assert(M::most_transactions >= 1, "a case has a transaction at least");
+      shape_.most_transactions = M::most_transactions;
+    }
     if constexpr (requires { M::pins(); }) {
       const auto pins = M::pins();
       shape_.pins.assign(pins.begin(), pins.end());
@@ -121,6 +131,57 @@ class StreamBench final : public AnyStreamBench {
     };
   }
 
+  std::string text_of(bool goes_in, std::size_t stream,
+                      std::span<const Word> words) const override {
+    std::string text;
+    const auto see = [&]<class X>(const X*) {
+      if constexpr (requires(const X& x) { M::text_of(x); }) {
+        text = M::text_of(detail::Codes<X>::object(words));
+      }
+      return 0;
+    };
+    if (goes_in) {
+      each_in([&](auto s) { return s == stream ? see(pointer<s, In>) : 0; });
+    } else {
+      each_out([&](auto s) { return s == stream ? see(pointer<s, Out>) : 0; });
+    }
+    return text;
+  }
+  std::string state_after(const std::vector<Sequence>& given) const override {
+    const auto all = each_in([&](auto s) { return CodesOf<s, In>::objects(given[s]); });
+    return std::apply(
+        [](const auto&... stream) -> std::string {
+          if constexpr (requires { M::state_after(stream...); }) {
+            return M::state_after(stream...);
+          } else {
+            return {};
+          }
+        },
+        all);
+  }
+
+  void count_cases(bool goes_in, std::size_t stream, const Sequence& some, std::size_t n,
+                   std::span<std::uint64_t> hits) const override {
+    const auto count = [&]<class X>(const X*) {
+      if constexpr (clocked::SaysStreamCases<M, X>) {
+        std::array<X, 2> last{clocked::zero<X>(), clocked::zero<X>()};
+        for (std::size_t i = 0; i < n; ++i) {
+          last[i % 2] = detail::Codes<X>::object(some[i]);
+          std::size_t at = 0;
+          clocked::for_each_case(
+              clocked::stream_cases<M>(last[i % 2], i == 0 ? nullptr : &last[(i + 1) % 2]),
+              [&](const char*, const char*, bool holds) { hits[at++] += holds ? 1 : 0; });
+        }
+      }
+      return 0;
+    };
+    if (goes_in) {
+      each_in([&](auto s) { return s == stream ? count(pointer<s, In>) : 0; });
+    } else {
+      each_out([&](auto s) { return s == stream ? count(pointer<s, Out>) : 0; });
+    }
+  }
+
   const char* broken_rule(std::size_t stream, std::span<const Word> words) const override {
     const char* broken = nullptr;
     each_in([&](auto s) {
@@ -163,11 +224,52 @@ class StreamBench final : public AnyStreamBench {
       const auto& ports = std::get<s>(side).ports;
       shape_.add(ports, goes_in, detail::Codes<X>::fields(),
                  detail::own_driver<typename StreamOf<s, Side>::Own, X, goes_in>());
+      if constexpr (clocked::SaysStreamCases<M, X>) {
+        const auto x = clocked::zero<X>();
+        clocked::for_each_case(clocked::stream_cases<M, X>(x, nullptr), [&](const std::string& a,
+                                                                            const std::string& b,
+                                                                            bool) {
+          (goes_in ? shape_.in : shape_.out).back().cases.push_back(b.empty() ? a : a + ", " + b);
+        });
+      }
       if (!goes_in) return 0;
+      add_draws<X>(shape_.in.back());
       for (const auto& rule : rules_of(clocked::zero<X>())) {
         tables_.assumed.push_back(std::string(ports.name) + ": " + rule.sentence);
       }
       return 0;
+    });
+  }
+
+  template <class X>
+  void add_draws(Interface& i) {
+    if constexpr (requires(const X& x) { M::arranged(x); }) {
+      i.arrange = [](std::span<Word> words) {
+        detail::Codes<X>::put(M::arranged(detail::Codes<X>::object(words)), words);
+      };
+    }
+    if constexpr (requires { M::draws(); }) {
+      const auto rules = detail::as_tuple(M::draws());
+      detail::each<std::tuple_size_v<std::remove_const_t<decltype(rules)>>>([&](auto r) {
+        const auto& rule = std::get<r>(rules);
+        if constexpr (std::same_as<typename std::remove_cvref_t<decltype(rule)>::Record, X>) {
+          add_draw(i, rule);
+        }
+        return 0;
+      });
+    }
+  }
+  template <class X, class T>
+  void add_draw(Interface& i, const clocked::Drawn<X, T>& rule) {
+    using Table = typename detail::Codes<X>::Table;
+    X object = clocked::zero<X>();
+    const auto* const begin = reinterpret_cast<const std::byte*>(&(object.*rule.field));
+    clocked::for_each_leaf(object, [&](const auto& leaf, auto number) {
+      const auto at = reinterpret_cast<const std::byte*>(&leaf) - begin;
+      if (at < 0 || at >= static_cast<std::ptrdiff_t>(sizeof(T))) return;
+      for (std::size_t c = Table::first[number]; c < Table::first[number + 1]; ++c) {
+        shape_.draw(i, c, rule.shares);
+      }
     });
   }
 

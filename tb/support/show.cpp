@@ -75,9 +75,14 @@ std::optional<Word> parse_raw(const Field& field, std::string_view text) {
   return {};
 }
 
+bool has_name(const Field& field, Word value) {
+  return value >= 0 && static_cast<std::size_t>(value) < field.named;
+}
+
 }  // namespace
 
 std::string show_short(const Field& field, Word value) {
+  if (has_name(field, value)) return field.names[static_cast<std::size_t>(value)];
   switch (field.format) {
     case Format::flag:
     case Format::number:
@@ -96,6 +101,9 @@ std::string show_short(const Field& field, Word value) {
 }
 
 std::optional<Word> parse_short(const Field& field, std::string_view text) {
+  for (std::size_t i = 0; i < field.named; ++i) {
+    if (field.names[i] == text) return static_cast<Word>(i);
+  }
   const std::optional<Word> value = parse_raw(field, text);
   // What is out of range, or written another way, does not come back the same.
   if (!value || low_bits(*value, field.width) != *value) return {};
@@ -111,8 +119,12 @@ std::string show(const Field& field, Word value) {
 
 std::size_t show_width(const Field& field) {
   const Word most_negative = shift_left(1, field.width - 1);
-  return std::max(show_short(field, ones(field.width)).size(),
-                  show_short(field, low_bits(most_negative, field.width)).size());
+  std::size_t longest = 0;
+  for (std::size_t i = 0; i < field.named; ++i) {
+    longest = std::max(longest, std::string_view(field.names[i]).size());
+  }
+  return std::max({longest, show_short(field, ones(field.width)).size(),
+                   show_short(field, low_bits(most_negative, field.width)).size()});
 }
 
 }  // namespace cosim

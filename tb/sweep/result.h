@@ -20,10 +20,17 @@ struct Result {
   Checked checked;  ///< by the design's check, if it has one
   std::optional<Mismatch> mismatch;
   std::string failed;  ///< what the failing case was, one line; empty where none failed
-  std::vector<Transactions> streams{};  ///< as of a Run
+  std::vector<Transactions> streams{};    ///< as of a Run
+  std::vector<std::uint64_t> happened{};  ///< as of a Run
 
   bool match() const { return !mismatch && checked.error.empty(); }
 };
+
+/// Adds up place by place; `sum` may be empty.
+inline void add(std::vector<std::uint64_t>& sum, const std::vector<std::uint64_t>& one) {
+  if (sum.size() < one.size()) sum.resize(one.size());
+  for (std::size_t i = 0; i < one.size(); ++i) sum[i] += one[i];
+}
 
 /// Adds two results; the first failure stays. What was left out is by place: of one bench, or read
 /// by nobody.
@@ -36,8 +43,8 @@ inline void add(Result& sum, Result one) {
   }
   sum.cases += one.cases;
   sum.clocks += one.clocks;
-  if (sum.left_out.size() < one.left_out.size()) sum.left_out.resize(one.left_out.size());
-  for (std::size_t i = 0; i < one.left_out.size(); ++i) sum.left_out[i] += one.left_out[i];
+  add(sum.left_out, one.left_out);
+  add(sum.happened, one.happened);
   add(sum.checked, one.checked);
   add(sum.streams, one.streams);
 }
@@ -51,7 +58,8 @@ inline Result result_of(Run run, Checked checked = {}, std::string failed = {}) 
           std::move(checked),
           std::move(run.mismatch),
           std::move(failed),
-          std::move(run.streams)};
+          std::move(run.streams),
+          std::move(run.happened)};
 }
 
 }  // namespace cosim

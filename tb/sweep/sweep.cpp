@@ -92,6 +92,7 @@ Result hostile_result(const AnyBench& bench, const HostileCase& c, Run run) {
   result.clocks = run.clocks;
   result.left_out = std::move(run.left_out);
   result.streams = std::move(run.streams);
+  result.happened = std::move(run.happened);
   result.mismatch = std::move(run.mismatch);
   result.failed = bench.text_of(c);
   return result;

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "model/core/input_error.h"
 #include "tb/report/report.h"
@@ -26,6 +28,7 @@ class QueueBench final : public AnyStreamBench {
     shape_.pins = {clocked::pin::reset("rst")};
     const Field data{"data", 8, Format::bits, "", "", 0, "data"};
     shape_.add({.name = "x"}, true, {&data, 1});
+    shape_.in.front().cases = {"even", "any", "never"};
     shape_.add({.name = "y"}, false, {&data, 1});
     fill_tables();
   }
@@ -48,6 +51,20 @@ class QueueBench final : public AnyStreamBench {
     };
   }
   const char* broken_rule(std::size_t, std::span<const Word>) const override { return nullptr; }
+  std::string text_of(bool, std::size_t, std::span<const Word> words) const override {
+    return "<" + std::to_string(words[0]) + ">";
+  }
+  std::string state_after(const std::vector<Sequence>& given) const override {
+    return std::to_string(given[0].size()) + " taken";
+  }
+  void count_cases(bool goes_in, std::size_t, const Sequence& some, std::size_t n,
+                   std::span<std::uint64_t> hits) const override {
+    ASSERT_TRUE(goes_in);
+    for (std::size_t i = 0; i < n; ++i) {
+      hits[0] += some[i][0] % 2 == 0 ? 1 : 0;
+      hits[1] += 1;
+    }
+  }
 
   Stimulus ten() const {
     Stimulus s;
@@ -89,6 +106,36 @@ TEST(StreamBench, CountsAllCasesOfASweep) {
   ASSERT_LT(first.clocks, run.clocks);
   for (const std::size_t s : {0U, 1U}) EXPECT_GT(run.streams[s].moved, first.streams[s].moved);
   EXPECT_EQ(run.streams[1].moved, run.streams[1].compared);
+}
+
+TEST(StreamBench, CountsTheCasesOfWhatWentIn) {
+  const QueueBench bench;
+  const cosim::Run run = bench.run_hostile({1, 0, 1000});
+  ASSERT_EQ(run.happened.size(), 3U);
+  EXPECT_EQ(run.happened[1], run.streams[0].moved);
+  EXPECT_GT(run.happened[0], 0U);
+  EXPECT_LT(run.happened[0], run.happened[1]);
+  const std::vector<Outcome> all{outcome_of(bench, run)};
+  EXPECT_NE(comparison_text(all).find("\ncases: 2 of 3 happened\nnever happened: x: never\n"),
+            std::string::npos)
+      << comparison_text(all);
+  const auto report = nlohmann::json::parse(report_json(all, 1));
+  EXPECT_EQ(report["cases"]["x: any"], run.happened[1]);
+  EXPECT_EQ(report["cases"]["x: never"], 0);
+}
+
+TEST(StreamBench, TellsAFailureInTheWordsOfItsModel) {
+  QueueBench bench;
+  bench.first = bench.later = Fault::value;
+  const cosim::Run run = bench.replay(bench.ten(), {});
+  ASSERT_TRUE(run.mismatch);
+  const auto& told = run.mismatch->told;
+  ASSERT_GE(told.size(), 4U);
+  EXPECT_NE(std::ranges::find(told, "x number 3: <3>"), told.end());
+  EXPECT_NE(std::ranges::find(told, "expected y number 3: <4>"), told.end());
+  EXPECT_NE(std::ranges::find(told, "actual   y number 3: <0>"), told.end());
+  EXPECT_NE(told.back().find(" taken"), std::string::npos);
+  EXPECT_NE(difference_text(*run.mismatch).find("\n  x number 3: <3>\n"), std::string::npos);
 }
 
 TEST(StreamBench, ThatComparesNothingDoesNotMatch) {

@@ -17,6 +17,21 @@ TEST(ShowShort, FlagsAndNumbers) {
   EXPECT_EQ(show_short(field(64, Format::number), -1), "18446744073709551615");
 }
 
+TEST(ShowShort, NamesOfValuesWithNumbersBehindThem) {
+  static constexpr const char* names[] = {"red", "green"};
+  Field color = field(2, Format::number);
+  color.names = names;
+  color.named = 2;
+  EXPECT_EQ(show_short(color, 1), "green");
+  EXPECT_EQ(show_short(color, 2), "2");
+  EXPECT_EQ(show(color, 1), "01 (green)");
+  EXPECT_EQ(show_width(color), 5U);
+  EXPECT_EQ(parse_short(color, "green"), 1);
+  EXPECT_EQ(parse_short(color, "3"), 3);
+  EXPECT_FALSE(parse_short(color, "1"));
+  EXPECT_FALSE(parse_short(color, "blue"));
+}
+
 TEST(ShowShort, BitStrings) {
   EXPECT_EQ(show_short(field(5, Format::bits), 0b01010), "01010");
   EXPECT_EQ(show_short(field(16, Format::bits), 1), "0000000000000001");

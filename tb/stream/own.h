@@ -17,6 +17,8 @@ class OwnGiver {
   /// `words`: the cells of the transaction that may go in; null where there is none.
   virtual void drive(const std::span<const Word>* words, std::span<Word> pins) = 0;
   virtual bool took(std::span<const Word> pins) = 0;
+  /// Once the design has settled, what it drives within the same clock; false: nothing else.
+  virtual bool answer(std::span<const Word> /*pins*/, std::span<Word> /*drives*/) { return false; }
 };
 
 /// Of a stream that comes out.
@@ -26,6 +28,8 @@ class OwnTaker {
   virtual void drive(bool ready, std::span<Word> pins) = 0;
   /// Whether a transaction has come; then `words` are its cells.
   virtual bool came(std::span<const Word> pins, std::vector<Word>& words) = 0;
+  /// Once the design has settled, what it drives within the same clock; false: nothing else.
+  virtual bool answer(std::span<const Word> /*pins*/, std::span<Word> /*drives*/) { return false; }
 };
 
 /// How they are made anew for each case, and the cells of their pins, named as the ports; nothing

@@ -12,6 +12,17 @@
 
 namespace cosim::detail {
 
+/// What the driver drives within the clock, if it does.
+template <class Driver>
+bool answer_of(Driver& driver, std::span<const Word> pins, std::span<Word> drives) {
+  if constexpr (requires(const typename Driver::Reads& reads) { driver.answer(reads); }) {
+    Codes<typename Driver::Drives>::put(driver.answer(Codes<typename Driver::Reads>::object(pins)),
+                                        drives);
+    return true;
+  }
+  return false;
+}
+
 template <class Driver, class X>
 class OwnGiverOf final : public OwnGiver {
  public:
@@ -25,6 +36,9 @@ class OwnGiverOf final : public OwnGiver {
     const bool taken(driver_.took(Codes<typename Driver::Reads>::object(pins)));
     if (taken) is_offered_ = false;
     return taken;
+  }
+  bool answer(std::span<const Word> pins, std::span<Word> drives) override {
+    return answer_of(driver_, pins, drives);
   }
 
  private:
@@ -49,6 +63,9 @@ class OwnTakerOf final : public OwnTaker {
     words.resize(Codes<Y>::fields().size());
     Codes<Y>::put(*one, words);
     return true;
+  }
+  bool answer(std::span<const Word> pins, std::span<Word> drives) override {
+    return answer_of(driver_, pins, drives);
   }
 
  private:

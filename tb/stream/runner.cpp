@@ -192,6 +192,7 @@ template <bool plain>
   for (Taker& t : takers) t.drive<plain>();
   set_clocks<plain>(false);
   eval();
+  if (!plain) answer();
   // What the harness itself holds back is no hang.
   bool moved = false;
   held_ = false;
@@ -241,6 +242,13 @@ void StreamRunner::found(Kind kind, bool goes_in, std::size_t stream, std::size_
   for (std::size_t s = 0; s < takers_.size() && stands; ++s) {
     if (takers_[s].waits) result_.finding->waits = s;
   }
+}
+
+void StreamRunner::answer() {
+  bool any = false;
+  for (Giver& g : givers_) any |= g.answer();
+  for (Taker& t : takers_) any |= t.answer();
+  if (any) eval();
 }
 
 inline void StreamRunner::eval() {

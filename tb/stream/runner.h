@@ -41,6 +41,7 @@ class StreamRunner {
   bool clock();
   void note_taken();
   void found(Kind kind, bool goes_in, std::size_t stream, std::size_t number, std::size_t cell = 0);
+  void answer();
   void eval();
   void hear();
   template <bool plain>

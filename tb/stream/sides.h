@@ -41,7 +41,7 @@ struct Giver {
   bool moved = false;   // on this clock
   bool stands = false;  // this clock is none of its own
   std::unique_ptr<OwnGiver> own{};
-  std::vector<Word> pins{};  // of its own driver
+  std::vector<Word> pins{}, driven{};  // of its own driver
 
   /// A new case, which stays as long as it runs.
   void start(const Sequence& all, const StreamCase::Side& side) {
@@ -81,6 +81,14 @@ struct Giver {
     const std::span<const Word> words = offers ? (*given)[taken] : std::span<const Word>();
     own->drive(offers ? &words : nullptr, pins);
     for (std::size_t p = 0; p < pins.size(); ++p) nets.drives[p].set(pins[p]);
+  }
+  /// What its own driver drives once the design has settled; false: nothing else.
+  bool answer() {
+    if (!own || stands) return false;
+    driven.resize(nets.drives.size());
+    if (!own->answer(read(nets.reads, pins), driven)) return false;
+    for (std::size_t p = 0; p < driven.size(); ++p) nets.drives[p].set(driven[p]);
+    return true;
   }
   template <bool plain>
   void sample() {
@@ -127,7 +135,7 @@ struct Taker {
   bool stands = false;  // this clock is none of its own
   std::vector<Word> words{}, last{};
   std::unique_ptr<OwnTaker> own{};
-  std::vector<Word> pins{};  // of its own driver
+  std::vector<Word> pins{}, driven{};  // of its own driver
 
   // Of the latency: the run keeps a list of what had been taken from the streams that go in.
   std::uint64_t idle = 0;              // clocks on which it could have taken one
@@ -199,6 +207,14 @@ struct Taker {
     pins.assign(nets.drives.size(), 0);
     own->drive(ready, pins);
     for (std::size_t p = 0; p < pins.size(); ++p) nets.drives[p].set(pins[p]);
+  }
+  /// What its own driver drives once the design has settled; false: nothing else.
+  bool answer() {
+    if (!own || stands) return false;
+    driven.resize(nets.drives.size());
+    if (!own->answer(read(nets.reads, pins), driven)) return false;
+    for (std::size_t p = 0; p < driven.size(); ++p) nets.drives[p].set(driven[p]);
+    return true;
   }
   template <bool plain>
   void sample() {

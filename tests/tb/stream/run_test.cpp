@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <string>
 
+#include "tb/stream/own_of.h"
 #include "tests/tb/stream/queue.h"
 
 namespace cosim {
@@ -206,6 +209,94 @@ TEST(StreamRun, ABudgetEndsItWhereSomethingMoves) {
   EXPECT_FALSE(Case({.fault = Fault::value, .number = 9}).run(5).finding);
   // A silence is listened to until it is known what it is.
   EXPECT_TRUE(Case({.fault = Fault::hang}).run(20).finding);
+}
+
+// It asks on each second clock, and takes what it is given on that very clock.
+class Asker final : public StreamDut {
+ public:
+  std::vector<Net> nets(const Ports& ports) override {
+    const std::map<std::string, Net> named{
+        {"ready", net(ready_)},     {"data", {&data_, 1, 0, 8}},     {"asks", net(asks_)},
+        {"y_valid", net(y_valid_)}, {"y_data", {&y_data_, 1, 0, 8}}, {"rst", net(rst_)}};
+    std::vector<Net> all;
+    for (const Field& f : ports.inputs) all.push_back(named.at(f.name));
+    for (const Field& f : ports.outputs) all.push_back(named.at(f.name));
+    all.push_back(net(clk_));
+    return all;
+  }
+  void eval() override {
+    if (clk_ != 0 && before_ == 0) {
+      y_valid_ = rst_ == 0 && asks_ != 0 && ready_ != 0 ? 1 : 0;
+      y_data_ = data_;
+      odd_ = rst_ == 0 && odd_ == 0 ? 1 : 0;
+    }
+    before_ = clk_;
+    asks_ = odd_;
+  }
+
+ private:
+  static Net net(std::uint8_t& byte) { return {&byte, 1, 0, 1}; }
+  std::uint8_t clk_ = 0, before_ = 0, rst_ = 0, odd_ = 0;
+  std::uint8_t ready_ = 0, data_ = 0, asks_ = 0, y_valid_ = 0, y_data_ = 0;
+};
+
+struct Asked {
+  clocked::UInt<8> data;
+};
+// Gives what is asked for: within the clock, or, where it does not answer, on the next one.
+template <bool answers>
+struct Answering {
+  struct Drives {
+    clocked::Bit ready = 0;
+    clocked::UInt<8> data = 0x5a;
+  };
+  struct Reads {
+    clocked::Bit asks;
+  };
+  const Asked* next = nullptr;
+  bool was_asked = false, gave = false;
+
+  Drives drive(const Asked* one) {
+    next = one;
+    gave = !answers && was_asked && next != nullptr;
+    return gave ? Drives{1, next->data} : Drives{};
+  }
+  Drives answer(const Reads& pins) requires answers {
+    gave = bool(pins.asks) && next != nullptr;
+    return gave ? Drives{1, next->data} : Drives{};
+  }
+  bool took(const Reads& pins) {
+    was_asked = bool(pins.asks);
+    return gave;
+  }
+};
+
+template <bool answers>
+StreamResult result_of_asker() {
+  StreamShape shape;
+  shape.title = "asker";
+  shape.set_clocks("clk", "");
+  shape.watchdog = 50;
+  shape.pins = {clocked::pin::reset("rst")};
+  const Field data{"data", 8, Format::number, "", "", 0, "data"};
+  shape.add({.name = "x"}, true, {&data, 1}, detail::own_driver<Answering<answers>, Asked, true>());
+  shape.add({.name = "y", .has_ready = false}, false, {&data, 1});
+  StreamCase given(shape);
+  Sequence expected(1);
+  for (Word n = 0; n < 10; ++n) {
+    given.add(shape, std::array<Word, 3>{1, 0, n});
+    expected.push({&n, 1});
+  }
+  const std::vector<Sequence> all{expected};
+  Asker asker;
+  return StreamRunner(shape, asker).run({given, all, {}, 1, 10000, false, nullptr});
+}
+
+TEST(StreamRun, ADriverMayAnswerWithinTheClock) {
+  const StreamResult result = result_of_asker<true>();
+  EXPECT_FALSE(result.finding);
+  EXPECT_EQ(result.streams.back().compared, 10U);
+  EXPECT_TRUE(result_of_asker<false>().finding);
 }
 
 }  // namespace

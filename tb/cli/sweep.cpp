@@ -10,10 +10,10 @@
 #include "tb/program/conclude.h"
 #include "tb/program/full.h"
 #include "tb/program/number.h"
-#include "tb/program/outputs.h"
 #include "tb/program/registry.h"
 #include "tb/program/sweep_checkpoint.h"
 #include "tb/program/sweeps.h"
+#include "tb/program/verdicts.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/parallel.h"
 #include "tb/support/words.h"
@@ -66,7 +66,27 @@ int stopped(const Interrupted& interrupted, ProgressLine& progress, const std::s
   return 128 + interrupted.signal;
 }
 
-int run(const SweepOptions& o) {
+void add_verdicts(const std::vector<Outcome>& outcomes, const std::vector<double>& seconds,
+                  bool allows_nothing, Verdicts& verdicts) {
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const Outcome& o = outcomes[i];
+    ci::Verdict one{fmt::format("{}, {}", o.bench->title(), o.work)};
+    one.seconds = seconds[i];
+    one.text = swept_text(o.result) + '\n';
+    if (!o.result.match()) {
+      one.end = ci::Verdict::End::failure;
+      one.type = "mismatch";
+      one.text = o.result.mismatch ? to_text(*o.result.mismatch) : o.result.checked.error;
+    } else if (compared_nothing(o) && !allows_nothing) {
+      one.end = ci::Verdict::End::error;
+      one.type = "nothing";
+      one.text = nothing_text(o);
+    }
+    verdicts.add(one);
+  }
+}
+
+int run(const SweepOptions& o, Verdicts& verdicts) {
   const Benches benches = matching(o.design.design, o.shape.shape());
   check_kind(o);
   const auto threads = o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores();
@@ -76,7 +96,6 @@ int run(const SweepOptions& o) {
   if (sweeps.empty()) {
     throw InputError("--exhaustive: too wide to try everything; take " + o.design.exhaustible);
   }
-  check_outputs(o.common);
   if (lanes) form().become_full(registry());
   std::string work =
       fmt::format("seed {}, {} hostile clocks", o.common.seed(), o.hostile.value_or("no"));
@@ -87,6 +106,7 @@ int run(const SweepOptions& o) {
 
   std::optional<InterruptGuard> interrupts(std::in_place);
   std::vector<Outcome> outcomes;
+  std::vector<double> seconds;  // of each
   for (const auto& [bench, sweep] : sweeps) {
     const std::string title = fmt::format("{}, {}", bench->title(), sweep.name);
     ProgressLine progress(title);
@@ -104,11 +124,12 @@ int run(const SweepOptions& o) {
       return stopped(interrupted, progress, text, outcomes, sweeps.size());
     }
     const Result& result = outcomes.back().result;
-    progress.finish(fmt::format("{}: {}", title, swept_text(result)));
+    seconds.push_back(progress.finish(fmt::format("{}: {}", title, swept_text(result))));
     if (!result.match()) break;
     resume.keep(result);
   }
   interrupts.reset();  // a report to a pipe waits for its reader: there a signal ends the program
+  add_verdicts(outcomes, seconds, o.common.allows_nothing, verdicts);
   const int status = conclude(outcomes, o.common);
   checkpoint.done();
   return status;
@@ -128,6 +149,7 @@ void add_options(const Command& design, SweepOptions& o) {
               "How many cases run at once on a core: 512, 256, 64, or 0: one at a time;\n"
               "auto: as many as the processor can, as hostile clocks do in a long run");
   design.text("--jobs", o.jobs, "J", "Threads, 1 to 1024; default one a core");
+  add_junit(design, o.common);
   add_failures(design, o.common);
   add_html(design, o.common, "the figures or the first failure");
   design.text("--checkpoint", o.common.checkpoint, "FILE",
@@ -143,7 +165,10 @@ void add_design(const Command& sweep, const DesignSweeps& swept) {
   o->shape.add(design, "every one built");
   design.footer(
       fmt::format("Example: {} sweep {} {}", program_name(), swept.design, swept.example));
-  design.action([o] { return run(*o); });
+  design.action([o] {
+    return with_verdicts("sweep", o->design.design, o->common,
+                         [&](Verdicts& verdicts) { return run(*o, verdicts); });
+  });
 }
 
 }  // namespace

@@ -18,7 +18,7 @@
 #include "tb/program/named_values.h"
 #include "tb/program/number.h"
 #include "tb/program/outputs.h"
-#include "tb/report/junit.h"
+#include "tb/program/verdicts.h"
 #include "tb/support/draft.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/output_file.h"
@@ -97,40 +97,18 @@ std::string keep_difference(const EquivOptions& o, const std::string& top, const
   return "";
 }
 
-// Shows a verdict without an error to a CI service too.
-class Junit {
- public:
-  explicit Junit(const EquivOptions& o)
-      : file_(o.common.junit),
-        case_{"cosim equiv", o.top.value_or(o.gate_top.value_or("?")), {}, "", "", 0} {}
-
-  void write(JunitCase::End end, const std::string& type, const std::string& text) {
-    if (!file_) return;
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - began_;
-    case_.end = end;
-    case_.type = type;
-    case_.text = text;
-    case_.seconds = spent.count();
-    write_file(*file_, junit_text(case_));
-  }
-
- private:
-  Text file_;
-  JunitCase case_;
-  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
-};
-
 // The exit status, and what it is called there.
-int end_with(equiv::Verdict verdict, const std::string& text, Junit& junit) {
-  using enum JunitCase::End;
-  if (verdict == equiv::Verdict::equal) junit.write(passed, "", text);
-  if (verdict == equiv::Verdict::different) junit.write(failure, "different", text);
-  if (verdict == equiv::Verdict::undecided) junit.write(error, "undecided", text);
+int end_with(equiv::Verdict verdict, const std::string& top, const std::string& text,
+             Verdicts& verdicts) {
+  using enum ci::Verdict::End;
+  if (verdict == equiv::Verdict::equal) verdicts.add({top, passed, "", text});
+  if (verdict == equiv::Verdict::different) verdicts.add({top, failure, "different", text});
+  if (verdict == equiv::Verdict::undecided) verdicts.add({top, error, "undecided", text});
   return verdict == equiv::Verdict::equal ? 0 : verdict == equiv::Verdict::different ? 1 : 3;
 }
 
 int conclude(const EquivOptions& o, const std::string& top, const equiv::Question& q,
-             const equiv::Answer& a, Junit& junit) {
+             const equiv::Answer& a, Verdicts& verdicts) {
   const std::string assumed = equiv::assumed_text(q), verdict = equiv::verdict_text(top, q, a);
   fmt::print("{}\n{}", assumed, verdict);
   const bool differs = a.verdict == equiv::Verdict::different;
@@ -140,10 +118,10 @@ int conclude(const EquivOptions& o, const std::string& top, const equiv::Questio
     write_file(*o.common.html, page.empty() ? equiv::page_of(top, q, a) : page);
     fmt::print("page: {}\n", one_line(*o.common.html));
   }
-  return end_with(a.verdict, verdict + assumed + '\n', junit);
+  return end_with(a.verdict, top, verdict + assumed + '\n', verdicts);
 }
 
-int compare(const EquivOptions& o, Junit& junit) {
+int compare(const EquivOptions& o, Verdicts& verdicts) {
   const InterruptGuard interrupts;
   const Scratch scratch;
   const BothFiles files = files_of(o, scratch.path());
@@ -156,7 +134,7 @@ int compare(const EquivOptions& o, Junit& junit) {
     const std::string text =
         fmt::format("{}: undecided: {} in {} s (--seconds)\n", top, why, seconds);
     fmt::print("{}", text);
-    return end_with(equiv::Verdict::undecided, text, junit);
+    return end_with(equiv::Verdict::undecided, top, text, verdicts);
   };
   BothSides sides;
   try {
@@ -196,20 +174,15 @@ int compare(const EquivOptions& o, Junit& junit) {
     line.show(fmt::format("{}: asked from reset, at most {} s", top, seconds));
     return equiv::compare(q);
   }();
-  return conclude(o, top, q, answer, junit);
+  return conclude(o, top, q, answer, verdicts);
 }
 
 int run(const EquivOptions& o) {
   check_outputs(o.common, files_read(files_named(o), o.include_dirs));
   const std::string top = o.top.value_or(o.gate_top.value_or(""));
   require_own_folder(equiv::folder_of(top, o.common.failures_folder()));
-  Junit junit(o);
-  try {
-    return compare(o, junit);
-  } catch (const InputError& error) {
-    junit.write(JunitCase::End::error, "input", error.what());
-    throw;
-  }
+  return with_verdicts(equiv_command.name, top.empty() ? "?" : top, o.common,
+                       [&](Verdicts& verdicts) { return compare(o, verdicts); });
 }
 
 }  // namespace
@@ -259,8 +232,7 @@ void add_equiv(const Command& program) {
   command.text("--jobs", o->jobs, "J",
                "Engines at a time; default 4, or one a core where there are more");
   add_report(command, o->common);
-  command.text("--junit", o->common.junit, "FILE",
-               "Write the verdict as a test that CI services show: JUnit's XML");
+  add_junit(command, o->common);
   add_html(command, o->common, "the wave of a difference");
   add_failures(command, o->common);
   command.footer(

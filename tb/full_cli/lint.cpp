@@ -1,12 +1,15 @@
 // PROGRAM lint: what Verilator, Icarus Verilog and yosys find in the RTL of the built machines.
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "model/core/input_error.h"
 #include "tb/full/machine_of.h"
 #include "tb/full_cli/commands.h"
 #include "tb/program/chosen.h"
+#include "tb/program/verdicts.h"
+#include "tb/support/output_file.h"
 #include "tb/support/pattern.h"
 #include "tb/support/process.h"
 #include "tb/support/words.h"
@@ -87,10 +90,18 @@ Ended run_in(const Scratch& scratch, const Words& arguments) {
   return cosim::run_program(command);
 }
 
-int run(const Words& words) {
+struct LintOptions {
+  Common common;
+  Words words;
+  Text sarif;
+};
+
+int run(const LintOptions& o, Verdicts& verdicts) {
   const InterruptGuard interrupts;
   bool clean = true;
-  for (const AnyBench* bench : chosen_shapes(words)) {
+  std::vector<std::string> tools;
+  std::vector<ci::Finding> all;
+  for (const AnyBench* bench : chosen_shapes(o.words)) {
     const Scratch scratch;
     proof::Source source = machine_of(*bench).source;
     source.parameters = bench->parameters();
@@ -115,6 +126,7 @@ int run(const Words& words) {
         }
       }
       std::string result = "clean";
+      ci::Verdict verdict{bench->built_as() + ", " + tool};
       if (ended.status == 127) {
         result = "skipped: not installed";
       } else if (const std::string line = unread(ended); verilator_reads && !line.empty()) {
@@ -123,27 +135,46 @@ int run(const Words& words) {
         result = "findings:\n" + text;
         result.pop_back();
         clean = false;
+        verdict.end = ci::Verdict::End::failure;
+        verdict.type = "findings";
+        verdict.text = text;
+        const auto found = ci::findings_in(tool, text);
+        all.insert(all.end(), found.begin(), found.end());
       }
+      if (ended.status != 127 && std::ranges::find(tools, tool) == tools.end()) {
+        tools.push_back(tool);
+      }
+      if (verdict.text.empty()) verdict.text = result;
+      verdicts.add(verdict);
       if (is_verilator) verilator_reads = is_read(ended);
       fmt::print("{:<24} {:<16} {}\n", bench->built_as(), tool, result);
     }
   }
+  if (ci::is_on_github()) {
+    for (const ci::Finding& one : all) fmt::print("{}", ci::annotation(one));
+  }
+  if (o.sarif) write_file(*o.sarif, ci::sarif_text(tools, all));
   return clean ? 0 : 1;
 }
 
 }  // namespace
 
 void add_lint(const Command& program) {
-  auto words = std::make_shared<Words>();
+  auto o = std::make_shared<LintOptions>();
   const Command command = program.sub(lint_command.name, lint_command.help);
-  command.arguments("MACHINE", *words, "A design, or a line of 'list'; default all");
+  command.arguments("MACHINE", o->words, "A design, or a line of 'list'; default all");
+  add_junit(command, o->common);
+  command.text("--sarif", o->sarif, "FILE", "Write the findings with their places as SARIF 2.1.0");
   command.footer(fmt::format(
       "Runs Verilator with all warnings, and Icarus Verilog and yosys where they are installed\n"
       "and read the RTL.\n"
       "Exit status: 0 no finding, 1 findings, 2 bad input.\n"
       "Example: {} lint {}",
       program_name(), benches().front()->design()));
-  command.action([words] { return run(*words); });
+  command.action([o] {
+    return with_verdicts(lint_command.name, lint_command.name, o->common,
+                         [&](Verdicts& verdicts) { return run(*o, verdicts); });
+  });
 }
 
 }  // namespace cosim::cli

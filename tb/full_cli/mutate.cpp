@@ -2,6 +2,8 @@
 // be none.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <memory>
 
 #include "model/core/input_error.h"
@@ -13,10 +15,12 @@
 #include "tb/program/chosen.h"
 #include "tb/program/common.h"
 #include "tb/program/number.h"
-#include "tb/program/outputs.h"
+#include "tb/program/verdicts.h"
 #include "tb/report/report.h"
+#include "tb/support/interrupt.h"
 #include "tb/support/json.h"
 #include "tb/support/json_at.h"
+#include "tb/support/pattern.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
 #include "tb/support/words.h"
@@ -28,7 +32,7 @@ namespace {
 struct MutateOptions {
   Common common;
   std::vector<std::string> words;
-  Text mutants;
+  Text mutants, equivalent;
   bool unproved = false, list = false;
 };
 
@@ -57,6 +61,78 @@ std::string doing_now(const std::string& results) {
   }
 }
 
+// What the campaign had done when it was stopped.
+void print_stopped(const AnyBench& bench, const std::string& results) {
+  try {
+    const std::string file = results + mutation::kept_as;
+    std::map<std::string, std::size_t> ends;
+    std::size_t all = 0;
+    const JsonAt kept(file, read_file(file));
+    for (const JsonAt& mutant : kept.at("state").at("outcomes").list()) {
+      ++ends[mutant.at("end").text()];
+      ++all;
+    }
+    fmt::print("{}: stopped: {}: {} killed, {} proved equal, {} survived, {} not decided\n",
+               bench.built_as(), count(all, "mutant"), ends["killed"], ends["equivalent"],
+               ends["survived"], ends["open"]);
+  } catch (const InputError&) {
+    fmt::print("{}: stopped before a mutant was attacked\n", bench.built_as());
+  }
+}
+
+// Mutants that a person says to be the same machine, each a line of a file:
+//
+//   MACHINE: MUTANT -- REASON
+class Equivalent {
+ public:
+  explicit Equivalent(const Text& file) {
+    if (!file) return;
+    std::size_t number = 0;
+    for (const std::string& line : lines_in(read_file(*file))) {
+      ++number;
+      if (line.empty() || line.starts_with('#')) continue;
+      static const Pattern form("(.*[^ ]) -- *([^ ].*)");
+      const auto part = form.whole(line);
+      if (part.empty()) {
+        throw InputError(fmt::format("{}:{}: is not MACHINE: MUTANT -- REASON", *file, number));
+      }
+      entries_.push_back({part[1], part[2], fmt::format("{}:{}", *file, number)});
+    }
+  }
+  /// Takes them out of what survived, and prints each.
+  void apply(const AnyBench& bench, Json& outcome) {
+    for (Json& mutant : outcome.at("outcomes")) {
+      if (mutant.at("end") != "survived") continue;
+      const std::string name = bench.built_as() + ": " + mutant.at("what").get<std::string>();
+      const auto known = std::ranges::find(entries_, name, &Entry::name);
+      if (known == entries_.end()) continue;
+      known->is_used = true;
+      mutant["end"] = "declared equivalent";
+      mutant["reason"] = known->reason;
+      outcome["survived"] = outcome["survived"].get<std::uint64_t>() - 1;
+      outcome["declared"] = outcome.value("declared", std::uint64_t{0}) + 1;
+      fmt::print("declared equivalent: {}: {}\n", name, known->reason);
+    }
+  }
+  /// Says which lines are of no survivor of these machines.
+  void complain_of_unused(const std::vector<const AnyBench*>& machines) const {
+    for (const Entry& one : entries_) {
+      const auto is_of = [&](const AnyBench* bench) {
+        return one.name.starts_with(bench->built_as() + ": ");
+      };
+      if (one.is_used || std::ranges::none_of(machines, is_of)) continue;
+      complain(fmt::format("{}: no such mutant survives: {}", one.place, one.name));
+    }
+  }
+
+ private:
+  struct Entry {
+    std::string name, reason, place;
+    bool is_used = false;
+  };
+  std::vector<Entry> entries_;
+};
+
 // Plants, attacks and prints; the results.
 Json attacked(const MutateOptions& o, const Registry& registry, const AnyBench& bench,
               std::uint64_t mutants) {
@@ -78,7 +154,12 @@ Json attacked(const MutateOptions& o, const Registry& registry, const AnyBench& 
   const Ended ended = [&] {
     StateLine line;
     line.show([&] { return bench.built_as() + ": " + doing_now(results); });
-    return run_mutants(program, words);
+    try {
+      return run_mutants(program, words);
+    } catch (const Interrupted&) {
+      print_stopped(bench, results);
+      throw;
+    }
   }();
   const JsonAt outcome(results, read_file(results));
   const std::uint64_t unread = outcome.at("unread").whole();
@@ -96,19 +177,36 @@ Json attacked(const MutateOptions& o, const Registry& registry, const AnyBench& 
   return outcome.json();
 }
 
-int run(const MutateOptions& o, const Registry& registry) {
+// Of a shape: each survivor is a line of its failure.
+ci::Verdict verdict_of(const AnyBench& bench, const JsonAt& outcome) {
+  const std::uint64_t survived = outcome.at("survived").whole();
+  ci::Verdict one{bench.built_as(), ci::Verdict::End::passed, "survived", ""};
+  if (survived != 0) one.end = ci::Verdict::End::failure;
+  one.text =
+      fmt::format("{} of {} survived\n", survived, count(outcome.at("mutants").whole(), "mutant"));
+  for (const JsonAt& mutant : outcome.at("outcomes").list()) {
+    if (mutant.at("end").text() != "survived") continue;
+    one.text += fmt::format("{}: {}\n", mutant.at("mutant").whole(), mutant.at("what").text());
+  }
+  return one;
+}
+
+int run(const MutateOptions& o, const Registry& registry, Verdicts& verdicts) {
   const InterruptGuard interrupts;
   constexpr std::uint64_t most = 65535;  // what chooses one has 16 bits
   const std::uint64_t mutants = whole("--mutants", o.mutants.value_or("100"), 1, most);
   const auto benches = chosen_shapes(o.words);
-  check_outputs(o.common);
   need_tools(o.unproved);
   Json all = Json::array();
+  Equivalent equivalent(o.equivalent);
   bool survived = false;
   for (const AnyBench* bench : benches) {
     all.push_back(attacked(o, registry, *bench, mutants));
+    equivalent.apply(*bench, all.back());
     survived = survived || all.back().at("survived") != 0;
+    verdicts.add(verdict_of(*bench, JsonAt::of("results", all.back())));
   }
+  equivalent.complain_of_unused(benches);
   write_report(o.common.report.value_or(""), json_text(all, 1) + '\n');
   return survived ? 1 : 0;
 }
@@ -122,17 +220,23 @@ void add_mutate(const Command& program, const Registry& registry) {
   command.arguments("MACHINE", o->words, "A design, or a line of 'list'; default all");
   command.text("--mutants", o->mutants, "N", "At most N for each shape, 1 to 65535; default 100");
   command.flag("--unproved", o->unproved, "Do without proofs: what is not found survives");
+  command.text("--equivalent", o->equivalent, "FILE",
+               "Survivors that are the same machine, a line each: MACHINE: MUTANT -- REASON");
   command.flag("--list", o->list, "Print each mutant and what became of it");
   command.text("--failures", o->common.failures, "DIR",
                "Where a survivor leaves its folder; default $COSIM_FAILURES or failures");
   command.text("--report", o->common.report, "FILE", "Write what became of each as JSON");
+  add_junit(command, o->common);
   command.footer(fmt::format(
       "Needs yosys, which plants them, and a compiler.\n"
       "Where no stimulus finds a mutant, an engine looks for one, from reset; it is kept in DIR.\n"
       "Exit status: 0 none survived, 1 some did, 2 bad input.\n"
       "Example: {} mutate {} --mutants 20",
       program_name(), benches().front()->built_as()));
-  command.action([o, &registry] { return run(*o, registry); });
+  command.action([o, &registry] {
+    return with_verdicts(mutate_command.name, mutate_command.name, o->common,
+                         [&](Verdicts& verdicts) { return run(*o, registry, verdicts); });
+  });
 }
 
 }  // namespace cosim::cli

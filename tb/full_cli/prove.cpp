@@ -32,7 +32,7 @@ std::vector<proof::Engine> engines_of(const ProveOptions& o) {
   return all;
 }
 
-int run(const ProveOptions& o, const Registry& registry) {
+int run(const ProveOptions& o, const Registry& registry, Verdicts& verdicts) {
   const InterruptGuard interrupts;
   const int limit = static_cast<int>(whole("--limit", o.limit.value_or("300"), 1, kLongest));
   const auto jobs = o.jobs ? static_cast<unsigned>(whole("--jobs", *o.jobs, 1, 1024)) : cores();
@@ -42,11 +42,14 @@ int run(const ProveOptions& o, const Registry& registry) {
   if (o.theorems) {
     if (o.engines) throw InputError("--engines: belongs to machines; theorems are proved by z3");
     if (!is_installed("z3")) throw InputError("prove: needs z3, not installed");
-    return prove_theorems(o, limit, jobs);
+    return prove_theorems(o, limit, jobs, verdicts);
   }
   const proof::Asking asking{engines_of(o), limit, jobs};
-  if (o.mutants) return prove_mutants(o, registry, asking);
-  return prove_machines(o, asking);
+  if (o.mutants) {
+    if (o.common.junit) throw InputError("--junit: does not go with --mutants; mutate has it");
+    return prove_mutants(o, registry, asking);
+  }
+  return prove_machines(o, asking, verdicts);
 }
 
 }  // namespace
@@ -69,6 +72,7 @@ void add_prove(const Command& program, const Registry& registry) {
                "FILE.v, which has those of one machine, selected by an input mutsel");
   command.text("--count", o->count, "N", "With FILE.v: only the first N; default 100");
   command.text("--mutant", o->mutant, "K", "With FILE.v: only the one with mutsel = K");
+  add_junit(command, o->common);
   add_failures(command, o->common);
   command.footer(
       "Needs yosys with yosys-abc (cec); cadical is a part of this program, and theorems need z3.\n"
@@ -77,7 +81,10 @@ void add_prove(const Command& program, const Registry& registry) {
       "checked by cadical, where an inductive invariant is found in time.\n"
       "Example: " +
       program_name() + " prove " + proof::built_machines().front().title);
-  command.action([o, &registry] { return run(*o, registry); });
+  command.action([o, &registry] {
+    return with_verdicts(prove_command.name, prove_command.name, o->common,
+                         [&](Verdicts& verdicts) { return run(*o, registry, verdicts); });
+  });
 }
 
 }  // namespace cosim::cli

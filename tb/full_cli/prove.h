@@ -6,6 +6,7 @@
 
 #include "tb/program/common.h"
 #include "tb/program/registry.h"
+#include "tb/program/verdicts.h"
 #include "tb/proof/decide.h"
 #include "tb/proof/machines.h"
 #include "tb/proof/theorems.h"
@@ -31,9 +32,9 @@ struct ProveSubject {
 /// says why others of them are left out.
 std::vector<ProveSubject> subjects_of(const std::vector<std::string>& words);
 
-/// Each gives the exit status.
-int prove_machines(const ProveOptions& o, const proof::Asking& asking);
-int prove_theorems(const ProveOptions& o, int limit, unsigned jobs);
+/// Each gives the exit status; the first two add a verdict of each claim.
+int prove_machines(const ProveOptions& o, const proof::Asking& asking, Verdicts& verdicts);
+int prove_theorems(const ProveOptions& o, int limit, unsigned jobs, Verdicts& verdicts);
 int prove_mutants(const ProveOptions& o, const Registry& registry, const proof::Asking& asking);
 
 /// Writes what the engines are asked of a claim on `title` into a folder, a file each: binary

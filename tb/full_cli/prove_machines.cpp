@@ -117,6 +117,21 @@ std::string text_of(const Row& row, const std::vector<Engine>& engines) {
   return text;
 }
 
+// Its seconds are those of the slowest engine.
+ci::Verdict verdict_of(const Row& row) {
+  const bool is_refuted = row.decision.verdict.find("REFUTED") != std::string::npos;
+  using enum ci::Verdict::End;
+  ci::Verdict one{row.name(),
+                  row.decision.proved ? passed
+                  : is_refuted        ? failure
+                                      : error,
+                  is_refuted ? "refuted" : "undecided", row.decision.verdict};
+  for (const proof::Opinion& opinion : row.decision.opinions) {
+    one.seconds = std::max(one.seconds, opinion.solved.seconds);
+  }
+  return one;
+}
+
 // Each row is printed as soon as it and all before it are decided.
 void decide(std::vector<Row>& rows, const proof::Asking& asking) {
   StateLine line;
@@ -183,7 +198,7 @@ void explain(const ProveOptions& o, const Row& row) {
 
 }  // namespace
 
-int prove_machines(const ProveOptions& o, const proof::Asking& asking) {
+int prove_machines(const ProveOptions& o, const proof::Asking& asking, Verdicts& verdicts) {
   std::vector<Claimed> subjects;
   for (ProveSubject& s : subjects_of(o.machine))
     subjects.push_back({std::move(s), {}, {}, {}, {}, {}, {}});
@@ -214,7 +229,9 @@ int prove_machines(const ProveOptions& o, const proof::Asking& asking) {
   if (std::ranges::all_of(subjects, is_unread)) throw InputError(error);
   std::string said;
   for (const Claimed& s : subjects) {
-    if (is_unread(s) && std::exchange(said, s.error) != s.error) leave_out(s.error);
+    if (!is_unread(s)) continue;
+    verdicts.add({s.subject.title, ci::Verdict::End::error, "input", s.error});
+    if (std::exchange(said, s.error) != s.error) leave_out(s.error);
   }
   std::erase_if(subjects, is_unread);
   std::vector<Row> rows;
@@ -235,6 +252,7 @@ int prove_machines(const ProveOptions& o, const proof::Asking& asking) {
   const Row* explained = nullptr;  // the first that can be
   for (const Row& row : rows) {
     const bool was_asked = row.from_reset != nullptr;
+    verdicts.add(verdict_of(row));
     proved += row.decision.proved ? 1 : 0;
     from_reset += row.decision.proved && was_asked ? 1 : 0;
     by_abc_alone += row.decision.proved && was_asked && !row.from_reset->is_checked ? 1 : 0;

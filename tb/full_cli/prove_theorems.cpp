@@ -13,7 +13,7 @@
 namespace cosim::cli {
 
 // One line for each theorem, with its sentence.
-int prove_theorems(const ProveOptions& o, int limit, unsigned jobs) {
+int prove_theorems(const ProveOptions& o, int limit, unsigned jobs, Verdicts& verdicts) {
   std::vector<proof::Theorem> theorems;
   for (const proof::Theorem& t : proof::theorems()) {
     if (o.machine.empty() || o.machine.front() == t.design) theorems.push_back(t);
@@ -42,6 +42,9 @@ int prove_theorems(const ProveOptions& o, int limit, unsigned jobs) {
   for (std::size_t i = 0; i < theorems.size(); ++i) {
     fmt::print("{}: {}.\n  z3 {:.2f} s, {}\n", theorems[i].design, theorems[i].sentence,
                all[i].seconds, all[i].verdict);
+    verdicts.add({fmt::format("{}: {}", theorems[i].design, theorems[i].sentence),
+                  all[i].proved ? ci::Verdict::End::passed : ci::Verdict::End::failure, "theorem",
+                  all[i].verdict, all[i].seconds});
     proved += all[i].proved ? 1 : 0;
     more_time_helps = more_time_helps || all[i].timed_out;
   }

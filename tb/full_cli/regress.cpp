@@ -9,6 +9,7 @@
 #include "tb/full_cli/commands.h"
 #include "tb/full_cli/regress_show.h"
 #include "tb/program/number.h"
+#include "tb/program/verdicts.h"
 #include "tb/regress/slurm.h"
 #include "tb/regress/worker.h"
 #include "tb/support/file_lock.h"
@@ -27,6 +28,7 @@ using regress::RunFolder;
 
 struct RegressOptions {
   Text file, folder, resume, shards, jobs, seed, sbatch, work, only, list;
+  Common common;
   bool dry_run = false, fail_fast = false, schema = false, slurm = false, merge = false;
 };
 
@@ -80,12 +82,38 @@ std::string resume_line(const RunFolder& run) {
                      one_line(run.path().string()));
 }
 
+// A verdict of each work.
+void add_verdicts(const Json& report, Verdicts& verdicts) {
+  using enum ci::Verdict::End;
+  for (const Json& task : report["tasks"]) {
+    for (const Json& work : task["works"]) {
+      const auto text_at = [](const Json& json, const char* key) {
+        return json.at(key).get<std::string>();
+      };
+      const std::string verdict = text_at(work, "verdict");
+      const std::string name = text_at(task, "name") + ": " + text_at(work, "title");
+      ci::Verdict one{name,
+                      verdict == "pass"   ? passed
+                      : verdict == "fail" ? failure
+                                          : error,
+                      verdict, ""};
+      for (const Json& failure : report["failures"]) {
+        if (text_at(failure, "work") == name) one.text += text_at(failure, "what") + '\n';
+      }
+      if (one.text.empty()) one.text = verdict;
+      verdicts.add(one);
+    }
+  }
+}
+
 // Ends a run whose shards are over, for now.
-int conclude_run(const RunFolder& run, const regress::Kinds& kinds, const regress::Errors& errors) {
+int conclude_run(const RunFolder& run, const regress::Kinds& kinds, const regress::Errors& errors,
+                 Verdicts& verdicts) {
   const auto results =
       regress::read_results(run.path() / "results", run.identity(), run.shards().size());
   const regress::Report report = regress::report(run, kinds, results);
   write_report(run, results, report);
+  add_verdicts(report.json, verdicts);
   for (const std::string& line : lines_of(errors)) complain(line);
   fmt::print("{}report: {}\n", report.text, one_line((run.path() / "report.json").string()));
   if (report.holds) return 0;
@@ -93,7 +121,8 @@ int conclude_run(const RunFolder& run, const regress::Kinds& kinds, const regres
   return report.json["failures"].empty() ? 2 : 1;
 }
 
-int carry_out(const RunFolder& run, const RegressOptions& o, const regress::Kinds& kinds) {
+int carry_out(const RunFolder& run, const RegressOptions& o, const regress::Kinds& kinds,
+              Verdicts& verdicts) {
   const FileLock lock(run.path() / "lock", FileLock::Held::kRefuse);
   RegressProgress progress;
   const regress::Tell tell = [&](const regress::Tally& tally) { progress.show(tally); };
@@ -102,7 +131,7 @@ int carry_out(const RunFolder& run, const RegressOptions& o, const regress::Kind
         o.slurm ? run_slurm(run, kinds, {sbatch_options(o), o.fail_fast, tell})
                 : run_local(run, kinds, {jobs_of(o), o.fail_fast, tell});
     progress.clear();
-    return conclude_run(run, kinds, errors);
+    return conclude_run(run, kinds, errors, verdicts);
   } catch (const Interrupted& interrupted) {
     progress.clear();
     const auto results =
@@ -113,7 +142,7 @@ int carry_out(const RunFolder& run, const RegressOptions& o, const regress::Kind
   }
 }
 
-int new_run(const RegressOptions& o, const regress::Kinds& kinds) {
+int new_run(const RegressOptions& o, const regress::Kinds& kinds, Verdicts& verdicts) {
   auto known = planned(o, kinds);
   if (!known) return 2;
   auto& [plan, works] = *known;
@@ -131,41 +160,41 @@ int new_run(const RegressOptions& o, const regress::Kinds& kinds) {
   fmt::print("{}: seed {}, {} in {}\n", run.plan().name, run.plan().seed,
              count(run.shards().size(), "shard"), one_line(run.path().string()));
   std::fflush(stdout);
-  return carry_out(run, o, kinds);
+  return carry_out(run, o, kinds, verdicts);
 }
 
 // What the processes of a run do.
-int work(const RegressOptions& o, const regress::Kinds& kinds) {
+int work(const RegressOptions& o, const regress::Kinds& kinds, Verdicts& verdicts) {
   if ((o.only ? 1 : 0) + (o.list ? 1 : 0) + (o.merge ? 1 : 0) != 1) {
     throw InputError("--work: needs one of --only, --list and --merge");
   }
   const RunFolder run(*o.work, kinds);
-  if (o.merge) return conclude_run(run, kinds, {});
+  if (o.merge) return conclude_run(run, kinds, {}, verdicts);
   if (o.list) return run_array_task(run, kinds, *o.list);
   const auto shards = regress::shards_in(*o.only, run.shards().size(), "--only");
   return run_shards(run, kinds, shards, regress::host());
 }
 
-int run(const RegressOptions& o, const Registry& registry) {
+int run(const RegressOptions& o, const Registry& registry, Verdicts& verdicts) {
   const InterruptGuard interrupts;
   const regress::Kinds kinds = regress_kinds(registry);
   if (o.schema) {
     fmt::print("{}\n", json_text(schema(keys_of(kinds)), 1));
     return 0;
   }
-  if (o.work) return work(o, kinds);
+  if (o.work) return work(o, kinds, verdicts);
   if (o.only || o.list || o.merge) throw InputError("--only, --list and --merge go with --work");
   if (o.sbatch && !o.slurm) throw InputError("--sbatch: goes with --slurm");
   if (o.jobs && o.slurm) throw InputError("--jobs: the cluster decides that");
   if (o.file.has_value() == o.resume.has_value()) {
     throw InputError("regress: needs a FILE, or --resume FOLDER");
   }
-  if (o.file) return new_run(o, kinds);
+  if (o.file) return new_run(o, kinds, verdicts);
   if (o.folder || o.shards || o.seed || o.dry_run) {
     throw InputError("--resume: goes on as the run began: no option of a new run");
   }
   jobs_of(o);
-  return carry_out(RunFolder(*o.resume, kinds), o, kinds);
+  return carry_out(RunFolder(*o.resume, kinds), o, kinds, verdicts);
 }
 
 }  // namespace
@@ -194,12 +223,16 @@ void add_regress(const Command& program, const Registry& registry) {
   command.text("--list", o->list, "FILE",
                "With --work: the parts on one line of FILE, that of this task of a job array");
   command.flag("--merge", o->merge, "With --work: no part, only put the report together");
+  add_junit(command, o->common);
   command.footer(
       "Killed anywhere, a run goes on with --resume and ends with the same report.json.\n"
       "Exit status: 0 all holds, 1 something does not, 2 bad input, or not all could be run.\n"
       "Example: " +
       program_name() + " regress --schema");
-  command.action([o, &registry] { return run(*o, registry); });
+  command.action([o, &registry] {
+    return with_verdicts(regress_command.name, regress_command.name, o->common,
+                         [&](Verdicts& verdicts) { return run(*o, registry, verdicts); });
+  });
 }
 
 }  // namespace cosim::cli

@@ -38,10 +38,11 @@ void ProgressLine::draw(std::uint64_t done, std::uint64_t cases) const {
   std::fflush(stdout);
 }
 
-void ProgressLine::finish(const std::string& text) {
+double ProgressLine::finish(const std::string& text) {
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start_;
   fmt::print("{}{} ({:.1f} s)\n", terminal_ ? "\r\x1b[K" : "", text, taken.count());
   std::fflush(stdout);
+  return taken.count();
 }
 
 StateLine::StateLine(Seconds often)

@@ -19,8 +19,8 @@ class ProgressLine {
   /// To be called by the sweep; must not outlive this. Empty if standard output is no terminal.
   Progress callback();
 
-  /// Ends with a plain line: `text` and the seconds taken.
-  void finish(const std::string& text);
+  /// Ends with a plain line: `text` and the seconds taken, which it gives.
+  double finish(const std::string& text);
 
  private:
   void draw(std::uint64_t done, std::uint64_t cases) const;

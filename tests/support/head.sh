@@ -5,6 +5,7 @@ set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 folder=$(mktemp -d)
 readonly folder
+unset GITHUB_ACTIONS # else a failure is printed for its log, too
 trap 'rm -rf "$folder"' EXIT
 
 # fails TEXT...: what was not so, and what was said last.

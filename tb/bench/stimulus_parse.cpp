@@ -20,6 +20,18 @@ static_assert(most_clocks > most_kept + Mismatch::clocks_behind);
 // More than any machine has inputs.
 constexpr std::size_t most_words = 10'000;
 
+// How a number in another form is written: "; write 00004" of 0x4. Empty of what is none.
+std::string as_written(const Field& field, std::string_view text) {
+  const bool is_hex = text.starts_with("0x") || text.starts_with("0X");
+  if (is_hex) text.remove_prefix(2);
+  std::uint64_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, number, is_hex ? 16 : 10);
+  const auto value = static_cast<Word>(number);
+  if (error != std::errc() || stop != end || low_bits(value, field.width) != value) return "";
+  return "; write " + show_short(field, value);
+}
+
 // The words before a #, the first `most_words` of them and one more.
 std::vector<std::string_view> words_of(std::string_view line) {
   constexpr std::string_view blanks = " \t\v\f\r";
@@ -210,8 +222,9 @@ class Parser {
       const Field& field = inputs_[columns_[c]];
       const auto value = parse_short(field, words_[c + 1]);
       if (!value) {
-        fail(fmt::format("{}: {} is no value of {} bit{}", label_of(field),
-                         in_quotes(words_[c + 1]), field.width, field.width == 1 ? "" : "s"));
+        fail(fmt::format("{}: {} is no value of {} bit{}{}", label_of(field),
+                         in_quotes(words_[c + 1]), field.width, field.width == 1 ? "" : "s",
+                         as_written(field, words_[c + 1])));
       }
       values[columns_[c]] = *value;
     }

@@ -34,6 +34,13 @@ const AnyBench& directed_choice(const std::vector<const AnyBench*>& benches,
     if (bench->design() == design && std::string_view(bench->row()) == "clock")
       own.push_back(bench);
   }
+  if (own.empty() && std::ranges::any_of(benches, [&](const AnyBench* bench) {
+        return bench->design() == design;
+      })) {
+    throw InputError(design +
+                     ": a stream model knows no clock to be set by hand: write its "
+                     "transactions as a stimulus, and run it with PROGRAM replay FILE.stim");
+  }
   std::string there;
   for (const AnyBench* bench : own) {
     const std::string title = bench->title();

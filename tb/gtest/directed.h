@@ -83,6 +83,10 @@ inline std::vector<const AnyBench*> built_benches() {
 /// The types of a test by hand, and RTL and model: of a struct that is a golden model, `Model`.
 template <class Model>
 struct HandOf {
+  static_assert(
+      requires { typename Model::In; },
+      "a model of streams knows no clock to be set by hand: write its transactions as a stimulus, "
+      "and run it with PROGRAM replay FILE.stim");
   using Inputs = typename Model::In;
   using Outputs = typename Model::Out;
   using State = Model;

@@ -57,9 +57,7 @@ Bits Arithmetic::sum(const Bits& a, const Bits& b, Bit carry) {
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Bit half = graph_.xor_of(a[i], b[i]);
     result[i] = graph_.xor_of(half, carry);
-    if (i + 1 < a.size()) {
-      carry = graph_.or_of(graph_.and_of(a[i], b[i]), graph_.and_of(half, carry));
-    }
+    if (i + 1 < a.size()) carry = graph_.mux(half, carry, a[i]);
   }
   return result;
 }

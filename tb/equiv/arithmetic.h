@@ -31,7 +31,8 @@ class Arithmetic {
   Bit less(const Bits& a, const Bits& b, bool is_signed);
   Bits choose(Bit condition, const Bits& then, const Bits& otherwise);
 
-  /// a + b + carry, as wide as they are (a ripple-carry adder).
+  /// a + b + carry, as wide as they are (a ripple-carry adder), by the gates that a model's sum has
+  /// (nets/number.h).
   Bits sum(const Bits& a, const Bits& b, Bit carry = no);
   Bits difference(const Bits& a, const Bits& b) { return sum(a, inverted(b), yes); }
   Bits negated(const Bits& a) { return sum(inverted(a), Bits(a.size(), no), yes); }

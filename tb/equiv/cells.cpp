@@ -54,8 +54,12 @@ void Cells::refuse(const Cell& cell, const std::string& why) {
   throw InputError(cell.source.empty() ? why : cell.source + ": " + why);
 }
 
-Cells::Cells(const Module& module, Graph& graph, std::function<Bit()> unknown)
-    : graph_(graph), words_(graph), unknown_(std::move(unknown)) {
+Cells::Cells(const Module& module, Graph& graph, std::function<Bit()> unknown,
+             std::function<Bit()> beyond)
+    : graph_(graph),
+      words_(graph),
+      unknown_(std::move(unknown)),
+      beyond_(beyond ? std::move(beyond) : unknown_) {
   for (const Cell& cell : module.cells) {
     if (is_no_logic(cell)) continue;
     for (const auto& [pin, bits] : cell.pins) {
@@ -272,7 +276,7 @@ Bits Cells::operand(const Cell& cell, const char* pin, std::size_t width) {
 
 Bits Cells::unknown_word(std::size_t width) {
   Bits all(width);
-  for (Bit& bit : all) bit = unknown_();
+  for (Bit& bit : all) bit = beyond_();
   return all;
 }
 

@@ -20,7 +20,10 @@ namespace cosim::equiv {
 class Cells {
  public:
   /// `unknown` makes a value that is not known; it is called in the same order for the same module.
-  Cells(const Module& module, Graph& graph, std::function<Bit()> unknown);
+  /// With `beyond` that one makes what an operator leaves open: a quotient by 0, and what is beyond
+  /// the end of a word.
+  Cells(const Module& module, Graph& graph, std::function<Bit()> unknown,
+        std::function<Bit()> beyond = {});
 
   /// What a net is, from elsewhere: an input of the module, what a memory reads.
   void set(int bit, Bit is) { value_[bit] = is; }
@@ -63,7 +66,7 @@ class Cells {
 
   Graph& graph_;
   Arithmetic words_;
-  std::function<Bit()> unknown_;
+  std::function<Bit()> unknown_, beyond_;
   std::unordered_map<int, Place> driver_;
   std::unordered_map<int, Bit> value_, held_;
   std::unordered_map<const Cell*, std::vector<Bits>> memories_;

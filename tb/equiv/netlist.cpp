@@ -84,8 +84,9 @@ Module module_of(const std::string& json) {
       module.cells.push_back(std::move(made));
     }
     for (const auto& [name, net] : from.at("netnames").items()) {
-      module.nets.push_back(
-          {name, bits_of(net.at("bits")), attribute(net, "init"), net.value("hide_name", 0) == 0});
+      module.nets.push_back({name, bits_of(net.at("bits")), attribute(net, "init"),
+                             net.value("hide_name", 0) == 0, net.value("offset", 0),
+                             net.value("upto", 0) != 0});
     }
     return module;
   }

@@ -38,6 +38,8 @@ struct Net {
   std::vector<int> bits;
   std::string init;       ///< binary digits, the highest first; empty where it has no initial value
   bool is_named = false;  ///< by a person, and not by yosys
+  int low = 0;            ///< the index of its lowest bit, or of its highest one
+  bool is_upward = false;  ///< declared as [0:7]: its highest bit has the index `low`
 };
 
 struct Port {

@@ -111,7 +111,7 @@ Bits Cells::shifted(const Cell& cell, std::size_t width) {
     std::fill_n(within.begin(), had, yes);
     within = moved(within, no);
     for (std::size_t i = 0; i < width; ++i) {
-      if (within[i] != yes) result[i] = graph_.mux(within[i], result[i], unknown_());
+      if (within[i] != yes) result[i] = graph_.mux(within[i], result[i], beyond_());
     }
     return result;
   } else {

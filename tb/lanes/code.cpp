@@ -24,7 +24,7 @@ class Maker {
   Maker(const nets::Played& played, const proof::RtlNets& rtl)
       : played_(played), machine_(played.model.machine), rtl_(rtl) {
     for (const auto& f : rtl.cells().flip_flops) {
-      if (f.edge == "fe") throw InputError(machine_.design + ": a flip-flop of the falling edge");
+      if (f.falls) throw InputError(machine_.design + ": a flip-flop of the falling edge");
     }
     lay_out();
   }

@@ -54,10 +54,8 @@ PlantedNets::PlantedNets(std::string title, const BenchTables& tables, proof::Rt
   for (const std::size_t net : nets_.cells().inputs) {
     if (!is_known[net]) clocks_.push_back(net);
   }
-  std::unordered_map<std::string_view, std::size_t> numbers;
-  for (std::size_t i = 0; i < nets_.cells().nets.size(); ++i) numbers[nets_.cells().nets[i]] = i;
   for (const auto& f : nets_.cells().flip_flops) {
-    flip_flop_clocks_.push_back(f.clock.empty() ? every_step : numbers.at(f.clock));
+    flip_flop_clocks_.push_back(f.clock.value_or(every_step));
   }
   find_unreset(tables.registers);
 }
@@ -197,7 +195,7 @@ void Lanes::find_edges(const std::vector<std::uint32_t>& low,
     if (low[net] == none) throw InputError(rtl_.title_ + ": its RTL makes a clock of its own");
     const Plane before = constants_[low[net]], behind = constants_[high[net]];
     edges_.push_back({~before & behind, before & ~behind});
-    if (flip_flops[i].edge == "fe") std::swap(edges_.back().rising, edges_.back().falling);
+    if (flip_flops[i].falls) std::swap(edges_.back().rising, edges_.back().falling);
   }
 }
 

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "tb/proof/steps.h"
 #include "tb/support/output_file.h"
 #include "tb/support/pattern.h"
 #include "tb/support/process.h"
@@ -93,9 +92,7 @@ void Planted::run(const std::vector<unsigned>& numbers, const std::string& then)
 // No cell is optimised: it takes longer than what comes of it saves.
 proof::RtlNets Planted::nets(const std::vector<unsigned>& numbers) const {
   const Scratch scratch;
-  run(numbers, "memory_collect; memory_map" + proof::step_commands(source_, scratch.path()) +
-                   "; async2sync; setundef -undriven -anyseq; simplemap; techmap" +
-                   proof::commands_to_write_nets(scratch.path()));
+  run(numbers, "memory_collect; memory_map" + proof::command_to_write_nets(scratch.path()));
   return proof::written_nets(scratch.path(), source_);
 }
 

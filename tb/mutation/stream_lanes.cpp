@@ -55,7 +55,7 @@ bool StreamLanes::restart(std::uint32_t power_up, bool /*is_reset*/) {
 }
 
 // One clock is a net, of which Lanes knows; each of several is an input that is 1 where it takes
-// its edge (proof/steps.h).
+// its edge.
 void StreamLanes::eval() {
   if (clock_ != 0) return lanes_.rise();
   bool any_edge = false;

@@ -22,9 +22,9 @@ struct Port {
 std::string to_blif(const std::string& name, const Graph& graph, const std::vector<Port>& inputs,
                     const std::vector<Port>& outputs);
 
-/// Reads one model without a hierarchy: .names of 6 inputs at the most, .latch, and $anyseq.
-/// InputError, which begins with `what` and says the line, of anything else, of a net that nothing
-/// drives, or two things, and of a loop.
+/// Reads one model of logic alone, without a hierarchy: .names of 6 inputs at the most. InputError,
+/// which begins with `what` and says the line, of anything else, of a net that nothing drives, or
+/// two things, and of a loop.
 Cells read_blif(std::string_view text, const std::string& what);
 
 }  // namespace cosim::nets

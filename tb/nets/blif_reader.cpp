@@ -72,14 +72,8 @@ class Reader {
       for (const std::string& name : words) cells_.outputs.push_back(net(name));
     } else if (first == ".names") {
       begin_table(words);
-    } else if (first == ".latch") {
-      read_latch(words);
-    } else if (first == ".subckt" && !words.empty() && words.front() == "$anyseq") {
-      for (std::size_t i = 1; i < words.size(); ++i) {
-        cells_.free.push_back(driven(words[i].substr(words[i].find('=') + 1)));
-      }
     } else if (first != ".end") {
-      fail(fmt::format("{}: not a netlist of tables and flip-flops", line));
+      fail(fmt::format("{}: not a netlist of tables", line));
     }
   }
 
@@ -118,20 +112,6 @@ class Reader {
       rows |= std::uint64_t{matches} << i;
     }
     t.table = *output_ == '1' ? t.table | rows : t.table & ~rows;
-  }
-
-  // NEXT NOW [EDGE CLOCK] [INITIAL]
-  void read_latch(const std::vector<std::string>& words) {
-    if (words.size() < 2 || words.size() > 5) fail("not a flip-flop");
-    Cells::FlipFlop f;
-    f.next = net(words[0]);
-    f.now = driven(words[1]);
-    if (words.size() >= 4) {
-      f.edge = words[2];
-      f.clock = words[3];
-    }
-    if (words.size() % 2 == 1) f.initial = words.back()[0];
-    cells_.flip_flops.push_back(f);
   }
 
   void require_drivers() const {

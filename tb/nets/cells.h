@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@ struct Cells {
   /// The nets, each of one bit, by the tool's names. All else here names a net by its number.
   std::vector<std::string> nets;
   std::vector<std::size_t> inputs, outputs;
-  std::vector<std::size_t> free;  ///< what is undefined, as yosys writes it with setundef -anyseq
+  std::vector<std::size_t> free;  ///< what is undefined
 
   struct Table {
     std::vector<std::size_t> of;  ///< 0 to 6 nets
@@ -25,9 +26,9 @@ struct Cells {
 
   struct FlipFlop {
     std::size_t next = 0, now = 0;
-    std::string edge;    ///< of the clock: "re", "fe", or "" where the file says none
-    std::string clock;   ///< its net's name, or ""
-    char initial = '3';  ///< '0', '1', or another digit where it has no initial value
+    std::optional<std::size_t> clock{};  ///< its net; none where each step is its edge
+    bool falls = false;                  ///< its edge is the falling one
+    char initial = 'x';                  ///< '0', '1', or 'x' where it has no initial value
   };
   std::vector<FlipFlop> flip_flops;
 };

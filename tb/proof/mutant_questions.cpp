@@ -37,11 +37,9 @@ class Maker {
     inputs_ = find("input", machine_.inputs);
     registers_ = find("register", machine_.registers);
     outputs_ = find("output", machine_.outputs);
-    std::map<std::string, std::size_t> numbers;
     const auto& cells = rtl.cells();
-    for (std::size_t i = 0; i < cells.nets.size(); ++i) numbers[cells.nets[i]] = i;
     for (const auto& f : cells.flip_flops) {
-      if (!f.clock.empty()) clocks_.push_back(numbers.at(f.clock));
+      if (f.clock) clocks_.push_back(*f.clock);
     }
     anything_.resize(cells.nets.size());
     for (const auto* all : {&cells.inputs, &cells.free}) {

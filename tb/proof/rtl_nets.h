@@ -1,4 +1,4 @@
-// The RTL as nets of one bit, by yosys.
+// The RTL as nets of one bit.
 #pragma once
 
 #include <cstddef>
@@ -9,28 +9,29 @@
 #include <utility>
 #include <vector>
 
+#include "tb/equiv/netlist.h"
 #include "tb/nets/cells.h"
 #include "tb/proof/arrays.h"
 #include "tb/proof/yosys.h"
 
 namespace cosim::proof {
 
-/// One clock of a machine as tables of truth and flip-flops: yosys maps every cell to gates, and
-/// flip-flops to the plain kind.
+/// One clock of a machine as gates and flip-flops.
 class RtlNets {
  public:
   /// Runs yosys on `source`. InputError where it cannot be run, or makes of the RTL something else
-  /// than gates and flip-flops.
+  /// than logic and flip-flops.
   explicit RtlNets(const Source& source);
-  /// Reads what yosys wrote: the netlist of the machine `top`, and its wires as `dump` gives them.
-  RtlNets(const std::string& top, const std::string& blif, const std::string& wires,
-          bool asynchronous_reset = false);
+  /// Makes gates of the top of `source` as yosys wrote it, with its memories as registers. What the
+  /// RTL leaves open is free, and what an operator does is 0: a quotient by 0, what is beyond the
+  /// end of a word.
+  RtlNets(const equiv::Module& module, const Source& source);
 
   const nets::Cells& cells() const { return cells_; }
   /// The ports of the top; of the inputs all but the clocks of its flip-flops.
   std::vector<std::string> inputs() const;
   std::vector<std::string> outputs() const;
-  /// Whether the RTL asserts something, where it was read from a Source.
+  /// Whether the RTL asserts something, where yosys has read it.
   bool asserts() const { return asserts_; }
   /// How many bits a wire of the top has, the word "store[3]" of a memory too; 0 where there is
   /// none.
@@ -45,11 +46,12 @@ class RtlNets {
   /// The flip-flop that a net shows, by its number. Under an asynchronous reset a net that shows a
   /// constant where the reset is given, else a flip-flop, shows that one.
   std::optional<std::size_t> shown(std::size_t net) const { return shown_[net]; }
+  using Stated = std::vector<std::pair<std::string, std::size_t>>;
   /// The nets that are 1 where what the RTL asserts is not so, where they are kept, with their
   /// assertions' names: a label, or a file and a line.
-  std::vector<std::pair<std::string, std::size_t>> unmet() const;
+  const Stated& unmet() const { return unmet_; }
   /// The same of what the RTL covers: nets that are 1 where it holds.
-  std::vector<std::pair<std::string, std::size_t>> covered() const;
+  const Stated& covered() const { return covered_; }
   /// Whether such a net says so of the clock before: what is stated at a clock is sampled by
   /// flip-flops of its own, which are all that the net depends on.
   bool is_sampled(std::size_t stated) const;
@@ -58,14 +60,15 @@ class RtlNets {
   std::vector<std::size_t> nets_in(const std::string& instance, const std::string& bit) const;
 
  private:
-  std::vector<std::pair<std::string, std::size_t>> stated(const std::string& ending) const;
+  class Maker;
   struct Wire {
-    std::string way;  ///< "input", "output", "inout" or ""
+    std::string way{};  ///< "input", "output", "inout" or ""
     int width = 1;
     int first = 0;           ///< the index of its lowest bit
     bool is_upward = false;  ///< declared as [0:7]: the lowest bit has the highest index
+
+    std::string bit(const std::string& name, int i) const;
   };
-  void read_wires(const std::string& text);
   void find_flip_flops(bool asynchronous_reset);
 
   nets::Cells cells_;
@@ -73,14 +76,14 @@ class RtlNets {
   std::optional<std::map<std::string, Order>> arrays_;  ///< of RTL that slang has read
   std::map<std::string, Wire> wires_;
   std::map<std::string, std::size_t> numbers_;  // of nets, by name
+  Stated unmet_, covered_;
   std::vector<std::optional<std::size_t>> shown_;
 };
 
-/// For yosys, behind what makes gates of RTL: the commands, with "; " before them, that write its
-/// nets into a folder, after commands that clean them, each with "; " behind it.
-std::string commands_to_write_nets(const std::filesystem::path& folder,
-                                   const std::string& cleaning = "");
-/// What they wrote.
+/// For yosys, behind what makes one module of RTL: the command, with "; " before it, that writes it
+/// into a folder.
+std::string command_to_write_nets(const std::filesystem::path& folder);
+/// What it wrote.
 RtlNets written_nets(const std::filesystem::path& folder, const Source& source);
 
 }  // namespace cosim::proof

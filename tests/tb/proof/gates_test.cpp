@@ -1,6 +1,4 @@
 // What cells of yosys come to as gates.
-#include "tb/proof/gates.h"
-
 #include <gtest/gtest.h>
 
 #include <fstream>

@@ -1,12 +1,12 @@
 // Questions about gates, and what the engines say of them.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <filesystem>
 
 #include "tb/nets/number.h"
+#include "tb/nets/runs.h"
 #include "tb/proof/engines.h"
 #include "tb/proof/rtl_nets.h"
 #include "tests/support/solvers.h"
@@ -108,43 +108,92 @@ TEST_F(StandIn, ThatGivesUpOrIsMissingSaysSo) {
 
 // The lowest bit is bit 0, whatever range the RTL gives its net.
 TEST(RtlNets, CountBitsFromTheLowest) {
-  const RtlNets rtl("top", ".model top\n.inputs up[2] up[3] down[3] down[2] one\n.end\n",
-                    "  wire width 2 offset 2 input 1 \\down\n  attribute \\src \"x\"\n"
-                    "  wire width 2 upto offset 2 input 2 \\up\n  wire input 3 \\one\n"
-                    "  wire width 4 $made\n");
+  equiv::Module module;
+  module.nets = {{"down", {2, 3}, "", true, 2, false},
+                 {"up", {4, 5}, "", true, 2, true},
+                 {"one", {6}, "", true},
+                 {"$made", {7}, "", false}};
+  for (const equiv::Net& net : module.nets)
+    module.ports.push_back({net.name, "input", "", net.bits});
+  module.ports.pop_back();
+  const RtlNets rtl(module, {{}, "top", {}});
   const auto name = [&](const char* wire, int bit) { return rtl.cells().nets[rtl.net(wire, bit)]; };
   EXPECT_EQ(name("down", 0), "down[2]");
   EXPECT_EQ(name("down", 1), "down[3]");
   EXPECT_EQ(name("up", 0), "up[3]");
   EXPECT_EQ(name("up", 1), "up[2]");
   EXPECT_EQ(name("one", 0), "one");
+  EXPECT_EQ(rtl.inputs(), (std::vector<std::string>{"down", "one", "up"}));
   EXPECT_EQ(rtl.width("none"), 0);
   EXPECT_EQ(rtl.width("$made"), 0);
 }
 
-// A copy of a flip-flop's net shows it, and what a reset takes away where there is one; what reads
-// two of them, or turns one over without a reset, does not.
-TEST(RtlNets, SeeAFlipFlopThroughItsReset) {
-  const std::string blif =
-      ".model top\n.inputs rst clk\n.latch a a re clk 2\n.latch b b re clk 2\n"
-      ".names a copy\n1 1\n.names rst copy reset\n01 1\n.names reset also\n1 1\n"
-      ".names reset b two\n11 1\n.names two more\n1 1\n.end\n";
-  const RtlNets plain("top", blif, ""), asynchronous("top", blif, "", true);
-  const auto shown = [](const RtlNets& rtl, const std::string& name) {
-    const auto& all = rtl.cells().nets;
-    const auto at = std::find(all.begin(), all.end(), name) - all.begin();
-    return rtl.shown(static_cast<std::size_t>(at));
+// Flip-flops a and b, and what rests on them.
+equiv::Module flip_flops() {
+  enum : int { clk = 2, rst, a, b, reset, two, next };
+  equiv::Module module;
+  module.ports = {{"clk", "input", "", {clk}}, {"rst", "input", "", {rst}}};
+  const auto net = [&](const char* name, int bit) {
+    module.nets.push_back({name, {bit}, "", true});
   };
+  const auto flip_flop = [&](const char* name, int bit, const char* edge) {
+    net(name, bit);
+    module.cells.push_back({name, "$dff", "", {{"CLK_POLARITY", edge}}, {}});
+    module.cells.back().pins = {{"CLK", {clk}}, {"D", {next}}, {"Q", {bit}}};
+  };
+  flip_flop("a", a, "1");
+  flip_flop("b", b, "0");
+  module.nets.front().init = "1";
+  module.cells.push_back({"1", "$_ANDNOT_", "", {}, {{"A", {a}}, {"B", {rst}}, {"Y", {reset}}}});
+  module.cells.push_back({"2", "$_AND_", "", {}, {{"A", {reset}}, {"B", {b}}, {"Y", {two}}}});
+  module.cells.push_back({"3", "$_XOR_", "", {}, {{"A", {two}}, {"B", {a}}, {"Y", {next}}}});
+  net("clk", clk);
+  net("rst", rst);
+  net("copy", a);
+  net("reset", reset);
+  net("also", reset);
+  net("two", two);
+  return module;
+}
+
+TEST(RtlNets, HaveFlipFlopsWithEdgesAndFirstValues) {
+  const RtlNets rtl(flip_flops(), {{}, "top", {}});
+  const auto& all = rtl.cells().flip_flops;
+  ASSERT_EQ(all.size(), 2U);
+  EXPECT_EQ(all[0].now, rtl.net("a", 0));
+  EXPECT_EQ(all[0].initial, '1');
+  EXPECT_FALSE(all[0].falls);
+  EXPECT_EQ(all[0].clock, rtl.net("clk", 0));
+  EXPECT_EQ(all[1].initial, 'x');
+  EXPECT_TRUE(all[1].falls);
+  EXPECT_EQ(rtl.inputs(), (std::vector<std::string>{"rst"}));
+
+  // From all states, with and without rst: (a & !rst & b) ^ a.
+  nets::Graph graph;
+  std::vector<nets::Bit> given(rtl.cells().nets.size(), nets::no);
+  const char* const names[] = {"a", "b", "rst"};
+  for (const char* name : names) given[rtl.net(name, 0)] = graph.input();
+  const nets::Bit next = placed(graph, rtl.cells(), given)[all[0].next];
+  const auto gates = nets::run(graph, std::vector<std::uint64_t>{0xaa, 0xcc, 0xf0});
+  EXPECT_EQ(nets::in_runs(gates, next) & 0xff, ((0xaa & ~0xf0 & 0xcc) ^ 0xaa) & 0xff);
+}
+
+// A copy of a flip-flop's net shows it, and what a reset takes away where there is one; what reads
+// two of them does not.
+TEST(RtlNets, SeeAFlipFlopThroughItsReset) {
+  Source source{{}, "top", {}};
+  const RtlNets plain(flip_flops(), source);
+  source.asynchronous_reset = true;
+  const RtlNets asynchronous(flip_flops(), source);
   for (const RtlNets* rtl : {&plain, &asynchronous}) {
-    EXPECT_EQ(shown(*rtl, "a"), 0U);
-    EXPECT_EQ(shown(*rtl, "b"), 1U);
-    EXPECT_EQ(shown(*rtl, "copy"), 0U);
-    EXPECT_EQ(shown(*rtl, "two"), std::nullopt);
-    EXPECT_EQ(shown(*rtl, "more"), std::nullopt);
+    EXPECT_EQ(rtl->shown(rtl->net("a", 0)), 0U);
+    EXPECT_EQ(rtl->shown(rtl->net("b", 0)), 1U);
+    EXPECT_EQ(rtl->shown(rtl->net("copy", 0)), 0U);
+    EXPECT_EQ(rtl->shown(rtl->net("two", 0)), std::nullopt);
   }
-  EXPECT_EQ(shown(plain, "reset"), std::nullopt);
-  EXPECT_EQ(shown(asynchronous, "reset"), 0U);
-  EXPECT_EQ(shown(asynchronous, "also"), 0U);
+  EXPECT_EQ(plain.shown(plain.net("reset", 0)), std::nullopt);
+  EXPECT_EQ(asynchronous.shown(asynchronous.net("reset", 0)), 0U);
+  EXPECT_EQ(asynchronous.shown(asynchronous.net("also", 0)), 0U);
 }
 
 }  // namespace

@@ -12,9 +12,9 @@
 #include "tb/full/trusted.h"
 #include "tb/proof/from_reset.h"
 #include "tb/report/failure.h"
+#include "tb/support/output_file.h"
 #include "tb/support/parallel.h"
 #include "tb/support/process.h"
-#include "tb/support/replace_file.h"
 #include "tb/support/words.h"
 #include "tb/sweep/progress.h"
 
@@ -162,7 +162,7 @@ class Asker {
       files.push_back((fs::path(asking_.stimuli) / name).string());
       std::error_code ignored;  // of the file it is said
       fs::create_directories(asking_.stimuli, ignored);
-      replace_file(files.back(), to_text(stimulus, bench));
+      write_file(files.back(), to_text(stimulus, bench));
     }
     if (!files.empty()) points_ = asking_.run(bench, files);
     for (std::size_t p = 0; p < tell_.size(); ++p) {

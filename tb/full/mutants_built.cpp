@@ -8,8 +8,8 @@
 #include "model/core/input_error.h"
 #include "tb/full/machine_of.h"
 #include "tb/report/failure.h"
+#include "tb/support/output_file.h"
 #include "tb/support/quoted.h"
-#include "tb/support/replace_file.h"
 
 namespace cosim::cli {
 
@@ -23,9 +23,9 @@ std::string built_mutants(const Registry& registry, const AnyBench& bench, std::
   const fs::path folder = fs::path(attacks.folder) / "mutants";
   fs::create_directories(folder);
   const fs::path file = folder / failure_name(bench, fmt::format("{} mutants", mutants));
-  replace_file(file.string(),
-               fmt::format("#!/bin/sh\nexec {} {} {}{} \"$@\"\n", for_shell(path_of(attacks)),
-                           for_shell(bench.built_as()), mutants, option));
+  write_file(file.string(),
+             fmt::format("#!/bin/sh\nexec {} {} {}{} \"$@\"\n", for_shell(path_of(attacks)),
+                         for_shell(bench.built_as()), mutants, option));
   fs::permissions(file, fs::perms::owner_exec, fs::perm_options::add);
   return file.string();
 }

@@ -10,7 +10,7 @@
 #include "tb/equiv/slang.h"
 #include "tb/program/registry.h"
 #include "tb/support/hash.h"
-#include "tb/support/replace_file.h"
+#include "tb/support/output_file.h"
 
 namespace cosim::cli {
 namespace {
@@ -76,7 +76,7 @@ proof::Source readable(proof::Source source) {
           fmt::format("{}: slang does not read it in {} s", source.top, time_for_slang));
     }
     fs::create_directories(kept.parent_path());
-    replace_file(kept.string(), text);
+    write_file(kept.string(), text);
   }
   source.written = kept;
   return source;

@@ -19,10 +19,10 @@
 #include "tb/support/hash.h"
 #include "tb/support/json.h"
 #include "tb/support/json_at.h"
+#include "tb/support/output_file.h"
 #include "tb/support/place.h"
 #include "tb/support/random.h"
 #include "tb/support/read_file.h"
-#include "tb/support/replace_file.h"
 
 namespace cosim::cli {
 namespace {
@@ -211,8 +211,8 @@ ReadAs read_as(const nets::Model& model, const proof::Source& source) {
   if (is.by.empty() && !is.is_wrong) return is;
   fs::create_directories(folder, error);
   if (!error) {
-    replace_file(kept.string(),
-                 json_text({{"by", is.by}, {"why", is.why}, {"is_wrong", is.is_wrong}}));
+    write_file(kept.string(),
+               json_text({{"by", is.by}, {"why", is.why}, {"is_wrong", is.is_wrong}}));
   }
   return is;
 }

@@ -12,9 +12,9 @@
 #include "tb/support/file_lock.h"
 #include "tb/support/hash.h"
 #include "tb/support/leftover.h"
+#include "tb/support/output_file.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
-#include "tb/support/replace_file.h"
 
 namespace cosim::lanes {
 namespace {

@@ -19,10 +19,10 @@
 #include "tb/proof/judge.h"
 #include "tb/proof/machines.h"
 #include "tb/support/interrupt.h"
+#include "tb/support/output_file.h"
 #include "tb/support/parallel.h"
 #include "tb/support/place.h"
 #include "tb/support/process.h"
-#include "tb/support/replace_file.h"
 #include "tb/support/stack.h"
 
 namespace cosim::mutation {
@@ -96,7 +96,7 @@ int campaign_on(const Subject& subject, const proof::BuiltMachine& machine, cons
   Asked asked(subject, machine, proves, which);
   const Prover prover = [&](const auto& mutants) { return asked.prove(mutants); };
   const Campaign campaign = run_campaign(subject, prover, asker, o.threads, checkpoint, o.part);
-  replace_file(o.results, to_json(subject, campaign));
+  write_file(o.results, to_json(subject, campaign));
   checkpoint.done();
   for (std::size_t i = 0; i < campaign.outcomes.size(); ++i) {
     const auto mutant = static_cast<unsigned>(campaign.first + i);

@@ -10,10 +10,10 @@
 
 #include "tb/support/json.h"
 #include "tb/support/json_at.h"
+#include "tb/support/output_file.h"
 #include "tb/support/parallel.h"
 #include "tb/support/random.h"
 #include "tb/support/read_file.h"
-#include "tb/support/replace_file.h"
 
 namespace cosim::mutation {
 
@@ -48,7 +48,7 @@ void draw(const Subject& subject, std::size_t count, const std::filesystem::path
   }
   std::filesystem::create_directories(folder);
   subject.write_verilog(numbers, folder / "mutants.v");
-  replace_file((folder / "drawn.json").string(), json_text(list, 1) + '\n');
+  write_file((folder / "drawn.json").string(), json_text(list, 1) + '\n');
 }
 
 int check_drawn(const VerilatedMutants& mutants, const std::filesystem::path& folder) {

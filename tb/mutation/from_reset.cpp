@@ -5,8 +5,8 @@
 #include "tb/bench/stimulus_text.h"
 #include "tb/proof/from_reset.h"
 #include "tb/report/failure.h"
+#include "tb/support/output_file.h"
 #include "tb/support/process.h"
-#include "tb/support/replace_file.h"
 
 namespace cosim::mutation {
 namespace {
@@ -49,7 +49,7 @@ Outcome from_reset(const Subject& subject, const proof::BuiltMachine& machine, u
     Outcome outcome = subject.attack(mutant, one);
     if (outcome.end != Outcome::End::killed) continue;
     fs::create_directories(root);
-    replace_file(stimulus_of(subject, mutant, root).string(), to_text(stimulus, bench));
+    write_file(stimulus_of(subject, mutant, root).string(), to_text(stimulus, bench));
     return outcome;
   }
   return {};

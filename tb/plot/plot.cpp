@@ -9,7 +9,6 @@
 #include "model/core/input_error.h"
 #include "tb/plot/script.h"
 #include "tb/support/finite.h"
-#include "tb/support/leftover.h"
 #include "tb/support/output_file.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"
@@ -39,7 +38,6 @@ void check_plot() {
 
 void draw_plot(const std::string& path, const Plot& plot) {
   const Scratch scratch;
-  const Leftover and_on_signals(scratch.path());
   const std::string script = scratch.path() / "plot.gp";
   const std::string picture = scratch.path() / ("picture" + fs::path(path).extension().string());
   {

@@ -7,7 +7,7 @@
 #include "model/core/input_error.h"
 #include "tb/support/json.h"
 #include "tb/support/json_at.h"
-#include "tb/support/replace_file.h"
+#include "tb/support/output_file.h"
 #include "tb/support/words.h"
 
 namespace cosim::regress {
@@ -162,9 +162,9 @@ void write_report(const RunFolder& run, const Results& results, const Report& re
                    {"hosts", hosts},
                    {"twice", results.twice},
                    {"torn", results.torn}};
-  replace_file((run.path() / "times.json").string(), json_text(times, 1) + '\n');
-  replace_file((run.path() / "report.txt").string(), report.text);
-  replace_file((run.path() / "report.json").string(), json_text(report.json, 1) + '\n');
+  write_file((run.path() / "times.json").string(), json_text(times, 1) + '\n');
+  write_file((run.path() / "report.txt").string(), report.text);
+  write_file((run.path() / "report.json").string(), json_text(report.json, 1) + '\n');
 }
 
 }  // namespace cosim::regress

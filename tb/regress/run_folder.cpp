@@ -10,9 +10,9 @@
 #include "tb/support/hash.h"
 #include "tb/support/json.h"
 #include "tb/support/json_at.h"
+#include "tb/support/output_file.h"
 #include "tb/support/parallel.h"
 #include "tb/support/read_file.h"
-#include "tb/support/replace_file.h"
 #include "tb/support/words.h"
 
 namespace cosim::regress {
@@ -146,14 +146,14 @@ RunFolder RunFolder::make(const fs::path& folder, Plan plan, const Kinds& kinds,
 
   copy_program(run.program());
   const std::string text = json_text(regress::to_json(run.plan_), 1) + '\n';
-  replace_file((run.path_ / "plan.json").string(), text);
+  write_file((run.path_ / "plan.json").string(), text);
   Json json{{"format", format},
             {"program", program_hash()},
             {"plan", hash_of(text)},
             {"shards", shards},
             {"works", to_json(run.works_)}};
   json["hash"] = hash_of(json_text(json));
-  replace_file((run.path_ / "run.json").string(), json_text(json, 1) + '\n');
+  write_file((run.path_ / "run.json").string(), json_text(json, 1) + '\n');
   made.keep();
   return {run.path_, kinds};
 }

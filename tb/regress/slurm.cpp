@@ -14,9 +14,9 @@
 #include "tb/regress/queue.h"
 #include "tb/regress/worker.h"
 #include "tb/support/interrupt.h"
+#include "tb/support/output_file.h"
 #include "tb/support/quoted.h"
 #include "tb/support/read_file.h"
-#include "tb/support/replace_file.h"
 #include "tb/support/words.h"
 
 namespace cosim::regress {
@@ -105,7 +105,7 @@ class Submission {
     list.replace_extension(".txt");
     std::string lines;
     for (const Shards& one : tasks) lines += list_of(one) + '\n';
-    replace_file(list.string(), lines);
+    write_file(list.string(), lines);
     std::vector<std::string> words{fmt::format("--array=0-{}", tasks.size() - 1),
                                    "--signal=B:TERM@120"};
     if (!has_variable("SBATCH_NO_REQUEUE")) words.emplace_back("--requeue");
@@ -134,9 +134,9 @@ class Submission {
   void job(const fs::path& script, const std::string& log, const std::vector<std::string>& more,
            const std::string& what) {
     const std::string folder = run_.path().string();
-    replace_file(script.string(),
-                 fmt::format("#!/bin/sh\nexec {} regress --work {} {}\n",
-                             for_shell(run_.program().string()), for_shell(folder), what));
+    write_file(script.string(),
+               fmt::format("#!/bin/sh\nexec {} regress --work {} {}\n",
+                           for_shell(run_.program().string()), for_shell(folder), what));
     std::vector<std::string> words{"sbatch", "--parsable", "--open-mode=append",
                                    fmt::format("--output={}/logs/{}.txt", folder, log)};
     if (!has_variable("SBATCH_JOB_NAME")) {
@@ -146,7 +146,7 @@ class Submission {
     words.insert(words.end(), options_.sbatch.begin(), options_.sbatch.end());
     words.push_back(script.string());
     jobs_.push_back(submitted(words));
-    replace_file((folder_ / "jobs.txt").string(), fmt::format("{}\n", fmt::join(jobs_, "\n")));
+    write_file((folder_ / "jobs.txt").string(), fmt::format("{}\n", fmt::join(jobs_, "\n")));
   }
 
   const RunFolder& run_;

@@ -8,7 +8,6 @@
 #include "model/core/input_error.h"
 #include "tb/support/output_file.h"
 #include "tb/support/read_file.h"
-#include "tb/support/replace_file.h"
 #include "tb/support/words.h"
 
 namespace cosim {
@@ -62,7 +61,6 @@ void require_own_folder(const fs::path& folder) {
 Draft::Draft(const fs::path& root, const std::string& name)
     : target_(root / name),
       folder_(beside((root / ("." + name)).string())),
-      half_(folder_.string()),
       old_(folder_.string() + ".old") {
   require_own_folder(target_);
   std::error_code error;
@@ -75,6 +73,7 @@ Draft::Draft(const fs::path& root, const std::string& name)
 
 Draft::~Draft() {
   std::error_code ignored;
+  fs::remove_all(folder_, ignored);
   fs::remove_all(old_, ignored);
 }
 

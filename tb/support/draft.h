@@ -5,7 +5,7 @@
 #include <string>
 #include <system_error>
 
-#include "tb/support/leftover.h"
+#include "tb/support/interrupt.h"
 
 namespace cosim {
 
@@ -13,7 +13,8 @@ namespace cosim {
 /// else has its name: it is not to be replaced.
 void require_own_folder(const std::filesystem::path& folder);
 
-/// Written under another name, and removed if it is not finished or a signal ends the program.
+/// Written under another name, and removed if it is not finished. A signal that interrupts waits
+/// until then.
 class Draft {
  public:
   /// Of root/name. InputError where that cannot be written, and as require_own_folder().
@@ -36,10 +37,8 @@ class Draft {
  private:
   [[noreturn]] void fail(const std::error_code& error) const;
 
-  std::filesystem::path target_;
-  std::filesystem::path folder_;
-  Leftover half_;
-  std::filesystem::path old_;
+  InterruptGuard interrupts_;
+  std::filesystem::path target_, folder_, old_;
 };
 
 }  // namespace cosim

@@ -10,6 +10,7 @@ namespace cosim {
 namespace {
 
 std::atomic<int> came{0};
+std::atomic<bool> is_known{false};  // somebody has asked for it
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may write no other");
 
 std::mutex mutex;
@@ -38,6 +39,7 @@ InterruptGuard::InterruptGuard() {
   const std::scoped_lock lock(mutex);
   if (guards++ > 0) return;
   came = 0;
+  is_known = false;
   std::signal(SIGALRM, heed);
   for (Taken& t : handled) {
     t.before = std::signal(t.number, take_down);
@@ -51,12 +53,16 @@ InterruptGuard::~InterruptGuard() {
   if (--guards > 0) return;
   alarm(0);
   for (const Taken& t : handled) std::signal(t.number, t.before);
+  if (came != 0 && !is_known) raise(came);
 }
 
-int InterruptGuard::signal() { return came; }
+int InterruptGuard::signal() {
+  if (came != 0) is_known = true;
+  return came;
+}
 
 void InterruptGuard::check() {
-  if (came != 0) throw Interrupted{came};
+  if (const int number = signal(); number != 0) throw Interrupted{number};
 }
 
 }  // namespace cosim

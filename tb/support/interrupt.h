@@ -9,7 +9,8 @@ struct Interrupted {
 };
 
 /// While a guard lives, SIGHUP, SIGINT, SIGQUIT and SIGTERM are only recorded; a second one ends
-/// the program, and the first does where the guard still lives so many seconds later.
+/// the program, and the first does where the guard still lives so many seconds later. One that
+/// nobody has asked for until the last guard goes ends the program then.
 class InterruptGuard {
  public:
   static constexpr unsigned seconds = 10;

@@ -1,8 +1,5 @@
 #include "tb/support/leftover.h"
 
-#include <dirent.h>
-#include <fcntl.h>
-#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <array>
@@ -25,30 +22,10 @@ struct Slot {
 std::array<Slot, 64> slots;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may read no other");
 
-// Again from the start, until none is left: what is removed may move the others.
-void remove_files_in(int folder) {
-  alignas(long) char entries[4096];
-  bool removed = true;
-  while (removed) {
-    removed = false;
-    lseek(folder, 0, SEEK_SET);
-    for (long n = 0; (n = syscall(SYS_getdents64, folder, entries, sizeof entries)) > 0;) {
-      for (long at = 0; at < n;) {
-        const auto* entry = reinterpret_cast<const dirent64*>(entries + at);
-        removed |= unlinkat(folder, entry->d_name, 0) == 0;
-        at += entry->d_reclen;
-      }
-    }
-  }
-}
-
 void remove_at(const char* path) {
-  if (unlink(path) == 0 || errno != EISDIR) return;
-  const int folder = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (folder < 0) return;
-  remove_files_in(folder);
-  close(folder);
-  rmdir(path);
+  if (unlink(path) == 0 || errno != EISDIR || fork() != 0) return;
+  execl("/bin/rm", "rm", "-rf", "--", path, nullptr);
+  _exit(1);
 }
 
 void end(int signal) {
@@ -73,7 +50,7 @@ Leftover::Leftover(std::string path) : path_(std::move(path)) {
 }
 
 Leftover::~Leftover() {
-  if (!path_.empty()) remove_at(path_.c_str());
+  if (!path_.empty()) unlink(path_.c_str());
   keep();
 }
 
@@ -86,7 +63,7 @@ void Leftover::keep() {
 }
 
 void remove_leftovers_on_signals() {
-  for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGXCPU}) {
+  for (const int signal : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGXCPU, SIGBUS}) {
     if (std::signal(signal, end) == SIG_IGN) std::signal(signal, SIG_IGN);
   }
   std::signal(SIGXFSZ, SIG_IGN);

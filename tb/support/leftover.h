@@ -5,8 +5,7 @@
 
 namespace cosim {
 
-/// A file, or a folder of files, that is being written. Removed with this object, and when a signal
-/// ends the program.
+/// A file that is being written. Removed with this object, and when a signal ends the program.
 class Leftover {
  public:
   /// To be made before the file is.
@@ -24,8 +23,9 @@ class Leftover {
   int slot_ = -1;
 };
 
-/// From then on SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE and SIGXCPU, unless ignored, remove all
-/// unfinished files before they end the program. A file that grows too large is a write error.
+/// From then on SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGXCPU and SIGBUS, unless ignored,
+/// remove all unfinished files before they end the program. A file that grows too large is a write
+/// error.
 void remove_leftovers_on_signals();
 
 }  // namespace cosim

@@ -13,10 +13,18 @@
 
 namespace cosim {
 
+/// A name under which the replacement of a file is written: FILE.NUMBER.cosim-new with another
+/// random number each time, so that nothing has that name.
+std::string beside(const std::string& path);
+
+/// Makes the file of that name, with the rights of the file `path` that it replaces, and returns
+/// its descriptor; -1 and errno on failure, also where something has that name.
+int open_beside(const std::string& path, const std::string& name);
+
 class OutputFile {
  public:
-  /// Opens the file for writing, or the file that will replace it (replace_file.h). With an empty
-  /// path all text is dropped. InputError if the file cannot be written, here and below.
+  /// Opens the file for writing, or the file that will replace it. With an empty path all text is
+  /// dropped. InputError if the file cannot be written, here and below.
   explicit OutputFile(const std::string& path);
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
@@ -51,7 +59,8 @@ class OutputFile {
 
 /// Makes the folder where it is not there. InputError if it cannot.
 void make_folder(const std::string& path);
-/// Writes such a file that is `text` alone.
+/// Writes such a file that is `text` alone: it always holds the whole old text or the whole new
+/// one, even if the writer is killed, where it is a regular file or was none.
 void write_file(const std::string& path, const std::string& text);
 
 }  // namespace cosim

@@ -1,5 +1,5 @@
-// Other programs, run to their end. None outlives this one, nor do those that it starts, even where
-// this one is killed.
+// Other programs, run to their end. None outlives this one, nor do those of its process group
+// outlive it.
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,4 @@
-// Folders for temporary files, which go with this program however it ends.
+// Folders for temporary files.
 #pragma once
 
 #include <filesystem>
@@ -11,10 +11,10 @@ namespace cosim {
 /// InputError, which names the folder that it lies in, where this one has no room for another file.
 void require_room(const std::filesystem::path& folder);
 
-/// A folder for temporary files, removed with this object, also after a signal that interrupts, and
-/// where this program is killed, with its last process. It lies in $TMPDIR, or in /tmp where
-/// there is none or where its name has a space or another character that tools cannot take.
-/// InputError where there is no room.
+/// A folder for temporary files, removed with this object, also after a signal that interrupts. It
+/// lies in the one folder of this process, cosim.XXXXXX, which is all that is left where that is
+/// killed. That one is in $TMPDIR, or in /tmp where there is none or where its name has a space or
+/// another character that tools cannot take. InputError where there is no room.
 class Scratch {
  public:
   Scratch();
@@ -23,14 +23,9 @@ class Scratch {
   Scratch& operator=(const Scratch&) = delete;
   const std::filesystem::path& path() const { return path_; }
 
-  /// Open for as long as its files are needed, in the processes that need them.
-  int held() const;
-
  private:
-  class Root;
-
   InterruptGuard interrupts_;
-  std::shared_ptr<Root> root_;
+  std::shared_ptr<const std::filesystem::path> root_;
   std::filesystem::path path_;
 };
 

@@ -13,8 +13,8 @@
 #include "tb/support/finite.h"
 #include "tb/support/hash.h"
 #include "tb/support/json.h"
+#include "tb/support/output_file.h"
 #include "tb/support/read_file.h"
-#include "tb/support/replace_file.h"
 
 namespace cosim {
 namespace {
@@ -59,9 +59,9 @@ std::optional<JsonAt> Checkpoint::state() const {
 void Checkpoint::save(const Json& state) {
   if (path_.empty()) return;
   check_finite(state);
-  replace_file(path_, json_text(Json{
-                          {"work", work_}, {"hash", hash_of(json_text(state))}, {"state", state}}) +
-                          '\n');
+  write_file(path_, json_text(Json{
+                        {"work", work_}, {"hash", hash_of(json_text(state))}, {"state", state}}) +
+                        '\n');
   saved_ = std::chrono::steady_clock::now();
 }
 

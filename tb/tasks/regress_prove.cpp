@@ -14,8 +14,8 @@
 #include "tb/report/failure.h"
 #include "tb/support/interrupt.h"
 #include "tb/support/json.h"
+#include "tb/support/output_file.h"
 #include "tb/support/read_file.h"
-#include "tb/support/replace_file.h"
 #include "tb/support/words.h"
 #include "tb/tasks/regress_kinds.h"
 

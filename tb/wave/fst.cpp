@@ -11,7 +11,7 @@
 #include <filesystem>
 
 #include "model/core/input_error.h"
-#include "tb/support/replace_file.h"
+#include "tb/support/output_file.h"
 #include "tb/wave/wave.h"
 
 namespace cosim {
@@ -72,11 +72,7 @@ Fst::Handle Fst::real(const std::string& name) {
                             0);
 }
 
-void Fst::time(std::uint64_t t) {
-  constexpr std::uint64_t seldom = 4096;
-  if (++times_ % seldom == 0) check_room(path_);
-  fstWriterEmitTimeChange(writer_, t);
-}
+void Fst::time(std::uint64_t t) { fstWriterEmitTimeChange(writer_, t); }
 
 void Fst::value(Handle handle, int width, Word value) {
   static_assert(std::endian::native == std::endian::little);

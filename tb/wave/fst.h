@@ -42,7 +42,6 @@ class Fst {
   std::string path_;
   Leftover half_, hierarchy_;  // what the writer writes, and what it puts beside that meanwhile
   void* writer_ = nullptr;
-  std::uint64_t times_ = 0;
   std::string digits_;
 };
 

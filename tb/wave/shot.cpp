@@ -6,8 +6,8 @@
 #include <system_error>
 
 #include "model/core/input_error.h"
+#include "tb/support/output_file.h"
 #include "tb/support/process.h"
-#include "tb/support/replace_file.h"
 #include "tb/wave/view.h"
 
 namespace cosim {
@@ -51,7 +51,7 @@ void shoot(const std::string& fst, const std::string& png) {
   }
   const Scratch scratch;
   const std::string folder = scratch.path(), picture = folder + "/shot.png";
-  replace_file(folder + "/shot.tcl", fmt::format(kGrab, picture));
+  write_file(folder + "/shot.tcl", fmt::format(kGrab, picture));
   const Ended ended = run_until({"sh", "-c", kRender, "sh", folder, fs::absolute(fst).string(),
                                  fs::absolute(view_file(fst)).string()},
                                 std::chrono::steady_clock::now() + std::chrono::seconds(120));

@@ -39,9 +39,9 @@ class Asked {
   }
 
   bool names(std::string path, bool folder) const {
-    // The one signal that nobody can take: FILE.NUMBER.cosim-new is left.
+    // The one signal that nobody can take: FILE.NUMBER.cosim-new is left, and a temporary folder.
     if (killed_ && path.ends_with(".cosim-new")) path.resize(path.size() - 27);
-    if (killed_ && path.ends_with(".hier")) return true;
+    if (killed_ && (path.ends_with(".hier") || path.starts_with("tmp/cosim."))) return true;
     if (std::find(paths_.begin(), paths_.end(), path) != paths_.end()) return true;
     for (const std::string& stem : stems_) {
       // A wave of one design among several has its name, the words of a probe have that of the
@@ -104,7 +104,7 @@ std::vector<std::string> faults(const Case& one, const Came& came, const Scratch
   std::vector<std::string> found;
   check_status(one, came, found);
   check_error(one, came, found);
-  if (came.left != 0) found.push_back("leaves a process");
+  if (came.left != 0 && one.signal != SIGKILL) found.push_back("leaves a process");
   if (came.peak > most_memory)
     found.push_back("takes " + std::to_string(came.peak) + " bytes of memory");
 
@@ -120,7 +120,8 @@ std::vector<std::string> faults(const Case& one, const Came& came, const Scratch
       found.push_back((old == before.end() ? "is new: " : "is changed: ") + path);
       continue;
     }
-    if (path.find(".cosim-new") != std::string::npos) continue;  // of one that was killed
+    // Of one that was killed.
+    if (path.find(".cosim-new") != std::string::npos || path.starts_with("tmp/")) continue;
     if (const std::string why = unsound((scratch.folder() / path).string()); !why.empty()) {
       found.push_back(path + ": " + why);
     }

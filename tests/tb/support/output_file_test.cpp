@@ -8,7 +8,6 @@
 #include <iterator>
 
 #include "tb/report/report.h"
-#include "tb/support/replace_file.h"
 #include "tests/support/error_of.h"
 #include "tests/support/folder.h"
 
@@ -71,7 +70,7 @@ TEST_F(OutputFileOf, FilesOfTheUserStay) {
   fs::create_symlink(folder.path("mine"), folder.path("a.cosim-new"));
   for (const char* name : {"a", "b"}) {
     write_line(folder.path(name), "new");
-    replace_file(folder.path(name), "newer");
+    write_file(folder.path(name), "newer");
     EXPECT_EQ(folder.text(name), "newer");
   }
   EXPECT_EQ(folder.text("mine"), "mine");

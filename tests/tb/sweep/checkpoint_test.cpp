@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "model/core/input_error.h"
+#include "tb/support/output_file.h"
 #include "tb/support/read_file.h"
-#include "tb/support/replace_file.h"
 #include "tests/support/folder.h"
 
 namespace cosim {
@@ -53,7 +53,7 @@ TEST_F(CheckpointIn, IsNoneWhereItWasChanged) {
   Checkpoint(path_, "work").save({{"cases", 3}, {"left_out", {1, 2}}});
   const Json whole = Json::parse(read_file(path_));
   const auto refused = [&](const Json& changed) {
-    replace_file(path_, changed.dump());
+    write_file(path_, changed.dump());
     EXPECT_THROW(Checkpoint(path_, "work").state(), InputError) << changed;
   };
   for (const char* key : {"work", "hash", "state"}) {
@@ -83,11 +83,11 @@ TEST_F(CheckpointIn, IsDueAfterAWhileAndNeverWithoutAFile) {
 // A reader at any moment sees the whole of one text.
 TEST_F(CheckpointIn, ReplacesFilesAtOnce) {
   const std::string a(100'000, 'a'), b(70'000, 'b');
-  replace_file(path_, a);
+  write_file(path_, a);
   std::jthread writer([&](const std::stop_token& stop) {
     while (!stop.stop_requested()) {
-      replace_file(path_, b);
-      replace_file(path_, a);
+      write_file(path_, b);
+      write_file(path_, a);
     }
   });
   for (int i = 0; i < 2000; ++i) {
@@ -98,8 +98,8 @@ TEST_F(CheckpointIn, ReplacesFilesAtOnce) {
 
 TEST_F(CheckpointIn, LeavesTheOldFileWhereItCannotReplaceIt) {
   std::filesystem::create_directory(path_);
-  EXPECT_THROW(replace_file(path_, "text"), InputError);
-  EXPECT_THROW(replace_file(folder.path("none/file"), "text"), InputError);
+  EXPECT_THROW(write_file(path_, "text"), InputError);
+  EXPECT_THROW(write_file(folder.path("none/file"), "text"), InputError);
   EXPECT_THROW(read_file(folder.path("none")), InputError);
   EXPECT_TRUE(std::filesystem::is_directory(path_));
   std::filesystem::remove(path_);

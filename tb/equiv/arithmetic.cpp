@@ -1,4 +1,4 @@
-#include "tb/equiv/arithmetic.h"
+#include "tb/equiv/cells.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "tb/equiv/assume.h"
+#include "tb/equiv/equiv.h"
 
 #include <fmt/core.h>
 

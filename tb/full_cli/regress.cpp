@@ -1,15 +1,19 @@
 // PROGRAM regress: a regression, written once, on this host's cores or on a cluster's.
 #include <fmt/core.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include "model/core/input_error.h"
 #include "tb/full_cli/commands.h"
-#include "tb/full_cli/regress_show.h"
 #include "tb/program/number.h"
 #include "tb/program/verdicts.h"
+#include "tb/regress/local.h"
 #include "tb/regress/slurm.h"
 #include "tb/regress/worker.h"
 #include "tb/support/file_lock.h"
@@ -22,6 +26,95 @@
 
 namespace cosim::cli {
 namespace {
+
+// What a regression says while it runs, and before.
+/// How far a run is: one line that redraws itself on a terminal, elsewhere a line a minute and one
+/// for each shard that fails.
+class RegressProgress {
+ public:
+  RegressProgress();
+  void show(const regress::Tally& tally);
+  /// Takes the line away.
+  void clear();
+
+ private:
+  using Time = std::chrono::steady_clock;
+  std::string text(const regress::Tally& tally) const;
+
+  bool terminal_, drawn_ = false;
+  Time::time_point began_ = Time::now(), due_ = began_ + std::chrono::minutes(1);
+  double minutes_before_ = -1;  // done when it began
+  std::uint64_t failed_ = 0;
+};
+
+// "50 s", "12 min", "3.5 h"
+std::string duration(double minutes) {
+  if (minutes < 1.5) return fmt::format("{:.0f} s", 60 * minutes);
+  return minutes < 120 ? fmt::format("{:.0f} min", minutes) : fmt::format("{:.1f} h", minutes / 60);
+}
+
+// What would run, how it is cut and what it is thought to take, lines.
+std::string dry_run_text(const regress::Plan& plan, const std::vector<regress::Known>& works,
+                         std::uint64_t shards, unsigned jobs) {
+  const auto cuts = regress::cut(regress::sizes(works), shards);
+  std::string text = fmt::format("{}: seed {}\n{:>12} {:>7} {:>8}  work\n", plan.name, plan.seed,
+                                 "units", "shards", "time");
+  double minutes = 0;
+  for (std::size_t w = 0; w < works.size(); ++w) {
+    const regress::Size& size = works[w].size;
+    const auto parts = std::ranges::count(cuts, w, &regress::Shard::work);
+    text += fmt::format("{:>12} {:>7} {:>8}  {}: {}\n", size.units, parts, duration(size.minutes),
+                        plan.tasks[works[w].task].name, works[w].title);
+    minutes += size.minutes;
+  }
+  return text + fmt::format("{}, {}: thought to take {} of processor time, {} on {}\n",
+                            count(works.size(), "work"), count(cuts.size(), "shard"),
+                            duration(minutes), duration(minutes / jobs), count(jobs, "core"));
+}
+
+RegressProgress::RegressProgress() : terminal_(isatty(STDOUT_FILENO) == 1) {}
+
+std::string RegressProgress::text(const regress::Tally& t) const {
+  std::string text = fmt::format("{} of {} done, {} running, {} waiting, {} failed", t.done,
+                                 count(t.shards, "shard"), t.running, t.waiting(), t.failed);
+  if (t.errors != 0) text += fmt::format(", {} could not be run", t.errors);
+  const std::chrono::duration<double, std::ratio<60>> gone = Time::now() - began_;
+  const double done = t.done_minutes - minutes_before_;
+  if (done > 0) {
+    text += ", " + duration(gone.count() * (t.minutes - t.done_minutes) / done) + " left";
+  }
+  return text;
+}
+
+void RegressProgress::show(const regress::Tally& tally) {
+  if (minutes_before_ < 0) minutes_before_ = tally.done_minutes;
+  if (terminal_) {
+    fmt::print("\r{:.79}\x1b[K", text(tally));
+    drawn_ = true;
+  } else if (tally.failed > failed_ || Time::now() >= due_) {
+    fmt::print("{}\n", text(tally));
+    due_ = Time::now() + std::chrono::minutes(1);
+  }
+  failed_ = tally.failed;
+  std::fflush(stdout);
+}
+
+void RegressProgress::clear() {
+  if (drawn_) fmt::print("\r\x1b[K");
+  drawn_ = false;
+}
+
+// A line each for the reasons why shards could not be run, those of equal ones together.
+std::vector<std::string> lines_of(const regress::Errors& errors) {
+  std::map<std::string, std::vector<std::uint64_t>> by_text;
+  for (const auto& [shard, text] : errors) by_text[text].push_back(shard);
+  std::vector<std::string> lines;
+  for (const auto& [text, shards] : by_text) {
+    lines.push_back(fmt::format("shard{} {}: {}", shards.size() == 1 ? "" : "s",
+                                regress::list_of(shards), text));
+  }
+  return lines;
+}
 
 namespace fs = std::filesystem;
 using regress::RunFolder;

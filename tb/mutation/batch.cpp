@@ -1,7 +1,7 @@
 // In lockstep all lanes get the clocks of the RTL without a mutant, and each is compared with the
 // model. What streams carry depends on when the RTL takes it: there the RTL without a mutant is in
 // lane 0, and each mutant that ever puts out something else is run once more, on its own lane.
-#include "tb/mutation/batch.h"
+#include "tb/mutation/subject.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,32 +1,146 @@
 #include "tb/mutation/built.h"
 
+#include <fmt/core.h>
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <map>
 #include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "model/core/input_error.h"
+#include "tb/bench/stimulus_text.h"
 #include "tb/mutation/campaign.h"
 #include "tb/mutation/drawn.h"
-#include "tb/mutation/from_reset.h"
-#include "tb/mutation/survivor.h"
+#include "tb/mutation/subject.h"
+#include "tb/proof/from_reset.h"
 #include "tb/proof/judge.h"
 #include "tb/proof/machines.h"
+#include "tb/report/failure.h"
+#include "tb/report/report.h"
+#include "tb/support/draft.h"
 #include "tb/support/interrupt.h"
+#include "tb/support/json.h"
 #include "tb/support/output_file.h"
 #include "tb/support/parallel.h"
 #include "tb/support/place.h"
 #include "tb/support/process.h"
+#include "tb/support/read_file.h"
 #include "tb/support/stack.h"
 
 namespace cosim::mutation {
 namespace {
+
+namespace fs = std::filesystem;
+
+// The folder that a surviving mutant leaves: one that no stimulus and no proof told from the RTL.
+//
+//   report.txt   what it is, what was tried, how to give it to the solvers
+//   report.json  the same for a program
+//   mutants.v    the RTL with its mutants; mutsel is the number
+
+// Thousands of cases by what they are called in front of their number, and how many there are.
+std::map<std::string, std::size_t> kinds_of(const std::vector<Case>& cases) {
+  std::map<std::string, std::size_t> kinds;
+  for (const Case& c : cases) ++kinds[c.name.substr(0, c.name.find_last_not_of(" 0123456789") + 1)];
+  return kinds;
+}
+
+// Writes root/<design>-<parameters>-mutant-<number> and returns it. `prover`: how a person calls
+// what proves; `apart`: the state that tells it from the RTL without it, where one is known.
+// InputError where it cannot be written.
+std::filesystem::path leave_survivor(const Subject& subject, unsigned mutant,
+                                     const std::string& prover, const std::string& apart,
+                                     const std::filesystem::path& root) {
+  const std::string title = subject.bench().title();
+  const std::string& what = subject.mutants()[mutant - 1];
+  Draft draft(root, failure_name(subject.bench(), fmt::format("mutant {}", mutant)));
+  const std::string prove = fmt::format("{} {} --mutants {} --mutant {}", prover, title,
+                                        (draft.target() / "mutants.v").string(), mutant);
+
+  Json json{{"verdict", "survived"}, {"design", subject.bench().design()}};
+  json["parameters"] = parameters(subject.bench());
+  json["mutant"] = mutant;
+  json["what"] = what;
+  json["prove"] = prove;
+  std::string text = fmt::format(
+      "{}: mutant {} survived: {}\nNo proof that it is the same machine, and RTL and model part on "
+      "no clock of these runs\n",
+      title, mutant, what);
+  for (const auto& [kind, runs] : kinds_of(subject.cases().all)) {
+    text += fmt::format("  {}: {}\n", kind, runs);
+    json["stimuli"][kind] = runs;
+  }
+  if (!apart.empty()) {
+    text += "They part " + apart +
+            "If that state is never reached, let invariant() of the model say so.\n";
+  }
+  text += fmt::format("To have the solvers look for a state in which they part:\n  {}\n", prove);
+
+  draft.write("report.txt", text);
+  draft.write("report.json", json_text(json, 1) + '\n');
+  const Scratch scratch;
+  const auto verilog = scratch.path() / "mutants.v";
+  subject.write_verilog({mutant}, verilog);
+  draft.write("mutants.v", read_file(verilog.string()));
+  draft.finish_replacing();
+  return draft.target();
+}
+
+// A mutant that no stimulus kills and that is not proved the same from every state: can it be told
+// from the model from reset on? It is asked of proof/from_reset.h.
+/// What the stimulus is called that kills such a mutant.
+constexpr const char* from_reset_case = "a stimulus from reset";
+
+// The mutant and the model, from reset.
+proof::FromReset product_of(const Subject& subject, const proof::BuiltMachine& machine,
+                            unsigned mutant) {
+  const Scratch scratch;
+  const auto verilog = scratch.path() / "mutants.v";
+  subject.write_verilog({mutant}, verilog);
+  const nets::Model model = machine.nets();
+  const proof::Source source =
+      proof::read_for(model.machine, {{fs::absolute(verilog)}, machine.source.top, {}});
+  return {model, proof::RtlNets(source), {{"mutsel", mutant}}};
+}
+
+// The file of that stimulus.
+fs::path stimulus_of(const Subject& subject, unsigned mutant, const fs::path& root) {
+  return root / (failure_name(subject.bench(), fmt::format("mutant {}", mutant)) + ".stim");
+}
+
+// Equivalent where it is proved; killed where a stimulus does it in a run, not only on the nets:
+// that is kept in the folder `root`, which is made. Else open. Takes `limit` at the most.
+Outcome from_reset(const Subject& subject, const proof::BuiltMachine& machine, unsigned mutant,
+                   std::chrono::seconds limit, const fs::path& root) {
+  const AnyBench& bench = subject.bench();
+  const auto found = product_of(subject, machine, mutant)
+                         .ask(proof::Happens::differ, std::chrono::steady_clock::now() + limit, 1);
+  if (found.reached.ever == proof::Ever::never) return {Outcome::End::equivalent, "", 0, ""};
+  if (found.reached.ever == proof::Ever::open) return {};
+  Stimulus stimulus{bench.title(), fmt::format("kills mutant {}", mutant), 1, {}, found.clocks};
+  // What no reset reaches is as it powers up.
+  constexpr std::uint32_t power_ups = 16;
+  for (; stimulus.power_up <= power_ups; ++stimulus.power_up) {
+    // Which engine found it is not said: that may be another one the next time.
+    const Case one{from_reset_case, [&] { return bench.replay(stimulus); },
+                   [&](const Watch& watch) { bench.watch_stimulus(stimulus, watch); },
+                   stimulus.power_up};
+    Outcome outcome = subject.attack(mutant, one);
+    if (outcome.end != Outcome::End::killed) continue;
+    fs::create_directories(root);
+    write_file(stimulus_of(subject, mutant, root).string(), to_text(stimulus, bench));
+    return outcome;
+  }
+  return {};
+}
 
 constexpr int kLimit = 60;  // seconds of an engine for one mutant
 

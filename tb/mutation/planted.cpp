@@ -1,6 +1,6 @@
 // All mutants are planted at once in one copy of the RTL, each turned on by its number (mutant
 // schemata): it is read and made into nets once, not once a mutant.
-#include "tb/mutation/planted.h"
+#include "tb/mutation/subject.h"
 
 #include <fmt/core.h>
 

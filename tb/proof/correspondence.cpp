@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "tb/proof/chance.h"
-#include "tb/proof/cnf.h"
+#include "tb/proof/sat.h"
 #include "tb/support/random.h"
 
 namespace cosim::proof {

@@ -15,7 +15,7 @@ using Same = nets::Bits;
 
 /// Those of the nodes that `bad` depends on, as far as one step of induction shows it: true in the
 /// first state whatever the inputs are, and true on a clock where it was on the clock before, which
-/// a SAT solver says of all of them together (cnf.h). None where that has not come to an end when
+/// a SAT solver says of all of them together (sat.h). None where that has not come to an end when
 /// it is `until`, or there is no solver.
 std::optional<Same> corresponding(const nets::Graph& graph, nets::Bit bad,
                                   std::chrono::steady_clock::time_point until);

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "tb/proof/cnf.h"
 #include "tb/proof/correspondence.h"
+#include "tb/proof/sat.h"
 #include "tb/support/output_file.h"
 #include "tb/support/process.h"
 #include "tb/support/read_file.h"

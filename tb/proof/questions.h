@@ -20,10 +20,6 @@ struct Questions {
   std::map<std::string, std::vector<nets::Bit>> terms;
 };
 
-/// What the terms are in run 0 of `gates` (nets::run).
-std::map<std::string, Word> values_in(const Questions& questions,
-                                      const std::vector<std::uint64_t>& gates);
-
 /// Each bit that is asked as binary AIGER, in the order of questions.asked, with the names of its
 /// inputs.
 std::vector<std::string> as_aiger(const Questions& questions);

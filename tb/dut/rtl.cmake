@@ -25,6 +25,14 @@ function(cosim_read_rtl prefix what top clock folder)
   set(tree -Werror-STMTDLY --xml-only --xml-output ${folder}/tree.xml)
   execute_process(COMMAND ${verilator} ${tree} ${R_FILES}
     RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
+  # Verilator 5.006 can fail in an optimization that it can do without.
+  set(plainer)
+  if(status AND said MATCHES "Internal Error: [^\n]*V3Dfg")
+    set(plainer -fno-dfg)
+    list(APPEND verilator ${plainer})
+    execute_process(COMMAND ${verilator} ${tree} ${R_FILES}
+      RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
+  endif()
   if(status AND said MATCHES "%Error: ([^\n]*[.]v:[0-9]+:[0-9]+: [^\n]*(syntax error|SystemVerilog)[^\n]*)")
     set(wrong "${CMAKE_MATCH_1}")
     execute_process(COMMAND ${verilator} ${verilog_2005} ${tree} ${R_FILES}
@@ -58,6 +66,26 @@ function(cosim_read_rtl prefix what top clock folder)
       message(FATAL_ERROR "${what}: the parameter ${CMAKE_MATCH_1} has no value of its own: give it one: cosim new "
         "--param ${CMAKE_MATCH_1}=VALUE, in CMake SHAPES \"${CMAKE_MATCH_1}=VALUE\"")
     endif()
+    if(error MATCHES "([^ /:]+:[0-9]+):[0-9]+: Unsupported: Member call on object '[A-Z]+ '([^']*)'' which is a")
+      message(FATAL_ERROR "${what}: ${CMAKE_MATCH_1}: ${CMAKE_MATCH_2} has no members: its type may be a parameter "
+        "of the top: cosim new --param TYPE=PACKAGE::STRUCT")
+    endif()
+    set(place "([^ /:]+:[0-9]+):[0-9]+:")
+    if(error MATCHES "${place} Cannot find include file: (.*)")
+      message(FATAL_ERROR "${what}: ${CMAKE_MATCH_1}: no folder has the header ${CMAKE_MATCH_2}: cosim new --include "
+        "DIR, in CMake INCLUDE_DIRS DIR")
+    endif()
+    if(error MATCHES "${place} Package/class '([^']+)' not found")
+      message(FATAL_ERROR "${what}: ${CMAKE_MATCH_1}: no file has the package ${CMAKE_MATCH_2}: give its file, too")
+    endif()
+    if(error MATCHES "${place} Define or directive not defined: '`([^']+)'")
+      message(FATAL_ERROR "${what}: ${CMAKE_MATCH_1}: no file defines the macro ${CMAKE_MATCH_2}: give the file that "
+        "does, or cosim new --define ${CMAKE_MATCH_2}, in CMake DEFINES ${CMAKE_MATCH_2}")
+    endif()
+    if(error MATCHES "${place} Unsupported: Interfaced port on top level module")
+      message(FATAL_ERROR "${what}: ${CMAKE_MATCH_1}: an interface is a port of the top: give a module around it whose "
+        "ports are signals")
+    endif()
     message(FATAL_ERROR "${what}: Verilator cannot read it: ${error}")
   endif()
   # What it warns of, be it told in the RTL not to; a latch that is meant to be one is one too.
@@ -90,7 +118,7 @@ function(cosim_read_rtl prefix what top clock folder)
     execute_process(
       COMMAND ${verilator} ${unrolled} --lint-only -Wwarn-LATCH -Wwarn-UNOPTFLAT ${folder}/plain.sv
       RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
-    set(${prefix}_unrolled ${language} ${unrolled} PARENT_SCOPE)
+    set(${prefix}_unrolled ${language} ${plainer} ${unrolled} PARENT_SCOPE)
     if(NOT said MATCHES "%Error-BLKLOOPINIT")
       break()
     endif()

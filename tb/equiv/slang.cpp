@@ -74,9 +74,12 @@ std::vector<std::string> by_slang(const Files& files, const std::string& what, c
   const auto seen = [&](const fs::path& path) {
     return is_program ? path.string() : path.lexically_relative(own).string();
   };
-  // A position beyond the end is no error in Verilog: reads give x there, and writes do nothing.
+  // A macro of one file holds in those behind it, as Verilator and yosys have it. A position beyond
+  // the end is no error in Verilog: reads give x there, and writes do nothing.
   std::string commands =
-      "read_slang --threads 1 --ignore-assertions -Wno-range-oob -Wno-index-oob --top " + files.top;
+      "read_slang --threads 1 --single-unit --ignore-assertions -Wno-range-oob -Wno-index-oob "
+      "--top " +
+      files.top;
   for (const fs::path& folder : reading.folders()) commands += " -I " + seen(folder);
   for (const std::string& define : files.defines) commands += " -D " + define;
   for (const auto& [name, value] : reading.parameters()) {

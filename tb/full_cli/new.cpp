@@ -8,9 +8,8 @@
 #include <memory>
 
 #include "model/core/input_error.h"
-#include "tb/equiv/slang.h"
+#include "tb/full_cli/begin_project.h"
 #include "tb/full_cli/commands.h"
-#include "tb/new/new_sources.h"
 #include "tb/program/named_values.h"
 #include "tb/rtl/file_list.h"
 #include "tb/support/draft.h"
@@ -21,13 +20,6 @@ namespace cosim::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct NewOptions {
-  std::vector<std::string> words;  ///< the name, then files and folders
-  bool plain = false, stream = false;
-  Text top, clock, reset;
-  std::vector<std::string> includes, libraries, defines, parameters, blackboxes, lists, own_lists;
-};
 
 // What lists of files name, as if it was typed.
 NewOptions with_lists(NewOptions o) {
@@ -68,139 +60,6 @@ void require_name(const std::string& name) {
   if (fs::exists(name)) throw InputError(name + ": exists");
 }
 
-// A pin, a module: a name of Verilog.
-std::string name_in(const std::string& option, const Text& value) {
-  if (!value) return "";
-  static const Pattern name("[A-Za-z_][A-Za-z0-9_$]*");
-  if (name.whole(*value).empty()) {
-    throw InputError(fmt::format("{}: {} is no name in Verilog", option, in_quotes(*value)));
-  }
-  return *value;
-}
-
-std::vector<FoundParameter> parameters_in(const std::vector<std::string>& words) {
-  static const Pattern parameter("([A-Za-z_][A-Za-z0-9_$]*)=(.+)"), number("-?[0-9]{1,9}"),
-      constant("[0-9]*'[sS]?[bodhBODH][0-9a-fA-F_]+"), text("[A-Za-z0-9_.:+-]+");
-  std::vector<FoundParameter> all;
-  for (const std::string& word : words) {
-    const auto parts = parameter.whole(word);
-    const bool is_number = !parts.empty() && !number.whole(parts[2]).empty();
-    if (!is_number && !parts.empty() && !constant.whole(parts[2]).empty()) {
-      throw InputError(fmt::format("--param: {}: a whole number or a word, no constant with a base",
-                                   in_quotes(word)));
-    }
-    if (parts.empty() || (!is_number && text.whole(parts[2]).empty())) {
-      throw InputError(fmt::format("--param: {} is not NAME=VALUE", in_quotes(word)));
-    }
-    all.push_back({parts[1], parts[2], !is_number});
-  }
-  named_values("--param", words);
-  return all;
-}
-
-// The words that Verilator and yosys are given.
-std::vector<std::string> options_of(const NewOptions& o, const std::string& headers) {
-  static const Pattern define(R"([A-Za-z_][A-Za-z0-9_$]*(=[A-Za-z0-9_.:+'-]*)?)");
-  std::vector<std::string> options;
-  if (!headers.empty()) options.push_back("-I" + headers);
-  for (const std::string& d : o.defines) {
-    if (define.whole(d).empty()) {
-      throw InputError(fmt::format("--define: {} is not NAME or NAME=VALUE", in_quotes(d)));
-    }
-    options.push_back("-D" + d);
-  }
-  return options;
-}
-
-// The folder of the headers, deep enough for those whose names begin with "../" to be in the
-// project;
-// "" where there are none.
-std::string header_folder(const Sources& rtl) {
-  std::size_t depth = 0;
-  for (const SourceFile& header : rtl.headers) {
-    const fs::path name = fs::path(header.name).lexically_normal();
-    depth = std::max(depth, static_cast<std::size_t>(std::count(name.begin(), name.end(), "..")));
-  }
-  std::string folder = rtl.headers.empty() ? "" : "include";
-  for (; depth > 0; --depth) folder += "/here";
-  return folder;
-}
-
-// What yosys cannot read may be read by slang: then what keeps the design unproved is none.
-void try_slang(Found& found, const RtlQuestion& asked, const std::string& headers,
-               const std::vector<std::string>& defines) {
-  if (found.unread.empty()) return;
-  if (!equiv::has_slang()) {
-    found.unread += "; scripts/setup systemverilog brings slang, which may";
-    return;
-  }
-  equiv::Files files;
-  for (const std::string& file : asked.files) files.files.push_back(asked.folder / file);
-  if (!headers.empty()) files.include_dirs = {asked.folder / headers};
-  files.top = found.top;
-  files.defines = defines;
-  for (const FoundParameter& p : asked.parameters) {
-    files.parameters.push_back(p.name + '=' + (p.is_text ? '"' + p.value + '"' : p.value));
-  }
-  try {
-    constexpr int seconds = 60;
-    equiv::verilog_by_slang(files, found.top, equiv::Budget(seconds));
-    found.unread.clear();
-  } catch (const InputError& error) {
-    found.unread = error.what();
-  } catch (const equiv::OutOfTime&) {
-    found.unread = found.top + ": slang takes too long";
-  }
-}
-
-// Copies what the design needs, and reads it there: by those names every program can be given them.
-struct BegunProject {
-  Found found;
-  std::vector<std::string> sources, left_out;
-  std::string headers;  ///< their folder
-  bool top_is_guessed = false;
-};
-BegunProject begin_project(const NewOptions& o, const Draft& project) {
-  const std::string& name = o.words.front();
-  const std::vector<std::string> given(o.words.begin() + 1, o.words.end());
-  RtlQuestion question;
-  question.folder = project.folder();
-  for (const std::string& pin : parts_in(o.clock.value_or(""), ',')) {
-    question.clocks.push_back(name_in("--clock", pin));
-  }
-  question.reset = name_in("--reset", o.reset);
-  question.parameters = parameters_in(o.parameters);
-  for (const std::string& box : o.blackboxes) {
-    question.blackboxes.push_back(name_in("--blackbox", box));
-  }
-  const Sources rtl = sources_of({name, given, o.libraries, o.includes, name_in("--top", o.top)});
-  require_files(name, rtl);
-  BegunProject begun;
-  begun.headers = header_folder(rtl);
-  begun.left_out = rtl.left_out;
-  begun.top_is_guessed = rtl.top_is_guessed;
-  for (const SourceFile& file : rtl.files) {
-    begun.sources.push_back(file.name);
-    project.write(file.name, file.text);
-  }
-  for (const SourceFile& header : rtl.headers) {
-    const fs::path to = (fs::path(begun.headers) / header.name).lexically_normal();
-    fs::create_directories((project.folder() / to).parent_path());
-    project.write(to.string(), header.text);
-  }
-  if (!begun.headers.empty() && !fs::exists(project.folder() / begun.headers)) {
-    fs::create_directories(project.folder() / begun.headers);
-    project.write(begun.headers + "/.gitkeep", "");
-  }
-  question.files = begun.sources;
-  question.options = options_of(o, begun.headers);
-  question.top = rtl.top;
-  begun.found = found_in(question);
-  try_slang(begun.found, question, begun.headers, o.defines);
-  require_names(begun.found);
-  return begun;
-}
-
 int run(const NewOptions& given) {
   const NewOptions o = with_lists(given);
   if (o.words.empty()) throw InputError("NAME: is needed");
@@ -225,7 +84,7 @@ int run(const NewOptions& given) {
     }
     begun = o.stream ? stream_model(name, found) : lockstep_model(name, found);
     project.write(name + ".h", begun.text);
-    design = design_of(name, found, rtl.sources, model, rtl.headers, o.defines, o.blackboxes);
+    design = design_of(name, found, rtl.sources, model, rtl.headers, rtl.defines, o.blackboxes);
   } else {
     project.write(name + ".v", first.rtl);
     project.write(name + ".h", first.model);
@@ -248,6 +107,7 @@ int run(const NewOptions& given) {
   fmt::print("{}/: {}, {}, {}; README.md has its two commands\n", name,
              count(found.inputs.size(), "input"), count(found.outputs.size(), "output"),
              o.stream ? "as streams" : count(found.registers.size(), "register"));
+  for (const std::string& note : rtl.notes) fmt::print("{}: {}\n", name, note);
   if (!found.language.empty()) fmt::print("{}: {}\n", name, found.language);
   if (!found.unread.empty() && model == NewModel::proved) {
     begun.left.push_back(found.unread + ": nothing is proved of it");
@@ -279,7 +139,8 @@ void add_new(const Command& program) {
   command.text("--reset", o->reset, "PIN",
                "Its synchronous reset, where the name does not show it");
   command.each("--param", o->parameters, "NAME=VALUE",
-               "A parameter of the top, a number or a word: the shape that is built");
+               "A parameter of the top, a number or a word: the shape that is built; or a\n"
+               "type or another constant of SystemVerilog, T=pkg::bus_t: a wrapper has it");
   command.each("--include", o->includes, "DIR", "A folder with the headers that `include names");
   command.each("--define", o->defines, "NAME[=VALUE]", "A macro of the preprocessor");
   command.each("--blackbox", o->blackboxes, "NAME",

@@ -219,6 +219,7 @@ Sources sources_of(const GivenRtl& given) {
   for (Candidate& c : pool.all) find_headers(c, folders);
   Order order(pool);
   order.need(pool.home.at(sources.top));
+  order.need_all(given.uses);
   for (std::size_t i = 0; i < pool.all.size(); ++i) {
     if (!pool.all[i].is_named || order.has(i)) continue;
     if (is_testbench(pool.all[i].words)) {
@@ -236,6 +237,13 @@ Sources sources_of(const GivenRtl& given) {
   } else {
     chosen.insert(chosen.end(), order.modules.begin(), order.modules.end());
   }
+  // A file that declares nothing has macros for all others.
+  std::ranges::stable_partition(chosen, [&](std::size_t i) {
+    const auto& units = pool.all[i].words.units;
+    return units.size() == 1 && std::ranges::none_of(units.front().uses, [&](const auto& use) {
+             return pool.home.contains(use);
+           });
+  });
   for (const std::size_t i : chosen) {
     Candidate& c = pool.all[i];
     sources.files.push_back({c.path.filename().string(), c.path, c.text});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct GivenRtl {
   std::vector<std::string> libraries = {};  ///< files, and folders, of modules to take where needed
   std::vector<std::string> includes = {};   ///< folders of headers
   std::string top = {};                     ///< "": to be found
+  std::set<std::string> uses = {};          ///< words that may be packages, which are needed too
 };
 
 /// A file of the project.

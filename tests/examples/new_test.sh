@@ -7,6 +7,7 @@
 source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 needs yosys
 program=$1 sources=$2
+export COSIM_SLANG=$folder/none # as if slang is not installed
 cd "$folder"
 
 # A register below the top, one that a port is wired to, a width that follows a parameter, one that

@@ -147,7 +147,8 @@ void add_options(const Command& design, SweepOptions& o) {
               "COUNT clocks of any value on any pin at each width");
   design.text("--lanes", o.lanes, "LANES",
               "How many cases run at once on a core: 512, 256, 64, or 0: one at a time;\n"
-              "auto: as many as the processor can, as hostile clocks do in a long run");
+              "auto: as many as the processor can, as hostile clocks do in a long run;\n"
+              "gpu: hostile clocks on a graphics card, or another device of OpenCL");
   design.text("--jobs", o.jobs, "J", "Threads, 1 to 1024; default one a core");
   add_junit(design, o.common);
   add_failures(design, o.common);

@@ -28,8 +28,9 @@ fs::path library_of(const fs::path& prepared, int lanes) {
   return prepared / fmt::format("{}.so", lanes);
 }
 
-std::unique_ptr<lanes::Built> made(const AnyBench& bench, const Sweep& sweep, bool is_hostile,
-                                   int lanes) {
+// What lanes are made of: make(title, played, source, folder).
+template <class Make>
+auto made_by(const AnyBench& bench, const Sweep& sweep, bool is_hostile, Make make) {
   proof::BuiltMachine machine = machine_of(bench);
   machine.streams |= is_beside_a_step(bench);
   if (machine.played == nullptr || machine.streams) {
@@ -48,7 +49,36 @@ std::unique_ptr<lanes::Built> made(const AnyBench& bench, const Sweep& sweep, bo
   }
   const proof::Source source = source_of(bench);
   require_read(played.model, read_for(played.model.machine, source));
-  return lanes::built(bench.title(), played, source, lanes, folder);
+  return make(bench.title(), played, source, folder);
+}
+
+std::unique_ptr<lanes::Built> made(const AnyBench& bench, const Sweep& sweep, bool is_hostile,
+                                   int lanes) {
+  return made_by(
+      bench, sweep, is_hostile,
+      [&](const auto& title, const auto& played, const auto& source, const auto& folder) {
+        return lanes::built(title, played, source, lanes, folder);
+      });
+}
+
+// Says in the end how fast it was.
+Sweep taken_by_gpu(const AnyBench& bench, const Sweep& sweep, std::uint64_t seed,
+                   std::uint64_t clocks) {
+  if (clocks == 0) {
+    throw InputError("--lanes gpu: for --hostile alone; jobs run in 512, 256 or 64 lanes");
+  }
+  const std::shared_ptr<lanes::Gpu> gpu(
+      made_by(bench, sweep, true, [](const auto&... of) { return lanes::on_gpu(of...); }).release(),
+      [](lanes::Gpu* g) {
+        fmt::print("{}\n", g->speed());
+        delete g;
+      });
+  fmt::print("{}\n", gpu->about);
+  Sweep all = lanes::hostile_sweep(bench, *gpu, seed, clocks);
+  all.run_some = [run = all.run_some, gpu](std::uint64_t first, std::uint64_t count) {
+    return run(first, count);
+  };
+  return all;
 }
 
 Sweep taken(const AnyBench& bench, const Sweep& sweep, std::uint64_t seed, std::uint64_t clocks,
@@ -66,6 +96,7 @@ Sweep taken(const AnyBench& bench, const Sweep& sweep, std::uint64_t seed, std::
 Sweep in_lanes(const AnyBench& bench, const Sweep& sweep, std::uint64_t seed, std::uint64_t clocks,
                const Text& lanes) {
   const std::optional<int> asked = lanes_asked(lanes);
+  if (asked == on_gpu) return taken_by_gpu(bench, sweep, seed, clocks);
   std::shared_ptr<lanes::Built> built;
   try {
     built = made(bench, sweep, clocks != 0, asked.value_or(lanes::widest()));

@@ -126,7 +126,7 @@ class Straight::Writer {
           break;
         case Move::What::load: {
           const std::string from = move.place == Statement::none
-                                       ? fmt::format("m[{}]", code_.cells_[move.of].plane)
+                                       ? fmt::format("M({})", code_.cells_[move.of].plane)
                                        : fmt::format("t[{}]", move.place);
           ++loaded_[move.of];
           // An instruction takes one that nothing stands between.
@@ -191,7 +191,7 @@ class Straight::Writer {
         return fmt::format("const V v{} = {};", values_ + i, name(taken_[i]));
       case Kind::comparison: {
         const auto& [a, b, when] = code_.comparisons_[i];
-        return when == one ? fmt::format("differ = T<0xf6>({}, {}, differ);", name(a), name(b))
+        return when == one ? fmt::format("differ = T(0xf6, {}, {}, differ);", name(a), name(b))
                            : fmt::format("differ |= ({} ^ {}) & {};", name(a), name(b), name(when));
       }
       case Kind::count:
@@ -202,7 +202,7 @@ class Straight::Writer {
     }
     const Use& u = code_.stores_[i];
     const auto& reads = statements_[s].reads;
-    return fmt::format("m[{}] = {};", u.number, name(reads.empty() ? u.value : reads.front()));
+    return fmt::format("M({}) = {};", u.number, name(reads.empty() ? u.value : reads.front()));
   }
   // An instruction of three inputs puts its result in place of the last: best one that no register
   // has to hold any more.
@@ -214,7 +214,7 @@ class Straight::Writer {
       std::swap(of[place], of[2]);
       table = with_last(table, place);
     }
-    return fmt::format("const V v{} = T<0x{:02x}>({}, {}, {});", v, table, name(of[0]), name(of[1]),
+    return fmt::format("const V v{} = T(0x{:02x}, {}, {}, {});", v, table, name(of[0]), name(of[1]),
                        name(of[2]));
   }
 

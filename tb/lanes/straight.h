@@ -37,8 +37,8 @@ class Straight {
   /// Counter number i counts the lanes at work in which the value does not hold.
   void count_without(std::size_t i, Value value) { counts_.push_back({i, value}); }
 
-  /// The body of a function, for a processor of so many registers: V *const m is the memory.
-  /// `differ` becomes the lanes that differ.
+  /// The body of a function, for a processor of so many registers, in C++ and in OpenCL C: M(i) is
+  /// plane number i, T(table, a, b, c) a cell. `differ` becomes the lanes that differ.
   std::string text(std::size_t registers) const;
 
  private:

@@ -11,6 +11,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/lanes/code.h"
+#include "tb/lanes/gpu.h"
 #include "tb/lanes/player.h"
 #include "tb/support/pattern.h"
 #include "tb/support/read_file.h"
@@ -85,18 +86,19 @@ bool speaks(const proof::Source& source) {
 }
 
 // The cases of a sweep, some at a time.
+template <class Lanes, class Player>
 class Hostile {
  public:
   static constexpr std::uint64_t length = 1000;
 
-  Hostile(const AnyBench& bench, const Built& built, std::uint64_t seed, std::uint64_t clocks)
-      : bench_(bench), built_(built), seed_(seed), clocks_(clocks) {}
+  Hostile(const AnyBench& bench, Lanes& lanes, std::uint64_t seed, std::uint64_t clocks)
+      : bench_(bench), lanes_(lanes), seed_(seed), clocks_(clocks) {}
 
   Result run(std::uint64_t first, std::uint64_t count) const {
-    Player player(built_, bench_);
+    Player player(lanes_, bench_);
     player.begin(seed_, first, count);
     const std::uint64_t ends = clocks_of(first + count - 1);  // of the last case, perhaps sooner
-    std::optional<Player::Differs> worst;
+    std::optional<lanes::Player::Differs> worst;
     const auto run_to = [&](std::uint64_t to) {
       while (const auto differs = player.run(to)) {
         worst = differs;
@@ -118,7 +120,7 @@ class Hostile {
 
  private:
   std::uint64_t clocks_of(std::uint64_t i) const { return std::min(length, clocks_ - i * length); }
-  Result failed(std::uint64_t first, const Player::Differs& differs) const {
+  Result failed(std::uint64_t first, const lanes::Player::Differs& differs) const {
     Result sum;
     if (differs.lane > 0) sum = run(first, differs.lane);
     const HostileCase c{seed_, first + differs.lane, clocks_of(first + differs.lane)};
@@ -129,7 +131,7 @@ class Hostile {
           "error "
           "of the lanes, or a register that nothing sets powers up otherwise; --lanes 0 does "
           "without",
-          bench_.title(), c.index, differs.lane, built_.lanes, differs.clock,
+          bench_.title(), c.index, differs.lane, lanes_.lanes, differs.clock,
           again.mismatch ? fmt::format("on clock {}", again.mismatch->clock) : "nowhere"));
     }
     Result one = hostile_result(bench_, c, std::move(again));
@@ -139,14 +141,24 @@ class Hostile {
   }
 
   const AnyBench& bench_;
-  const Built& built_;
+  Lanes& lanes_;
   std::uint64_t seed_, clocks_;
 };
 
-}  // namespace
+template <class Player, class Lanes>
+Sweep sweep_of(const AnyBench& bench, Lanes& lanes, std::uint64_t seed, std::uint64_t clocks) {
+  Sweep sweep = cosim::hostile_sweep(bench, seed, clocks);
+  sweep.at_once = static_cast<std::uint64_t>(lanes.lanes);
+  sweep.run_some = [hostile = Hostile<Lanes, Player>(bench, lanes, seed, clocks)](
+                       std::uint64_t first, std::uint64_t count) {
+    return hostile.run(first, count);
+  };
+  return sweep;
+}
 
-std::unique_ptr<Built> built(const std::string& title, const nets::Played& played,
-                             const proof::Source& source, int lanes, const fs::path& folder) {
+// The RTL as it is read. InputError, one line, where the design cannot run in lanes.
+proof::Source checked(const std::string& title, const nets::Played& played,
+                      const proof::Source& source) {
   const auto refuse = [&](const std::string& why) {
     throw InputError(fmt::format("{}: does not run in lanes: {}", title, why));
   };
@@ -159,20 +171,31 @@ std::unique_ptr<Built> built(const std::string& title, const nets::Played& playe
   if (bits > most_bits) {
     refuse(fmt::format("its memory is too large: {} bits, and {} can be planes", bits, most_bits));
   }
-  const proof::Source all = read_for(played.model.machine, source);
+  return read_for(played.model.machine, source);
+}
+
+}  // namespace
+
+std::unique_ptr<Built> built(const std::string& title, const nets::Played& played,
+                             const proof::Source& source, int lanes, const fs::path& folder) {
+  const proof::Source all = checked(title, played, source);
   return built(folder, key_of(title, played, all, lanes), lanes,
                [&] { return to_text(code_of(played, proof::RtlNets(all)), lanes); });
 }
 
+std::unique_ptr<Gpu> on_gpu(const std::string& title, const nets::Played& played,
+                            const proof::Source& source, const fs::path& folder) {
+  const proof::Source all = checked(title, played, source);
+  return std::make_unique<Gpu>(folder, key_of(title, played, all, 0),
+                               [&] { return to_opencl(code_of(played, proof::RtlNets(all))); });
+}
+
 Sweep hostile_sweep(const AnyBench& bench, const Built& built, std::uint64_t seed,
                     std::uint64_t clocks) {
-  Sweep sweep = cosim::hostile_sweep(bench, seed, clocks);
-  sweep.at_once = static_cast<std::uint64_t>(built.lanes);
-  sweep.run_some = [hostile = Hostile(bench, built, seed, clocks)](std::uint64_t first,
-                                                                   std::uint64_t count) {
-    return hostile.run(first, count);
-  };
-  return sweep;
+  return sweep_of<Player>(bench, built, seed, clocks);
+}
+Sweep hostile_sweep(const AnyBench& bench, Gpu& gpu, std::uint64_t seed, std::uint64_t clocks) {
+  return sweep_of<GpuPlayer>(bench, gpu, seed, clocks);
 }
 
 }  // namespace cosim::lanes

@@ -9,6 +9,7 @@
 
 #include "tb/bench/bench.h"
 #include "tb/lanes/built.h"
+#include "tb/lanes/gpu.h"
 #include "tb/nets/played.h"
 #include "tb/proof/yosys.h"
 #include "tb/sweep/sweep.h"
@@ -27,10 +28,15 @@ std::unique_ptr<Built> built(const std::string& title, const nets::Played& playe
                              const proof::Source& source, int lanes,
                              const std::filesystem::path& folder);
 
+/// The same on a GPU, or another device of OpenCL. InputError where there is none, too.
+std::unique_ptr<Gpu> on_gpu(const std::string& title, const nets::Played& played,
+                            const proof::Source& source, const std::filesystem::path& folder);
+
 /// The sweep that hostile_sweep() of the bench is, with the same result. A case that differs is run
 /// again by the bench: Unconfirmed where that does not find it on the same clock. Both must outlive
 /// the sweep.
 Sweep hostile_sweep(const AnyBench& bench, const Built& built, std::uint64_t seed,
                     std::uint64_t clocks);
+Sweep hostile_sweep(const AnyBench& bench, Gpu& gpu, std::uint64_t seed, std::uint64_t clocks);
 
 }  // namespace cosim::lanes

@@ -7,7 +7,7 @@
 namespace cosim::lanes {
 namespace {
 
-// T<table>(a, b, c) is one plain instruction, or one of three inputs where the processor has it;
+// T(table, a, b, c) is one plain instruction, or one of three inputs where the processor has it;
 // else the fewest plain ones, found by trying each input as the one that chooses between two
 // functions of the others.
 constexpr const char* prelude = R"(#include <cstdint>
@@ -73,8 +73,10 @@ static inline V choose(V c, V a, V b) {
     return l ^ (c & (l ^ two<yes>(a, b)));
   }
 }
+#define M(i) m[i]
+#define T(t, ...) cell<t>(__VA_ARGS__)
 template <int t>
-static inline V T(V a, V b, V c) {
+static inline V cell(V a, V b, V c) {
   constexpr int b_no = (t & 3) | (t >> 2 & 12), b_yes = (t >> 2 & 3) | (t >> 4 & 12);
   constexpr int a_no = (t & 1) | (t >> 1 & 2) | (t >> 2 & 4) | (t >> 3 & 8);
   constexpr int a_yes = (t >> 1 & 1) | (t >> 2 & 2) | (t >> 3 & 4) | (t >> 4 & 8);

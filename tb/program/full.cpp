@@ -16,11 +16,12 @@ bool are_worth_it(std::uint64_t clocks) { return clocks >= 200'000'000; }
 
 std::optional<int> lanes_asked(const Text& lanes) {
   if (lanes.value_or("auto") == "auto") return {};
+  if (*lanes == "gpu") return on_gpu;
   for (const int number : {0, 64, 256, 512}) {
     if (*lanes == std::to_string(number)) return number;
   }
   throw InputError(
-      fmt::format("--lanes: {} is none of auto, 512, 256, 64 and 0", in_quotes(*lanes)));
+      fmt::format("--lanes: {} is none of auto, gpu, 512, 256, 64 and 0", in_quotes(*lanes)));
 }
 
 bool is_for_lanes(std::uint64_t clocks, const Text& lanes) {

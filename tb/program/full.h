@@ -65,7 +65,9 @@ char** command_line();
 /// clocks, 0 of another sweep. InputError for lanes that there are not.
 bool is_for_lanes(std::uint64_t clocks, const Text& lanes);
 
-/// How many lanes --lanes asks for, 0: none; nothing: what is better. InputError likewise.
+/// How many lanes --lanes asks for, 0: none, on_gpu: those of a device of OpenCL; nothing: what is
+/// better. InputError likewise.
+inline constexpr int on_gpu = -1;
 std::optional<int> lanes_asked(const Text& lanes);
 
 }  // namespace cosim::cli

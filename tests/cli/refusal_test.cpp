@@ -200,7 +200,7 @@ TEST_F(Refusal, OfSweeps) {
                    "--jobs: '" + n + "' is not a whole number from 1 to 1024");
   }
   expect_refused({"sweep", "linear", "--hostile", "5", "--lanes", "128"},
-                 "--lanes: '128' is none of auto, 512, 256, 64 and 0");
+                 "--lanes: '128' is none of auto, gpu, 512, 256, 64 and 0");
   const std::string wide = "--exhaustive: too wide to try everything; take ";
   expect_refused({"sweep", "linear", "--exhaustive", "--m", "16"},
                  wide + "M <= 8, or 14 with --lanes auto");

@@ -86,8 +86,9 @@ kernel void begin(global V* g, uint S, ulong seed, ulong first) {{
 }
 
 std::string ran(const Code& code) {
-  const std::string clock = code.clock.text(gpu_registers),
-                    stretch = code.stretch.text(gpu_registers);
+  Straight merging = code.clock;
+  const std::vector<Straight::Merged> merged = merging.merge(code.layout.state);
+  const std::string clock = merging.text(gpu_registers), stretch = code.stretch.text(gpu_registers);
   const auto used = planes_of(clock);
   std::vector<std::pair<std::size_t, bool>> order(used.begin(), used.end());
   std::ranges::stable_sort(order, {}, [](const auto& p) { return p.second; });
@@ -117,6 +118,11 @@ std::string ran(const Code& code) {
       text += fmt::format("#define M_{0} g[{0}u * S + thread]\n", plane);
     }
   }
+  // A difference of the last clock goes on in the first pair.
+  for (const auto& [kept, dropped] : merged) {
+    loaded += fmt::format("  late |= M_{} ^ g[{}u * S + thread];\n", kept, dropped);
+    stored += fmt::format("  g[{}u * S + thread] = M_{} ^ late;\n", dropped, kept);
+  }
   text += fmt::format(
       R"(kernel __attribute__((reqd_work_group_size({0}, 1, 1))) void run(global V* g, uint S, uint from,
     uint to, ulong count, global uint* found, global uint* left) {{
@@ -124,6 +130,7 @@ std::string ran(const Code& code) {
 #if COSIM_LOCAL
   local volatile V s[COSIM_LOCAL * {0}];
 #endif
+  V late = Z;
 {1}  uint left_out[{2}], is = O;
   for (int i = 0; i < {2}; ++i) left_out[i] = 0;
   const ulong before = 32 * (ulong)thread;
@@ -134,7 +141,8 @@ std::string ran(const Code& code) {
 {4}    }}
     const uint end = min(to, (at / {3} + 1) * {3});
     for (; at < end; ++at) {{
-  V differ = Z;
+  V differ = late;
+  late = Z;
 {5}  differ &= active;
       if (differ != 0) {{
         const V below = (differ & -differ) - 1;

@@ -58,6 +58,40 @@ void Straight::compare(Value a, Value b, Value when) {
   if (a != b) comparisons_.push_back({a, b, when});
 }
 
+std::vector<Straight::Merged> Straight::merge(std::size_t first) {
+  std::vector<Merged> merged;
+  std::map<Value, Value> instead;  // of planes
+  std::map<std::size_t, Value> stored;
+  for (const Use& u : stores_) stored[u.number] = u.value;
+  std::set<Value> known;
+  const auto is_free = [&](Value v) {
+    return cells_[v].is_plane && cells_[v].plane >= first && stored.count(cells_[v].plane) != 0 &&
+           known.count(v) == 0;
+  };
+  std::erase_if(comparisons_, [&](const Comparison& c) {
+    if (c.when != one || !is_free(c.a) || !is_free(c.b)) return false;
+    known.insert({c.a, c.b});
+    merged.push_back({cells_[c.a].plane, cells_[c.b].plane});
+    instead[c.b] = c.a;
+    return true;
+  });
+  for (const Merged& m : merged) {
+    comparisons_.push_back({stored[m.kept], stored[m.dropped], one, true});
+    std::erase_if(stores_, [&](const Use& u) { return u.number == m.dropped; });
+  }
+  const auto replace = [&](Value& v) {
+    if (const auto by = instead.find(v); by != instead.end()) v = by->second;
+  };
+  for (Cell& cell : cells_) std::ranges::for_each(cell.of, replace);
+  for (Comparison& c : comparisons_) {
+    for (Value* v : {&c.a, &c.b, &c.when}) replace(*v);
+  }
+  for (auto* uses : {&stores_, &counts_}) {
+    for (Use& u : *uses) replace(u.value);
+  }
+  return merged;
+}
+
 namespace {
 
 // The same table with the input at `place` and the last one in each other's place.
@@ -190,8 +224,9 @@ class Straight::Writer {
       case Kind::take:
         return fmt::format("const V v{} = {};", values_ + i, name(taken_[i]));
       case Kind::comparison: {
-        const auto& [a, b, when] = code_.comparisons_[i];
-        return when == one ? fmt::format("differ = T(0xf6, {}, {}, differ);", name(a), name(b))
+        const auto& [a, b, when, is_late] = code_.comparisons_[i];
+        const char* all = is_late ? "late" : "differ";
+        return when == one ? fmt::format("{0} = T(0xf6, {1}, {2}, {0});", all, name(a), name(b))
                            : fmt::format("differ |= ({} ^ {}) & {};", name(a), name(b), name(when));
       }
       case Kind::count:

@@ -37,6 +37,15 @@ class Straight {
   /// Counter number i counts the lanes at work in which the value does not hold.
   void count_without(std::size_t i, Value value) { counts_.push_back({i, value}); }
 
+  /// Two planes from `first` on that are compared in all lanes, and are the same until one differs,
+  /// become the first of them: what the other one would hold is compared when it would be stored,
+  /// and the lanes that differ then are in `late`, to differ on the next run of the code. Gives
+  /// what was merged.
+  struct Merged {
+    std::size_t kept, dropped;
+  };
+  std::vector<Merged> merge(std::size_t first);
+
   /// The body of a function, for a processor of so many registers, in C++ and in OpenCL C: M(i) is
   /// plane number i, T(table, a, b, c) a cell. `differ` becomes the lanes that differ.
   std::string text(std::size_t registers) const;
@@ -54,6 +63,7 @@ class Straight {
   };
   struct Comparison {
     Value a, b, when;
+    bool is_late = false;
   };
   class Writer;
 

@@ -4,29 +4,17 @@
 
 namespace cosim::circular {
 
-Task<Word> task_of(const Params& p, const Arc& arc) {
-  const Setup s = setup(arc.from, arc.radius2);
-  const auto code = [&](std::int64_t v) {
-    return low_bits(to_ones_complement(v, p.width + 1), p.width + 1);
-  };
-  const Word most = ones(p.width + 2);
-  return {s.sector2,   low_bits(s.f, p.width + 2), code(s.ct7),
-          code(s.ct8), arc.count.has_value(),      std::min(arc.count.value_or(0), most)};
-}
-
-Checker<Word> checker_of(const Params&, const Arc& arc) {
+Due due_of(const Arc& arc) {
   const std::int64_t whole = steps_to_end(arc.from, arc.radius2);
   const std::int64_t steps = std::min(arc.count.value_or(whole), whole);
   const auto square = [](std::int64_t v) {
     return static_cast<std::uint64_t>(v) * static_cast<std::uint64_t>(v);
   };
-  const auto excess = static_cast<Word>(square(arc.from.x) + square(arc.from.y) - arc.radius2);
-  return {
-      steps == whole, end_point(arc.radius2).y, arc.from.x - 1, arc.from.y, excess, steps, excess,
-      excess};
+  const std::uint64_t excess = square(arc.from.x) + square(arc.from.y) - arc.radius2;
+  return {steps, steps == whole, end_point(arc.radius2).y, static_cast<std::int64_t>(excess)};
 }
 
-std::vector<Arc> smaller(const Params&, const Arc& arc) {
+std::vector<Arc> smaller(const Arc& arc) {
   std::vector<Arc> arcs;
   // Whole radii from the axis on, by powers of two less.
   const std::int64_t radius = nearest_root(arc.radius2);
@@ -50,7 +38,7 @@ std::vector<Arc> smaller(const Params&, const Arc& arc) {
   return arcs;
 }
 
-std::string describe(const Params&, const Arc& arc) {
+std::string describe(const Arc& arc) {
   std::string text = "R^2 = " + std::to_string(arc.radius2) + " from (" +
                      std::to_string(arc.from.x) + ", " + std::to_string(arc.from.y) + ")";
   if (arc.count) text += ", at most " + std::to_string(*arc.count) + " steps";

@@ -4,7 +4,6 @@
 
 #include <array>
 
-#include "model/circular/steps.h"
 #include "model/plane/path_probes.h"
 
 namespace cosim::circular {
@@ -15,23 +14,25 @@ class View {
   static constexpr std::array phases{"idle", "sector 1", "change", "sector 2", "end"};
   static constexpr std::array steps{"-", "Y+", "X-", "X- Y+"};
 
-  static constexpr auto probes(const Params&) { return plane::path_probes(phases, steps); }
+  static constexpr auto probes() { return plane::path_probes(phases, steps); }
 
-  /// One clock: the state before it and the outputs during it.
-  void clock(const Params&, const State<Word>& s, const Outputs<Word>& out) {
+  /// One clock: the machine before it and the outputs during it.
+  template <class Machine, class Out>
+  void clock(const Machine& m, const Out& out) {
     x_ = next_x_;
     y_ = next_y_;
-    if (s.t4 && !running_) {
+    if (m.t4 && !running_) {
       // An arc begins where the loaded counters say.
-      x_ = s.t16 ? s.ct7 + 1 : s.ct7 + s.ct8 + 1;
-      y_ = s.t16 ? s.ct7 + 1 - s.ct8 : s.ct7;
+      const auto first = static_cast<Word>(m.ct7), across = static_cast<Word>(m.ct8);
+      x_ = m.t16 ? first + 1 : first + across + 1;
+      y_ = m.t16 ? first + 1 - across : first;
     }
-    running_ = s.t4 != 0;
-    phase_ = !s.t4 ? 0 : s.ct7 < 0 ? 4 : s.t16 ? 3 : s.ct8 < 0 ? 2 : 1;
-    step_ = out.step_x * 2 + out.step_y;
-    const Point step = step_of(out);
-    next_x_ = x_ + step.x;
-    next_y_ = y_ + step.y;
+    running_ = bool(m.t4);
+    phase_ = !m.t4 ? 0 : m.ct7 < 0 ? 4 : m.t16 ? 3 : m.ct8 < 0 ? 2 : 1;
+    const auto up = static_cast<Word>(out.step_y), left = static_cast<Word>(out.step_x);
+    step_ = left * 2 + up;
+    next_x_ = x_ - left;
+    next_y_ = y_ + up;
   }
 
   /// The phase, the steps of the clock, and the position in the plane of the arc before them; the

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <utility>
 
 #include "model/clocked/design_of.h"
@@ -179,13 +180,43 @@ constexpr auto driver_of(const P& p) {
   });
 }
 template <class P, class J>
-requires IsShape<P> && requires { typename FirstOf<P>::Checker; }
-constexpr auto checker_of(const P& p, const ModelRecord<Word, J>& /*job*/) {
+requires(IsShape<P> && !HasWork<FirstOf<P>> && requires {
+  typename FirstOf<P>::Checker;
+}) constexpr auto checker_of(const P& p, const ModelRecord<Word, J>& /*job*/) {
   using Checker = typename P::Design::template Checker<Word>;
   return P::Design::shaped(p, [](auto of) {
     using M = typename decltype(of)::type;
     return record_of<Checker>(typename M::Checker{});
   });
+}
+/// The same of work, and its job.
+template <class P>
+requires IsShape<P> && HasWork<FirstOf<P>>
+constexpr auto checker_of(const P& p, const typename FirstOf<P>::Work& work) {
+  using Checker = typename P::Design::template Checker<Word>;
+  return P::Design::shaped(p, [&](auto of) {
+    using M = typename decltype(of)::type;
+    return record_of<Checker>(M::checker_of(work));
+  });
+}
+template <class P>
+requires IsShape<P> && HasWork<FirstOf<P>>
+constexpr auto task_of(const P& p, const typename FirstOf<P>::Work& work) {
+  using Task = typename P::Design::template Task<Word>;
+  return P::Design::shaped(p, [&](auto of) {
+    using M = typename decltype(of)::type;
+    return record_of<Task>(M::job_of(work));
+  });
+}
+template <class P>
+requires IsShape<P> && HasWork<FirstOf<P>>
+auto smaller(const P& /*p*/, const typename FirstOf<P>::Work& work) {
+  return FirstOf<P>::smaller(work);
+}
+template <class P>
+requires IsShape<P> && HasWork<FirstOf<P>> std::string describe(
+    const P& /*p*/, const typename FirstOf<P>::Work& work) {
+  return FirstOf<P>::describe(work);
 }
 template <class P, class V, class J, class D, class I>
 requires IsShape<P>

@@ -1,8 +1,10 @@
 // The design of a golden model that is a struct: its records, its reset, its clock.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <initializer_list>
 #include <string>
 #include <type_traits>
 #include <typeindex>
@@ -11,17 +13,30 @@
 #include "model/clocked/asked.h"
 #include "model/clocked/says.h"
 #include "model/core/design.h"
+#include "model/core/input_error.h"
 
 namespace cosim::clocked {
 
+/// Whether a model's jobs are made of work of another type.
+template <class M>
+concept HasWork = requires {
+  typename M::Work;
+};
 /// The jobs of a design whose model has struct Job.
 template <class... Models>
 struct JobRecords {};
 template <class First, class... Models>
-requires requires { typename First::Job; }
-struct JobRecords<First, Models...> {
+requires(!HasWork<First> && requires { typename First::Job; }) struct JobRecords<First, Models...> {
   template <class V>
   using Job = ModelRecord<V, RecordTable<typename First::Job, typename Models::Job...>>;
+  template <class V>
+  using Driver = ModelRecord<V, RecordTable<typename First::Driver, typename Models::Driver...>>;
+};
+template <HasWork First, class... Models>
+struct JobRecords<First, Models...> {
+  using Job = typename First::Work;
+  template <class V>
+  using Task = ModelRecord<V, RecordTable<typename First::Job, typename Models::Job...>>;
   template <class V>
   using Driver = ModelRecord<V, RecordTable<typename First::Driver, typename Models::Driver...>>;
 };
@@ -34,6 +49,29 @@ struct CheckerRecords<First, Models...> {
   using Checker = ModelRecord<V, RecordTable<typename First::Checker, typename Models::Checker...>>;
 };
 
+/// What a person wants to see of a design whose model has a View (model/core/probe.h).
+template <class Design, class First>
+struct ViewOfModel {};
+template <class Design, class First>
+requires requires { typename First::View; }
+struct ViewOfModel<Design, First> {
+  class View : public First::View {
+   public:
+    template <class P>
+    static constexpr auto probes(const P&) {
+      return First::View::probes();
+    }
+    template <class P, class S, class O>
+    void clock(const P& p, const S& state, const O& out) {
+      typename First::View& view = *this;  // GCC 12 captures no `this` in such a lambda
+      Design::shaped(p, [&](auto of) {
+        using M = typename decltype(of)::type;
+        view.clock(object_of<M>(state), object_of<typename M::Out>(out));
+      });
+    }
+  };
+};
+
 /// The design of the models, one for each shape, which are one struct with its parameters. `Says`
 /// has what CMake knows of them:
 ///
@@ -41,7 +79,9 @@ struct CheckerRecords<First, Models...> {
 ///   parameters   a std::array of Parameter for each shape
 ///   files        the path of what each shape's exporter wrote, without .btor2
 template <class Says, class FirstModel, class... More>
-struct DesignOf : JobRecords<FirstModel, More...>, CheckerRecords<FirstModel, More...> {
+struct DesignOf : JobRecords<FirstModel, More...>,
+                  CheckerRecords<FirstModel, More...>,
+                  ViewOfModel<DesignOf<Says, FirstModel, More...>, FirstModel> {
   using First = FirstModel;
   struct Params : Shape {
     using Design = DesignOf;
@@ -98,6 +138,17 @@ struct DesignOf : JobRecords<FirstModel, More...>, CheckerRecords<FirstModel, Mo
     }
   }();
 
+  /// The shape with these numbers as its parameters, in their order.
+  static constexpr Params shape_of(std::initializer_list<int> numbers) {
+    for (Params p; p.number < int(1 + sizeof...(More)); ++p.number) {
+      const auto all = parameters(p);
+      if (std::equal(all.begin(), all.end(), numbers.begin(), numbers.end(),
+                     [](const Parameter& one, int number) { return one.value == number; })) {
+        return p;
+      }
+    }
+    throw InputError(std::string(name) + ": no such shape was built");
+  }
   static constexpr auto parameters(const Params& p) {
     return Says::parameters[std::size_t(p.number)];
   }

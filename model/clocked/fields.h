@@ -225,6 +225,13 @@ struct Auxiliary : Described<T> {
   using Described<T>::Described;
 };
 
+/// A number whose lowest bits are a fraction, where it is shown: Fraction<2, Int<8>>.
+template <int BITS, class T>
+struct Fraction : Described<T> {
+  static constexpr int fraction = BITS;
+  using Described<T>::Described;
+};
+
 /// A value that is shown in hexadecimal: Hex<UInt<32>>.
 template <class T>
 struct Hex : Described<T> {
@@ -308,6 +315,14 @@ struct OnesComplement : Int<W> {
     if constexpr (V::width < W) return v;
     return mux(v > most, Int<W>(v - all), mux(v < -most, Int<W>(v + all), Int<W>(v)));
   }
+};
+
+/// An input that is the code of such a number, with either code of 0.
+template <int W>
+struct OnesComplementCode : Described<UInt<W>> {
+  static constexpr bool is_ones_complement = true, has_minus_zero = false;
+  using Described<UInt<W>>::Described;
+  constexpr OnesComplement<W> number() const { return OnesComplement<W>::from_code(*this); }
 };
 
 }  // namespace cosim::clocked

@@ -19,6 +19,7 @@ struct LeafName {
   std::array<char, 256> text{};
   std::size_t size = 0;
 
+  constexpr std::string_view view() const { return {text.data(), size}; }
   constexpr LeafName and_then(std::string_view more) const {
     LeafName n = *this;
     for (const char c : more) n.text[n.size++] = c;  // no constant where it is too long
@@ -43,6 +44,7 @@ struct Leaf {
   int elements = 0;            ///< of an Array; 0: it is a value
   bool is_signed = false, is_ones_complement = false, has_minus_zero = false;
   bool is_hex = false, is_unreset = false, is_auxiliary = false;
+  int fraction = 0;                      ///< bits of a Fraction
   int edge = 0;                          ///< of a clock: 1 it rises, -1 it falls
   std::int64_t low = 0, high = 0;        ///< of a Range
   std::span<const char* const> names{};  ///< of an Enum, of its values from 0 on
@@ -55,6 +57,7 @@ struct Leaf {
     if constexpr (requires { T::is_hex; }) is_hex = true;
     if constexpr (requires { T::is_unreset; }) is_unreset = true;
     if constexpr (requires { T::is_auxiliary; }) is_auxiliary = true;
+    if constexpr (requires { T::fraction; }) fraction = T::fraction;
     if constexpr (requires { T::edge; }) edge = T::edge;
     if constexpr (requires { T::low; }) low = T::low;
     if constexpr (requires { T::high; }) high = T::high;

@@ -36,7 +36,8 @@
 //   value.h      UInt<W>, Int<W>, Bit: their bits, slices, conversions
 //   operators.h  the widths of expressions; cat, mux, reduce_and, reduce_or, reduce_xor
 //   fields.h     Array<T, N>, Unreset<T>, At<"path", T>, Auxiliary<T>, Hex<T>, Source<"7", T>,
-//                OnesComplement<W>; clocks: Rises, Falls, Sampled<"register", T>; Range<0, 9>
+//                OnesComplement<W>, OnesComplementCode<W>, Fraction<2, T>; Range<0, 9>; clocks:
+//                Rises, Falls, Sampled<"register", T>
 //   cells.h      the members of such a struct, for what works on any model
 //   says.h       what a model may say beside its clock: its reset, its jobs, what must be possible
 //

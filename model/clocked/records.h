@@ -32,18 +32,27 @@ constexpr Word word_of(const T& value) {
 }
 
 // Names with an end, and the fields of one struct.
-template <class T>
+template <class M>
 class Names {
+  // Behind the name of each register in the RTL.
+  static constexpr std::string_view suffix = [] {
+    if constexpr (requires { M::register_suffix; }) {
+      return std::string_view(M::register_suffix);
+    } else {
+      return std::string_view();
+    }
+  }();
   static constexpr std::size_t length = [] {
     std::size_t sum = 1;
-    for (const Leaf& leaf : leaves_of<T>) {
-      sum += leaf.name.size + leaf.path.size() + leaf.block.size() + leaf.sampled.size() + 4;
+    for (const Leaf& leaf : leaves_of<M>) {
+      sum += 2 * leaf.name.size + suffix.size() + leaf.path.size() + leaf.block.size() +
+             leaf.sampled.size() + 4;
     }
     return sum;
   }();
   struct Text {
     std::array<char, length> text{};
-    std::array<std::array<std::size_t, 4>, leaves_of<T>.size()> at{};
+    std::array<std::array<std::size_t, 4>, leaves_of<M>.size()> at{};
   };
   static constexpr Text all = [] {
     Text t;
@@ -54,10 +63,16 @@ class Names {
       t.text[end++] = '\0';
       return begin;
     };
-    for (const Leaf& leaf : leaves_of<T>) {
-      const std::string_view name(leaf.name.text.data(), leaf.name.size);
+    for (const Leaf& leaf : leaves_of<M>) {
+      const std::string_view name = leaf.name.view();
       const std::size_t at = add(name);
-      t.at[i++] = {at, leaf.path.empty() ? at : add(leaf.path), add(leaf.block), add(leaf.sampled)};
+      std::size_t path = at;
+      if (!leaf.path.empty()) {
+        path = add(leaf.path);
+      } else if (!suffix.empty()) {
+        path = add(leaf.name.and_then(suffix).view());
+      }
+      t.at[i++] = {at, path, add(leaf.block), add(leaf.sampled)};
     }
     return t;
   }();
@@ -163,8 +178,8 @@ struct RecordTable {
     for (std::size_t i = 0; i < leaves; ++i) {
       using N = Names<S>;
       const Leaf& leaf = list[i];
-      Field whole{N::of(i, N::name), leaf.width,     format(leaf), N::of(i, N::block), "", 0,
-                  N::of(i, N::path), leaf.is_unreset};
+      Field whole{N::of(i, N::name), leaf.width,        format(leaf),   N::of(i, N::block), "",
+                  leaf.fraction,     N::of(i, N::path), leaf.is_unreset};
       whole.edge = leaf.edge > 0 ? Edge::rising : leaf.edge < 0 ? Edge::falling : Edge::none;
       whole.is_placed = !leaf.path.empty();
       whole.names = leaf.names.data();

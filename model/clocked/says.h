@@ -18,6 +18,10 @@
 //   auto compared(const In&, const Out&) const     the same of outputs
 //   static constexpr std::array unobserved{"debug.*"};         what of the RTL is not compared
 //   static constexpr const char* source = "SU 1631518";        the printed source of the design
+//   static constexpr std::string_view register_suffix = "_q";  of each register's name in the RTL
+//   using View = ...              what a person wants to see beside registers and ports: a class
+//   with
+//                                 probes(), clock(model, out) and values(), see model/core/probe.h
 //
 // What is plural gives stated({{"a byte is taken", left == 0 && in.valid}, ...}), sentences with
 // their conditions; of compared() the sentence is the member's name.
@@ -35,6 +39,14 @@
 //                                 on each clock, the last where it is over; 1 where it is wrong
 //   };
 //   static constexpr std::uint64_t most_clocks = 1000;         a job that is longer waits for ever
+//
+// Work that is no list of numbers: Job is then what driver and checker see of it.
+//
+//   using Work = Arc;
+//   static Job job_of(const Work&)
+//   static Checker checker_of(const Work&)                     as its job begins; if it is checked
+//   static std::vector<Work> smaller(const Work&)              to try where it fails, simplest
+//   first static std::string describe(const Work&)                   in one line
 #pragma once
 
 #include <array>

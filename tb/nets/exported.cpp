@@ -11,18 +11,9 @@
 #include "tb/support/read_file.h"
 #include "tb/support/words.h"
 
-namespace cosim::clocked {
-namespace {
+namespace cosim::nets {
 
-using nets::Bit;
-using nets::Bits;
-using nets::Btor2;
-using nets::Graph;
-using nets::Number;
-using nets::Truth;
-using Cells = SymbolsOf<Number>::Cells;
-
-const Btor2& model_in(const std::string& path) {
+const Btor2& exported_model(const std::string& path) {
   static std::mutex mutex;
   static std::map<std::string, Btor2> all;
   const std::lock_guard lock(mutex);
@@ -36,8 +27,21 @@ const Btor2& model_in(const std::string& path) {
   if (text.str().starts_with(error)) {
     throw InputError(text.str().substr(error.size(), text.str().find('\n') - error.size()));
   }
-  return all.emplace(path, nets::read_btor2(text.str(), path)).first->second;
+  return all.emplace(path, read_btor2(text.str(), path)).first->second;
 }
+
+}  // namespace cosim::nets
+
+namespace cosim::clocked {
+namespace {
+
+using nets::Bit;
+using nets::Bits;
+using nets::Btor2;
+using nets::Graph;
+using nets::Number;
+using nets::Truth;
+using Cells = SymbolsOf<Number>::Cells;
 
 // Words of a wide number follow each other.
 bool goes_on(const Field& field) { return field.is_word && field.index > 0; }
@@ -79,7 +83,7 @@ Number number_of(Graph& graph, const Field& field, const Bits& code, bool is_num
 // What a section gives, each with all its words, in a graph: that of the values, or `spare`.
 std::vector<Bits> gives(const Asked<Number>& asked, const std::string& section, Graph& spare,
                         Graph*& graph) {
-  const Btor2& model = model_in(asked.file + ".btor2");
+  const Btor2& model = nets::exported_model(asked.file + ".btor2");
   graph = &spare;
   for (const Cells* cells : {&asked.inputs, &asked.states}) {
     for (const auto& cell : *cells) {

@@ -8,6 +8,15 @@
 #include "model/clocked/design.h"
 #include "tb/nets/number.h"
 
+namespace cosim::nets {
+
+struct Btor2;
+/// The file of a model, read once. InputError where it is not there, or the model could not be
+/// exported.
+const Btor2& exported_model(const std::string& path);
+
+}  // namespace cosim::nets
+
 namespace cosim::clocked {
 
 template <>

@@ -19,8 +19,10 @@ constexpr std::size_t most_members = 256;
 constexpr const char* types = "Bit UInt Int Array Unreset At Rises Falls Text clog2 In Out ";
 constexpr const char* others =
     "in out clock reset reset_clocks asynchronous_reset reset_at_once rest cases legal idle "
-    "invariant reached compared unobserved source Job Driver Checker most_clocks Auxiliary Hex "
-    "Source Sampled Range OnesComplement Stated stated active_low active_high both zero cat mux "
+    "invariant reached compared unobserved source register_suffix Job Work Driver Checker View "
+    "job_of checker_of smaller describe most_clocks Auxiliary Hex Fraction "
+    "Source Sampled Range OnesComplement OnesComplementCode Stated stated active_low active_high "
+    "both zero cat mux "
     "merge reduce_and reduce_or reduce_xor";
 
 // A member of the struct.

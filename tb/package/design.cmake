@@ -15,6 +15,7 @@
 #     [NAMESPACE space]            of a model of tables, where it defines struct Design
 #     [SHAPES "W=8 M=8'h1F"...]    parameters of the top, one build each: numbers, constants, words
 #                                  (MODE=FAST is a text); none: as the RTL has them
+#     [MODEL_SHAPES "W=5"...]      more shapes of the struct alone, for tests that run it without RTL
 #     [NETLISTS file.v...]         one a shape, simulated in place of SOURCES; their registers are wires
 #     [LIBRARIES target...]        what the model needs besides its headers
 #     [UNPROVED])                  no proof: the model cannot be exported, or yosys cannot read the RTL; a
@@ -102,7 +103,7 @@ function(cosim_add_design NAME)
     find_package(verilator REQUIRED HINTS $ENV{VERILATOR_ROOT} /usr/share/verilator)
   endif()
   cmake_parse_arguments(PARSE_ARGV 1 D "UNPROVED;COMBINATIONAL" "TOP;CLOCK;NAMESPACE;STRUCT"
-    "CLOCKS;BLACKBOXES;SOURCES;FILELIST;INCLUDE_DIRS;DEFINES;MODEL;SHAPES;NETLISTS;LIBRARIES")
+    "CLOCKS;BLACKBOXES;SOURCES;FILELIST;INCLUDE_DIRS;DEFINES;MODEL;SHAPES;MODEL_SHAPES;NETLISTS;LIBRARIES")
   set(what "cosim_add_design(${NAME})")
   if(D_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "${what}: what is ${D_UNPARSED_ARGUMENTS}?")

@@ -6,10 +6,10 @@
 # prove, lanes and all else that reasons on it says.
 set(options "")
 list(REMOVE_DUPLICATES INCLUDES)
+# A library may name the compiler's own folder, which must not come before its others.
+list(REMOVE_ITEM INCLUDES "" /usr/include)
 foreach(folder IN LISTS INCLUDES)
-  if(folder)
-    list(APPEND options -isystem ${folder})
-  endif()
+  list(APPEND options -isystem ${folder})
 endforeach()
 list(REMOVE_ITEM COMPILER "")
 execute_process(

@@ -3,7 +3,7 @@
 //
 //   for_each_step(params, outputs, take)      calls take(dx, dy) for each step of a clock, in order
 //
-// in its own namespace.
+// in its own namespace, or its model is a struct that has it (model/plane/steps.h).
 #pragma once
 
 #include <cstdint>
@@ -18,19 +18,16 @@
 namespace cosim::cli {
 
 /// Writes "clock,dx,dy,x,y", one row a step: x and y are the point after the step, and only clocks
-/// on which the output `counted` is 1 are counted.
-template <class Design>
+/// of whose outputs `counted` holds, a member of them or a function, are counted.
+template <class Design, class Counted>
 class StepRows final : public Observer<Design> {
-  using Outputs = typename Design::template Outputs<Word>;
-
  public:
-  StepRows(const typename Design::Params& p, OutputFile& file, GridPoint from,
-           Word Outputs::*counted)
+  StepRows(const typename Design::Params& p, OutputFile& file, GridPoint from, Counted counted)
       : p_(p), file_(file), at_(from), counted_(counted) {
     file_.line("clock,dx,dy,x,y");
   }
   void clock(std::size_t, const Compared<Design>& seen) override {
-    if (seen.outputs.*counted_) ++clock_;
+    if (std::invoke(counted_, seen.outputs)) ++clock_;
     for_each_step(p_, seen.outputs, [this](Word dx, Word dy) {
       at_.x += dx;
       at_.y += dy;
@@ -42,16 +39,15 @@ class StepRows final : public Observer<Design> {
   typename Design::Params p_;
   OutputFile& file_;
   GridPoint at_;
-  Word Outputs::*counted_;
+  Counted counted_;
   std::uint64_t clock_ = 0;
 };
 
 /// The rows of OneRun as StepRows.
-template <class Design>
-auto step_rows(const Bench<Design>& bench, GridPoint from,
-               Word Design::template Outputs<Word>::*counted) {
+template <class Design, class Counted>
+auto step_rows(const Bench<Design>& bench, GridPoint from, Counted counted) {
   return [=, p = bench.params()](OutputFile& file) {
-    return std::make_unique<StepRows<Design>>(p, file, from, counted);
+    return std::make_unique<StepRows<Design, Counted>>(p, file, from, counted);
   };
 }
 

@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "model/circular/job.h"
 #include "model/linear/job.h"
 #include "tb/bench/bench.h"
+#include "tests/designs/circular/records.h"
 #include "tests/support/model_adapter.h"
 
 namespace cosim {
@@ -56,8 +56,8 @@ const std::vector<std::unique_ptr<AnyBench>>& benches() {
     };
     add(dut_maker<test::ModelAdapter<Linear, narrow>>());
     add(dut_maker<FaultyAdapter<Linear, wide, 20, counter4>>());
-    add(dut_maker<test::ModelAdapter<Circular, circular::Params{4}>>());
-    add(dut_maker<FaultyAdapter<Circular, circular::Params{32}, 20, ct7>>());
+    add(dut_maker<test::ModelAdapter<Circular, circular::of_width(4)>>());
+    add(dut_maker<FaultyAdapter<Circular, circular::of_width(32), 20, ct7>>());
     return all;
   }();
   return list;

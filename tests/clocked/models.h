@@ -4,7 +4,10 @@
 #include <string>
 
 #include "examples/uart/uart.h"
-#include "tests/clocked/circular.h"
+#if __has_include("model/circular/circular.h")  // a design that may be taken out
+#include "model/circular/circular.h"
+#define COSIM_WITH_CIRCULAR
+#endif
 #include "tests/clocked/features.h"
 #include "tests/clocked/rv32i.h"
 #include "tests/clocked/turnstile.h"
@@ -16,9 +19,11 @@ template <class Visit>
 void for_each_model(const Visit& visit) {
   visit.template operator()<Uart<4>>("uart_4");
   visit.template operator()<Uart<16>>("uart_16");
+#ifdef COSIM_WITH_CIRCULAR
   visit.template operator()<Circular<8>>("circular_8");
   visit.template operator()<Circular<16>>("circular_16");
   visit.template operator()<Circular<32>>("circular_32");
+#endif
   visit.template operator()<Rv32i>("rv32i");
   visit.template operator()<Features>("features");
   visit.template operator()<Turnstile>("turnstile");

@@ -6,6 +6,16 @@
 
 namespace cosim::test {
 
+/// The shape with these parameters.
+template <class Design, class... Numbers>
+constexpr typename Design::Params params_of(Numbers... numbers) {
+  if constexpr (requires { Design::shape_of({numbers...}); }) {
+    return Design::shape_of({numbers...});
+  } else {
+    return {numbers...};
+  }
+}
+
 /// Of each design; compiled once, in support/variant_bench.cpp.
 template <class Design>
 std::unique_ptr<Bench<Design>> bench_of(const OpenClass& variant, const typename Design::Params& p);

@@ -108,10 +108,10 @@ Sweep every_stop(const CircularBench& bench, std::int64_t last) {
                     });
 }
 
-Arc random_arc(const Params& p, std::uint64_t seed, std::uint64_t i) {
+Arc random_arc(int width, std::uint64_t seed, std::uint64_t i) {
   constexpr std::int64_t longest = 3000;
   Random random = Random::for_case(seed, i);
-  const std::int64_t radius = std::max<std::int64_t>(random.corner(p.width), 1);
+  const std::int64_t radius = std::max<std::int64_t>(random.corner(width), 1);
   // Any R^2 that rounds to this radius: R^2 - R + 1 .. R^2 + R.
   const std::uint64_t r = static_cast<std::uint64_t>(radius);
   Arc arc;
@@ -139,7 +139,7 @@ Arc random_arc(const Params& p, std::uint64_t seed, std::uint64_t i) {
 Sweep random_arcs(const CircularBench& bench, std::uint64_t seed, std::uint64_t count) {
   return drawn_sweep_of_one<ArcFigures>(
       bench, "random arcs", count,
-      [p = bench.params(), seed](std::uint64_t i) { return random_arc(p, seed, i); },
+      [w = width_of(bench.params()), seed](std::uint64_t i) { return random_arc(w, seed, i); },
       [seed](const Arc& arc) {
         return fmt::format("R^2 = {} from ({}, {}), {} steps, seed {}", arc.radius2, arc.from.x,
                            arc.from.y, arc.count ? fmt::format("{}", *arc.count) : "all", seed);

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "model/circular/job.h"
 #include "tb/bench/bench.h"
+#include "tb/designs/circular/design.h"
 #include "tb/sweep/sweep.h"
 
 namespace cosim::circular {
@@ -27,7 +27,7 @@ Sweep every_stop(const CircularBench& bench, std::int64_t last);
 
 /// The arc that random case i draws: any radius of the width, whole or not, any start, a fourth of
 /// them just before the sector change; stopped early where it is long.
-Arc random_arc(const Params& p, std::uint64_t seed, std::uint64_t i);
+Arc random_arc(int width, std::uint64_t seed, std::uint64_t i);
 
 /// `count` random arcs; a case is one arc.
 Sweep random_arcs(const CircularBench& bench, std::uint64_t seed, std::uint64_t count);

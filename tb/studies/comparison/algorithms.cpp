@@ -48,7 +48,7 @@ class ArcFollower final : public Observer<circular::Design>, Follower {
  public:
   using Follower::Follower;
   void clock(std::size_t, const Compared<circular::Design>& seen) override {
-    if (!seen.outputs.running) return;
+    if (!circular::out_of(seen.outputs).running) return;
     if (waiting_) {
       Follower::clock();
       position(0, 0);

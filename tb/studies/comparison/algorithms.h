@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "model/circular/job.h"
 #include "model/dda/job.h"
 #include "model/linear/job.h"
 #include "tb/bench/bench.h"
+#include "tb/designs/circular/design.h"
 #include "tb/studies/comparison/figures.h"
 #include "tb/sweep/sweep.h"
 

@@ -6,10 +6,10 @@
 #include <functional>
 #include <memory>
 
-#include "model/circular/job.h"
 #include "model/linear/job.h"
 #include "model/toolpath/plan.h"
 #include "tb/bench/bench.h"
+#include "tb/designs/circular/design.h"
 #include "tb/sweep/sweep.h"
 
 namespace cosim {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "model/circular/job.h"
+#include "tests/designs/circular/records.h"
 #include "tests/support/recorder.h"
 
 namespace cosim::circular::printed {
@@ -51,20 +51,22 @@ inline std::string low_digits(Word code) {
   return digits;
 }
 
-inline char sign_of(const Outputs<Word>& o) {
+inline char sign_of(const Outputs<Word>& outputs) {
+  const auto o = named<Shown>(outputs);
   return o.step_x != 0 ? (o.step_y != 0 ? '/' : '-') : o.step_y != 0 ? '|' : '=';
 }
 
 /// For every shape with 12 < 2^width.
 inline void expect_tables(const Bench<Design>& bench) {
-  const int width = bench.params().width;
+  const int width = width_of(bench.params());
   ASSERT_GE(width, 4);
   const std::vector<Arc> arcs = {{{12, 0}, 144, {}}};
   const auto clocks = test::draw(bench, std::span<const Arc>(arcs));
 
   // The load with the start, the rows, the reset at the end, the clock that shows it.
   ASSERT_EQ(clocks.size(), kRows.size() + 3);
-  const auto expect_registers = [&](const Registers<Word>& r, const Row& row, Word t16) {
+  const auto expect_registers = [&](const Registers<Word>& registers, const Row& row, Word t16) {
+    const auto r = named<Held>(registers);
     EXPECT_EQ(static_cast<double>(from_ones_complement(r.f, width + 4)) / 4, row.f);
     EXPECT_EQ(from_ones_complement(r.ct7, width + 1), row.ct7);
     EXPECT_EQ(from_ones_complement(r.ct8, width + 1), row.ct8);
@@ -79,19 +81,20 @@ inline void expect_tables(const Bench<Design>& bench) {
   for (std::size_t i = 0; i < kRows.size(); ++i) {
     SCOPED_TRACE("row " + std::to_string(i + 1));
     EXPECT_EQ(sign_of(clocks[1 + i].outputs), kRows[i].step);
-    EXPECT_EQ(clocks[1 + i].outputs.running, 1);
+    EXPECT_EQ(named<Shown>(clocks[1 + i].outputs).running, 1);
     if (kRows[i].step == '=') t16 = 1;
     expect_registers(clocks[2 + i].registers, kRows[i], t16);
   }
   const auto& end = clocks[1 + kRows.size()];  // cleared on its edge
   EXPECT_EQ(sign_of(end.outputs), '=');
-  EXPECT_EQ(end.outputs.running, 1);
+  EXPECT_EQ(named<Shown>(end.outputs).running, 1);
   const auto& rest = clocks[2 + kRows.size()];
-  EXPECT_EQ(rest.outputs.running, 0);
-  EXPECT_EQ(rest.registers.t16, 0);
-  EXPECT_EQ(rest.registers.f, 3);
-  EXPECT_EQ(rest.registers.ct7, 0);
-  EXPECT_EQ(rest.registers.ct8, 0);
+  EXPECT_EQ(named<Shown>(rest.outputs).running, 0);
+  const auto at_rest = named<Held>(rest.registers);
+  EXPECT_EQ(at_rest.t16, 0);
+  EXPECT_EQ(at_rest.f, 3);
+  EXPECT_EQ(at_rest.ct7, 0);
+  EXPECT_EQ(at_rest.ct8, 0);
 }
 
 }  // namespace cosim::circular::printed

@@ -2,8 +2,8 @@
 // Needs: linear, circular
 #include "tb/bench/stimulus_text.h"
 
-#include "model/circular/job.h"
 #include "model/linear/job.h"
+#include "tests/designs/circular/records.h"
 #include "tests/fuzz/expect.h"
 #include "tests/fuzz/machines.h"
 
@@ -17,8 +17,8 @@ const std::vector<std::unique_ptr<AnyBench>>& machines() {
     std::vector<std::unique_ptr<AnyBench>> all;
     all.push_back(bench<linear::Design, linear::Params{5, 2}>());
     all.push_back(bench<linear::Design, linear::Params{32, 26}>());
-    all.push_back(bench<circular::Design, circular::Params{4}>());
-    all.push_back(bench<circular::Design, circular::Params{32}>());
+    all.push_back(bench<circular::Design, circular::of_width(4)>());
+    all.push_back(bench<circular::Design, circular::of_width(32)>());
     return all;
   }();
   return list;

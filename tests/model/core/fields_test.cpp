@@ -66,7 +66,8 @@ TYPED_TEST(Tables, AreSound) {
       EXPECT_TRUE(f.format != Format::flag || f.width == 1) << f.name;
       EXPECT_TRUE(f.fraction == 0 || (is_signed(f) || f.format == Format::number)) << f.name;
       EXPECT_LE(f.fraction, 18) << f.name;
-      EXPECT_STRNE(f.meaning, "") << f.name;
+      // That of a struct stands in comments.
+      EXPECT_TRUE(*f.meaning != '\0' || requires { typename TypeParam::First; }) << f.name;
       EXPECT_TRUE(names.insert(f.name).second) << f.name << " twice";
     }
   };

@@ -177,7 +177,7 @@ void row_of_dda(const std::string& claim, const std::string& over, const OfDda& 
 
 void claims_of_circles() {
   Machines machines;
-  machines.circular = &bench<circular::Design>([](auto p) { return p.width == 8; });
+  machines.circular = &bench<circular::Design>([](auto p) { return circular::width_of(p) == 8; });
   machines.dda = &bench<dda::Design>([](auto p) { return p.width == 8; });
   std::map<std::string, Figures> all;
   Figures early;  // the prototype to 45 degrees

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "tb/support/pattern.h"
+#include "tests/designs/circular/records.h"
 #include "tests/support/designs.h"
 #include "tests/support/model_adapter.h"
 #include "tests/support/recorder.h"
@@ -97,13 +98,13 @@ TEST(Benches, DrawTheSameFromAnyPowerUp) {
       const auto run = bench->open(power_up)->draw(arcs, recorder);
       ASSERT_FALSE(run.mismatch) << explain(*run.mismatch);
       ASSERT_EQ(recorder.clocks.size(), 21U);
-      EXPECT_EQ(recorder.clocks.front().registers.f, 3);
+      EXPECT_EQ(circular::named<circular::Held>(recorder.clocks.front().registers).f, 3);
     }
   }
 }
 
 TEST(Session, DrawsOnWhereItStopped) {
-  const auto& bench = model_bench<circular::Design, circular::Params{4}>();
+  const auto& bench = model_bench<circular::Design, circular::of_width(4)>();
   const std::vector<circular::Arc> arcs = {{{12, 0}, 144, {}}, {{8, 9}, 144, {}}};
   const auto session = bench.open(1);
   for (int i = 0; i < 3; ++i) {

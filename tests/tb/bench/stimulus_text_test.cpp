@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "model/circular/job.h"
 #include "model/linear/job.h"
 #include "tb/bench/bench.h"
+#include "tests/designs/circular/records.h"
 #include "tests/support/error_of.h"
 
 namespace cosim::test {

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "model/circular/job.h"
 #include "model/linear/job.h"
+#include "tests/designs/circular/records.h"
 #include "tests/support/model_adapter.h"
 
 namespace cosim {
@@ -62,7 +62,7 @@ DesignBench<D> faulty() {
 
 template <Fault F>
 Mismatch drawn(const std::vector<circular::Arc>& arcs, std::uint64_t clocks) {
-  const auto bench = faulty<circular::Design, circular::Params{4}, F>();
+  const auto bench = faulty<circular::Design, circular::of_width(4), F>();
   Observers<circular::Design> nobody({});
   const auto run = bench.open(1)->draw(arcs, nobody);
   EXPECT_EQ(run.clocks, clocks);
@@ -128,7 +128,7 @@ TEST(Mismatch, RegistersComeBeforeOutputs) {
 }
 
 TEST(Mismatch, CountsClocksFromTheSessionsStart) {
-  const auto bench = faulty<circular::Design, circular::Params{4}, Fault{30, kEver, kCt7, 0}>();
+  const auto bench = faulty<circular::Design, circular::of_width(4), Fault{30, kEver, kCt7, 0}>();
   Observers<circular::Design> nobody({});
   const auto session = bench.open(1);
   EXPECT_FALSE(session->draw(kR12, nobody).mismatch);
@@ -154,7 +154,7 @@ TEST(Mismatch, IsSeenUnderHostileClocks) {
 template <std::size_t signal>
 void expect_every_bit_seen() {
   const auto bench_with = []<int bit>() {
-    const auto bench = faulty<circular::Design, circular::Params{4}, Fault{3, 3, signal, bit}>();
+    const auto bench = faulty<circular::Design, circular::of_width(4), Fault{3, 3, signal, bit}>();
     const auto run = bench.run_hostile({1, 0, 10});
     EXPECT_EQ(run.clocks, 4U) << bench.compared()[signal].name << " bit " << bit;
     ASSERT_TRUE(run.mismatch);

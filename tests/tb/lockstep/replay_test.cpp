@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/designs/circular/records.h"
 #include "tests/support/designs.h"
 #include "tests/support/error_of.h"
 #include "tests/support/has.h"
@@ -103,16 +104,16 @@ void expect_unsteady(RunIt run) {
 
 TEST(Replay, OfACaseThatPassesWhenItRunsAgainIsRefused) {
   using D = circular::Design;
-  const DesignBench<D> hostile_one(dut_maker<OnceFaulty<D, circular::Params{4}>>());
+  const DesignBench<D> hostile_one(dut_maker<OnceFaulty<D, circular::of_width(4)>>());
   expect_unsteady([&] { hostile_one.run_hostile({1, 0, 100}); });
-  const DesignBench<D> replayed_one(dut_maker<OnceFaulty<D, circular::Params{5}>>());
+  const DesignBench<D> replayed_one(dut_maker<OnceFaulty<D, circular::of_width(5)>>());
   const AnyBench& b = replayed_one;
   const Stimulus s{b.title(), "", 1, {}, {b.rest(), b.rest()}};
   expect_unsteady([&] { b.replay(s, Window{}); });
 }
 
 TEST(Replay, OfAModelCannotStartFromAState) {
-  const auto& bench = model_bench<circular::Design, circular::Params{4}>();
+  const auto& bench = model_bench<circular::Design, circular::of_width(4)>();
   Stimulus s{bench.title(), "", 1, bench.reset_state(), {bench.rest()}};
   EXPECT_THROW(bench.replay(s), InputError);
 }

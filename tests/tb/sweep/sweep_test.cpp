@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "model/circular/job.h"
+#include "tests/designs/circular/records.h"
 #include "tests/support/model_adapter.h"
 
 namespace cosim {
@@ -200,7 +200,7 @@ TEST(Sweep, NoThreadsCountsAsOne) {
 }
 
 TEST(HostileSweep, HasAsManyClocksAsAsked) {
-  const AnyBench& bench = test::model_bench<circular::Design, circular::Params{8}>();
+  const AnyBench& bench = test::model_bench<circular::Design, circular::of_width(8)>();
   for (const std::uint64_t clocks : {0U, 1U, 999U, 1000U, 1001U, 2500U}) {
     const Result result = run_sweep(hostile_sweep(bench, 3, clocks), 2);
     EXPECT_TRUE(result.match());

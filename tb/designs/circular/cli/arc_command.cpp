@@ -87,7 +87,9 @@ int run(const ArcOptions& o) {
   const GridPoint from{arc.from.x, arc.from.y};
   return draw_one<circular::Design, circular::ArcFigures>(
       {o.common, power_up, bench, describe(o, arc), arc, extent_of(arc),
-       step_rows(bench, from, &circular::Outputs<Word>::running), from,
+       step_rows(bench, from,
+                 [](const auto& outputs) { return bool(circular::out_of(outputs).running); }),
+       from,
        [&](GridPoint at) {
          return circular::radial_deviation({at.x, at.y}, arc.radius2);
        },
@@ -123,7 +125,7 @@ std::vector<Sweep> exhaustive(const CircularBench& bench, bool in_lanes) {
   constexpr int every_stop_widest = 8;
   const int every_start_widest = in_lanes ? 14 : 8;
   const int every_radius_widest = in_lanes ? 16 : 12;
-  const int width = bench.params().width;
+  const int width = width_of(bench.params());
   const std::int64_t largest = (std::int64_t{1} << width) - 1;
   if (width > every_radius_widest) return {};
   if (width > every_start_widest) return {every_radius(bench, 1, largest)};

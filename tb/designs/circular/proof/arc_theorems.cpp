@@ -1,7 +1,9 @@
 // SU 1665343: from what the device outside puts on the pins to the first point, at every width that
 // is shipped.
+#include "tb/designs/circular/design.h"
 #include "tb/designs/circular/proof/points.h"
 #include "tb/designs/circular/proof/theorems.h"
+#include "tb/proof/exported.h"
 #include "tb/proof/widths.h"
 
 namespace cosim::circular {
@@ -12,34 +14,37 @@ using namespace proof;
 // A load with a start, from a machine at rest, of the source's F, CT7 and CT8 at a point that is
 // nearest to the circle: the pins take the whole of F and codes of the counters.
 Asked arc_begins(const Widths& widths) {
-  const Params p{static_cast<int>(widths[0].value)};
+  const int width = widths[0].value;
   Script script("QF_BV");
-  const ArcPoint<BitVector> at{free_number(script, "X", p.width), free_number(script, "Y", p.width),
-                               free_signed(script, "D", p.width + 1)};
+  const ArcPoint<BitVector> at{free_number(script, "X", width), free_number(script, "Y", width),
+                               free_signed(script, "D", width + 1)};
   const Truth in_second = !(at.x > at.y);
   const BitVector resting = select(in_second, at.y, at.x);
   // Nearest, as in circular_theorems.cpp; on X = 0 the arc is over.
   script.assume((at.x > BitVector(0)).expression());
   script.assume(((BitVector(0) - resting < at.d) & !(at.d > resting)).expression());
 
-  const State<BitVector> first = in_sector1(at), second = in_sector2(at);
-  const auto of_sector = [&](auto member) {
-    return select(in_second, second.*member, first.*member);
+  Numbers<BitVector> begun = in_sector1(at);
+  const Numbers<BitVector> second = in_sector2(at);
+  for (std::size_t i = 0; i < begun.size(); ++i) begun[i] = select(in_second, second[i], begun[i]);
+  const auto& [t4, t16, f, ct7, ct8] = begun;
+  const auto code = [&](const BitVector& v) {
+    return low_bits(to_ones_complement(v, width + 1), width + 1);
   };
-  const auto code = [&](auto member) {
-    return low_bits(to_ones_complement(of_sector(member), p.width + 1), p.width + 1);
-  };
-  Inputs<BitVector> pins;
-  pins.load = pins.start = BitVector(1);
-  pins.sector2 = of_sector(&State<BitVector>::t16);
-  pins.f = low_bits(shift_right(of_sector(&State<BitVector>::f), 2), p.width + 2);
-  pins.ct7 = code(&State<BitVector>::ct7);
-  pins.ct8 = code(&State<BitVector>::ct8);
+  // rst, load, f, ct7, ct8, sector2, start and stop.
+  const std::array<BitVector, 8> pins{
+      0, 1, low_bits(shift_right(f, 2), width + 2), code(ct7), code(ct8), t16, 1, 0};
+  Design::Inputs<BitVector> in;
+  for_each_cell<decltype(in)>([&](auto cell, std::size_t i) { cell(in) = pins[i]; });
 
-  const auto step = next(p, reset_state<BitVector>(), pins);
-  Truth right = !(is_set(step.outputs.step_x) | is_set(step.outputs.step_y));
-  for_each_member<State<BitVector>>(
-      [&](auto member, std::size_t) { right = right & (step.state.*member == of_sector(member)); });
+  const Params p = Design::shape_of({width});
+  const auto step = Design::next(p, reset_state_of<Design, BitVector>(p), in);
+  Truth right = true;
+  for_each_cell<Design::Outputs<BitVector>>([&](auto cell, std::size_t) {
+    right = right & !is_set(cell(step.outputs));  // it does not run yet, and makes no step
+  });
+  for_each_cell<Design::State<BitVector>>(
+      [&](auto cell, std::size_t i) { right = right & (cell(step.state) == begun[i]); });
   return {script, !right};
 }
 

@@ -1,15 +1,23 @@
 // SU 1665343 on integers without end: every radius and every width. Q is R^2, an integer.
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <cosim/model.h>
+
+#include "model/circular/job.h"
+#include "model/circular/view.h"
 #include "tb/designs/circular/proof/points.h"
 #include "tb/designs/circular/proof/theorems.h"
-#include "tb/proof/integer.h"
+#include "tb/proof/unbounded.h"
 
-namespace cosim::proof {
-
-// Itself: these registers have no width. Found in place of the model's, as an operation of its
-// value.
-Integer wrap_end_around(const Integer& v, int) { return v; }
-
-}  // namespace cosim::proof
+namespace cosim::circular::on_integers {
+namespace {
+using namespace proof::unbounded;
+#include "model/circular/circular.h"
+}  // namespace
+}  // namespace cosim::circular::on_integers
 
 namespace cosim::circular {
 namespace {
@@ -17,6 +25,13 @@ namespace {
 using namespace proof;
 
 using IntegerPoint = ArcPoint<Integer>;
+using State = Numbers<Integer>;
+constexpr std::size_t f = 2, ct7 = 3, ct8 = 4;
+
+struct Step {
+  State state;
+  Integer step_x, step_y;
+};
 
 // The circle crosses the point's row, or column, less than half a step away: (x - 1/2)^2 < R^2 -
 // y^2 < (x + 1/2)^2, which on integers is -x < d <= x.
@@ -26,10 +41,9 @@ Truth nearest(const Integer& resting, const Integer& d) {
 Truth nearest_in_row(const IntegerPoint& p) { return nearest(p.x, p.d); }
 Truth nearest_in_column(const IntegerPoint& p) { return nearest(p.y, p.d); }
 
-Truth same(const State<Integer>& a, const State<Integer>& b) {
+Truth same(const State& a, const State& b) {
   Truth all = true;
-  for_each_member<State<Integer>>(
-      [&](auto member, std::size_t) { all = all & (a.*member == b.*member); });
+  for (std::size_t i = 0; i < a.size(); ++i) all = all & (a[i] == b[i]);
   return all;
 }
 
@@ -44,19 +58,38 @@ class Proposition {
     Script premises = script_;
     premises.ask(truth(true));
     script_.ask(negation(t.expression()));
-    return {Design::name, sentence, {{"any", script_.text()}}, {{"any", premises.text()}}};
+    return {"circular", sentence, {{"any", script_.text()}}, {{"any", premises.text()}}};
   }
 
   const IntegerPoint p{integer("X"), integer("Y"), integer("D")};
   /// D, where the radius matters and not only the distance from it.
   Integer d_of(const Integer& q) const { return q - p.x * p.x - p.y * p.y; }
   /// One clock of the golden model with all pins at rest. Its width plays no part.
-  Step<Integer> clock(const State<Integer>& s) { return next(Params{}, s, Inputs<Integer>{}); }
+  Step clock(const State& s) {
+    using Machine = on_integers::Circular<16>;
+    namespace u = unbounded;
+    const auto all = u::ways.joined([&] {
+      Machine m{.t4 = u::Bit(s[0] == Integer(1)),
+                .t16 = u::Bit(s[1] == Integer(1)),
+                .f = u::Number(s[f]),
+                .ct7 = u::Number(s[ct7]),
+                .ct8 = u::Number(s[ct8])};
+      const auto out = m.clock({});
+      return std::array<Integer, 7>{u::Number(m.t4).integer,
+                                    u::Number(m.t16).integer,
+                                    m.f.integer,
+                                    m.ct7.integer,
+                                    m.ct8.integer,
+                                    u::Number(out.step_x).integer,
+                                    u::Number(out.step_y).integer};
+    });
+    return {{all[0], all[1], all[2], all[3], all[4]}, all[5], all[6]};
+  }
   /// The point after the steps that the clock puts out; distance() proves its d.
-  IntegerPoint moved(const Step<Integer>& step) const {
-    const Truth left = step.outputs.step_x == Integer(1), up = step.outputs.step_y == Integer(1);
+  IntegerPoint moved(const Step& step) const {
+    const Truth left = step.step_x == Integer(1), up = step.step_y == Integer(1);
     const Integer zero(0), one(1);
-    return {p.x - step.outputs.step_x, p.y + step.outputs.step_y,
+    return {p.x - step.step_x, p.y + step.step_y,
             p.d + select(left, p.x + p.x - one, zero) - select(up, p.y + p.y + one, zero)};
   }
 };
@@ -65,9 +98,9 @@ Theorem distance() {
   Proposition a;
   const Integer q = a.integer("Q"), i = a.integer("i"), j = a.integer("j"), zero(0), one(1);
   a.assume((i >= zero) & (i <= one) & (j >= zero) & (j <= one) & (a.p.d == a.d_of(q)));
-  Step<Integer> step;
-  step.outputs.step_x = i;
-  step.outputs.step_y = j;
+  Step step;
+  step.step_x = i;
+  step.step_y = j;
   const IntegerPoint next = a.moved(step);
   return a.follows(
       "a step changes D = Q - X^2 - Y^2 by 2X - 1 where X falls and by -2Y - 1 where Y rises",
@@ -89,7 +122,7 @@ Theorem sector1() {
   return a.follows(
       "in sector 1 a point nearest in its row is followed by the one nearest in the next row, or "
       "past the diagonal in its column; F, CT7 and CT8 are those of the new point",
-      (step.outputs.step_y == Integer(1)) & same(step.state, in_sector1(next)) &
+      (step.step_y == Integer(1)) & same(step.state, in_sector1(next)) &
           implies(next.x > next.y, nearest_in_row(next)) &
           implies(next.x <= next.y, nearest_in_column(next) & (next.x >= next.y - Integer(1))));
 }
@@ -101,7 +134,7 @@ Theorem change() {
   const auto step = a.clock(in_sector1(a.p));
   return a.follows(
       "the change to sector 2, which moves nothing, has F, CT7 and CT8 of sector 2 at this point",
-      (step.outputs.step_x == Integer(0)) & (step.outputs.step_y == Integer(0)) &
+      (step.step_x == Integer(0)) & (step.step_y == Integer(0)) &
           same(step.state, in_sector2(a.p)));
 }
 
@@ -113,8 +146,8 @@ Theorem sector2() {
   return a.follows(
       "in sector 2 a point nearest in its column is followed by the one nearest in the next "
       "column; F, CT7 and CT8 are those of the new point",
-      (step.outputs.step_x == Integer(1)) & same(step.state, in_sector2(next)) &
-          (next.y >= next.x) & nearest_in_column(next));
+      (step.step_x == Integer(1)) & same(step.state, in_sector2(next)) & (next.y >= next.x) &
+          nearest_in_column(next));
 }
 
 Theorem steps() {
@@ -122,16 +155,14 @@ Theorem steps() {
   a.assume((a.p.y >= Integer(0)) & (a.p.x >= Integer(0)));
   const Integer sector = a.integer("sector");
   a.assume((sector == Integer(1)) | (sector == Integer(2)));
-  State<Integer> s = in_sector2(a.p);
-  const State<Integer> first = in_sector1(a.p);
-  for_each_member<State<Integer>>([&](auto member, std::size_t) {
-    s.*member = select(sector == Integer(1), first.*member, s.*member);
-  });
+  State s = in_sector2(a.p);
+  const State first = in_sector1(a.p);
+  for (std::size_t i = 0; i < s.size(); ++i) s[i] = select(sector == Integer(1), first[i], s[i]);
   const auto step = a.clock(s);
   const Integer zero(0), one(1);
-  return a.follows("a clock moves a unit, or a diagonal, or not at all: never back, never further",
-                   (step.outputs.step_x >= zero) & (step.outputs.step_x <= one) &
-                       (step.outputs.step_y >= zero) & (step.outputs.step_y <= one));
+  return a.follows(
+      "a clock moves a unit, or a diagonal, or not at all: never back, never further",
+      (step.step_x >= zero) & (step.step_x <= one) & (step.step_y >= zero) & (step.step_y <= one));
 }
 
 Theorem last_point() {
@@ -145,25 +176,26 @@ Theorem end() {
   Proposition a;
   a.assume((a.p.x == Integer(0)) & (a.p.y >= Integer(0)));
   const auto step = a.clock(in_sector2(a.p));
-  return a.follows("on X = 0 the arc ends: the machine clears itself and moves no more",
-                   (step.outputs.step_x == Integer(0)) & (step.outputs.step_y == Integer(0)) &
-                       same(step.state, reset_state<Integer>()));
+  const State at_rest{Integer(0), Integer(0), Integer(3), Integer(0), Integer(0)};
+  return a.follows(
+      "on X = 0 the arc ends: the machine clears itself and moves no more",
+      (step.step_x == Integer(0)) & (step.step_y == Integer(0)) & same(step.state, at_rest));
 }
 
 Theorem progress1() {
   Proposition a;
   a.assume((a.p.y >= Integer(0)) & (a.p.x > a.p.y));
-  const State<Integer> before = in_sector1(a.p);
+  const State before = in_sector1(a.p);
   return a.follows("sector 1 ends: CT8 falls on each of its steps",
-                   a.clock(before).state.ct8 < before.ct8);
+                   a.clock(before).state[ct8] < before[ct8]);
 }
 
 Theorem progress2() {
   Proposition a;
   a.assume((a.p.x >= Integer(1)) & (a.p.y >= a.p.x));
-  const State<Integer> before = in_sector2(a.p);
+  const State before = in_sector2(a.p);
   return a.follows("sector 2 ends: CT7 falls on each of its steps",
-                   a.clock(before).state.ct7 < before.ct7);
+                   a.clock(before).state[ct7] < before[ct7]);
 }
 
 // Of the nearer coordinate of the two; where that is the row's the other one is less, or more by
@@ -183,11 +215,11 @@ Theorem bounds() {
   Proposition a;
   const Integer m = a.integer("M"), zero(0), one(1);
   a.assume((m >= Integer(4)) & (a.p.x >= zero) & (a.p.x < m) & (a.p.y >= zero) & (a.p.y < m));
-  const auto fits = [&](const State<Integer>& s) {
+  const auto fits = [&](const State& s) {
     const auto within = [](const Integer& v, const Integer& most) {
       return (v <= most) & (v >= Integer(0) - most);
     };
-    return within(s.ct7, m - one) & within(s.ct8, m - one) & within(s.f, Integer(8) * m - one);
+    return within(s[ct7], m - one) & within(s[ct8], m - one) & within(s[f], Integer(8) * m - one);
   };
   const Truth first = nearest_in_row(a.p) & (a.p.x > a.p.y);
   const Truth change = nearest_in_column(a.p) & (a.p.x <= a.p.y) & (a.p.x >= a.p.y - one);

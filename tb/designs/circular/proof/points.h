@@ -2,9 +2,13 @@
 // point, and D is R^2 - X^2 - Y^2, with which everything is linear.
 #pragma once
 
-#include "model/circular/machine.h"
+#include <array>
 
 namespace cosim::circular {
+
+/// The numbers of T4, T16, F in quarters, CT7 and CT8, as the model has them.
+template <class V>
+using Numbers = std::array<V, 5>;
 
 template <class V>
 struct ArcPoint {
@@ -25,11 +29,11 @@ V f_in_sector2(const ArcPoint<V>& p) {
 
 /// On its way, in the one sector and in the other.
 template <class V>
-State<V> in_sector1(const ArcPoint<V>& p) {
+Numbers<V> in_sector1(const ArcPoint<V>& p) {
   return {V(1), V(0), f_in_sector1(p), p.y, p.x - p.y - V(1)};
 }
 template <class V>
-State<V> in_sector2(const ArcPoint<V>& p) {
+Numbers<V> in_sector2(const ArcPoint<V>& p) {
   return {V(1), V(1), f_in_sector2(p), p.x - V(1), p.x - p.y};
 }
 

@@ -1,25 +1,24 @@
 // The check of arcs beside the oracle, and on machines that are at fault.
-#include "model/circular/checker.h"
-
 #include <gtest/gtest.h>
 
 #include "tb/designs/circular/figures.h"
 #include "tb/designs/circular/sweeps.h"
+#include "tests/designs/circular/records.h"
 #include "tests/support/judged.h"
 
 namespace cosim::circular {
 namespace {
 
-std::vector<Arc> arcs(const Params& p, std::uint64_t count) {
-  auto all = test::drawn_jobs(random_arc, p, count);
+std::vector<Arc> arcs(int width, std::uint64_t count) {
+  auto all = test::drawn_jobs(random_arc, width, count);
   for (const Point& from : every_start(225)) all.push_back({from, 225, {}});
-  if (p.width < 4) all.resize(count);
+  if (width < 4) all.resize(count);
   return all;
 }
 
 TEST(CircularChecker, PassesWhatTheOracleDraws) {
   for (const int width : {2, 4, 8, 32}) {
-    const auto all = arcs({width}, 200);
+    const auto all = arcs(width, 200);
     std::uint64_t steps = 0;
     double deviation = 0;
     for (const Arc& arc : all) {
@@ -31,14 +30,16 @@ TEST(CircularChecker, PassesWhatTheOracleDraws) {
         at = next_point(at, arc.radius2);
       }
     }
-    test::expect_passes<Design, ArcFigures>({width}, all, steps, deviation);
+    test::expect_passes<Design, ArcFigures>(of_width(width), all, steps, deviation);
   }
 }
 
 TEST(CircularChecker, SeesEveryWrongStep) {
   test::expect_faults_seen<Design, ArcFigures>(
-      {6}, arcs({6}, 200), [](Outputs<Word>& out, std::uint64_t how) {
+      of_width(6), arcs(6, 200), [](Outputs<Word>& outputs, std::uint64_t how) {
+        auto out = named<Shown>(outputs);
         (how % 2 == 0 ? out.step_x : out.step_y) ^= out.running;
+        outputs = record_of<Outputs<Word>>(out);
         return out.running != 0;
       });
 }
@@ -46,13 +47,11 @@ TEST(CircularChecker, SeesEveryWrongStep) {
 // R = 12, the source's example, shown step by step: | up, - left, / both, = none.
 std::string said_of(const std::vector<std::string>& drawn) {
   const std::vector<Arc> list = {{{12, 0}, 144, {}}, {{8, 9}, 144, {}}, {{12, 0}, 144, 3}};
-  JobCheck<Design, ArcFigures> check({4}, list);
+  JobCheck<Design, ArcFigures> check(of_width(4), list);
   for (std::size_t job = 0; job < drawn.size(); ++job) {
     for (const char c : '=' + drawn[job] + '=') {
       Compared<Design> seen{};
-      seen.outputs.running = 1;
-      seen.outputs.step_x = c == '-' || c == '/';
-      seen.outputs.step_y = c == '|' || c == '/';
+      seen.outputs = record_of<Outputs<Word>>(Shown{1, c == '|' || c == '/', c == '-' || c == '/'});
       check.clock(job, seen);
     }
     check.clock(job, {});

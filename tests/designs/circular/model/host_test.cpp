@@ -1,10 +1,9 @@
 // The device outside of SU 1665343, at work on the model.
-#include "model/circular/job.h"
-
 #include <gtest/gtest.h>
 
 #include <vector>
 
+#include "tests/designs/circular/records.h"
 #include "tests/support/model_adapter.h"
 #include "tests/support/recorder.h"
 
@@ -14,12 +13,12 @@ namespace {
 using Clocks = std::vector<test::Recorder<Design>::Clock>;
 
 Clocks draw(const std::vector<Arc>& arcs) {
-  return test::draw(test::model_bench<Design, Params{4}>(), std::span<const Arc>(arcs));
+  return test::draw(test::model_bench<Design, of_width(4)>(), std::span<const Arc>(arcs));
 }
 
 std::size_t steps(const Clocks& clocks, std::size_t job) {
   std::size_t n = 0;
-  for (const auto& c : clocks) n += c.job == job && (c.outputs.step_x | c.outputs.step_y) != 0;
+  for (const auto& c : clocks) n += c.job == job && step_of(c.outputs) != Point{};
   return n;
 }
 
@@ -30,18 +29,19 @@ std::size_t length(const Clocks& clocks, std::size_t job) {
 }
 
 TEST(CircularHost, HasNothingToDoWithoutArcs) {
-  HostOf<Design> host({4}, {});
+  HostOf<Design> host(of_width(4), {});
   Inputs<Word> in;
-  EXPECT_FALSE(host.next(in, {1, 1, 1}));
+  EXPECT_FALSE(host.next(in, record_of<Outputs<Word>>(Shown{1, 1, 1})));
 }
 
 TEST(CircularHost, LoadsAndStartsOnOneClock) {
   const std::vector<Arc> arcs = {{{12, 0}, 144, {}}};
-  HostOf<Design> host({4}, arcs);
+  HostOf<Design> host(of_width(4), arcs);
   Inputs<Word> in;
-  ASSERT_TRUE(host.next(in, {1, 1, 1}));  // what was seen has no meaning here
+  ASSERT_TRUE(host.next(
+      in, record_of<Outputs<Word>>(Shown{1, 1, 1})));  // what was seen has no meaning here
   EXPECT_EQ(to_words(in), (Words<Inputs<Word>>{0, 1, 10, 0, 11, 0, 1, 0}));
-  ASSERT_TRUE(host.next(in, {0, 0, 0}));
+  ASSERT_TRUE(host.next(in, {}));
   EXPECT_EQ(to_words(in), to_words(rest_of<Design>()));
 }
 
@@ -49,12 +49,12 @@ TEST(CircularHost, LoadsAndStartsOnOneClock) {
 // X - 1 = 1, X - Y = -10.
 TEST(CircularHost, SendsCodesOfItsWidth) {
   const std::vector<Arc> arcs = {{{8, 9}, 144, {}}, {{2, 12}, 144, 0}};
-  HostOf<Design> host({4}, arcs);
+  HostOf<Design> host(of_width(4), arcs);
   Inputs<Word> in;
   ASSERT_TRUE(host.next(in, {}));
   EXPECT_EQ(to_words(in), (Words<Inputs<Word>>{0, 1, 4, 7, 0b11110, 1, 1, 0}));
-  ASSERT_TRUE(host.next(in, {0, 0, 0}));
-  ASSERT_TRUE(host.next(in, {0, 0, 0}));  // not running: on to the next
+  ASSERT_TRUE(host.next(in, {}));
+  ASSERT_TRUE(host.next(in, {}));  // not running: on to the next
   EXPECT_EQ(host.job(), 1U);
   EXPECT_EQ(to_words(in), (Words<Inputs<Word>>{0, 1, 64 - 14, 1, 0b10101, 1, 1, 0}));
 }
@@ -69,7 +69,7 @@ TEST(CircularHost, DrawsOneArcAfterTheOther) {
   EXPECT_EQ(length(clocks, 1), 1U + 8 + 2);
   EXPECT_EQ(length(clocks, 2), 1U + 2);
   EXPECT_EQ(clocks.size(), 21U + 11 + 3);
-  EXPECT_EQ(clocks.back().outputs.running, 0);
+  EXPECT_EQ(named<Shown>(clocks.back().outputs).running, 0);
 }
 
 TEST(CircularHost, StopsAnArc) {

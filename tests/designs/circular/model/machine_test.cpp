@@ -1,6 +1,4 @@
 // The cycle model of SU 1665343 against the printed tables and the oracle.
-#include "model/circular/machine.h"
-
 #include <gtest/gtest.h>
 
 #include "tests/designs/circular/counts.h"
@@ -15,7 +13,7 @@ namespace {
 
 template <int width>
 const CircularBench& model() {
-  return test::model_bench<Design, Params{width}>();
+  return test::model_bench<Design, of_width(width)>();
 }
 
 TEST(CircularModel, DrawsTheTables) {
@@ -26,13 +24,15 @@ TEST(CircularModel, DrawsTheTables) {
 
 // The codes of Table 2's counters, sign and four digits, at the least width that holds R = 12.
 TEST(CircularModel, HoldsTheCodesOfTable2) {
-  const Params p{4};
-  const auto code8 = [&](Word ct8) { return registers(p, State<Word>{1, 0, 3, 0, ct8}).ct8; };
+  const auto codes = [](const Held& numbers) {
+    return named<Held>(Design::registers(of_width(4), record_of<State<Word>>(numbers)));
+  };
+  const auto code8 = [&](Word ct8) { return codes({1, 0, 3, 0, ct8}).ct8; };
   EXPECT_EQ(code8(6), 0b00110);
   EXPECT_EQ(code8(-1), 0b11110);
   EXPECT_EQ(code8(-9), 0b10110);
-  EXPECT_EQ(registers(p, State<Word>{1, 0, 3, 1, 0}).ct7, 0b00001);
-  EXPECT_EQ(registers(p, State<Word>{1, 0, -49, 0, 0}).f, 0b11001110);  // -12.25 = -110001 / 4
+  EXPECT_EQ(codes({1, 0, 3, 1, 0}).ct7, 0b00001);
+  EXPECT_EQ(codes({1, 0, -49, 0, 0}).f, 0b11001110);  // -12.25 = -110001 / 4
 }
 
 TEST(CircularModelAgainstOracle, EveryRadius) { counted::expect_every_radius(model<12>(), 4095); }
@@ -56,7 +56,7 @@ TEST(CircularModelAgainstOracle, RandomArcs) {
 // On an arc with round(R) < 2^W no register wraps: every number is that of a far wider machine.
 TEST(CircularModel, NeverWrapsOnAnArcOfItsWidth) {
   const auto expect_same = [](int width, std::span<const Arc> arcs) {
-    const Params narrow{width}, wide{32};
+    const Params narrow = of_width(width), wide = of_width(32);
     HostOf<Design> narrow_host(narrow, arcs), wide_host(wide, arcs);
     test::ModelMachine<Design> narrow_machine(narrow), wide_machine(wide);
     Inputs<Word> narrow_in, wide_in;
@@ -82,14 +82,15 @@ TEST(CircularModel, NeverWrapsOnAnArcOfItsWidth) {
 }
 
 // Every number of the state comes back from its code.
-void expect_recovered(const Params& p, const State<Word>& s) {
-  const auto r = registers(p, s);
-  ASSERT_EQ(from_ones_complement(r.f, p.width + 4), s.f);
-  ASSERT_EQ(from_ones_complement(r.ct7, p.width + 1), s.ct7);
-  ASSERT_EQ(from_ones_complement(r.ct8, p.width + 1), s.ct8);
-  ASSERT_NE(r.f, 0);                    // F has no +0
-  ASSERT_NE(r.ct7, ones(p.width + 1));  // the counters have no -0
-  ASSERT_NE(r.ct8, ones(p.width + 1));
+void expect_recovered(const Params& p, const State<Word>& state) {
+  const auto s = named<Held>(state), r = named<Held>(Design::registers(p, state));
+  const int width = width_of(p);
+  ASSERT_EQ(from_ones_complement(r.f, width + 4), s.f);
+  ASSERT_EQ(from_ones_complement(r.ct7, width + 1), s.ct7);
+  ASSERT_EQ(from_ones_complement(r.ct8, width + 1), s.ct8);
+  ASSERT_NE(r.f, 0);                  // F has no +0
+  ASSERT_NE(r.ct7, ones(width + 1));  // the counters have no -0
+  ASSERT_NE(r.ct8, ones(width + 1));
 }
 
 TEST(CircularReachable, StatesFitTheRegisters) {

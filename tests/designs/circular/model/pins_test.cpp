@@ -4,19 +4,18 @@
 
 #include <string>
 
-#include "model/circular/machine.h"
+#include "tests/designs/circular/records.h"
 #include "tests/support/model_machine.h"
 
 namespace cosim::circular {
 namespace {
 
-using In = Inputs<Word>;
-using Machine = test::ModelMachine<Design>;
+using In = Pins;
 
-constexpr Params kParams{4};
+constexpr Params kParams = of_width(4);
 constexpr Words<Registers<Word>> kCleared = {0, 0, 0b00000011, 0, 0};  // F = +0.75
 
-In rest() { return rest_of<Design>(); }
+In rest() { return {}; }
 In start(In in = rest()) {
   in.start = 1;
   return in;
@@ -37,16 +36,29 @@ In stop() { return {.stop = 1}; }
 /// Every request at once.
 In all_requests(In in = rest()) { return sector2(start(load(21, 9, 19, in))); }
 
+class TestedMachine : test::ModelMachine<Design> {
+  using Base = test::ModelMachine<Design>;
+
+ public:
+  using Base::Base;
+  Shown clock(const In& in) {
+    return named<Shown>(Base::clock(record_of<circular::Inputs<Word>>(in)));
+  }
+  Held numbers() const { return named<Held>(state); }
+  Held codes() const { return named<Held>(Base::registers()); }
+  auto words() const { return to_words(Base::registers()); }
+};
+
 class CircularPins : public testing::Test {
  protected:
   void clock(std::initializer_list<In> inputs) {
     for (const In& in : inputs) machine.clock(in);
   }
-  Registers<Word> registers() const { return machine.registers(); }
-  auto words() const { return test::register_words(machine); }
+  Held registers() const { return machine.codes(); }
+  auto words() const { return machine.words(); }
 
   // One clock as a letter: '|' '/' '-' the steps, '.' running without one, ' ' not running.
-  static char letter(const Outputs<Word>& o) {
+  static char letter(const Shown& o) {
     if (o.step_x != 0) return o.step_y != 0 ? '/' : '-';
     if (o.step_y != 0) return '|';
     return o.running != 0 ? '.' : ' ';
@@ -54,19 +66,19 @@ class CircularPins : public testing::Test {
   // Clocks at rest until the machine is idle.
   std::string finish() {
     std::string steps;
-    while (machine.state.t4 != 0) steps += letter(machine.clock(rest()));
+    while (machine.numbers().t4 != 0) steps += letter(machine.clock(rest()));
     return steps;
   }
   // The machine `clocks` clocks after the start of the arc of R = 12.
-  static Machine in_the_arc(int clocks) {
-    Machine m(kParams);
+  static TestedMachine in_the_arc(int clocks) {
+    TestedMachine m(kParams);
     m.clock(load_r12());
     if (clocks > 0) m.clock(start());
     for (int i = 1; i < clocks; ++i) m.clock(rest());
     return m;
   }
 
-  Machine machine{kParams};
+  TestedMachine machine{kParams};
 };
 
 constexpr const char* kR12 = "|||/|/|//./-/-/---.";  // the correction, and the end
@@ -100,8 +112,8 @@ TEST_F(CircularPins, ResetAndStopClearWheneverTheyCome) {
 TEST_F(CircularPins, NoStepComesWithStop) {
   for (int clocks = 1; clocks <= 22; ++clocks) {
     machine = in_the_arc(clocks);
-    const Word running = machine.state.t4;
-    const Outputs<Word> o = machine.clock(stop());
+    const Word running = machine.numbers().t4;
+    const Shown o = machine.clock(stop());
     EXPECT_EQ(o.step_x, 0);
     EXPECT_EQ(o.step_y, 0);
     EXPECT_EQ(o.running, running);
@@ -117,11 +129,11 @@ TEST_F(CircularPins, TheStepComesWithReset) {
 
 TEST_F(CircularPins, RequestsWhileAnArcRunsChangeNothing) {
   machine = in_the_arc(1);
-  Machine disturbed = machine;
-  while (machine.state.t4 != 0) {
-    const auto expected = to_words(machine.clock(rest()));
-    EXPECT_EQ(to_words(disturbed.clock(all_requests())), expected);
-    EXPECT_EQ(test::register_words(disturbed), words());
+  TestedMachine disturbed = machine;
+  while (machine.numbers().t4 != 0) {
+    const Shown expected = machine.clock(rest());
+    EXPECT_EQ(disturbed.clock(all_requests()), expected);
+    EXPECT_EQ(disturbed.words(), words());
   }
 }
 
@@ -193,44 +205,44 @@ TEST_F(CircularPins, NothingAskedNothingDone) {
 TEST_F(CircularPins, CountersWrapWithTheCarryEndAround) {
   clock({start(load(5, 15, 11)), rest()});  // up from 15
   EXPECT_EQ(registers().ct7, 0b10000);      // -15
-  EXPECT_EQ(machine.state.ct7, -15);
+  EXPECT_EQ(machine.numbers().ct7, -15);
   clock({stop(), sector2(start(load(5, 3, 0b10000))), rest()});  // a diagonal: down two from -15
   EXPECT_EQ(registers().ct8, 0b01110);                           // 14
-  EXPECT_EQ(machine.state.ct8, 14);
+  EXPECT_EQ(machine.numbers().ct8, 14);
 }
 
 // Channel 3 takes CT7's code with a 1 behind it, every digit inverted: of 10000, which is -15, it
 // makes 011110, which is 30.
 TEST_F(CircularPins, AStepToACt7BelowZeroAddsTwiceItsSize) {
   clock({start(load(0, 15, 11)), rest()});
-  EXPECT_EQ(machine.state.ct7, -15);
-  EXPECT_EQ(machine.state.f, 4 * 30 + 3);
+  EXPECT_EQ(machine.numbers().ct7, -15);
+  EXPECT_EQ(machine.numbers().f, 4 * 30 + 3);
 }
 
 // F of 8 bits holds quarters from -127 to 127: -31.25 - 2(-12) ... goes out of range below.
 TEST_F(CircularPins, FWrapsWithTheCarryEndAround) {
   // Straight in Y from CT7 = 10 to 11 with F = 0.75 - 23 = -22.25, in range.
   clock({start(load(0, 10, 11)), rest()});
-  EXPECT_EQ(machine.state.f, -89);
+  EXPECT_EQ(machine.numbers().f, -89);
   // Diagonal in sector 1 with F = -31.25 and CT8 = -15 .. is the correction; so CT8 = 0, after it
   // -2: F - 3 = -34.25, that is -137 + 255 quarters.
   clock({stop(), start(load(32, 10, 0)), rest()});
-  EXPECT_EQ(machine.state.ct8, -2);
-  EXPECT_EQ(machine.state.f, 4 * -32 + 3 - 12 + 255);
+  EXPECT_EQ(machine.numbers().ct8, -2);
+  EXPECT_EQ(machine.numbers().f, 4 * -32 + 3 - 12 + 255);
 }
 
 // Where sector 1 begins with CT8 below zero the correction comes first; by its parity the code
 // counts as -1 or -2.
 TEST_F(CircularPins, ANegativeCt8IsCorrectedByItsParity) {
   clock({start(load(5, 9, 0b11100)), rest()});  // -3, as -1: F + 2 * 9, X - 1 = 8, X - Y = 0
-  EXPECT_EQ(machine.state.f, 4 * (5 + 18) + 3);
-  EXPECT_EQ(machine.state.ct7, 8);
-  EXPECT_EQ(machine.state.ct8, 0);
-  EXPECT_EQ(machine.state.t16, 1);
+  EXPECT_EQ(machine.numbers().f, 4 * (5 + 18) + 3);
+  EXPECT_EQ(machine.numbers().ct7, 8);
+  EXPECT_EQ(machine.numbers().ct8, 0);
+  EXPECT_EQ(machine.numbers().t16, 1);
   clock({stop(), start(load(5, 9, 0b11011)), rest()});  // -4, as -2: F + 2 * 8 + 1
-  EXPECT_EQ(machine.state.f, 4 * (5 + 17) + 3);
-  EXPECT_EQ(machine.state.ct7, 7);
-  EXPECT_EQ(machine.state.ct8, -1);
+  EXPECT_EQ(machine.numbers().f, 4 * (5 + 17) + 3);
+  EXPECT_EQ(machine.numbers().ct7, 7);
+  EXPECT_EQ(machine.numbers().ct8, -1);
 }
 
 }  // namespace

@@ -5,8 +5,8 @@
 // on; in sector 1 each of them is one in Y.
 #include <gtest/gtest.h>
 
-#include "model/circular/job.h"
 #include "model/circular/oracle.h"
+#include "tests/designs/circular/records.h"
 #include "tests/rtl/straight.h"
 #include "tests/support/point.h"
 
@@ -14,7 +14,6 @@ namespace cosim::circular {
 namespace {
 
 using test::expect_found, test::expect_same;
-using Pins = Inputs<Word>;
 using Script = test::Script<Design>;
 using Variant = test::Variant<Design>;
 using Points = std::vector<Point>;
@@ -36,8 +35,9 @@ Pins load(int width, std::int64_t radius) {
 
 /// The arc, and `clocks` clocks after its start.
 Script arc(int width, std::int64_t radius, std::int64_t clocks) {
-  Script script = {load(width, radius)};
-  script[0].start = 1;
+  Pins start = load(width, radius);
+  start.start = 1;
+  Script script = {record_of<Inputs<Word>>(start)};
   script.resize(static_cast<std::size_t>(clocks) + 1, rest_of<Design>());
   return script;
 }
@@ -48,9 +48,9 @@ Script arc(int width, std::int64_t radius) { return arc(width, radius, 2 * radiu
 Points drawn(const Variant& variant, const Script& script, std::int64_t radius) {
   Points points = {{radius, 0}};
   for (const auto& clock : test::play(variant, script)) {
-    const auto& out = clock.outputs;
-    if (out.step_x == 0 && out.step_y == 0) continue;
-    points.push_back({points.back().x - out.step_x, points.back().y + out.step_y});
+    const Point step = step_of(clock.outputs);
+    if (step == Point{}) continue;
+    points.push_back({points.back().x + step.x, points.back().y + step.y});
   }
   return points;
 }
@@ -178,9 +178,7 @@ TEST(CircularW4Errata, C5IsFoundByLockstep) {
   for (int step = 0; step < 9; ++step) r.step(true);
   ASSERT_EQ(r.p, (Point{11, 9}));
   ASSERT_LT(r.f, 0);  // a diagonal step is next
-  const auto code = [](std::int64_t f) {
-    return to_ones_complement_minus_zero(shift_left(f, 2) + 3, 4 + 4);
-  };
+  const auto code = [](std::int64_t f) { return to_ones_complement(shift_left(f, 2) + 3, 4 + 4); };
   expect_found(printed("c5"), arc(4, 14), {1 + 10, "f", code(r.f - 1), code(r.f)});
 }
 
@@ -195,7 +193,7 @@ TEST(CircularW4Errata, C5AsShippedDrawsEveryRadius) {
 /// takes F to -2.25 and CT7 to 5 at (11, 5).
 Script disturbed(const Pins& request) {
   Script script = arc(4, 12, 40);
-  script[5] = request;
+  script[5] = record_of<Inputs<Word>>(request);
   return script;
 }
 
@@ -230,7 +228,8 @@ TEST(CircularW4Errata, C10AsShippedLetsNoRequestDisturbAnArc) {
   for (const Pins& request : {load(4, 5), level34(), start, all}) {
     Script script = arc(4, 12, 40);
     // Running from clock 1: the steps, the correction and the end.
-    for (std::int64_t c = 1; c <= steps + 2; ++c) script[static_cast<std::size_t>(c)] = request;
+    for (std::int64_t c = 1; c <= steps + 2; ++c)
+      script[static_cast<std::size_t>(c)] = record_of<Inputs<Word>>(request);
     EXPECT_EQ(drawn(shipped(4), script, 12), exact(12));
     expect_same(shipped(4), script);
   }

@@ -28,8 +28,8 @@ TEST(CircularNetlist, MatchesOnHostileClocksAndDrawsEveryArc) {
   if (bench == nullptr) GTEST_SKIP() << "no yosys";
   test::expect_match_on_hostile_clocks(*bench);
   printed::expect_tables(*bench);
-  counted::expect_every_start(*bench, ones(bench->params().width));
-  counted::expect_every_stop(*bench, ones(bench->params().width));
+  counted::expect_every_start(*bench, ones(width_of(bench->params())));
+  counted::expect_every_stop(*bench, ones(width_of(bench->params())));
 }
 
 }  // namespace

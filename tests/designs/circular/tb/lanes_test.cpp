@@ -26,7 +26,7 @@ TEST(CircularLanes, AreJudgedByTheOracle) {
   const Sweep sweep = drawn_sweep_of_one<ArcFigures>(
       smallest(), "arcs", 5000,
       [](std::uint64_t i) {
-        return i == 4321 ? Arc{{9, 0}, 144, {}} : random_arc(smallest().params(), 1, i);
+        return i == 4321 ? Arc{{9, 0}, 144, {}} : random_arc(width_of(smallest().params()), 1, i);
       },
       [](const Arc&) { return "case"; });
   const Result alone = run_sweep(sweep, 1);

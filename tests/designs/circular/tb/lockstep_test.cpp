@@ -12,8 +12,8 @@ namespace {
 using Param = const CircularBench*;
 
 auto widths(int least, int most) {
-  return testing::ValuesIn(
-      test::benches_with<Design>([=](Params p) { return p.width >= least && p.width <= most; }));
+  return testing::ValuesIn(test::benches_with<Design>(
+      [=](const Params& p) { return width_of(p) >= least && width_of(p) <= most; }));
 }
 
 class PrintedArc : public testing::TestWithParam<Param> {};
@@ -23,19 +23,19 @@ INSTANTIATE_TEST_SUITE_P(Circular, PrintedArc, widths(4, 32), test::name_of_shap
 // Up to R = 4095, or all that the width holds.
 class EveryRadius : public testing::TestWithParam<Param> {};
 TEST_P(EveryRadius, Matches) {
-  counted::expect_every_radius(*GetParam(), ones(GetParam()->params().width));
+  counted::expect_every_radius(*GetParam(), ones(width_of(GetParam()->params())));
 }
 INSTANTIATE_TEST_SUITE_P(Circular, EveryRadius, widths(4, 12), test::name_of_shape<Param>);
 
 class EveryStart : public testing::TestWithParam<Param> {};
 TEST_P(EveryStart, Matches) {
-  counted::expect_every_start(*GetParam(), ones(GetParam()->params().width));
+  counted::expect_every_start(*GetParam(), ones(width_of(GetParam()->params())));
 }
 INSTANTIATE_TEST_SUITE_P(Circular, EveryStart, widths(4, 8), test::name_of_shape<Param>);
 
 class EveryStop : public testing::TestWithParam<Param> {};
 TEST_P(EveryStop, Matches) {
-  counted::expect_every_stop(*GetParam(), std::min(ones(GetParam()->params().width), Word{40}));
+  counted::expect_every_stop(*GetParam(), std::min(ones(width_of(GetParam()->params())), Word{40}));
 }
 INSTANTIATE_TEST_SUITE_P(Circular, EveryStop, widths(4, 8), test::name_of_shape<Param>);
 
@@ -46,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(Circular, RandomArcs, widths(4, 32), test::name_of_shap
 // The largest quarter of the width.
 class LargestQuarter : public testing::TestWithParam<Param> {};
 TEST_P(LargestQuarter, Matches) {
-  const std::int64_t radius = ones(GetParam()->params().width);
+  const std::int64_t radius = ones(width_of(GetParam()->params()));
   const std::vector<Arc> arcs = {{{radius, 0}, static_cast<std::uint64_t>(radius * radius), {}}};
   const Result result = drawn<ArcFigures, Design>(*GetParam(), arcs, 1);
   EXPECT_TRUE(result.match()) << test::explain(result);
@@ -59,7 +59,7 @@ INSTANTIATE_TEST_SUITE_P(Circular, LargestQuarter, widths(4, 24), test::name_of_
 // the only one without, and an arc from sector 2 has none.
 class OneStepAClock : public testing::TestWithParam<Param> {};
 TEST_P(OneStepAClock, ButOneAtTheSectorChange) {
-  const std::int64_t last = std::min(ones(GetParam()->params().width), Word{40});
+  const std::int64_t last = std::min(ones(width_of(GetParam()->params())), Word{40});
   for (std::int64_t radius = 1; radius <= last; ++radius) {
     const auto radius2 = static_cast<std::uint64_t>(radius * radius);
     std::vector<Arc> arcs;
@@ -70,11 +70,11 @@ TEST_P(OneStepAClock, ButOneAtTheSectorChange) {
     for (std::size_t i = 0; i < arcs.size(); ++i) {
       SCOPED_TRACE(testing::Message() << "R = " << radius << " from (" << arcs[i].from.x << ", "
                                       << arcs[i].from.y << ")");
-      EXPECT_EQ(clocks[at].outputs.running, 0);  // the start
+      EXPECT_EQ(named<Shown>(clocks[at].outputs).running, 0);  // the start
       std::int64_t steps = 0, without = 0;
-      for (++at; clocks[at].outputs.running != 0; ++at) {
+      for (++at; named<Shown>(clocks[at].outputs).running != 0; ++at) {
         ASSERT_EQ(clocks[at].job, i);
-        const bool step = (clocks[at].outputs.step_x | clocks[at].outputs.step_y) != 0;
+        const bool step = step_of(clocks[at].outputs) != Point{};
         ++(step ? steps : without);
         EXPECT_TRUE(step || steps > 0 || arcs[i].from.x == 0);  // the first clock has a step
       }

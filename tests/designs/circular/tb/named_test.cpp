@@ -7,10 +7,10 @@
 
 #include <functional>
 
-#include "model/circular/job.h"
 #include "model/core/input_error.h"
 #include "tb/bench/design_bench.h"
 #include "tb/support/random.h"
+#include "tests/designs/circular/records.h"
 #include "tests/support/error_of.h"
 
 namespace cosim::circular {
@@ -18,7 +18,7 @@ namespace {
 
 struct Trait {
   using Design = circular::Design;
-  static constexpr Params params{4};
+  static constexpr Params params = of_width(4);
   static constexpr const char* title = "circular W=4";
   static constexpr const char* clock = "clk";
   static constexpr const char* registers = "";

@@ -235,7 +235,7 @@ struct DesignOf : JobRecords<FirstModel, More...>,
       ((codes.template leaf<I>() = s.template leaf<I>()), ...);
     }
     (std::make_index_sequence<Registers<V>::Table::leaves>());
-    const auto fields = Registers<V>::fields(p);
+    const auto& fields = Registers<V>::fields(p);
     cosim::for_each_cell<Registers<V>>([&](auto cell, std::size_t i) {
       const Field& f = fields[i];
       if (f.width == 0) cell(codes) = V(0);

@@ -206,18 +206,26 @@ struct RecordTable {
 /// The same of the registers: an Auxiliary is as a cell that the shape does not have.
 template <class... T>
 struct RegisterTable : RecordTable<T...> {
-  static constexpr auto fields(const Shape& shape) {
-    using Base = RecordTable<T...>;
-    auto all = Base::fields(shape);
-    std::size_t i = 0;
-    for (const Leaf& leaf : leaves_of<typename Base::First>) {
-      for (std::size_t k = Base::first[i]; k < Base::first[i + 1]; ++k) {
-        if (leaf.is_auxiliary) all[k].width = 0;
+  using Base = RecordTable<T...>;
+  static constexpr const std::array<Field, Base::size>& fields(const Shape& shape) {
+    return fields_[std::size_t(shape.number)];
+  }
+
+ private:
+  static constexpr auto fields_ = [] {
+    std::array<std::array<Field, Base::size>, sizeof...(T)> all{};
+    for (int number = 0; number < int(sizeof...(T)); ++number) {
+      all[std::size_t(number)] = Base::fields({number});
+      std::size_t i = 0;
+      for (const Leaf& leaf : leaves_of<typename Base::First>) {
+        for (std::size_t k = Base::first[i]; k < Base::first[i + 1]; ++k) {
+          if (leaf.is_auxiliary) all[std::size_t(number)][k].width = 0;
+        }
+        ++i;
       }
-      ++i;
     }
     return all;
-  }
+  }();
 };
 
 template <class V, std::size_t I, int CAPACITY>
@@ -252,7 +260,7 @@ struct ModelRecord : RecordMembers<V, Of, std::make_index_sequence<Of::leaves>> 
     }
     (std::make_index_sequence<Of::leaves>());
   }
-  static constexpr auto fields(const Shape& shape) { return Of::fields(shape); }
+  static constexpr const auto& fields(const Shape& shape) { return Of::fields(shape); }
   static constexpr auto job_fields(const Shape& shape) { return Of::job_fields(shape); }
   /// Cells that a shape does not have are always 0.
   static constexpr void trim(const Shape&, ModelRecord&) {}

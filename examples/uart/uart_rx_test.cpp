@@ -4,7 +4,7 @@
 #include <deque>
 #include <vector>
 
-#include "tb/gtest/directed.h"
+#include "tb/sweep/directed.h"
 #include "uart_rx.h"
 
 namespace {

@@ -1,7 +1,7 @@
 // The commands of the harness itself. Each adds itself to the program.
 #pragma once
 
-#include "tb/program/command.h"
+#include "tb/cli/command.h"
 
 namespace cosim::cli {
 

@@ -10,20 +10,20 @@
 #include <memory>
 
 #include "model/core/input_error.h"
+#include "tb/cli/chosen.h"
 #include "tb/cli/commands.h"
-#include "tb/coverage/asked.h"
-#include "tb/coverage/main_of.h"
-#include "tb/program/chosen.h"
-#include "tb/program/common.h"
-#include "tb/program/full.h"
-#include "tb/program/number.h"
-#include "tb/program/outputs.h"
-#include "tb/program/registry.h"
-#include "tb/report/report.h"
-#include "tb/support/json.h"
-#include "tb/support/process.h"
-#include "tb/support/words.h"
+#include "tb/cli/common.h"
+#include "tb/cli/full.h"
+#include "tb/cli/number.h"
+#include "tb/cli/outputs.h"
+#include "tb/cli/registry.h"
+#include "tb/sweep/asked.h"
+#include "tb/sweep/main_of.h"
 #include "tb/sweep/progress.h"
+#include "tb/sweep/report.h"
+#include "tb/util/json.h"
+#include "tb/util/process.h"
+#include "tb/util/words.h"
 
 namespace cosim::cli {
 namespace {

@@ -5,11 +5,11 @@
 #include <memory>
 #include <string>
 
+#include "tb/cli/chosen.h"
 #include "tb/cli/commands.h"
-#include "tb/program/chosen.h"
-#include "tb/program/registry.h"
-#include "tb/report/report.h"
-#include "tb/support/words.h"
+#include "tb/cli/registry.h"
+#include "tb/sweep/report.h"
+#include "tb/util/words.h"
 
 namespace cosim::cli {
 

@@ -5,14 +5,14 @@
 #include <utility>
 
 #include "model/core/input_error.h"
-#include "tb/bench/stimulus_text.h"
 #include "tb/cli/commands.h"
-#include "tb/program/common.h"
-#include "tb/program/conclude.h"
-#include "tb/program/extent.h"
-#include "tb/program/outputs.h"
-#include "tb/program/wave.h"
-#include "tb/support/words.h"
+#include "tb/cli/common.h"
+#include "tb/cli/conclude.h"
+#include "tb/cli/extent.h"
+#include "tb/cli/outputs.h"
+#include "tb/cli/wave.h"
+#include "tb/sim/stimulus_text.h"
+#include "tb/util/words.h"
 
 namespace cosim::cli {
 namespace {

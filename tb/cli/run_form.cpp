@@ -8,15 +8,15 @@
 #include <system_error>
 
 #include "model/core/input_error.h"
-#include "tb/bench/bench.h"
+#include "tb/cli/chosen.h"
 #include "tb/cli/commands.h"
-#include "tb/program/chosen.h"
-#include "tb/program/full.h"
-#include "tb/program/registry.h"
-#include "tb/support/interrupt.h"
-#include "tb/support/leftover.h"
-#include "tb/support/stack.h"
-#include "tb/support/words.h"
+#include "tb/cli/full.h"
+#include "tb/cli/registry.h"
+#include "tb/sim/bench.h"
+#include "tb/util/interrupt.h"
+#include "tb/util/leftover.h"
+#include "tb/util/stack.h"
+#include "tb/util/words.h"
 
 namespace {
 

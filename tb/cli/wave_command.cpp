@@ -7,17 +7,17 @@
 #include <optional>
 
 #include "model/core/input_error.h"
-#include "tb/bench/stimulus_text.h"
+#include "tb/cli/chosen.h"
 #include "tb/cli/commands.h"
-#include "tb/program/chosen.h"
-#include "tb/program/common.h"
-#include "tb/program/extent.h"
-#include "tb/program/number.h"
-#include "tb/program/outputs.h"
-#include "tb/program/wave.h"
-#include "tb/support/process.h"
-#include "tb/support/words.h"
-#include "tb/wave/view.h"
+#include "tb/cli/common.h"
+#include "tb/cli/extent.h"
+#include "tb/cli/number.h"
+#include "tb/cli/outputs.h"
+#include "tb/cli/wave.h"
+#include "tb/show/view.h"
+#include "tb/sim/stimulus_text.h"
+#include "tb/util/process.h"
+#include "tb/util/words.h"
 
 namespace cosim::cli {
 namespace {

@@ -37,7 +37,7 @@ void leave(const std::string& what, const std::string& design, const std::vector
 
 }  // namespace cosim::coverage
 #ifdef COSIM_COVERAGE
-#include "tb/coverage/ways_taken.h"  // which leaves counts
+#include "tb/dut/ways_taken.h"  // which leaves counts
 #endif
 namespace cosim::coverage {
 

@@ -12,8 +12,8 @@
 #include "model/core/input_error.h"
 #include "tb/dut/named_adapter.h"
 #include "tb/dut/registers.h"
-#include "tb/support/place.h"
-#include "tb/support/words.h"
+#include "tb/util/place.h"
+#include "tb/util/words.h"
 
 namespace cosim {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "model/core/input_error.h"
-#include "tb/support/build_targets.h"
+#include "tb/util/build_targets.h"
 
 namespace cosim {
 namespace {

@@ -7,8 +7,8 @@
 #include <span>
 
 #include "model/core/input_error.h"
-#include "tb/support/place.h"
-#include "tb/support/words.h"
+#include "tb/util/place.h"
+#include "tb/util/words.h"
 
 namespace cosim {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "tb/dut/adapter.h"
 #include "tb/dut/nets.h"
-#include "tb/support/words.h"
+#include "tb/util/words.h"
 
 namespace cosim {
 namespace {

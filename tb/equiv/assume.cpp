@@ -8,10 +8,10 @@
 #include "tb/equiv/clocks.h"
 #include "tb/equiv/product.h"
 #include "tb/proof/reach.h"
-#include "tb/support/output_file.h"
-#include "tb/support/pattern.h"
-#include "tb/support/process.h"
-#include "tb/support/words.h"
+#include "tb/util/output_file.h"
+#include "tb/util/pattern.h"
+#include "tb/util/process.h"
+#include "tb/util/words.h"
 
 namespace cosim::equiv {
 namespace {

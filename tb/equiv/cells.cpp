@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "model/core/input_error.h"
-#include "tb/support/words.h"
+#include "tb/util/words.h"
 
 namespace cosim::equiv {
 namespace {

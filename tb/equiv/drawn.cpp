@@ -11,8 +11,8 @@
 
 #include "tb/dut/signal.h"
 #include "tb/equiv/testbench.h"
-#include "tb/support/pattern.h"
-#include "tb/wave/wave.h"
+#include "tb/show/wave.h"
+#include "tb/util/pattern.h"
 
 namespace cosim::equiv {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "tb/equiv/equiv.h"
-#include "tb/wave/picture.h"
+#include "tb/show/picture.h"
 
 namespace cosim::equiv {
 

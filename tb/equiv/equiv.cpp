@@ -14,9 +14,9 @@
 #include "tb/equiv/trust.h"
 #include "tb/equiv/unknown.h"
 #include "tb/proof/reach.h"
-#include "tb/support/output_file.h"
-#include "tb/support/parallel.h"
-#include "tb/support/words.h"
+#include "tb/util/output_file.h"
+#include "tb/util/parallel.h"
+#include "tb/util/words.h"
 
 namespace cosim::equiv {
 namespace {

@@ -9,7 +9,7 @@
 #include "model/core/input_error.h"
 #include "tb/equiv/cells.h"
 #include "tb/equiv/side.h"
-#include "tb/support/words.h"
+#include "tb/util/words.h"
 
 namespace cosim::equiv {
 namespace {

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "model/core/input_error.h"
-#include "tb/support/json.h"
-#include "tb/support/words.h"
+#include "tb/util/json.h"
+#include "tb/util/words.h"
 
 namespace cosim::equiv {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "tb/equiv/cells.h"
-#include "tb/support/words.h"
+#include "tb/util/words.h"
 
 namespace cosim::equiv {
 

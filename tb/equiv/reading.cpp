@@ -3,11 +3,11 @@
 #include <fmt/core.h>
 
 #include "model/core/input_error.h"
-#include "tb/support/output_file.h"
-#include "tb/support/pattern.h"
-#include "tb/support/quoted.h"
-#include "tb/support/read_file.h"
-#include "tb/support/words.h"
+#include "tb/util/output_file.h"
+#include "tb/util/pattern.h"
+#include "tb/util/quoted.h"
+#include "tb/util/read_file.h"
+#include "tb/util/words.h"
 
 namespace cosim::equiv {
 

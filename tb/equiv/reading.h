@@ -9,7 +9,7 @@
 
 #include "tb/equiv/side.h"
 #include "tb/equiv/yosys_messages.h"
-#include "tb/support/process.h"
+#include "tb/util/process.h"
 
 namespace cosim::equiv {
 

@@ -9,9 +9,9 @@
 #include "tb/equiv/simulator.h"
 #include "tb/equiv/stepped.h"
 #include "tb/equiv/vhdl_run.h"
-#include "tb/support/output_file.h"
-#include "tb/support/random.h"
-#include "tb/support/words.h"
+#include "tb/util/output_file.h"
+#include "tb/util/random.h"
+#include "tb/util/words.h"
 
 namespace cosim::equiv {
 namespace {

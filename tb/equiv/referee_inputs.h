@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tb/equiv/referee.h"
-#include "tb/support/random.h"
+#include "tb/util/random.h"
 
 namespace cosim::equiv {
 

@@ -9,8 +9,8 @@
 #include "model/core/input_error.h"
 #include "tb/equiv/clocks.h"
 #include "tb/equiv/stepped.h"
-#include "tb/support/random.h"
-#include "tb/support/words.h"
+#include "tb/util/random.h"
+#include "tb/util/words.h"
 
 namespace cosim::equiv {
 namespace {

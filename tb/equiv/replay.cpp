@@ -9,8 +9,8 @@
 
 #include "tb/equiv/clocks.h"
 #include "tb/equiv/simulator.h"
-#include "tb/support/parallel.h"
-#include "tb/support/process.h"
+#include "tb/util/parallel.h"
+#include "tb/util/process.h"
 
 namespace cosim::equiv {
 namespace {

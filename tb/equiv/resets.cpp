@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tb/equiv/clocks.h"
-#include "tb/support/pattern.h"
+#include "tb/util/pattern.h"
 
 namespace cosim::equiv {
 namespace {

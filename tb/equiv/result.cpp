@@ -6,11 +6,11 @@
 
 #include "tb/equiv/clocks.h"
 #include "tb/equiv/drawn.h"
-#include "tb/report/page.h"
-#include "tb/support/draft.h"
-#include "tb/support/json.h"
-#include "tb/support/quoted.h"
-#include "tb/support/words.h"
+#include "tb/sweep/page.h"
+#include "tb/util/draft.h"
+#include "tb/util/json.h"
+#include "tb/util/quoted.h"
+#include "tb/util/words.h"
 
 namespace cosim::equiv {
 namespace {

@@ -9,9 +9,9 @@
 #include "model/core/input_error.h"
 #include "tb/equiv/cells.h"
 #include "tb/equiv/slang.h"
-#include "tb/support/pattern.h"
-#include "tb/support/read_file.h"
-#include "tb/support/words.h"
+#include "tb/util/pattern.h"
+#include "tb/util/read_file.h"
+#include "tb/util/words.h"
 
 namespace cosim::equiv {
 namespace {

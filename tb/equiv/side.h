@@ -13,7 +13,7 @@
 
 #include "tb/equiv/netlist.h"
 #include "tb/nets/graph.h"
-#include "tb/support/process.h"
+#include "tb/util/process.h"
 
 namespace cosim::equiv {
 

@@ -7,8 +7,8 @@
 
 #include "model/core/input_error.h"
 #include "tb/equiv/reading.h"
-#include "tb/support/output_file.h"
-#include "tb/support/read_file.h"
+#include "tb/util/output_file.h"
+#include "tb/util/read_file.h"
 
 namespace cosim::equiv {
 namespace {

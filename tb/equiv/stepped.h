@@ -10,7 +10,7 @@
 
 #include "tb/equiv/side.h"
 #include "tb/nets/runs.h"
-#include "tb/support/random.h"
+#include "tb/util/random.h"
 
 namespace cosim::equiv {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "tb/support/pattern.h"
+#include "tb/util/pattern.h"
 
 namespace cosim::equiv {
 namespace {

@@ -6,8 +6,8 @@
 #include "tb/equiv/clocks.h"
 #include "tb/equiv/referee.h"
 #include "tb/equiv/slang.h"
-#include "tb/support/parallel.h"
-#include "tb/support/read_file.h"
+#include "tb/util/parallel.h"
+#include "tb/util/read_file.h"
 
 namespace cosim::equiv {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "tb/equiv/clocks.h"
 #include "tb/nets/runs.h"
-#include "tb/support/random.h"
+#include "tb/util/random.h"
 
 namespace cosim::equiv {
 namespace {

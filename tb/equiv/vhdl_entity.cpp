@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "tb/support/pattern.h"
+#include "tb/util/pattern.h"
 
 namespace cosim::equiv {
 namespace {

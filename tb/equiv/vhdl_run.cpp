@@ -11,10 +11,10 @@
 #include <string>
 
 #include "tb/equiv/vhdl_entity.h"
-#include "tb/support/pattern.h"
-#include "tb/support/process.h"
-#include "tb/support/scratch.h"
-#include "tb/support/words.h"
+#include "tb/util/pattern.h"
+#include "tb/util/process.h"
+#include "tb/util/scratch.h"
+#include "tb/util/words.h"
 
 namespace cosim::equiv {
 namespace {

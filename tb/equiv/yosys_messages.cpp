@@ -10,8 +10,8 @@
 #include <sstream>
 
 #include "tb/equiv/yosys_rules.h"
-#include "tb/support/pattern.h"
-#include "tb/support/words.h"
+#include "tb/util/pattern.h"
+#include "tb/util/words.h"
 
 namespace cosim::equiv {
 namespace {

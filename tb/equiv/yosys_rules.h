@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/support/pattern.h"
+#include "tb/util/pattern.h"
 
 namespace cosim::equiv {
 

@@ -7,16 +7,16 @@
 #include <filesystem>
 
 #include "model/core/input_error.h"
-#include "tb/bench/stimulus_text.h"
 #include "tb/full/machine_of.h"
 #include "tb/full/trusted.h"
 #include "tb/proof/from_reset.h"
-#include "tb/report/failure.h"
-#include "tb/support/output_file.h"
-#include "tb/support/parallel.h"
-#include "tb/support/process.h"
-#include "tb/support/words.h"
+#include "tb/sim/stimulus_text.h"
+#include "tb/sweep/failure.h"
 #include "tb/sweep/progress.h"
+#include "tb/util/output_file.h"
+#include "tb/util/parallel.h"
+#include "tb/util/process.h"
+#include "tb/util/words.h"
 
 namespace cosim::cli {
 namespace {

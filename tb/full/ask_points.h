@@ -1,7 +1,7 @@
 // The points of a design's coverage that no sweep reached, asked of the engine from reset on.
 #pragma once
 
-#include "tb/coverage/asked.h"
+#include "tb/sweep/asked.h"
 
 namespace cosim::cli {
 

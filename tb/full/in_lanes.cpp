@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "model/core/input_error.h"
+#include "tb/cli/full.h"
+#include "tb/cli/registry.h"
 #include "tb/full/machine_of.h"
 #include "tb/full/trusted.h"
 #include "tb/lanes/jobs.h"
 #include "tb/lanes/sweep.h"
-#include "tb/program/full.h"
-#include "tb/program/registry.h"
 
 namespace cosim::cli {
 namespace {

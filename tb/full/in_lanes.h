@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "tb/program/command.h"
+#include "tb/cli/command.h"
 #include "tb/sweep/sweep.h"
 
 namespace cosim::cli {

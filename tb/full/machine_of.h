@@ -1,9 +1,9 @@
 // What is known of a bench's RTL and of its model.
 #pragma once
 
-#include "tb/bench/bench.h"
 #include "tb/proof/claims.h"
 #include "tb/proof/machines.h"
+#include "tb/sim/bench.h"
 
 namespace cosim::cli {
 

@@ -7,9 +7,9 @@
 
 #include "model/core/input_error.h"
 #include "tb/full/machine_of.h"
-#include "tb/report/failure.h"
-#include "tb/support/output_file.h"
-#include "tb/support/quoted.h"
+#include "tb/sweep/failure.h"
+#include "tb/util/output_file.h"
+#include "tb/util/quoted.h"
 
 namespace cosim::cli {
 

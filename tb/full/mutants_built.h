@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "tb/bench/bench.h"
-#include "tb/program/registry.h"
-#include "tb/support/process.h"
+#include "tb/cli/registry.h"
+#include "tb/sim/bench.h"
+#include "tb/util/process.h"
 
 namespace cosim::cli {
 

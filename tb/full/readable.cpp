@@ -7,10 +7,10 @@
 #include <set>
 
 #include "model/core/input_error.h"
+#include "tb/cli/registry.h"
 #include "tb/equiv/slang.h"
-#include "tb/program/registry.h"
-#include "tb/support/hash.h"
-#include "tb/support/output_file.h"
+#include "tb/util/hash.h"
+#include "tb/util/output_file.h"
 
 namespace cosim::cli {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "tb/bench/bench.h"
 #include "tb/proof/counterexample.h"
 #include "tb/proof/decide.h"
 #include "tb/proof/from_reset.h"
+#include "tb/sim/bench.h"
 
 namespace cosim::cli {
 

@@ -10,19 +10,19 @@
 #include <vector>
 
 #include "model/core/input_error.h"
+#include "tb/cli/registry.h"
 #include "tb/equiv/referee.h"
 #include "tb/equiv/slang.h"
 #include "tb/full/readable.h"
 #include "tb/nets/runs.h"
-#include "tb/program/registry.h"
 #include "tb/proof/rtl_nets.h"
-#include "tb/support/hash.h"
-#include "tb/support/json.h"
-#include "tb/support/json_at.h"
-#include "tb/support/output_file.h"
-#include "tb/support/place.h"
-#include "tb/support/random.h"
-#include "tb/support/read_file.h"
+#include "tb/util/hash.h"
+#include "tb/util/json.h"
+#include "tb/util/json_at.h"
+#include "tb/util/output_file.h"
+#include "tb/util/place.h"
+#include "tb/util/random.h"
+#include "tb/util/read_file.h"
 
 namespace cosim::cli {
 namespace {

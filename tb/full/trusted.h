@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "tb/bench/bench.h"
 #include "tb/nets/model.h"
 #include "tb/proof/yosys.h"
+#include "tb/sim/bench.h"
 
 namespace cosim::cli {
 

@@ -9,12 +9,12 @@
 #include <system_error>
 
 #include "model/core/input_error.h"
-#include "tb/support/file_lock.h"
-#include "tb/support/hash.h"
-#include "tb/support/leftover.h"
-#include "tb/support/output_file.h"
-#include "tb/support/process.h"
-#include "tb/support/read_file.h"
+#include "tb/util/file_lock.h"
+#include "tb/util/hash.h"
+#include "tb/util/leftover.h"
+#include "tb/util/output_file.h"
+#include "tb/util/process.h"
+#include "tb/util/read_file.h"
 
 namespace cosim::lanes {
 namespace {

@@ -6,10 +6,10 @@
 #include <chrono>
 
 #include "model/core/input_error.h"
-#include "tb/stimulus/hostile.h"
-#include "tb/support/hash.h"
-#include "tb/support/read_file.h"
-#include "tb/support/replace_file.h"
+#include "tb/sim/hostile.h"
+#include "tb/util/hash.h"
+#include "tb/util/read_file.h"
+#include "tb/util/replace_file.h"
 
 namespace cosim::lanes {
 namespace {

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "tb/bench/bench.h"
 #include "tb/lanes/code.h"
 #include "tb/lanes/opencl.h"
 #include "tb/lanes/player.h"
+#include "tb/sim/bench.h"
 
 namespace cosim::lanes {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "tb/lanes/gpu.h"
-#include "tb/stimulus/hostile.h"
+#include "tb/sim/hostile.h"
 
 namespace cosim::lanes {
 namespace {

@@ -18,11 +18,11 @@
 #include <vector>
 
 #include "model/core/input_error.h"
-#include "tb/bench/lane_jobs.h"
 #include "tb/lanes/lane_bits.h"
 #include "tb/lanes/sweep.h"
-#include "tb/support/interrupt.h"
-#include "tb/support/random.h"
+#include "tb/sim/lane_jobs.h"
+#include "tb/util/interrupt.h"
+#include "tb/util/random.h"
 
 namespace cosim::lanes {
 namespace {

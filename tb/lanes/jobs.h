@@ -1,8 +1,8 @@
 // Whole jobs in lanes: each lane has a case, and one that ends it the next on the following clock.
 #pragma once
 
-#include "tb/bench/bench.h"
 #include "tb/lanes/built.h"
+#include "tb/sim/bench.h"
 #include "tb/sweep/sweep.h"
 
 namespace cosim::lanes {

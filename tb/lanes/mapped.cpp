@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "model/core/input_error.h"
-#include "tb/support/process.h"
-#include "tb/support/read_file.h"
+#include "tb/util/process.h"
+#include "tb/util/read_file.h"
 
 namespace cosim::lanes {
 namespace {

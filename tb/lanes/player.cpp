@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "tb/stimulus/hostile.h"
+#include "tb/sim/hostile.h"
 
 namespace cosim::lanes {
 namespace {

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "tb/bench/bench.h"
 #include "tb/lanes/built.h"
+#include "tb/sim/bench.h"
 
 namespace cosim::lanes {
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "tb/support/random.h"
+#include "tb/util/random.h"
 
 namespace cosim::lanes {
 namespace {

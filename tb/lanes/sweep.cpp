@@ -13,8 +13,8 @@
 #include "tb/lanes/code.h"
 #include "tb/lanes/gpu.h"
 #include "tb/lanes/player.h"
-#include "tb/support/pattern.h"
-#include "tb/support/read_file.h"
+#include "tb/util/pattern.h"
+#include "tb/util/read_file.h"
 
 namespace cosim::lanes {
 namespace {

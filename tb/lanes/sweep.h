@@ -7,11 +7,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "tb/bench/bench.h"
 #include "tb/lanes/built.h"
 #include "tb/lanes/gpu.h"
 #include "tb/nets/played.h"
 #include "tb/proof/yosys.h"
+#include "tb/sim/bench.h"
 #include "tb/sweep/sweep.h"
 
 namespace cosim::lanes {

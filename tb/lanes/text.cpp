@@ -2,7 +2,7 @@
 #include <fmt/core.h>
 
 #include "tb/lanes/code.h"
-#include "tb/stimulus/hostile.h"
+#include "tb/sim/hostile.h"
 
 namespace cosim::lanes {
 namespace {

@@ -9,7 +9,7 @@
 #include "model/core/input_error.h"
 #include "tb/mutation/stream_lanes.h"
 #include "tb/stream/bench.h"
-#include "tb/support/interrupt.h"
+#include "tb/util/interrupt.h"
 
 namespace cosim::mutation {
 namespace {

@@ -11,10 +11,10 @@
 #include <utility>
 
 #include "model/core/input_error.h"
-#include "tb/report/report.h"
-#include "tb/support/json.h"
-#include "tb/support/parallel.h"
-#include "tb/support/words.h"
+#include "tb/sweep/report.h"
+#include "tb/util/json.h"
+#include "tb/util/parallel.h"
+#include "tb/util/words.h"
 
 namespace cosim::mutation {
 

@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-#include "tb/lockstep/replay.h"
 #include "tb/mutation/mutants.h"
+#include "tb/sim/replay.h"
 #include "tb/sweep/sweep.h"
 
 namespace cosim::mutation {

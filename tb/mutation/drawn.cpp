@@ -8,12 +8,12 @@
 #include <mutex>
 #include <numeric>
 
-#include "tb/support/json.h"
-#include "tb/support/json_at.h"
-#include "tb/support/output_file.h"
-#include "tb/support/parallel.h"
-#include "tb/support/random.h"
-#include "tb/support/read_file.h"
+#include "tb/util/json.h"
+#include "tb/util/json_at.h"
+#include "tb/util/output_file.h"
+#include "tb/util/parallel.h"
+#include "tb/util/random.h"
+#include "tb/util/read_file.h"
 
 namespace cosim::mutation {
 

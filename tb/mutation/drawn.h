@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "tb/bench/design_bench.h"
 #include "tb/mutation/cases.h"
 #include "tb/mutation/mutants.h"
 #include "tb/mutation/subject.h"
+#include "tb/sim/design_bench.h"
 
 namespace cosim::mutation {
 

@@ -12,7 +12,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/proof/located.h"
-#include "tb/support/random.h"
+#include "tb/util/random.h"
 
 namespace cosim::mutation {
 namespace {

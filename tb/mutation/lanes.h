@@ -10,9 +10,9 @@
 #include <string>
 #include <vector>
 
-#include "tb/bench/bench.h"
 #include "tb/nets/planes.h"
 #include "tb/proof/rtl_nets.h"
+#include "tb/sim/bench.h"
 
 namespace cosim::mutation {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/bench/bench.h"
+#include "tb/sim/bench.h"
 
 namespace cosim {
 class StreamDut;

@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "tb/support/output_file.h"
-#include "tb/support/pattern.h"
-#include "tb/support/process.h"
-#include "tb/support/quoted.h"
-#include "tb/support/read_file.h"
-#include "tb/support/words.h"
+#include "tb/util/output_file.h"
+#include "tb/util/pattern.h"
+#include "tb/util/process.h"
+#include "tb/util/quoted.h"
+#include "tb/util/read_file.h"
+#include "tb/util/words.h"
 
 namespace cosim::mutation {
 namespace {

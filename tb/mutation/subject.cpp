@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "tb/support/parallel.h"
+#include "tb/util/parallel.h"
 
 namespace cosim::mutation {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/nets/blif.h"
-#include "tb/support/words.h"
+#include "tb/util/words.h"
 
 namespace cosim::nets {
 namespace {

@@ -12,7 +12,7 @@
 #include "model/core/input_error.h"
 #include "tb/nets/btor2.h"
 #include "tb/nets/words.h"
-#include "tb/support/words.h"
+#include "tb/util/words.h"
 
 namespace cosim::nets {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tb/nets/number.h"
-#include "tb/stimulus/hostile_draw.h"
+#include "tb/sim/hostile_draw.h"
 
 namespace cosim::nets {
 

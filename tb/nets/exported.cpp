@@ -8,8 +8,8 @@
 
 #include "model/core/input_error.h"
 #include "tb/nets/btor2.h"
-#include "tb/support/read_file.h"
-#include "tb/support/words.h"
+#include "tb/util/read_file.h"
+#include "tb/util/words.h"
 
 namespace cosim::nets {
 

@@ -65,7 +65,7 @@ std::vector<bool> driver_bits(const typename Design::Params& p) {
 }
 
 // What is held of a job: whether it was over on the last clock, what it begins with, as JobLayout
-// (tb/bench/lane_jobs.h) has it, and the driver.
+// (tb/sim/lane_jobs.h) has it, and the driver.
 template <class Design>
 struct HeldJob {
   TaskOf<Design, Number> task;

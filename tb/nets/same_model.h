@@ -16,7 +16,7 @@
 #include "tb/nets/jobs.h"
 #include "tb/nets/model.h"
 #include "tb/nets/runs.h"
-#include "tb/support/random.h"
+#include "tb/util/random.h"
 
 namespace cosim::nets {
 

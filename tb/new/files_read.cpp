@@ -5,7 +5,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/new/verilog_words.h"
-#include "tb/support/read_file.h"
+#include "tb/util/read_file.h"
 
 namespace cosim::cli {
 

@@ -10,8 +10,8 @@
 #include <set>
 
 #include "tb/new/found_shape.h"
-#include "tb/support/parallel.h"
-#include "tb/support/words.h"
+#include "tb/util/parallel.h"
+#include "tb/util/words.h"
 
 namespace cosim::cli {
 namespace {

@@ -8,8 +8,8 @@
 #include "model/core/input_error.h"
 #include "rtl_reader.h"
 #include "tb/rtl/plain_verilog.h"
-#include "tb/support/output_file.h"
-#include "tb/support/words.h"
+#include "tb/util/output_file.h"
+#include "tb/util/words.h"
 
 namespace cosim::cli {
 

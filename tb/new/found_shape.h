@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "tb/new/found.h"
-#include "tb/support/process.h"
 #include "tb/sweep/progress.h"
+#include "tb/util/process.h"
 
 namespace cosim::cli {
 

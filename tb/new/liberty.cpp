@@ -13,7 +13,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/new/liberty_groups.h"
-#include "tb/support/pattern.h"
+#include "tb/util/pattern.h"
 
 namespace cosim::cli {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "model/core/input_error.h"
 #include "tb/new/new.h"
-#include "tb/support/pattern.h"
-#include "tb/support/words.h"
+#include "tb/util/pattern.h"
+#include "tb/util/words.h"
 
 namespace cosim::cli {
 

@@ -4,7 +4,7 @@
 
 #include "first_designs.h"
 #include "tb/new/new.h"
-#include "tb/support/quoted.h"
+#include "tb/util/quoted.h"
 
 namespace cosim::cli {
 namespace {

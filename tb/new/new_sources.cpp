@@ -10,8 +10,8 @@
 #include "model/core/input_error.h"
 #include "tb/new/verilog_words.h"
 #include "tb/rtl/plain_verilog.h"
-#include "tb/support/read_file.h"
-#include "tb/support/words.h"
+#include "tb/util/read_file.h"
+#include "tb/util/words.h"
 
 namespace cosim::cli {
 namespace {

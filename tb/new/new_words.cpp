@@ -5,7 +5,7 @@
 #include <cctype>
 
 #include "tb/new/new.h"
-#include "tb/support/words.h"
+#include "tb/util/words.h"
 
 namespace cosim::cli {
 

@@ -10,7 +10,7 @@
 #include "model/core/input_error.h"
 #include "tb/rtl/lexer.h"
 #include "tb/rtl/verilog.h"
-#include "tb/support/pattern.h"
+#include "tb/util/pattern.h"
 
 namespace cosim::cli {
 namespace {

@@ -23,7 +23,7 @@
 #
 #   cosim_add_program(TARGET       a program with every command for all designs added so far
 #     [SOURCES file.cpp...] [LIBRARIES target...]
-#     [REGISTER name...]           calls cosim::name::add_to(registry), tb/program/registry.h: what they add
+#     [REGISTER name...]           calls cosim::name::add_to(registry), tb/cli/registry.h: what they add
 #     [THEOREMS name...]           and cosim::name::theorems(), tb/proof/theorems.h
 #     [JOBS design=header...])     what more its mutants are attacked with, tb/mutation/cases.h
 #   cosim_add_tests(TARGET         CTest tests of its designs, each with its kind as its label:
@@ -51,8 +51,8 @@ include(${CMAKE_CURRENT_LIST_DIR}/design_control.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/design_open.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/design_struct.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/design_program.cmake)
-include(${CMAKE_CURRENT_LIST_DIR}/../gtest/design_gtest.cmake)  # cosim_add_gtest(): tests by hand
-include(${CMAKE_CURRENT_LIST_DIR}/../coverage/design_cover.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/design_gtest.cmake)  # cosim_add_gtest(): tests by hand
+include(${CMAKE_CURRENT_LIST_DIR}/design_cover.cmake)
 
 # Files that are there, as absolute paths.
 function(cosim_files variable what)

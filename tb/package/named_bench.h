@@ -6,10 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "tb/bench/design_bench.h"
 #include "tb/dut/named_adapter.h"
 #include "tb/dut/open_dut.h"
 #include "tb/dut/registers.h"
+#include "tb/sim/design_bench.h"
 #ifdef COSIM_STREAMS  // the model, which is read before, has read model/clocked/stream.h
 #include "tb/stream/stream_bench.h"
 #endif

@@ -2,8 +2,8 @@
 
 #include <set>
 
-#include "tb/support/pattern.h"
-#include "tb/support/read_file.h"
+#include "tb/util/pattern.h"
+#include "tb/util/read_file.h"
 
 namespace cosim::proof {
 

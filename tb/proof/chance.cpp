@@ -8,8 +8,8 @@
 #include <array>
 #include <bit>
 
-#include "tb/support/interrupt.h"
-#include "tb/support/random.h"
+#include "tb/util/interrupt.h"
+#include "tb/util/random.h"
 
 namespace cosim::proof {
 namespace {

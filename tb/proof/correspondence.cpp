@@ -11,7 +11,7 @@
 
 #include "tb/proof/chance.h"
 #include "tb/proof/sat.h"
-#include "tb/support/random.h"
+#include "tb/util/random.h"
 
 namespace cosim::proof {
 namespace {

@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 
 #include "tb/proof/terms.h"
-#include "tb/support/show.h"
+#include "tb/util/show.h"
 
 namespace cosim::proof {
 namespace {

@@ -9,7 +9,7 @@
 #include <mutex>
 #include <utility>
 
-#include "tb/support/parallel.h"
+#include "tb/util/parallel.h"
 
 namespace cosim::proof {
 namespace {

@@ -12,10 +12,10 @@
 
 #include "tb/proof/correspondence.h"
 #include "tb/proof/sat.h"
-#include "tb/support/output_file.h"
-#include "tb/support/process.h"
-#include "tb/support/read_file.h"
-#include "tb/support/words.h"
+#include "tb/util/output_file.h"
+#include "tb/util/process.h"
+#include "tb/util/read_file.h"
+#include "tb/util/words.h"
 
 namespace cosim::proof {
 namespace {

@@ -9,7 +9,7 @@
 #include "model/core/input_error.h"
 #include "tb/proof/counterexample.h"
 #include "tb/proof/mutant_questions.h"
-#include "tb/support/parallel.h"
+#include "tb/util/parallel.h"
 
 namespace cosim::proof {
 

@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 
 #include "model/core/input_error.h"
-#include "tb/support/place.h"
+#include "tb/util/place.h"
 
 namespace cosim::proof {
 namespace {

@@ -13,11 +13,11 @@
 
 #include "model/core/input_error.h"
 #include "tb/proof/chance.h"
-#include "tb/support/output_file.h"
-#include "tb/support/parallel.h"
-#include "tb/support/pattern.h"
-#include "tb/support/process.h"
-#include "tb/support/read_file.h"
+#include "tb/util/output_file.h"
+#include "tb/util/parallel.h"
+#include "tb/util/pattern.h"
+#include "tb/util/process.h"
+#include "tb/util/read_file.h"
 
 namespace cosim::proof {
 namespace {

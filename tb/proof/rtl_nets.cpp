@@ -8,9 +8,9 @@
 
 #include "model/core/input_error.h"
 #include "tb/equiv/cells.h"
-#include "tb/support/process.h"
-#include "tb/support/read_file.h"
-#include "tb/support/words.h"
+#include "tb/util/process.h"
+#include "tb/util/read_file.h"
+#include "tb/util/words.h"
 
 namespace cosim::proof {
 namespace {

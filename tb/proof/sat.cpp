@@ -3,7 +3,7 @@
 #include <cadical.hpp>
 #include <utility>
 
-#include "tb/support/interrupt.h"
+#include "tb/util/interrupt.h"
 
 namespace cosim::proof {
 

@@ -7,10 +7,10 @@
 #include <string_view>
 
 #include "model/core/input_error.h"
-#include "tb/support/output_file.h"
-#include "tb/support/place.h"
-#include "tb/support/process.h"
-#include "tb/support/quoted.h"
+#include "tb/util/output_file.h"
+#include "tb/util/place.h"
+#include "tb/util/process.h"
+#include "tb/util/quoted.h"
 
 namespace cosim::proof {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <sstream>
 
-#include "tb/support/output_file.h"
-#include "tb/support/process.h"
-#include "tb/support/scratch.h"
+#include "tb/util/output_file.h"
+#include "tb/util/process.h"
+#include "tb/util/scratch.h"
 
 namespace cosim::proof {
 

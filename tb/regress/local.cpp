@@ -6,9 +6,9 @@
 #include <future>
 #include <mutex>
 
-#include "tb/support/parallel.h"
-#include "tb/support/process.h"
-#include "tb/support/words.h"
+#include "tb/util/parallel.h"
+#include "tb/util/process.h"
+#include "tb/util/words.h"
 
 namespace cosim::regress {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "tb/support/words.h"
+#include "tb/util/words.h"
 
 namespace cosim::regress {
 namespace {

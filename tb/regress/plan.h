@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/support/json.h"
+#include "tb/util/json.h"
 
 namespace cosim::regress {
 

@@ -5,10 +5,10 @@
 #include <algorithm>
 
 #include "model/core/input_error.h"
-#include "tb/support/json.h"
-#include "tb/support/json_at.h"
-#include "tb/support/output_file.h"
-#include "tb/support/words.h"
+#include "tb/util/json.h"
+#include "tb/util/json_at.h"
+#include "tb/util/output_file.h"
+#include "tb/util/words.h"
 
 namespace cosim::regress {
 namespace {

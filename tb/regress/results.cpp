@@ -14,10 +14,10 @@
 #include <fstream>
 
 #include "model/core/input_error.h"
-#include "tb/support/hash.h"
-#include "tb/support/json.h"
-#include "tb/support/json_at.h"
-#include "tb/support/words.h"
+#include "tb/util/hash.h"
+#include "tb/util/json.h"
+#include "tb/util/json_at.h"
+#include "tb/util/words.h"
 
 namespace cosim::regress {
 namespace {

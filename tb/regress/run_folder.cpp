@@ -7,13 +7,13 @@
 #include <utility>
 
 #include "model/core/input_error.h"
-#include "tb/support/hash.h"
-#include "tb/support/json.h"
-#include "tb/support/json_at.h"
-#include "tb/support/output_file.h"
-#include "tb/support/parallel.h"
-#include "tb/support/read_file.h"
-#include "tb/support/words.h"
+#include "tb/util/hash.h"
+#include "tb/util/json.h"
+#include "tb/util/json_at.h"
+#include "tb/util/output_file.h"
+#include "tb/util/parallel.h"
+#include "tb/util/read_file.h"
+#include "tb/util/words.h"
 
 namespace cosim::regress {
 namespace {

@@ -17,12 +17,12 @@
 
 #include "model/core/input_error.h"
 #include "tb/regress/worker.h"
-#include "tb/support/interrupt.h"
-#include "tb/support/output_file.h"
-#include "tb/support/process.h"
-#include "tb/support/quoted.h"
-#include "tb/support/read_file.h"
-#include "tb/support/words.h"
+#include "tb/util/interrupt.h"
+#include "tb/util/output_file.h"
+#include "tb/util/process.h"
+#include "tb/util/quoted.h"
+#include "tb/util/read_file.h"
+#include "tb/util/words.h"
 
 namespace cosim::regress {
 namespace {

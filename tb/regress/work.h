@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "tb/regress/plan.h"
-#include "tb/support/json_at.h"
-#include "tb/support/words.h"
 #include "tb/sweep/checkpoint.h"
+#include "tb/util/json_at.h"
+#include "tb/util/words.h"
 
 namespace cosim::regress {
 

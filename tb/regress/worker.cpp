@@ -14,8 +14,8 @@
 
 #include "model/core/input_error.h"
 #include "tb/regress/results.h"
-#include "tb/support/interrupt.h"
-#include "tb/support/words.h"
+#include "tb/util/interrupt.h"
+#include "tb/util/words.h"
 
 namespace cosim::regress {
 namespace {

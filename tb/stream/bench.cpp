@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "model/core/input_error.h"
-#include "tb/bench/wanted.h"
+#include "tb/sim/wanted.h"
 #include "tb/stream/record.h"
 #include "tb/stream/runner.h"
-#include "tb/support/words.h"
+#include "tb/util/words.h"
 
 namespace cosim {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/bench/bench.h"
+#include "tb/sim/bench.h"
 #include "tb/stream/draw.h"
 #include "tb/stream/dut.h"
 #include "tb/stream/run.h"

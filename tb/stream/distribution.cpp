@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "tb/stream/bench.h"
-#include "tb/support/show.h"
-#include "tb/support/words.h"
+#include "tb/util/show.h"
+#include "tb/util/words.h"
 
 namespace cosim {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "model/core/input_error.h"
-#include "tb/support/random.h"
+#include "tb/util/random.h"
 
 namespace cosim {
 namespace {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <span>
 
-#include "tb/stimulus/stimulus.h"
+#include "tb/sim/stimulus.h"
 #include "tb/stream/shape.h"
 
 namespace cosim {

@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-#include "tb/support/random.h"
+#include "tb/util/random.h"
 
 namespace cosim {
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "tb/stream/run.h"
-#include "tb/support/words.h"
+#include "tb/util/words.h"
 
 namespace cosim {
 namespace {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "tb/lockstep/mismatch.h"
+#include "tb/show/wave.h"
+#include "tb/sim/mismatch.h"
 #include "tb/stream/run.h"
-#include "tb/wave/wave.h"
 
 namespace cosim {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/lockstep/transactions.h"
+#include "tb/sim/transactions.h"
 #include "tb/stream/sequence.h"
 #include "tb/stream/shape.h"
 

@@ -11,7 +11,7 @@
 #include "tb/stream/run.h"
 #include "tb/stream/shape.h"
 #include "tb/stream/sides.h"
-#include "tb/support/random.h"
+#include "tb/util/random.h"
 
 namespace cosim {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "model/core/input_error.h"
-#include "tb/support/words.h"
+#include "tb/util/words.h"
 
 namespace cosim {
 namespace {

@@ -13,7 +13,7 @@
 #include "tb/stream/dut.h"
 #include "tb/stream/sequence.h"
 #include "tb/stream/shape.h"
-#include "tb/support/random.h"
+#include "tb/util/random.h"
 
 namespace cosim {
 

@@ -10,11 +10,11 @@
 #include <utility>
 
 #include "model/core/input_error.h"
-#include "tb/support/finite.h"
-#include "tb/support/hash.h"
-#include "tb/support/json.h"
-#include "tb/support/output_file.h"
-#include "tb/support/read_file.h"
+#include "tb/util/finite.h"
+#include "tb/util/hash.h"
+#include "tb/util/json.h"
+#include "tb/util/output_file.h"
+#include "tb/util/read_file.h"
 
 namespace cosim {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "tb/support/json_at.h"
+#include "tb/util/json_at.h"
 
 namespace cosim {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "tb/bench/lane_jobs.h"
+#include "tb/sim/lane_jobs.h"
 #include "tb/sweep/sweep.h"
 
 namespace cosim {

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "tb/support/random.h"
 #include "tb/sweep/sweep.h"
+#include "tb/util/random.h"
 
 namespace cosim {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "tb/bench/checked.h"
+#include "tb/sim/checked.h"
 
 namespace cosim {
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "tb/bench/checked.h"
-#include "tb/lockstep/run.h"
+#include "tb/sim/checked.h"
+#include "tb/sim/run.h"
 
 namespace cosim {
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "tb/bench/bench.h"
+#include "tb/sim/bench.h"
 #include "tb/sweep/result.h"
 
 namespace cosim {

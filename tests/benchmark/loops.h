@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/lockstep/run.h"
+#include "tb/sim/run.h"
 
 namespace cosim::bench {
 

@@ -5,7 +5,7 @@
 #include <csignal>
 #include <sstream>
 
-#include "tb/support/random.h"
+#include "tb/util/random.h"
 #include "tests/careless/scratch.h"
 
 namespace cosim::careless {

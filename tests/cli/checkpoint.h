@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "tb/support/hash.h"
+#include "tb/util/hash.h"
 #include "tests/cli/program.h"
 
 namespace cosim::cli {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "tb/support/json.h"
+#include "tb/util/json.h"
 #include "tests/cli/equiv_pairs.h"
 
 namespace cosim::cli {

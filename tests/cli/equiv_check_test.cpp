@@ -4,8 +4,8 @@
 
 #include <cstdlib>
 
-#include "tb/support/json.h"
-#include "tb/support/read_file.h"
+#include "tb/util/json.h"
+#include "tb/util/read_file.h"
 #include "tests/cli/equiv_pairs.h"
 
 namespace cosim::cli {

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "model/linear/job.h"
-#include "tb/bench/bench.h"
+#include "tb/sim/bench.h"
 #include "tests/designs/circular/records.h"
 #include "tests/support/model_adapter.h"
 

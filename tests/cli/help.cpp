@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "tb/support/read_file.h"
+#include "tb/util/read_file.h"
 #include "tests/support/root.h"
 
 namespace cosim::cli {

@@ -6,7 +6,7 @@
 #include <map>
 #include <sstream>
 
-#include "tb/support/pattern.h"
+#include "tb/util/pattern.h"
 #include "tests/cli/help.h"
 #include "tests/cli/program.h"
 #include "tests/support/root.h"

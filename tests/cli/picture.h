@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/support/pattern.h"
+#include "tb/util/pattern.h"
 #include "tests/cli/program.h"
 
 namespace cosim::cli {

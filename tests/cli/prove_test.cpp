@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <map>
 
-#include "tb/support/pattern.h"
-#include "tb/support/process.h"
-#include "tb/support/read_file.h"
+#include "tb/util/pattern.h"
+#include "tb/util/process.h"
+#include "tb/util/read_file.h"
 #include "tests/cli/program.h"
 #include "tests/support/root.h"
 #include "tests/support/stand_ins.h"

@@ -3,7 +3,7 @@
 
 #include "tb/nets/btor2.h"
 #include "tb/nets/runs.h"
-#include "tb/support/read_file.h"
+#include "tb/util/read_file.h"
 #include "tests/clocked/compare.h"
 #include "tests/clocked/models.h"
 

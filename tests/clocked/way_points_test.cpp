@@ -4,8 +4,8 @@
 #include <fstream>
 #include <set>
 
-#include "tb/support/read_file.h"
-#include "tb/support/words.h"
+#include "tb/util/read_file.h"
+#include "tb/util/words.h"
 #include "tests/clocked/compare.h"
 #include "tests/clocked/models.h"
 

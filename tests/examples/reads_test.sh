@@ -14,11 +14,11 @@ reads() {
 # is EXPECTED ACTUAL
 is() { [[ $1 == "$2" ]] || fails "it reads $2, and not just $1"; }
 
-is "bench/by_hand.h bench/list.h gtest/directed.h gtest/present_test.h stimulus/stimulus.h" \
-  "$(reads '#include "tb/gtest/directed.h"')"
-is "gtest/present_test.h" "$(reads "$(grep '#include "tb' "$root/tb/gtest/named_gtest.h.in")")"
-is "bench/list.h" "$(reads "$(cat "$root/tb/package/benches.cpp.in")")"
-is "program/built.h" "$(reads "$(cat "$root/tb/package/program.cpp.in")")"
+is "sim/by_hand.h sim/list.h sim/stimulus.h sweep/directed.h sweep/present_test.h" \
+  "$(reads '#include "tb/sweep/directed.h"')"
+is "sweep/present_test.h" "$(reads "$(grep '#include "tb' "$root/tb/package/named_gtest.h.in")")"
+is "sim/list.h" "$(reads "$(cat "$root/tb/package/benches.cpp.in")")"
+is "cli/built.h" "$(reads "$(cat "$root/tb/package/program.cpp.in")")"
 bench='#include "tb/package/named_bench.h"'
 [[ $(reads "$bench") != *stream/* ]] || fails "a design without streams reads of streams: $(reads "$bench")"
 [[ $(reads '#include "model/clocked/stream.h"'$'\n'"$bench") == *stream/stream_bench.h* ]] ||

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "tb/support/json.h"
-#include "tb/support/read_file.h"
+#include "tb/util/json.h"
+#include "tb/util/read_file.h"
 #include "tests/fuzz/expect.h"
 
 namespace cosim::fuzz {

@@ -7,10 +7,10 @@
 #include <string>
 
 #include "tb/regress/report.h"
-#include "tb/support/hash.h"
-#include "tb/support/json.h"
-#include "tb/support/process.h"
-#include "tb/support/read_file.h"
+#include "tb/util/hash.h"
+#include "tb/util/json.h"
+#include "tb/util/process.h"
+#include "tb/util/read_file.h"
 #include "tests/fuzz/expect.h"
 
 namespace cosim::fuzz {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/support/pattern.h"
+#include "tb/util/pattern.h"
 #include "tests/support/root.h"
 
 namespace cosim::test {
@@ -100,11 +100,11 @@ TEST(Includes, AreToldApart) {
   expect(true, "model/dda/job.h",
          {"model/dda/curve.h", "model/core/value.h", "model/plane/point.h"});
   expect(false, "model/dda/job.h",
-         {"model/circular/arc.h", "model/toolpath/piece.h", "tb/support/show.h",
+         {"model/circular/arc.h", "model/toolpath/piece.h", "tb/util/show.h",
           "tb/designs/dda/figures.h", "tests/support/root.h"});
   expect(true, "model/toolpath/walk.cpp", {"model/linear/oracle.h", "model/toolpath/plan.h"});
   expect(false, "model/core/fields.h", {"model/plane/point.h", "model/dda/job.h"});
-  expect(true, "tb/proof/claims.h", {"model/core/fields.h", "tb/support/process.h"});
+  expect(true, "tb/proof/claims.h", {"model/core/fields.h", "tb/util/process.h"});
   expect(false, "tb/proof/claims.h",
          {"model/plane/point.h", "model/linear/machine.h", "tb/designs/linear/figures.h",
           "tb/studies/comparison/work.h", "tests/support/root.h"});

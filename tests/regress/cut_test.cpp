@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tb/regress/worker.h"
-#include "tb/support/random.h"
+#include "tb/util/random.h"
 
 namespace cosim::regress {
 namespace {

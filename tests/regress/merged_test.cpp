@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tb/regress/report.h"
-#include "tb/support/json.h"
+#include "tb/util/json.h"
 #include "tests/fuzz/run.h"
 
 namespace cosim::regress {

@@ -4,7 +4,7 @@
 #include <random>
 #include <set>
 
-#include "tb/support/hash.h"
+#include "tb/util/hash.h"
 #include "tests/regress/run.h"
 #include "tests/support/solvers.h"
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "tb/support/pattern.h"
+#include "tb/util/pattern.h"
 #include "tests/regress/run.h"
 
 namespace cosim::cli {

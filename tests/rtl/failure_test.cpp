@@ -1,7 +1,7 @@
 // What a planted fault leaves behind: the folder is whole, its wave shows the difference where an
 // independent run finds it, and the smallest stimulus is small, fails there and not on good RTL.
 // Needs: circular
-#include "tb/report/failure.h"
+#include "tb/sweep/failure.h"
 
 #include <gtest/gtest.h>
 
@@ -10,10 +10,10 @@
 #include <functional>
 #include <thread>
 
-#include "tb/bench/stimulus_text.h"
-#include "tb/lockstep/replay.h"
-#include "tb/support/read_file.h"
-#include "tb/wave/view.h"
+#include "tb/show/view.h"
+#include "tb/sim/replay.h"
+#include "tb/sim/stimulus_text.h"
+#include "tb/util/read_file.h"
 #include "tests/rtl/planted.h"
 #include "tests/rtl/straight.h"
 #include "tests/support/designs.h"

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tb/bench/bench.h"
+#include "tb/sim/bench.h"
 
 namespace cosim::test {
 

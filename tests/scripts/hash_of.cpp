@@ -5,7 +5,7 @@
 #include <iterator>
 #include <string>
 
-#include "tb/support/hash.h"
+#include "tb/util/hash.h"
 
 int main() {
   const std::string text(std::istreambuf_iterator<char>(std::cin), {});

@@ -1,5 +1,5 @@
 // A program that a test starts, with the streams it names, sends signals and waits for. Not by
-// tb/support/process.h, which the program under test runs others by: a test sees from outside how a
+// tb/util/process.h, which the program under test runs others by: a test sees from outside how a
 // program ends.
 #pragma once
 

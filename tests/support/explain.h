@@ -7,7 +7,7 @@
 #include <exception>
 #include <string>
 
-#include "tb/report/failure.h"
+#include "tb/sweep/failure.h"
 #include "tb/sweep/sweep.h"
 
 namespace cosim::test {

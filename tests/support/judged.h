@@ -5,8 +5,8 @@
 
 #include <vector>
 
-#include "tb/bench/job_check.h"
-#include "tb/support/random.h"
+#include "tb/sim/job_check.h"
+#include "tb/util/random.h"
 
 namespace cosim::test {
 

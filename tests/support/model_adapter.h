@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "tb/bench/design_bench.h"
+#include "tb/sim/design_bench.h"
 
 namespace cosim::test {
 

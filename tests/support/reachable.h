@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tb/stimulus/hostile.h"
+#include "tb/sim/hostile.h"
 #include "tests/support/model_machine.h"
 #include "tests/support/shape.h"
 

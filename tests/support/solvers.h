@@ -1,7 +1,7 @@
 // What a test of the proof needs.
 #pragma once
 
-#include "tb/support/process.h"
+#include "tb/util/process.h"
 
 namespace cosim::test {
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tb/support/parallel.h"
+#include "tb/util/parallel.h"
 #include "tests/support/explain.h"
 
 namespace cosim::test {

@@ -1,6 +1,6 @@
 #include "tests/rtl/variant_of.h"
 
-#include "tb/bench/design_bench.h"
+#include "tb/sim/design_bench.h"
 #include "tests/support/designs.h"
 
 namespace cosim::test {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/bench/bench.h"
+#include "tb/sim/bench.h"
 
 namespace cosim::test {
 

@@ -1,4 +1,4 @@
-// What is measured of arcs, see tb/bench/job_check.h.
+// What is measured of arcs, see tb/sim/job_check.h.
 #pragma once
 
 #include "model/circular/oracle.h"

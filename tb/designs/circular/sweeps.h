@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "tb/bench/bench.h"
 #include "tb/designs/circular/design.h"
+#include "tb/sim/bench.h"
 #include "tb/sweep/sweep.h"
 
 namespace cosim::circular {

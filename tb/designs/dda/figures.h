@@ -1,4 +1,4 @@
-// What is measured of curves, see tb/bench/job_check.h.
+// What is measured of curves, see tb/sim/job_check.h.
 #pragma once
 
 #include "model/dda/equation.h"

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "model/dda/job.h"
-#include "tb/bench/bench.h"
+#include "tb/sim/bench.h"
 #include "tb/sweep/sweep.h"
 
 namespace cosim::dda {

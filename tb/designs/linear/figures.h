@@ -1,4 +1,4 @@
-// What is measured of lines, see tb/bench/job_check.h.
+// What is measured of lines, see tb/sim/job_check.h.
 #pragma once
 
 #include <algorithm>

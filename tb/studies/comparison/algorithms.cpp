@@ -6,10 +6,10 @@
 #include "model/prior_art/rate_multiplier.h"
 #include "model/prior_art/single_axis_circle.h"
 #include "model/prior_art/su875343.h"
-#include "tb/bench/job_check.h"
 #include "tb/designs/circular/figures.h"
 #include "tb/designs/dda/figures.h"
 #include "tb/designs/linear/figures.h"
+#include "tb/sim/job_check.h"
 
 namespace cosim::compare {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "model/dda/job.h"
 #include "model/linear/job.h"
-#include "tb/bench/bench.h"
 #include "tb/designs/circular/design.h"
+#include "tb/sim/bench.h"
 #include "tb/studies/comparison/figures.h"
 #include "tb/sweep/sweep.h"
 

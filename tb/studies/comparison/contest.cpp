@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "tb/support/json.h"
+#include "tb/util/json.h"
 
 namespace cosim::compare {
 namespace {

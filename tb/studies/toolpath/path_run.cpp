@@ -4,9 +4,9 @@
 
 #include <utility>
 
-#include "tb/bench/job_check.h"
 #include "tb/designs/circular/figures.h"
 #include "tb/designs/linear/figures.h"
+#include "tb/sim/job_check.h"
 
 namespace cosim {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "model/linear/job.h"
 #include "model/toolpath/plan.h"
-#include "tb/bench/bench.h"
 #include "tb/designs/circular/design.h"
+#include "tb/sim/bench.h"
 #include "tb/sweep/sweep.h"
 
 namespace cosim {

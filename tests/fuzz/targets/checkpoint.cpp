@@ -1,7 +1,7 @@
 // The state in a checkpoint, with a hash that fits: the sweeps go on from it, or it is refused.
 // Needs: linear
 #include "model/linear/job.h"
-#include "tb/program/sweep_checkpoint.h"
+#include "tb/cli/sweep_checkpoint.h"
 #include "tests/fuzz/machines.h"
 #include "tests/fuzz/run.h"
 

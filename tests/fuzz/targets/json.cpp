@@ -1,8 +1,8 @@
 // What the program reads back as JSON: each value is what it is taken for, or is refused by its
 // place.
-#include "tb/support/json.h"
+#include "tb/util/json.h"
 
-#include "tb/support/json_at.h"
+#include "tb/util/json_at.h"
 #include "tests/fuzz/expect.h"
 
 namespace cosim::fuzz {

@@ -1,5 +1,5 @@
 // The words of the command line that are read as numbers: the same text as each kind.
-#include "tb/program/number.h"
+#include "tb/cli/number.h"
 
 #include <algorithm>
 #include <cstdlib>

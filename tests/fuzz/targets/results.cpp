@@ -3,8 +3,8 @@
 #include <sstream>
 
 #include "model/linear/job.h"
-#include "tb/program/result_json.h"
-#include "tb/report/report.h"
+#include "tb/cli/result_json.h"
+#include "tb/sweep/report.h"
 #include "tests/fuzz/machines.h"
 #include "tests/fuzz/run.h"
 

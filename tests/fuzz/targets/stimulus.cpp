@@ -1,6 +1,6 @@
 // A stimulus file: what is read comes back from its own text, and runs.
 // Needs: linear, circular
-#include "tb/bench/stimulus_text.h"
+#include "tb/sim/stimulus_text.h"
 
 #include "model/linear/job.h"
 #include "tests/designs/circular/records.h"

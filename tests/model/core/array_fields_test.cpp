@@ -5,8 +5,8 @@
 
 #include "model/core/array.h"
 #include "model/core/design.h"
-#include "tb/lockstep/cells.h"
-#include "tb/stimulus/hostile.h"
+#include "tb/sim/cells.h"
+#include "tb/sim/hostile.h"
 #include "tests/support/error_of.h"
 
 namespace cosim::test {

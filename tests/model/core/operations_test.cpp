@@ -10,7 +10,7 @@
 #include "model/core/wide.h"
 #include "tb/nets/number.h"
 #include "tb/nets/runs.h"
-#include "tb/support/random.h"
+#include "tb/util/random.h"
 #include "tests/support/lanes.h"
 #include "tests/support/strict.h"
 

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tb/stimulus/hostile.h"
+#include "tb/sim/hostile.h"
 #include "tests/support/error_of.h"
 
 namespace cosim::sync_test {

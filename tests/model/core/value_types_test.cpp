@@ -5,7 +5,7 @@
 #include <concepts>
 #include <vector>
 
-#include "tb/stimulus/hostile.h"
+#include "tb/sim/hostile.h"
 #include "tests/support/lanes.h"
 #include "tests/support/model_machine.h"
 #include "tests/support/shapes.h"

@@ -6,8 +6,8 @@
 #include <fstream>
 
 #include "tb/equiv/vhdl_entity.h"
-#include "tb/support/process.h"
-#include "tb/support/scratch.h"
+#include "tb/util/process.h"
+#include "tb/util/scratch.h"
 
 namespace cosim::equiv {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <sstream>
 
-#include "tb/support/pattern.h"
-#include "tb/support/read_file.h"
+#include "tb/util/pattern.h"
+#include "tb/util/read_file.h"
 #include "tests/support/folder.h"
 #include "tests/support/root.h"
 

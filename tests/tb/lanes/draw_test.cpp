@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "tb/nets/runs.h"
-#include "tb/stimulus/hostile.h"
+#include "tb/sim/hostile.h"
 #include "tests/support/shapes.h"
 
 namespace cosim::test {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "model/core/value.h"
-#include "tb/support/random.h"
+#include "tb/util/random.h"
 
 namespace cosim::lanes {
 namespace {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "tb/lanes/player.h"
-#include "tb/support/parallel.h"
-#include "tb/support/process.h"
 #include "tb/sweep/sweep.h"
+#include "tb/util/parallel.h"
+#include "tb/util/process.h"
 #include "tests/support/designs.h"
 #include "tests/support/in_lanes.h"
 #include "tests/support/sanitized.h"

@@ -7,7 +7,7 @@
 
 #include "tb/nets/jobs.h"
 #include "tb/nets/runs.h"
-#include "tb/support/random.h"
+#include "tb/util/random.h"
 #include "tests/support/shapes.h"
 
 namespace cosim::test {

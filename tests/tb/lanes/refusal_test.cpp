@@ -4,8 +4,8 @@
 #include <fstream>
 
 #include "model/core/input_error.h"
-#include "tb/support/process.h"
-#include "tb/support/read_file.h"
+#include "tb/util/process.h"
+#include "tb/util/read_file.h"
 #include "tests/support/designs.h"
 #include "tests/support/in_lanes.h"
 

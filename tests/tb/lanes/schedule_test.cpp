@@ -7,7 +7,7 @@
 #include <optional>
 #include <set>
 
-#include "tb/support/random.h"
+#include "tb/util/random.h"
 
 namespace cosim::lanes {
 namespace {

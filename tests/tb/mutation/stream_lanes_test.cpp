@@ -12,7 +12,7 @@
 #include "tb/mutation/cases.h"
 #include "tb/mutation/subject.h"
 #include "tb/stream/stream_bench.h"
-#include "tb/support/process.h"
+#include "tb/util/process.h"
 #include "tests/stream/designs/crosses.h"
 #include "tests/stream/designs/pairs.h"
 #include "tests/stream/designs/serial.h"

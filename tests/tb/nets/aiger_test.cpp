@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "tb/nets/runs.h"
-#include "tb/support/random.h"
+#include "tb/util/random.h"
 
 namespace cosim::nets {
 namespace {

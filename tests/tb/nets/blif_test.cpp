@@ -7,7 +7,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/nets/runs.h"
-#include "tb/support/random.h"
+#include "tb/util/random.h"
 #include "tests/support/error_of.h"
 
 namespace cosim::nets {

@@ -8,7 +8,7 @@
 
 #include "tb/nets/btor2.h"
 #include "tb/nets/runs.h"
-#include "tb/support/random.h"
+#include "tb/util/random.h"
 #include "tests/clocked/big.h"
 
 namespace cosim::nets {

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "tb/nets/runs.h"
-#include "tb/support/random.h"
+#include "tb/util/random.h"
 #include "tests/support/operations.h"
 
 namespace cosim::nets {

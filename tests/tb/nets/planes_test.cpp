@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tb/nets/runs.h"
-#include "tb/support/random.h"
+#include "tb/util/random.h"
 
 namespace cosim::test {
 namespace {

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "tb/proof/z3.h"
-#include "tb/support/process.h"
-#include "tb/support/random.h"
+#include "tb/util/process.h"
+#include "tb/util/random.h"
 #include "tests/support/operations.h"
 
 namespace cosim::proof {

@@ -5,7 +5,7 @@
 
 #include <csignal>
 
-#include "tb/support/interrupt.h"
+#include "tb/util/interrupt.h"
 
 namespace cosim::proof {
 namespace {

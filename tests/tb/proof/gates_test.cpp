@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "tb/proof/rtl_nets.h"
-#include "tb/support/process.h"
+#include "tb/util/process.h"
 
 namespace cosim::proof {
 namespace {

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <set>
 
-#include "tb/support/random.h"
+#include "tb/util/random.h"
 #include "tests/support/stand_ins.h"
 
 namespace cosim::proof {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "tb/proof/integer.h"
-#include "tb/support/parallel.h"
+#include "tb/util/parallel.h"
 #include "tests/support/solvers.h"
 
 namespace cosim::proof {

@@ -9,8 +9,8 @@
 #include <string>
 
 #include "model/core/input_error.h"
-#include "tb/report/report.h"
-#include "tb/wave/picture.h"
+#include "tb/show/picture.h"
+#include "tb/sweep/report.h"
 #include "tests/tb/stream/queue.h"
 
 namespace cosim {

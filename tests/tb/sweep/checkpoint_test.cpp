@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "model/core/input_error.h"
-#include "tb/support/output_file.h"
-#include "tb/support/read_file.h"
+#include "tb/util/output_file.h"
+#include "tb/util/read_file.h"
 #include "tests/support/folder.h"
 
 namespace cosim {

@@ -6,16 +6,16 @@
 #include "model/circular/arc.h"
 #include "model/circular/oracle.h"
 #include "model/core/input_error.h"
+#include "tb/cli/command.h"
+#include "tb/cli/common.h"
+#include "tb/cli/draw_one.h"
+#include "tb/cli/number.h"
+#include "tb/cli/registry.h"
 #include "tb/designs/circular/cli/curve.h"
 #include "tb/designs/circular/cli/shape.h"
 #include "tb/designs/circular/figures.h"
 #include "tb/designs/circular/sweeps.h"
-#include "tb/program/command.h"
-#include "tb/program/common.h"
-#include "tb/program/draw_one.h"
-#include "tb/program/number.h"
-#include "tb/program/registry.h"
-#include "tb/support/words.h"
+#include "tb/util/words.h"
 
 namespace cosim::cli {
 namespace {

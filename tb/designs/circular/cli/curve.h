@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "model/circular/arc.h"
-#include "tb/plot/plot.h"
+#include "tb/show/plot.h"
 
 namespace cosim::circular {
 

@@ -3,8 +3,8 @@
 
 #include <fmt/core.h>
 
+#include "tb/cli/shape.h"
 #include "tb/designs/circular/design.h"
-#include "tb/program/shape.h"
 
 namespace cosim::circular {
 

@@ -8,15 +8,15 @@
 #include "model/core/input_error.h"
 #include "model/dda/curve.h"
 #include "model/dda/equation.h"
+#include "tb/cli/command.h"
+#include "tb/cli/common.h"
+#include "tb/cli/draw_one.h"
+#include "tb/cli/number.h"
+#include "tb/cli/registry.h"
 #include "tb/designs/dda/cli/shape.h"
 #include "tb/designs/dda/figures.h"
 #include "tb/designs/dda/sweeps.h"
-#include "tb/program/command.h"
-#include "tb/program/common.h"
-#include "tb/program/draw_one.h"
-#include "tb/program/number.h"
-#include "tb/program/registry.h"
-#include "tb/support/words.h"
+#include "tb/util/words.h"
 
 namespace cosim::cli {
 namespace {

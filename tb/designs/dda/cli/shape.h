@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 
 #include "model/dda/job.h"
-#include "tb/program/shape.h"
+#include "tb/cli/shape.h"
 
 namespace cosim::dda {
 

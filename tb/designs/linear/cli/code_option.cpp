@@ -6,7 +6,7 @@
 #include <charconv>
 
 #include "model/core/input_error.h"
-#include "tb/support/words.h"
+#include "tb/util/words.h"
 
 namespace cosim::cli {
 namespace {

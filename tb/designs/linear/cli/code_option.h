@@ -5,7 +5,7 @@
 #include <string>
 
 #include "model/linear/control_code.h"
-#include "tb/program/command.h"
+#include "tb/cli/command.h"
 
 namespace cosim::cli {
 

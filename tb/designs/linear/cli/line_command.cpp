@@ -5,15 +5,15 @@
 
 #include "model/core/input_error.h"
 #include "model/linear/oracle.h"
+#include "tb/cli/command.h"
+#include "tb/cli/common.h"
+#include "tb/cli/draw_one.h"
+#include "tb/cli/number.h"
+#include "tb/cli/registry.h"
 #include "tb/designs/linear/cli/code_option.h"
 #include "tb/designs/linear/cli/shape.h"
 #include "tb/designs/linear/figures.h"
 #include "tb/designs/linear/sweeps.h"
-#include "tb/program/command.h"
-#include "tb/program/common.h"
-#include "tb/program/draw_one.h"
-#include "tb/program/number.h"
-#include "tb/program/registry.h"
 
 namespace cosim::cli {
 namespace {

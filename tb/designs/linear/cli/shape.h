@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 
 #include "model/linear/job.h"
-#include "tb/program/shape.h"
+#include "tb/cli/shape.h"
 
 namespace cosim::linear {
 

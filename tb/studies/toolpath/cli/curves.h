@@ -1,7 +1,7 @@
 // Placed lines and arcs in a picture.
 #pragma once
 
-#include "tb/plot/plot.h"
+#include "tb/show/plot.h"
 #include "tb/studies/toolpath/pieces.h"
 
 namespace cosim {

@@ -8,8 +8,8 @@
 #include <functional>
 
 #include "model/core/input_error.h"
-#include "tb/bench/design_bench.h"
-#include "tb/support/random.h"
+#include "tb/sim/design_bench.h"
+#include "tb/util/random.h"
 #include "tests/designs/circular/records.h"
 #include "tests/support/error_of.h"
 

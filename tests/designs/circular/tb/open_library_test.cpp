@@ -9,8 +9,8 @@
 #include <fstream>
 #include <memory>
 
-#include "tb/bench/list.h"
-#include "tb/support/scratch.h"
+#include "tb/sim/list.h"
+#include "tb/util/scratch.h"
 #include "tests/support/error_of.h"
 
 namespace cosim::circular {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "model/dda/machine.h"
-#include "tb/support/random.h"
+#include "tb/util/random.h"
 #include "tests/support/model_machine.h"
 
 namespace cosim::dda {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "model/linear/machine.h"
-#include "tb/stimulus/hostile.h"
+#include "tb/sim/hostile.h"
 #include "tests/support/model_machine.h"
 
 namespace cosim::linear {

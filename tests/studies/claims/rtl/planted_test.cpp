@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tb/support/pattern.h"
-#include "tb/support/read_file.h"
+#include "tb/util/pattern.h"
+#include "tb/util/read_file.h"
 #include "tests/rtl/variant.h"
 #include "tests/support/designs.h"
 #include "tests/support/root.h"

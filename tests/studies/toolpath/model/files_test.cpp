@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <numbers>
 
-#include "tb/support/read_file.h"
+#include "tb/util/read_file.h"
 #include "tests/studies/toolpath/model/helpers.h"
 #include "tests/support/root.h"
 

@@ -1,0 +1,283 @@
+#include "tb/full/begin_project.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "model/core/input_error.h"
+#include "tb/cli/named_values.h"
+#include "tb/equiv/slang.h"
+#include "tb/new/new.h"
+#include "tb/new/new_sources.h"
+#include "tb/new/verilog_words.h"
+#include "tb/new/wrapper.h"
+#include "tb/rtl/plain_verilog.h"
+#include "tb/util/pattern.h"
+#include "tb/util/quoted.h"
+#include "tb/util/words.h"
+
+namespace cosim::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The words of values of parameters, some of which may be packages.
+std::set<std::string> value_words(const std::vector<std::string>& parameters) {
+  static const Pattern word("[A-Za-z_][A-Za-z0-9_$]*");
+  std::set<std::string> all;
+  for (const std::string& parameter : parameters) {
+    const std::string value = parameter.substr(std::min(parameter.find('='), parameter.size()));
+    for (const Pattern::Parts& one : word.all(value)) all.insert(one.front());
+  }
+  return all;
+}
+
+// A pin, a module: a name of Verilog.
+std::string name_in(const std::string& option, const Text& value) {
+  if (!value) return "";
+  static const Pattern name("[A-Za-z_][A-Za-z0-9_$]*");
+  if (name.whole(*value).empty()) {
+    throw InputError(fmt::format("{}: {} is no name in Verilog", option, in_quotes(*value)));
+  }
+  return *value;
+}
+
+// What --param gives: the parameters of a shape, and those that are given by a wrapper.
+struct GivenParameters {
+  std::vector<FoundParameter> shape;
+  std::map<std::string, std::string> code;  // SystemVerilog
+};
+GivenParameters parameters_in(const std::vector<std::string>& words,
+                              const std::optional<TopHead>& head) {
+  static const Pattern parameter("([A-Za-z_][A-Za-z0-9_$]*)=(.+)"), number("-?[0-9]{1,9}"),
+      constant("[0-9]*'[sS]?[bodhBODH][0-9a-fA-F_]+"), text("[A-Za-z0-9_.:+-]+"),
+      of_package("[A-Za-z_][A-Za-z0-9_$]*::.*");
+  GivenParameters all;
+  for (const std::string& word : words) {
+    const auto parts = parameter.whole(word);
+    const bool is_number = !parts.empty() && !number.whole(parts[2]).empty();
+    if (!is_number && !parts.empty() && !constant.whole(parts[2]).empty()) {
+      throw InputError(fmt::format("--param: {}: a whole number or a word, no constant with a base",
+                                   in_quotes(word)));
+    }
+    if (parts.empty()) {
+      throw InputError(fmt::format("--param: {} is not NAME=VALUE", in_quotes(word)));
+    }
+    const bool is_code = text.whole(parts[2]).empty() || !of_package.whole(parts[2]).empty() ||
+                         (head && head->is_type(parts[1]));
+    if (!is_number && is_code) {
+      all.code[parts[1]] = parts[2];
+    } else {
+      all.shape.push_back({parts[1], parts[2], !is_number});
+    }
+  }
+  named_values("--param", words);
+  return all;
+}
+
+// The words that Verilator and yosys are given.
+std::vector<std::string> options_of(const NewOptions& o, const std::string& headers) {
+  static const Pattern define(R"([A-Za-z_][A-Za-z0-9_$]*(=[A-Za-z0-9_.:+'-]*)?)");
+  std::vector<std::string> options;
+  if (!headers.empty()) options.push_back("-I" + headers);
+  for (const std::string& d : o.defines) {
+    if (define.whole(d).empty()) {
+      throw InputError(fmt::format("--define: {} is not NAME or NAME=VALUE", in_quotes(d)));
+    }
+    options.push_back("-D" + d);
+  }
+  return options;
+}
+
+// The folder of the headers, deep enough for those whose names begin with "../" to be in the
+// project;
+// "" where there are none.
+std::string header_folder(const Sources& rtl) {
+  std::size_t depth = 0;
+  for (const SourceFile& header : rtl.headers) {
+    const fs::path name = fs::path(header.name).lexically_normal();
+    depth = std::max(depth, static_cast<std::size_t>(std::count(name.begin(), name.end(), "..")));
+  }
+  std::string folder = rtl.headers.empty() ? "" : "include";
+  for (; depth > 0; --depth) folder += "/here";
+  return folder;
+}
+
+// Adds a wrapper, the new top, where a value is SystemVerilog; the parameters of the shape.
+std::vector<FoundParameter> with_wrapper(const std::string& name,
+                                         const std::vector<std::string>& words, Sources& rtl) {
+  if (words.empty()) return {};
+  std::optional<TopHead> head;
+  for (const SourceFile& file : rtl.files) {
+    const auto units = verilog_words(file.text).units;
+    const bool has_top = std::ranges::any_of(
+        units, [&](const VerilogUnit& unit) { return unit.is_module && unit.name == rtl.top; });
+    if (has_top && !rtl::is_vhdl(file.from)) head.emplace(file.text, rtl.top);
+  }
+  GivenParameters given = parameters_in(words, head);
+  if (given.code.empty()) return given.shape;
+  if (!head) {
+    throw InputError(fmt::format("--param: {}={}: {} is no module of Verilog",
+                                 given.code.begin()->first, given.code.begin()->second, rtl.top));
+  }
+  std::string top = name + "_top";
+  while (top == rtl.top) top += "_";
+  rtl.files.push_back({top + ".sv", top + ".sv", head->wrapped(top, given.code)});
+  rtl.top = top;
+  return given.shape;
+}
+
+// What slang makes of it. InputError, OutOfTime.
+std::string slang_verilog(const RtlQuestion& asked, const std::string& headers,
+                          const std::vector<std::string>& defines) {
+  equiv::Files files;
+  for (const std::string& file : asked.files) files.files.push_back(asked.folder / file);
+  if (!headers.empty()) files.include_dirs = {asked.folder / headers};
+  files.top = asked.top;
+  files.defines = defines;
+  for (const FoundParameter& p : asked.parameters) {
+    files.parameters.push_back(p.name + '=' + (p.is_text ? '"' + p.value + '"' : p.value));
+  }
+  constexpr int seconds = 300;
+  return equiv::verilog_by_slang(files, files.top, equiv::Budget(seconds));
+}
+
+// What yosys cannot read may be read by slang: then what keeps the design unproved is none.
+void try_slang(Found& found, const RtlQuestion& asked, const std::string& headers,
+               const std::vector<std::string>& defines) {
+  if (found.unread.empty()) return;
+  if (!equiv::has_slang()) {
+    found.unread += "; scripts/setup systemverilog brings slang, which may";
+    return;
+  }
+  try {
+    slang_verilog(asked, headers, defines);
+    found.unread.clear();
+  } catch (const InputError& error) {
+    found.unread = error.what();
+  } catch (const equiv::OutOfTime&) {
+    found.unread = found.top + ": slang takes too long";
+  }
+}
+
+// Defines SYNTHESIS, which most RTL asks for around what is no circuit, and reads it again.
+bool with_synthesis(BegunProject& begun, RtlQuestion& asked, const Sources& rtl,
+                    const std::string& why) {
+  static const std::string macro = "SYNTHESIS";
+  const auto is_asked = [](const SourceFile& file) {
+    return file.text.find(macro) != std::string::npos;
+  };
+  const bool is_given = std::ranges::any_of(
+      begun.defines, [](const std::string& d) { return d.substr(0, d.find('=')) == macro; });
+  if (is_given ||
+      (std::ranges::none_of(rtl.files, is_asked) && std::ranges::none_of(rtl.headers, is_asked))) {
+    return false;
+  }
+  RtlQuestion again = asked;
+  again.options.push_back("-D" + macro);
+  try {
+    begun.found = found_in(again);
+  } catch (const InputError&) {
+    return false;
+  }
+  asked = again;
+  begun.defines.push_back(macro);
+  begun.notes.push_back(fmt::format("{} is defined; without it: {}", macro, why));
+  return true;
+}
+
+// Has Verilog by slang in place of the sources.
+bool by_slang(BegunProject& begun, RtlQuestion& asked, const Draft& project,
+              const std::string& why) {
+  if (!equiv::has_slang()) return false;
+  const std::string file = asked.top + "_slang.v";
+  RtlQuestion again = asked;
+  again.files = {file};
+  again.options.clear();
+  again.parameters.clear();
+  try {
+    project.write(file, slang_verilog(asked, begun.headers, begun.defines));
+    begun.found = found_in(again);
+  } catch (const InputError&) {
+    fs::remove(project.folder() / file);
+    return false;
+  } catch (const equiv::OutOfTime&) {
+    return false;
+  }
+  for (const std::string& source : begun.sources) fs::remove(project.folder() / source);
+  if (!begun.headers.empty()) fs::remove_all(project.folder() / begun.headers);
+  asked = again;
+  begun.headers.clear();
+  begun.defines.clear();
+  begun.sources = {file};
+  begun.notes.push_back(fmt::format(
+      "{} replaces the sources, as slang reads them with these parameters: {}", file, why));
+  return true;
+}
+
+void read_rtl(BegunProject& begun, RtlQuestion& asked, const Sources& rtl, const Draft& project) {
+  try {
+    begun.found = found_in(asked);
+    return;
+  } catch (const InputError& refused) {
+    static const std::string from = "new: ";
+    const std::string all = refused.what();
+    const std::string why = all.starts_with(from) ? all.substr(from.size()) : all;
+    const bool is_of_words = why.starts_with("Verilator cannot ") ||
+                             why.find(": waits, as a testbench does") != std::string::npos;
+    if (!is_of_words) throw InputError(all);
+    if (with_synthesis(begun, asked, rtl, why) || by_slang(begun, asked, project, why)) return;
+    throw InputError(all);
+  }
+}
+
+}  // namespace
+
+BegunProject begin_project(const NewOptions& o, const Draft& project) {
+  const std::string& name = o.words.front();
+  const std::vector<std::string> given(o.words.begin() + 1, o.words.end());
+  RtlQuestion question;
+  question.folder = project.folder();
+  for (const std::string& pin : parts_in(o.clock.value_or(""), ',')) {
+    question.clocks.push_back(name_in("--clock", pin));
+  }
+  question.reset = name_in("--reset", o.reset);
+  for (const std::string& box : o.blackboxes) {
+    question.blackboxes.push_back(name_in("--blackbox", box));
+  }
+  Sources rtl = sources_of(
+      {name, given, o.libraries, o.includes, name_in("--top", o.top), value_words(o.parameters)});
+  question.parameters = with_wrapper(name, o.parameters, rtl);
+  require_files(name, rtl);
+  BegunProject begun;
+  begun.headers = header_folder(rtl);
+  begun.left_out = rtl.left_out;
+  begun.top_is_guessed = rtl.top_is_guessed;
+  for (const SourceFile& file : rtl.files) {
+    begun.sources.push_back(file.name);
+    project.write(file.name, file.text);
+  }
+  for (const SourceFile& header : rtl.headers) {
+    const fs::path to = (fs::path(begun.headers) / header.name).lexically_normal();
+    fs::create_directories((project.folder() / to).parent_path());
+    project.write(to.string(), header.text);
+  }
+  if (!begun.headers.empty() && !fs::exists(project.folder() / begun.headers)) {
+    fs::create_directories(project.folder() / begun.headers);
+    project.write(begun.headers + "/.gitkeep", "");
+  }
+  question.files = begun.sources;
+  question.options = options_of(o, begun.headers);
+  question.top = rtl.top;
+  begun.defines = o.defines;
+  read_rtl(begun, question, rtl, project);
+  try_slang(begun.found, question, begun.headers, begun.defines);
+  require_names(begun.found);
+  return begun;
+}
+
+}  // namespace cosim::cli

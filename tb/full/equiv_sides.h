@@ -1,0 +1,50 @@
+// The two RTLs of `cosim equiv`: which files each of them is read from.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "tb/cli/common.h"
+#include "tb/equiv/side.h"
+
+namespace cosim::cli {
+
+struct EquivOptions {
+  std::vector<std::string> gold, gate, files, cells, blackboxes, parameters, gold_parameters,
+      gate_parameters, include_dirs, defines, resets, tied, ignored, renamed, same, assumed, lists,
+      own_lists;
+  Text rev, top, gold_top, gate_top, seconds, jobs, reset_clocks, latency, keep;
+  bool netlists = false;
+  Common common;
+};
+
+/// What one side is read from, and where its working directory is.
+struct SideFiles {
+  std::vector<std::string> files, cells, include_dirs, defines;
+  std::vector<std::string> libraries;  ///< files, and folders, of modules to take where needed
+  std::filesystem::path folder = ".";
+};
+
+struct BothFiles {
+  SideFiles gold, gate;
+};
+
+/// Each side's own, those of lists of files (tb/rtl/file_list.h) too: with --rev those of the old
+/// one are what git has, in `scratch`. InputError where the options name none.
+BothFiles files_of(const EquivOptions& options, const std::filesystem::path& scratch);
+/// All files that are named today, the lists among them. A list that cannot be read names none.
+std::vector<std::string> files_named(const EquivOptions& options);
+
+struct BothSides {
+  std::optional<equiv::Side> gold, gate;
+};
+
+/// Reads both at once, on `jobs` threads at the most. `folder`: one for temporary files.
+/// InputError, and OutOfTime.
+BothSides read_sides(const EquivOptions& options, const BothFiles& files,
+                     const std::filesystem::path& folder, const equiv::Budget& budget,
+                     unsigned jobs);
+
+}  // namespace cosim::cli

@@ -1,0 +1,172 @@
+// Tests by hand, on a counter whose RTL is its model, with and without a fault.
+#include "tb/sweep/directed.h"
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "model/core/input_error.h"
+#include "model/core/record.h"
+#include "tb/util/process.h"
+#include "tb/util/read_file.h"
+#include "tests/support/error_of.h"
+#include "tests/support/has.h"
+#include "tests/support/model_adapter.h"
+
+namespace cosim::counted {
+
+struct Params {};
+
+#define COUNTED_INPUTS(FIELD)     \
+  FIELD(rst, 1, flag, "", "at 0") \
+  FIELD(by, 3, number, "", "a step")
+#define COUNTED_OUTPUTS(FIELD) FIELD(sum, 8, number, "", "the sum so far")
+#define COUNTED_STATE(FIELD) FIELD(total, 8, number, "", "the sum so far")
+COSIM_RECORDS(COUNTED, Params);
+
+template <class V>
+constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
+  return {{select(is_set(in.rst), V(0), wrap(s.total + in.by, 8))}, {s.total}};
+}
+
+template <class V>
+constexpr auto legal(const Params&, const State<V>&, const Inputs<V>& in) {
+  return std::array{Stated<V>{"by is not 6", !(in.by == V(6))}};
+}
+
+struct Design {
+  COSIM_DESIGN(counted);
+  static constexpr const char* name = "counted";
+  static constexpr Inputs<Word> reset_inputs() { return {.rst = 1}; }
+};
+
+// Its sum is 1 more from `faulty` on.
+template <Word faulty>
+class Rtl final : public test::ModelAdapter<Design, Params{}> {
+ public:
+  using ModelAdapter::ModelAdapter;
+  Outputs outputs() const override {
+    return {ModelAdapter::outputs().sum + (registers().total >= faulty ? 1 : 0)};
+  }
+};
+
+namespace {
+
+using In = Inputs<Word>;
+using Out = Outputs<Word>;
+
+const DesignBench<Design> good(dut_maker<Rtl<1000>>());
+const DesignBench<Design> bad(dut_maker<Rtl<20>>());
+
+TEST(Directed, DrivesClocksAndTells) {
+  Directed<Design> bench(good);
+  EXPECT_EQ(bench.out().sum, 0);
+  bench.in.by = 3;
+  EXPECT_EQ(bench.clocks(4).sum, 9);  // during the fourth clock
+  EXPECT_EQ(bench.state().total, 12);
+  bench.in.by = 0;
+  EXPECT_EQ(bench.clock().sum, 12);
+}
+
+TEST(Directed, ClocksUntilAtMost) {
+  Directed<Design> bench(good);
+  bench.in.by = 1;
+  EXPECT_TRUE(bench.until([](const Out& out) { return out.sum == 4; }, 5));
+  EXPECT_FALSE(bench.until([](const Out& out) { return out.sum == 9; }, 4));
+  EXPECT_EQ(bench.out().sum, 8);
+}
+
+TEST(Directed, CallsDriversBeforeAClockAndMonitorsAfter) {
+  Directed<Design> bench(good);
+  std::vector<Word> seen;
+  // The same step as the sum of the clock before, but not more than 4: 1 first.
+  bench.add([](In& in, const Out& last) { in.by = last.sum == 0 ? 1 : 4; });
+  bench.add([](In& in, const Out&) { in.by += 1; });
+  bench.watch([&](const In& in, const Out& out) {
+    seen.push_back(in.by);
+    seen.push_back(out.sum);
+  });
+  bench.clocks(3);
+  EXPECT_EQ(seen, (std::vector<Word>{2, 0, 2, 2, 5, 4}));
+}
+
+TEST(Directed, RefusesAValueThatItsPinCannotHave) {
+  Directed<Design> bench(good);
+  bench.in.by = 8;
+  EXPECT_EQ(test::error_of([&] { bench.clock(); }),
+            "counted: clock 0: by is given 8, and has 3 bits");
+}
+
+TEST(Directed, RefusesInputsThatNeverCome) {
+  Directed<Design> bench(good);
+  bench.clock();
+  bench.in.by = 6;
+  EXPECT_EQ(test::error_of([&] { bench.clock(); }),
+            "counted: clock 1: inputs that are assumed never to come; the rule is: by is not 6");
+}
+
+TEST(Directed, RefusesAShapeThatIsNotBuilt) {
+  EXPECT_EQ(test::error_of([] { const Directed<Design> bench("W=9"); }),
+            "counted: no shape W=9; there is none");
+  EXPECT_EQ(&directed_choice({&good}, "counted", ""), &good);
+  EXPECT_THROW(directed_choice({&good, &bad}, "counted", ""), InputError);
+}
+
+class DirectedFailure : public testing::Test {
+ protected:
+  DirectedFailure() { setenv("COSIM_FAILURES", folder_.path().c_str(), 1); }
+  ~DirectedFailure() override {
+    if (before_.empty()) {
+      unsetenv("COSIM_FAILURES");
+    } else {
+      setenv("COSIM_FAILURES", before_.c_str(), 1);
+    }
+    present_test = nullptr;
+  }
+  std::string kept(const std::string& name) const { return (folder_.path() / name).string(); }
+
+ private:
+  Scratch folder_;
+  std::string before_ = std::getenv("COSIM_FAILURES") ? std::getenv("COSIM_FAILURES") : "";
+};
+
+TEST_F(DirectedFailure, ADifferenceIsThrownAndKept) {
+  present_test = [] { return PresentTest{"Sum.Grows", false}; };
+  Directed<Design> bench(bad);
+  bench.in.by = 7;
+  std::string text;
+  try {
+    bench.clocks(100);
+  } catch (const Differ& differ) {
+    text = differ.what();
+  }
+  // 21 on the fourth clock.
+  EXPECT_EQ(text.substr(0, text.find('\n')), "first difference: clock 3, sum");
+  EXPECT_TRUE(test::has(text, "kept in: " + kept("counted-Sum.Grows")));
+  const std::string stimulus = read_file(kept("counted-Sum.Grows/stimulus.stim"));
+  test::expect_has(stimulus, {"origin Sum.Grows\n", "\n0-3 "});
+  EXPECT_TRUE(std::filesystem::exists(kept("counted-Sum.Grows/smallest.stim")));
+}
+
+TEST_F(DirectedFailure, ATestThatFailsOtherwiseLeavesItsClocks) {
+  present_test = [] { return PresentTest{"Sum.IsSix", true}; };
+  testing::internal::CaptureStdout();
+  {
+    Directed<Design> bench(good);
+    bench.in.by = 5;
+    bench.clocks(2);
+  }
+  EXPECT_EQ(
+      testing::internal::GetCapturedStdout(),
+      "RTL and model are the same on all 2 clocks\nkept in: " + kept("counted-Sum.IsSix") + "\n");
+  EXPECT_TRUE(std::filesystem::exists(kept("counted-Sum.IsSix/stimulus.stim")));
+  EXPECT_TRUE(std::filesystem::exists(kept("counted-Sum.IsSix/wave.fst")));
+}
+
+TEST_F(DirectedFailure, ATestThatPassesLeavesNothing) {
+  present_test = [] { return PresentTest{"Sum.IsSeven", false}; };
+  { Directed<Design>(good).clocks(2); }
+  EXPECT_FALSE(std::filesystem::exists(kept("counted-Sum.IsSeven")));
+}
+
+}  // namespace
+}  // namespace cosim::counted

@@ -1,0 +1,91 @@
+// Where the cells of a field lie in what the RTL has by its name.
+#include "tb/util/place.h"
+
+#include <gtest/gtest.h>
+
+#include "model/core/input_error.h"
+#include "model/core/record.h"
+
+namespace cosim::test {
+namespace {
+
+struct PlaceSizes {
+  int depth = 6;
+};
+#define PLACED_FIELDS(FIELD)                           \
+  FIELD(plain, 5, bits, "", "")                        \
+  FIELD(slice, 3, bits.at("unit.status[6:4]"), "", "") \
+  FIELD(memory, 8, bits.array<8>(p.depth), "", "")     \
+  FIELD(wide, 100, bits.words<3>(), "", "")            \
+  FIELD(word, 4, bits.at("memory[2][7:4]"), "", "")    \
+  FIELD(one, 1, flag.at("status[7]"), "", "")
+COSIM_RECORD(Placed, PLACED_FIELDS, PlaceSizes);
+using P = Placed<Word>;
+
+const auto fields = P::fields({});
+// The cells of row i that a shape has.
+std::span<const Field> row(std::size_t i) { return rows_of(fields)[i]; }
+
+std::string told(const std::vector<Place>& places) {
+  std::string text;
+  for (const auto& [word, low] : places) {
+    text += (text.empty() ? "" : " ") + std::to_string(word) + ':' + std::to_string(low);
+  }
+  return text;
+}
+std::string places(const RtlNet& net, std::size_t i) {
+  try {
+    return told(places_in(net, row(i), "here"));
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
+TEST(NetPath, ReadsSlicesAndWords) {
+  const auto is = [](const char* net, const char* path, int word, int high, int low) {
+    const NetPath p = net_path(net);
+    EXPECT_EQ(std::tuple(p.path, p.word, p.high, p.low), std::tuple(path, word, high, low)) << net;
+  };
+  is("a.b", "a.b", -1, -1, -1);
+  is("a.b[7:4]", "a.b", -1, 7, 4);
+  is("a[1].b[3]", "a[1].b", 3, -1, -1);
+  is("m[3][7:4]", "m", 3, 7, 4);
+  is("m[x]", "m[x]", -1, -1, -1);
+  is("m[-1:0]", "m[-1:0]", -1, -1, -1);
+}
+
+TEST(Rows, AreTheCellsOfAFieldThatTheShapeHas) {
+  const auto rows = rows_of(fields);
+  ASSERT_EQ(rows.size(), 6U);
+  EXPECT_EQ(rows[0].size(), 1U);
+  EXPECT_EQ(rows[2].size(), 6U);
+  EXPECT_EQ(rows[3].size(), 2U);
+  EXPECT_EQ(rows[3][1].width, 36);
+}
+
+TEST(Places, AreBitsOfANetOrWordsOfAMemory) {
+  EXPECT_EQ(places({5}, 0), "-1:0");
+  EXPECT_EQ(places({10}, 1), "-1:4");
+  EXPECT_EQ(places({8, 6}, 2), "0:0 1:0 2:0 3:0 4:0 5:0");
+  EXPECT_EQ(places({48}, 2), "-1:0 -1:8 -1:16 -1:24 -1:32 -1:40") << "a net, from bit 0 up";
+  EXPECT_EQ(places({16, 3}, 2), "0:0 0:8 1:0 1:8 2:0 2:8") << "two elements a word";
+  EXPECT_EQ(places({100}, 3), "-1:0 -1:64");
+  EXPECT_EQ(places({8, 4}, 4), "2:4");
+  EXPECT_EQ(places({8}, 5), "-1:7");
+}
+
+TEST(Places, ThatDoNotFitAreRefusedWithBothNumbers) {
+  EXPECT_EQ(places({6}, 0), "here: 5 bits in the table, 6 in the RTL");
+  EXPECT_EQ(places({5, 4}, 0), "here: in the RTL it is a memory of 4 words");
+  EXPECT_EQ(places({6}, 1), "here: the RTL has bits 5 to 0");
+  EXPECT_EQ(places({8, 4}, 1), "here: in the RTL it is a memory: bits of which word?");
+  EXPECT_EQ(places({8, 7}, 2), "here: 6 elements in the table, 7 in the RTL");
+  EXPECT_EQ(places({9, 6}, 2), "here: elements of 8 bits in the table, words of 9 in the RTL");
+  EXPECT_EQ(places({47}, 2), "here: 48 bits in the table, 47 in the RTL");
+  EXPECT_EQ(places({100, 2}, 3), "here: elements of 64 bits in the table, words of 100 in the RTL");
+  EXPECT_EQ(places({8, 2}, 4), "here: the RTL's memory has 2 words");
+  EXPECT_EQ(places({8}, 4), "here: in the RTL it is no memory");
+}
+
+}  // namespace
+}  // namespace cosim::test

@@ -44,10 +44,16 @@ constexpr void for_each_case(const std::tuple<Some...>& cases, const Visit& visi
 
 /// A model of streams says with cases(x), or with cases(x, before), what may happen to an X.
 template <class M, class X>
-concept SaysStreamCases = requires(const X& x) {
+concept SaysCasesOfOne = requires(const X& x) {
   M::cases(x);
-}
-|| requires(const X& x, const X* before) { M::cases(x, before); };
+};
+template <class M, class X>
+concept SaysCasesOfTwo = requires(const X& x, const X* before) {
+  M::cases(x, before);
+};
+template <class M, class X>
+concept SaysStreamCases = SaysCasesOfOne<M, X> || SaysCasesOfTwo<M, X>;
+
 /// `before`: the transaction before it in its stream, null of the first one of a case.
 template <class M, class X>
 constexpr auto stream_cases(const X& x, [[maybe_unused]] const X* before) {

@@ -214,7 +214,7 @@ struct RegisterTable : RecordTable<T...> {
  private:
   static constexpr auto fields_ = [] {
     std::array<std::array<Field, Base::size>, sizeof...(T)> all{};
-    for (int number = 0; number < int(sizeof...(T)); ++number) {
+    for (int number = 0; number < static_cast<int>(sizeof...(T)); ++number) {
       all[std::size_t(number)] = Base::fields({number});
       std::size_t i = 0;
       for (const Leaf& leaf : leaves_of<typename Base::First>) {

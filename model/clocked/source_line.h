@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -45,7 +46,7 @@ inline std::map<const void*, SourceLine> source_lines(const std::vector<const vo
   // that it is in, the innermost one first.
   while (getline(&text, &size, pipe) > 0) {
     std::string line = text;
-    line = line.substr(0, line.find_first_of(" \n"));
+    line.resize(std::min(line.size(), line.find_first_of(" \n")));
     const std::size_t colon = line.rfind(':');
     if (line.starts_with("0x") && colon == std::string::npos) {
       is_library = true;

@@ -8,8 +8,8 @@
 #include "model/core/input_error.h"
 #include "tb/sim/hostile.h"
 #include "tb/util/hash.h"
+#include "tb/util/output_file.h"
 #include "tb/util/read_file.h"
-#include "tb/util/replace_file.h"
 
 namespace cosim::lanes {
 namespace {
@@ -39,7 +39,7 @@ Gpu::Gpu(const fs::path& folder, const std::string& key,
     const std::string text = source();
     std::error_code error;
     fs::create_directories(folder, error);
-    replace_file(file.string(), text);
+    write_file(file.string(), text);
   }
   const std::string text = read_file(file.string());
   layout = parse_layout(text.substr(3, text.find('\n') - 3));
@@ -57,7 +57,7 @@ Gpu::Gpu(const fs::path& folder, const std::string& key,
     program = device.program(read_file(kept.string()));
   } else {
     program = device.program(text, options);
-    replace_file(kept.string(), Device::binary_of(program));
+    write_file(kept.string(), Device::binary_of(program));
   }
   begin_ = Device::kernel(program, "begin");
   run_ = Device::kernel(program, "run");

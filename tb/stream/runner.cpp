@@ -79,7 +79,7 @@ void StreamRunner::start() {
   }
   noise_ = Random(order_->noise);
   if (edges_) edges_->start(order_->noise);
-  held_ = false;
+  held_ = is_shown_ = false;
   quiet_ = moved_at_ = longest_ = drained_ = 0;
   gathered_.clear();
   result_ = StreamResult{};
@@ -210,7 +210,7 @@ template <bool plain>
     if (plain || !t.stands) judge<plain>(t);
   }
   listen(moved);
-  const bool more = order_->observer == nullptr || show();
+  if (order_->observer != nullptr && !is_shown_) is_shown_ = !show();
   set_clocks<plain>(true);
   eval();
   ++result_.clocks;
@@ -218,7 +218,7 @@ template <bool plain>
     for (Giver& g : givers) g.advance();
     for (Taker& t : takers) t.advance<plain>();
   }
-  return more && !ends(moved);
+  return !ends(moved);
 }
 
 // A silence is listened to until it ends.
@@ -314,7 +314,7 @@ bool StreamRunner::ends_found() {
     return false;
   }
   if (order_->gather && !result_.finding->goes_in) result_.came = gathered(result_.finding->stream);
-  return order_->observer == nullptr;
+  return order_->observer == nullptr || is_shown_;
 }
 
 Sequence& StreamRunner::gathered(std::size_t s) {

@@ -77,8 +77,9 @@ class StreamRunner {
   std::vector<std::size_t> taken_;  // of each giver, after each clock on which one was taken
   std::vector<std::size_t> due_;    // of each taker, by the last answer
   bool held_ = false;               // by the harness, on this clock
-  std::uint64_t quiet_ = 0;         // clocks since something moved or was held; of several, of each
-  std::uint64_t moved_at_ = 0;      // the clock after that
+  bool is_shown_ = false;       // the observer has what it wants; the run goes on to its finding
+  std::uint64_t quiet_ = 0;     // clocks since something moved or was held; of several, of each
+  std::uint64_t moved_at_ = 0;  // the clock after that
   std::uint64_t longest_ = 0, drained_ = 0;
   std::vector<Sequence> gathered_;
   StreamResult result_;

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <set>
 
+#include "tb/nets/runs.h"
 #include "tb/util/random.h"
 #include "tests/support/stand_ins.h"
 

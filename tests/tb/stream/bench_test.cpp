@@ -16,9 +16,10 @@
 namespace cosim {
 namespace {
 
-using test::Fault, test::Queue;
+using test::Queue;
+using QueueFault = test::Fault;
 
-class QueueBench final : public AnyStreamBench {
+class QueueBench : public AnyStreamBench {
  public:
   QueueBench() {
     tables_.design = "queue";
@@ -74,7 +75,7 @@ class QueueBench final : public AnyStreamBench {
   }
 
   /// Of the first instance, of those behind it, and of those that show their hierarchy.
-  Fault first = Fault::none, later = Fault::none, shown = Fault::none;
+  QueueFault first = QueueFault::none, later = QueueFault::none, shown = QueueFault::none;
   bool is_mute = false;  ///< the model gives nothing
   mutable int instances = 0;
 };
@@ -126,7 +127,7 @@ TEST(StreamBench, CountsTheCasesOfWhatWentIn) {
 
 TEST(StreamBench, TellsAFailureInTheWordsOfItsModel) {
   QueueBench bench;
-  bench.first = bench.later = Fault::value;
+  bench.first = bench.later = QueueFault::value;
   const cosim::Run run = bench.replay(bench.ten(), {});
   ASSERT_TRUE(run.mismatch);
   const auto& told = run.mismatch->told;
@@ -163,21 +164,36 @@ TEST(StreamBench, WhoseWaveIsOfAnotherRunSaysSo) {
   };
   QueueBench bench;
   EXPECT_EQ(said(bench), "");
-  bench.shown = Fault::value;
+  bench.shown = QueueFault::value;
   EXPECT_NE(said(bench).find(
                 "queue: the wave is of another run than the verdict: in the wave y_data fails on "
                 "clock 4, in the run that was judged 10 transactions match: "),
             std::string::npos);
-  bench.first = bench.later = Fault::value;
+  bench.first = bench.later = QueueFault::value;
   EXPECT_EQ(said(bench), "");
-  bench.shown = Fault::none;
+  bench.shown = QueueFault::none;
   EXPECT_NE(said(bench), "");
 }
 
+// The watchdog finds a silence long after the clock on which nothing moves any more.
+TEST(StreamBench, WhoseSilenceIsLongerThanItsWaveIsKeptAndShown) {
+  class Patient : public QueueBench {
+   public:
+    Patient() { shape_.watchdog = 500; }
+  } bench;
+  bench.first = bench.later = bench.shown = QueueFault::hang;
+  const cosim::Run run = bench.replay(bench.ten(), {.before = 20, .after = 5});
+  ASSERT_TRUE(run.mismatch);
+  PictureSink sink;
+  testing::internal::CaptureStderr();
+  bench.show(bench.ten(), {.before = 20, .after = 5}, sink);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
 TEST(StreamBench, WhoseFailureIsAnotherOneTheNextTimeIsRefused) {
-  for (const Fault next : {Fault::none, Fault::twice}) {
+  for (const QueueFault next : {QueueFault::none, QueueFault::twice}) {
     QueueBench bench;
-    bench.first = Fault::value;
+    bench.first = QueueFault::value;
     bench.later = next;
     EXPECT_THROW(bench.replay(bench.ten(), {}), InputError);
     bench.instances = 0;

@@ -56,7 +56,7 @@ void add_csv(const Command& command, Common& common, const std::string& rows) {
 void add_failures(const Command& command, Common& common, bool kept) {
   common.keeps_failures = kept;
   command.text("--failures", common.failures, "DIR",
-               kept ? "Where a mismatch leaves its folder; default $COSIM_FAILURES or failures"
+               kept ? "The folder of failures; default $COSIM_FAILURES or failures"
                     : "Leave a folder in DIR if it does not match");
   add_window(command, common);
 }

@@ -277,23 +277,22 @@ void add_cover(const Command& program, const Registry& registry) {
   command.text("--counts", o->counts, "FOLDER",
                "Leave the counts in this new folder, for verilator_coverage");
   command.flag("--close", o->close,
-               "Ask whether what is left can ever happen: a stimulus, or a proof");
+               "Ask an engine for the rest: a stimulus that reaches it, or a proof that none can");
   command.text("--seconds", o->seconds, "S",
-               "How long the engine may search, for each shape; default 60");
+               "Seconds of search for each shape; default 60");
   command.text("--stimuli", o->stimuli, "FOLDER",
-               "Where the stimuli that it finds are written; default stimuli");
+               "The folder for the stimuli that it finds; default stimuli");
   add_report(command, o->common);
   add_seed(command, o->common);
   command.footer(fmt::format(
-      "Lines, toggles of each bit and cover statements are counted by Verilator, over all "
-      "instances\n"
-      "and shapes of a design; not what stands between '// verilator coverage_off' and\n"
-      "'// verilator coverage_on'. The program with counters is built when first asked for.\n"
-      "The ways through clock() of the model are those that its exporter takes; where there are\n"
-      "more than 256 they are branches, what each condition may be, and so are conditions in\n"
-      "blocks of merge(). A way is printed by the line of its last condition.\n"
-      "--close asks, of the RTL and the model from their reset on, for each bit, cover statement,\n"
-      "case and way; its stimuli are kept, and run in the RTL with counters.\n"
+      "Verilator counts lines, toggles of each bit and cover statements, over all instances and\n"
+      "shapes of a design, but not between '// verilator coverage_off' and '// verilator\n"
+      "coverage_on'. The program with counters is built when it is first needed.\n"
+      "Ways are the paths through clock() of the model. A model with more than 256 ways has\n"
+      "branches instead, the values of each condition, and so have blocks of merge(). A way is\n"
+      "printed by the line of its last condition.\n"
+      "--close asks for each bit, cover statement, case and way whether it can happen from reset;\n"
+      "its stimuli are kept, and run in the RTL with counters.\n"
       "Exit status: 0 all reached, or proved unreachable; 1 something was not; 2 bad input.\n"
       "Example: {0} cover {1} --hostile 10000",
       program_name(), benches().front()->built_as()));

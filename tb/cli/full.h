@@ -24,12 +24,12 @@ struct FullCommand {
 inline constexpr FullCommand prove_command{
     "prove", "Proves that RTL and model are the same, for every state and input"};
 inline constexpr FullCommand mutate_command{
-    "mutate", "Plants small faults in the RTL: each must be found, or proved harmless"};
+    "mutate", "Plants small faults in the RTL: each must be found or proved harmless"};
 inline constexpr FullCommand regress_command{
-    "regress", "Many sweeps, proofs, mutants and more, as a file lists them"};
-inline constexpr FullCommand lint_command{"lint", "What other tools find in the RTL"};
+    "regress", "Runs a plan of sweeps, proofs, mutants and more; resumable, on a cluster too"};
+inline constexpr FullCommand lint_command{"lint", "Findings of other tools in the RTL"};
 inline constexpr FullCommand equiv_command{"equiv",
-                                           "Two versions of RTL: proved the same, or told apart"};
+                                           "Compares two versions of RTL: equal for ever, or a stimulus that shows a difference"};
 inline constexpr FullCommand new_command{"new",
                                          "A project for a design of your own, in a new folder"};
 inline constexpr std::array full_commands{prove_command, mutate_command, regress_command,

@@ -115,7 +115,7 @@ void add_job(const Command& program) {
       program.sub("job", "Runs a job of a design, or several, one after the other");
   command.arguments("DESIGN WORD...", o->words,
                     "The design and values of its parameters; then the fields of the job, each\n"
-                    "NAME=VALUE, 0 where not given. A ';' stands between jobs");
+                    "NAME=VALUE, 0 where not given. A ';' separates jobs");
   add_wave(command, o->common, "Draw the run as a waveform, with FILE.gtkw, its view for GTKWave");
   add_failures(command, o->common);
   add_common(command, o->common);

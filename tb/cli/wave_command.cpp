@@ -138,7 +138,7 @@ void add_wave_command(const Command& program) {
                "Write there what GTKWave shows, without a display (needs Xvfb)");
   command.text("--seed", o->common.seed_text, "S", "Seed of hostile clocks; default 1");
   command.text("--failures", o->common.failures, "DIR",
-               "Where failures are; default $COSIM_FAILURES or failures");
+               "The folder of failures; default $COSIM_FAILURES or failures");
   add_window(command, o->common);
   const std::string what = benches().empty() ? "failures/TOP-equiv --shot it.png"
                                              : benches().front()->design() + " --out it.fst";

@@ -201,8 +201,8 @@ void add_equiv(const Command& program) {
                "FILE, -f LIST; the old RTL has the list of that revision");
   command.each("-F", o->own_lists, "LIST", "The same, whose paths begin at the folder of the list");
   command.text("--top", o->top, "NAME", "The module that is compared");
-  command.text("--gold-top", o->gold_top, "NAME", "What it is called in the old RTL");
-  command.text("--gate-top", o->gate_top, "NAME", "What it is called in the new RTL");
+  command.text("--gold-top", o->gold_top, "NAME", "Its name in the old RTL");
+  command.text("--gate-top", o->gate_top, "NAME", "Its name in the new RTL");
   command.texts("--cells", o->cells, "FILE",
                 "Cells that both may use, of a netlist: Verilog, or Liberty (*.lib)");
   command.each("--blackbox", o->blackboxes, "NAME",
@@ -211,7 +211,7 @@ void add_equiv(const Command& program) {
   command.each("--gold-param", o->gold_parameters, "NAME=VALUE",
                "One of the old RTL alone: a netlist has none");
   command.each("--gate-param", o->gate_parameters, "NAME=VALUE", "One of the new RTL alone");
-  command.each("--include", o->include_dirs, "DIR", "Where `include finds its files");
+  command.each("--include", o->include_dirs, "DIR", "A folder of headers");
   command.each("--define", o->defines, "NAME[=VALUE]", "A definition, in both");
   command.each("--reset", o->resets, "PIN[=0|1]", "A reset, and the level that resets");
   command.text("--reset-clocks", o->reset_clocks, "N",

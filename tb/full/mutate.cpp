@@ -224,12 +224,12 @@ void add_mutate(const Command& program, const Registry& registry) {
                "Survivors that are the same machine, a line each: MACHINE: MUTANT -- REASON");
   command.flag("--list", o->list, "Print each mutant and what became of it");
   command.text("--failures", o->common.failures, "DIR",
-               "Where a survivor leaves its folder; default $COSIM_FAILURES or failures");
+               "The folder of survivors; default $COSIM_FAILURES or failures");
   command.text("--report", o->common.report, "FILE", "Write what became of each as JSON");
   add_junit(command, o->common);
   command.footer(fmt::format(
       "Needs yosys, which plants them, and a compiler.\n"
-      "Where no stimulus finds a mutant, an engine looks for one, from reset; it is kept in DIR.\n"
+      "An engine looks for a stimulus from reset for each mutant that is left, and keeps it in DIR.\n"
       "Exit status: 0 none survived, 1 some did, 2 bad input.\n"
       "Example: {} mutate {} --mutants 20",
       program_name(), benches().front()->built_as()));

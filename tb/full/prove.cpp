@@ -76,9 +76,9 @@ void add_prove(const Command& program, const Registry& registry) {
   add_failures(command, o->common);
   command.footer(
       "Needs yosys with yosys-abc (cec); cadical is a part of this program, and theorems need z3.\n"
-      "What both prove is proved. One that is named alone decides.\n"
-      "What is not proved for every state is then asked from reset, by yosys-abc; that proof is\n"
-      "checked by cadical, where an inductive invariant is found in time.\n"
+      "A claim is proved if both engines prove it. An engine that is named alone decides.\n"
+      "A claim that is not proved for every state is then asked from reset, by yosys-abc; cadical\n"
+      "checks that proof, if an inductive invariant is found in time.\n"
       "Example: " +
       program_name() + " prove " + proof::built_machines().front().title);
   command.action([o, &registry] {

@@ -295,12 +295,12 @@ int run(const RegressOptions& o, const Registry& registry, Verdicts& verdicts) {
 void add_regress(const Command& program, const Registry& registry) {
   auto o = std::make_shared<RegressOptions>();
   const Command command = program.sub(regress_command.name, regress_command.help);
-  command.argument("FILE", o->file, "The plan, a JSON file; --schema says what may be in it");
+  command.argument("FILE", o->file, "The plan, a JSON file; --schema prints its format");
   command.text("--folder", o->folder, "DIR",
-               "Where the run is kept, a new folder; default regressions/NAME-NUMBER");
-  command.text("--resume", o->resume, "DIR", "Go on with the run in DIR");
+               "A new folder for the run; default regressions/NAME-NUMBER");
+  command.text("--resume", o->resume, "DIR", "Resume the run in DIR");
   command.text("--shards", o->shards, "N",
-               "Cut into about N parts; default a minute each. The report stays the same");
+               "About N parts; default a minute each. The report stays the same");
   command.text("--jobs", o->jobs, "J", "Parts at a time, 1 to 1024; default one a core");
   command.text("--seed", o->seed, "S",
                "Seed of the run; default a new one each time, which is printed");
@@ -308,7 +308,7 @@ void add_regress(const Command& program, const Registry& registry) {
   command.flag("--slurm", o->slurm, "On the nodes of a Slurm cluster; DIR on a disk they share");
   command.text("--sbatch", o->sbatch, "WORDS",
                "More options for sbatch: 'account=x partition=y nice'");
-  command.flag("--dry-run", o->dry_run, "Only print what would run, and how it is cut");
+  command.flag("--dry-run", o->dry_run, "Only print what would run, in which parts");
   command.flag("--schema", o->schema, "Only print the plan's JSON Schema, for editors");
   command.text("--work", o->work, "DIR",
                "Only work on parts of the run in DIR, with one of these three:");
@@ -318,7 +318,7 @@ void add_regress(const Command& program, const Registry& registry) {
   command.flag("--merge", o->merge, "With --work: no part, only put the report together");
   add_junit(command, o->common);
   command.footer(
-      "Killed anywhere, a run goes on with --resume and ends with the same report.json.\n"
+      "A killed run is resumed by --resume and ends with the same report.json.\n"
       "Exit status: 0 all holds, 1 something does not, 2 bad input, or not all could be run.\n"
       "Example: " +
       program_name() + " regress --schema");

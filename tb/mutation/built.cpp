@@ -293,7 +293,7 @@ int main_of_built(Cases (*cases)(const AnyBench&), int argc, char** argv) {
       ->type_name("A,B");
   app.add_option("--written", o.written, "Verilog of the RTL that yosys reads in its place");
   app.add_option("--prover", o.prover, "How a survivor's folder calls what proves");
-  app.add_option("--failures", o.failures, "Where a survivor leaves its folder");
+  app.add_option("--failures", o.failures, "The folder of survivors");
   app.add_option("--jobs", o.threads, "Threads")->check(CLI::Range(1, 1024));
   try {
     app.parse(argc, argv);

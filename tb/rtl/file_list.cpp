@@ -130,7 +130,7 @@ class Reader {
 
   // The word behind an option.
   std::string next(const std::string& option) {
-    if (at_ + 1 == words_.size()) refuse("nothing stands behind " + option);
+    if (at_ + 1 == words_.size()) refuse("no value after " + option);
     return words_[++at_].text;
   }
   // The parts of +incdir+A+B and the like.

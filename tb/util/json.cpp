@@ -20,7 +20,7 @@ Json parse_json(const std::string& text, std::vector<std::string>& errors) {
     if (event == Json::parse_event_t::key) {
       const auto key = value.get<std::string>();
       if (!open.back().insert(key).second) {
-        errors.push_back(fmt::format("{}: stands twice in an object", in_quotes(key)));
+        errors.push_back(fmt::format("{}: occurs twice in an object", in_quotes(key)));
       }
     }
     return true;

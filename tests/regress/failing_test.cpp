@@ -98,7 +98,7 @@ TEST_F(Regression, OfABadPlanIsRefusedWhole) {
   expect_refused(folder_, "[]", {"no plan: needs an object with \"format\": 1"});
   expect_refused(folder_, R"({"format": 2})", {"no plan: needs an object with \"format\": 1"});
   expect_refused(folder_, head + R"({"name": "a", "run": ["true"], "seed": 1, "seed": 2}]})",
-                 {"'seed': stands twice in an object"});
+                 {"'seed': occurs twice in an object"});
   expect_refused(folder_, R"({"format": 1, "more": 1})",
                  {"more: no such key", "name: is needed", "tasks: needs a list of tasks"});
   const std::string line = "needs printable characters on one line";

@@ -120,6 +120,7 @@ page.md:8: ~/cosim/bin/cosim news uart: there is no command news
 page.md:15: scripts/wave --shots FILE: --shots
 END
 
-found=$(finds README.md docs/*.md)
+mapfile -t pages < <(find docs -name '*.md' | LC_ALL=C sort)
+found=$(finds README.md "${pages[@]}")
 [[ ! $found ]] || { echo "$found" && exit 1; }
 echo "all that is shown is there"

@@ -36,19 +36,22 @@ theorems=$(PATH=$folder:$PATH "$program" prove --theorems 2>&1 |
 
 finds() {
   local page file name faults kept
-  says README.md "input: $machines shapes up to 32 bits" "line: $theorems theorems on the models"
-  says docs/proof.md "All $((3 * machines)) claims, of $machines machines up to 32 bits" \
-    "All $theorems are proved" "All ${#files[@]} planted faults and misprints"
-  says docs/failures.md "Each of $((${#files[@]} - 1)) planted faults and misprints"
-  for page in docs/cost.md docs/streams.md; do says $page "$model lines"; done
+  says docs/interpolators/results.md "every state and input, $machines shapes up to 32 bits" \
+    "the claims of the sources, $theorems theorems on the models" \
+    "All $((3 * machines)) claims, of $machines machines up to 32 bits" \
+    "All ${#files[@]} planted faults and misprints" \
+    "Each of $((${#files[@]} - 1)) planted faults and misprints"
+  says docs/interpolators/theorems.md "All $theorems are proved"
+  says docs/background/proof.md "All $((3 * machines)) claims of the shipped designs, in $machines configurations"
+  says docs/background/performance.md "filter is $model lines"
   for file in tests/{designs,studies}/*/mutation/faults.cmake tests/mutation/models/faults/*.cmake; do
     faults=$(grep -c '^fault(' "$file")
     name=${file%/mutation/faults.cmake}
-    says docs/mutation.md "| $(basename "$name" .cmake) | $faults | $faults | 0 |"
+    says docs/interpolators/results.md "| $(basename "$name" .cmake) | $faults | $faults | 0 |"
   done
-  kept=$(column 5 machine docs/cost.md | grep -oE '[0-9.]+' | sort -n | sed -n '1p;$p' | paste -sd ' ')
-  says README.md "lockstep keeps ${kept/ / to } of the bare"
-  diff <(column 1 machine docs/netlists.md) <(echo "$shapes") | sed 's|^[<>]|docs/netlists.md: &|' || true
+  kept=$(column 5 machine docs/background/performance.md | grep -oE '[0-9.]+' | sort -n | sed -n '1p;$p' | paste -sd ' ')
+  says README.md "Lockstep keeps ${kept/ / to } of the speed of the bare"
+  diff <(column 1 machine docs/interpolators/netlists.md) <(echo "$shapes") | sed 's|^[<>]|docs/interpolators/netlists.md: &|' || true
 }
 
 found=$(finds)

@@ -115,6 +115,7 @@ page.md:11: scripts/cosim line --major
 END
 
 cd "$root"
-found=$(all README.md docs/*.md)
+mapfile -t pages < <(find docs -name '*.md' | LC_ALL=C sort)
+found=$(all README.md "${pages[@]}")
 [[ ! $found ]] || { echo "$found" && exit 1; }
 echo "what is shown is printed"

@@ -50,7 +50,7 @@ TEST(JsonAt, RefusesWhatIsNoJson) {
   };
   EXPECT_EQ(refused("{").find("a.json: no JSON: at line 1, column 2: "), 0U) << refused("{");
   EXPECT_EQ(refused("1e999").find("a.json: no JSON: "), 0U) << refused("1e999");
-  EXPECT_EQ(refused(R"([{"a": 1, "a": 2}])"), "a.json: 'a': stands twice in an object");
+  EXPECT_EQ(refused(R"([{"a": 1, "a": 2}])"), "a.json: 'a': occurs twice in an object");
   const auto nested = [](int levels) {
     const auto size = static_cast<std::size_t>(levels);
     return std::string(size, '[') + std::string(size, ']');

@@ -179,7 +179,7 @@ void add_dda(const Command& program) {
                "A quarter from R,0, anticlockwise; with --clocks as far as these go");
   command.text("--conic", o->conic, "A,B,C,D,E,F",
                "A x^2 + B xy + C y^2 + D x + E y + F = 0; an ellipse for one turn");
-  command.text("--from", o->from, "X,Y", "Where a conic starts");
+  command.text("--from", o->from, "X,Y", "The start of a conic");
   command.text("--clocks", o->clocks, "N", "Stop after N running clocks");
   command.text("--update", o->update, "HOW",
                "parallel (default), as the source's hardware, or sequential, its flow chart");

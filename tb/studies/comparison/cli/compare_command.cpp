@@ -213,7 +213,7 @@ void check_known(const Text& asked, const std::vector<bool>& known, const compar
 void check_once(const std::vector<std::string>& names) {
   for (auto at = names.begin(); at != names.end(); ++at) {
     if (std::find(names.begin(), at, *at) != at) {
-      throw InputError(fmt::format("--algorithms: {} stands there twice", in_quotes(*at)));
+      throw InputError(fmt::format("--algorithms: {} is given twice", in_quotes(*at)));
     }
   }
 }

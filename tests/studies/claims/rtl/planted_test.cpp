@@ -1,4 +1,4 @@
-// What docs/failures.md says of the faults planted in all designs.
+// The results page says how many faults are planted in all designs, and how far they shrink.
 #include "tests/rtl/planted.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace cosim::test {
 namespace {
 
 TEST(Planted, AreAsManyAndShrinkAsFarAsThePageSays) {
-  const std::string text = read_file((project_root() / "docs/failures.md").string());
+  const std::string text = read_file((project_root() / "docs/interpolators/results.md").string());
   const Pattern sentence(
       "Each of (\\d+)\\splanted\\sfaults\\sand\\smisprints\\sshrinks\\sto\\s(\\d+)\\sclocks");
   const auto found = sentence.all(text);

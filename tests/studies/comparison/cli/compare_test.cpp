@@ -151,7 +151,7 @@ TEST_F(Compare, RefusesWhatItCannotCompare) {
                          "--algorithms: 'midpoint' cannot do this work; there are su1631518, "
                          "su1631518-greedy, rate-multiplier, dda, dda-half, bresenham");
   expect_refused_compare({"--line", "27,9", "--algorithms", "dda,bresenham,dda"},
-                         "--algorithms: 'dda' stands there twice");
+                         "--algorithms: 'dda' is given twice");
   EXPECT_EQ(cosim({"compare", "--line", "5,3", "--algorithms", ""}).err,
             "cosim: --algorithms: names none\n");
   expect_refused_compare(

@@ -29,7 +29,8 @@ run() {
 agrees() {
   local line quoted pattern="" printed
   while IFS= read -r line; do
-    printf -v quoted '%q\n' "$line"
+    quoted=$'\n' # '%q' makes quotes of an empty line
+    [[ ! $line ]] || printf -v quoted '%q\n' "$line"
     [[ $line == "..." ]] && pattern+="*" || pattern+=$quoted
   done <<< "${2%$'\n'}"
   printed=$(run "$1" 2>&1 || true)$'\n'

@@ -227,12 +227,13 @@ void add_mutate(const Command& program, const Registry& registry) {
                "The folder of survivors; default $COSIM_FAILURES or failures");
   command.text("--report", o->common.report, "FILE", "Write what became of each as JSON");
   add_junit(command, o->common);
-  command.footer(fmt::format(
-      "Needs yosys, which plants them, and a compiler.\n"
-      "An engine looks for a stimulus from reset for each mutant that is left, and keeps it in DIR.\n"
-      "Exit status: 0 none survived, 1 some did, 2 bad input.\n"
-      "Example: {} mutate {} --mutants 20",
-      program_name(), benches().front()->built_as()));
+  command.footer(
+      fmt::format("Needs yosys, which plants them, and a compiler.\n"
+                  "An engine looks for a stimulus from reset for each mutant that is left, and "
+                  "keeps it in DIR.\n"
+                  "Exit status: 0 none survived, 1 some did, 2 bad input.\n"
+                  "Example: {} mutate {} --mutants 20",
+                  program_name(), benches().front()->built_as()));
   command.action([o, &registry] {
     return with_verdicts(mutate_command.name, mutate_command.name, o->common,
                          [&](Verdicts& verdicts) { return run(*o, registry, verdicts); });

@@ -98,9 +98,9 @@ struct RandomArcs {
   }
 };
 
-// The bounds that docs/interpolators/toolpaths.md may name. Quantising moves centre and start by up to 0.71 each,
-// the circle then misses start by up to half a step along an axis, and the machine adds half a
-// step.
+// The bounds that docs/interpolators/toolpaths.md may name. Quantising moves centre and start by up
+// to 0.71 each, the circle then misses start by up to half a step along an axis, and the machine
+// adds half a step.
 TEST(Walk, RandomArcsStayOnTheCircleAndEndOnTheTarget) {
   RandomArcs arcs;
   double furthest = 0;

@@ -1,6 +1,9 @@
 #!/usr/bin/env bash
 # What tb/rooms.cmake finds in a small project: designs in the order of shipped.txt, studies by name, and
-# without those that need something missing, each reported in a line. Status: 0 so it is, 1 not.
+# without those that need something missing, each reported in a line. Files of tb include only their own
+# folder, those beside it and those below it in docs/pictures/rooms.svg, and docs/project/architecture.md
+# names the same folders. First on a tree where each is wrong, then on the project.
+# Status: 0 so it is, 1 not.
 source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 cd "$folder"
 
@@ -45,4 +48,41 @@ END
 rm -r model/second
 said=$(cmake -G Ninja -S . -B build 2>&1) && echo "takes a design without a model" && exit 1
 [[ $said == *"rtl/shipped.txt: there is no folder model/second"* ]] || { echo "$said" && exit 1; }
+
+# finds TREE: what differs between its folders, the picture and the page, a line each.
+finds() {
+  cd "$1"
+  local picture=docs/pictures/rooms.svg page=docs/project/architecture.md
+  # Each room with the height of its box.
+  sed -nE 's|.*<text x="[0-9]+" y="([0-9]+)">([a-z]+)[^a-z].*|\2 \1|p' $picture > "$folder/heights"
+  cut -d ' ' -f 1 "$folder/heights" | LC_ALL=C sort > "$folder/drawn"
+  { find tb -mindepth 1 -maxdepth 1 -type d -printf '%f\n' && echo model; } | LC_ALL=C sort |
+    diff - "$folder/drawn" | sed -n "s|^< |$picture: no |p; s|^> |$picture: there is no |p" || true
+  grep -vxE 'designs|studies|model' "$folder/drawn" |
+    diff - <(sed '/^| other/,$d' $page | { grep -oE '^[|] [^ a-z-][a-z]+' || true; } |
+      grep -oE '[a-z]+' | LC_ALL=C sort) |
+    sed -n "s|^< |$page: no |p; s|^> |$page: too much: |p" || true
+  # What a template includes by @NAME@ belongs to its user.
+  { grep -rnoE '^#include "tb/[a-z]+/' tb || true; } | LC_ALL=C sort |
+    awk -F '[/:"]' 'NR == FNR { split($0, one, " "); height[one[1]] = one[2]; next }
+      height[$(NF - 1)] < height[$2] { print }' "$folder/heights" - |
+    grep -vE '^tb/[a-z]+/[a-z_]+[.]cpp[.]in:' || true
+}
+
+mkdir -p tree/{tb/{one,beside,below,more},docs/{pictures,project}}
+printf '<text x="1" y="%d">%s</text>\n' 10 one 10 beside 20 below 30 model/core 30 gone \
+  > tree/docs/pictures/rooms.svg
+printf '| \x60%s\x60 | |\n' one below extra > tree/docs/project/architecture.md
+printf '#include "tb/%s/x.h"\n' one beside below > tree/tb/one/x.h
+printf '#include "tb/%s/x.h"\n' beside below > tree/tb/below/x.h
+diff - <(finds tree) <<- 'END'
+	docs/pictures/rooms.svg: there is no gone
+	docs/pictures/rooms.svg: no more
+	docs/project/architecture.md: no beside
+	docs/project/architecture.md: no gone
+	docs/project/architecture.md: too much: extra
+	tb/below/x.h:1:#include "tb/beside/
+END
+found=$(finds "$root")
+[[ ! $found ]] || { echo "$found" && exit 1; }
 echo "as expected"

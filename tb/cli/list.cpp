@@ -16,8 +16,7 @@ namespace cosim::cli {
 void add_list(const Command& program) {
   const Command command = program.sub("list", "The designs that were built, and their parameters");
   auto drawn = std::make_shared<bool>(false);
-  command.flag("--drawn", *drawn,
-               "Of designs with a stream model, how random transactions are distributed");
+  command.flag("--drawn", *drawn, "Print how random transactions of stream models are distributed");
   command.action([drawn] {
     for (const Unusable& unused : unusable()) leave_out(unused.why);
     std::string design;

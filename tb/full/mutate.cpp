@@ -221,7 +221,7 @@ void add_mutate(const Command& program, const Registry& registry) {
   command.text("--mutants", o->mutants, "N", "At most N for each shape, 1 to 65535; default 100");
   command.flag("--unproved", o->unproved, "Do without proofs: what is not found survives");
   command.text("--equivalent", o->equivalent, "FILE",
-               "Survivors that are the same machine, a line each: MACHINE: MUTANT -- REASON");
+               "Survivors known to be equal, a line each: MACHINE: MUTANT -- REASON");
   command.flag("--list", o->list, "Print each mutant and what became of it");
   command.text("--failures", o->common.failures, "DIR",
                "The folder of survivors; default $COSIM_FAILURES or failures");

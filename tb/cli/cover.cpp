@@ -277,7 +277,7 @@ void add_cover(const Command& program, const Registry& registry) {
   command.text("--counts", o->counts, "FOLDER",
                "Leave the counts in this new folder, for verilator_coverage");
   command.flag("--close", o->close,
-               "Ask an engine for the rest: a stimulus that reaches it, or a proof that none can");
+               "Ask an engine for the rest: a stimulus, or a proof that it is unreachable");
   command.text("--seconds", o->seconds, "S", "Seconds of search for each shape; default 60");
   command.text("--stimuli", o->stimuli, "FOLDER",
                "The folder for the stimuli that it finds; default stimuli");

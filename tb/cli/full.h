@@ -29,7 +29,7 @@ inline constexpr FullCommand regress_command{
     "regress", "Runs a plan of sweeps, proofs, mutants and more; resumable, on a cluster too"};
 inline constexpr FullCommand lint_command{"lint", "Findings of other tools in the RTL"};
 inline constexpr FullCommand equiv_command{
-    "equiv", "Compares two versions of RTL: equal for ever, or a stimulus that shows a difference"};
+    "equiv", "Compares two versions of RTL: equal for ever, or a distinguishing stimulus"};
 inline constexpr FullCommand new_command{"new",
                                          "A project for a design of your own, in a new folder"};
 inline constexpr std::array full_commands{prove_command, mutate_command, regress_command,

@@ -212,14 +212,15 @@ struct RegisterTable : RecordTable<T...> {
   }
 
  private:
+  static constexpr std::size_t shapes = sizeof...(T);
   static constexpr auto fields_ = [] {
-    std::array<std::array<Field, Base::size>, sizeof...(T)> all{};
-    for (int number = 0; number < static_cast<int>(sizeof...(T)); ++number) {
-      all[std::size_t(number)] = Base::fields({number});
+    std::array<std::array<Field, Base::size>, shapes> all{};
+    for (std::size_t number = 0; number != shapes; ++number) {
+      all[number] = Base::fields({static_cast<int>(number)});
       std::size_t i = 0;
       for (const Leaf& leaf : leaves_of<typename Base::First>) {
         for (std::size_t k = Base::first[i]; k < Base::first[i + 1]; ++k) {
-          if (leaf.is_auxiliary) all[std::size_t(number)][k].width = 0;
+          if (leaf.is_auxiliary) all[number][k].width = 0;
         }
         ++i;
       }

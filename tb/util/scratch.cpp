@@ -62,7 +62,7 @@ Root root_of_this_process() {
   return root;
 }
 
-std::atomic<int> number{0};
+std::atomic<int> next_number{0};
 
 }  // namespace
 
@@ -78,7 +78,7 @@ void require_room(const std::filesystem::path& folder) {
                                std::strerror(error)));
 }
 
-Scratch::Scratch() : root_(root_of_this_process()), path_(*root_ / std::to_string(number++)) {
+Scratch::Scratch() : root_(root_of_this_process()), path_(*root_ / std::to_string(next_number++)) {
   if (mkdir(path_.c_str(), 0700) != 0) refuse_for_scratch(errno);
   require_room(path_);
 }

@@ -86,7 +86,7 @@ bool gives_way(const std::string& path) {
          type == fs::file_type::symlink;
 }
 
-constexpr std::string_view wave = "--wave";
+constexpr std::string_view wave_option = "--wave";
 
 // A file that an option writes.
 struct Output {
@@ -150,8 +150,8 @@ void check_outputs(const Common& common, const std::vector<std::string>& inputs,
   common.window();
   for (const Output& one : all) {
     check_writable(one.path);
-    if (one.option == wave && !gives_way(one.path)) {
-      throw InputError(fmt::format("{}: {} cannot be replaced by a file", wave, one.path));
+    if (one.option == wave_option && !gives_way(one.path)) {
+      throw InputError(fmt::format("{}: {} cannot be replaced by a file", wave_option, one.path));
     }
   }
 }

@@ -12,7 +12,7 @@
 namespace cosim::test {
 namespace {
 
-constexpr std::uint64_t kSeed = 1;
+constexpr std::uint64_t seed = 1;
 
 // Why there is no device; nothing where there is one.
 const std::optional<std::string>& missing() {
@@ -32,10 +32,10 @@ void expect_as_alone(const Variant<Design>& v, std::uint64_t clocks, bool has_fa
   SCOPED_TRACE(v.name + ": " + v.what);
   const auto gpu = lanes::on_gpu(v.bench->title(), nets::played_of<Design>(v.bench->params()),
                                  source_of(v), COSIM_LANES_FOLDER);
-  const Result alone = run_sweep(hostile_sweep(*v.bench, kSeed, clocks), 1);
+  const Result alone = run_sweep(hostile_sweep(*v.bench, seed, clocks), 1);
   ASSERT_EQ(alone.mismatch.has_value(), has_fault);
   for (const unsigned threads : {1U, 2U}) {
-    expect_equal(run_sweep(lanes::hostile_sweep(*v.bench, *gpu, kSeed, clocks), threads), alone);
+    expect_equal(run_sweep(lanes::hostile_sweep(*v.bench, *gpu, seed, clocks), threads), alone);
   }
 }
 
@@ -49,7 +49,7 @@ class OnAGpu : public testing::Test {
 TYPED_TEST_SUITE(OnAGpu, Designs, DesignNames);
 
 TYPED_TEST(OnAGpu, GoodRtlMatches) {
-  const auto all = variants<TypeParam>();
+  const auto& all = variants<TypeParam>();
   const auto good =
       std::ranges::find_if(all, [](const auto& v) { return v.name.starts_with("shipped/"); });
   ASSERT_NE(good, all.end());

@@ -62,7 +62,7 @@ TYPED_TEST(OnAGpu, GoodRtlMatches) {
 TYPED_TEST(OnAGpu, AFaultIsFoundWhereLockstepFindsIt) {
   for (const auto& v : variants<TypeParam>()) {
     if (v.name == "faults/priority_missing" || v.name == "faults/two_from_one" ||
-        v.name == "faults/borrow_missed" || v.name == "faults/sector_not_cleared") {
+        v.name == "faults/borrow_missed") {
       expect_as_alone(v, 100'000, true);
       return;
     }

@@ -121,10 +121,13 @@ if "$cosim" --complete path | grep -qx path; then
 else
   met+=(picture)
 fi
+mkdir "$folder/pages"
+ends reference --to "$folder/pages" "$cosim"
 ends prove
 ends prove --faults
 ends regress "$folder/plan.json"
 ends report
+ends site
 ends synth
 ends test
 ends test --all

@@ -208,7 +208,7 @@ struct DesignOf : JobRecords<FirstModel, More...>,
   template <class V, class S, class... I>
   static Asked<V> asked(const char* more, const Params& p, const ModelRecord<V, S>& states,
                         const I&... inputs) {
-    Asked<V> all{std::string(Says::files[p.number]) + more, {}, cells_of(p, states)};
+    Asked<V> all{std::string(Says::files[std::size_t(p.number)]) + more, {}, cells_of(p, states)};
     const auto add = [&](const auto& record) {
       for (const auto& cell : cells_of(p, record)) all.inputs.push_back(cell);
     };

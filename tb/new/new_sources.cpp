@@ -238,7 +238,7 @@ Sources sources_of(const GivenRtl& given) {
     chosen.insert(chosen.end(), order.modules.begin(), order.modules.end());
   }
   // A file that declares nothing has macros for all others.
-  std::ranges::stable_partition(chosen, [&](std::size_t i) {
+  std::stable_partition(chosen.begin(), chosen.end(), [&](std::size_t i) {
     const auto& units = pool.all[i].words.units;
     return units.size() == 1 && std::ranges::none_of(units.front().uses, [&](const auto& use) {
              return pool.home.contains(use);

@@ -46,6 +46,16 @@ constexpr auto each(const Visit& visit) {
   (std::make_index_sequence<N>());
 }
 
+/// What the model M calls a transaction X, if it does; `words`: one a cell.
+template <class M, class X>
+std::string text_of(std::span<const Word> words) {
+  if constexpr (requires(const X& x) { M::text_of(x); }) {
+    return M::text_of(Codes<X>::object(words));
+  } else {
+    return {};
+  }
+}
+
 }  // namespace detail
 
 /// Trait has Model, Design, params, and the names of the clock. Instance is the RTL.
@@ -135,9 +145,7 @@ class StreamBench final : public AnyStreamBench {
                       std::span<const Word> words) const override {
     std::string text;
     const auto see = [&]<class X>(const X*) {
-      if constexpr (requires(const X& x) { M::text_of(x); }) {
-        text = M::text_of(detail::Codes<X>::object(words));
-      }
+      text = detail::text_of<M, X>(words);
       return 0;
     };
     if (goes_in) {

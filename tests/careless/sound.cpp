@@ -63,7 +63,9 @@ std::string unsound(const std::string& path) {
   const auto ends = [&](const char* text) { return last.find(text) != std::string::npos; };
   if (begins("\x89PNG")) return ends("IEND") ? "" : "the picture is cut";
   if (begins("<!DOCTYPE html>")) return ends("</html>") ? "" : "the page is cut";
-  if (begins("<?xml")) return ends("</svg>") ? "" : "the picture is cut";
+  if (begins("<?xml")) {
+    return ends("</svg>") ? "" : ends("testsuite") ? "" : "the picture or the list of tests is cut";
+  }
   if (path.ends_with(".fst")) return size > 500 ? "" : "the wave is cut";
   return last.ends_with('\n') ? "" : "its last line is cut";
 }

@@ -15,6 +15,11 @@ bool is_built(const AnyBench& bench) {
 }
 
 template <class Design>
+concept IsStruct = requires {
+  Design::shape_of({2});
+};
+
+template <class Design>
 void expect_proved() {
   int proved = 0;
   for (const auto& v : variants<Design>()) {
@@ -32,7 +37,10 @@ void expect_proved() {
 
 TEST(Narrowest, IsProved) {
   if (!can_prove()) GTEST_SKIP() << "needs yosys";
-  for_each_design([]<class Design>() { expect_proved<Design>(); });
+  // A struct is exported in the shapes that are built alone.
+  for_each_design([]<class Design>() {
+    if constexpr (!IsStruct<Design>) expect_proved<Design>();
+  });
 }
 
 }  // namespace

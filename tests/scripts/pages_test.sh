@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# README and the pages of docs/ are short, docs/index.md links every page, and mkdocs.yml lists it. Every
+# README and the pages of docs/ are short, docs/index.md links every page, and .mkdocs.yml lists it. Every
 # relative link leads to a file and, behind a #, to a heading of it. Each page begins with what the reader
 # can do after it, and none has a @PLACE@ that is still to be filled in. Fewer than 2 % of the sentences
 # begin with Of, Where, What, Who, That or So. First on a small tree where each is wrong, then on the
@@ -51,7 +51,7 @@ finds() {
     { grep -noE '@[A-Z_]+@' "$page" || true; } | sed "s|^|$page:|"
     [[ $page == README.md || $(sed -n 3p "$page") == "After this page you "* ]] ||
       echo "$page:3: does not say what one can do after it"
-    [[ $page != docs/* ]] || grep -qE ": ${page#docs/}\$" mkdocs.yml || echo "mkdocs.yml: does not list $page"
+    [[ $page != docs/* ]] || grep -qE ": ${page#docs/}\$" .mkdocs.yml || echo ".mkdocs.yml: does not list $page"
     [[ $page != docs/*/* ]] || grep -qE "^${page#docs/}(#|\$)" <(links docs/index.md) ||
       echo "docs/index.md: does not link $page"
   done
@@ -82,7 +82,7 @@ After this page you know two, [here](#the-rest-of-it-2) and [there](#the-rest), 
 END
 printf '# Two\n\n@TIMES@, [one](../one.md#one), [code](../one.md#a-commentnowhere)\n' > "$folder/docs/sub/two.md"
 { printf '# Long\n\nAfter this page you sleep.\n' && seq "$((most_of_page - 2))"; } > "$folder/docs/sub/long.md"
-printf '%s\n' 'nav:' '  - One: one.md' '  - Index: index.md' '  - Long: sub/long.md' > "$folder/mkdocs.yml"
+printf '%s\n' 'nav:' '  - One: one.md' '  - Index: index.md' '  - Long: sub/long.md' > "$folder/.mkdocs.yml"
 diff - <(finds "$folder") << END
 README.md: $((most + 1)) lines, at most $most
 README.md: no docs/gone.md
@@ -94,7 +94,7 @@ docs/index.md: does not link docs/sub/long.md
 docs/sub/two.md: no heading for ../one.md#a-commentnowhere
 docs/sub/two.md:3:@TIMES@
 docs/sub/two.md:3: does not say what one can do after it
-mkdocs.yml: does not list docs/sub/two.md
+.mkdocs.yml: does not list docs/sub/two.md
 2 of 8 sentences are fronted
 END
 diff - "$folder/fronted" <<- 'END'

@@ -101,15 +101,17 @@ struct Circular {
     ct8 = ct8 - mux(diagonal, 2, 1);
     const auto twice7 = ct7 + ct7, twice8 = ct8 + ct8;
     Int<W + 3> gain = 0;
-    if (diagonal && !t16) {
-      gain = twice8 + 1;
-    } else if (diagonal) {
-      gain = twice8 - (ct8 < 0);
-    } else if (t16) {
-      gain = twice7 + 1;
-    } else {
-      gain = -twice7 - (ct7 >= 0);
-    }
+    merge(gain, [&] {
+      if (diagonal && !t16) {
+        gain = twice8 + 1;
+      } else if (diagonal) {
+        gain = twice8 - (ct8 < 0);
+      } else if (t16) {
+        gain = twice7 + 1;
+      } else {
+        gain = -(twice7 + (ct7 >= 0));
+      }
+    });
     f = f + (gain << 2);
   }
 

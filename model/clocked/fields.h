@@ -313,7 +313,7 @@ struct OnesComplement : Int<W> {
   static constexpr Int<W> around(const V& v) {
     constexpr UInt<W> most = all >> 1;
     if constexpr (V::width < W) return v;
-    return mux(v > most, Int<W>(v - all), mux(v < -most, Int<W>(v + all), Int<W>(v)));
+    return Int<W>(v + mux(v > most, 1, mux(v < -most, -1, 0)));  // 2^W - 1 less is 1 more in W bits
   }
 };
 

@@ -8,7 +8,7 @@
 #include "tb/nets/jobs.h"
 #include "tb/nets/runs.h"
 #include "tb/util/random.h"
-#include "tests/support/designs.h"
+#include "tests/support/shapes.h"
 
 namespace cosim::test {
 namespace {
@@ -59,14 +59,7 @@ template <class Design>
 class QuietOf : public testing::Test {};
 TYPED_TEST_SUITE(QuietOf, Designs, DesignNames);
 
-// In the shapes that are built: of the others a struct's jobs are not exported.
-TYPED_TEST(QuietOf, IsTheSame) {
-  for (const auto& bench : benches_of<TypeParam>()) {
-    SCOPED_TRACE(bench->title());
-    expect_same_where_quiet<TypeParam>(bench->params());
-    if (testing::Test::HasFatalFailure()) return;
-  }
-}
+TYPED_TEST(QuietOf, IsTheSame) { for_each_shape<TypeParam>(expect_same_where_quiet<TypeParam>); }
 
 }  // namespace
 }  // namespace cosim::test

@@ -5,9 +5,9 @@ faults_in(circular/circular.h)
 fault("CT8 falls by one on a diagonal step" [[ct8 = ct8 - mux(diagonal, 2, 1);]] [[ct8 = ct8 - 1;]])
 fault("CT7 does not wrap" [[ct7 = mux(t16, ct7 - 1, ct7 + 1);]]
   [[static_cast<Int<W + 1>&>(ct7) = mux(t16, ct7 - 1, ct7 + 1);]])
-fault("A negative CT7 counts as a positive one" [[gain = -twice7 - (ct7 >= 0);]]
+fault("A negative CT7 counts as a positive one" [[gain = -(twice7 + (ct7 >= 0));]]
   [[gain = -twice7 - 1;]])
-fault("A straight step of sector 1 adds -2Y + 1" [[gain = -twice7 - (ct7 >= 0);]]
+fault("A straight step of sector 1 adds -2Y + 1" [[gain = -(twice7 + (ct7 >= 0));]]
   [[gain = -twice7 + 1;]])
 fault("A negative CT8 counts as a positive one in sector 2" [[gain = twice8 - (ct8 < 0);]]
   [[gain = twice8;]])
@@ -50,7 +50,7 @@ fault("The zero of F is +0" [=[State<V>::Table::has_minus_zero[i] ? all : V(0)]=
 faults_in(clocked/fields.h)
 fault("A sum wraps one number late" [[v > most]] [[v > most + 1]])
 fault("A sum below the least number does not wrap"
-  [[mux(v < -most, Int<W>(v + all), Int<W>(v))]] [[Int<W>(v)]])
+  [[mux(v < -most, -1, 0)]] [[0]])
 
 faults_in(circular/arc.cpp)
 fault("X = Y belongs to sector 1" [[p.x > p.y]] [[p.x >= p.y]])

@@ -199,6 +199,10 @@ struct DesignOf : JobRecords<FirstModel, More...>,
   static auto ways(const Params& p, const State<V>& s, const Inputs<V>& in) {
     return SymbolsOf<V>::ways(asked(".ways", p, s, in));
   }
+  /// The path that the names of its exporter's files begin with.
+  static std::string file(const Params& p) {
+    return std::string(Says::files[std::size_t(p.number)]);
+  }
   /// What that shape's exporter wrote, to be asked for a clock in these states and with these
   /// inputs; `more`: which of its files.
   template <class S, class... I>
@@ -208,7 +212,7 @@ struct DesignOf : JobRecords<FirstModel, More...>,
   template <class V, class S, class... I>
   static Asked<V> asked(const char* more, const Params& p, const ModelRecord<V, S>& states,
                         const I&... inputs) {
-    Asked<V> all{std::string(Says::files[std::size_t(p.number)]) + more, {}, cells_of(p, states)};
+    Asked<V> all{file(p) + more, {}, cells_of(p, states)};
     const auto add = [&](const auto& record) {
       for (const auto& cell : cells_of(p, record)) all.inputs.push_back(cell);
     };

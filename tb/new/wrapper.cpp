@@ -86,24 +86,31 @@ void TopHead::read(std::string_view text) {
 std::string TopHead::wrapped(const std::string& name,
                              const std::map<std::string, std::string>& values) const {
   if (!wrong_.empty()) throw InputError(wrong_);
-  std::string head = text_, given;
+  static const Pattern is_written_out(R"(^\s*(?:struct|union|enum)\b)");
+  std::string head = text_, given, types;
   std::vector<std::pair<Item, std::string>> edits;
   for (const auto& [parameter, value] : values) {
     const auto item = items_.find(parameter);
     if (item == items_.end()) {
       throw InputError(fmt::format("--param: {} has no parameter {}", top_, parameter));
     }
-    edits.emplace_back(item->second, " = " + value);
+    const bool has_name = !is_written_out.in(value);
+    edits.emplace_back(item->second,
+                       " = " + (has_name ? value : fmt::format("{}_types::{}", name, parameter)));
+    if (!has_name) types += fmt::format("  typedef {} {};\n", value, parameter);
   }
   std::ranges::sort(edits, [](const auto& a, const auto& b) { return a.first.end > b.first.end; });
   for (const auto& [item, text] : edits) head.replace(item.value, item.end - item.value, text);
   for (const auto& [parameter, item] : items_) {
     given += fmt::format("{}.{}({})", given.empty() ? "" : ", ", parameter, parameter);
   }
-  return fmt::format(
-      "// {0} with parameters that are no numbers: its own head, with other defaults.\n"
-      "module {1}{2};\n  {0}{3} dut (.*);\nendmodule\n",
-      top_, name, head, given.empty() ? "" : " #(" + given + ")");
+  // Verilator 5.006 ends in an internal error where such a type is itself the default.
+  if (!types.empty()) types = fmt::format("package {}_types;\n{}endpackage\n", name, types);
+  return types +
+         fmt::format(
+             "// {0} with parameters that are no numbers: its own head, with other defaults.\n"
+             "module {1}{2};\n  {0}{3} dut (.*);\nendmodule\n",
+             top_, name, head, given.empty() ? "" : " #(" + given + ")");
 }
 
 }  // namespace cosim::cli

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/core/design.h"
+#include "tb/nets/check_once.h"
 #include "tb/nets/exported.h"
 #include "tb/nets/jobs.h"
 #include "tb/nets/played.h"
@@ -40,6 +41,22 @@ inline const char* kind_of_model(const BuiltMachine& machine) {
                          : "a plain model, on machine integers alone";
 }
 
+/// Whether its model is a struct that an exporter wrote as a file.
+template <class Design>
+constexpr bool is_exported = requires(const typename Design::Params& p) {
+  Design::file(p);
+};
+
+/// InputError where an exporter made another model of the struct.
+template <class Trait>
+void require_exported(const nets::Model& model) {
+  using Design = typename Trait::Design;
+  if constexpr (is_exported<Design>) {
+    nets::check_once(Design::file(Trait::params), "clock",
+                     [&] { nets::require_same<Design>(model, Trait::params, Trait::title); });
+  }
+}
+
 /// That of a shape: Trait has Design, params and title. `source`: its RTL.
 template <class Trait>
 BuiltMachine built_machine(Source source) {
@@ -51,25 +68,24 @@ BuiltMachine built_machine(Source source) {
     machine.resets_itself = std::string_view(Trait::resets).find("inner ") != std::string::npos;
   }
   if constexpr (StepsOn<Design, nets::Number>) {
-    constexpr bool is_exported = requires { Design::model(Trait::params); };
     machine.nets = [] {
       auto model = nets::model_of<Design>(Trait::params);
-      if constexpr (is_exported) nets::require_same<Design>(model, Trait::params, Trait::title);
+      require_exported<Trait>(model);
       return model;
     };
     machine.covered = [] { return nets::model_of<Design>(Trait::params, true); };
     machine.played = [] {
       auto played = nets::played_of<Design>(Trait::params);
-      if constexpr (is_exported) {
-        nets::require_same<Design>(played.model, Trait::params, Trait::title);
-      }
+      require_exported<Trait>(played.model);
       return played;
     };
     if constexpr (nets::DrivesOnNets<Design>) {
       machine.jobs = [] {
         auto draw = nets::draw_of_jobs<Design>(Trait::params);
-        if constexpr (is_exported) {
-          nets::require_same_jobs<Design>(draw, Trait::params, Trait::title);
+        if constexpr (is_exported<Design>) {
+          nets::check_once(Design::file(Trait::params), "jobs", [&] {
+            nets::require_same_jobs<Design>(draw, Trait::params, Trait::title);
+          });
         }
         return draw;
       };

@@ -24,11 +24,6 @@ constexpr std::uintmax_t most_bytes = std::uintmax_t{4} << 20;
 
 }  // namespace
 
-const std::string& program_hash() {
-  static const std::string hash = hash_of_file("/proc/self/exe");
-  return hash;
-}
-
 Checkpoint::Checkpoint(std::string path, std::string work, std::chrono::milliseconds pace)
     : path_(std::move(path)), pace_(pace) {
   if (path_.empty()) return;

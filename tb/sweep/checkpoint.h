@@ -10,9 +10,6 @@
 
 namespace cosim {
 
-/// A hash of this program's file: another build may have other cases, or other RTL.
-const std::string& program_hash();
-
 class Checkpoint {
  public:
   /// `work` says what the work is and what its result depends on; the program itself is added. An

@@ -38,4 +38,9 @@ std::string hash_of_file(const std::string& path) {
   return digits(XXH3_128bits_digest(state.get()));
 }
 
+const std::string& program_hash() {
+  static const std::string hash = hash_of_file("/proc/self/exe");
+  return hash;
+}
+
 }  // namespace cosim

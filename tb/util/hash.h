@@ -12,4 +12,7 @@ std::string hash_of(std::string_view text);
 /// The same of the bytes of a file of any size. InputError where it cannot be read.
 std::string hash_of_file(const std::string& path);
 
+/// That of this program's file: another build may have other cases, or other RTL.
+const std::string& program_hash();
+
 }  // namespace cosim

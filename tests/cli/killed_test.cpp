@@ -26,28 +26,25 @@ class KilledSweep : public InAFolder {
   Arguments kept() const {
     return sweep({"--checkpoint", folder.path("state"), "--report", folder.path("report")});
   }
-  /// Kills the sweep later and later, until it has kept something.
   void run_until_kept() const {
-    for (int after = 400; !folder.holds("state"); after *= 2) {
-      ASSERT_TRUE(cosim_killed(kept(), after)) << "it ended and kept nothing";
-    }
+    ASSERT_TRUE(killed_beyond(0, folder, kept())) << "it ended and kept nothing";
   }
   std::uint64_t cases_done() const { return cases_kept(folder); }
 };
 
 TEST_F(KilledSweep, EndsWithTheSameReport) {
-  const auto begin = std::chrono::steady_clock::now();
   ASSERT_EQ(cosim(sweep({"--report", folder.path("expected")})).status, 0);
-  const std::chrono::duration<double, std::milli> whole = std::chrono::steady_clock::now() - begin;
   const std::string expected = folder.text("expected");
 
   std::minstd_rand random(std::random_device{}());
-  // Long enough to go on by some checkpoints, short enough for most runs to be killed.
-  std::uniform_int_distribution moment(0, static_cast<int>(whole.count() / 8));
+  // By turns at any moment, from the first on, and some time behind the next checkpoint.
+  std::uniform_int_distribution moment(0, 200);
   std::uint64_t done = 0;
   int killed = 0, advanced = 0;
   for (int i = 0; i < kKills; ++i) {
-    if (!cosim_killed(kept(), moment(random))) {
+    const int after = moment(random);
+    if (!(i % 2 == 0 ? cosim_killed(kept(), after)
+                     : killed_beyond(done, folder, kept(), std::chrono::milliseconds(after)))) {
       // It was through: the report is whole, and the next run begins anew.
       EXPECT_EQ(folder.text("report"), expected);
       std::filesystem::remove(folder.path("report"));
@@ -87,9 +84,7 @@ TEST_F(KilledSweep, GoesOnWithWhatTheCheckMeasured) {
   const Arguments measured{
       "sweep", "linear",       "--random",           "500000",   "--m",
       "5",     "--checkpoint", folder.path("state"), "--report", folder.path("report")};
-  for (int after = 200; !folder.holds("state"); after *= 2) {
-    ASSERT_TRUE(cosim_killed(measured, after)) << "it ended and kept nothing";
-  }
+  ASSERT_TRUE(killed_beyond(0, folder, measured)) << "it ended and kept nothing";
   const std::string state = folder.text("state");
   const auto run_from = [&](const nlohmann::json& file) {
     folder.write("state", sealed(file));

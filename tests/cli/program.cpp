@@ -46,8 +46,7 @@ Ended signalled(const char* program, const Arguments& arguments, int signal, int
   const Folder folder;
   Child child(program, arguments, {.out_path = folder.path("out"), .err_path = folder.path("err")});
   for (std::chrono::milliseconds waited{0}; waited.count() < after; waited += step) {
-    if (ready(folder)) break;
-    std::this_thread::sleep_for(step);
+    if (ready(folder) || child.ends_within(step)) break;
   }
   child.signal(signal);
   if (patience != 0 && !child.ends_within(std::chrono::milliseconds(patience))) {

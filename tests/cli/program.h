@@ -59,7 +59,7 @@ enum class Until { the_time, a_line };
 Ended cosim_signalled(const Arguments& arguments, int signal, int after,
                       Until until = Until::the_time);
 
-/// The same as soon as `ready` says so, or after ten minutes.
+/// The same as soon as `ready` says so, after ten minutes, or not at all where it has ended.
 Ended cosim_signalled(const Arguments& arguments, int signal, const std::function<bool()>& ready);
 
 /// The same of the faulty program, which is killed where the signal has not ended it in a minute.

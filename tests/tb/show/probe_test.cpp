@@ -8,32 +8,31 @@
 #include "tests/support/folder.h"
 #include "tests/support/has.h"
 #include "tests/support/model_adapter.h"
+#include "tests/support/struct_design.h"
 #include "tests/support/vcd.h"
 
 namespace cosim {
 namespace {
 
 // Two bits of shift register: a design without a view.
-namespace shift {
-
-struct Params {};
-
-#define SHIFT_INPUTS(FIELD) FIELD(in, 1, flag, "", "what comes in")
-#define SHIFT_STATE(FIELD) FIELD(held, 2, bits, "", "the last two")
-#define SHIFT_OUTPUTS(FIELD) FIELD(out, 1, flag, "", "what came in before the last")
-COSIM_RECORDS(SHIFT, Params);
-
-template <class V>
-constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
-  return {{low_bits(shift_left(s.held, 1) + in.in, 2)}, {shift_right(s.held, 1)}};
-}
-
-struct Bare {
-  COSIM_DESIGN(shift);
+struct Shift {
   static constexpr const char* name = "shift";
-  static constexpr const char* source = "made up";
-  static constexpr Inputs<Word> reset_inputs() { return {}; }
+  struct In {
+    clocked::Bit in;  // what comes in
+  };
+  struct Out {
+    clocked::Bit out;  // what came in before the last
+  };
+
+  clocked::Hex<clocked::UInt<2>> held = 0;  // the last two
+
+  Out clock(const In& in) {
+    const Out out{.out = held[1]};
+    held = cat(held[0], in.in);
+    return out;
+  }
 };
+using Bare = test::StructDesign<Shift>;
 
 // The same with one.
 struct Seen : Bare {
@@ -48,8 +47,8 @@ struct Seen : Bare {
            {"sum", analog, "line", "Counted", 8, Format::twos_complement, Probe::Side::actual}}};
     }
     void clock(const Params&, const State<Word>& s, const Outputs<Word>& out) {
-      level_ = out.out;
-      ones_ += s.held & 1;
+      level_ = to_words(out)[0];
+      ones_ += to_words(s)[0] & 1;
       --sum_;
     }
     std::array<Word, 3> values() const { return {level_, ones_, sum_}; }
@@ -58,8 +57,6 @@ struct Seen : Bare {
     Word level_ = 0, ones_ = 0, sum_ = 0;
   };
 };
-
-}  // namespace shift
 
 class ProbesOf : public test::InAFolder {
  protected:
@@ -75,7 +72,7 @@ class ProbesOf : public test::InAFolder {
 };
 
 TEST_F(ProbesOf, ADesignWithoutAViewAreNone) {
-  const AnyBench& bench = test::model_bench<shift::Bare, shift::Params{}>();
+  const AnyBench& bench = test::model_bench<Bare, Bare::Params{}>();
   EXPECT_TRUE(bench.probes().empty());
   const std::string path = draw(bench);
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"x.fst", "x.gtkw"}));
@@ -88,7 +85,7 @@ TEST_F(ProbesOf, ADesignWithoutAViewAreNone) {
 }
 
 TEST_F(ProbesOf, AViewAreInTheWave) {
-  const std::string path = draw(test::model_bench<shift::Seen, shift::Params{}>());
+  const std::string path = draw(test::model_bench<Seen, Bare::Params{}>());
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"x.fst", "x.gtkw", "x.level.txt"}));
   EXPECT_EQ(text("x.level.txt"), "0 low\n1 high\n");
   const std::string view = text("x.gtkw");

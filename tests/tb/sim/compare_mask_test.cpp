@@ -6,64 +6,66 @@
 
 #include "tb/sim/lockstep.h"
 #include "tests/support/model_adapter.h"
+#include "tests/support/struct_design.h"
 
 namespace cosim::test {
 namespace masked {
 
-struct Params {
-  int depth = 3;
-};
+using namespace clocked;
+using cosim::Word;
 
-#define MEANT_INPUTS(FIELD)    \
-  FIELD(fill, 1, flag, "", "") \
-  FIELD(ask, 1, flag, "", "")
-#define MEANT_OUTPUTS(FIELD)               \
-  FIELD(line, 70, bits.words<3>(), "", "") \
-  FIELD(ready, 1, flag, "", "")
-#define MEANT_STATE(FIELD)                          \
-  FIELD(full, 1, flag, "", "")                      \
-  FIELD(store, 5, number.array<4>(p.depth), "", "") \
-  FIELD(count, 8, number, "", "")
-COSIM_RECORDS(MEANT, Params);
-
-template <class V>
-constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>& in) {
-  Step<V> step;
-  step.state = s;
-  step.state.full = in.fill;
-  step.outputs.ready = s.full;
-  return step;
-}
-template <class V>
-constexpr auto compared(const Params&, const State<V>& s) {
-  return std::array{Stated<V>{"store", is_set(s.full)}};
-}
-template <class V>
-constexpr auto compared(const Params&, const State<V>&, const Inputs<V>& in, const Outputs<V>&) {
-  return std::array{Stated<V>{"line", is_set(in.ask)}};
-}
-
-struct Design {
-  COSIM_DESIGN(masked);
+// DEPTH elements, and a line of WIDTH bits.
+template <int DEPTH, int WIDTH>
+struct Masked {
   static constexpr const char* name = "masked";
+  struct In {
+    Bit fill;
+    Bit ask;
+  };
+  struct Out {
+    UInt<WIDTH> line;
+    Bit ready;
+  };
+
+  Bit full = 0;
+  clocked::Array<UInt<5>, DEPTH> store = 0;
+  UInt<8> count = 0;
+
+  Out clock(const In& in) {
+    const Out out{.line = 0, .ready = full};
+    full = in.fill;
+    return out;
+  }
+  auto compared() const { return stated({{"store", full}}); }
+  auto compared(const In& in, const Out&) const { return stated({{"line", in.ask}}); }
 };
+// The second shape has more elements and words than the first, which is tried.
+using First = Masked<3, 70>;
+using Design = StructDesign<First, Masked<4, 192>>;
+
+Design::State<Word> state(bool is_full) {
+  return record_of<Design::State<Word>>(First{.full = is_full});
+}
+Design::Inputs<Word> in(bool fills, bool asks) {
+  return record_of<Design::Inputs<Word>>(First::In{.fill = fills, .ask = asks});
+}
 
 // A model of the same in the RTL's place, with a bit of one cell turned over: of the registers
 // where it is below 6, then of the outputs.
 std::size_t turned = 0;
 
-class Adapter final : public ModelAdapter<Design, Params{}> {
+class Adapter final : public ModelAdapter<Design, Design::Params{}> {
  public:
   using ModelAdapter::ModelAdapter;
-  Outputs outputs() const override { return wrong(ModelAdapter::outputs(), State<Word>::size); }
-  State<Word> registers() const override { return wrong(ModelAdapter::registers(), 0); }
+  Outputs outputs() const override { return wrong(ModelAdapter::outputs(), Registers::size); }
+  Registers registers() const override { return wrong(ModelAdapter::registers(), 0); }
 
  private:
   template <class Record>
   static Record wrong(const Record& record, std::size_t first) {
-    auto words = to_words(record);
-    if (turned >= first && turned - first < words.size()) words[turned - first] ^= 1;
-    return from_words<Record>(words);
+    auto cells = to_words(record);
+    if (turned >= first && turned - first < cells.size()) cells[turned - first] ^= 1;
+    return from_words<Record>(cells);
   }
 };
 
@@ -76,18 +78,18 @@ constexpr std::size_t kStore = 1, kCount = 5, kLine = 6;
 
 // full; three elements of store; count; two words of line; ready.
 TEST(CompareMask, CountsEveryElementThatTheShapeHas) {
-  CompareMask<masked::Design> all{masked::Params{}};
+  CompareMask<masked::Design> all{masked::Design::Params{}};
   EXPECT_EQ(all.left_out(), Counts(8, 0));
-  all.clock({}, {.full = 0}, {.ask = 1}, {});
-  all.clock({}, {.full = 0}, {.ask = 0}, {});
-  all.clock({}, {.full = 1}, {.ask = 0}, {});
-  all.clock({}, {.full = 0}, {.ask = 0}, {});
+  all.clock({}, masked::state(0), masked::in(false, 1), {});
+  all.clock({}, masked::state(0), masked::in(false, 0), {});
+  all.clock({}, masked::state(1), masked::in(false, 0), {});
+  all.clock({}, masked::state(0), masked::in(false, 0), {});
   EXPECT_EQ(all.left_out(), (Counts{0, 3, 3, 3, 0, 3, 3, 0}));
 }
 
 TEST(CompareMask, IsOneSetOfElementsAtATime) {
-  CompareMask<masked::Design> all{masked::Params{}};
-  all.clock({}, {.full = 1}, {.ask = 0}, {});
+  CompareMask<masked::Design> all{masked::Design::Params{}};
+  all.clock({}, masked::state(1), masked::in(false, 0), {});
   for (std::size_t i = 0; i < CompareMask<masked::Design>::size; ++i) {
     EXPECT_EQ(all[i], i < kLine || i > kLine + 2) << i;
   }
@@ -99,8 +101,8 @@ TEST(CompareMask, IsOneSetOfElementsAtATime) {
 bool seen(std::size_t cell, bool is_full, bool asks) {
   masked::turned = cell;
   Lockstep<masked::Adapter> lockstep(1U);
-  lockstep.clock({.fill = is_full});
-  return !lockstep.clock({.fill = 0, .ask = asks});
+  lockstep.clock(masked::in(is_full, false));
+  return !lockstep.clock(masked::in(false, asks));
 }
 
 TEST(CompareMask, LeavesOutNothingElse) {

@@ -4,50 +4,51 @@
 
 #include "tb/dut/dut.h"
 #include "tb/sim/lockstep.h"
+#include "tests/support/struct_design.h"
 
 namespace cosim::test {
 namespace kept {
 
-struct Params {};
+using namespace clocked;
+using cosim::Word;
 
-#define KEPT_INPUTS(FIELD) FIELD(give, 1, flag, "", "")
-#define KEPT_OUTPUTS(FIELD)       \
-  FIELD(first, 8, number, "", "") \
-  FIELD(second, 4, twos_complement, "", "")
-#define KEPT_STATE(FIELD)                           \
-  FIELD(waits, 1, flag, "", "of the model alone")   \
-  FIELD(held, 4, twos_complement.unreset(), "", "") \
-  FIELD(store, 8, number.array<2>().unreset(), "", "")
-#define KEPT_REGISTERS(FIELD)                          \
-  FIELD(store, 8, number.array<2>().unreset(), "", "") \
-  FIELD(held, 4, twos_complement.unreset(), "", "")
-COSIM_RECORDS(KEPT, Params);
-COSIM_RECORD(Registers, KEPT_REGISTERS, Params);
-
-template <class V>
-constexpr Registers<V> registers(const Params&, const State<V>& s) {
-  return {s.store, low_bits(s.held, 4)};
-}
-template <class V>
-constexpr Step<V> next(const Params&, const State<V>& s, const Inputs<V>&) {
-  return {s, {s.store[1], low_bits(s.held, 4)}};
-}
-
-struct Design {
-  COSIM_DESIGN(kept);
+struct Kept {
   static constexpr const char* name = "kept";
-};
+  struct In {
+    Bit give;
+  };
+  struct Out {
+    UInt<8> first;
+    Int<4> second;
+  };
 
-// RTL that holds 5, 9 and -3, whose code is 13.
+  Auxiliary<Bit> waits = 0;  // of the model alone
+  Unreset<Int<4>> held;
+  Unreset<clocked::Array<UInt<8>, 2>> store;
+
+  Out clock(const In&) { return {.first = store[1], .second = held}; }
+};
+using Design = StructDesign<Kept>;
+
+// RTL that holds 5, 9 and -3.
 class Adapter final : public Dut<Design> {
  public:
-  static constexpr Params params{};
+  static constexpr Design::Params params{};
 
   explicit Adapter(int) {}
   void drive(const Inputs&) override {}
   void eval(bool) override {}
-  Outputs outputs() const override { return {9, 13}; }
-  Registers registers() const override { return {{5, 9}, 13}; }
+  Outputs outputs() const override { return codes_of<Outputs>(Kept(held_).clock({.give = 0})); }
+  Registers registers() const override { return codes_of<Registers>(held_); }
+
+ private:
+  Kept held_ = [] {
+    Kept k;
+    k.held = -3;
+    k.store[0] = 5;
+    k.store[1] = 9;
+    return k;
+  }();
 };
 
 }  // namespace kept
@@ -56,10 +57,7 @@ namespace {
 
 TEST(Lockstep, TakesOverByNameWhatNoResetReaches) {
   Lockstep<kept::Adapter> lockstep(1);
-  EXPECT_EQ(lockstep.state().store[0], 5);
-  EXPECT_EQ(lockstep.state().store[1], 9);
-  EXPECT_EQ(lockstep.state().held, -3);
-  EXPECT_EQ(lockstep.state().waits, 0);
+  EXPECT_EQ(to_words(lockstep.state()), (cosim::Words<kept::Design::State<Word>>{0, -3, 5, 9}));
   EXPECT_TRUE(lockstep.clock({}));
 }
 

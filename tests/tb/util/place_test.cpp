@@ -3,26 +3,23 @@
 
 #include <gtest/gtest.h>
 
+#include "model/clocked/records.h"
 #include "model/core/input_error.h"
-#include "model/core/record.h"
 
 namespace cosim::test {
 namespace {
 
-struct PlaceSizes {
-  int depth = 6;
+template <int DEPTH>
+struct Placed {
+  clocked::UInt<5> plain;
+  clocked::At<"unit.status[6:4]", clocked::UInt<3>> slice;
+  clocked::Array<clocked::UInt<8>, DEPTH> memory;
+  clocked::UInt<100> wide;
+  clocked::At<"memory[2][7:4]", clocked::UInt<4>> word;
+  clocked::At<"status[7]", clocked::Bit> one;
 };
-#define PLACED_FIELDS(FIELD)                           \
-  FIELD(plain, 5, bits, "", "")                        \
-  FIELD(slice, 3, bits.at("unit.status[6:4]"), "", "") \
-  FIELD(memory, 8, bits.array<8>(p.depth), "", "")     \
-  FIELD(wide, 100, bits.words<3>(), "", "")            \
-  FIELD(word, 4, bits.at("memory[2][7:4]"), "", "")    \
-  FIELD(one, 1, flag.at("status[7]"), "", "")
-COSIM_RECORD(Placed, PLACED_FIELDS, PlaceSizes);
-using P = Placed<Word>;
-
-const auto fields = P::fields({});
+// Another shape has eight elements.
+const auto fields = clocked::RecordTable<Placed<6>, Placed<8>>::fields({0});
 // The cells of row i that a shape has.
 std::span<const Field> row(std::size_t i) { return rows_of(fields)[i]; }
 

@@ -55,10 +55,11 @@ std::string small(std::string text) {
 using Names = std::set<std::string>;
 
 // The name that was meant; "" where none was. A name of three letters is meant where one is
-// missing, one too many, or one of another case, if there are any so short.
+// missing, one too many, or one of another case, if there are any so short. Two edits make another
+// word of a shorter name than one of ten letters: computed is not compared.
 std::string meant(const std::string& name, const Names& known, std::size_t shortest = 4) {
   const auto is_near = [&](const std::string& one) {
-    const int most = one.size() < 4 && name.size() == one.size() ? 0 : one.size() < 6 ? 1 : 2;
+    const int most = one.size() < 4 && name.size() == one.size() ? 0 : one.size() < 10 ? 1 : 2;
     return one.size() >= shortest && edits(small(name), small(one)) <= most;
   };
   const auto one =

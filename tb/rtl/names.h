@@ -13,7 +13,7 @@ namespace cosim::rtl {
 /// the headers of the harness below `root` ask for: Design::NAME, and NAME(p, s) in a `requires` or
 /// in COSIM_STATED; or a function, a type or a constant of a struct that has In one of what a model
 /// may say (model/clocked/says.h). That is one edit away (a letter put in, left out, changed or
-/// swapped with the next one) from a name of 4 or 5 letters, two edits from a longer one. Writes
+/// swapped with the next one) from a name of 4 to 9 letters, two edits from a longer one. Writes
 /// `stamp`, and `stamp`.d for ninja: the files that were read.
 void check_names(const std::string& stamp, const std::filesystem::path& root,
                  const std::vector<std::string>& headers);

@@ -33,12 +33,14 @@ refused Drives Drive "Drive in struct Master means nothing: is Drives meant?" "$
 refused took tok "tok in struct Master means nothing: is took meant?" "$apb"
 machine=$root/model/linear/machine.h
 refused reset_inputs reset_input "reset_input in struct Design means nothing: is reset_inputs meant?" "$machine"
+refused reset_inputs reste_input "reste_input in struct Design means nothing: is reset_inputs meant?" "$machine"
 refused reset_inputs clear "clear in struct Design means nothing: is reset_inputs meant?" "$machine"
 
-# What only reads like one: a comment, a text, a register, a member of another struct, a call.
+# What only reads like one: a comment, a text, a register, another word, a member of another struct, a call.
 {
   sed '/  UInt<4> left/,$d' "$uart"
   echo '// auto casse(const In&) const'
+  echo '  Bit computed() const { return 1; }'
   echo '  UInt<4> cases_ = 0, rest_ = 0; Bit legall = 0;'
   echo '  const char* text() const { return "legall(const In&)"; }'
   echo '  struct Other { static constexpr int reset_input = 1; Bit casse() { return legall(1); } };'

@@ -1,4 +1,4 @@
-// What may happen to a transaction of a stream: what cases() of its model gives.
+// What may happen to a transaction of a stream: the results of cases() of a stream model.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace cosim::clocked {
 
-/// Each sentence of `first` together with each of `second`: what crossed() gives.
+/// Each sentence of `first` together with each of `second`; the result of crossed().
 template <std::size_t N, std::size_t M>
 struct Crossed {
   std::array<Stated, N> first;

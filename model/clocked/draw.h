@@ -9,11 +9,12 @@
 
 namespace cosim::clocked {
 
-/// A value, or those from `low` to `high`, both in it: `weight` of the sum of the weights.
+/// A value, or those from `low` to `high` inclusive, drawn with the probability `weight` divided by
+/// the sum of all weights of the field; weights are 0 or more, their sum at most 10^9.
 struct Share {
   std::int64_t low = 0, high = 0;
   std::uint64_t weight = 1;
-  bool is_any = false;  ///< all values that the field has
+  bool is_any = false;  ///< every value of the field; low and high are not used
 
   template <class V>
   requires(std::integral<V> || std::is_enum_v<V>) constexpr Share(V value, int its_weight = 1)
@@ -24,15 +25,14 @@ struct Share {
         high(static_cast<std::int64_t>(to)),
         weight(static_cast<std::uint64_t>(its_weight)) {}
 };
-/// What is drawn of a field without a rule: a random value, or now and then 0, all ones, a single
-/// bit.
+/// As for a field without a rule: a random value, or now and then 0, all ones or a single bit.
 constexpr Share any(int weight = 1) {
   Share share(0, weight);
   share.is_any = true;
   return share;
 }
 
-/// A member of a transaction X, and how it is drawn.
+/// The rule by which a member of a transaction X is drawn.
 template <class X, class T>
 struct Drawn {
   using Record = X;

@@ -48,7 +48,7 @@ inline constexpr auto names = []<std::size_t... I>(std::index_sequence<I...>) {
 }  // namespace enumerators
 
 /// One of the enumerators of E, which count from 0 on: enum class E { red, green }. Reports, cases
-/// and coverage have their names, and each is drawn as often as any other. W: its bits in the RTL.
+/// and coverage show their names, and each is drawn equally often. W: its bits in the RTL.
 template <class E, int W = std::max(clog2(enumerators::count<E>()), 1)>
 struct Enum : Described<UInt<W>> {
   static_assert(
@@ -62,7 +62,7 @@ struct Enum : Described<UInt<W>> {
   constexpr explicit operator E() const {
     return static_cast<E>(static_cast<int>(static_cast<const UInt<W>&>(*this)));
   }
-  /// "?" of a value that has none.
+  /// The enumerator's name, "?" for a value that has none.
   constexpr const char* name() const {
     const auto i = static_cast<std::size_t>(static_cast<const UInt<W>&>(*this));
     return i < names.size() ? names[i] : "?";

@@ -1,4 +1,5 @@
-// What the registers of a model can be beside numbers: arrays, and numbers of which more is said.
+// The types of members beside plain numbers: arrays, and numbers with a further property, such as
+// the register's place in the RTL or its display.
 #pragma once
 
 #include <array>
@@ -17,7 +18,7 @@ concept ArrayLike = requires {
   typename T::Element;
 };
 
-/// What a T, or a type derived from it, can be made of: a number, a T, a base of T.
+/// A type from which a T, or a type derived from it, can be made: a number, a T, a base of T.
 template <class X, class T>
 concept MadeInto = Operand<X> || std::derived_from<T, X>;
 
@@ -63,9 +64,10 @@ T joined(const Bit& c, const T& a, T b) {
 }
 #endif
 
-/// N values, or structs of values. a[i] is read and written at a number of C++, which must be
-/// within, or at a UInt: outside it reads 0, and writing does nothing. In the exporter a member of
-/// an element that is a struct is read by a[i].x, and written by writing the whole element.
+/// N values, or structs of values; N is 1 or more. The index i of a[i] is a number of C++ from 0 to
+/// N - 1, else std::out_of_range is thrown, or a UInt: outside of the array a[i] reads 0, and
+/// writing does nothing. If elements are structs and i is a UInt, a[i].x can be read in a model
+/// that is exported; to write, assign the whole element.
 template <class T, int N>
 class Array {
   static_assert(N >= 1, "an Array has at least one element");
@@ -80,7 +82,7 @@ class Array {
                   "this Array has no initial value: write = 0, or = {1, 2, ...}; of registers that "
                   "no reset reaches it is an Unreset<Array<...>>");
   }
-  /// All elements alike.
+  /// All elements have this value.
   template <MadeInto<T> X>
   constexpr Array(const X& x) {
     for (Slot& slot : slots_) static_cast<T&>(slot) = fill<X>(x);
@@ -175,7 +177,7 @@ class Array {
   std::array<Slot, std::size_t(N)> slots_{};
 };
 
-/// A T of which more is said by a type that is derived from it.
+/// A T whose derived type adds a property; it computes as a T does.
 template <class T>
 struct Described : T {
   using T::T;
@@ -183,7 +185,8 @@ struct Described : T {
   constexpr Described(const X& x) : T(x) {}  // NOLINT: it is a T
 };
 
-/// A register that no reset reaches: the RTL's value at the start is the model's. Unreset<UInt<9>>.
+/// A register that no reset reaches: the model takes its first value over from the RTL, after the
+/// reset. Unreset<UInt<9>>.
 template <class T>
 struct Unreset : Described<T> {
   static constexpr bool is_unreset = true;
@@ -191,7 +194,7 @@ struct Unreset : Described<T> {
   using Described<T>::Described;
 };
 
-/// A parameter that is a text: template <Text MODE>, and in it MODE == "FAST".
+/// A parameter of the RTL that is a text: template <Text MODE>, compared by MODE == "FAST".
 template <std::size_t N>
 struct Text {
   char text[N];
@@ -204,28 +207,30 @@ struct Text {
   }
 };
 
-/// A register that the RTL has elsewhere: At<"divider.count", UInt<8>>, from the top on.
+/// A register or port that has another name in the RTL, or is below the top; PATH begins below the
+/// top: At<"divider.count", UInt<8>>.
 template <Text PATH, class T>
 struct At : Described<T> {
   static constexpr std::string_view path = PATH;
   using Described<T>::Described;
 };
 
-/// A register, a port that a printed source numbers: Source<"16", Bit>.
+/// A register or port with a number in a printed source, which reports show: Source<"16", Bit>.
 template <Text BLOCK, class T>
 struct Source : Described<T> {
   static constexpr std::string_view block = BLOCK;
   using Described<T>::Described;
 };
 
-/// A register of the model alone, to which none of the RTL's is compared: Auxiliary<UInt<8>>.
+/// A register that only the model has; it is not compared: Auxiliary<UInt<8>>.
 template <class T>
 struct Auxiliary : Described<T> {
   static constexpr bool is_auxiliary = true;
   using Described<T>::Described;
 };
 
-/// A number whose lowest bits are a fraction, where it is shown: Fraction<2, Int<8>>.
+/// A number whose lowest BITS bits are shown as a fraction, in units of 2^-BITS; it computes as a
+/// whole number: Fraction<2, Int<8>>.
 template <int BITS, class T>
 struct Fraction : Described<T> {
   static constexpr int fraction = BITS;
@@ -239,27 +244,29 @@ struct Hex : Described<T> {
   using Described<T>::Described;
 };
 
-/// An input that is a clock, one of several: 1 on a step on which it takes its rising edge.
+/// An input that is one of several clocks, whose registers use the rising edge: 1 on a step on
+/// which that edge comes.
 struct Rises : Bit {
   static constexpr int edge = 1;
   using Bit::Bit;
 };
-/// The same of one whose registers take its falling edge.
+/// The same for a clock whose registers use the falling edge.
 struct Falls : Bit {
   static constexpr int edge = -1;
   using Bit::Bit;
 };
 
-/// A member of In that is no pin: the bits of a register, the first of a synchronizer, that take
-/// the new value of what it samples, where two clocks take their edge on one step. Drawn at random:
-/// Sampled<"w_first", UInt<4>>.
+/// A member of In that is not a pin, but the outcome of metastability at the register REGISTER of
+/// the same width, the first of a synchronizer. On a step on which two clocks have their edge, each
+/// bit that is 1 takes the new value of the sampled signal, each other bit the old one. It is drawn
+/// at random: Sampled<"w_first", UInt<4>>.
 template <Text REGISTER, class T>
 struct Sampled : Described<T> {
   static constexpr std::string_view sampled = REGISTER;
   using Described<T>::Described;
 };
 
-/// Bits that number n things, Verilog's $clog2(n): of 1 none.
+/// The bits needed to number n things, as Verilog's $clog2(n): clog2(8) is 3, clog2(1) is 0.
 constexpr int clog2(std::int64_t n) {
   int bits = 0;
   while (bits < 62 && (std::int64_t{1} << bits) < n) ++bits;
@@ -276,7 +283,8 @@ constexpr int bits_for_range(std::int64_t low, std::int64_t high) {
   return width;
 }
 
-/// A number of a Job, from LOW to HIGH, both in it: Range<0, 255>.
+/// A number of a Job, from LOW to HIGH inclusive: Range<0, 255>. Its type has the bits that the
+/// range needs, and a sign if LOW is negative.
 template <std::int64_t LOW, std::int64_t HIGH>
 struct Range : Integer<bits_for_range(LOW, HIGH), (LOW < 0)> {
   static_assert(LOW <= HIGH, "the range is empty");
@@ -287,10 +295,10 @@ struct Range : Integer<bits_for_range(LOW, HIGH), (LOW < 0)> {
   constexpr Range(const X& x) : Number(x) {}  // NOLINT
 };
 
-/// A number of W bits, |v| < 2^(W-1), whose register is in ones' complement and adds with
-/// end-around carry: a number v that is assigned, |v| < 2^W - 1 as of a sum of two, is brought into
-/// range by 2^W - 1 more or less. The register's code of 0 is all zeros, or all ones where
-/// MINUS_ZERO.
+/// A number of W bits, |v| < 2^(W-1), whose register in the RTL is in ones' complement and adds
+/// with end-around carry. A number v that is assigned, such as a sum of two, has |v| < 2^W - 1; if
+/// it is out of range, 2^W - 1 is added or subtracted. The register's code of 0 is all zeros, or
+/// all ones if MINUS_ZERO.
 template <int W, bool MINUS_ZERO = false>
 struct OnesComplement : Int<W> {
   static constexpr bool is_ones_complement = true, has_minus_zero = MINUS_ZERO;
@@ -298,7 +306,7 @@ struct OnesComplement : Int<W> {
   OnesComplement() : Int<W>() {}
   template <Operand T>
   constexpr OnesComplement(const T& x) : Int<W>(around(Inside::base(x))) {}
-  /// The number of a code; both of 0 are 0.
+  /// The number with this code; both codes of 0 give 0.
   static constexpr OnesComplement from_code(const UInt<W>& code) {
     return Int<W + 1>(mux(code[W - 1], Int<W + 1>(code - all), Int<W + 1>(code)));
   }
@@ -317,7 +325,7 @@ struct OnesComplement : Int<W> {
   }
 };
 
-/// An input that is the code of such a number, with either code of 0.
+/// An input that is the ones'-complement code of a number of W bits; 0 has both codes.
 template <int W>
 struct OnesComplementCode : Described<UInt<W>> {
   static constexpr bool is_ones_complement = true, has_minus_zero = false;

@@ -1,5 +1,5 @@
-// What a golden model is written with: a struct whose members are the registers, and one function
-// that is a clock.
+// The language of golden models: a struct whose members are the registers, and one function that is
+// a clock.
 //
 //   template <int D>               // the module's parameters, in their order
 //   struct Blink {
@@ -29,9 +29,9 @@
 // The same source is compiled twice. In the simulator a value is an integer. In the exporter,
 // another program, compiled with -DCOSIM_SYMBOLIC, it may be a symbol, which stands for any number:
 // clock() is run once for each way through it (a symbol as the condition of if, while or ?: is a
-// fork, both ways of which are run) and what comes of the ways is joined into a graph, which
-// export.h writes. So loops, early returns, helper functions and local bools are what they are in
-// C++. clock() may depend on its members and on `in` alone.
+// fork, both ways of which are run), and the results are joined into a graph, which export.h
+// writes. Loops, early returns, helper functions and local bools are therefore those of C++.
+// clock() may depend only on its members and on `in`.
 //
 //   value.h      UInt<W>, Int<W>, Bit: their bits, slices, conversions
 //   operators.h  the widths of expressions; cat, mux, reduce_and, reduce_or, reduce_xor
@@ -39,7 +39,7 @@
 //                OnesComplement<W>, OnesComplementCode<W>, Fraction<2, T>; Range<0, 9>; clocks:
 //                Rises, Falls, Sampled<"register", T>
 //   cells.h      the members of such a struct, for what works on any model
-//   says.h       what a model may say beside its clock: its reset, its jobs, what must be possible
+//   says.h       what a model may have beside its clock: reset, assumptions, cases, jobs
 //
 // `c ? a : b` wants a and b of one type, and forks; mux(c, a, b) takes any two, and does not.
 #pragma once
@@ -56,9 +56,9 @@
 namespace cosim::clocked {
 
 /// merge(*this, [&] { ... }): runs the block. In the exporter the ways through it are joined at its
-/// end, so that what follows is not run once for each of them: for blocks behind each other whose
-/// conditions do not depend on each other. In front of the block stand all objects that it changes:
-/// the model or some of its members, locals; numbers of C++ cannot be among them.
+/// end, so that the code after it is not run once for each of them: for several blocks in a row
+/// whose conditions do not depend on each other. The arguments before the block are all objects
+/// that it changes: the model or some of its members, and locals, but no numbers of C++.
 template <class... Words>
 void merge(Words&&... words) {
   constexpr std::size_t n = sizeof...(Words) - 1;

@@ -240,7 +240,7 @@ constexpr Bit operator||(const A& a, const B& b) {
   return truth(a) | truth(b);
 }
 
-/// a where c is not 0, else b, of the smallest type that holds both. It does not fork.
+/// a if c is not 0, else b, in the smallest type that holds both. It does not fork.
 template <Operand C, Operand A, Operand B>
 constexpr Both<A, B> mux(const C& c, const A& a, const B& b) {
   const Both<A, B> x(a), y(b);
@@ -268,7 +268,7 @@ constexpr auto cat(const A& a, const B& b, const More&... more) {
   return cat(kept_left(x, low) | UInt<low>(Inside::base(b)), more...);
 }
 
-/// Whether all bits are 1; whether one is; whether an odd number is.
+/// Whether all bits are 1; at least one; an odd number of them.
 template <Value A>
 constexpr Bit reduce_and(const A& a) {
   return UInt<Base<A>::width>(a) == ~UInt<Base<A>::width>(0);

@@ -1,52 +1,52 @@
-// What a model may say beside its clock. Each is a member, found by its name:
+// What a model may have beside its clock(). Each is a member, found by its name:
 //
 //   static constexpr auto reset = active_low<&In::rst_n>;      the pins that reset it, together;
 //                                 active_high<&In::rst>, both(active_high<...>, active_low<...>);
-//                                 none: it begins at its initial values
-//   static constexpr int reset_clocks = 3;                     so many clocks of it are needed; 1
-//   static constexpr bool asynchronous_reset = true;           it does not wait for the clock
+//                                 without it the design begins at its initial values
+//   static constexpr int reset_clocks = 3;                     clocks that a reset lasts; default 1
+//   static constexpr bool asynchronous_reset = true;           a reset does not wait for the edge
 //   void reset_at_once(const In&) what each of several asynchronous resets does to the registers
-//   static constexpr In rest()    the inputs of a clock with nothing to do; else all 0. A reset pin
-//                                 is inactive whatever stands here
+//   static constexpr In rest()    the inputs of an idle clock; default all 0. Reset pins are made
+//                                 inactive whatever it returns
 //   auto cases(const In&) const   what must be possible on a clock
-//   auto legal(const In&) const   what is assumed of the inputs
-//   In idle() const               inputs that are legal in any state; else rest()
-//   auto invariant() const        what holds of the registers on every clock, and is needed to
-//                                 prove that RTL and model are the same
-//   auto reached() const          what holds of them, and is proved, but is not needed
-//   auto compared() const         registers that are compared on some clocks alone
-//   auto compared(const In&, const Out&) const     the same of outputs
-//   static constexpr std::array unobserved{"debug.*"};         what of the RTL is not compared
+//   auto legal(const In&) const   assumptions about the inputs
+//   In idle() const               inputs that are legal in any state; default rest()
+//   auto invariant() const        holds for the registers on every clock, and is needed to prove
+//                                 that RTL and model are the same
+//   auto reached() const          holds for them and is proved, but is not needed
+//   auto compared() const         registers that are compared only on some clocks
+//   auto compared(const In&, const Out&) const     the same for outputs
+//   static constexpr std::array unobserved{"debug.*"};         RTL registers that are not compared
 //   static constexpr const char* source = "SU 1631518";        the printed source of the design
-//   static constexpr std::string_view register_suffix = "_q";  of each register's name in the RTL
-//   using View = ...              what a person wants to see beside registers and ports: a class
-//   with
+//   static constexpr std::string_view register_suffix = "_q";  ends each register's name in the RTL
+//   using View = ...              what a wave shows beside registers and ports: a class with
 //                                 probes(), clock(model, out) and values(), see model/core/probe.h
 //
-// What is plural gives stated({{"a byte is taken", left == 0 && in.valid}, ...}), sentences with
-// their conditions; of compared() the sentence is the member's name.
+// cases, legal, invariant, reached and compared return stated({{"a byte is taken", left == 0 &&
+// in.valid}, ...}), sentences with their conditions; for compared() the sentence is the name of the
+// member.
 //
-// Jobs, where the design is given something to do as a whole:
+// Jobs, for a design that is given something to do as a whole:
 //
 //   struct Job { Range<0, 40> idle; Range<0, 255> byte; };     numbers, drawn from their ranges
-//   struct Driver {               the device outside; its members are as initialized when a job
-//                                 begins
+//   struct Driver {               the environment; its members are as initialized when a job begins
 //     In drive(const Job&, In rest) const              the inputs of the next clock
-//     Bit driven(const Job&, const Out&)               after that clock; 1 where the job is over
+//     Bit driven(const Job&, const Out&)               after that clock; 1 if the job is over
 //   };
-//   struct Checker {              and what is to come of it, if that is checked
+//   struct Checker {              optional: checks what the design does
 //     Bit checked(const Job&, const Driver&, const Out&, const Bit& over)
-//                                 on each clock, the last where it is over; 1 where it is wrong
+//                                 on each clock; `over` is 1 on the last one. 1 if it is wrong
 //   };
-//   static constexpr std::uint64_t most_clocks = 1000;         a job that is longer waits for ever
+//   static constexpr std::uint64_t most_clocks = 1000;         a longer job waits for ever
 //
-// Work that is no list of numbers: Job is then what driver and checker see of it.
+// Work that is not a list of numbers has a type of its own. Job is then the part of it that driver
+// and checker use.
 //
 //   using Work = Arc;
 //   static Job job_of(const Work&)
-//   static Checker checker_of(const Work&)                     as its job begins; if it is checked
-//   static std::vector<Work> smaller(const Work&)              to try where it fails, simplest
-//   first static std::string describe(const Work&)                   in one line
+//   static Checker checker_of(const Work&)                     its checker, as the job begins
+//   static std::vector<Work> smaller(const Work&)              smaller work, the simplest first
+//   static std::string describe(const Work&)                   its text in reports, one line
 #pragma once
 
 #include <array>
@@ -57,7 +57,7 @@
 
 namespace cosim::clocked {
 
-/// A sentence on a model, and whether it holds.
+/// A sentence about a model, and whether it holds: 1 if it does.
 struct Stated {
   const char* sentence;
   Bit holds;
@@ -70,10 +70,10 @@ constexpr std::array<Stated, N> stated(const Stated (&all)[N]) {
   (std::make_index_sequence<N>());
 }
 
-/// Pins of In, and the value with which they reset.
+/// Pins of In, and the level at which they reset: LEVEL, 1 or 0.
 template <bool LEVEL, auto... PINS>
 struct Level {
-  /// Sets them so that they reset, or so that they do not.
+  /// Sets the pins to the level that resets, or to the other one.
   template <class In>
   static constexpr void set(In& in, bool resets) {
     ((in.*PINS = resets == LEVEL), ...);
@@ -91,7 +91,7 @@ struct Together {
     (Levels::set(in, resets), ...);
   }
 };
-/// Pins of either level.
+/// Reset pins of both levels: both(active_high<&In::a>, active_low<&In::b>).
 template <class... Levels>
 constexpr Together<Levels...> both(Levels...) {
   return {};
@@ -102,7 +102,7 @@ concept SaysReset = requires {
   M::reset;
 };
 
-/// The inputs of a clock at rest, or, where `resets`, of a reset.
+/// The inputs of an idle clock: rest(), or all 0. The reset pins are active if `resets`.
 template <class M>
 constexpr typename M::In resting(bool resets) {
   auto in = [] {

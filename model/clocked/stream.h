@@ -17,36 +17,37 @@
 //     }
 //   };
 //
-// Of several interfaces in() and out() give a std::tuple, run() takes a vector of each and gives a
-// std::tuple of vectors. Given only the first transactions of a case, run() must give the first of
-// its results: what came out once stays. Beside these the struct may have
+// With several interfaces in() and out() return a std::tuple, and run() takes a vector of each
+// input and returns a std::tuple of vectors. Given only the first transactions of a case, run()
+// must return the first of its results. Beside these the struct may have
 //
-//   static auto legal(const X&)              what is assumed of a transaction, stated({{...}, ...})
-//   static constexpr int watchdog = 1000;    clocks for which nothing may move while something
-//   should
+//   static auto legal(const X&)              assumptions about a transaction, stated({{...}, ...})
+//   static constexpr int watchdog = 1000;    clocks without any movement after which the design
+//                                            hangs
 //   static auto draws()                      how fields are drawn, std::tuple{drawn(&X::field,
 //                                            {...}), ...}; a field without a rule has any value
-//   static X arranged(X x)                   makes a transaction that was drawn one that may come,
-//                                            where rules join its fields
-//   static constexpr int most_transactions = 256;    of a case
+//   static X arranged(X x)                   changes each transaction that was drawn, for fields
+//                                            that depend on each other
+//   static constexpr int most_transactions = 256;           in a case
 //   static auto cases(const X&)              what may happen to a transaction: cover counts it, and
-//                                            each verdict names what never did. It gives
+//                                            each verdict names what never happened. It returns
 //                                            stated({{...}, ...}), crossed(stated(...),
 //                                            stated(...)), or a std::tuple of these
-//   static std::string text_of(const X&)     a transaction as a report has it: "lw x25, 0(x0)"
-//   static std::string state_after(const std::vector<X>&)   the state of the model behind these,
-//                                            with the arguments of run(); printed at a difference
-//   static auto cases(const X& x, const X* before)   the same, with the transaction before it
+//   static auto cases(const X& x, const X* before)          the same, with the transaction before
+//                                            x, null for the first one of a case
+//   static std::string text_of(const X&)     a transaction in reports: "lw x25, 0(x0)"
+//   static std::string state_after(const std::vector<X>&)   the state of the model behind these
+//                                            arguments of run(); printed at a difference
 //
-// and clock(), In and Out of a golden model of every clock (model.h): then all is compared.
+// and In, Out and clock() of a golden model (model.h): then every register is compared, too.
 //
-// The ports of stream "x" are x_valid, x_ready, and x_FIELD for each field; prefix() puts something
-// else before them, and a field At<"PORT", T> has that port. The member `tag` of a field `head`
-// that is a struct has x_head_tag. A transaction passes on a clock on which valid and ready are
-// both high.
+// The ports of stream "x" are x_valid, x_ready, and x_FIELD for each field; prefix() changes the
+// text before valid, ready and FIELD, and a field At<"PORT", T> is that port. The member `tag` of a
+// field `head` that is a struct is x_head_tag. A transaction passes on a clock on which valid and
+// ready are both high.
 //
-// An interface of another kind has a driver of your own, stream<X, Sender>("x"). Of an input
-// stream:
+// An interface of another kind has a driver of your own, stream<X, Sender>("x"). The driver of an
+// input stream:
 //
 //   struct Sender {
 //     struct Drives { Bit rx; };               // ports that it sets on each clock
@@ -56,15 +57,16 @@
 //     bool took(const Reads& pins);
 //   };
 //
-// x is the transaction that may go in, the same one until took() says that it went in; null where
-// there is none, or the case holds it back. The record that it points to neither moves nor changes
-// before the case ends: a driver may keep the pointer. The driver of an output stream has
-// Drives drive(bool ready), where ready is false while the case takes nothing, and
-// std::optional<Y> came(const Reads&); one that drives nothing has neither Drives nor drive(). Each
-// case has a new driver; drive() is called once in the reset, too. A driver whose pins depend on
-// the outputs of the design within one clock, as a memory without wait states, has answer()
-// besides: it is called when the design has settled behind drive(), and took() sees what comes of
-// it. It must not depend on pins that depend on what it drives.
+// x is the transaction that may go in, the same one until took() returns true; null if there is
+// none or the case holds it back. The record that it points to neither moves nor changes before the
+// case ends, so a driver may keep the pointer. The driver of an output stream has
+// Drives drive(bool ready), in which ready is false while the case takes nothing, and
+// std::optional<Y> came(const Reads&), the transaction that came out on this clock, if any; one
+// that drives nothing has neither Drives nor drive(). Each case has a new driver; drive() is called
+// once in the reset, too. A driver whose pins depend on the outputs of the design within one clock,
+// such as a memory without wait states, also has answer(): it is called when the design has settled
+// after drive(), and took() sees the result. It must not read pins that depend on the ones it
+// drives.
 #pragma once
 
 #include <array>
@@ -107,7 +109,8 @@ struct StreamDesign {
   static constexpr auto parameters(const Params& p) { return Says::parameters[p.number]; }
 };
 
-/// What an interface has beside its fields. For a name that is null the default beside it is used.
+/// The ports and properties of an interface beside its fields. A null name has the default that its
+/// comment gives.
 struct StreamPorts {
   const char* name;
   const char* prefix = nullptr;  ///< NAME_
@@ -115,17 +118,17 @@ struct StreamPorts {
   const char* ready = nullptr;   ///< PREFIXready
   const char* credit = nullptr;  ///< PREFIXcredit
   const char* done = nullptr;    ///< none
-  const char* clock = nullptr;   ///< that of the design, where it has one
+  const char* clock = nullptr;   ///< the design's clock, if it has only one
   bool has_ready = true;
   int credits = 0;      ///< 0: no credits
-  int latency = -1;     ///< clocks; -1: any
+  int latency = -1;     ///< most clocks; -1: any number
   bool pulse = false;   ///< a transaction is a rising edge of valid
-  bool steady = false;  ///< what is offered stays until it is taken
+  bool steady = false;  ///< an offer does not change until it is taken
 };
 
 /// An interface for transactions X: an input stream goes into the design, an output stream comes
-/// out of it. Each function gives a copy of it with one more property. `Driver`: void, or the type
-/// of a driver of your own in place of valid and ready.
+/// out of it. Each function returns a copy with one more property. `Driver`: void, or the type of a
+/// driver of your own in place of valid and ready.
 template <class X, class Driver = void>
 struct Stream {
   using Record = X;
@@ -137,28 +140,28 @@ struct Stream {
   constexpr Stream prefix(const char* text) const { return with(&StreamPorts::prefix, text); }
   constexpr Stream valid(const char* port) const { return with(&StreamPorts::valid, port); }
   constexpr Stream ready(const char* port) const { return with(&StreamPorts::ready, port); }
-  /// Of a design with several clocks, each interface: it gives and takes on the edges of this one.
+  /// The clock on whose edges transactions pass. Needed if the design has several clocks.
   constexpr Stream clock(const char* port) const { return with(&StreamPorts::clock, port); }
-  /// There is no ready: the side that takes can always take.
+  /// There is no ready: the receiving side can always take a transaction.
   constexpr Stream always_ready() const { return with(&StreamPorts::has_ready, false); }
-  /// Credits in place of ready: the side that gives may give `n` transactions, and one more for
-  /// each clock on which the other side sets the port PREFIXcredit, or `port`.
+  /// Credits in place of ready: the sending side may send `n` transactions, and one more for each
+  /// clock on which the receiving side sets the port PREFIXcredit, or `port`.
   constexpr Stream credit(int n, const char* port = nullptr) const {
     return always_ready().with(&StreamPorts::credits, n).with(&StreamPorts::credit, port);
   }
-  /// Of an input stream, in place of ready: valid is high for one clock, on which the transaction
-  /// is taken; its fields stay, and the next one waits until the output `port` was high after it.
-  /// With valid("start") this is a plain start and done.
+  /// Input streams only, in place of ready: valid is high for one clock, on which the transaction
+  /// is taken. Its fields stay, and the next transaction waits until the output `port` was high
+  /// after it. With valid("start") this is a plain start and done.
   constexpr Stream until(const char* port) const {
     return always_ready().with(&StreamPorts::done, port);
   }
-  /// Of an output stream: valid may stay high; each rising edge of it is a transaction.
+  /// Output streams only: each rising edge of valid is a transaction; valid may stay high.
   constexpr Stream rising() const { return always_ready().with(&StreamPorts::pulse, true); }
-  /// Of an output stream: what is offered and not taken must be offered unchanged on the next
-  /// clock. With rising(): what came must stay as long as valid does.
+  /// Output streams only: an offer that is not taken must be unchanged on the next clock. With
+  /// rising(): the fields must not change while valid is high.
   constexpr Stream steady() const { return with(&StreamPorts::steady, true); }
-  /// Of an output stream: a transaction comes at most `clocks` after the last input that it needs
-  /// has gone in; 0: on the same clock. A clock on which this stream moves, or is made to wait,
+  /// Output streams only: a transaction comes at most `clocks` clocks after the last input that it
+  /// needs went in; 0: on the same clock. A clock on which this stream moves, or is made to wait,
   /// does not count.
   constexpr Stream latency(int clocks) const { return with(&StreamPorts::latency, clocks); }
 
@@ -181,9 +184,9 @@ struct Pin {
   enum class Kind { reset, tied, unread };
   const char* port;
   Kind kind;
-  std::int64_t value = 0;  ///< of a reset: the level that resets; of a tied input: its value
-  int width = 1;           ///< bits, from 1 on
-  int clocks = 1;          ///< of a reset: how long it lasts
+  std::int64_t value = 0;  ///< reset: the level that resets; tied input: its value
+  int width = 1;           ///< bits, 1 or more
+  int clocks = 1;          ///< reset: the clocks that it lasts
 };
 
 namespace pin {

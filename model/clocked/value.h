@@ -1,4 +1,4 @@
-// Integers of a width: UInt<W>, Int<W> and Bit. What can be done with them: operators.h.
+// Integers of a width: UInt<W>, Int<W> and Bit. Their operators are in operators.h.
 #pragma once
 
 #include <algorithm>
@@ -22,13 +22,14 @@ using UInt = Integer<W, false>;
 /// A number of W bits in two's complement, 1 to 4,096.
 template <int W>
 using Int = Integer<W, true>;
-/// A number of one bit, and what a comparison gives. It is also a condition: of if, of && and ||.
+/// A number of one bit, 0 or 1; the result of a comparison. It is also a condition of if, && and
+/// ||.
 using Bit = UInt<1>;
 
 template <int W, bool S>
 Integer<W, S> base_of(const Integer<W, S>&);
 
-/// An Integer, or what is derived from one.
+/// An Integer, or a type derived from one.
 template <class T>
 concept Value = requires(const T& x) {
   base_of(x);
@@ -150,7 +151,7 @@ class Integer {
   constexpr Integer& operator=(const Integer&) & = default;
   constexpr Integer(Inside, const Rep& rep) : rep_(rep) {}
 
-  /// Whether it is not 0. Of a symbol: a fork, both ways are run.
+  /// Whether it is not 0. For a symbol this is a fork: both ways are run.
   template <std::same_as<bool> B>
 #ifdef COSIM_SYMBOLIC
   [[gnu::noinline]] explicit(W != 1 || S) operator B() const {
@@ -162,7 +163,7 @@ class Integer {
     return rep_ != Rep(0);
   }
 #endif
-  /// As a number of C++, its upper bits cut off as by a cast of C++. A symbol is none.
+  /// As a number of C++; upper bits are cut off, as by a cast of C++. Not for a symbol.
   template <Native T>
   requires(!std::same_as<T, bool>) constexpr explicit operator T() const {
 #ifdef COSIM_SYMBOLIC
@@ -173,7 +174,7 @@ class Integer {
 #endif
     return static_cast<T>(resized<std::int64_t, S>(rep_));
   }
-  /// As a number of C++, for switch. Of a symbol: each number of its type is a way of its own.
+  /// As a number of C++, for switch. For a symbol each number of its type is a way of its own.
   constexpr std::int64_t value() const requires(W < 64 || (S && W == 64)) {
 #ifdef COSIM_SYMBOLIC
     static_assert(W <= 12, "value() of a symbol takes a way for each number: at most 12 bits");

@@ -129,7 +129,7 @@ struct SymbolicCondition {
   explicit operator B() const {
     static_assert(!std::same_as<B, bool>,
                   "a model asks what is only known of numbers, by if, ?:, && or ||: write "
-                  "select(condition, a, b), & and |, or say UNPROVED in cosim_add_design()");
+                  "select(condition, a, b), & and |, or write UNPROVED in cosim_add_design()");
     return false;
   }
 };

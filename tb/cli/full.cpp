@@ -21,7 +21,7 @@ std::optional<int> lanes_asked(const Text& lanes) {
     if (*lanes == std::to_string(number)) return number;
   }
   throw InputError(
-      fmt::format("--lanes: {} is none of auto, gpu, 512, 256, 64 and 0", in_quotes(*lanes)));
+      fmt::format("--lanes: {} is not auto, gpu, 512, 256, 64 or 0", in_quotes(*lanes)));
 }
 
 bool is_for_lanes(std::uint64_t clocks, const Text& lanes) {

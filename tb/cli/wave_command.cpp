@@ -82,13 +82,18 @@ void check_shot(const std::string& file) {
   if (!fs::is_directory(folder)) throw InputError("--shot: there is no folder " + folder.string());
 }
 
-// Draws it; the wave.
+// Draws it; the wave, which is in `scratch` without --out.
 std::string draw(WaveOptions& o, const Replay& drawn, const fs::path& scratch) {
-  if (!o.common.wave) o.common.wave = (scratch / "wave.fst").string();
+  const bool is_kept = o.common.wave.has_value();
+  if (!is_kept) o.common.wave = (scratch / "wave.fst").string();
   check_extent(o.common, {drawn.stimulus.clocks.size(), 0, 0, 0});
   check_outputs(o.common, {}, {drawn.bench});
   fmt::print("{}: {}\n", drawn.bench->title(), drawn.stimulus.origin);
-  draw_wave(o.common, *drawn.bench, drawn.stimulus, drawn.stimulus.origin);
+  if (is_kept) {
+    draw_wave(o.common, *drawn.bench, drawn.stimulus, drawn.stimulus.origin);
+  } else {
+    drawn.bench->draw_wave(*o.common.wave, drawn.stimulus, o.common.window());
+  }
   return *o.common.wave;
 }
 
@@ -106,7 +111,7 @@ int run(WaveOptions o) {
   const bool is_drawn = wave.ends_with(".fst") && fs::exists(wave);
   if (is_drawn && (o.common.wave || o.hostile)) throw InputError(wave + ": is drawn already");
   if (is_drawn && !fs::exists(view_file(wave))) {
-    throw InputError(view_file(wave) + ": no such file, the view of " + wave);
+    throw InputError(view_file(wave) + ": no such file; it is the view of " + wave);
   }
   std::optional<Replay> replay;
   if (!is_drawn) replay = read_replay(o);

@@ -143,16 +143,17 @@ void require_clocks(const Ports& ports) {
   for (const Field& f : ports.inputs) {
     if (f.edge == Edge::none) continue;
     const auto clock = left.find(f.net);
-    const char* format = f.edge == Edge::rising ? "rises" : "falls";
+    const char* type = f.edge == Edge::rising ? "Rises" : "Falls";
     if (clock == left.end() || clock->second != f.edge) {
-      refuse(ports.title, fmt::format("input {}: its row says {}, and the RTL has no such clock",
-                                      f.net, format));
+      refuse(ports.title,
+             fmt::format("input {}: the model declares it as {}, but the RTL has no such clock",
+                         f.net, type));
     }
     left.erase(clock);
   }
   for (const auto& [name, edge] : left) {
-    refuse(ports.title, fmt::format("{} is a clock: a row of the inputs is to say {} of it", name,
-                                    edge == Edge::rising ? "rises" : "falls"));
+    refuse(ports.title, fmt::format("{} is a clock: the model must declare it as {}", name,
+                                    edge == Edge::rising ? "Rises" : "Falls"));
   }
 }
 
@@ -261,7 +262,7 @@ std::vector<Net> find_ports(const std::vector<PortNet>& of_rtl, const Ports& por
   }
   if (!unnamed.empty()) {
     refuse(ports.title,
-           fmt::format("the RTL has {} that no table names", fmt::join(unnamed, ", ")));
+           fmt::format("the RTL has {} that the model does not have", fmt::join(unnamed, ", ")));
   }
   return nets;
 }

@@ -145,19 +145,19 @@ std::vector<std::string> unobserved_signals(const RtlText& text, const std::vect
     if (!is_there) unobserved.push_back(name);
   }
   if (missing.size() == 1) {
-    throw InputError(fmt::format(
-        "{}: the RTL has a register {} that no table names and that is not in unobserved",
-        text.title, missing.front()));
+    throw InputError(
+        fmt::format("{}: the RTL has a register {} that is neither in the model nor in unobserved",
+                    text.title, missing.front()));
   }
   if (!missing.empty()) {
-    throw InputError(fmt::format(
-        "{}: the RTL has registers that no table names and that are not in unobserved: {}",
-        text.title, fmt::join(missing, ", ")));
+    throw InputError(
+        fmt::format("{}: the RTL has registers that are neither in the model nor in unobserved: {}",
+                    text.title, fmt::join(missing, ", ")));
   }
   const auto unused = std::ranges::find(used, false);
   if (unused != used.end()) {
     throw InputError(fmt::format(
-        "{}: unobserved has {}, and the RTL has no such register or output beside the tables",
+        "{}: unobserved has {}, and the RTL has no such register or output outside the model",
         text.title, patterns[static_cast<std::size_t>(unused - used.begin())]));
   }
   return unobserved;
@@ -171,8 +171,8 @@ void require_resets(const RtlText& text, Resets design, const std::vector<ResetP
   for (const auto& reset : resets) {
     if (reset.front() == "inner" && design != Resets::each_at_once) {
       refuse(
-          fmt::format("register {} resets others asynchronously: the model is to say what it "
-                      "clears, with reset()",
+          fmt::format("register {} resets others asynchronously: write what it clears in "
+                      "reset_at_once()",
                       reset.back()));
     }
   }
@@ -182,19 +182,18 @@ void require_resets(const RtlText& text, Resets design, const std::vector<ResetP
   if (resets.empty()) {
     if (design != Resets::at_edge && !text.registers.empty()) {
       refuse(fmt::format("{}, and no register of the RTL has an asynchronous reset",
-                         design == Resets::at_once ? "asynchronous_reset" : "reset()"));
+                         design == Resets::at_once ? "asynchronous_reset" : "reset_at_once()"));
     }
     return;
   }
   const std::string& name = resets.front().back();
   if (design != Resets::each_at_once && resets.size() > 1) {
-    refuse(fmt::format(
-        "{} and {} reset asynchronously: the model is to say what each clears, with reset()", name,
-        resets[1].back()));
+    refuse(fmt::format("{} and {} reset asynchronously: write what each clears in reset_at_once()",
+                       name, resets[1].back()));
   }
   if (design == Resets::at_edge) {
-    refuse(fmt::format(
-        "{} resets asynchronously: struct Design is to say asynchronous_reset = true", name));
+    refuse(fmt::format("{} resets asynchronously: the model must have asynchronous_reset = true",
+                       name));
   }
   for (const auto& reset : resets) {
     const bool level = reset.size() == 1;
@@ -203,9 +202,8 @@ void require_resets(const RtlText& text, Resets design, const std::vector<ResetP
     });
     if (is_given && (design == Resets::each_at_once || pins.size() == 1)) continue;
     refuse(fmt::format(
-        "{} resets asynchronously where it is {}, and reset_inputs() is to {}", reset.back(),
-        level ? 1 : 0,
-        design == Resets::each_at_once ? "give it" : "differ from rest() in that alone"));
+        "{} resets asynchronously while it is {}: the model's reset must name this pin{}",
+        reset.back(), level ? 1 : 0, design == Resets::each_at_once ? "" : " alone"));
   }
 }
 
@@ -218,8 +216,8 @@ void require_taken_over(const RtlText& text, const std::vector<Field>& registers
     });
     if (is_there) continue;
     throw InputError(
-        fmt::format("{}: {} is unreset(), and no field of the state: the model takes its value "
-                    "over by that name",
+        fmt::format("{}: {} has no reset value, and the model has no member of that name to take "
+                    "its value over",
                     text.title, label_of(r)));
   }
 }

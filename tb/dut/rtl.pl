@@ -177,7 +177,7 @@ for my $port (grep { $_->{tag} eq 'var' && $_->{has}{dir} } @{$top->{in}}) {
     expose($name);
 }
 for my $clock (grep { !/^[-?]$/ && !$inputs{$_} } @clocks) {
-    refuse("$clock: the RTL has no such input, which is to be its clock");
+    refuse("$clock: the RTL has no such input, but it is named as its clock");
 }
 
 # All nets that carry the value of one: from which of its bits on.
@@ -227,7 +227,7 @@ sub held_by {
 for my $p (@processes) { $p->{held} = held_by($p) }
 @processes = grep { %{$_->{held}} } @processes;
 @clocks = $pins =~ /^\?/ ? found_clocks(@processes) : $pins =~ /^-/ ? () : @clocks;
-refuse(one_held($processes[0]) . ': a register, and the design is to be combinational')
+refuse(one_held($processes[0]) . ': a register, but the design is declared COMBINATIONAL')
   if @processes && !@clocks;
 my $way_of = give_clocks(\@clocks, $pins !~ /^\?/ && $is_one, @processes);
 require_plain($_) for @clocks > 1 || !$is_one ? @clocks : ();

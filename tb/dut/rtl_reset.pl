@@ -101,7 +101,7 @@ sub synchronous_reset {
 # Prints what rtl.pl says of the resets of `registers`: lines synchronous, given and value.
 sub tell_resets {
     my ($wanted, $asynchronous, $inner, $registers, $processes, $initial) = @_;
-    refuse("$wanted: the RTL has no such input, which is to be its reset")
+    refuse("$wanted: the RTL has no such input, but it is named as its reset")
       if defined $wanted && !$inputs{$wanted};
     my %active = map { /^(low )?(.*)$/ && ($2 => $1 ? 0 : 1) } @$asynchronous, @$inner;
     my @at_once = sort keys %active;

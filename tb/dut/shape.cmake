@@ -39,7 +39,7 @@ function(cosim_shape prefix what shape)
       set(constant "${bits}'h${digits}")
     else()
       message(FATAL_ERROR
-        "${what}: SHAPES: ${word}: ${value} is no number, no constant of Verilog and no word")
+        "${what}: SHAPES: ${word}: ${value} is not a number, a constant of Verilog or a word")
     endif()
     list(APPEND title "${name}=${plain}")
     list(APPEND names "${name}")

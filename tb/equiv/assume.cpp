@@ -74,7 +74,8 @@ Assumption made(const std::string& text, std::size_t number, const Side& gold,
   try {
     Side logic({{file}, module, {}, {}, {}, "."}, "", FrontEnd::yosys, budget);
     logic.make_gates(Memories::registers, false, budget);
-    if (logic.unknowns > 0) refuse(text, "is x: it has an x, or a bit that its port has not");
+    if (logic.unknowns > 0)
+      refuse(text, "is x: it contains an x, or a bit that the port does not have");
     return {text, logic, verilog, module, names, of_outputs};
   } catch (const InputError& error) {
     static const Pattern place(R"(cannot read it: (?:\S*assume\.v:\d+: )?(.*))");

@@ -10,7 +10,7 @@ namespace cosim::equiv {
 
 Bits Cells::result(const Cell& cell) {
   const std::string& t = cell.type;
-  if (!cell.has("Y") || !cell.has("A")) refuse(cell, "a cell that is not known: " + one_line(t));
+  if (!cell.has("Y") || !cell.has("A")) refuse(cell, "an unknown cell: " + one_line(t));
   const std::size_t width = cell.pins.at("Y").size();
   if (t == "$reduce_and") return {words_.all(word(cell, "A"))};
   if (t == "$reduce_or" || t == "$reduce_bool") return {words_.any(word(cell, "A"))};
@@ -25,7 +25,7 @@ Bits Cells::result(const Cell& cell) {
     return {a.begin() + low, a.begin() + low + static_cast<std::ptrdiff_t>(width)};
   }
   if (t == "$pmux" || t == "$bmux" || t == "$demux" || t == "$lut") return selected(cell, width);
-  if (!cell.has("B")) refuse(cell, "a cell that is not known: " + one_line(t));
+  if (!cell.has("B")) refuse(cell, "an unknown cell: " + one_line(t));
   if (t == "$concat") {
     Bits all = word(cell, "A");
     const Bits high = word(cell, "B");
@@ -115,7 +115,7 @@ Bits Cells::shifted(const Cell& cell, std::size_t width) {
     }
     return result;
   } else {
-    refuse(cell, "a cell that is not known: " + one_line(t));
+    refuse(cell, "an unknown cell: " + one_line(t));
   }
   a.resize(width);
   return a;
@@ -157,7 +157,7 @@ Bit Cells::compared(const Cell& cell) {
   if (t == "$ge") return !words_.less(a, b, is_signed);
   if (t == "$gt") return words_.less(b, a, is_signed);
   if (t == "$le") return !words_.less(b, a, is_signed);
-  refuse(cell, "a cell that is not known: " + one_line(t));
+  refuse(cell, "an unknown cell: " + one_line(t));
 }
 
 Bits Cells::selected(const Cell& cell, std::size_t width) {

@@ -125,7 +125,7 @@ Side read(const Files& files, const std::string& what, const Budget& budget) {
 
 void Side::takes_over(const std::string& by, bool falls) {
   if (clocks.try_emplace(by, falls).first->second != falls) {
-    throw InputError(fmt::format("{}: both edges of {} are taken", what_, by));
+    throw InputError(fmt::format("{}: both edges of {} are used", what_, by));
   }
 }
 
@@ -161,7 +161,7 @@ void Side::ports() {
       if (cell.parameter("RD_CLK_ENABLE").find('1') != std::string::npos ||
           cell.parameter("WR_WIDE_CONTINUATION").find('1') != std::string::npos) {
         throw InputError(
-            fmt::format("{}: memory {} has ports that are not known", what_, cell.name));
+            fmt::format("{}: memory {} has ports of an unknown kind", what_, cell.name));
       }
       std::string shape;
       for (const auto& [name, text] : cell.parameters) {
@@ -181,7 +181,7 @@ void Side::ports() {
         throw Refused(fmt::format("{}: {}", what_, kept));
       }
       if (cell.starts_with("$_")) {
-        throw InputError(fmt::format("{}: a cell that is not known: {}", what_, cell.type));
+        throw InputError(fmt::format("{}: an unknown cell: {}", what_, cell.type));
       }
       if (cell.has("CLK")) clocked(cell.pins.at("CLK").front(), !cell.flag("CLK_POLARITY"));
       for (const char* pin : {"ARST", "ALOAD", "SET", "CLR"}) {

@@ -65,10 +65,9 @@ bool are_trusted(Question& q, Answer& answer) {
     if (const std::string kept = side->kept_by_function(); !kept.empty()) {
       throw Refused(fmt::format("{}: {}", side->what(), kept));
     }
-    answer.left =
-        trusted->is.by.empty()
-            ? fmt::format("no simulator runs {}: {}", side->what(), trusted->is.wrong)
-            : fmt::format("{} is not read as it is written: {}", side->what(), trusted->is.wrong);
+    answer.left = trusted->is.by.empty()
+                      ? fmt::format("no simulator runs {}: {}", side->what(), trusted->is.wrong)
+                      : fmt::format("{} is misread: {}", side->what(), trusted->is.wrong);
     if (!has_slang()) answer.left += "; scripts/setup systemverilog brings another reader";
     return false;
   }

@@ -61,8 +61,9 @@ GivenParameters parameters_in(const std::vector<std::string>& words,
     const auto parts = parameter.whole(word);
     const bool is_number = !parts.empty() && !number.whole(parts[2]).empty();
     if (!is_number && !parts.empty() && !constant.whole(parts[2]).empty()) {
-      throw InputError(fmt::format("--param: {}: a whole number or a word, no constant with a base",
-                                   in_quotes(word)));
+      throw InputError(fmt::format(
+          "--param: {}: the value must be a whole number or a word, not a constant with a base",
+          in_quotes(word)));
     }
     if (parts.empty()) {
       throw InputError(fmt::format("--param: {} is not NAME=VALUE", in_quotes(word)));
@@ -121,8 +122,9 @@ std::vector<FoundParameter> with_wrapper(const std::string& name,
   GivenParameters given = parameters_in(words, head);
   if (given.code.empty()) return given.shape;
   if (!head) {
-    throw InputError(fmt::format("--param: {}={}: {} is no module of Verilog",
-                                 given.code.begin()->first, given.code.begin()->second, rtl.top));
+    throw InputError(
+        fmt::format("--param: {}={}: a type or an expression needs a top in Verilog, and {} is not",
+                    given.code.begin()->first, given.code.begin()->second, rtl.top));
   }
   std::string top = name + "_top";
   while (top == rtl.top) top += "_";
@@ -151,7 +153,7 @@ void try_slang(Found& found, const RtlQuestion& asked, const std::string& header
                const std::vector<std::string>& defines) {
   if (found.unread.empty()) return;
   if (!equiv::has_slang()) {
-    found.unread += "; scripts/setup systemverilog brings slang, which may";
+    found.unread += "; slang may read it: scripts/setup systemverilog installs it";
     return;
   }
   try {

@@ -77,7 +77,7 @@ void name_ports(const EquivOptions& o, equiv::Question& q) {
     const std::string& other = at == q.renamed.end() ? port : at->second;
     const auto [known, is_new] = old_of.emplace(other, port);
     if (is_new || !q.gate.declared.contains(other)) continue;
-    throw InputError(fmt::format("--map: {} and {} of the old RTL are both {} of the new",
+    throw InputError(fmt::format("--map: {} and {} of the old RTL are both mapped to {} of the new",
                                  in_quotes(known->second), in_quotes(port), in_quotes(other)));
   }
 }

@@ -40,8 +40,7 @@ std::vector<ProveSubject> subjects_of(const std::vector<std::string>& words) {
     }
   }
   if (all.empty()) {
-    throw InputError(
-        fmt::format("{}: is no machine that is built; see {} list", wanted, program_name()));
+    throw InputError(fmt::format("{}: is not built; see {} list", wanted, program_name()));
   }
   return all;
 }

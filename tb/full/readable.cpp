@@ -64,8 +64,8 @@ proof::Source readable(proof::Source source) {
       return source;
     } catch (const InputError& error) {
       if (!equiv::has_slang()) {
-        throw InputError(
-            fmt::format("{}; scripts/setup systemverilog brings slang, which may", error.what()));
+        throw InputError(fmt::format(
+            "{}; slang may read it: scripts/setup systemverilog installs it", error.what()));
       }
     }
     std::string text;

@@ -53,7 +53,7 @@ std::string duration(double minutes) {
   return minutes < 120 ? fmt::format("{:.0f} min", minutes) : fmt::format("{:.1f} h", minutes / 60);
 }
 
-// What would run, how it is cut and what it is thought to take, lines.
+// What would run, how it is cut and how long that is expected to take, lines.
 std::string dry_run_text(const regress::Plan& plan, const std::vector<regress::Known>& works,
                          std::uint64_t shards, unsigned jobs) {
   const auto cuts = regress::cut(regress::sizes(works), shards);
@@ -67,7 +67,7 @@ std::string dry_run_text(const regress::Plan& plan, const std::vector<regress::K
                         plan.tasks[works[w].task].name, works[w].title);
     minutes += size.minutes;
   }
-  return text + fmt::format("{}, {}: thought to take {} of processor time, {} on {}\n",
+  return text + fmt::format("{}, {}: expected to take {} of processor time, {} on {}\n",
                             count(works.size(), "work"), count(cuts.size(), "shard"),
                             duration(minutes), duration(minutes / jobs), count(jobs, "core"));
 }
@@ -278,13 +278,15 @@ int run(const RegressOptions& o, const Registry& registry, Verdicts& verdicts) {
   if (o.work) return work(o, kinds, verdicts);
   if (o.only || o.list || o.merge) throw InputError("--only, --list and --merge go with --work");
   if (o.sbatch && !o.slurm) throw InputError("--sbatch: goes with --slurm");
-  if (o.jobs && o.slurm) throw InputError("--jobs: the cluster decides that");
+  if (o.jobs && o.slurm) throw InputError("--jobs: does not go with --slurm; the cluster decides");
   if (o.file.has_value() == o.resume.has_value()) {
     throw InputError("regress: needs a FILE, or --resume FOLDER");
   }
   if (o.file) return new_run(o, kinds, verdicts);
   if (o.folder || o.shards || o.seed || o.dry_run) {
-    throw InputError("--resume: goes on as the run began: no option of a new run");
+    throw InputError(
+        "--resume: continues the run as it began, without --folder, --shards, --seed and "
+        "--dry-run");
   }
   jobs_of(o);
   return carry_out(RunFolder(*o.resume, kinds), o, kinds, verdicts);

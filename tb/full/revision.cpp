@@ -52,11 +52,12 @@ Revision::Revision(const std::string& rev, const fs::path& file, const fs::path&
   const Ended root = git(plain(file).parent_path(), {"rev-parse", "--show-toplevel"});
   if (root.text.find("dubious ownership") != std::string::npos) {
     throw InputError(
-        fmt::format("--rev: git takes nothing from the repository of {}, which another user owns: "
+        fmt::format("--rev: git refuses the repository of {}, which another user owns; allow it by "
                     "git config --global --add safe.directory FOLDER",
                     file.string()));
   }
-  if (root.status != 0) throw InputError(fmt::format("--rev: {} is in no git", file.string()));
+  if (root.status != 0)
+    throw InputError(fmt::format("--rev: {} is not in a git repository", file.string()));
   root_ = root.text;
   const bool named = !rev.empty() && rev.front() != '-';
   const Ended tree = named ? git(root_, {"rev-parse", "--verify", "--quiet", rev + "^{tree}"})
@@ -76,7 +77,7 @@ void Revision::export_tree(const fs::path& repository, const std::string& tree,
       git(repository, {"--work-tree=" + to.string(), "checkout-index", "-a", "-f"}, {index});
   for (const Ended& ended : {read, out}) {
     if (ended.status == 0) continue;
-    throw InputError(fmt::format("--rev: git does not give the files of {}: {}", in_quotes(rev_),
+    throw InputError(fmt::format("--rev: git cannot export the files of {}: {}", in_quotes(rev_),
                                  one_line(ended.text.substr(0, ended.text.find('\n')))));
   }
   const std::string entries = git(repository, {"ls-files", "-s", "-z"}, {index}).text;

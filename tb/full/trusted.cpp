@@ -220,7 +220,7 @@ ReadAs read_as(const nets::Model& model, const proof::Source& source) {
 void require_read(const nets::Model& model, const proof::Source& source) {
   const ReadAs is = read_as(model, source);
   if (!is.is_wrong) return;
-  throw InputError(fmt::format("{}: the RTL is not read as it is written: {}", source.top, is.why));
+  throw InputError(fmt::format("{}: the RTL is misread: {}", source.top, is.why));
 }
 
 }  // namespace cosim::cli

@@ -24,7 +24,7 @@ struct ReadAs {
 /// for claims on `model` (source_for()). InputError where it cannot be read.
 ReadAs read_as(const nets::Model& model, const proof::Source& source);
 
-/// InputError "TOP: the RTL is not read as it is written: WHY" where something differs.
+/// InputError "TOP: the RTL is misread: WHY" where something differs.
 void require_read(const nets::Model& model, const proof::Source& source);
 
 }  // namespace cosim::cli

@@ -26,7 +26,7 @@ std::string version(const std::string& program, const char* option) {
   const Ended ended = run_program({program, option});
   if (ended.status == 127) {
     throw InputError(
-        fmt::format("lanes: need {}, which is not there; --lanes 0 does without", program));
+        fmt::format("lanes: need {}, which is not installed; --lanes 0 runs without it", program));
   }
   return ended.text.substr(0, ended.text.find('\n'));
 }

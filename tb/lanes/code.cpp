@@ -197,7 +197,7 @@ class Maker {
         const auto shown = rtl_.shown(net);
         if (!shown) {
           throw InputError(machine_.design + ": register " + label_of(registers()[r].field) +
-                           " is no flip-flops by itself");
+                           " has no flip-flops of its own");
         }
         constexpr std::uint8_t differ = 0x66;
         next[*shown] = code.cell(differ, next[*shown], is, zero);

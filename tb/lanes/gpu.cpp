@@ -104,8 +104,8 @@ void GpuPlayer::begin(std::uint64_t seed, std::uint64_t first, std::uint64_t cou
       gpu_.device.read(gpu_.planes_, word, plane * gpu_.threads);
       if (word[0] == 0 || word[0] == ~std::uint32_t{0}) continue;
       throw InputError(
-          "--lanes gpu: registers that a reset leaves as they powered up are taken from a "
-          "Verilated instance of each case: --lanes auto does that");
+          "--lanes gpu: the reset does not reach every register; --lanes auto takes their values "
+          "from a Verilated instance of each case");
     }
   }
 }

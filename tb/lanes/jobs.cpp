@@ -283,7 +283,7 @@ class Cases {
     if (!same) {
       throw Unconfirmed(fmt::format(
           "{}: case {}, in lane {} of {}, fails on clock {} there, and one at a time {}: an error "
-          "of the lanes; --lanes 0 does without",
+          "of the lanes; --lanes 0 runs without it",
           bench_.title(), failed.index, failed.lane, built_.lanes, failed.clock,
           one.mismatch ? fmt::format("on clock {}", one.mismatch->clock) : "nowhere"));
     }

@@ -41,7 +41,7 @@ nets::Cells mapped(const std::string& name, const nets::Graph& graph,
       {"yosys-abc", "-q",
        read + "ifraig; " + map + again + ends + all[0] + "; " + read + "dc2; " + ends + all[1]});
   if (ended.status == 127) {
-    throw InputError("lanes: need yosys-abc, which comes with yosys; --lanes 0 does without");
+    throw InputError("lanes: need yosys-abc, which comes with yosys; --lanes 0 runs without it");
   }
   if (ended.status != 0 || !std::filesystem::exists(all.back())) {
     throw InputError(fmt::format("{}: yosys-abc fails: {}", name, ended.text));

@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* to_install =
     "--lanes gpu: {}: install the driver of the card, or pocl-opencl-icd to run it on the CPU "
-    "(scripts/setup gpu); --lanes auto does without";
+    "(scripts/setup gpu); --lanes auto runs without it";
 
 void* symbol(const char* name) {
   static void* const library = dlopen("libOpenCL.so.1", RTLD_NOW | RTLD_LOCAL);

@@ -129,8 +129,8 @@ class Hostile {
       throw Unconfirmed(fmt::format(
           "{}: case {}, in lane {} of {}, differs on clock {} there, and one at a time {}: an "
           "error "
-          "of the lanes, or a register that nothing sets powers up otherwise; --lanes 0 does "
-          "without",
+          "of the lanes, or a register that nothing sets powers up otherwise; --lanes 0 runs "
+          "without it",
           bench_.title(), c.index, differs.lane, lanes_.lanes, differs.clock,
           again.mismatch ? fmt::format("on clock {}", again.mismatch->clock) : "nowhere"));
     }

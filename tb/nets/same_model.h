@@ -118,7 +118,7 @@ class Beside {
                            std::uint64_t code) const {
     throw InputError(title_ + ": " + name + " is " + std::to_string(wanted) +
                      " in the model, and " + std::to_string(code) +
-                     " in what its exporter made of it: clock() may depend on its members and on "
+                     " in its exported form: clock() may depend on its members and on "
                      "In alone, and merge() names all that its block changes");
   }
 

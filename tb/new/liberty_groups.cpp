@@ -78,7 +78,7 @@ class LibertyReader {
 
   bool is(const char* sign) const { return !is_text_ && word_ == sign; }
   void want(const char* sign) {
-    if (!is(sign)) fail(fmt::format("{} where {} is to be", in_quotes(word_), sign));
+    if (!is(sign)) fail(fmt::format("{} instead of {}", in_quotes(word_), sign));
     next();
   }
 
@@ -99,7 +99,7 @@ class LibertyReader {
     want("(");
     LibertyGroup group{name, {}, {}, {}};
     for (; !is(")"); next()) {
-      if (word_.empty() && !is_text_) fail("it ends in the middle");
+      if (word_.empty() && !is_text_) fail("the file is incomplete");
       if (!is(",")) group.names.push_back(word_);
     }
     next();
@@ -111,7 +111,7 @@ class LibertyReader {
     constexpr int most = 50;
     if (++depth_ > most) fail("groups are nested too deep");
     for (next(); !is("}");) {
-      if (word_.empty() && !is_text_) fail("it ends in the middle");
+      if (word_.empty() && !is_text_) fail("the file is incomplete");
       if (is(";")) {
         next();
       } else {

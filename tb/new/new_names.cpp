@@ -63,7 +63,7 @@ void require_names(const Found& found) {
   for (const FoundParameter& p : found.parameters) {
     require(p.name);
     if (!fields.insert(taken.other_than(p.name)).second) {
-      throw InputError(fmt::format("new: {}: another parameter would have its name", p.name));
+      throw InputError(fmt::format("new: {}: another parameter would get the same name", p.name));
     }
   }
 }

@@ -94,17 +94,18 @@ std::string readme_of(const std::string& name, NewModel model) {
     cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release && cmake --build build
     ctest --test-dir build --output-on-failure
 
-The first needs cosim installed, or `-DCOSIM_SOURCE=` and the folder of its sources. Then
-`build/{0}_cosim --help` says what else there is: the failures of a sweep shrink themselves and are
-kept in `failures/`, `replay` draws them{1}.
+The first command needs cosim installed, or `-DCOSIM_SOURCE=` with the folder of its sources. A failure
+is shrunk and kept in `failures/`; `build/{0}_cosim wave` opens the newest one in GTKWave{1}.
+`build/{0}_cosim --help` lists all commands.
 )",
-      name, model == NewModel::proved ? ", `prove` proves that RTL and model are the same" : "",
+      name,
+      model == NewModel::proved ? ", and `prove`\nproves that RTL and model are the same" : "",
       model == NewModel::stream ? "what comes out of the streams for what goes in"
                                 : "what every register and output is, clock by clock");
 }
 
 std::string ci_of() {
-  return R"(# cosim is to be installed in the image.
+  return R"(# cosim must be installed in the image.
 name: ci
 on: [push, pull_request]
 jobs:

@@ -2,45 +2,45 @@
 #
 #   cosim_add_design(NAME
 #     SOURCES file.v...            Verilog or SystemVerilog that Verilator reads; VHDL (.vhd, .vhdl), which
-#                                  GHDL turns into Verilog
-#     [FILELIST list.f...]         what lists name as well, +incdir+ and +define+ included; their paths begin
-#                                  at their folder, tb/rtl/file_list.h
+#                                  GHDL converts to Verilog
+#     [FILELIST list.f...]         files, +incdir+ and +define+ of these lists, too; their paths begin at the
+#                                  folder of the list, tb/rtl/file_list.h
 #     [TOP module]                 the top module; default NAME
 #     [CLOCK port | CLOCKS port... | COMBINATIONAL]
-#                                  its clock; default clk; or several; or it has no register
+#                                  its clock, default clk; or several clocks; or it has no register
 #     [INCLUDE_DIRS folder...] [DEFINES name[=value]...]
-#     MODEL header...              the struct that is its golden model, model/clocked/model.h, or its model
-#                                  of streams, model/clocked/stream.h
-#     [STRUCT name]                its name; default NAME in one word: AsyncFifo of async_fifo
-#     [NAMESPACE space]            of a model of tables, where it defines struct Design
-#     [SHAPES "W=8 M=8'h1F"...]    parameters of the top, one build each: numbers, constants, words
-#                                  (MODE=FAST is a text); none: as the RTL has them
-#     [MODEL_SHAPES "W=5"...]      more shapes of the struct alone, for tests that run it without RTL
-#     [NETLISTS file.v...]         one a shape, simulated in place of SOURCES; their registers are wires
-#     [LIBRARIES target...]        what the model needs besides its headers
-#     [UNPROVED])                  no proof: the model cannot be exported, or yosys cannot read the RTL; a
-#                                  model of streams alone is
+#     MODEL header...              the struct that is its golden model, model/clocked/model.h, or its stream
+#                                  model, model/clocked/stream.h
+#     [STRUCT name]                the struct's name; default NAME in one word, AsyncFifo for async_fifo
+#     [NAMESPACE space]            the namespace in which a model of tables defines struct Design
+#     [SHAPES "W=8 M=8'h1F"...]    configurations, one build each: numbers, constants and words (MODE=FAST is
+#                                  a text) for parameters of the top; default those of the RTL
+#     [MODEL_SHAPES "W=5"...]      more configurations of the struct alone, for tests that run it without RTL
+#     [NETLISTS file.v...]         one for each shape, simulated in place of SOURCES; its registers are wires
+#     [LIBRARIES target...]        libraries that the model needs besides its headers
+#     [UNPROVED])                  no proof: the model cannot be exported, or yosys cannot read the RTL. A
+#                                  stream model alone is never proved
 #
 #   cosim_add_program(TARGET       a program with every command for all designs added so far
 #     [SOURCES file.cpp...] [LIBRARIES target...]
-#     [REGISTER name...]           calls cosim::name::add_to(registry), tb/cli/registry.h: what they add
-#     [THEOREMS name...]           and cosim::name::theorems(), tb/proof/theorems.h
-#     [JOBS design=header...])     what more its mutants are attacked with, tb/mutation/cases.h
+#     [REGISTER name...]           calls cosim::name::add_to(registry), which adds commands, tb/cli/registry.h
+#     [THEOREMS name...]           calls cosim::name::theorems(), tb/proof/theorems.h
+#     [JOBS design=header...])     more work with which its mutants are attacked, tb/mutation/cases.h
 #   cosim_add_tests(TARGET         CTest tests of its designs, each with its kind as its label:
-#     [HOSTILE clocks]             NAME.hostile, that many hostile clocks a shape (100000); NAME.proof,
-#                                  unless it is UNPROVED
-#     [RANDOM jobs]                NAME.random, that many random jobs a shape, of designs that have jobs
-#     [MUTANTS n]                  NAME.mutants, that many small faults a shape, each found or proved to
-#                                  be none; not of a design that is UNPROVED
+#     [HOSTILE clocks]             NAME.hostile, that many unconstrained random clocks for each shape,
+#                                  default 100000; NAME.proof, unless it is UNPROVED
+#     [RANDOM jobs]                NAME.random, that many random jobs for each shape, if it has jobs
+#     [MUTANTS n]                  NAME.mutants, that many mutants for each shape, each killed or proved
+#                                  equal; not for a design that is UNPROVED
 #     [REGRESSIONS folder])        NAME.regression.FILE, for each FILE.stim in the folder: RTL and
 #                                  model must not differ on it
 #
 # The parameters of a shape are the template parameters of the struct, by their position: integers, or
-# Text. Paths are relative to the folder that calls. RTL with a clock that is no input, both edges of one, a latch, a combinational loop or a
-# bidirectional port is refused, in a line that names the net.
+# Text. Paths are relative to the calling folder. RTL with a clock that is no input, with both edges of a
+# clock, a latch, a combinational loop or a bidirectional port is refused in a line that names the net.
 #
-# One clock rises on each step and is no input of the model. Of several, or of one whose falling edge the
-# registers take, each is: a member Rises or Falls of In, 1 on a step on which it does.
+# A single clock rises on each step and is no input of the model. Each of several clocks, and a single one
+# whose falling edge is used, is a member Rises or Falls of In: 1 on a step on which that edge comes.
 include_guard(GLOBAL)
 include(${CMAKE_CURRENT_LIST_DIR}/../dut/ports.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/../dut/rtl.cmake)
@@ -106,7 +106,7 @@ function(cosim_add_design NAME)
     "CLOCKS;BLACKBOXES;SOURCES;FILELIST;INCLUDE_DIRS;DEFINES;MODEL;SHAPES;MODEL_SHAPES;NETLISTS;LIBRARIES")
   set(what "cosim_add_design(${NAME})")
   if(D_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "${what}: what is ${D_UNPARSED_ARGUMENTS}?")
+    message(FATAL_ERROR "${what}: unknown argument ${D_UNPARSED_ARGUMENTS}")
   endif()
   if(NOT NAME MATCHES "^[A-Za-z][A-Za-z0-9_]*$")
     message(FATAL_ERROR "${what}: names are letters, digits and _, a letter first")
@@ -228,8 +228,8 @@ function(cosim_add_design NAME)
       ${CMAKE_CURRENT_BINARY_DIR}/rtl_${ID} FILES ${rtl} OPTIONS ${generics} ${options}
       YOSYS "read_verilog -sv -defer ${for_yosys}; hierarchy -check -top ${TOP}${shape_chparams}")
     if(rtl_of_resets MATCHES "inner (low )?([^\\]*)" AND NOT D_UNPROVED)
-      message(FATAL_ERROR "cosim_add_design(${TITLE}): ${CMAKE_MATCH_2}: a register that is an asynchronous "
-        "reset: say UNPROVED, for nothing is proved of it")
+      message(FATAL_ERROR "cosim_add_design(${TITLE}): ${CMAKE_MATCH_2}: a register is an asynchronous "
+        "reset: write UNPROVED, because nothing can be proved of such a design")
     endif()
     set(verilated ${rtl})
     set(verilated_options ${generics} ${options})
@@ -326,7 +326,7 @@ function(cosim_add_tests TARGET)
   cmake_parse_arguments(PARSE_ARGV 1 T "" "HOSTILE;RANDOM;MUTANTS;REGRESSIONS" "")
   set(what "cosim_add_tests(${TARGET})")
   if(T_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "${what}: what is ${T_UNPARSED_ARGUMENTS}?")
+    message(FATAL_ERROR "${what}: unknown argument ${T_UNPARSED_ARGUMENTS}")
   endif()
   if(NOT T_HOSTILE)
     set(T_HOSTILE 100000)

@@ -35,8 +35,8 @@ class Question {
         const std::string name = label_of(m.registers[i].field);
         if (!shown) {
           throw InputError(
-              fmt::format("{}: the RTL's nets have no register {} of {} bits by itself", m.design,
-                          name, m.registers[i].field.width));
+              fmt::format("{}: the RTL's netlist has no register {} of {} bits of its own",
+                          m.design, name, m.registers[i].field.width));
         }
         if (is_named[*shown]) {
           throw InputError(
@@ -46,7 +46,7 @@ class Question {
       }
     }
     if (std::ranges::find(is_named, false) != is_named.end()) {
-      throw InputError(m.design + ": the RTL has a register that no table names");
+      throw InputError(m.design + ": the RTL has a register that the model does not have");
     }
     require_ports("input", rtl.inputs(), inputs_);
     require_ports("output", rtl.outputs(), outputs_);
@@ -143,8 +143,8 @@ class Question {
       const auto open = std::ranges::find(named, false);
       if (open == named.end()) continue;
       if (std::ranges::find(named, true) == named.end()) {
-        throw InputError(
-            fmt::format("{}: the RTL has an {} {} that no table names", design, what, port));
+        throw InputError(fmt::format("{}: the RTL has an {} {} that the model does not have",
+                                     design, what, port));
       }
       throw InputError(fmt::format("{}: {} {}: no field has its bit {}", design, what, port,
                                    open - named.begin()));

@@ -107,7 +107,7 @@ class ProductMaker {
         if (turned == no) continue;
         const auto shown = rtl_.shown(registers_[i][b]);
         if (!shown) {
-          throw InputError(fmt::format("{}: register {} is no flip-flops by itself", m_.design,
+          throw InputError(fmt::format("{}: register {} has no flip-flops of its own", m_.design,
                                        label_of(m_.turned[i].field)));
         }
         Bit& next = registers_now_[*shown].next;

@@ -20,8 +20,8 @@ const std::vector<Key>& common_keys() {
       {"name", Type::text, "Names the task in the report; each has a name of its own"},
       {"seed", Type::number, "Of all that is random in it; default that of the run", 0, most},
       {"minutes", Type::number,
-       "Of processor time that all of it is thought to take; default 1. It is cut after this", 1,
-       10'000'000},
+       "Processor time that the whole task is expected to take; default 1. It is divided by this",
+       1, 10'000'000},
       {"memory", Type::number,
        "In MB, that a part of it may take on a cluster; default what is usual there", 1,
        10'000'000}};

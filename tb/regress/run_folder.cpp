@@ -41,7 +41,7 @@ class New {
  public:
   explicit New(const fs::path& path) : path_(path) {
     std::error_code error;
-    if (fs::exists(path, error)) throw InputError(path.string() + ": is there already");
+    if (fs::exists(path, error)) throw InputError(path.string() + ": already exists");
     make_folder(path);
   }
   ~New() {
@@ -160,13 +160,14 @@ RunFolder RunFolder::make(const fs::path& folder, Plan plan, const Kinds& kinds,
 
 RunFolder::RunFolder(const fs::path& folder, const Kinds& kinds) : path_(plain(folder)) {
   const std::string name = (path_ / "run.json").string();
-  if (!fs::exists(name)) throw InputError(path_.string() + ": is no folder of a regression");
+  if (!fs::exists(name)) throw InputError(path_.string() + ": is not the folder of a regression");
   const JsonAt all(name, read_file(name));
   all.at("format").whole(format, format);
   const std::string text = read_file((path_ / "plan.json").string());
   if (all.at("program").text() != program_hash()) {
-    throw InputError(fmt::format("{}: a run of another program or build: its own is {}",
-                                 path_.string(), program().string()));
+    throw InputError(
+        fmt::format("{}: a run of another program or build; resume it with its own, {}",
+                    path_.string(), program().string()));
   }
   if (all.at("plan").text() != hash_of(text)) {
     throw InputError(path_.string() + ": its plan.json was changed");
@@ -204,7 +205,7 @@ Works RunFolder::works_of(std::size_t task, const Kinds& kinds) const {
     if (same) ++known;
   }
   if (same && (known == works_.end() || known->task != task)) return works;
-  throw InputError(fmt::format("{}: task {} comes to other work on this host",
+  throw InputError(fmt::format("{}: task {} is divided into other work on this host",
                                (path_ / "run.json").string(), in_quotes(plan_.tasks[task].name)));
 }
 

@@ -73,7 +73,7 @@ std::vector<Instance> single_instances(const std::string& of, const std::string&
     if (one.is_array) throw InputError(what + "instances of it as an array");
     if (is_in_loop(flat, one.begin)) throw InputError(what + "instances of it in a loop");
     if (!one.pins.empty() && one.pins.front().text.front() != '.') {
-      throw InputError(what + "its pins are given in their order");
+      throw InputError(what + "its pins are connected by position");
     }
   }
   return all;
@@ -181,8 +181,8 @@ class Opened {
         {"integer", 32}, {"int", 32}, {"byte", 8}, {"shortint", 16}, {"longint", 64}, {"time", 64}};
     const Match net = is_net.find(e);
     if (!net) {
-      throw InputError(where + " is joined to '" + e +
-                       "', and only a net, or its inverse, tells how wide it is");
+      throw InputError(where + " is connected to '" + e +
+                       "', whose width is unknown; connect a net or its inverse");
     }
     const std::string name = net[1], part = net[2];
     if (const Match m = last.find(part)) {
@@ -206,7 +206,7 @@ class Opened {
     if (ranges.size() == 1) return *ranges.begin();
     if (sources_.has_constants) return range_of_bits(1024);
     if (ranges.empty()) return "";
-    throw InputError(where + " is joined to " + name + ", of which there are several widths");
+    throw InputError(where + " is connected to " + name + ", which has several widths");
   }
   // The parameters and the attributes of an instance as constants; `begin` moves in front of the
   // attributes, which go with it.
@@ -311,8 +311,8 @@ class Opened {
         std::string pins;
         for (const Port& port : more) {
           if (name.find(port.range)) {
-            throw InputError(inner->name + ' ' + one.name + ": how wide " + port.name +
-                             " is follows its parameters");
+            throw InputError(inner->name + ' ' + one.name + ": the width of " + port.name +
+                             " depends on its parameters");
           }
           const std::string outer = one.name + '$' + port.name;
           added.push_back({outer, port.way, port.range});

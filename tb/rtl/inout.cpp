@@ -203,7 +203,7 @@ class Split {
       if (instance.is_array)
         throw InputError(what + ": instances with an inout port, " + name + ", as an array");
       if (!instance.pins.empty() && instance.pins.front().text.front() != '.') {
-        throw InputError(what + ": its pins are given in their order, and " + name +
+        throw InputError(what + ": its pins are connected by position, and " + name +
                          " is an inout port");
       }
       for (const Piece& pin : instance.pins) {
@@ -218,7 +218,7 @@ class Split {
         const Match net = is_net.find(e);
         const auto port = ports.find(net ? net[1] : "");
         if (port == ports.end()) {
-          throw InputError(what + ": its inout port " + name + " is joined to '" + e +
+          throw InputError(what + ": its inout port " + name + " is connected to '" + e +
                            "', no inout port of " + module.name);
         }
         const std::string part = net[2];

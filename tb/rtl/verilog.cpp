@@ -142,7 +142,7 @@ Head head_of(const Module& module) {
   }
   if (cursor.sign('#')) cursor.group();
   const std::string_view list = cursor.group();
-  if (!cursor.sign(';')) throw InputError(module.name + ": its ports cannot be told");
+  if (!cursor.sign(';')) throw InputError(module.name + ": its ports cannot be read");
   head.end = cursor.at;
   if (list.empty()) return head;
   head.list_end = cursor.place(list) + list.size() - 1;

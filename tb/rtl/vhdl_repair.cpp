@@ -94,7 +94,7 @@ std::string with_registers_for_edges(std::string text, const NetlistModule& netl
       }
     }
     if (!is_register || registers.empty()) {
-      throw InputError(m[1] + ": GHDL makes no register of what this edge writes");
+      throw InputError(m[1] + ": GHDL makes no register of the signal that this edge writes");
     }
     for (const std::string& net : registers) {
       const std::string takes = "  always @(" + clock->second + ")\n    " + net + " <= \\";
@@ -285,7 +285,7 @@ std::string repaired(std::string text, const NetlistModule& netlist) {
     if (word_of == "//" || word_of == "/*") continue;
     const std::vector<Match> places = place.all(std::string_view(text).substr(0, m.begin()));
     throw InputError((places.empty() ? "VHDL" : places.back()[1]) +
-                     ": GHDL writes it as no Verilog: " + line);
+                     ": GHDL cannot convert it to Verilog: " + line);
   }
   return text;
 }

@@ -71,7 +71,7 @@ const std::vector<std::unique_ptr<AnyBench>>& benches_by(const AddBenches* add) 
 void require_shape(const AnyBench& bench, const std::string& shape) {
   if (bench.built_as() == shape) return;
   throw InputError(
-      fmt::format("{}: its model says it is {}: Design::name and parameters() are to be "
+      fmt::format("{}: its model says it is {}: Design::name and parameters() must be "
                   "those of cosim_add_design()",
                   shape, bench.built_as()));
 }

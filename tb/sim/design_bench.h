@@ -10,8 +10,6 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/core.h>
-
 #include "tb/sim/bench.h"
 #include "tb/sim/job_check.h"
 #include "tb/sim/lane_jobs.h"
@@ -19,6 +17,7 @@
 #include "tb/sim/recorder.h"
 #include "tb/sim/replay.h"
 #include "tb/sim/wanted.h"
+#include "tb/util/words.h"
 
 namespace cosim {
 
@@ -169,7 +168,7 @@ class DesignBench final : public Bench<Design> {
     t.registers = t.compared.size();
     const auto outputs = fields<typename Design::template Outputs<Word>>();
     t.compared.insert(t.compared.end(), outputs.begin(), outputs.end());
-    t.compared_text = fmt::format("{} registers and {} outputs", t.registers, outputs.size());
+    t.compared_text = count(t.registers, "register") + " and " + count(outputs.size(), "output");
     t.inputs = fields<typename Design::template Inputs<Word>>();
     t.state = fields<State>();
     const State reset = reset_state_of<Design, Word>(dut_.params);

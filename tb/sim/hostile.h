@@ -100,9 +100,11 @@ class HostileStimulus {
     const Inputs drawn = in;
     in = idle_of<Design, Word>(p, s);
     if (const char* rule = broken_rule<Design>(p, s, in)) {
-      throw InputError(std::string(Design::name) +
-                       ": its inputs at rest break a rule of its own in a state that it reaches; " +
-                       "idle(p, s) is to give legal ones. The rule is: " + rule);
+      throw InputError(
+          std::string(Design::name) +
+          ": rest() breaks an assumption in a state that is reached; idle() must return "
+          "legal inputs. The assumption is: " +
+          rule);
     }
     // One pin may be legal only beside another one: hence twice.
     for (int pass = 0; pass < 2; ++pass) {

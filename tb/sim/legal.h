@@ -37,7 +37,7 @@ constexpr bool next_inputs(Source& source, const typename Design::Params& p,
   } else {
     if (!source.next(in, out)) return false;
     if (const char* rule = broken_rule<Design>(p, s, in)) {
-      throw InputError(std::string(Design::name) + ": its host breaks the rule: " + rule);
+      throw InputError(std::string(Design::name) + ": its driver breaks an assumption: " + rule);
     }
     return true;
   }
@@ -67,7 +67,7 @@ struct IllegalClock {
   void refuse(const std::string& machine) const {
     if (rule == nullptr) return;
     throw InputError(machine + ": clock " + std::to_string(clock) +
-                     ": inputs that are assumed never to come; the rule is: " + rule);
+                     ": inputs that break an assumption: " + rule);
   }
 };
 

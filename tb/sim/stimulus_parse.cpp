@@ -143,7 +143,7 @@ class Parser {
     } else if (words_[0] == "state") {
       state();
     } else {
-      fail(fmt::format("{} is none of origin, power-up, state, {}", in_quotes(words_[0]),
+      fail(fmt::format("{} is not origin, power-up, state or {}", in_quotes(words_[0]),
                        replay_.bench->row()));
     }
   }
@@ -207,7 +207,7 @@ class Parser {
       fail(fmt::format("{0} is no {1} and no range of {1}s", in_quotes(words_[0]), noun));
     }
     if (*first != clocks.size()) {
-      fail(fmt::format("{0} {1} where {0} {2} should be", noun, *first, clocks.size()));
+      fail(fmt::format("{0} {1} instead of {0} {2}", noun, *first, clocks.size()));
     }
     if (*last >= most_clocks) fail(fmt::format("more than {} {}s", most_clocks, noun));
     return *last - *first + 1;
@@ -215,7 +215,8 @@ class Parser {
 
   void row() {
     if (words_.size() != columns_.size() + 1) {
-      fail(fmt::format("{} values for {} inputs", words_.size() - 1, columns_.size()));
+      fail(fmt::format("{} for {}", count(words_.size() - 1, "value"),
+                       count(columns_.size(), "input")));
     }
     std::vector<Word> values(inputs_.size());
     for (std::size_t c = 0; c < columns_.size(); ++c) {

@@ -52,8 +52,8 @@ struct AnyStreamBench::Rig {
   /// InputError where it breaks a rule.
   void refuse() const {
     if (broken == nullptr) return;
-    throw InputError(fmt::format("{}: a transaction that is assumed never to come; the rule is: {}",
-                                 bench.title(), broken));
+    throw InputError(
+        fmt::format("{}: a transaction that breaks an assumption: {}", bench.title(), broken));
   }
   StreamResult run(std::uint64_t budget) {
     if (dut == nullptr || !dut->restart(power_up, bench.shape_.has_reset())) make();

@@ -54,12 +54,12 @@ void StreamShape::add(const StreamPorts& ports, bool goes_in, std::span<const Fi
   i.pulse = ports.pulse;
   i.steady = ports.steady;
   if (goes_in && (i.latency >= 0 || i.pulse || i.steady)) {
-    refuse("latency(), rising() and steady() are of streams that come out");
+    refuse("latency(), rising() and steady() are for outputs only");
   }
   if (!usual && (i.credits > 0 || !i.done.empty() || i.pulse)) {
-    refuse("with a driver of its own it has no credit(), until() or rising()");
+    refuse("a stream with a driver of its own cannot have credit(), until() or rising()");
   }
-  if (!goes_in && !i.done.empty()) refuse("until() is of streams that go in");
+  if (!goes_in && !i.done.empty()) refuse("until() is for inputs only");
   const auto clock = std::ranges::find_if(clocks, [&](const StreamClock& c) {
     return ports.clock != nullptr && c.port == ports.clock;
   });
@@ -68,7 +68,7 @@ void StreamShape::add(const StreamPorts& ports, bool goes_in, std::span<const Fi
   } else if (ports.clock != nullptr) {
     refuse(fmt::format("clock(\"{}\"): the design has no such clock", ports.clock));
   } else if (clocks.size() > 1) {
-    refuse("the design has several clocks; clock(\"PORT\") says which is that of the stream");
+    refuse("the design has several clocks; name that of the stream with clock(\"PORT\")");
   }
 
   if (goes_in) column({kept(i.name + "_give"), 1, Format::flag, "", "there is a transaction"});

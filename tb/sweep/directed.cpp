@@ -85,7 +85,7 @@ void DirectedRecord::clock(const std::vector<Word>& inputs, const char* broken) 
   for (std::size_t i = 0; i < fields_.size(); ++i) {
     const Field& pin = fields_[i];
     if (pin.width < 1 || low_bits(inputs[i], pin.width) == inputs[i]) continue;
-    throw InputError(fmt::format("{}: clock {}: {} is given {}, and has {}", bench_.title(),
+    throw InputError(fmt::format("{}: clock {}: {} is {}, which does not fit {}", bench_.title(),
                                  clocks(), label_of(pin), inputs[i],
                                  count(static_cast<std::uint64_t>(pin.width), "bit")));
   }

@@ -45,8 +45,8 @@ class DirectedRecord {
 
   /// RTL and model. InputError of a bench that has no clocks.
   std::unique_ptr<AnyByHand> begin() const;
-  /// One clock more; `broken` is the rule that its inputs break, null where they break none.
-  /// InputError where they do, and where a value is not one of its pin.
+  /// Adds a clock; `broken` is the assumption that its inputs break, or null. InputError if there
+  /// is one, and for a value that does not fit its pin.
   void clock(const std::vector<Word>& inputs, const char* broken);
   std::uint64_t clocks() const { return stimulus_.clocks.size(); }
   /// Keeps the failure. Throws Differ.
@@ -65,8 +65,8 @@ class DirectedRecord {
   bool kept_ = false;
 };
 
-/// The one of `design` at `shape`, "W=4"; where that is "", the only one. InputError where there is
-/// none or there are several.
+/// The bench of `design` at `shape`, such as "W=4"; "" stands for the only one. InputError if there
+/// is none or, for "", if there are several.
 const AnyBench& directed_choice(const std::vector<const AnyBench*>& benches,
                                 const std::string& design, const std::string& shape);
 
@@ -162,11 +162,12 @@ class Directed {
   using State = typename Hand::State;
   /// Sets pins before a clock; `last` are the outputs of the clock before.
   using Driver = std::function<void(Inputs& in, const Outputs& last)>;
-  /// Looks at a clock.
+  /// Is called after a clock, with its inputs and outputs.
   using Monitor = std::function<void(const Inputs& in, const Outputs& out)>;
 
-  /// The design just cleared; of tables at a shape, such as "W=4", "" where only one is built.
-  /// Registers that no reset reaches hold values drawn from the seed power_up.
+  /// Begins with a reset. `shape`, such as "W=4", is used only if Model has tables of fields; ""
+  /// stands for the only one that is built. Registers that no reset reaches have values drawn from
+  /// the seed `power_up`. InputError if the design was not built at this configuration.
   explicit Directed(const std::string& shape = "", std::uint32_t power_up = 1)
       : Directed(Hand::bench(shape), power_up) {}
   explicit Directed(const AnyBench& bench, std::uint32_t power_up = 1)
@@ -178,8 +179,8 @@ class Directed {
   /// The input pins. Each keeps its value until it gets another one. At first all are at rest.
   Inputs in = Hand::rest();
 
-  /// One clock; gives the outputs during it. Throws Differ where RTL and model differ, InputError
-  /// for a value that does not fit its pin and for inputs that the design says never come.
+  /// One clock; returns the outputs before its edge. Throws Differ if RTL and model differ,
+  /// InputError for a value that does not fit its pin and for inputs that break an assumption.
   const Outputs& clock() {
     for (const Driver& drive : drivers_) drive(in, out());
     record_.clock(Hand::words(in), both_.broken_rule(in));
@@ -187,12 +188,12 @@ class Directed {
     for (const Monitor& watch : monitors_) watch(in, out());
     return out();
   }
-  /// So many clocks; gives the outputs of the last.
+  /// `number` clocks; returns the outputs of the last one.
   const Outputs& clocks(std::uint64_t number) {
     while (number-- > 0) clock();
     return out();
   }
-  /// Clocks until holds(outputs), at most `most` times. True if it held.
+  /// Clocks until holds(outputs) is true, at most `most` of them. Returns whether it became true.
   template <class Holds>
   bool until(Holds holds, std::uint64_t most) {
     while (most-- > 0) {
@@ -201,13 +202,13 @@ class Directed {
     return false;
   }
 
-  /// The outputs of the last clock; all 0 before the first.
+  /// The outputs of the last clock; all 0 before the first one.
   const Outputs& out() const { return both_.out(); }
-  /// The state before the next clock.
+  /// The registers of the model after the last clock.
   const State& state() const { return both_.now(); }
 
-  /// From now on calls `driver` before each clock, `monitor` after it; several of them in the order
-  /// in which they were added.
+  /// From now on calls `driver` before each clock and `monitor` after it, several in the order in
+  /// which they were added.
   void add(Driver driver) { drivers_.push_back(std::move(driver)); }
   void watch(Monitor monitor) { monitors_.push_back(std::move(monitor)); }
 

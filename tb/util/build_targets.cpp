@@ -15,7 +15,8 @@ namespace fs = std::filesystem;
 void build_targets(const std::string& cmake, const std::string& folder,
                    const std::vector<std::string>& targets) {
   if (!fs::exists(fs::path(folder) / "CMakeCache.txt")) {
-    throw InputError(fmt::format("{}: there is no build folder any more", folder));
+    throw InputError(
+        fmt::format("{}: the build folder is gone; configure and build again", folder));
   }
   // ninja does not look whether another one is at work.
   const FileLock lock(fs::path(folder) / ".on-demand", FileLock::Held::kWait);

@@ -43,7 +43,8 @@ void require_own_folder(const fs::path& folder) {
   const fs::file_type type = fs::symlink_status(folder, error).type();
   if (type == fs::file_type::not_found || type == fs::file_type::none) return;
   if (type != fs::file_type::directory) {
-    throw InputError(folder.string() + ": is no folder, and is not replaced by one");
+    throw InputError(folder.string() +
+                     ": is not a folder and is not replaced; move it or name another");
   }
   std::set<std::string> own{list_of_files};
   if (const fs::path list = folder / list_of_files; fs::is_regular_file(list, error)) {
@@ -52,9 +53,9 @@ void require_own_folder(const fs::path& folder) {
   }
   for (const std::string& name : files_in(folder)) {
     if (own.contains(name)) continue;
-    throw InputError(
-        fmt::format("{}: has {}, which is not of an older run: it is not replaced; move the file",
-                    folder.string(), one_line(name)));
+    throw InputError(fmt::format(
+        "{}: has {}, which is not from an earlier run: nothing is replaced; move that file",
+        folder.string(), one_line(name)));
   }
 }
 

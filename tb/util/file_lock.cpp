@@ -24,7 +24,8 @@ FileLock::FileLock(const std::filesystem::path& file, Held held)
   // A file system without locks: as if nobody else were there.
   if (failed == 0 || errno != EWOULDBLOCK) return;
   close(file_);
-  throw InputError(file.parent_path().string() + ": another program runs it");
+  throw InputError(file.parent_path().string() +
+                   ": another program is running it; wait for its end");
 }
 
 FileLock::~FileLock() { close(file_); }

@@ -28,7 +28,7 @@ Json parse_json(const std::string& text, std::vector<std::string>& errors) {
   try {
     return Json::parse(text, look, true, true);
   } catch (const TooDeep&) {
-    errors.push_back(fmt::format("no JSON of at most {} levels", most_json_levels));
+    errors.push_back(fmt::format("no JSON, or more than {} levels deep", most_json_levels));
   } catch (const Json::exception& error) {
     // Only where it is and what: the rest is for the library's own users.
     const std::string what = error.what();

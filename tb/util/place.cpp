@@ -43,12 +43,12 @@ std::vector<Place> in_memory(const RtlNet& net, std::span<const Field> cells,
     throw InputError(fmt::format("{}: in the RTL it is a memory of {} words", what, net.words));
   }
   if (net.width % first.width != 0 || cells.back().width != first.width) {
-    throw InputError(fmt::format("{}: elements of {} bits in the table, words of {} in the RTL",
+    throw InputError(fmt::format("{}: elements of {} bits in the model, words of {} in the RTL",
                                  what, first.width, net.width));
   }
   const int parts = net.width / first.width;
   if (cells.size() != static_cast<std::size_t>(net.words) * static_cast<std::size_t>(parts)) {
-    throw InputError(fmt::format("{}: {} elements in the table, {} in the RTL", what, cells.size(),
+    throw InputError(fmt::format("{}: {} elements in the model, {} in the RTL", what, cells.size(),
                                  net.words * parts));
   }
   std::vector<Place> places;
@@ -84,7 +84,8 @@ std::vector<Place> places_in(const RtlNet& net, std::span<const Field> cells,
                              const std::string& what) {
   NetPath path = net_path(cells.front().net);
   if (net.words > 0 && path.word < 0) {
-    if (path.high >= 0) throw InputError(what + ": in the RTL it is a memory: bits of which word?");
+    if (path.high >= 0)
+      throw InputError(what + ": in the RTL it is a memory; write NAME[WORD][HIGH:LOW]");
     return in_memory(net, cells, what);
   }
   Place base;
@@ -94,7 +95,7 @@ std::vector<Place> places_in(const RtlNet& net, std::span<const Field> cells,
     }
     base.word = path.word;
   } else if (path.word >= 0) {
-    if (path.high >= 0) throw InputError(what + ": in the RTL it is no memory");
+    if (path.high >= 0) throw InputError(what + ": in the RTL it is not a memory");
     path.high = path.low = path.word;
   }
   int width = net.width;
@@ -107,7 +108,7 @@ std::vector<Place> places_in(const RtlNet& net, std::span<const Field> cells,
   }
   if (bits_of(cells) != width) {
     throw InputError(
-        fmt::format("{}: {} bits in the table, {} in the RTL", what, bits_of(cells), width));
+        fmt::format("{}: {} bits in the model, {} in the RTL", what, bits_of(cells), width));
   }
   std::vector<Place> places;
   for (const Field& f : cells) places.push_back({base.word, base.low + f.low});

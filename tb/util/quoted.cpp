@@ -16,7 +16,8 @@ void refuse(const std::string& text, const char* reader, std::string_view wrong)
     return std::iscntrl(static_cast<unsigned char>(c)) != 0 || wrong.find(c) != wrong.npos;
   });
   if (bad)
-    throw InputError(fmt::format("{}: {} cannot be given that name", in_quotes(text), reader));
+    throw InputError(
+        fmt::format("{}: {} cannot read such a name; rename it", in_quotes(text), reader));
 }
 
 std::string escaped(const std::string& text, std::string_view special) {
@@ -39,7 +40,7 @@ std::string file_for_yosys(const std::filesystem::path& file) {
 std::string word_for_yosys(const std::string& word) {
   refuse(word, "yosys", " \";");
   if (word.empty() || word.front() == '#') {
-    throw InputError(fmt::format("{}: yosys cannot be given that name", in_quotes(word)));
+    throw InputError(fmt::format("{}: yosys cannot read such a name; rename it", in_quotes(word)));
   }
   return word;
 }

@@ -17,7 +17,7 @@ std::string crossing(const std::string& a, const std::string& b, const std::stri
 TEST(EquivClocks, WhatHasNoMeaningIsRefused) {
   const std::string one = crossing("posedge a", "posedge b", "p");
   expect_refused(equiv(one, crossing("posedge a", "negedge b", "p")),
-                 "b: one takes over when it rises, the other when it falls");
+                 "clock b: the old RTL uses the rising edge, the new RTL the falling edge");
   expect_refused(equiv(one, crossing("posedge a", "posedge b", "p & a")),
                  "a: is read as data, and there are several clocks");
   expect_refused(equiv(one, crossing("posedge a", "posedge b", "p & d"), {"--latency", "1"}),

@@ -76,7 +76,7 @@ TEST(EquivReferee, RtlThatIsNotReadAsItIsWrittenDecidesNothing) {
                                                 ";\n`endif");
   };
   for (const auto& text : {two("d", "~d"), two("~d", "d")}) {
-    expect_said(3, one, text, "the new RTL is not read as it is written: output y is ");
+    expect_said(3, one, text, "the new RTL is misread: output y is ");
   }
 }
 
@@ -129,7 +129,7 @@ TEST(Equiv, OptionsThatContradictOneAnotherAreRefused) {
   };
   refused({"--tie", "a=0", "--tie", "a=1"}, "--tie: 'a' is given twice, as '0' and as '1'");
   refused({"--map", "a=b", "--map", "a=a"}, "--map: 'a' is given twice, as 'b' and as 'a'");
-  refused({"--map", "a=b"}, "--map: 'a' and 'b' of the old RTL are both 'b' of the new");
+  refused({"--map", "a=b"}, "--map: 'a' and 'b' of the old RTL are both mapped to 'b' of the new");
   refused({"--define", "A", "--define", "A=2"}, "--define: 'A' is given twice, as '' and as '2'");
   refused({"--reset", "a=0", "--reset", "a=1"}, "--reset: 'a' is given twice");
   refused({"--param", "W=1", "--gold-param", "W=2"},
@@ -172,7 +172,7 @@ TEST(Equiv, NothingThatIsReadOrIsAPersonsIsWrittenOver) {
   }
   EXPECT_EQ(ends(0, cosim(command)).err, "");
   folder.write("kept/m-equiv/notes", "mine");
-  expect_refused(cosim(command), "m-equiv: has notes, which is not of an older run");
+  expect_refused(cosim(command), "m-equiv: has notes, which is not from an earlier run");
 }
 
 // What goes to its pins is compared, and what comes from them is any value, the same in both.
@@ -202,7 +202,7 @@ TEST(Equiv, RefusesWhatItCannotCompareInALine) {
           "a combinational loop");
   refused(module_of(", input d, output reg q",
                     "reg p; always @(posedge clk) p <= d; always @(negedge clk) q <= p;"),
-          "both edges of clk are taken");
+          "both edges of clk are used");
   refused(module_of(", input d, output reg q", "wire c = clk & d; always @(posedge c) q <= d;"),
           "a clock that is no input");
   refused(module_of(", input d, inout q", "wire a; assign {a, q} = d ? 2'b0 : 2'bz;"),

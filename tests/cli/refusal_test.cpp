@@ -60,9 +60,8 @@ TEST_F(Refusal, OfCommands) {
 }
 
 TEST_F(Refusal, OfProofs) {
-  expect_unused({"prove", "spiral"}, "spiral: is no machine that is built; see cosim list");
-  expect_unused({"prove", "linear", "M=7"},
-                "linear M=7: is no machine that is built; see cosim list");
+  expect_unused({"prove", "spiral"}, "spiral: is not built; see cosim list");
+  expect_unused({"prove", "linear", "M=7"}, "linear M=7: is not built; see cosim list");
   expect_unused({"prove", "--limit", "0"}, "--limit: '0' is not a whole number from 1 to 86400");
   expect_unused({"prove", "--count", "5"}, "--count: belongs to --mutants");
   expect_unused({"prove", "--mutant", "5"}, "--mutant: belongs to --mutants");
@@ -157,7 +156,7 @@ TEST_F(Refusal, OfCodes) {
 TEST_F(Refusal, OfArcs) {
   const auto arc = [](const Arguments& more) { return joined({"arc", "--radius", "12"}, more); };
   expect_refused({"arc"}, "--radius: is needed, or --radius2");
-  expect_refused(arc({"--radius2", "144"}), "--radius: is given, and --radius2 too");
+  expect_refused(arc({"--radius2", "144"}), "--radius: does not go with --radius2");
   for (const std::string q : {"", "-1", "1e9", "18446744065119617026", "18446744073709551616"}) {
     expect_refused({"arc", "--radius2", q},
                    "--radius2: '" + q + "' is not a whole number from 0 to 18446744065119617025");
@@ -200,7 +199,7 @@ TEST_F(Refusal, OfSweeps) {
                    "--jobs: '" + n + "' is not a whole number from 1 to 1024");
   }
   expect_refused({"sweep", "linear", "--hostile", "5", "--lanes", "128"},
-                 "--lanes: '128' is none of auto, gpu, 512, 256, 64 and 0");
+                 "--lanes: '128' is not auto, gpu, 512, 256, 64 or 0");
   const std::string wide = "--exhaustive: too wide to try everything; take ";
   expect_refused({"sweep", "linear", "--exhaustive", "--m", "16"},
                  wide + "M <= 8, or 14 with --lanes auto");

@@ -35,7 +35,7 @@ refused "cosim: --shot: shot.gif does not end in .png" "$1" wave "$wave" --shot 
 refused "cosim: --shot: there is no folder $folder/none" "$1" wave "$wave" --shot "$folder/none/shot.png"
 refused "cosim: $wave: is drawn already" "$1" wave "$wave" --out again.fst
 rm "$folder/drawn.gtkw"
-refused "cosim: $folder/drawn.gtkw: no such file, the view of $folder/drawn.fst" \
+refused "cosim: $folder/drawn.gtkw: no such file; it is the view of $folder/drawn.fst" \
   "$1" wave "$folder/drawn.fst" "${shot[@]}"
 
 script=$root/scripts/wave

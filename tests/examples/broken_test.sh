@@ -34,7 +34,7 @@ says "counter.h:32: reset_input in struct Design means nothing: is reset_inputs 
 sed -i 's/reset_input\b/reset_inputs/' counter.h
 cmake --build build > log 2>&1 || fails "it builds again"
 
-line="counter_cosim: lacking W=4: the RTL has a register more that no table names and that is not in \
+line="counter_cosim: lacking W=4: the RTL has a register more that is neither in the model nor in \
 unobserved"
 ends 0 sweep counter --hostile 1000
 says_not lacking
@@ -62,5 +62,5 @@ sed -i 's/^endmodule/  reg late; always @(posedge clk) late <= en;\n&/' counter.
 cmake --build build > log 2>&1 || fails "it builds again"
 ends 0 sweep lacking --hostile 1000
 ends 2 sweep counter --hostile 1000
-says "counter W=4: the RTL has a register late that no table names"
+says "counter W=4: the RTL has a register late that is neither in the model nor in unobserved"
 echo "as it should be"

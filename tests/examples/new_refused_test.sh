@@ -42,6 +42,8 @@ rtl 'always @(posedge clk) q <= d'
 wrong "Verilator cannot read it: %Error: made.v:3:1: syntax error, unexpected endmodule"
 rtl 'always @* if (other) q = d; always @(posedge clk) r <= q;'
 wrong "q: a latch"
+echo 'module made(input wire clk, output reg made); always @(posedge clk) made <= !made; endmodule' > made.v
+wrong "made.v:1: made is the name of a signal and of its module, which Verilator cannot simulate: rename one"
 rtl 'always @(posedge clk or posedge other) if (other) q <= 0; else q <= d;'
 "$program" new made made.v > said
 grep -qx '  static constexpr auto reset = active_high<&In::other>;' made/made.h
@@ -145,9 +147,9 @@ wrong "made: a: an inout port that is driven in a part of { }" --top made
 both 'reg x; always @* if (d) x = 0; else x = 1'"'"'bz; assign a = x;'
 wrong "made: a: an inout port that is driven by 'x', which may be z" --top made
 both 'pad one(a, d, q);'
-wrong "made.one: its pins are given in their order, and p is an inout port" --top made
+wrong "made.one: its pins are connected by position, and p is an inout port" --top made
 both 'wire in; pad one(.p(in), .o(d), .e(q));'
-wrong "made.one: its inout port p is joined to 'in', no inout port of made" --top made
+wrong "made.one: its inout port p is connected to 'in', no inout port of made" --top made
 both 'assign w = d ? 2'"'"'b0 : 2'"'"'bz; assign w[0] = q ? 1'"'"'b1 : 1'"'"'bz;'
 wrong "made: w: an inout port that is driven more than once, in part" --top made
 # What is wrong in a file whose ports are split is said of that file.
@@ -178,9 +180,9 @@ printf 'module BOX(input Y, output A); endmodule\n' >> made.v
 sed -n '/struct In/,/}/p' made/made.h | grep -qx '    At<"b$A", Bit> b_A;'
 ! grep -q UNPROVED made/CMakeLists.txt || { echo "yosys does not read it" && exit 1; }
 rtl 'wire y; BOX b(.A(d & w[0]), .Y(y)); always @(posedge clk) q <= y;'
-wrong "BOX b: its pin A is joined to 'd & w[0]', and only a net, or its inverse, tells how wide it is" --blackbox BOX
+wrong "BOX b: its pin A is connected to 'd & w[0]', whose width is unknown; connect a net or its inverse" --blackbox BOX
 rtl 'wire y; BOX b(d, y); always @(posedge clk) q <= y;'
-wrong "BOX b: its pins are given in their order" --blackbox BOX
+wrong "BOX b: its pins are connected by position" --blackbox BOX
 rtl 'wire [3:0] y; genvar i; generate for (i = 0; i < 4; i = i + 1) begin BOX b(.A(d), .Y(y[i])); end endgenerate
      always @(posedge clk) q <= ^y;'
 wrong "BOX b: instances of it in a loop" --blackbox BOX
@@ -246,14 +248,14 @@ refused "--top: no file has a module 'other'" made made.v --top other
 refused "--clock: 'a b' is no name in Verilog" made made.v --clock 'a b'
 refused "--clock: '' is no name in Verilog" made made.v --clock clk,,other
 wrong "q: its clock is clk, and that of the design is d" --clock d
-wrong "none: the RTL has no such input, which is to be its clock" --clock none
-wrong "none: the RTL has no such input, which is to be its reset" --reset none
+wrong "none: the RTL has no such input, but it is named as its clock" --clock none
+wrong "none: the RTL has no such input, but it is named as its reset" --reset none
 refused "--include: 'none': no such folder" made made.v --include none
 refused "-y: 'none': no such folder" made made.v -y none
 refused "--param: 'W' is not NAME=VALUE" made made.v --param W
 refused "--define: '1' is not NAME or NAME=VALUE" made made.v --define 1
 cat made.v part.v > both.v
-refused "new: the top may be made or part: --top says which" another both.v
+refused "new: the top may be made or part: choose it with --top" another both.v
 refused "new: no module in 'other/none.v'" made other/none.v
 refused "--plain: does not go with --stream" made --plain --stream
 rtl 'always @(posedge clk) q <= d;'

@@ -107,7 +107,7 @@ printf 'module made(input wire clk, inout wire both, output reg q);
 always @(posedge clk) q <= both; endmodule\n' > made.sv
 refused "made: both: a port of both directions"
 printf 'module made(input wire ck, output reg q); always @(posedge ck) q <= !q; endmodule\n' > made.sv
-refused "made: clk: the RTL has no such input, which is to be its clock"
+refused "made: clk: the RTL has no such input, but it is named as its clock"
 rtl 'always @(posedge clk or posedge d or negedge other) if (d) q <= 0; else if (!other) q <= 1; else q <= w[0];'
 refused "made: q: an asynchronous set and reset, d and other"
 rtl 'wire x = d & other; always @(posedge clk or posedge x) if (x) q <= 0; else q <= w[0];'

@@ -15,5 +15,5 @@ if [[ -e ${COSIM_SLANG:-$build/systemverilog/installed.json} ]]; then
   says "5 killed, 0 proved equal, 0 survived"
 else
   ends 2 prove window
-  says "scripts/setup systemverilog brings slang, which may"
+  says "slang may read it: scripts/setup systemverilog installs it"
 fi

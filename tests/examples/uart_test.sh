@@ -16,7 +16,7 @@ refuses() {
 
 # Its own name.
 refuses "'uart D=5' is not built; see uart_cosim list" lint uart D=5
-refuses "nothing: is no machine that is built; see uart_cosim list" prove nothing
+refuses "nothing: is not built; see uart_cosim list" prove nothing
 ends 0 --help
 says "uart_cosim COMMAND --help"
 ends 0 sweep uart --help

@@ -142,8 +142,8 @@ TEST_F(Regression, OfABadCommandLineIsRefused) {
   EXPECT_EQ(said({}), "cosim: regress: needs a FILE, or --resume FOLDER\n");
   EXPECT_TRUE(has(said({file, "--shards", "0"}), "--shards"));
   EXPECT_TRUE(has(said({file, "--seed", "1"}), "has a seed of its own, 7"));
-  EXPECT_TRUE(has(said({"--resume", folder_.path("x")}), "no folder of a regression"));
-  EXPECT_TRUE(has(said({file, "--folder", folder_.path("")}), "is there already"));
+  EXPECT_TRUE(has(said({"--resume", folder_.path("x")}), "is not the folder of a regression"));
+  EXPECT_TRUE(has(said({file, "--folder", folder_.path("")}), "already exists"));
   EXPECT_EQ(folder_.names(), std::vector<std::string>{"plan.json"});
 }
 

@@ -160,7 +160,7 @@ TEST_F(Regression, IsOfTheUnitsThatThePlanComesTo) {
   Ordered json = Ordered::parse(run);
   json["works"][0]["units"] = 3;
   folder_.write("run/run.json", sealed(json, ""));
-  refused("run/run.json: task 'a' comes to other work on this host");
+  refused("run/run.json: task 'a' is divided into other work on this host");
 
   folder_.write("run/run.json", run);
   Ordered line = Ordered::parse(folder_.text(results));
@@ -217,7 +217,7 @@ TEST_F(Regression, MadeForADryRunLeavesNothing) {
   const Ended e = ends(0, cosim(fresh("run", {"--dry-run", "--shards", "100", "--jobs", "2"})));
   EXPECT_EQ(folder_.names(), std::vector<std::string>{"plan.json"});
   expect_has(e.out, {"any pins: linear M=5 N=2",
-                     "thought to take 4 min of processor time, 2 min on 2 cores"});
+                     "expected to take 4 min of processor time, 2 min on 2 cores"});
 }
 
 }  // namespace

@@ -193,7 +193,7 @@ two_at_once() {
   begin first plan.json --folder first --shards 12 --slurm
   local one=$run
   expect 2 "$program" regress --resume first --slurm
-  says 'another program runs it'
+  says 'another program is running it; wait for its end'
   expect 0 "$program" regress plan.json --folder second --shards 8 --slurm
   same second
   run=$one

@@ -123,10 +123,10 @@ try_divider() {
   says 'divider: a stream model, which knows no clock: nothing can be proved of it'
   sed 's/^0 .*/0  1  0  7  0/' divider.stim > zero.stim
   ends 2 replay zero.stim
-  says_like 'a transaction that is assumed never to come; the rule is: the divisor is not 0'
+  says_like 'a transaction that breaks an assumption: the divisor is not 0'
   sed 's/^transaction /clock /' divider.stim > clocks.stim
   ends 2 replay clocks.stim
-  says_like 'is none of origin, power-up, state, transaction'
+  says_like 'is not origin, power-up, state or transaction'
   ends 0 cover divider FAULT=0 --hostile 20000
   says_like '^divider, 1 shape: reached [0-9]* of [0-9]* lines, '
   # Of streams alone a mutant is killed or not, and never equal. Of 40 one is left: that done holds its

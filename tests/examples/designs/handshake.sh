@@ -10,7 +10,7 @@ done
 stimulus 'handshake FAULT=0' 'rst valid data by' '0 0 1 9 1' '1 0 1 9 2' '2 0 0 0 1'
 ends 0 replay a.stim
 ends 0 replay a.stim --wave a.fst
-never="inputs that are assumed never to come; the rule is"
+never="inputs that break an assumption"
 # Another number before the first was taken; the second rule, on a later clock.
 stimulus 'handshake FAULT=0' 'rst valid data by' '0 0 1 9 1' '1 0 1 8 2'
 ends 2 replay a.stim

@@ -36,11 +36,11 @@ std::string said_of(Edge w, Edge r) {
 TEST(ClocksOfTheTables, AreThoseOfTheRtl) {
   EXPECT_EQ(said_of(Edge::rising, Edge::falling), "");
   EXPECT_EQ(said_of(Edge::rising, Edge::none),
-            "made: r_clk is a clock: a row of the inputs is to say falls of it");
+            "made: r_clk is a clock: the model must declare it as Falls");
   EXPECT_EQ(said_of(Edge::none, Edge::falling),
-            "made: w_clk is a clock: a row of the inputs is to say rises of it");
+            "made: w_clk is a clock: the model must declare it as Rises");
   EXPECT_EQ(said_of(Edge::rising, Edge::rising),
-            "made: input r_clk: its row says rises, and the RTL has no such clock");
+            "made: input r_clk: the model declares it as Rises, but the RTL has no such clock");
 }
 
 }  // namespace

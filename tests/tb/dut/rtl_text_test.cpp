@@ -49,7 +49,7 @@ std::string refused(const std::vector<Field>& fields) {
 }
 std::string escapes(const std::string& part) {
   return "made W=4: the RTL has a register " + part +
-         " that no table names and that is not in unobserved";
+         " that is neither in the model nor in unobserved";
 }
 
 TEST(Unobserved, EveryOtherRegisterIsRefused) {
@@ -58,7 +58,7 @@ TEST(Unobserved, EveryOtherRegisterIsRefused) {
 
 TEST(Unobserved, AllThatAreRefusedAreSaidAtOnce) {
   EXPECT_EQ(refused({field("count[3:1]", 3)}),
-            "made W=4: the RTL has registers that no table names and that are not in unobserved: "
+            "made W=4: the RTL has registers that are neither in the model nor in unobserved: "
             "count[0], store, sub.held");
 }
 
@@ -110,8 +110,8 @@ TEST(Unobserved, SoIsAnOutputThatNoRowNames) {
   EXPECT_EQ(unobserved_signals(made, {}, {"*"}, spared), (Names{"q", "spare"}));
   EXPECT_EQ(unobserved_signals(made, {field("q", 1)}, {"spare"}, spared), Names{"spare"});
   EXPECT_EQ(said_of(made, {}, {"q", "spared"}, spared),
-            "made: unobserved has spared, and the RTL has no such register or output beside the "
-            "tables");
+            "made: unobserved has spared, and the RTL has no such register or output outside "
+            "the model");
 }
 
 TEST(Unobserved, APatternThatNamesNothingIsRefused) {
@@ -119,7 +119,7 @@ TEST(Unobserved, APatternThatNamesNothingIsRefused) {
   for (const char* pattern : {"debug", "debug.x*", "count", "count[1:0]", "*.d"}) {
     EXPECT_EQ(said_of(kText, fields, {"debug.*", pattern}),
               std::string("made W=4: unobserved has ") + pattern +
-                  ", and the RTL has no such register or output beside the tables");
+                  ", and the RTL has no such register or output outside the model");
   }
 }
 
@@ -138,15 +138,15 @@ TEST(Resets, AreThoseThatTheDesignNames) {
   EXPECT_EQ(said_of(low, each, {rst_n, x}), "");
   const std::string no_register = ", and no register of the RTL has an asynchronous reset";
   EXPECT_EQ(said_of(none, at_once, {rst}), "made: asynchronous_reset" + no_register);
-  EXPECT_EQ(said_of(none, each, {rst}), "made: reset()" + no_register);
+  EXPECT_EQ(said_of(none, each, {rst}), "made: reset_at_once()" + no_register);
   EXPECT_EQ(said_of(low, at_edge, {rst_n}),
-            "made: rst_n resets asynchronously: struct Design is to say asynchronous_reset = true");
+            "made: rst_n resets asynchronously: the model must have asynchronous_reset = true");
   for (const std::vector<ResetPin>& pins :
        {std::vector<ResetPin>{{"rst_n", true}}, {{"other", false}}, {rst_n, x}}) {
     EXPECT_EQ(
         said_of(low, at_once, pins),
-        "made: rst_n resets asynchronously where it is 0, and reset_inputs() is to differ from "
-        "rest() in that alone");
+        "made: rst_n resets asynchronously while it is 0: the model's reset must name this pin "
+        "alone");
   }
 }
 
@@ -158,12 +158,11 @@ TEST(Resets, OfSeveralAreGivenTogether) {
   for (const std::vector<ResetPin>& pins :
        {std::vector<ResetPin>{a}, {a, x}, std::vector<ResetPin>{a, b_high}}) {
     EXPECT_EQ(said_of(two, Resets::each_at_once, pins),
-              "made: b resets asynchronously where it is 0, and reset_inputs() is to give it");
+              "made: b resets asynchronously while it is 0: the model's reset must name this pin");
   }
   for (const Resets design : {Resets::at_edge, Resets::at_once}) {
-    EXPECT_EQ(
-        said_of(two, design, {a, b}),
-        "made: a and b reset asynchronously: the model is to say what each clears, with reset()");
+    EXPECT_EQ(said_of(two, design, {a, b}),
+              "made: a and b reset asynchronously: write what each clears in reset_at_once()");
   }
 }
 
@@ -179,8 +178,8 @@ TEST(Unreset, RegistersAreFieldsOfTheState) {
   EXPECT_EQ(said_of({a, unreset}, {a, b}), "");
   EXPECT_EQ(
       said_of({a, unreset}, {a}),
-      "made: b is unreset(), and no field of the state: the model takes its value over by that "
-      "name");
+      "made: b has no reset value, and the model has no member of that name to take its value "
+      "over");
 }
 
 TEST(Resets, ByARegisterAreInReset) {
@@ -190,8 +189,8 @@ TEST(Resets, ByARegisterAreInReset) {
     EXPECT_EQ(said_of(made, Resets::each_at_once, {rst_n}), "");
     for (const Resets design : {Resets::at_edge, Resets::at_once}) {
       EXPECT_EQ(said_of(made, design, {rst_n}),
-                "made: register ready resets others asynchronously: the model is to say what it "
-                "clears, with reset()");
+                "made: register ready resets others asynchronously: write what it clears in "
+                "reset_at_once()");
     }
   }
 }

@@ -148,13 +148,13 @@ TEST_P(Claims, AreOfEveryRegister) {
   unnamed.machine.after.pop_back();
   unnamed.machine.reset_state.pop_back();
   EXPECT_EQ(test::error_of([&] { claim_step(unnamed, rtl); }),
-            unnamed.machine.design + ": the RTL has a register that no table names");
+            unnamed.machine.design + ": the RTL has a register that the model does not have");
   nets::Model other = GetParam().nets();
   other.machine.registers.front().field.net = "no_such";
   EXPECT_THROW(claim_step(other, rtl), InputError);
 }
 
-// A port that no table names would be compared with nothing, or stay free.
+// A port that the model does not have would be compared with nothing, or stay free.
 TEST_P(Claims, AreOfEveryPort) {
   const nets::Model whole = GetParam().nets();
   const RtlNets rtl = rtl_of(whole);
@@ -162,8 +162,9 @@ TEST_P(Claims, AreOfEveryPort) {
     nets::Model fewer = whole;
     const std::string name = (fewer.machine.*ports).back().field.name;
     (fewer.machine.*ports).pop_back();
-    EXPECT_EQ(test::error_of([&] { claim_step(fewer, rtl); }),
-              fewer.machine.design + ": the RTL has an " + kind + name + " that no table names");
+    EXPECT_EQ(
+        test::error_of([&] { claim_step(fewer, rtl); }),
+        fewer.machine.design + ": the RTL has an " + kind + name + " that the model does not have");
   };
   using nets::Machine;
   expect_refused("output ", &Machine::outputs);

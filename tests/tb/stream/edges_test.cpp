@@ -76,8 +76,8 @@ TEST(ClockOfAStream, IsOneOfThoseOfTheDesign) {
   EXPECT_EQ(refusal_of("r_clk"), "");
   EXPECT_EQ(refusal_of("clk"), "made: stream x: clock(\"clk\"): the design has no such clock");
   EXPECT_EQ(refusal_of(nullptr),
-            "made: stream x: the design has several clocks; clock(\"PORT\") says which is that of "
-            "the stream");
+            "made: stream x: the design has several clocks; name that of the stream with "
+            "clock(\"PORT\")");
 }
 
 TEST(ClockOfAStream, OfADesignWithOneNeedNotBeSaid) {

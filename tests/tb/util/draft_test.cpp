@@ -53,7 +53,7 @@ TEST_F(DraftFolder, LeavesAFileThatAPersonPutThere) {
   for (const char* name : {"notes.txt", "inner/notes.txt"}) {
     const std::string file = folder.write(std::string("root/it/") + name, "mine");
     expect_refused(std::string(": has ") + name +
-                   ", which is not of an older run: it is not replaced; move the file");
+                   ", which is not from an earlier run: nothing is replaced; move that file");
     EXPECT_EQ(folder.text(std::string("root/it/") + name), "mine");
     fs::remove(file);
   }
@@ -64,18 +64,18 @@ TEST_F(DraftFolder, LeavesAFolderOfThatNameThatNoDraftWrote) {
   fs::create_directories(folder.path("root/it"));
   folder.write("root/it/report.txt", "mine");
   expect_refused(
-      ": has report.txt, which is not of an older run: it is not replaced; move the file");
+      ": has report.txt, which is not from an earlier run: nothing is replaced; move that file");
   EXPECT_EQ(folder.text("root/it/report.txt"), "mine");
 }
 
 TEST_F(DraftFolder, LeavesAFileAndALinkOfThatName) {
   fs::create_directories(folder.path("root"));
   const std::string file = folder.write("root/it", "mine");
-  expect_refused(": is no folder, and is not replaced by one");
+  expect_refused(": is not a folder and is not replaced; move it or name another");
   EXPECT_EQ(folder.text("root/it"), "mine");
   fs::remove(file);
   fs::create_directory_symlink(folder.path(""), file);
-  EXPECT_EQ(refusal(), file + ": is no folder, and is not replaced by one");
+  EXPECT_EQ(refusal(), file + ": is not a folder and is not replaced; move it or name another");
   EXPECT_TRUE(fs::is_symlink(file));
 }
 

@@ -56,8 +56,8 @@ TEST(JsonAt, RefusesWhatIsNoJson) {
     return std::string(size, '[') + std::string(size, ']');
   };
   EXPECT_EQ(refused(nested(most_json_levels)), "");
-  EXPECT_EQ(refused(nested(most_json_levels + 1)), "a.json: no JSON of at most 100 levels");
-  EXPECT_EQ(refused(nested(1'000'000)), "a.json: no JSON of at most 100 levels");
+  EXPECT_EQ(refused(nested(most_json_levels + 1)), "a.json: no JSON, or more than 100 levels deep");
+  EXPECT_EQ(refused(nested(1'000'000)), "a.json: no JSON, or more than 100 levels deep");
 }
 
 // A terminal is shown no control character.

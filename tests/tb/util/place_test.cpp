@@ -72,16 +72,16 @@ TEST(Places, AreBitsOfANetOrWordsOfAMemory) {
 }
 
 TEST(Places, ThatDoNotFitAreRefusedWithBothNumbers) {
-  EXPECT_EQ(places({6}, 0), "here: 5 bits in the table, 6 in the RTL");
+  EXPECT_EQ(places({6}, 0), "here: 5 bits in the model, 6 in the RTL");
   EXPECT_EQ(places({5, 4}, 0), "here: in the RTL it is a memory of 4 words");
   EXPECT_EQ(places({6}, 1), "here: the RTL has bits 5 to 0");
-  EXPECT_EQ(places({8, 4}, 1), "here: in the RTL it is a memory: bits of which word?");
-  EXPECT_EQ(places({8, 7}, 2), "here: 6 elements in the table, 7 in the RTL");
-  EXPECT_EQ(places({9, 6}, 2), "here: elements of 8 bits in the table, words of 9 in the RTL");
-  EXPECT_EQ(places({47}, 2), "here: 48 bits in the table, 47 in the RTL");
-  EXPECT_EQ(places({100, 2}, 3), "here: elements of 64 bits in the table, words of 100 in the RTL");
+  EXPECT_EQ(places({8, 4}, 1), "here: in the RTL it is a memory; write NAME[WORD][HIGH:LOW]");
+  EXPECT_EQ(places({8, 7}, 2), "here: 6 elements in the model, 7 in the RTL");
+  EXPECT_EQ(places({9, 6}, 2), "here: elements of 8 bits in the model, words of 9 in the RTL");
+  EXPECT_EQ(places({47}, 2), "here: 48 bits in the model, 47 in the RTL");
+  EXPECT_EQ(places({100, 2}, 3), "here: elements of 64 bits in the model, words of 100 in the RTL");
   EXPECT_EQ(places({8, 2}, 4), "here: the RTL's memory has 2 words");
-  EXPECT_EQ(places({8}, 4), "here: in the RTL it is no memory");
+  EXPECT_EQ(places({8}, 4), "here: in the RTL it is not a memory");
 }
 
 }  // namespace

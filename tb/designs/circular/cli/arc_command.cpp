@@ -37,7 +37,7 @@ std::string suggestion(const circular::Arc& arc) {
 
 circular::Arc parse_arc(const ArcOptions& o) {
   if (o.radius.has_value() == o.radius2.has_value()) {
-    throw InputError(o.radius ? "--radius: is given, and --radius2 too"
+    throw InputError(o.radius ? "--radius: does not go with --radius2"
                               : "--radius: is needed, or --radius2");
   }
   circular::Arc arc;

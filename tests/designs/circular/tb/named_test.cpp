@@ -109,12 +109,12 @@ void expect_said(const std::string& said, const std::function<void(Ports&)>& cha
 
 TEST(Ports, AreThoseOfTheTables) {
   expect_said("", [](Ports&) {});
-  expect_said("the RTL has an input stop that no table names",
+  expect_said("the RTL has an input stop that the model does not have",
               [](Ports& p) { p.inputs.pop_back(); });
-  expect_said("the RTL has an output step_x that no table names",
+  expect_said("the RTL has an output step_x that the model does not have",
               [](Ports& p) { p.outputs.pop_back(); });
   expect_said("input lode: the RTL has no such port", [](Ports& p) { p.inputs[1].net = "lode"; });
-  expect_said("input f: 5 bits in the table, 6 in the RTL",
+  expect_said("input f: 5 bits in the model, 6 in the RTL",
               [](Ports& p) { p.inputs[2].width = 5; });
   expect_said("input running: in the RTL it is no input",
               [](Ports& p) { p.inputs[0].net = "running"; });
@@ -158,7 +158,7 @@ TEST(Register, IsFoundByItsPath) {
   EXPECT_EQ(refusal_of_register("block1.f_q", 1), "the RTL has no such net");
   EXPECT_EQ(refusal_of_register("t4_q[0]", 1), "");
   EXPECT_EQ(refusal_of_register("t4_q[1]", 1), "the RTL has bits 0 to 0");
-  EXPECT_EQ(refusal_of_register("t4_q", 2), "2 bits in the table, 1 in the RTL");
+  EXPECT_EQ(refusal_of_register("t4_q", 2), "2 bits in the model, 1 in the RTL");
 }
 
 }  // namespace

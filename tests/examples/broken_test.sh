@@ -11,7 +11,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/../support/program.sh"
 cp "$root"/examples/counter/counter.* .
 as() {
   sed "s/counter/$1/g; s/endmodule/  $2\nendmodule/" counter.v > "$3"
-  sed "s/counter/$1/g; s/COUNTER/$(tr '[:lower:]' '[:upper:]' <<< "$1")/g" counter.h > "$1.h"
+  sed "s/counter/$1/g; s/Counter/${1^}/g" counter.h > "$1.h"
 }
 as lacking 'reg more; always @(posedge clk) more <= en \& !more;' lacking.v
 as unread 'assert property (@(posedge clk) rst || 1);' unread.sv
@@ -28,10 +28,10 @@ program=$folder/build/counter_cosim
 if grep -q _machines log; then fails "what only a proof needs waits for one"; fi
 
 # A misspelt name stops the build.
-sed -i 's/reset_inputs/reset_input/' counter.h
+sed -i 's/auto reset\b/auto resett/' counter.h
 if cmake --build build > said 2>&1; then fails "it does not build"; fi
-says "counter.h:32: reset_input in struct Design means nothing: is reset_inputs meant?"
-sed -i 's/reset_input\b/reset_inputs/' counter.h
+says "counter.h:17: resett in struct Counter means nothing: is reset meant?"
+sed -i 's/resett/reset/' counter.h
 cmake --build build > log 2>&1 || fails "it builds again"
 
 line="counter_cosim: lacking W=4: the RTL has a register more that is neither in the model nor in \
@@ -54,7 +54,7 @@ ends 2 prove
 says "$line"
 says_like "^counter_cosim: .*unread.sv:[0-9]+: ERROR"
 says_like "^counter W=8 +base case: a reset makes them the same"
-says "6 of 6 claims proved, each by two of"
+says "6 of 6 claims proved, by cec and cadical"
 
 # RTL that is changed is read again when it is built: a register more escapes nobody.
 sed -i '/reg more/d' lacking.v

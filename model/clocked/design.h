@@ -210,13 +210,19 @@ constexpr auto task_of(const P& p, const typename FirstOf<P>::Work& work) {
 }
 template <class P>
 requires IsShape<P> && HasWork<FirstOf<P>>
-auto smaller(const P& /*p*/, const typename FirstOf<P>::Work& work) {
-  return FirstOf<P>::smaller(work);
+auto smaller(const P& p, const typename FirstOf<P>::Work& work) {
+  return P::Design::shaped(p, [&](auto of) {
+    using M = typename decltype(of)::type;
+    return M::smaller(work);
+  });
 }
 template <class P>
 requires IsShape<P> && HasWork<FirstOf<P>> std::string describe(
-    const P& /*p*/, const typename FirstOf<P>::Work& work) {
-  return FirstOf<P>::describe(work);
+    const P& p, const typename FirstOf<P>::Work& work) {
+  return P::Design::shaped(p, [&](auto of) {
+    using M = typename decltype(of)::type;
+    return M::describe(work);
+  });
 }
 template <class P, class V, class J, class D, class I>
 requires IsShape<P>

@@ -5,10 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "model/linear/checker.h"
 #include "model/linear/control_code.h"
-#include "model/linear/drive.h"
-#include "model/linear/view.h"
 
 namespace cosim::linear {
 
@@ -21,9 +18,9 @@ struct Job {
 };
 
 /// Simpler lines to try in place of a line that shows a fault, the simplest first. Each is smaller
-/// in one respect and larger in none.
-std::vector<Job> smaller(const Params& p, const Job& job);
+/// in one respect and larger in none. m: bits of BP and of the code.
+std::vector<Job> smaller(int m, const Job& job);
 /// "BP = 27, UK = 01010"
-std::string describe(const Params& p, const Job& job);
+std::string describe(int m, const Job& job);
 
 }  // namespace cosim::linear

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <array>
+#include <bit>
 
-#include "model/linear/steps.h"
 #include "model/plane/path_probes.h"
 
 namespace cosim::linear {
@@ -15,18 +15,20 @@ class View {
   static constexpr std::array phases{"idle", "ready", "start", "words"};
   static constexpr std::array steps{"-", "major", "both", "mixed"};
 
-  static constexpr auto probes(const Params&) { return plane::path_probes(phases, steps); }
+  static constexpr auto probes() { return plane::path_probes(phases, steps); }
 
-  /// One clock: the state before it and the outputs during it.
-  void clock(const Params&, const State<Word>& s, const Outputs<Word>& out) {
+  /// One clock: the machine before it and the outputs during it.
+  template <class Machine, class Out>
+  void clock(const Machine& m, const Out& out) {
     x_ = next_x_;
     y_ = next_y_;
-    phase_ = s.formed ? 3 : s.running ? 2 : s.coded ? 1 : 0;
+    phase_ = m.trigger30 ? 3 : m.trigger31 ? 2 : m.trigger32 ? 1 : 0;
     if (phase_ == 2) x_ = y_ = 0;
-    step_ = out.major == 0 ? 0 : out.minor == 0 ? 1 : out.minor == out.major ? 2 : 3;
-    const Way way = way_of(out);
-    next_x_ = x_ + way.x;
-    next_y_ = y_ + way.y;
+    const auto major = static_cast<std::uint64_t>(out.major);
+    const auto minor = static_cast<std::uint64_t>(out.minor);
+    step_ = major == 0 ? 0 : minor == 0 ? 1 : minor == major ? 2 : 3;
+    next_x_ = x_ + std::popcount(major);
+    next_y_ = y_ + std::popcount(minor);
   }
 
   /// The phase, the steps of the clock's word, and the position in the present line before them, in

@@ -6,9 +6,9 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "model/linear/job.h"
 #include "tb/sim/bench.h"
 #include "tests/designs/circular/records.h"
+#include "tests/designs/linear/records.h"
 #include "tests/support/model_adapter.h"
 
 namespace cosim {
@@ -48,7 +48,7 @@ const std::vector<std::unique_ptr<AnyBench>>& benches() {
   static const auto list = [] {
     using Linear = linear::Design;
     using Circular = circular::Design;
-    constexpr linear::Params narrow{5, 2}, wide{32, 26};
+    constexpr linear::Params narrow = linear::of(5, 2), wide = linear::of(32, 26);
     constexpr std::size_t counter4 = 3, ct7 = 3;
     std::vector<std::unique_ptr<AnyBench>> all;
     const auto add = [&]<class D>(const DutMaker<D>& dut) {

@@ -8,6 +8,10 @@
 #include "model/circular/circular.h"
 #define COSIM_WITH_CIRCULAR
 #endif
+#if __has_include("model/linear/linear.h")
+#include "model/linear/linear.h"
+#define COSIM_WITH_LINEAR
+#endif
 #include "tests/clocked/features.h"
 #include "tests/clocked/rv32i.h"
 #include "tests/clocked/turnstile.h"
@@ -23,6 +27,10 @@ void for_each_model(const Visit& visit) {
   visit.template operator()<Circular<8>>("circular_8");
   visit.template operator()<Circular<16>>("circular_16");
   visit.template operator()<Circular<32>>("circular_32");
+#endif
+#ifdef COSIM_WITH_LINEAR
+  visit.template operator()<Linear<5, 2>>("linear_5_2");
+  visit.template operator()<Linear<32, 26>>("linear_32_26");
 #endif
   visit.template operator()<Rv32i>("rv32i");
   visit.template operator()<Features>("features");

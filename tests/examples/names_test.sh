@@ -31,7 +31,7 @@ refused pins pin_s "pin_s in struct Fir means nothing: is pins meant?" "$fir"
 apb=$root/examples/apb/apb.h
 refused Drives Drive "Drive in struct Master means nothing: is Drives meant?" "$apb"
 refused took tok "tok in struct Master means nothing: is took meant?" "$apb"
-machine=$root/model/linear/machine.h
+machine=$root/model/dda/machine.h
 refused reset_inputs reset_input "reset_input in struct Design means nothing: is reset_inputs meant?" "$machine"
 refused reset_inputs reste_input "reste_input in struct Design means nothing: is reset_inputs meant?" "$machine"
 refused reset_inputs clear "clear in struct Design means nothing: is reset_inputs meant?" "$machine"
@@ -46,7 +46,7 @@ refused reset_inputs clear "clear in struct Design means nothing: is reset_input
   echo '  struct Other { static constexpr int reset_input = 1; Bit casse() { return legall(1); } };'
   sed -n '/  UInt<4> left/,$p' "$uart"
 } > model.h
-for header in "$root"/model/*/machine.h "$root"/model/circular/circular.h "$root"/examples/*/*.h "$root"/tests/*/designs/*.h model.h; do
+for header in "$root"/model/*/machine.h "$root"/model/circular/circular.h "$root"/model/linear/linear.h "$root"/examples/*/*.h "$root"/tests/*/designs/*.h model.h; do
   ends 0 names stamp "$root" "$header"
   grep -qF "$(basename "$header")" stamp.d || fails "ninja is told of $header"
 done

@@ -106,7 +106,7 @@ TEST(Includes, AreToldApart) {
   expect(false, "model/core/fields.h", {"model/plane/point.h", "model/dda/job.h"});
   expect(true, "tb/proof/claims.h", {"model/core/fields.h", "tb/util/process.h"});
   expect(false, "tb/proof/claims.h",
-         {"model/plane/point.h", "model/linear/machine.h", "tb/designs/linear/figures.h",
+         {"model/plane/point.h", "model/linear/linear.h", "tb/designs/linear/figures.h",
           "tb/studies/comparison/work.h", "tests/support/root.h"});
   expect(true, "tb/designs/dda/figures.h",
          {"model/dda/job.h", "model/core/fields.h", "model/plane/point.h",

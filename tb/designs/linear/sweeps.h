@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "model/linear/job.h"
+#include "tb/designs/linear/design.h"
 #include "tb/sim/bench.h"
 #include "tb/sweep/sweep.h"
 

@@ -34,7 +34,7 @@ class LineFollower final : public Observer<linear::Design>, Follower {
  public:
   LineFollower(Drawing& drawing, const linear::Params& p) : Follower(drawing), p_(p) {}
   void clock(std::size_t, const Compared<linear::Design>& seen) override {
-    if (!seen.outputs.strobe) return;
+    if (!linear::out_of(seen.outputs).strobe) return;
     Follower::clock();
     for_each_step(p_, seen.outputs, [this](Word dx, Word dy) { position(dx, dy); });
   }
@@ -98,7 +98,7 @@ using Rule = linear::Code (*)(int, std::int64_t, std::int64_t);
 template <Rule rule>
 Drawing by_words(const Machines& machines, const Line& line) {
   const linear::Params p = machines.linear->params();
-  const linear::Job job{{line.major, rule(p.m, line.major, line.minor)}, {}};
+  const linear::Job job{{line.major, rule(linear::sizes_of(p).m, line.major, line.minor)}, {}};
   Drawing drawing{{{0, 0}}, 0, nullptr, {}};
   LineFollower follower(drawing, p);
   return in_lockstep<linear::LineFigures>(*machines.linear, machines.power_up, job, drawing,
@@ -144,9 +144,9 @@ Drawing by_model(Points points) {
 }
 
 Drawing by_rate_multiplier(const Machines& machines, const Line& line) {
-  const linear::Params p = machines.linear->params();
-  Drawing drawing = by_model(prior_art::rate_multiplier(p.m, line));
-  drawing.clocks >>= p.gamma();
+  const linear::Sizes sizes = linear::sizes_of(machines.linear->params());
+  Drawing drawing = by_model(prior_art::rate_multiplier(sizes.m, line));
+  drawing.clocks >>= sizes.gamma();
   return drawing;
 }
 

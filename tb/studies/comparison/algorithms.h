@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "model/dda/job.h"
-#include "model/linear/job.h"
 #include "tb/designs/circular/design.h"
+#include "tb/designs/linear/design.h"
 #include "tb/sim/bench.h"
 #include "tb/studies/comparison/figures.h"
 #include "tb/sweep/sweep.h"

@@ -86,7 +86,8 @@ PathResult PathRun::draw(const toolpath::Plan& plan, const StepSink& sink) {
       const toolpath::Piece& piece = plan.pieces[segment.first_piece + i];
       pen.begin(piece);
       if (const auto* line = std::get_if<toolpath::LineJob>(&piece.job)) {
-        const linear::Job job{{line->major, code_(line_params_.m, line->major, line->minor)}, {}};
+        const int m = linear::sizes_of(line_params_).m;
+        const linear::Job job{{line->major, code_(m, line->major, line->minor)}, {}};
         last = &result.lines;
         draw_piece<linear::LineFigures>(*lines_, line_params_, job, line_pen, *last);
       } else {

@@ -6,9 +6,9 @@
 #include <functional>
 #include <memory>
 
-#include "model/linear/job.h"
 #include "model/toolpath/plan.h"
 #include "tb/designs/circular/design.h"
+#include "tb/designs/linear/design.h"
 #include "tb/sim/bench.h"
 #include "tb/sweep/sweep.h"
 

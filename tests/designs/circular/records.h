@@ -1,11 +1,12 @@
 // Records of the circular design by the names of their fields, and its shapes by their width.
 #pragma once
 
-#include <bit>
-
 #include "tb/designs/circular/design.h"
+#include "tests/support/records.h"
 
 namespace cosim::circular {
+
+using test::named, test::record_of;
 
 template <class V>
 using Inputs = Design::Inputs<V>;
@@ -27,14 +28,6 @@ struct Shown {
 struct Held {
   Word t4 = 0, t16 = 0, f = 0, ct7 = 0, ct8 = 0;
 };
-template <class Named, class Record>
-constexpr Named named(const Record& record) {
-  return std::bit_cast<Named>(to_words(record));
-}
-template <class Record, class Named>
-constexpr Record record_of(const Named& named) {
-  return from_words<Record>(std::bit_cast<Words<Record>>(named));
-}
 
 constexpr Params of_width(int width) { return Design::shape_of({width}); }
 

@@ -11,8 +11,8 @@ namespace cosim::linear::counted {
 /// Every BP with every UK. A line takes three clocks to write and start, one until its first word,
 /// one a word and one to see the end.
 inline void expect_every_line(const LinearBench& bench) {
-  const std::uint64_t lines = std::uint64_t{1} << bench.params().m;
-  const auto word = static_cast<std::uint64_t>(bench.params().word());
+  const std::uint64_t lines = std::uint64_t{1} << sizes_of(bench.params()).m;
+  const auto word = static_cast<std::uint64_t>(sizes_of(bench.params()).word());
   std::uint64_t positions = 0, clocks = 0;
   for (std::uint64_t major = 0; major < lines; ++major) {
     positions += major;

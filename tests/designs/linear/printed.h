@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "model/linear/job.h"
+#include "tests/designs/linear/records.h"
 #include "tests/support/recorder.h"
 
 namespace cosim::linear::printed {
@@ -25,7 +25,21 @@ inline constexpr std::array<Word, 4> kTable3Major = {0b11111111, 0b11111111, 0b1
 inline constexpr std::array<Word, 4> kTable3Minor = {0b01000101, 0b01000100, 0b01000101,
                                                      0b01000000};
 
-using Clocks = std::vector<test::Recorder<Design>::Clock>;
+/// A clock's outputs, and what the registers held on it.
+struct Clock {
+  std::size_t job;
+  Shown outputs;
+  Held registers;
+};
+using Clocks = std::vector<Clock>;
+
+inline Clocks draw(const Bench<Design>& bench, const std::vector<Job>& jobs) {
+  Clocks clocks;
+  for (const auto& c : test::draw(bench, std::span<const Job>(jobs))) {
+    clocks.push_back({c.job, named<Shown>(c.outputs), named<Held>(c.registers)});
+  }
+  return clocks;
+}
 
 /// The clocks of one job with a strobe.
 inline Clocks strobed(const Clocks& clocks, std::size_t job) {
@@ -39,12 +53,12 @@ inline Clocks strobed(const Clocks& clocks, std::size_t job) {
 /// For shapes with 2^gamma = 8: the word of every address in register 9 and on the minor axis,
 /// whose position 8 the low code of zeros leaves 0.
 inline void expect_table1(const Bench<Design>& bench) {
-  ASSERT_EQ(bench.params().gamma(), 3);
+  ASSERT_EQ(sizes_of(bench.params()).gamma(), 3);
   std::vector<Job> jobs;
   for (Code address = 0; address < 8; ++address) {
-    jobs.push_back({{16, address << bench.params().n}, {}});
+    jobs.push_back({{16, address << sizes_of(bench.params()).n}, {}});
   }
-  const Clocks clocks = test::draw(bench, std::span<const Job>(jobs));
+  const Clocks clocks = draw(bench, jobs);
   for (std::size_t address = 0; address < 8; ++address) {
     const Clocks words = strobed(clocks, address);
     ASSERT_EQ(words.size(), 2U);
@@ -58,10 +72,10 @@ inline void expect_table1(const Bench<Design>& bench) {
 /// For shapes with 2^gamma = 8. Row 000 never comes to the outputs: with no remainder ROM 11 stays
 /// selected.
 inline void expect_table2(const Bench<Design>& bench) {
-  ASSERT_EQ(bench.params().gamma(), 3);
+  ASSERT_EQ(sizes_of(bench.params()).gamma(), 3);
   std::vector<Job> jobs;
   for (std::int64_t major = 1; major < 24; ++major) jobs.push_back({{major, 0}, {}});
-  const Clocks clocks = test::draw(bench, std::span<const Job>(jobs));
+  const Clocks clocks = draw(bench, jobs);
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const auto major = static_cast<std::size_t>(jobs[i].line.major);
     const Clocks words = strobed(clocks, i);
@@ -76,10 +90,10 @@ inline void expect_table2(const Bench<Design>& bench) {
 
 /// For m = 5, n = 2: the words, and on the way to them the counts of the example.
 inline void expect_table3(const Bench<Design>& bench) {
-  ASSERT_EQ(bench.params().m, 5);
-  ASSERT_EQ(bench.params().n, 2);
+  ASSERT_EQ(sizes_of(bench.params()).m, 5);
+  ASSERT_EQ(sizes_of(bench.params()).n, 2);
   const std::vector<Job> jobs = {{kExample, {}}};
-  const Clocks clocks = test::draw(bench, std::span<const Job>(jobs));
+  const Clocks clocks = draw(bench, jobs);
 
   // BP, UK, start, the first word formed, four words.
   ASSERT_EQ(clocks.size(), 8U + 1U);

@@ -1,14 +1,14 @@
 // The state in a checkpoint, with a hash that fits: the sweeps go on from it, or it is refused.
 // Needs: linear
-#include "model/linear/job.h"
 #include "tb/cli/sweep_checkpoint.h"
+#include "tests/designs/linear/records.h"
 #include "tests/fuzz/machines.h"
 #include "tests/fuzz/run.h"
 
 namespace cosim::fuzz {
 
 FUZZ_TARGET(checkpoint) {
-  static const auto linear = bench<linear::Design, linear::Params{5, 2}>();
+  static const auto linear = bench<linear::Design, linear::of(5, 2)>();
   static const Scratch scratch;
   static const std::string path = (scratch.path() / "state").string();
   std::vector<std::string> errors;

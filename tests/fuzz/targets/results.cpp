@@ -2,9 +2,9 @@
 // Needs: linear
 #include <sstream>
 
-#include "model/linear/job.h"
 #include "tb/cli/result_json.h"
 #include "tb/sweep/report.h"
+#include "tests/designs/linear/records.h"
 #include "tests/fuzz/machines.h"
 #include "tests/fuzz/run.h"
 
@@ -13,7 +13,7 @@ namespace {
 
 // As a sweep merges.
 Json merged(const std::vector<regress::Part>& parts) {
-  static const auto linear = bench<linear::Design, linear::Params{5, 2}>();
+  static const auto linear = bench<linear::Design, linear::of(5, 2)>();
   Result sum;
   for (const regress::Part& part : parts) {
     part.result.at("cases").whole(part.failed ? 1 : part.units(), part.units());

@@ -2,8 +2,8 @@
 // Needs: linear, circular
 #include "tb/sim/stimulus_text.h"
 
-#include "model/linear/job.h"
 #include "tests/designs/circular/records.h"
+#include "tests/designs/linear/records.h"
 #include "tests/fuzz/expect.h"
 #include "tests/fuzz/machines.h"
 
@@ -15,8 +15,8 @@ constexpr std::size_t most_clocks = 1000;  // of those run again
 const std::vector<std::unique_ptr<AnyBench>>& machines() {
   static const auto list = [] {
     std::vector<std::unique_ptr<AnyBench>> all;
-    all.push_back(bench<linear::Design, linear::Params{5, 2}>());
-    all.push_back(bench<linear::Design, linear::Params{32, 26}>());
+    all.push_back(bench<linear::Design, linear::of(5, 2)>());
+    all.push_back(bench<linear::Design, linear::of(32, 26)>());
     all.push_back(bench<circular::Design, circular::of_width(4)>());
     all.push_back(bench<circular::Design, circular::of_width(32)>());
     return all;

@@ -65,7 +65,10 @@ struct OverLines {
 
 std::map<std::string, OverLines> over_lines(int& lines) {
   Machines machines;
-  machines.linear = &bench<linear::Design>([](auto p) { return p.m == m && p.gamma() == 3; });
+  machines.linear = &bench<linear::Design>([](auto p) {
+    const auto sizes = linear::sizes_of(p);
+    return sizes.m == m && sizes.gamma() == 3;
+  });
   machines.dda = &bench<dda::Design>([](auto p) { return p.width == m; });
   std::map<std::string, OverLines> all;
   for (Line line{1, 0}; line.major < 1 << m; ++line.major) {

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "model/linear/job.h"
 #include "tests/designs/circular/records.h"
+#include "tests/designs/linear/records.h"
 #include "tests/support/model_adapter.h"
 
 namespace cosim {
@@ -140,7 +140,7 @@ TEST(Mismatch, CountsClocksFromTheSessionsStart) {
 }
 
 TEST(Mismatch, IsSeenUnderHostileClocks) {
-  const auto bench = faulty<linear::Design, linear::Params{5, 2}, Fault{777, 777, 4, 2}>();
+  const auto bench = faulty<linear::Design, linear::of(5, 2), Fault{777, 777, 4, 2}>();
   const auto run = bench.run_hostile({1, 0, 1000});
   EXPECT_EQ(run.clocks, 778U);
   ASSERT_TRUE(run.mismatch);

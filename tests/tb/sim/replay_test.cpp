@@ -72,9 +72,8 @@ TEST(Replay, OfASessionIsTheSession) {
   const Stimulus s = session->stimulus();
   EXPECT_EQ(s.clocks.size(), run.clocks);
   // BP and UK of both lines, as the host wrote them.
-  const std::size_t data = linear::Inputs<Word>::index_data;
-  EXPECT_EQ(s.clocks[0][data], 27);
-  EXPECT_EQ(s.clocks[1][data], 0b01010);
+  EXPECT_EQ(s.clocks[0].back(), 27);
+  EXPECT_EQ(s.clocks[1].back(), 0b01010);
 }
 
 // Differs in one instance of all: not when the case runs again.

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "model/linear/job.h"
 #include "tb/sim/bench.h"
 #include "tests/designs/circular/records.h"
+#include "tests/designs/linear/records.h"
 #include "tests/support/error_of.h"
 
 namespace cosim::test {
@@ -74,7 +74,7 @@ const std::vector<std::string> kLines = {"cosim stimulus 1",
                                          "machine linear M=5 N=2",
                                          "origin by hand",
                                          "power-up 3",
-                                         "state running=0 left=9",
+                                         "state trigger31=0 counter4=4",
                                          "clock initial_set_n reset write_bp write_uk start data",
                                          "0     1             0     1        0        0     27",
                                          "1-2   1             0     0        1        0     10",
@@ -112,9 +112,9 @@ TEST(StimulusFile, IsRefusedWithTheLineAndTheReason) {
       {3, "power-up 4294967296", "x.stim:4: power-up: needs a number of 0 to 4294967295"},
       {3, "speed 3", "x.stim:4: 'speed' is not origin, power-up, state or clock"},
       {4, "state run=0", "x.stim:5: linear M=5 N=2 has no state 'run'"},
-      {4, "state running", "x.stim:5: 'running' is not NAME=NUMBER"},
-      {4, "state running=2", "x.stim:5: 'running=2' is out of range or no number"},
-      {4, "state left=32", "x.stim:5: 'left=32' is out of range or no number"},
+      {4, "state trigger31", "x.stim:5: 'trigger31' is not NAME=NUMBER"},
+      {4, "state trigger31=2", "x.stim:5: 'trigger31=2' is out of range or no number"},
+      {4, "state counter4=8", "x.stim:5: 'counter4=8' is out of range or no number"},
       {5, "clock reset write_bp write_uk start data",
        "x.stim:6: input initial_set_n has no column"},
       {5, "clock a initial_set_n reset write_bp write_uk start data",

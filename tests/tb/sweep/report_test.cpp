@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "model/linear/job.h"
 #include "tests/designs/circular/records.h"
+#include "tests/designs/linear/records.h"
 #include "tests/support/members.h"
 #include "tests/support/model_adapter.h"
 
@@ -19,7 +19,7 @@ namespace {
 using nlohmann::json;
 
 const AnyBench& arcs() { return test::model_bench<circular::Design, circular::of_width(4)>(); }
-const AnyBench& lines() { return test::model_bench<linear::Design, linear::Params{5, 2}>(); }
+const AnyBench& lines() { return test::model_bench<linear::Design, linear::of(5, 2)>(); }
 
 Result good(std::uint64_t clocks) {
   Result r;

@@ -39,9 +39,10 @@ class Rows final : public Observer<linear::Design> {
  public:
   Rows(OutputFile& file, int word) : file_(file), word_(word) { file_.line("tick,major,minor"); }
   void clock(std::size_t, const Compared<linear::Design>& seen) override {
-    if (!seen.outputs.strobe) return;
-    file_.line("{},{:0{}b},{:0{}b}", ++tick_, static_cast<std::uint64_t>(seen.outputs.major), word_,
-               static_cast<std::uint64_t>(seen.outputs.minor), word_);
+    const auto out = linear::out_of(seen.outputs);
+    if (!out.strobe) return;
+    file_.line("{},{:0{}b},{:0{}b}", ++tick_, static_cast<std::uint64_t>(out.major), word_,
+               static_cast<std::uint64_t>(out.minor), word_);
   }
 
  private:
@@ -57,7 +58,9 @@ Shape shape_of(const LineOptions& o) {
   const auto is_m = [](const Parameter& p) { return std::string(p.name) == "M"; };
   if (!width || std::ranges::any_of(shape, is_m)) return shape;
   const auto found = matching<linear::Design>(shape);
-  if (std::ranges::any_of(found, [&](const auto* bench) { return bench->params().m == *width; })) {
+  if (std::ranges::any_of(found, [&](const auto* bench) {
+        return linear::sizes_of(bench->params()).m == *width;
+      })) {
     shape.push_back({"M", *width});
   }
   return shape;
@@ -69,13 +72,13 @@ int run(const LineOptions& o) {
       static_cast<std::int64_t>(whole("--major", needed("--major", o.major), 0, most_steps));
   const std::optional<std::int64_t> minor = parse_minor(o.minor, major);
   const auto& bench = linear::bench_for(shape_of(o), major);
-  const linear::Params p = bench.params();
-  const ChosenCode code = choose_code(o.code, p.m, major, minor);
-  const auto words = static_cast<std::uint64_t>(linear::ticks(p.gamma(), major));
+  const linear::Sizes sizes = linear::sizes_of(bench.params());
+  const ChosenCode code = choose_code(o.code, sizes.m, major, minor);
+  const auto words = static_cast<std::uint64_t>(linear::ticks(sizes.gamma(), major));
   const Extent extent{words, static_cast<std::uint64_t>(major), words,
-                      digits(words) + 2 * static_cast<std::size_t>(p.word()) + 3};
+                      digits(words) + 2 * static_cast<std::size_t>(sizes.word()) + 3};
   const std::string work =
-      fmt::format("BP = {}, MP = {}, UK = {:0{}b}{}", major, code.minor, code.code, p.m,
+      fmt::format("BP = {}, MP = {}, UK = {:0{}b}{}", major, code.minor, code.code, sizes.m,
                   code.rule.empty() ? "" : " (" + code.rule + ")");
   const linear::Job job{{major, code.code}, {}};
   return draw_one<linear::Design, linear::LineFigures>(
@@ -85,7 +88,7 @@ int run(const LineOptions& o) {
        work,
        job,
        extent,
-       [&](OutputFile& csv) { return std::make_unique<Rows>(csv, p.word()); },
+       [&](OutputFile& csv) { return std::make_unique<Rows>(csv, sizes.word()); },
        {0, 0},
        [&](GridPoint at) { return linear::deviation(major, code.minor, at.x, at.y); },
        [&](const auto&) -> Curve {
@@ -116,7 +119,7 @@ namespace {
 
 std::vector<Sweep> exhaustive(const LinearBench& bench, bool in_lanes) {
   const int widest = in_lanes ? 14 : 8;
-  if (bench.params().m > widest) return {};
+  if (sizes_of(bench.params()).m > widest) return {};
   return {every_line(bench)};
 }
 

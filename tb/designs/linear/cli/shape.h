@@ -3,8 +3,8 @@
 
 #include <fmt/core.h>
 
-#include "model/linear/job.h"
 #include "tb/cli/shape.h"
+#include "tb/designs/linear/design.h"
 
 namespace cosim::linear {
 
@@ -16,10 +16,10 @@ inline std::vector<cli::ShapeOption> shape_options() {
 /// The smallest built one of that shape with major < 2^M. InputError where none is.
 inline const Bench<Design>& bench_for(const cli::Shape& shape, std::int64_t major) {
   return cli::first_that<Design>(
-      shape, [=](const Params& p) { return major >> p.m == 0; },
+      shape, [=](const Params& p) { return major >> sizes_of(p).m == 0; },
       [=](const Bench<Design>& last) {
         return fmt::format("a line of {} major steps does not fit {}: BP < 2^{}", major,
-                           last.title(), last.params().m);
+                           last.title(), sizes_of(last.params()).m);
       });
 }
 

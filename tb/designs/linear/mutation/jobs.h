@@ -12,7 +12,8 @@ struct Jobs<linear::Design> {
 
   /// BP = 27, UK = 01010 of the source; in wider machines the same leading bits of both.
   static List printed(const linear::Params& p) {
-    return {{{shift_left(27, p.m - 5), static_cast<linear::Code>(shift_left(10, p.m - 5))}, {}}};
+    const int m = linear::sizes_of(p).m;
+    return {{{shift_left(27, m - 5), static_cast<linear::Code>(shift_left(10, m - 5))}, {}}};
   }
   static List random(const linear::Params& p, std::uint64_t seed, std::uint64_t i) {
     return {linear::random_line(p, seed, i)};
@@ -21,6 +22,7 @@ struct Jobs<linear::Design> {
   /// every digit of the code from every other, in both directions: its lowest digit alone, all
   /// digits, and for each digit of a digit's number those where it is 1, then those where it is 0.
   static List longest(const linear::Params& p, std::uint64_t, std::uint64_t i) {
+    const Word most = ones(linear::sizes_of(p).m);
     linear::Code code = i == 0 ? 1 : ~linear::Code{0};
     if (i > 1) {
       code = 0;
@@ -29,8 +31,8 @@ struct Jobs<linear::Design> {
         code |= static_cast<linear::Code>(of_number ^ (i & 1)) << digit;
       }
     }
-    code &= static_cast<linear::Code>(ones(p.m));
-    return {{{ones(p.m) - static_cast<Word>(i), code}, {}}};
+    code &= static_cast<linear::Code>(most);
+    return {{{most - static_cast<Word>(i), code}, {}}};
   }
 };
 

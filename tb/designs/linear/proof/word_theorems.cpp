@@ -2,8 +2,9 @@
 // a line belongs to bit i of the code, a_i, where q = 2^(i-1) * odd.
 #include <array>
 
-#include "model/linear/machine.h"
+#include "tb/designs/linear/design.h"
 #include "tb/designs/linear/proof/theorems.h"
+#include "tb/proof/exported.h"
 #include "tb/proof/widths.h"
 
 namespace cosim::linear {
@@ -11,135 +12,144 @@ namespace {
 
 using namespace proof;
 
-Params params(const Widths& widths) {
-  return {static_cast<int>(widths[0].value), static_cast<int>(widths[1].value)};
-}
+// What the registers hold: triggers 30, 31 and 32, counter 4, register 5, multiplier 6, registers 3
+// and 9, trigger 10.
+using Held = std::array<BitVector, 9>;
+// initial_set_n, reset, write_bp, write_uk, start, data.
+using Pins = std::array<BitVector, 6>;
+Pins at_rest() { return {1, 0, 0, 0, 0, 0}; }
 
-// The machine with T words put out of BP positions and the code C: the next word is formed, or not
-// yet.
-State<BitVector> on_its_way(const Params& p, const BitVector& bp, const BitVector& words,
-                            const BitVector& code, const BitVector& formed,
-                            const BitVector& last_bit) {
-  State<BitVector> s;
-  s.running = s.coded = BitVector(1);
-  s.formed = formed;
-  s.left = bp - shift_left(words, p.gamma());
-  s.tick = low_bits(words + formed, p.n);
-  s.low_code = low_bits(code, p.n);
-  s.pattern = pattern_of(p, code);
-  s.last_bit = last_bit;
-  return s;
-}
-
-struct Line {
-  BitVector bp, words, code;
-  State<BitVector> state;
-  Truth holds = true;
+struct Clock {
+  Held after;
+  std::array<BitVector, 4> out;  // busy, strobe, minor, major
 };
-
-// What follows a clock is to be this again, for one word more.
-Truth formed_right(const Params& p, const State<BitVector>& s) {
-  return (s.last_bit == last_bit_of(p, s.low_code, s.tick)) | !is_set(s.formed);
+Clock clock_of(const Sizes& sizes, const Held& held, const Pins& pins) {
+  Design::State<BitVector> state;
+  Design::Inputs<BitVector> in;
+  for_each_cell<decltype(state)>([&](auto cell, std::size_t i) { cell(state) = held[i]; });
+  for_each_cell<decltype(in)>([&](auto cell, std::size_t i) { cell(in) = pins[i]; });
+  const auto step = Design::next(Design::shape_of({sizes.m, sizes.n}), state, in);
+  Clock clock;
+  for_each_cell<Design::State<BitVector>>(
+      [&](auto cell, std::size_t i) { clock.after[i] = cell(step.state); });
+  for_each_cell<Design::Outputs<BitVector>>(
+      [&](auto cell, std::size_t i) { clock.out[i] = cell(step.outputs); });
+  return clock;
 }
 
-// Any line, anywhere on its way.
-Line any_line(const Params& p, Script& script) {
-  Line a;
-  a.bp = free_number(script, "BP", p.m);
-  a.words = free_number(script, "T", p.n + 1);
-  a.code = free_number(script, "C", p.m);
-  const BitVector formed = free_number(script, "formed", 1);
-  a.state = on_its_way(p, a.bp, a.words, a.code, formed, free_number(script, "last_bit", 1));
-  // Before the first word none is put out; behind that each has positions.
-  a.holds = (a.state.left > BitVector(0)) & ((a.words == BitVector(0)) | is_set(formed)) &
-            formed_right(p, a.state);
-  return a;
-}
+Sizes sizes_in(const Widths& widths) { return {widths[0].value, widths[1].value}; }
 
-Truth same(const State<BitVector>& a, const State<BitVector>& b) {
+Truth same(const Held& a, const Held& b) {
   Truth all = true;
-  for_each_member<State<BitVector>>(
-      [&](auto member, std::size_t) { all = all & (a.*member == b.*member); });
+  for (std::size_t i = 0; i < a.size(); ++i) all = all & (a[i] == b[i]);
   return all;
 }
 
-Inputs<BitVector> pins_at_rest() {
-  Inputs<BitVector> in;
-  in.initial_set_n = BitVector(1);
-  return in;
+// Whether minor steps at position q: the bit of the code that it belongs to.
+Truth belongs(const Sizes& sizes, const BitVector& code, const BitVector& q) {
+  Truth any = false;
+  for (int i = 1; i <= sizes.m; ++i) {
+    const Truth here = low_bits(q, i) == BitVector(cosim::shift_left(1, i - 1));
+    any = any | (here & bit(code, sizes.m - i));
+  }
+  return any;
 }
+
+// The machine without a line: only the code is left.
+Held without_line(const Sizes& sizes, const BitVector& code) {
+  BitVector pattern(0);
+  for (int q = 1; q < sizes.word(); ++q) {
+    pattern = shift_left(pattern, 1) + BitVector(belongs(sizes, code, BitVector(q)));
+  }
+  return {0, 0, 0, 0, 0, 0, low_bits(code, sizes.n), pattern, 0};
+}
+
+// Any line anywhere on its way: T words are put out of BP positions with the code C; the next word
+// is formed, or not yet.
+struct Line {
+  BitVector bp, words, code, formed;
+
+  static Line any(const Sizes& sizes, Script& script) {
+    return {free_number(script, "BP", sizes.m), free_number(script, "T", sizes.n + 1),
+            free_number(script, "C", sizes.m), free_number(script, "formed", 1)};
+  }
+  Truth is_left(const Sizes& sizes) const { return bp > shift_left(words, sizes.gamma()); }
+  // Before the first word none is put out; behind that each has positions.
+  Truth holds(const Sizes& sizes) const {
+    return is_left(sizes) & ((words == BitVector(0)) | is_set(formed));
+  }
+  Held held(const Sizes& sizes) const {
+    const BitVector all = shift_right(bp + BitVector(sizes.word() - 1), sizes.gamma());
+    const Truth last = belongs(sizes, code, shift_left(words + BitVector(1), sizes.gamma()));
+    Held h = without_line(sizes, code);
+    h[0] = formed;
+    h[1] = h[2] = BitVector(1);
+    h[3] = all - words - formed;
+    h[4] = low_bits(bp, sizes.gamma());
+    h[5] = low_bits(words + formed, sizes.n);
+    h[8] = BitVector(last & is_set(formed));
+    return h;
+  }
+};
 
 // From a machine at rest, whatever code it keeps: two writes and a start, and a clock more.
 Asked line_begins(const Widths& widths) {
-  const Params p = params(widths);
+  const Sizes sizes = sizes_in(widths);
   Script script("QF_BV");
-  const BitVector bp = free_number(script, "BP", p.m), code = free_number(script, "C", p.m);
-  State<BitVector> rest;
-  rest.low_code = free_number(script, "low_code", p.n);
-  rest.pattern = free_number(script, "pattern", p.word() - 1);
-  std::array<Inputs<BitVector>, 4> pins;
-  pins.fill(pins_at_rest());
-  pins[0].write_bp = pins[1].write_uk = pins[2].start = BitVector(1);
-  pins[0].data = bp;
-  pins[1].data = code;
+  const BitVector bp = free_number(script, "BP", sizes.m), code = free_number(script, "C", sizes.m);
+  Held held{};
+  held[6] = free_number(script, "register3", sizes.n);
+  held[7] = free_number(script, "register9", sizes.word() - 1);
+  std::array<Pins, 4> pins;
+  pins.fill(at_rest());
+  pins[0][2] = pins[1][3] = pins[2][4] = BitVector(1);
+  pins[0][5] = bp;
+  pins[1][5] = code;
 
-  State<BitVector> s = rest, started;
+  Held started;
   Truth strobe = false;
-  for (const auto& in : pins) {
-    started = s;  // in the end the state that the start left
-    const auto step = next(p, s, in);
-    strobe = strobe | is_set(step.outputs.strobe);
-    s = step.state;
+  for (const Pins& in : pins) {
+    started = held;  // in the end what the start left
+    const Clock clock = clock_of(sizes, held, in);
+    strobe = strobe | is_set(clock.out[1]);
+    held = clock.after;
   }
-  const Truth begun =
-      same(started, on_its_way(p, bp, BitVector(0), code, BitVector(0), BitVector(0)));
-  const Truth over = same(s, at_rest(started)) | (bp > BitVector(0));
+  const Truth begun = same(started, Line{bp, BitVector(0), code, BitVector(0)}.held(sizes));
+  const Truth over = same(held, without_line(sizes, code)) | (bp > BitVector(0));
   return {script, strobe | !(begun & over)};
-}
-
-// Whether minor steps at position q: the bit of the code that it belongs to.
-Truth belongs(const Params& p, const BitVector& code, const BitVector& q) {
-  Truth any = false;
-  for (int i = 1; i <= p.m; ++i) {
-    const Truth here = low_bits(q, i) == BitVector(cosim::shift_left(1, i - 1));
-    any = any | (here & bit(code, p.m - i));
-  }
-  return any;
 }
 
 Truth differ(const Truth& a, const Truth& b) { return (a & !b) | (b & !a); }
 
 // The strobe is up: the words hold positions T 2^gamma + 1 and on.
 Asked words_hold(const Widths& widths) {
-  const Params p = params(widths);
+  const Sizes sizes = sizes_in(widths);
   Script script("QF_BV");
-  const Line a = any_line(p, script);
-  script.assume((a.holds & is_set(a.state.formed)).expression());
-  const auto out = next(p, a.state, pins_at_rest()).outputs;
-  const BitVector before = shift_left(a.words, p.gamma());
-  Truth wrong = !is_set(out.strobe);
-  for (int q = 1; q <= p.word(); ++q) {
+  const Line line = Line::any(sizes, script);
+  script.assume((line.holds(sizes) & is_set(line.formed)).expression());
+  const auto [busy, strobe, minor, major] = clock_of(sizes, line.held(sizes), at_rest()).out;
+  const BitVector before = shift_left(line.words, sizes.gamma());
+  Truth wrong = !is_set(strobe);
+  for (int q = 1; q <= sizes.word(); ++q) {
     const BitVector position = before + BitVector(q);
-    const Truth in_line = !(position > a.bp);
-    const Truth steps = in_line & belongs(p, a.code, position);
-    wrong = wrong | differ(bit(out.major, p.word() - q), in_line) |
-            differ(bit(out.minor, p.word() - q), steps);
+    const Truth in_line = !(position > line.bp);
+    const Truth steps = in_line & belongs(sizes, line.code, position);
+    wrong = wrong | differ(bit(major, sizes.word() - q), in_line) |
+            differ(bit(minor, sizes.word() - q), steps);
   }
   return {script, wrong};
 }
 
 // A clock: the next word is formed after this one, or the line ends with no position left.
 Asked words_follow(const Widths& widths) {
-  const Params p = params(widths);
+  const Sizes sizes = sizes_in(widths);
   Script script("QF_BV");
-  const Line a = any_line(p, script);
-  script.assume(a.holds.expression());
-  const State<BitVector> next = linear::next(p, a.state, pins_at_rest()).state;
-  const BitVector words = a.words + a.state.formed;
-  const State<BitVector> wanted = on_its_way(p, a.bp, words, a.code, BitVector(1), next.last_bit);
-  const Truth some_left = wanted.left > BitVector(0);
-  const Truth goes_on = some_left & same(next, wanted) & formed_right(p, next);
-  const Truth ends = same(next, at_rest(a.state)) & !some_left;
+  const Line line = Line::any(sizes, script);
+  script.assume(line.holds(sizes).expression());
+  const Held after = clock_of(sizes, line.held(sizes), at_rest()).after;
+  const Line next{line.bp, line.words + line.formed, line.code, BitVector(1)};
+  const Truth goes_on = next.is_left(sizes) & same(after, next.held(sizes));
+  const Truth ends = same(after, without_line(sizes, line.code)) & !next.is_left(sizes);
   return {script, !(goes_on | ends)};
 }
 

@@ -137,7 +137,7 @@ int run(const PathOptions& o) {
   }
   const auto& lines = linear::bench_for(line_shape, plan.longest_line);
   const auto& arcs = circular::bench_for(arc_shape, plan.arc_width);
-  const Extents parts = extents_of(plan, lines.params().gamma());
+  const Extents parts = extents_of(plan, linear::sizes_of(lines.params()).gamma());
   const Extent extent = whole(parts, plan.segments.size());
   check_wave_clocks(o.common, parts.lines.clocks);
   check_wave_clocks(o.common, parts.arcs.clocks);

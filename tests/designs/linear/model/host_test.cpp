@@ -1,6 +1,4 @@
 // The device outside of SU 1631518, at work on the model.
-#include "model/linear/job.h"
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -9,6 +7,7 @@
 #include "model/linear/oracle.h"
 #include "tests/designs/linear/printed.h"
 #include "tests/support/model_adapter.h"
+#include "tests/support/model_machine.h"
 
 namespace cosim::linear {
 namespace {
@@ -16,19 +15,17 @@ namespace {
 using printed::Clocks;
 
 Clocks draw(const std::vector<Job>& jobs) {
-  return test::draw(test::model_bench<Design, Params{5, 2}>(), std::span<const Job>(jobs));
+  return printed::draw(test::model_bench<Design, of(5, 2)>(), jobs);
 }
 
-std::vector<Inputs<Word>> inputs(const std::vector<Job>& jobs) {
-  HostOf<Design> host({5, 2}, jobs);
-  std::vector<Inputs<Word>> all;
-  State<Word> state;
-  Outputs<Word> seen{1, 1, 0, 0};  // of no meaning on the first call
+std::vector<Pins> inputs(const std::vector<Job>& jobs) {
+  HostOf<Design> host(of(5, 2), jobs);
+  std::vector<Pins> all;
+  test::ModelMachine<Design> machine(of(5, 2));
+  auto seen = record_of<Outputs<Word>>(Shown{1, 1, 0, 0});  // of no meaning on the first call
   for (Inputs<Word> in; host.next(in, seen);) {
-    all.push_back(in);
-    const auto step = next(Params{5, 2}, state, in);
-    state = step.state;
-    seen = step.outputs;
+    all.push_back(named<Pins>(in));
+    seen = machine.clock(in);
   }
   return all;
 }
@@ -105,7 +102,7 @@ TEST(LinearHost, GivesNoEmptyLineUp) {
 
 // Each is smaller in one respect and larger in none, so that shrinking ends.
 TEST(LinearHost, TriesSmallerJobs) {
-  constexpr Params p{5, 2};
+  constexpr Params p = of(5, 2);
   const auto size = [](const Job& job) {
     const auto words = job.words ? *job.words + 1 : 0;
     return std::array{job.line.major, static_cast<std::int64_t>(job.line.code), words};

@@ -2,23 +2,22 @@
 // model: m = 5, n = 2, the source's example.
 #include <gtest/gtest.h>
 
-#include "model/linear/machine.h"
 #include "tb/sim/hostile.h"
+#include "tests/designs/linear/records.h"
 #include "tests/support/model_machine.h"
 
 namespace cosim::linear {
 namespace {
 
-using In = Inputs<Word>;
-using Machine = test::ModelMachine<Design>;
+using In = Pins;
 
-constexpr Params kParams{5, 2};
+constexpr Params kParams = of(5, 2);
 constexpr Word kBp = 27, kUk = 0b01010;
 
-In rest() { return Design::rest(); }
-In write_bp(Word bp) { return {.initial_set_n = 1, .write_bp = 1, .data = bp}; }
-In write_uk(Word uk) { return {.initial_set_n = 1, .write_uk = 1, .data = uk}; }
-In start() { return {.initial_set_n = 1, .start = 1}; }
+In rest() { return {}; }
+In write_bp(Word bp) { return {.write_bp = 1, .data = bp}; }
+In write_uk(Word uk) { return {.write_uk = 1, .data = uk}; }
+In start() { return {.start = 1}; }
 In initial_set() { return {.initial_set_n = 0}; }
 /// Every request at once.
 In all_requests(In in) {
@@ -27,13 +26,23 @@ In all_requests(In in) {
   return in;
 }
 
+class TestedMachine : test::ModelMachine<Design> {
+  using Base = test::ModelMachine<Design>;
+
+ public:
+  using Base::Base;
+  Shown clock(const In& in) { return named<Shown>(Base::clock(in)); }
+  Held registers() const { return named<Held>(Base::registers()); }
+  auto words() const { return to_words(Base::registers()); }
+};
+
 class LinearPins : public testing::Test {
  protected:
   void clock(std::initializer_list<In> inputs) {
     for (const In& in : inputs) machine.clock(in);
   }
-  Registers<Word> registers() const { return machine.registers(); }
-  auto words() const { return test::register_words(machine); }
+  Held registers() const { return machine.registers(); }
+  auto words() const { return machine.words(); }
 
   struct Drawn {
     std::vector<Word> major, minor;
@@ -43,8 +52,8 @@ class LinearPins : public testing::Test {
   // Clocks at rest until the machine is idle.
   Drawn finish() {
     Drawn drawn;
-    while (machine.state.running != 0) {
-      const Outputs<Word> o = machine.clock(rest());
+    while (machine.registers().trigger31 != 0) {
+      const Shown o = machine.clock(rest());
       drawn.busy += o.busy != 0;
       if (o.strobe == 0) continue;
       ++drawn.strobe;
@@ -54,8 +63,8 @@ class LinearPins : public testing::Test {
     return drawn;
   }
   // The machine `clocks` clocks after the start of the example's line; 0: before it, 6: it is over.
-  static Machine in_the_line(int clocks) {
-    Machine m(kParams);
+  static TestedMachine in_the_line(int clocks) {
+    TestedMachine m(kParams);
     m.clock(write_bp(kBp));
     m.clock(write_uk(kUk));
     if (clocks > 0) m.clock(start());
@@ -63,7 +72,7 @@ class LinearPins : public testing::Test {
     return m;
   }
 
-  Machine machine{kParams};
+  TestedMachine machine{kParams};
 };
 
 TEST_F(LinearPins, ResetClearsEverythingWheneverItComes) {
@@ -83,10 +92,8 @@ TEST_F(LinearPins, InitialSetForgetsTheLineAndKeepsTheCode) {
   for (int clocks = 0; clocks <= 8; ++clocks) {
     machine = in_the_line(clocks);
     machine.clock(all_requests(initial_set()));
-    Registers<Word> left;
-    left.register3 = 0b10;
-    left.register9 = 0b0100010;
-    EXPECT_EQ(words(), to_words(left)) << clocks << " clocks into the line";
+    EXPECT_EQ(registers(), (Held{.register3 = 0b10, .register9 = 0b0100010}))
+        << clocks << " clocks into the line";
   }
 }
 
@@ -114,7 +121,7 @@ TEST_F(LinearPins, StrobeFollowsTheStartByTwoClocks) {
     clock({write_bp(bp), write_uk(kUk)});
     const Word words = (bp + 7) / 8;
     for (Word t = 0; t <= words + 4; ++t) {
-      const Outputs<Word> o = machine.clock(t == 0 ? start() : rest());
+      const Shown o = machine.clock(t == 0 ? start() : rest());
       EXPECT_EQ(o.strobe, t >= 2 && t < 2 + words) << "BP = " << bp << " clock " << t;
       EXPECT_EQ(o.busy, t >= 1 && t < 2 + words) << "BP = " << bp << " clock " << t;
     }
@@ -130,15 +137,15 @@ TEST_F(LinearPins, AnEmptyLineIsBusyForOneClock) {
 
 TEST_F(LinearPins, RequestsWhileBusyChangeNothing) {
   for (Word bp = 0; bp < 32; ++bp) {
-    Machine disturbed(kParams);
+    TestedMachine disturbed(kParams);
     for (const In& in : {write_bp(bp), write_uk(kUk), start()}) {
       machine.clock(in);
       disturbed.clock(in);
     }
-    while (machine.state.running != 0) {
-      const auto expected = to_words(machine.clock(rest()));
-      EXPECT_EQ(to_words(disturbed.clock(all_requests(rest()))), expected) << "BP = " << bp;
-      EXPECT_EQ(test::register_words(disturbed), words()) << "BP = " << bp;
+    while (machine.registers().trigger31 != 0) {
+      const Shown expected = machine.clock(rest());
+      EXPECT_EQ(disturbed.clock(all_requests(rest())), expected) << "BP = " << bp;
+      EXPECT_EQ(disturbed.words(), words()) << "BP = " << bp;
     }
   }
 }
@@ -189,7 +196,7 @@ TEST_F(LinearPins, WriteBpWinsOverWriteUkAndStart) {
 
 TEST_F(LinearPins, WriteUkWinsOverStart) {
   clock({write_bp(kBp), write_uk(0)});
-  clock({{.initial_set_n = 1, .write_uk = 1, .start = 1, .data = kUk}});
+  clock({{.write_uk = 1, .start = 1, .data = kUk}});
   EXPECT_EQ(registers().trigger31, 0);
   EXPECT_EQ(registers().trigger32, 1);
   EXPECT_EQ(registers().register3, 0b10);
@@ -234,16 +241,18 @@ TEST_F(LinearPins, NothingAskedNothingDone) {
 
 // Data alone is no request.
 TEST_F(LinearPins, DataWithoutAWriteIsNotTaken) {
-  clock({{.initial_set_n = 1, .data = 31}});
+  clock({{.data = 31}});
   EXPECT_EQ(words(), (cosim::Words<Registers<Word>>{}));
 }
 
 TEST_F(LinearPins, WordsAreZeroWithoutAStrobe) {
   HostileStimulus<Design> hostile(kParams, {5, 0, 100'000});
-  In in;
+  test::ModelMachine<Design> model(kParams);
+  Inputs<Word> in;
   int strobes = 0;
-  for (Outputs<Word> o; hostile.next(in, o);) {
-    o = machine.clock(in);
+  for (Outputs<Word> out; hostile.next(in, out);) {
+    out = model.clock(in);
+    const auto o = named<Shown>(out);
     strobes += o.strobe != 0;
     if (o.strobe == 0) {
       ASSERT_EQ(o.major, 0);

@@ -1,67 +1,67 @@
 # In model/linear/: the cycle model, its oracle, and the device outside of SU 1631518.
 
-faults_in(linear/machine.h)
-fault("A part of a word has one position more" [[left < V(q)]] [[left < V(q - 1)]])
-fault("A position takes the bit of the code behind its own"
-  [[bit(code, p.m - i)]] [[bit(code, p.m - i - 1)]])
-fault("The low bits of the code are in the other order" [[reversed(low_code, p.n)]] [[low_code]])
-fault("Position 2^gamma takes a bit on the first word of all"
-  [[V(shift_left(1, p.n)) - k]] [[V(shift_left(1, p.n)) - k - V(1)]])
+faults_in(linear/linear.h)
+fault("A part of a word has one position more" [[~(Positions(-1) >> k)]]
+  [[~(Positions(-1) >> UInt<gamma + 1>(k + 1))]])
+fault("A position takes the bit of the code behind its own" [=[code[M - i]]=] [=[code[M - i - 1]]=])
+fault("The low bits of the code are in the other order"
+  [=[register3[N - i]]=] [=[register3[i - 1]]=])
+fault("Position 2^gamma takes no bit on an odd word" [=[k[i - 1]]=] [=[k[i]]=])
 fault("The end of a line leaves the code in force"
-  [[s.running = s.formed = s.coded = s.left = s.tick = s.last_bit = V(0);]]
-  [[s.running = s.formed = s.left = s.tick = s.last_bit = V(0);]])
+  [[*this = Linear{.register3 = register3, .register9 = register9};]]
+  [[*this =
+        Linear{.trigger32 = trigger32, .register3 = register3, .register9 = register9};]])
 fault("The end of a line leaves the count of ticks"
-  [[s.running = s.formed = s.coded = s.left = s.tick = s.last_bit = V(0);]]
-  [[s.running = s.formed = s.coded = s.left = s.last_bit = V(0);]])
+  [[*this = Linear{.register3 = register3, .register9 = register9};]]
+  [[*this =
+        Linear{.multiplier6 = multiplier6, .register3 = register3, .register9 = register9};]])
 fault("The end of a line leaves the bit of the multiplier"
-  [[s.running = s.formed = s.coded = s.left = s.tick = s.last_bit = V(0);]]
-  [[s.running = s.formed = s.coded = s.left = s.tick = V(0);]])
+  [[*this = Linear{.register3 = register3, .register9 = register9};]]
+  [[*this =
+        Linear{.register3 = register3, .register9 = register9, .trigger10 = trigger10};]])
 fault("A line given up leaves its length"
-  [[s.running = s.formed = s.coded = s.left = s.tick = s.last_bit = V(0);]]
-  [[s.running = s.formed = s.coded = s.tick = s.last_bit = V(0);]])
-fault("A word counts before it is formed"
-  [[select(is_set(s.formed), select(s.left < word, V(0), s.left - word), s.left)]]
-  [[select(s.left < word, V(0), s.left - word)]])
-fault("The count of ticks does not wrap"
-  [[n.tick = wrap(s.tick + V(1), p.n);]] [[n.tick = s.tick + V(1);]])
+  [[*this = Linear{.register3 = register3, .register9 = register9};]]
+  [[*this =
+        Linear{.counter4 = counter4, .register3 = register3, .register9 = register9};]])
+fault("A word counts before it is formed" [[trigger31 = in.start && trigger32;]]
+  [[trigger31 = trigger32 && in.start; counter4 = counter4 - trigger31;]])
+fault("A line starts without a code" [[trigger31 = in.start && trigger32;]]
+  [[trigger31 = in.start;]])
 fault("The bit of the multiplier is that of the word before"
-  [[n.last_bit = last_bit_of(p, s.low_code, n.tick);]]
-  [[n.last_bit = last_bit_of(p, s.low_code, s.tick);]])
-fault("A new BP leaves the code of the old one in force" [[n.coded = V(0);]] [[n.coded = s.coded;]])
-fault("A start wins over UK" [[is_set(in.write_uk)]] [[is_set(in.write_uk) & !is_set(in.start)]])
-fault("UK wins over BP" [[is_set(in.write_bp)]] [[is_set(in.write_bp) & !is_set(in.write_uk)]])
-fault("A line starts without a code" [[flag<V>(is_set(in.start) & is_set(s.coded))]] [[in.start]])
-fault("One bit too many goes to the multiplier"
-  [[low_bits(in.data, p.n)]] [[low_bits(in.data, p.n + 1)]])
-fault("The high bits of a second code are not taken" [[n.pattern = pattern_of(p, in.data);]]
-  [[n.pattern = select(is_set(s.coded), s.pattern, pattern_of(p, in.data));]])
-fault("A write stops a line that runs"
-  [[is_set(s.running)]] [[is_set(s.running) & !is_set(in.write_bp)]])
+  [[end_of_word(multiplier6)]] [[end_of_word(multiplier6 - 1)]])
+fault("A new BP leaves the code of the old one in force" [[register5 = in.data;
+      trigger32 = 0;]] [[register5 = in.data;]])
+fault("A start wins over UK" [[prepare(in);]]
+  [[In other = in; if (in.start) other.write_uk = 0; prepare(other);]])
+fault("UK wins over BP" [[prepare(in);]]
+  [[In other = in; if (in.write_uk) other.write_bp = 0; prepare(other);]])
+fault("A write stops a line that runs" [[form();]]
+  [[if (in.write_bp) { prepare(In(in)); } else { form(); }]])
+fault("The high bits of a second code are not taken" [[register9 = within_word(in.data);]]
+  [[if (!trigger32) register9 = within_word(in.data);]])
 fault("Initial set is not seen while a line runs"
-  [[!is_set(in.initial_set_n)]] [[!is_set(in.initial_set_n) & !is_set(s.running)]])
-fault("Initial set wins over reset"
-  [[is_set(in.reset)]] [[is_set(in.reset) & is_set(in.initial_set_n)]])
-fault("Busy follows the first word"
-  [[result.outputs.busy = s.running;]] [[result.outputs.busy = s.formed;]])
-fault("The strobe comes with the start"
-  [[result.outputs.strobe = s.formed;]] [[result.outputs.strobe = s.running;]])
+  [[!in.initial_set_n || (trigger31 && counter4 == 0)]]
+  [[(!in.initial_set_n && !trigger31) || (trigger31 && counter4 == 0)]])
+fault("Initial set wins over reset" [[*this = Linear{};]]
+  [[if (in.initial_set_n) { *this = Linear{}; } else { forget(); }]])
+fault("Busy follows the first word" [[return out;]]
+  [[Out other = out; other.busy = out.strobe; return other;]])
+fault("The strobe comes with the start" [[return out;]]
+  [[Out other = out; other.strobe = out.busy; return other;]])
 fault("The minor axis steps on past the end"
-  [[(shift_left(s.pattern, 1) + s.last_bit) & result.outputs.major]]
-  [[shift_left(s.pattern, 1) + s.last_bit]])
+  [[cat(register9, trigger10) & live]] [[cat(register9, trigger10)]])
+fault("Counter 4 counts the remainder before a code is written"
+  [[counter4 = in.data >> gamma;]]
+  [[counter4 = in.data / positions + (UInt<gamma>(in.data) != 0);]])
 fault("Counter 4 counts words of half the length"
-  [[shift_right(s.left, p.gamma())]] [[shift_right(s.left, p.gamma() - 1)]])
-fault("Counter 4 counts the remainder before a code is written" [[part & is_set(s.coded)]] [[part]])
-fault("Trigger 10 shows the bit only with a word"
-  [[r.trigger10 = s.last_bit;]] [[r.trigger10 = s.formed;]])
-
-faults_in(linear/drive.h)
-fault("The host gives a line up a word late" [[!(d.words < t.words)]] [[d.words > t.words]])
-
-faults_in(linear/checker.h)
-fault("The check of jobs knows no last word" [[is_last & !(rest < V(q))]] [[is_last]])
-fault("The check of jobs takes even positions for odd ones"
-  [[is_even = is_even & !bit(q, i - 1);]] [[is_even = is_even & bit(q, i - 1);]])
-fault("The check of jobs does not count the words" [[now == c.due]] [[Condition<V>(true)]])
+  [[in.data >> gamma]] [[in.data >> (gamma - 1)]])
+fault("A code written twice counts the remainder twice"
+  [[!trigger32 && register5 != 0]] [[register5 != 0]])
+fault("The host gives a line up a word late" [[words >= job.count]] [[words > job.count]])
+fault("The check of jobs knows no last word" [[first(job.bp)]] [[whole]])
+fault("The check of jobs reads the low bits of the code from the other end"
+  [=[job.uk[N - i]]=] [=[job.uk[i - 1]]=])
+fault("The check of jobs does not count the words" [[words != due]] [[Bit(0)]])
 
 faults_in(linear/control_code.cpp)
 fault("A weight has no rounding" [[(major >> (i - 1) & 1)]] [[std::int64_t{0}]])
@@ -83,7 +83,3 @@ fault("The oracle has a tick more for a line of whole words"
   [[whole << gamma != major ? 1 : 0]] [[1]])
 fault("The oracle leaves the last position out"
   [[p <= line.major - before]] [[p < line.major - before]])
-
-faults_in(linear/reversed.h)
-fault("The middle bytes are not exchanged where a word is reversed"
-  [[v = exchanged(v, 8, 0xff'00ff);]] [[v = exchanged(v, 8, 0xff);]])

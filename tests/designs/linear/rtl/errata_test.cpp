@@ -7,8 +7,8 @@
 
 #include <bit>
 
-#include "model/linear/job.h"
 #include "model/linear/oracle.h"
+#include "tests/designs/linear/records.h"
 #include "tests/rtl/straight.h"
 
 namespace cosim::linear {
@@ -18,12 +18,11 @@ static void PrintTo(const Words& w, std::ostream* out) { *out << w.major << '/' 
 namespace {
 
 using test::expect_found, test::expect_same;
-using Pins = Inputs<Word>;
 using Script = test::Script<Design>;
 using Record = test::Record<Design>;
 using Variant = test::Variant<Design>;
 
-constexpr Params kParams{5, 2};
+constexpr int kM = 5, kGamma = 3;
 constexpr std::int64_t kWord = 8;
 constexpr Code kCode = 0b01010;  // the example's: B_2 + B_4
 constexpr std::uint64_t kLastWord = 8;
@@ -31,9 +30,9 @@ constexpr std::uint64_t kLastWord = 8;
 const Variant& shipped() { return test::variant<Design>("shipped/m5_n2"); }
 const Variant& printed(const std::string& name) { return test::variant<Design>("errata/" + name); }
 
-Pins bp(Word steps) { return {.initial_set_n = 1, .write_bp = 1, .data = steps}; }
-Pins uk(Code code) { return {.initial_set_n = 1, .write_uk = 1, .data = static_cast<Word>(code)}; }
-Pins start() { return {.initial_set_n = 1, .start = 1}; }
+Pins bp(Word steps) { return {.write_bp = 1, .data = steps}; }
+Pins uk(Code code) { return {.write_uk = 1, .data = static_cast<Word>(code)}; }
+Pins start() { return {.start = 1}; }
 
 /// Enough clocks to the end of any line.
 void finish(Script& script) { script.resize(script.size() + 10, Design::rest()); }
@@ -47,9 +46,9 @@ Script line(Word steps, Code code) {
 std::vector<Words> drawn(const Record& record) {
   std::vector<Words> words;
   for (const auto& clock : record) {
-    if (clock.outputs.strobe == 0) continue;
-    words.push_back({static_cast<std::uint64_t>(clock.outputs.major),
-                     static_cast<std::uint64_t>(clock.outputs.minor)});
+    const auto out = named<Shown>(clock.outputs);
+    if (out.strobe == 0) continue;
+    words.push_back({static_cast<std::uint64_t>(out.major), static_cast<std::uint64_t>(out.minor)});
   }
   return words;
 }
@@ -59,8 +58,8 @@ std::vector<Words> drawn(const Variant& variant, const Script& script) {
 
 std::vector<Words> exact(Word steps, Code code) {
   std::vector<Words> words;
-  for (std::int64_t tick = 0; tick < ticks(kParams.gamma(), steps); ++tick) {
-    words.push_back(words_at(kParams.m, kParams.gamma(), {steps, code}, tick));
+  for (std::int64_t tick = 0; tick < ticks(kGamma, steps); ++tick) {
+    words.push_back(words_at(kM, kGamma, {steps, code}, tick));
   }
   return words;
 }
@@ -106,7 +105,7 @@ TEST(LinearM5N2Errata, L2AsPrintedDrawsNothingOfTheExample) {
   const Record record = test::play(printed("l2"), line(27, kCode));
   EXPECT_TRUE(drawn(record).empty());
   std::int64_t busy = 0;
-  for (const auto& clock : record) busy += clock.outputs.busy;
+  for (const auto& clock : record) busy += named<Shown>(clock.outputs).busy;
   EXPECT_EQ(busy, 1);
 }
 

@@ -2,7 +2,7 @@
 // lines find it.
 #include <gtest/gtest.h>
 
-#include "model/linear/machine.h"
+#include "tests/designs/linear/records.h"
 #include "tests/rtl/straight.h"
 
 namespace cosim::linear {
@@ -12,10 +12,9 @@ constexpr std::int64_t kTicks = 1024;  // the count that takes the carry into bi
 
 test::Script<Design> line_of_words(std::int64_t words) {
   test::Script<Design> script(static_cast<std::size_t>(words) + 6, Design::rest());
-  script[0].write_bp = 1;
-  script[0].data = words * 8;
-  script[1].write_uk = 1;
-  script[2].start = 1;
+  script[0] = Pins{.write_bp = 1, .data = words * 8};
+  script[1] = Pins{.write_uk = 1};
+  script[2] = Pins{.start = 1};
   return script;
 }
 

@@ -13,7 +13,7 @@ namespace {
 TEST(Narrowest, LinearDrawsEveryLine) {
   for (const char* name : {"m2_n1", "m7_n1"}) {
     const auto& bench = *test::variant<Design>(std::string("shipped/") + name).bench;
-    const auto sizes = std::uint64_t{1} << bench.params().m;
+    const auto sizes = std::uint64_t{1} << sizes_of(bench.params()).m;
     EXPECT_EQ(test::expect_match(every_line(bench)).checked.jobs, sizes * sizes);
   }
 }

@@ -24,17 +24,19 @@ auto all_shapes() { return testing::ValuesIn(benches_of<Design>()); }
 class PrintedRoms : public testing::TestWithParam<Param> {};
 TEST_P(PrintedRoms, Table1) { printed::expect_table1(*GetParam()); }
 TEST_P(PrintedRoms, Table2) { printed::expect_table2(*GetParam()); }
-INSTANTIATE_TEST_SUITE_P(Linear, PrintedRoms, shapes([](Params p) { return p.gamma() == 3; }),
+INSTANTIATE_TEST_SUITE_P(Linear, PrintedRoms,
+                         shapes([](Params p) { return sizes_of(p).gamma() == 3; }),
                          test::name_of_shape<Param>);
 
 class PrintedRun : public testing::TestWithParam<Param> {};
 TEST_P(PrintedRun, Table3) { printed::expect_table3(*GetParam()); }
-INSTANTIATE_TEST_SUITE_P(Linear, PrintedRun, shapes([](Params p) { return p.m == 5 && p.n == 2; }),
+INSTANTIATE_TEST_SUITE_P(Linear, PrintedRun,
+                         shapes([](Params p) { return sizes_of(p).m == 5 && sizes_of(p).n == 2; }),
                          test::name_of_shape<Param>);
 
 class EveryLine : public testing::TestWithParam<Param> {};
 TEST_P(EveryLine, Matches) { counted::expect_every_line(*GetParam()); }
-INSTANTIATE_TEST_SUITE_P(Linear, EveryLine, shapes([](Params p) { return p.m <= 8; }),
+INSTANTIATE_TEST_SUITE_P(Linear, EveryLine, shapes([](Params p) { return sizes_of(p).m <= 8; }),
                          test::name_of_shape<Param>);
 
 class RandomLines : public testing::TestWithParam<Param> {};
@@ -45,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(Linear, RandomLines, all_shapes(), test::name_of_shape<
 // of multiplier 6. Where that is too many words, a line of the first 2^23.
 class LongestLine : public testing::TestWithParam<Param> {};
 TEST_P(LongestLine, Matches) {
-  const Params p = GetParam()->params();
+  const Sizes p = sizes_of(GetParam()->params());
   constexpr int kMostBits = 23;
   const Word longest = p.n <= kMostBits ? ones(p.m) : ones(kMostBits + p.gamma());
   const Code every_bit = static_cast<Code>(ones(p.m));
@@ -63,11 +65,11 @@ INSTANTIATE_TEST_SUITE_P(Linear, LongestLine, all_shapes(), test::name_of_shape<
 // First strobe two clocks after the start, then one a clock, ceil(BP / 2^gamma) of them.
 class Strobe : public testing::TestWithParam<Param> {};
 TEST_P(Strobe, ComesTwoClocksAfterTheStartAndOnEveryClockToTheEnd) {
-  const Params p = GetParam()->params();
+  const Sizes p = sizes_of(GetParam()->params());
   std::vector<Job> jobs;
   const Word most = std::min(ones(p.m), Word{5 * p.word() + 1});
   for (Word major = 0; major <= most; ++major) jobs.push_back({{major, 1}, {}});
-  const auto clocks = test::draw(*GetParam(), std::span<const Job>(jobs));
+  const auto clocks = printed::draw(*GetParam(), jobs);
 
   std::size_t at = 0;
   for (std::size_t i = 0; i < jobs.size(); ++i) {

@@ -12,7 +12,7 @@ using Real = long double;
 // and its gradient (y', -x').
 class Equation {
  public:
-  explicit Equation(const State<Word>& s)
+  explicit Equation(const Start& s)
       : two_a(static_cast<Real>(s.two_a)),
         b(static_cast<Real>(s.b)),
         two_c(static_cast<Real>(s.two_c)),

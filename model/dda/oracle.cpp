@@ -5,8 +5,8 @@
 
 namespace cosim::dda {
 
-Track::Track(const Params& p, const Job& job)
-    : width_(p.width),
+Track::Track(int width, const Job& job)
+    : width_(width),
       job_(job),
       sum_x_(job.start.sx),
       sum_y_(job.start.sy),
@@ -20,12 +20,12 @@ Track::Track(const Params& p, const Job& job)
 }
 
 std::int64_t Track::rate_x(Point p) const {
-  const State<Word>& s = job_.start;
+  const Start& s = job_.start;
   return (s.rate_x << shifts_) - s.b * (p.x - s.x) - s.two_c * (p.y - s.y);
 }
 
 std::int64_t Track::rate_y(Point p) const {
-  const State<Word>& s = job_.start;
+  const Start& s = job_.start;
   return (s.rate_y << shifts_) + s.two_a * (p.x - s.x) + s.b * (p.y - s.y);
 }
 
@@ -34,7 +34,7 @@ Point Track::rates() const { return {rate_x(at_), rate_y(at_)}; }
 std::int64_t Track::whole(Int128 sum) const { return static_cast<std::int64_t>(sum >> width_); }
 
 std::optional<Point> Track::next() {
-  const bool counted = job_.start.free == 0;
+  const bool counted = !job_.start.free;
   if (counted && left_x_ == 0 && left_y_ == 0) return {};
   if (job_.clocks && clocks_ >= *job_.clocks) return {};
   if (clocks_++ < shifts_) return Point{};

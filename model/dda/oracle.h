@@ -13,7 +13,7 @@ namespace cosim::dda {
 /// The points of a job, a clock at a time. Its numbers do not wrap.
 class Track {
  public:
-  Track(const Params& p, const Job& job);
+  Track(int width, const Job& job);
 
   /// The steps of the next running clock, -1 to 1 on each axis; none where the job is over.
   std::optional<Point> next();

@@ -3,7 +3,6 @@
 
 #include <array>
 
-#include "model/dda/steps.h"
 #include "model/plane/path_probes.h"
 
 namespace cosim::dda {
@@ -15,17 +14,16 @@ class View {
   static constexpr std::array steps{"X- Y-", "X-",    "X- Y+", "Y-",   "-",
                                     "Y+",    "X+ Y-", "X+",    "X+ Y+"};
 
-  static constexpr auto probes(const Params&) { return plane::path_probes(phases, steps); }
+  static constexpr auto probes() { return plane::path_probes(phases, steps); }
 
-  /// One clock: the state before it and the outputs during it.
-  void clock(const Params& p, const State<Word>& s, const Outputs<Word>& out) {
-    x_ = s.x;
-    y_ = s.y;
-    const bool done = !s.free && s.left_x == 0 && s.left_y == 0;
-    const bool shift = s.normalise && !is_full(p, s.rate_x) && !is_full(p, s.rate_y);
-    phase_ = !s.running ? 0 : done ? 3 : shift ? 1 : 2;
-    const Point step = step_of(out);
-    step_ = 3 * step.x + step.y + 4;
+  /// One clock: the machine before it and the outputs during it.
+  template <class Machine, class Out>
+  void clock(const Machine& m, const Out& out) {
+    x_ = static_cast<Word>(m.x);
+    y_ = static_cast<Word>(m.y);
+    phase_ = !m.running ? 0 : m.is_done() ? 3 : m.is_to_shift() ? 1 : 2;
+    step_ = 4;
+    Machine::for_each_step(out, [&](int dx, int dy) { step_ += 3 * dx + dy; });
   }
 
   /// The phase, the steps of the clock, and the point before them.

@@ -62,6 +62,7 @@ class Beside {
   Record draw(bool are_codes, const std::vector<bool>& turned = {}) {
     const auto fields = Record::fields(p_);
     Words<Record> words{};
+    const bool some_turned = !turned.empty();
     std::size_t at = 0;
     for (std::size_t i = 0; i < fields.size(); ++i) {
       if (fields[i].width == 0) continue;
@@ -69,7 +70,7 @@ class Beside {
       words[i] =
           is_signed(fields[i]) && !are_codes ? from_twos_complement(code, fields[i].width) : code;
       for (int b = 0; b < fields[i].width; ++b, ++at) {
-        const bool is = cosim::bit(code, b) != (!turned.empty() && turned[at]);
+        const bool is = cosim::bit(code, b) != (some_turned && turned[at]);
         given_[next_++] |= std::uint64_t{is} << lane_;
       }
     }

@@ -46,7 +46,7 @@ refused reset_inputs clear "clear in struct Design means nothing: is reset_input
   echo '  struct Other { static constexpr int reset_input = 1; Bit casse() { return legall(1); } };'
   sed -n '/  UInt<4> left/,$p' "$uart"
 } > model.h
-for header in "$root"/model/*/machine.h "$root"/model/circular/circular.h "$root"/model/linear/linear.h "$root"/examples/*/*.h "$root"/tests/*/designs/*.h model.h; do
+for header in "$root"/model/{circular/circular,dda/dda,linear/linear}.h "$root"/examples/*/*.h "$root"/tests/*/designs/*.h model.h; do
   ends 0 names stamp "$root" "$header"
   grep -qF "$(basename "$header")" stamp.d || fails "ninja is told of $header"
 done

@@ -3,7 +3,7 @@
 
 #include <cstdint>
 
-#include "model/dda/job.h"
+#include "tb/designs/dda/design.h"
 #include "tb/sim/bench.h"
 #include "tb/sweep/sweep.h"
 
@@ -21,7 +21,7 @@ Sweep every_quarter(const DdaBench& bench);
 
 /// The job that random case i draws: a line, an arc, a circle or an ellipse in any place, given up
 /// after a random number of clocks where it is long.
-Job random_job(const Params& p, std::uint64_t seed, std::uint64_t i);
+Job random_job(int width, std::uint64_t seed, std::uint64_t i);
 
 /// `count` random lines and arcs, in lanes too: the same but for circles and other conics, whose
 /// whole way is walked before they are drawn.

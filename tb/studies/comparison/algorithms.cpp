@@ -68,7 +68,7 @@ class DdaFollower final : public Observer<dda::Design>, Follower {
  public:
   using Follower::Follower;
   void clock(std::size_t, const Compared<dda::Design>& seen) override {
-    if (!seen.outputs.busy) return;
+    if (!dda::is_busy(seen.outputs)) return;
     if (running_) {
       Follower::clock();
       position(step_.x, step_.y);
@@ -117,7 +117,7 @@ Drawing by_su1665343(const Machines& machines, const Arc& arc) {
 
 template <class Work, class MakeJob>
 Drawing by_dda(const Machines& machines, Point from, const MakeJob& make_job) {
-  const dda::Job job = make_job(machines.dda->params());
+  const dda::Job job = make_job(dda::width_of(machines.dda->params()));
   Drawing drawing{{from}, 0, nullptr, {}};
   DdaFollower follower(drawing);
   return in_lockstep<dda::CurveFigures>(*machines.dda, machines.power_up, job, drawing, follower);
@@ -125,15 +125,15 @@ Drawing by_dda(const Machines& machines, Point from, const MakeJob& make_job) {
 
 template <dda::Preload preload>
 Drawing line_by_dda(const Machines& machines, const Line& line) {
-  return by_dda<Line>(machines, {0, 0}, [&](const dda::Params& p) {
-    return dda::line(p, {line.major, line.minor}, {dda::Update::parallel, preload, true});
+  return by_dda<Line>(machines, {0, 0}, [&](int width) {
+    return dda::line(width, {line.major, line.minor}, {dda::Update::parallel, preload, true});
   });
 }
 
 template <dda::Update update, dda::Preload preload>
 Drawing arc_by_dda(const Machines& machines, const Arc& arc) {
-  return by_dda<Arc>(machines, arc.from, [&](const dda::Params& p) {
-    return dda::arc(p, arc.from, arc.to, {update, preload, false});
+  return by_dda<Arc>(machines, arc.from, [&](int width) {
+    return dda::arc(width, arc.from, arc.to, {update, preload, false});
   });
 }
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "model/dda/job.h"
 #include "tb/designs/circular/design.h"
+#include "tb/designs/dda/design.h"
 #include "tb/designs/linear/design.h"
 #include "tb/sim/bench.h"
 #include "tb/studies/comparison/figures.h"

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tb/designs/dda/sweeps.h"
+#include "tests/designs/dda/records.h"
 #include "tests/support/recorder.h"
 
 namespace cosim::dda {
@@ -16,7 +17,7 @@ constexpr Settings kEverySettings[] = {{Update::parallel, Preload::zero, true},
 /// The clocks on which the machine ran.
 inline std::vector<test::Recorder<Design>::Clock> running(const DdaBench& bench, const Job& job) {
   auto clocks = test::draw(bench, {&job, 1});
-  std::erase_if(clocks, [](const auto& c) { return c.outputs.busy == 0; });
+  std::erase_if(clocks, [](const auto& c) { return !is_busy(c.outputs); });
   return clocks;
 }
 
@@ -25,9 +26,10 @@ inline std::vector<Point> points(const DdaBench& bench, const Job& job) {
   std::vector<Point> all;
   for (const auto& c : running(bench, job)) {
     const auto number = [&](Word code) {
-      return from_twos_complement(code, bench.params().width + 1);
+      return from_twos_complement(code, width_of(bench.params()) + 1);
     };
-    all.push_back({number(c.registers.x), number(c.registers.y)});
+    const auto held = named<Held>(c.registers);
+    all.push_back({number(held.x), number(held.y)});
   }
   return all;
 }

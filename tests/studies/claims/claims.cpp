@@ -69,7 +69,7 @@ std::map<std::string, OverLines> over_lines(int& lines) {
     const auto sizes = linear::sizes_of(p);
     return sizes.m == m && sizes.gamma() == 3;
   });
-  machines.dda = &bench<dda::Design>([](auto p) { return p.width == m; });
+  machines.dda = &bench<dda::Design>([](auto p) { return dda::width_of(p) == m; });
   std::map<std::string, OverLines> all;
   for (Line line{1, 0}; line.major < 1 << m; ++line.major) {
     for (line.minor = 0; line.minor <= line.major; ++line.minor, ++lines) {
@@ -181,7 +181,7 @@ void row_of_dda(const std::string& claim, const std::string& over, const OfDda& 
 void claims_of_circles() {
   Machines machines;
   machines.circular = &bench<circular::Design>([](auto p) { return circular::width_of(p) == 8; });
-  machines.dda = &bench<dda::Design>([](auto p) { return p.width == 8; });
+  machines.dda = &bench<dda::Design>([](auto p) { return dda::width_of(p) == 8; });
   std::map<std::string, Figures> all;
   Figures early;  // the prototype to 45 degrees
   for (std::int64_t radius = 2; radius < 256; ++radius) {
@@ -226,13 +226,13 @@ void claims_of_circles() {
 // By the sums of the oracle: 10 bits is no width that is built. A parallel turn gains about pi R /
 // 2^W of radius, and leaves 10 bits where R is more.
 void claim_of_a_turn() {
-  const dda::Params p{10};
+  constexpr int width = 10;
   constexpr std::int64_t least = 512, most = 1018;
   const auto worst_of = [&](dda::Update update, dda::Preload preload) {
     double worst = 0;
     for (std::int64_t radius = least; radius <= most; ++radius) {
-      const dda::Job job = dda::circle(p, radius, {update, preload, false});
-      for (dda::Track track(p, job); track.next();) {
+      const dda::Job job = dda::circle(width, radius, {update, preload, false});
+      for (dda::Track track(width, job); track.next();) {
         const double at =
             std::hypot(static_cast<double>(track.at().x), static_cast<double>(track.at().y));
         worst = std::max(worst, std::fabs(at - static_cast<double>(radius)));

@@ -70,7 +70,7 @@ dda::Conic parse_conic(const std::string& text) {
 struct Work {
   std::string text;
   int width = 2;
-  std::function<dda::Job(const dda::Params&)> job;
+  std::function<dda::Job(int width)> job;
 };
 
 Work parse_work(const DdaOptions& o) {
@@ -80,8 +80,8 @@ Work parse_work(const DdaOptions& o) {
   if (o.line) {
     const Point to = point("--line", *o.line);
     return {fmt::format("line to ({}, {})", to.x, to.y), std::max(bits(to.x), bits(to.y)),
-            [=](const dda::Params& p) {
-              dda::Job job = line(p, to, settings);
+            [=](int width) {
+              dda::Job job = line(width, to, settings);
               job.clocks = clocks;
               return job;
             }};
@@ -90,19 +90,17 @@ Work parse_work(const DdaOptions& o) {
     const auto radius = static_cast<std::int64_t>(whole("--circle", *o.circle, 1, largest));
     if (clocks) {
       return {fmt::format("R = {} from ({}, 0), {} clocks", radius, radius, *clocks),
-              bits(radius + 8),
-              [=](const dda::Params& p) { return circle(p, radius, settings, clocks); }};
+              bits(radius + 8), [=](int width) { return circle(width, radius, settings, clocks); }};
     }
-    return {fmt::format("R = {} from ({}, 0)", radius, radius), bits(radius),
-            [=](const dda::Params& p) {
-              return arc(p, {radius, 0}, {0, radius}, settings);
+    return {fmt::format("R = {} from ({}, 0)", radius, radius), bits(radius), [=](int width) {
+              return arc(width, {radius, 0}, {0, radius}, settings);
             }};
   }
   const dda::Conic q = parse_conic(*o.conic);
   const Point from = point("--from", needed("--from", o.from));
-  const int width = std::max({bits(2 * q.a), bits(q.b), bits(2 * q.c), bits(from.x), bits(from.y)});
-  return {fmt::format("conic {} from ({}, {})", *o.conic, from.x, from.y), width,
-          [=](const dda::Params& p) { return conic(p, q, from, settings, clocks); }};
+  const int least = std::max({bits(2 * q.a), bits(q.b), bits(2 * q.c), bits(from.x), bits(from.y)});
+  return {fmt::format("conic {} from ({}, {})", *o.conic, from.x, from.y), least,
+          [=](int width) { return conic(width, q, from, settings, clocks); }};
 }
 
 void check_kind(const DdaOptions& o) {
@@ -120,7 +118,7 @@ std::pair<const Bench<dda::Design>*, dda::Job> chosen_for(const Shape& shape, co
   const auto* bench = &dda::bench_for(shape, work.width);
   for (auto at = std::ranges::find(found, bench);; ++at) {
     try {
-      return {*at, work.job((*at)->params())};
+      return {*at, work.job(dda::width_of((*at)->params()))};
     } catch (const InputError&) {
       if (at + 1 == found.end()) throw;
     }
@@ -136,22 +134,22 @@ Curve curve_of(const dda::Job& job, const std::vector<Mark>& marks) {
 
 // A line takes as many clocks as the accumulators have values, a shift halves them; a quarter more
 // than half as many again.
-Extent extent_of(const dda::Params& p, const dda::Job& job) {
-  const dda::State<Word>& s = job.start;
+Extent extent_of(int width, const dda::Job& job) {
+  const dda::Start& s = job.start;
   const auto most = static_cast<std::uint64_t>(job.clocks.value_or(std::int64_t{1} << 62));
   const auto longest = static_cast<std::uint64_t>(std::max(s.left_x, s.left_y));
   const auto all = static_cast<std::uint64_t>(s.left_x + s.left_y);
   Extent extent{most, 0, most, 8};
-  if (s.free == 0) {
+  if (!s.free) {
     const bool line = s.two_a == 0;
-    const int used = line && s.normalise != 0 ? static_cast<int>(std::bit_width(longest)) : p.width;
+    const int used = line && s.normalise ? static_cast<int>(std::bit_width(longest)) : width;
     const std::uint64_t turn =
         (std::uint64_t{1} << used) + (line ? 0 : std::uint64_t{1} << (used - 1));
     extent.clocks = std::min(most, longest == 0 ? 0 : turn);
     extent.steps = extent.clocks < most ? longest : 0;
     extent.rows = std::min(extent.clocks, all);
   }
-  extent.row += digits(extent.clocks) + 2 * digits(std::uint64_t{1} << p.width);
+  extent.row += digits(extent.clocks) + 2 * digits(std::uint64_t{1} << width);
   return extent;
 }
 
@@ -163,8 +161,8 @@ int run(const DdaOptions& o) {
   const auto& bench = *chosen;
   const GridPoint from{job.start.x, job.start.y};
   return draw_one<dda::Design, dda::CurveFigures>(
-      {o.common, power_up, bench, work.text, job, extent_of(bench.params(), job),
-       step_rows(bench, from, &dda::Outputs<Word>::busy), from,
+      {o.common, power_up, bench, work.text, job, extent_of(dda::width_of(bench.params()), job),
+       step_rows(bench, from, dda::is_busy), from,
        [drawn = &job](GridPoint at) {
          return deviation(*drawn, {at.x, at.y});
        },
@@ -200,7 +198,7 @@ namespace {
 std::vector<Sweep> exhaustive(const DdaBench& bench, bool in_lanes) {
   const int every_line_widest = in_lanes ? 10 : 6;
   const int every_quarter_widest = in_lanes ? 10 : 8;
-  const int width = bench.params().width;
+  const int width = width_of(bench.params());
   if (width > every_quarter_widest) return {};
   if (width > every_line_widest) return {every_quarter(bench)};
   return {every_line(bench), every_quarter(bench)};

@@ -3,8 +3,8 @@
 
 #include <fmt/core.h>
 
-#include "model/dda/job.h"
 #include "tb/cli/shape.h"
+#include "tb/designs/dda/design.h"
 
 namespace cosim::dda {
 
@@ -15,7 +15,7 @@ inline std::vector<cli::ShapeOption> shape_options() {
 /// The smallest built one of that shape at least `width` wide. InputError where none is.
 inline const Bench<Design>& bench_for(const cli::Shape& shape, int width) {
   return cli::first_that<Design>(
-      shape, [=](const Params& p) { return width <= p.width; },
+      shape, [=](const Params& p) { return width <= width_of(p); },
       [=](const Bench<Design>& last) {
         return fmt::format("a curve that needs {} bits does not fit {}", width, last.title());
       });

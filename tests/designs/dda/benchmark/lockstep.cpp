@@ -8,8 +8,12 @@
 namespace cosim::dda {
 namespace {
 
-[[maybe_unused]] const bool measured = bench::measure<NamedAdapter<VddaW16, Trait_ddaW16>>(
-    "dda_W16", random_job, random_lines_and_arcs);
+Job job_of(const Params& p, std::uint64_t seed, std::uint64_t i) {
+  return random_job(width_of(p), seed, i);
+}
+
+[[maybe_unused]] const bool measured =
+    bench::measure<NamedAdapter<VddaW16, Trait_ddaW16>>("dda_W16", job_of, random_lines_and_arcs);
 
 }  // namespace
 }  // namespace cosim::dda

@@ -1,6 +1,4 @@
 // The cycle model of the DDA against closed forms, the source's flow chart and known accuracy.
-#include "model/dda/machine.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,7 +17,7 @@ namespace {
 
 template <int width>
 const DdaBench& model() {
-  return test::model_bench<Design, Params{width}>();
+  return test::model_bench<Design, of_width(width)>();
 }
 
 // After n clocks each axis stands at the whole part of n times its rate, plus what it started with.
@@ -32,7 +30,7 @@ TEST(DdaModel, LinesAreWholePartsOfClocksTimesRates) {
         int shift = 0;
         while ((std::max(dx, dy) << shift) < 32) ++shift;
         const std::int64_t half = settings.preload == Preload::half ? 32 : 0;
-        const auto drawn = points(model<kWidth>(), line({kWidth}, {dx, dy}, settings));
+        const auto drawn = points(model<kWidth>(), line(kWidth, {dx, dy}, settings));
         for (std::size_t clock = 0; clock < drawn.size(); ++clock) {
           const std::int64_t n = static_cast<std::int64_t>(clock) - shift;
           const auto along = [&](std::int64_t d) {
@@ -56,9 +54,9 @@ TEST(DdaModel, LinesAreWholePartsOfClocksTimesRates) {
 TEST(DdaModel, DrawsALineToEverySideAlike) {
   for (const Settings& settings : kEverySettings) {
     for (const Point to : {Point{27, 9}, Point{32, 31}, Point{5, 40}, Point{0, 12}}) {
-      const auto first = points(model<6>(), line({6}, to, settings));
+      const auto first = points(model<6>(), line(6, to, settings));
       for (const Point side : {Point{-1, 1}, Point{1, -1}, Point{-1, -1}}) {
-        auto other = points(model<6>(), line({6}, {side.x * to.x, side.y * to.y}, settings));
+        auto other = points(model<6>(), line(6, {side.x * to.x, side.y * to.y}, settings));
         for (Point& p : other) p = {side.x * p.x, side.y * p.y};
         EXPECT_EQ(other, first) << to.x << ' ' << to.y;
       }
@@ -69,7 +67,7 @@ TEST(DdaModel, DrawsALineToEverySideAlike) {
 TEST(DdaModel, DrawsTheQuartersOfTheFlowChart) {
   for (std::int64_t radius = 1; radius < 256; ++radius) {
     for (const Settings& settings : kEverySettings) {
-      ASSERT_EQ(points(model<8>(), arc({8}, {radius, 0}, {0, radius}, settings)),
+      ASSERT_EQ(points(model<8>(), arc(8, {radius, 0}, {0, radius}, settings)),
                 flow_chart::quarter(8, radius, settings))
           << "R = " << radius;
     }
@@ -80,13 +78,14 @@ TEST(DdaModel, DrawsTheQuartersOfTheFlowChart) {
 TEST(DdaModel, KeepsTheRatesOfAConicByAdditions) {
   const Conic q{2, 1, 3, -5, 4, -1428};  // 2 x^2 + xy + 3 y^2 - 5 x + 4 y = 1428
   for (const Settings& settings : kEverySettings) {
-    const Job job = conic({8}, q, {28, 0}, settings);
+    const Job job = conic(8, q, {28, 0}, settings);
     std::size_t moved = 0;
     for (const auto& c : running(model<8>(), job)) {
       const auto number = [](Word code) { return from_twos_complement(code, 9); };
-      const Word x = number(c.registers.x), y = number(c.registers.y);
-      ASSERT_EQ(number(c.registers.rate_x), -(q.b * x + 2 * q.c * y + q.e)) << x << ' ' << y;
-      ASSERT_EQ(number(c.registers.rate_y), 2 * q.a * x + q.b * y + q.d) << x << ' ' << y;
+      const auto held = named<Held>(c.registers);
+      const Word x = number(held.x), y = number(held.y);
+      ASSERT_EQ(number(held.rate_x), -(q.b * x + 2 * q.c * y + q.e)) << x << ' ' << y;
+      ASSERT_EQ(number(held.rate_y), 2 * q.a * x + q.b * y + q.d) << x << ' ' << y;
       moved += x < 0 && y < 0;
     }
     EXPECT_GT(moved, 20U);  // it did come to the other side
@@ -123,7 +122,7 @@ TEST(DdaAccuracy, OfALineIsBelowAStep) {
 TEST(DdaAccuracy, OfAQuarterWithHalfPreloadIsAboutOne) {
   double worst = 0;
   for (std::int64_t r = 1; r < 1024; r += 7) {
-    const Job job = arc({10}, {r, 0}, {0, r}, {Update::parallel, Preload::half, false});
+    const Job job = arc(10, {r, 0}, {0, r}, {Update::parallel, Preload::half, false});
     worst = std::max(worst, worst_of(job, model<10>(), r));
   }
   EXPECT_GT(worst, 1.1);
@@ -135,7 +134,7 @@ TEST(DdaAccuracy, OfAQuarterWithHalfPreloadIsAboutOne) {
 // error of a quarter comes on top.
 TEST(DdaAccuracy, OfAFullTurnDrifts) {
   const auto turn = [](std::int64_t radius, Update update) {
-    return worst_of(circle({10}, radius, {update, Preload::zero, false}), model<10>(), radius);
+    return worst_of(circle(10, radius, {update, Preload::zero, false}), model<10>(), radius);
   };
   EXPECT_GT(turn(1000, Update::parallel), std::numbers::pi * 1000 / 1024 + 0.7);
   EXPECT_LT(turn(1000, Update::parallel), std::numbers::pi * 1000 / 1024 + 1.3);
@@ -145,10 +144,12 @@ TEST(DdaAccuracy, OfAFullTurnDrifts) {
 // Every number of the state comes back from its code.
 void expect_recovered(const Params& p, const State<Word>& s) {
   const auto fields = State<Word>::fields(p);
-  const auto numbers = to_words(s), codes = to_words(registers(p, s));
+  const auto numbers = to_words(s), codes = to_words(Design::registers(p, s));
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    ASSERT_TRUE(is_state(fields[i], numbers[i])) << fields[i].name << ' ' << numbers[i];
-    ASSERT_EQ(value_of(fields[i], codes[i]), numbers[i]) << fields[i].name;
+    const Field& f = fields[i];
+    const bool is_signed = f.format == Format::twos_complement;
+    ASSERT_EQ(codes[i], low_bits(codes[i], f.width)) << f.name;
+    ASSERT_EQ(is_signed ? from_twos_complement(codes[i], f.width) : codes[i], numbers[i]) << f.name;
   }
 }
 

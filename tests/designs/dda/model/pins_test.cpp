@@ -5,24 +5,22 @@
 #include <cstdlib>
 #include <vector>
 
-#include "model/dda/machine.h"
 #include "tb/util/random.h"
-#include "tests/support/model_machine.h"
+#include "tests/designs/dda/records.h"
 
 namespace cosim::dda {
 namespace {
 
-using In = Inputs<Word>;
-using S = State<Word>;
-using Machine = test::ModelMachine<Design>;
+using In = Pins;
+using S = Held;
 
-constexpr Params kParams{4};
+constexpr Params kParams = of_width(4);
 
 // A number of 5 bits, by division.
 Word wrapped(Word v) { return ((v + 16) % 32 + 32) % 32 - 16; }
 Word floor_16(Word v) { return v < 0 ? -((15 - v) / 16) : v / 16; }
 
-In rest() { return rest_of<Design>(); }
+In rest() { return {}; }
 In write(Word address, Word data) { return {.write = 1, .address = address, .data = data}; }
 In with_start(In in) {
   in.start = 1;
@@ -63,15 +61,19 @@ std::vector<S> situations() {
 }
 
 S after(const S& s, const In& in) {
-  Machine machine(kParams);
-  machine.state = s;
-  machine.clock(in);
-  return machine.state;
+  return named<S>(
+      Design::next(kParams, record_of<State<Word>>(s), record_of<Inputs<Word>>(in)).state);
 }
-Outputs<Word> during(const S& s, const In& in) { return Design::next(kParams, s, in).outputs; }
-Word steps(const Outputs<Word>& o) { return o.x_up | o.x_down | o.y_up | o.y_down; }
+Shown during(const S& s, const In& in) {
+  return named<Shown>(
+      Design::next(kParams, record_of<State<Word>>(s), record_of<Inputs<Word>>(in)).outputs);
+}
+Word steps(const Shown& o) { return o.x_up | o.x_down | o.y_up | o.y_down; }
 
-#define EXPECT_SAME(a, b) EXPECT_EQ(to_words(a), to_words(b))
+// As arrays of words, for EXPECT_EQ to compare and print.
+auto words(const S& s) { return to_words(record_of<State<Word>>(s)); }
+auto words(const Shown& o) { return to_words(record_of<Outputs<Word>>(o)); }
+#define EXPECT_SAME(a, b) EXPECT_EQ(words(a), words(b))
 
 TEST(DdaPins, ResetClearsWheneverItComes) {
   for (const S& s : situations()) {
@@ -85,14 +87,14 @@ TEST(DdaPins, AWriteReachesTheRegisterAtItsAddress) {
   constexpr int kBits[] = {4, 4, 5, 5, 5, 5, 4, 4, 5, 5, 5};  // of addresses 1 and on
   for (Word address = 0; address < 16; ++address) {
     for (Word data = 0; data < 32; ++data) {
-      auto expected = to_words(some());
+      auto expected = words(some());
       if (address == 0) {
         expected[1] = data % 2, expected[2] = data / 2 % 2, expected[3] = data / 4 % 2;
       } else if (address <= 11) {
         const bool is_signed = kBits[address - 1] == 5;
         expected[static_cast<std::size_t>(address) + 3] = is_signed ? wrapped(data) : data % 16;
       }
-      EXPECT_EQ(to_words(after(some(), write(address, data))), expected) << address << ' ' << data;
+      EXPECT_EQ(words(after(some(), write(address, data))), expected) << address << ' ' << data;
     }
   }
 }
@@ -153,7 +155,7 @@ TEST(DdaPins, WhileIdleThereIsNoStep) {
     for (Word rate = -16; rate < 16; ++rate) {
       S s = some();
       s.sx = s.sy = sum, s.rate_x = s.rate_y = rate;
-      EXPECT_EQ(to_words(during(s, rest())), (Words<Outputs<Word>>{0, 0, 0, 0, 0, 32 - 4, 6}));
+      EXPECT_EQ(words(during(s, rest())), (Words<Outputs<Word>>{0, 0, 0, 0, 0, 32 - 4, 6}));
     }
   }
 }
@@ -185,10 +187,9 @@ TEST(DdaPins, AddsInEveryState) {
     n.rate_y = wrapped(s.rate_y + s.two_a * dx + s.b * dy);
     n.x = wrapped(s.x + dx), n.y = wrapped(s.y + dy);
     if (s.free == 0) n.left_x -= std::abs(dx), n.left_y -= std::abs(dy);
-    ASSERT_EQ(to_words(after(s, rest())), to_words(n));
-    ASSERT_EQ(
-        to_words(during(s, rest())),
-        (Words<Outputs<Word>>{1, dx > 0, dx<0, dy> 0, dy < 0, (s.x + 32) % 32, (s.y + 32) % 32}));
+    ASSERT_EQ(words(after(s, rest())), words(n));
+    ASSERT_EQ(words(during(s, rest())), (Words<Outputs<Word>>{1, dx > 0, dx<0, dy> 0, dy < 0,
+                                                              (s.x + 32) % 32, (s.y + 32) % 32}));
   }
 }
 

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "model/dda/equation.h"
-#include "model/dda/job.h"
 #include "tests/designs/dda/flow_chart.h"
+#include "tests/designs/dda/records.h"
 #include "tests/rtl/straight.h"
 #include "tests/support/point.h"
 
@@ -20,7 +20,7 @@ using Script = test::Script<Design>;
 using Variant = test::Variant<Design>;
 using Points = std::vector<Point>;
 
-constexpr Params kParams{6};
+constexpr int kWidth = 6;
 constexpr std::int64_t kSize = 64;  // of an accumulator
 constexpr Word kCodes = 128;        // of a rate
 constexpr std::uint64_t kFirstClock = 12;
@@ -31,14 +31,14 @@ const Variant& shipped() { return test::variant<Design>("shipped/w6"); }
 
 /// What the host gives the machine for a job.
 Script script_of(const Job& job) {
-  HostOf<Design> host(kParams, {&job, 1});
+  HostOf<Design> host(of_width(kWidth), {&job, 1});
   Script script;
   Inputs<Word> in;
   Outputs<Word> seen{};
   State<Word> state;
   while (host.next(in, seen)) {
     script.push_back(in);
-    const auto step = next(kParams, state, in);
+    const auto step = Design::next(of_width(kWidth), state, in);
     seen = step.outputs;
     state = step.state;
   }
@@ -49,9 +49,10 @@ Script script_of(const Job& job) {
 Points drawn(const Variant& variant, const Job& job) {
   Points points;
   for (const auto& clock : test::play(variant, script_of(job))) {
-    if (clock.outputs.busy == 0) continue;
-    points.push_back({from_twos_complement(clock.outputs.code_x, kParams.width + 1),
-                      from_twos_complement(clock.outputs.code_y, kParams.width + 1)});
+    const auto shown = named<Shown>(clock.outputs);
+    if (shown.busy == 0) continue;
+    points.push_back({from_twos_complement(shown.code_x, kWidth + 1),
+                      from_twos_complement(shown.code_y, kWidth + 1)});
   }
   return points;
 }
@@ -89,7 +90,7 @@ double largest_deviation(const Job& job, const Points& points) {
 
 constexpr std::int64_t kHalfRadian = kSize / 2;
 
-Job part_of_circle(std::int64_t radius) { return circle(kParams, radius, kSettings, kHalfRadian); }
+Job part_of_circle(std::int64_t radius) { return circle(kWidth, radius, kSettings, kHalfRadian); }
 
 // x' = y and y' = x leave x^2 - y^2 as it is: (R, 0) goes along a hyperbola to (R cosh t, R sinh
 // t).
@@ -126,7 +127,7 @@ TEST(DdaW6Errata, D1AsShippedDrawsTheCircle) {
 constexpr Conic kTilted{1, 1, 1, 0, 0, -100};  // x^2 + xy + y^2 = 100
 constexpr std::int64_t kTurn = 232;            // 2 pi 64 / sqrt(4 - 1)
 
-Job tilted(std::int64_t clocks) { return conic(kParams, kTilted, {10, 0}, kSettings, clocks); }
+Job tilted(std::int64_t clocks) { return conic(kWidth, kTilted, {10, 0}, kSettings, clocks); }
 /// The same started with the rate that the printed text gives for (10, 0).
 Job tilted_as_printed(std::int64_t clocks) {
   Job job = tilted(clocks);
@@ -163,7 +164,7 @@ TEST(DdaW6Errata, D2AsShippedDrawsTheConic) {
 // ---- D3: the hardware and the flow chart --------------------------------------------------------
 
 Job quarter(std::int64_t radius, Update update = Update::parallel) {
-  return arc(kParams, {radius, 0}, {0, radius}, {update, Preload::zero, true});
+  return arc(kWidth, {radius, 0}, {0, radius}, {update, Preload::zero, true});
 }
 
 // The last point is that of the clock that stops.
@@ -173,7 +174,7 @@ TEST(DdaW6Errata, D3AsShippedDrawsBothAsTheyAreTold) {
     for (const Update update : {Update::parallel, Update::sequential}) {
       const Settings settings{update, Preload::zero, true};
       EXPECT_EQ(drawn(shipped(), quarter(radius, update)),
-                flow_chart::quarter(kParams.width, radius, settings))
+                flow_chart::quarter(kWidth, radius, settings))
           << "R = " << radius;
       expect_same(shipped(), script_of(quarter(radius, update)));
     }

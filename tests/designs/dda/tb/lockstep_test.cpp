@@ -15,14 +15,14 @@ namespace {
 using Param = const DdaBench*;
 
 auto widths(int least, int most) {
-  return testing::ValuesIn(
-      test::benches_with<Design>([=](Params p) { return p.width >= least && p.width <= most; }));
+  return testing::ValuesIn(test::benches_with<Design>(
+      [=](const Params& p) { return width_of(p) >= least && width_of(p) <= most; }));
 }
 
 class EveryDdaLine : public testing::TestWithParam<Param> {};
 TEST_P(EveryDdaLine, Matches) {
   const Result result = test::expect_match(every_line(*GetParam()));
-  const auto side = static_cast<std::uint64_t>(2 * ones(GetParam()->params().width) + 1);
+  const auto side = static_cast<std::uint64_t>(2 * ones(width_of(GetParam()->params())) + 1);
   EXPECT_EQ(result.checked.jobs, 8 * side * side);
   EXPECT_LT(result.checked.number("max_deviation"), 1);
 }
@@ -31,14 +31,15 @@ INSTANTIATE_TEST_SUITE_P(Dda, EveryDdaLine, widths(6, 6), test::name_of_shape<Pa
 class EveryQuarter : public testing::TestWithParam<Param> {};
 TEST_P(EveryQuarter, Matches) {
   const Result result = test::expect_match(every_quarter(*GetParam()));
-  EXPECT_EQ(result.checked.jobs, static_cast<std::uint64_t>(4 * ones(GetParam()->params().width)));
+  EXPECT_EQ(result.checked.jobs,
+            static_cast<std::uint64_t>(4 * ones(width_of(GetParam()->params()))));
 }
 TEST_P(EveryQuarter, IsThatOfTheFlowChart) {
-  const Params p = GetParam()->params();
-  for (std::int64_t radius = 1; radius <= ones(p.width); radius += 11) {
+  const int width = width_of(GetParam()->params());
+  for (std::int64_t radius = 1; radius <= ones(width); radius += 11) {
     for (const Settings& settings : kEverySettings) {
-      ASSERT_EQ(points(*GetParam(), arc(p, {radius, 0}, {0, radius}, settings)),
-                flow_chart::quarter(p.width, radius, settings));
+      ASSERT_EQ(points(*GetParam(), arc(width, {radius, 0}, {0, radius}, settings)),
+                flow_chart::quarter(width, radius, settings));
     }
   }
 }

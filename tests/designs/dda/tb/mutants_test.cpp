@@ -10,7 +10,7 @@ namespace {
 
 // Behind a job that takes 2^32 clocks nothing is ever run, so each but the last must be short.
 TEST(DdaMutants, MeetTheShortJobsBeforeTheEndlessOne) {
-  const dda::Params p{32};
+  const dda::Params p = dda::Design::shape_of({32});
   for (std::uint64_t i = 0; i < long_jobs; ++i) {
     const auto jobs = Jobs<dda::Design>::longest(p, campaign_seed, i);
     ASSERT_FALSE(jobs.empty());
@@ -23,7 +23,7 @@ TEST(DdaMutants, MeetTheShortJobsBeforeTheEndlessOne) {
 
 // A mutant that does not see one digit of the steps left ends such a line before its first step.
 TEST(DdaMutants, MeetEachDigitOfTheStepsLeftAlone) {
-  const dda::Params p{32};
+  const dda::Params p = dda::Design::shape_of({32});
   Word seen_x = 0, seen_y = 0;
   for (std::uint64_t i = 0; i < long_jobs; ++i) {
     for (const dda::Job& job : Jobs<dda::Design>::longest(p, campaign_seed, i)) {

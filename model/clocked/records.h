@@ -1,5 +1,4 @@
-// The records of a design whose model is a struct, as the tables of model/core/record.h have them:
-// cells that are words, the same record for each shape.
+// The records of a design: cells that are words, the same record for each shape.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +9,9 @@
 
 #include "model/clocked/cells.h"
 #include "model/clocked/leaves.h"
+#include "model/core/array.h"
 #include "model/core/fields.h"
 #include "model/core/job_table.h"
-#include "model/core/record.h"
 
 namespace cosim::clocked {
 
@@ -229,9 +228,13 @@ struct RegisterTable : RecordTable<T...> {
   }();
 };
 
+/// A value, or an array of them.
+template <class V, int N>
+using RecordValue = std::conditional_t<N == 0, V, cosim::Array<V, std::max(N, 1)>>;
+
 template <class V, std::size_t I, int CAPACITY>
 struct RecordMember {
-  row::Member<V, CAPACITY> value{};
+  RecordValue<V, CAPACITY> value{};
 };
 template <class V, class Table, class Leaves>
 struct RecordMembers;
@@ -263,8 +266,6 @@ struct ModelRecord : RecordMembers<V, Of, std::make_index_sequence<Of::leaves>> 
   }
   static constexpr const auto& fields(const Shape& shape) { return Of::fields(shape); }
   static constexpr auto job_fields(const Shape& shape) { return Of::job_fields(shape); }
-  /// Cells that a shape does not have are always 0.
-  static constexpr void trim(const Shape&, ModelRecord&) {}
   static constexpr void each_member_of_clocks(ModelRecord& r) {
     [&]<std::size_t... I>(std::index_sequence<I...>) {
       const auto raise = [&](auto i) {
@@ -281,7 +282,7 @@ struct ModelRecord : RecordMembers<V, Of, std::make_index_sequence<Of::leaves>> 
   template <std::size_t I>
   static constexpr auto pointer() {
     using Member = RecordMember<V, I, Of::capacity[I]>;
-    return static_cast<row::Member<V, Of::capacity[I]> ModelRecord::*>(&Member::value);
+    return static_cast<RecordValue<V, Of::capacity[I]> ModelRecord::*>(&Member::value);
   }
 };
 

@@ -1,5 +1,5 @@
-// A design as one type, for code that is generic over designs: struct Design of its model. What a
-// design may leave out has its default here.
+// A design as one type, for code that is generic over designs: that of a struct, or of struct
+// shapes, is clocked::DesignOf. What a model may leave out has its default here.
 #pragma once
 
 #include <array>
@@ -8,10 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "model/core/bit_strings.h"
+#include "model/core/fields.h"
 #include "model/core/job.h"
-#include "model/core/memory.h"
-#include "model/core/record.h"
 #include "model/core/stated.h"
 #include "model/core/value.h"
 
@@ -24,35 +22,7 @@ struct StepOf {
   OutputsRecord outputs;
 };
 
-namespace detail {
-
-/// What the RTL's registers hold in state s: registers(p, s). Where a model has no such function:
-/// the fields of s, with signed numbers as their codes.
-template <class Params, class State>
-constexpr auto registers_of(const Params& p, const State& s) {
-  if constexpr (requires { registers(p, s); }) {
-    return registers(p, s);
-  } else {
-    State codes = s;
-    const auto fields = State::fields(p);
-    for_each_member<State>([&](auto member, std::size_t i) {
-      const Field& f = fields[i];
-      if (f.format == Format::twos_complement) {
-        for_each_value(codes.*member, [&](auto& value) { value = low_bits(value, f.width); });
-      }
-      if (f.format == Format::ones_complement) {
-        for_each_value(codes.*member,
-                       [&](auto& value) { value = to_ones_complement(value, f.width); });
-      }
-    });
-    return codes;
-  }
-}
-
-}  // namespace detail
-
-/// Whether the design's next() takes values of type V. That of a generic model takes any V; that of
-/// a plain model, a function of State<Word> and Inputs<Word>, takes machine integers only.
+/// Whether the design has a clock on values of type V. A model of streams alone has none.
 template <class Design, class V>
 concept StepsOn = requires(const typename Design::Params& p,
                            const typename Design::template State<V>& s,
@@ -67,12 +37,10 @@ template <class Design>
 requires requires { typename Design::template Inputs<Word>; }
 inline constexpr int clocks_of<Design> = Design::template Inputs<Word>::Table::clocks;
 
-/// Inputs of a step on which the design has nothing to do: rest(), or all 0; every clock takes its
-/// edge.
+/// Inputs of a step on which the design has nothing to do: rest(); every clock takes its edge.
 template <class Design>
 constexpr auto rest_of() {
-  typename Design::template Inputs<Word> rest{};
-  if constexpr (requires { Design::rest(); }) rest = Design::rest();
+  auto rest = Design::rest();
   if constexpr (clocks_of<Design> != 0) decltype(rest)::Table::raise_clocks(rest);
   return rest;
 }
@@ -91,55 +59,10 @@ constexpr auto rest_on() {
   }
 }
 
-/// Whether its state after a reset depends on the shape.
+/// The state after a reset.
 template <class Design, class V>
-concept ResetsByShape = requires(const typename Design::Params& p) {
-  Design::template reset_state<V>(p);
-};
-/// The state after a reset: reset_state<V>(), or all 0.
-template <class Design, class V>
-constexpr auto reset_state_of([[maybe_unused]] const typename Design::Params& p) {
-  using State = typename Design::template State<V>;
-  if constexpr (ResetsByShape<Design, V>) {
-    return Design::template reset_state<V>(p);
-  } else if constexpr (requires { Design::template reset_state<V>(); }) {
-    return Design::template reset_state<V>();
-  } else {
-    State s;
-    for_each_cell<State>([&](auto cell, std::size_t) { cell(s) = V(0); });
-    return s;
-  }
-}
-
-/// The parameters by the RTL's names: parameters(p), or none.
-template <class Design>
-constexpr auto parameters_of(const typename Design::Params& p) {
-  if constexpr (requires { Design::parameters(p); }) {
-    return Design::parameters(p);
-  } else {
-    return std::array<Parameter, 0>{};
-  }
-}
-
-/// Registers and outputs of the RTL that no table names and that are not compared:
-/// Design::unobserved, an array of paths and patterns such as "debug.*"; none by default.
-template <class Design>
-constexpr auto unobserved_of() {
-  if constexpr (requires { Design::unobserved; }) {
-    return Design::unobserved;
-  } else {
-    return std::array<const char*, 0>{};
-  }
-}
-
-/// The printed source of the design, or "".
-template <class Design>
-constexpr const char* source_of() {
-  if constexpr (requires { Design::source; }) {
-    return Design::source;
-  } else {
-    return "";
-  }
+constexpr auto reset_state_of(const typename Design::Params& p) {
+  return Design::template reset_state<V>(p);
 }
 
 // What a model may state beside its step: each is a function of that name, found by its arguments.
@@ -231,59 +154,3 @@ template <class Design>
 using HostOf = typename detail::HostTypes<Design>::Host;
 
 }  // namespace cosim
-
-/// Defines the records Inputs, Outputs and State from the tables PREFIX_INPUTS, PREFIX_OUTPUTS and
-/// PREFIX_STATE, and Step, what next() gives.
-#define COSIM_RECORDS(PREFIX, Params)              \
-  COSIM_RECORD(Inputs, PREFIX##_INPUTS, Params);   \
-  COSIM_RECORD(Outputs, PREFIX##_OUTPUTS, Params); \
-  COSIM_RECORD(State, PREFIX##_STATE, Params);     \
-  template <class V>                               \
-  using Step = ::cosim::StepOf<State<V>, Outputs<V>>
-
-/// What struct Design takes over from its own namespace: the types of the same names, next(), and
-/// registers() where there is one.
-#define COSIM_DESIGN(space)                                                                      \
-  using Params = space::Params;                                                                  \
-  template <class V>                                                                             \
-  using Inputs = space::Inputs<V>;                                                               \
-  template <class V>                                                                             \
-  using Outputs = space::Outputs<V>;                                                             \
-  template <class V>                                                                             \
-  using State = space::State<V>;                                                                 \
-  template <class V>                                                                             \
-  static constexpr auto next(const Params& p, const State<V>& s,                                 \
-                             const Inputs<V>& in) requires requires {                            \
-    space::next(p, s, in);                                                                       \
-  }                                                                                              \
-  { return space::next(p, s, in); }                                                              \
-  template <class V>                                                                             \
-  static constexpr auto registers(const Params& p, const State<V>& s) {                          \
-    return ::cosim::detail::registers_of(p, s);                                                  \
-  }                                                                                              \
-  template <class V>                                                                             \
-  using Registers =                                                                              \
-      decltype(::cosim::detail::registers_of(std::declval<Params>(), std::declval<State<V>>())); \
-  static_assert(true, "so that a semicolon stands behind it")
-
-/// The same of jobs that no table declares (job.h), and of what a person wants to see of it: the
-/// types Job, Task, Driver, Checker and View, which the namespace only has to declare.
-#define COSIM_DESIGN_JOBS(space)     \
-  using Job = space::Job;            \
-  template <class V>                 \
-  using Task = space::Task<V>;       \
-  template <class V>                 \
-  using Driver = space::Driver<V>;   \
-  template <class V>                 \
-  using Checker = space::Checker<V>; \
-  using View = space::View;          \
-  static_assert(true, "so that a semicolon stands behind it")
-/// Declares the last four.
-#define COSIM_JOB_TYPES \
-  template <class V>    \
-  struct Task;          \
-  template <class V>    \
-  struct Driver;        \
-  template <class V>    \
-  struct Checker;       \
-  class View

@@ -1,5 +1,5 @@
-// What a record of a design consists of: its fields, as data, and its cells, one by one. A record
-// and its fields come from one table (record.h).
+// What a record of a design consists of: its fields, as data, and its cells, one by one. Both come
+// from the members of a struct (model/clocked/records.h).
 //
 // Code for records of any design works on cells. A cell is a field that is no array, or one element
 // of an array. A record has all cells of its arrays at their full size. Elements that a shape does

@@ -3,7 +3,7 @@
 // machine integers they run one machine, on bits of gates as many as there are lanes. A design with
 // jobs has
 //
-//   Job<V>                a record: the numbers of a job, by COSIM_JOB (job_table.h)
+//   Job<V>                a record: the numbers of a job (job_table.h)
 //   Driver<V>             a record: what the driver goes on from; all 0 as a job begins, or
 //                         Driver<Word> driver_of(p)
 //   Inputs<V> drive(p, job, driver, rest)            of the next clock; `rest`: those at rest

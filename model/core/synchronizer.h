@@ -1,9 +1,9 @@
 // Metastability. The first register of a synchronizer samples what another clock changes. Where
 // both clocks take their edge on one step, it may take the old value or the new one, each bit for
 // itself: the new one is what it takes if its own clock comes a moment behind the others. An input
-// of the model that is no pin says which bits take the new one (record.h); it is drawn and kept as
-// the others are, so that a step stays a function of its inputs. It matters where what is sampled
-// changes on the step, and nowhere else.
+// of the model that is no pin says which bits take the new one (Sampled in model/clocked/fields.h);
+// it is drawn and kept as the others are, so that a step stays a function of its inputs. It matters
+// where what is sampled changes on the step, and nowhere else.
 #pragma once
 
 #include <array>

@@ -188,7 +188,7 @@ class NamedAdapter : public Dut<typename Trait::Design>,
         Trait::title, Trait::clock, {driven.begin(), driven.end()}, {seen.begin(), seen.end()}};
     if constexpr (requires { Trait::extra_input; }) given.extra = Trait::extra_input;
     if constexpr (requires { Trait::clocks; }) given.clocks = Trait::clocks;
-    for (const char* pattern : unobserved_of<Design>()) given.unobserved.emplace_back(pattern);
+    for (const char* pattern : Design::unobserved) given.unobserved.emplace_back(pattern);
     const auto ports = find_ports(ports_of(top), given);
     const auto registers = find_registers(context, Trait::title, held);
     return {{base, ports.data()},

@@ -71,7 +71,7 @@ class OpenDut final : public Dut<Design> {
                 {seen.begin(), seen.end()},
                 "",
                 std::string(of.clocks)};
-    for (const char* pattern : unobserved_of<Design>()) given.unobserved.emplace_back(pattern);
+    for (const char* pattern : Design::unobserved) given.unobserved.emplace_back(pattern);
     ports_ = find_ports(instance_->ports(), given);
     registers_ = find_registers(instance_->context(), of.title, Registers::fields(p));
     for (std::size_t i = 0; i < driven.size(); ++i) {

@@ -55,7 +55,7 @@ void require_taken_over(const RtlText& text, const std::vector<Field>& registers
 template <class Design>
 std::vector<std::string> require_registers(const RtlText& text, const typename Design::Params& p) {
   const auto held = Design::template Registers<Word>::fields(p);
-  const auto patterns = unobserved_of<Design>();
+  const auto patterns = Design::unobserved;
   std::vector<ResetPin> pins;
   if constexpr (has_reset<Design>) {
     const auto fields = Design::template Inputs<Word>::fields(p);

@@ -181,7 +181,7 @@ Machine machine_of(const typename Design::Params& p, FreeState free_state, FreeI
   Machine m;
   m.design = Design::name;
   m.clocks_are_inputs = clocks_of<Design> != 0;
-  const auto parameters = parameters_of<Design>(p);
+  const auto parameters = Design::parameters(p);
   m.parameters.assign(parameters.begin(), parameters.end());
   const auto in = detail::free_record<Inputs>(input_fields, free_input, m.inputs);
   const auto s = detail::free_record<State>(state_fields, free_state, m.state);
@@ -232,7 +232,7 @@ Machine machine_of(const typename Design::Params& p, FreeState free_state, FreeI
   m.invariant_in_reset = detail::whole_invariant<Design>(p, reset_state);
   m.reached_in_reset = named(reached_of<Number>(p, reset_state));
   m.reset_clocks = reset_clocks_of<Design>();
-  for (const char* pattern : unobserved_of<Design>()) m.unobserved.emplace_back(pattern);
+  for (const char* pattern : Design::unobserved) m.unobserved.emplace_back(pattern);
   if constexpr (has_reset<Design>) {
     const auto reset = to_words(reset_inputs_of<Design>());
     const auto rest = to_words(rest_of<Design>());

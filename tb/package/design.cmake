@@ -12,7 +12,6 @@
 #     MODEL header...              the struct that is its golden model, model/clocked/model.h, or its stream
 #                                  model, model/clocked/stream.h
 #     [STRUCT name]                the struct's name; default NAME in one word, AsyncFifo for async_fifo
-#     [NAMESPACE space]            the namespace in which a model of tables defines struct Design
 #     [SHAPES "W=8 M=8'h1F"...]    configurations, one build each: numbers, constants and words (MODE=FAST is
 #                                  a text) for parameters of the top; default those of the RTL
 #     [MODEL_SHAPES "W=5"...]      more configurations of the struct alone, for tests that run it without RTL
@@ -102,7 +101,7 @@ function(cosim_add_design NAME)
   if(NOT VERILATOR_ROOT)
     find_package(verilator REQUIRED HINTS $ENV{VERILATOR_ROOT} /usr/share/verilator)
   endif()
-  cmake_parse_arguments(PARSE_ARGV 1 D "UNPROVED;COMBINATIONAL" "TOP;CLOCK;NAMESPACE;STRUCT"
+  cmake_parse_arguments(PARSE_ARGV 1 D "UNPROVED;COMBINATIONAL" "TOP;CLOCK;STRUCT"
     "CLOCKS;BLACKBOXES;SOURCES;FILELIST;INCLUDE_DIRS;DEFINES;MODEL;SHAPES;MODEL_SHAPES;NETLISTS;LIBRARIES")
   set(what "cosim_add_design(${NAME})")
   if(D_UNPARSED_ARGUMENTS)
@@ -117,9 +116,6 @@ function(cosim_add_design NAME)
       message(FATAL_ERROR "${what}: needs ${needed}")
     endif()
   endforeach()
-  if(D_NAMESPACE AND NOT D_NAMESPACE MATCHES "^[A-Za-z_][A-Za-z0-9_]*(::[A-Za-z_][A-Za-z0-9_]*)*$")
-    message(FATAL_ERROR "${what}: NAMESPACE: names are letters, digits and _: ${D_NAMESPACE}")
-  endif()
   set(TOP ${NAME})
   if(D_TOP)
     set(TOP ${D_TOP})
@@ -166,7 +162,7 @@ function(cosim_add_design NAME)
     string(APPEND MODEL_INCLUDES "#include \"${header}\"\n")
   endforeach()
   cosim_struct()
-  if(model_text MATCHES "\nCOSIM_JOB[(]" OR (is_struct AND model_text MATCHES "\n *struct Job "))
+  if(model_text MATCHES "\n *struct Job ")
     set_property(GLOBAL APPEND PROPERTY COSIM_WITH_JOBS ${NAME})
   endif()
   set(options)
@@ -258,13 +254,10 @@ function(cosim_add_design NAME)
     if(NOT D_CLOCKS)
       set(rtl_of_clocks "")
     endif()
-    set(trait_model "")
-    if(is_struct)
-      cosim_struct_shape()
-    endif()
+    cosim_struct_shape()
     string(APPEND SHAPES
       "struct Trait_${ID} {\n"
-      "  using Design = ::${D_NAMESPACE}::Design;\n"
+      "  using Design = ::${design_namespace}::Design;\n"
       "  static constexpr Design::Params params{${shape_values}};\n"
       "  static constexpr const char* title = \"${TITLE}\";\n"
       "  static constexpr const char* id = \"${ID}\";\n"
@@ -287,9 +280,7 @@ function(cosim_add_design NAME)
   cosim_ports(${NAME}_open ${classes})
   cosim_without_runtime(${NAME}_verilated ${NAME}_open)
   cosim_open_library("${open_made_of}")
-  if(is_struct)
-    cosim_struct_design()
-  endif()
+  cosim_struct_design()
   # The lockstep of all shapes is one file, and what is proved of them another.
   configure_file(${root}/tb/package/named_shapes.h.in ${CMAKE_CURRENT_BINARY_DIR}/${NAME}_shapes.h @ONLY)
   foreach(kind benches machines)
@@ -300,7 +291,7 @@ function(cosim_add_design NAME)
   set_property(GLOBAL APPEND PROPERTY COSIM_VERILATED ${NAME}_verilated)
   set_property(GLOBAL APPEND PROPERTY COSIM_LIBRARIES ${D_LIBRARIES})
   set_property(GLOBAL APPEND PROPERTY COSIM_DESIGNS ${NAME})
-  set_property(GLOBAL PROPERTY COSIM_NAMESPACE_OF_${NAME} ${D_NAMESPACE})
+  set_property(GLOBAL PROPERTY COSIM_NAMESPACE_OF_${NAME} ${design_namespace})
   if(D_UNPROVED)
     set_property(GLOBAL APPEND PROPERTY COSIM_UNPROVED ${NAME})
   endif()

@@ -31,7 +31,7 @@ function(cosim_shape_cover)
     ${FOLDER} ${FOLDER}/verilated ${CMAKE_CURRENT_BINARY_DIR})
   target_link_libraries(${program} PRIVATE ${D_LIBRARIES} cosim::stream cosim::dut
     cosim::runtime_parts cosim::runtime)
-  if(is_struct AND has_clock)  # the ways through it
+  if(has_clock)  # the ways through it
     add_dependencies(${program} ${NAME}_exported)
   endif()
   set_property(GLOBAL APPEND PROPERTY COSIM_ON_DEMAND

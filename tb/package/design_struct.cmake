@@ -3,15 +3,11 @@
 include_guard(GLOBAL)
 
 # All are to be called by cosim_add_design(), whose variables they use: the second for a shape. Sets
-# is_struct, for the text of the model, and then D_STRUCT and D_NAMESPACE, which gets the Design of the
-# struct, and has_clock: whether it is a model of every clock. One of streams alone is UNPROVED.
+# D_STRUCT, design_namespace, which gets the Design of the struct, and has_clock: whether it is a model of
+# every clock. One of streams alone is UNPROVED.
 function(cosim_struct)
-  set(is_struct FALSE PARENT_SCOPE)
   if(NOT model_text MATCHES "#include <cosim/(model|stream)[.]h>")
-    if(NOT D_NAMESPACE)
-      message(FATAL_ERROR "${what}: MODEL: no header has #include <cosim/model.h> or <cosim/stream.h>")
-    endif()
-    return()
+    message(FATAL_ERROR "${what}: MODEL: no header has #include <cosim/model.h> or <cosim/stream.h>")
   endif()
   set(has_clock TRUE PARENT_SCOPE)
   string(REGEX REPLACE "//[^\n]*" "" code "${model_text}")
@@ -28,9 +24,8 @@ function(cosim_struct)
       string(APPEND D_STRUCT "${letter}${word}")
     endforeach()
   endif()
-  set(is_struct TRUE PARENT_SCOPE)
   set(D_STRUCT ${D_STRUCT} PARENT_SCOPE)
-  set(D_NAMESPACE cosim::struct_${NAME} PARENT_SCOPE)
+  set(design_namespace cosim::struct_${NAME} PARENT_SCOPE)
 endfunction()
 
 # Adds what cosim_shape() has found of a shape, whose model is exported to a file of that name.
@@ -82,7 +77,7 @@ function(cosim_struct_design)
   string(PREPEND SHAPES
     "}  // namespace cosim\n"
     "#include \"${header}\"\n"
-    "namespace ${D_NAMESPACE} {\n"
+    "namespace ${design_namespace} {\n"
     "using cosim::Parameter;\n"
     "struct Says {\n"
     "  static constexpr const char* name = \"${NAME}\";\n"
@@ -92,7 +87,7 @@ function(cosim_struct_design)
     "  static constexpr std::array files{${struct_files}};\n"
     "};\n"
     "using Design = cosim::clocked::${design}<Says${struct_shapes}>;\n"
-    "}  // namespace ${D_NAMESPACE}\n"
+    "}  // namespace ${design_namespace}\n"
     "namespace cosim {\n\n")
   set(SHAPES "${SHAPES}" PARENT_SCOPE)
   if(NOT has_clock)

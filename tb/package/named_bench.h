@@ -27,7 +27,7 @@ std::vector<std::unique_ptr<AnyBench>> named_benches(const OpenClass& open) {
     using Adapter = NamedAdapter<Top, Trait>;
     auto bench = std::make_unique<DesignBench<Design>>(
         dut_maker<Adapter>(), open_maker<Design>(open, Trait::params), fast_loop<Adapter>);
-    const auto patterns = unobserved_of<Design>();
+    const auto patterns = Design::unobserved;
     bench->set_unobserved(
         require_registers<Design>({Trait::title, Trait::registers, Trait::resets, Trait::outputs},
                                   Trait::params),

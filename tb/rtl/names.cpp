@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <map>
 #include <set>
 
 #include "model/core/input_error.h"
@@ -77,39 +76,6 @@ struct Text {
   }
 };
 
-// Looks at what is in the braces of struct Design, but not in braces or parentheses in there.
-void check_members(const Text& of, const Names& known) {
-  static const std::map<std::string, std::string> renamed{
-      {"clear", "reset_inputs"}, {"cleared", "reset_state"}, {"clear_clocks", "reset_clocks"}};
-  static const Regex design("\\b(struct|class)\\s+Design\\b[^;{()]*\\{"), piece("[^;}]+");
-  static const Regex no_name(
-      "\\btemplate\\s*<[^>]*>|\\b(public|private|protected)\\s*:|\\brequires\\b[^;{]*");
-  static const Regex member(
-      "\\busing\\s+(\\w+)|\\b(struct|class)\\s+(\\w+)|(\\w+)\\s*[({=[]|(\\w+)\\s*$");
-  for (const Match& m : design.all(of.text)) {
-    std::string body;
-    int depth = 0;
-    for (std::size_t at = m.end(); at < of.text.size(); ++at) {
-      const char c = of.text[at];
-      if (c == '}' && depth == 0) break;
-      if (c == '}' || c == ')') --depth;
-      body += depth == 0 || c == '\n' ? c : ' ';
-      if (c == '{' || c == '(') ++depth;
-    }
-    body = no_name.replaced(body, [](const Match& one) { return blank(one[0]); });
-    for (const Match& one : piece.all(body)) {
-      const std::string text = one[0];
-      const Match found = member.find(text);
-      if (!found) continue;
-      const std::string name = found[1] + found[3] + found[4] + found[5];
-      const auto old = renamed.find(name);
-      const std::string is = old != renamed.end() ? old->second : meant(name, known);
-      if (!is.empty())
-        of.refuse(m.end() + one.begin() + found.begin(), name + " in struct Design", is);
-    }
-  }
-}
-
 // What each kind of struct may have.
 struct StructNames {
   Names clocks, streams, driver;
@@ -153,24 +119,17 @@ void check_struct(const Text& of, const StructNames& names) {
 
 struct Checked {
   fs::path root;
-  Names members = {}, functions = {}, met = {};
+  Names met = {};
   StructNames of_struct = {};
   std::string read = {};  // the files, as ninja wants them
 
   void learn(const fs::path& folder) {
-    static const Regex member("\\bDesign::(template )?(\\w+)"),
-        stated("\\bCOSIM_STATED\\(\\w+, ([a-z]\\w*)\\)");
-    static const Regex function("\\brequires\\b[^{};]*\\{\\s*(\\w+)\\(p, s\\b");
     for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
       if (entry.path().extension() != ".h") continue;
       const std::string text = text_of(entry.path());
-      for (const Match& m : member.all(text)) members.insert(m[2]);
-      for (const Match& m : function.all(text)) functions.insert(m[1]);
-      for (const Match& m : stated.all(text)) functions.insert(m[1]);
       static const Regex said("\\b(m\\.|M::|First::|Model::)([A-Za-z]\\w+)");
       static const Regex of_driver("\\b([Dd]river(::|_?\\.))([A-Za-z]\\w+)");
       const bool is_stream = folder.filename() == "stream";
-      if (folder.filename() != "clocked" && !is_stream) continue;
       Names& names = is_stream ? of_struct.streams : of_struct.clocks;
       for (const Match& m : said.all(text)) names.insert(m[2]);
       for (const Match& m : of_driver.all(text)) {
@@ -180,9 +139,6 @@ struct Checked {
   }
   void check(const fs::path& file) {
     static const Regex include("(^|\n)[ \t]*#[ \t]*include[ \t]*\"([^\"\n]+)\""), odd("[ #]");
-    static const Regex function(
-        "\\b(\\w+)\\s*\\(\\s*(const\\s+)?(\\w+::)*Params\\b[^,()]*,\\s*(const\\s+)?(\\w+::)*"
-        "State\\b");
     const fs::path path = fs::weakly_canonical(file);
     const auto is_below = [&](const char* folder) {
       return path.string().starts_with((root / folder / "").string());
@@ -199,13 +155,7 @@ struct Checked {
         break;
       }
     }
-    const Text of{file, plain(text)};
-    check_members(of, members);
-    check_struct(of, of_struct);
-    for (const Match& m : function.all(of.text)) {
-      const std::string is = meant(m[1], functions);
-      if (!is.empty()) of.refuse(m.begin(1), m[1] + "(p, s, ...)", is);
-    }
+    check_struct({file, plain(text)}, of_struct);
   }
 };
 
@@ -214,10 +164,7 @@ struct Checked {
 void check_names(const std::string& stamp, const fs::path& root,
                  const std::vector<std::string>& headers) {
   Checked checked{fs::canonical(root)};
-  for (const char* folder : {"model/core", "model/clocked"}) checked.learn(checked.root / folder);
-  for (const fs::directory_entry& folder : fs::directory_iterator(checked.root / "tb")) {
-    if (folder.is_directory()) checked.learn(folder.path());
-  }
+  for (const char* folder : {"model/clocked", "tb/stream"}) checked.learn(checked.root / folder);
   for (const std::string& header : headers) checked.check(header);
   write_text(stamp + ".d", stamp + ':' + checked.read + '\n');
   write_text(stamp, "");

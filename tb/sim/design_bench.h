@@ -161,9 +161,9 @@ class DesignBench final : public Bench<Design> {
     const auto list = [](const auto& all) { return std::vector(all.begin(), all.end()); };
     BenchTables t;
     t.design = Design::name;
-    t.source = source_of<Design>();
+    t.source = Design::source;
     if constexpr (requires { Design::model(dut_.params); }) t.model = Design::model(dut_.params);
-    t.parameters = list(parameters_of<Design>(dut_.params));
+    t.parameters = list(Design::parameters(dut_.params));
     t.compared = fields<typename Design::template Registers<Word>>();
     t.registers = t.compared.size();
     const auto outputs = fields<typename Design::template Outputs<Word>>();
@@ -189,35 +189,27 @@ class DesignBench final : public Bench<Design> {
     return t;
   }
 
-  class HandLockstep final : public ByHand<Design> {
+  class HandLockstep final : public AnyByHand {
    public:
-    using typename ByHand<Design>::Inputs;
-    using typename ByHand<Design>::Outputs;
-    using typename ByHand<Design>::State;
-
     explicit HandLockstep(const typename AnyAdapter<Design>::PowerUp& start)
         : both_(start),
           inputs_(start.maker.params),
           outputs_(start.maker.params),
           state_(start.maker.params) {}
     const char* broken_rule(const std::vector<Word>& inputs) const override {
-      return broken_rule(inputs_.record(inputs));
+      return cosim::broken_rule<Design>(both_.dut().params, both_.state(), inputs_.record(inputs));
     }
-    bool clock(const std::vector<Word>& inputs) override { return clock(inputs_.record(inputs)); }
-    std::vector<Word> outputs() const override { return outputs_.words(out()); }
-    std::vector<Word> state() const override { return state_.words(now()); }
-    const char* broken_rule(const Inputs& in) const override {
-      return cosim::broken_rule<Design>(both_.dut().params, both_.state(), in);
+    bool clock(const std::vector<Word>& inputs) override {
+      return both_.clock(inputs_.record(inputs));
     }
-    bool clock(const Inputs& in) override { return both_.clock(in); }
-    const Outputs& out() const override { return both_.expected().outputs; }
-    const State& now() const override { return both_.state(); }
+    std::vector<Word> outputs() const override { return outputs_.words(both_.expected().outputs); }
+    std::vector<Word> state() const override { return state_.words(both_.state()); }
 
    private:
     AnyLockstep<Design> both_;
-    Cells<Inputs> inputs_;
-    Cells<Outputs> outputs_;
-    Cells<State> state_;
+    Cells<typename Design::template Inputs<Word>> inputs_;
+    Cells<typename Design::template Outputs<Word>> outputs_;
+    Cells<typename Design::template State<Word>> state_;
   };
 
   class HostSession final : public Session<Design> {

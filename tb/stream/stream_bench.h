@@ -85,7 +85,7 @@ class StreamBench final : public AnyStreamBench {
     if constexpr (StepsOn<Design, Word>) tables_.view = "streams";
     tables_.design = Design::name;
     shape_.set_clocks(Trait::clock, Trait::clocks);
-    const auto parameters = parameters_of<Design>(Trait::params);
+    const auto parameters = Design::parameters(Trait::params);
     tables_.parameters.assign(parameters.begin(), parameters.end());
     shape_.title = title();
     if constexpr (requires { M::watchdog; }) shape_.watchdog = M::watchdog;

@@ -28,32 +28,6 @@ FailureOptions where_kept() {
 }  // namespace
 
 const AnyBench& directed_choice(const std::vector<const AnyBench*>& benches,
-                                const std::string& design, const std::string& shape) {
-  std::vector<const AnyBench*> own;
-  for (const AnyBench* bench : benches) {
-    if (bench->design() == design && std::string_view(bench->row()) == "clock")
-      own.push_back(bench);
-  }
-  if (own.empty() && std::ranges::any_of(benches, [&](const AnyBench* bench) {
-        return bench->design() == design;
-      })) {
-    throw InputError(design +
-                     ": a stream model knows no clock to be set by hand: write its "
-                     "transactions as a stimulus, and run it with PROGRAM replay FILE.stim");
-  }
-  std::string there;
-  for (const AnyBench* bench : own) {
-    const std::string title = bench->title();
-    const bool is_only = shape.empty() && own.size() == 1;
-    if (is_only || title == design + ' ' + shape) return *bench;
-    there += (there.empty() ? "" : ", ") + title;
-  }
-  throw InputError(fmt::format("{}: {}; there is {}", design,
-                               shape.empty() ? "name one of the shapes" : "no shape " + shape,
-                               there.empty() ? "none" : there));
-}
-
-const AnyBench& directed_choice(const std::vector<const AnyBench*>& benches,
                                 std::type_index model) {
   for (const AnyBench* bench : benches) {
     if (bench->model() == model) return *bench;
@@ -67,8 +41,7 @@ const AnyBench& directed_choice(const std::vector<const AnyBench*>& benches,
   throw InputError(name + ": no design was built with it as its model at this shape");
 }
 
-DirectedRecord::DirectedRecord(const AnyBench& bench, std::uint32_t power_up)
-    : bench_(bench), fields_(bench.inputs()) {
+DirectedRecord::DirectedRecord(const AnyBench& bench, std::uint32_t power_up) : bench_(bench) {
   const PresentTest test = present_test == nullptr ? PresentTest{} : present_test();
   name_ = test.name.empty() ? "directed test" : test.name;
   stimulus_.machine = bench.title();
@@ -82,13 +55,6 @@ std::unique_ptr<AnyByHand> DirectedRecord::begin() const {
 
 void DirectedRecord::clock(const std::vector<Word>& inputs, const char* broken) {
   IllegalClock{clocks(), broken}.refuse(bench_.title());
-  for (std::size_t i = 0; i < fields_.size(); ++i) {
-    const Field& pin = fields_[i];
-    if (pin.width < 1 || low_bits(inputs[i], pin.width) == inputs[i]) continue;
-    throw InputError(fmt::format("{}: clock {}: {} is {}, which does not fit {}", bench_.title(),
-                                 clocks(), label_of(pin), inputs[i],
-                                 count(static_cast<std::uint64_t>(pin.width), "bit")));
-  }
   stimulus_.clocks.push_back(inputs);
 }
 

@@ -58,17 +58,11 @@ class DirectedRecord {
   void keep() const;
 
   const AnyBench& bench_;
-  std::vector<Field> fields_;
   Stimulus stimulus_;
   std::string name_;
   int exceptions_ = std::uncaught_exceptions();
   bool kept_ = false;
 };
-
-/// The bench of `design` at `shape`, such as "W=4"; "" stands for the only one. InputError if there
-/// is none or, for "", if there are several.
-const AnyBench& directed_choice(const std::vector<const AnyBench*>& benches,
-                                const std::string& design, const std::string& shape);
 
 /// The bench whose golden model is that struct. InputError where there is none.
 const AnyBench& directed_choice(const std::vector<const AnyBench*>& benches, std::type_index model);
@@ -97,9 +91,7 @@ struct HandOf {
   Outputs last = clocked::zero<Outputs>();
   Model model{};
 
-  static const AnyBench& bench(const std::string&) {
-    return directed_choice(built_benches(), typeid(Model));
-  }
+  static const AnyBench& bench() { return directed_choice(built_benches(), typeid(Model)); }
   static Inputs rest() {
     auto record = clocked::record_of<Record<Inputs>>(clocked::resting<Model>(false));
     Record<Inputs>::Table::raise_clocks(record);
@@ -127,31 +119,7 @@ struct HandOf {
     return clocked::object_of<T>(from_words<Record<T>>(all));
   }
 };
-/// Of tables of fields.
-template <class Design>
-requires requires { typename Design::template Inputs<Word>; }
-struct HandOf<Design> {
-  using Inputs = typename Design::template Inputs<Word>;
-  using Outputs = typename Design::template Outputs<Word>;
-  using State = typename Design::template State<Word>;
-  explicit HandOf(AnyByHand& any) : both(dynamic_cast<ByHand<Design>&>(any)) {}
-  ByHand<Design>& both;
-
-  static const AnyBench& bench(const std::string& shape) {
-    return directed_choice(built_benches(), Design::name, shape);
-  }
-  static Inputs rest() { return rest_of<Design>(); }
-  static std::vector<Word> words(const Inputs& in) {
-    const auto all = to_words(in);
-    return {all.begin(), all.end()};
-  }
-  const char* broken_rule(const Inputs& in) const { return both.broken_rule(in); }
-  bool clock(const Inputs& in) { return both.clock(in); }
-  const Outputs& out() const { return both.out(); }
-  const State& now() const { return both.now(); }
-};
-
-/// `Model`: the struct at its shape; of tables, the Design.
+/// `Model`: the struct at its shape.
 template <class Model>
 class Directed {
   using Hand = HandOf<Model>;
@@ -165,11 +133,8 @@ class Directed {
   /// Is called after a clock, with its inputs and outputs.
   using Monitor = std::function<void(const Inputs& in, const Outputs& out)>;
 
-  /// Begins with a reset. `shape`, such as "W=4", is used only if Model has tables of fields; ""
-  /// stands for the only one that is built. Registers that no reset reaches have values drawn from
-  /// the seed `power_up`. InputError if the design was not built at this configuration.
-  explicit Directed(const std::string& shape = "", std::uint32_t power_up = 1)
-      : Directed(Hand::bench(shape), power_up) {}
+  /// Begins with a reset. Registers that no reset reaches hold values drawn from the seed power_up.
+  explicit Directed(std::uint32_t power_up = 1) : Directed(Hand::bench(), power_up) {}
   explicit Directed(const AnyBench& bench, std::uint32_t power_up = 1)
       : record_(bench, power_up), any_(record_.begin()), both_{*any_} {}
   ~Directed() { record_.finish(); }

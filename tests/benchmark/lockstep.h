@@ -83,7 +83,7 @@ const Bench<typename Adapter::Design>& bench_of() {
   };
   for (const auto* bench : benches_of<typename Adapter::Design>()) {
     if (words(bench->parameters()) ==
-        words(parameters_of<typename Adapter::Design>(Adapter::params)))
+        words(Adapter::Design::parameters(Adapter::params)))
       return *bench;
   }
   throw std::logic_error("no bench of the adapter's parameters");

@@ -2,7 +2,7 @@
 # names_test.sh ROOT PROGRAM
 #
 # What a model may leave out is found by its name: one that is nearly such a name is refused, in a line
-# that says where and what is meant, in struct Design and beside it, and in a header that is included.
+# that says where and what is meant, also in a header that is included.
 # Names of a model's own are none of it. Status: 0 so, 1 not.
 root=$(realpath "$1") program=$2
 source "$(dirname "${BASH_SOURCE[0]}")/../support/program.sh"
@@ -31,10 +31,6 @@ refused pins pin_s "pin_s in struct Fir means nothing: is pins meant?" "$fir"
 apb=$root/examples/apb/apb.h
 refused Drives Drive "Drive in struct Master means nothing: is Drives meant?" "$apb"
 refused took tok "tok in struct Master means nothing: is took meant?" "$apb"
-machine=$root/model/dda/machine.h
-refused reset_inputs reset_input "reset_input in struct Design means nothing: is reset_inputs meant?" "$machine"
-refused reset_inputs reste_input "reste_input in struct Design means nothing: is reset_inputs meant?" "$machine"
-refused reset_inputs clear "clear in struct Design means nothing: is reset_inputs meant?" "$machine"
 
 # What only reads like one: a comment, a text, a register, another word, a member of another struct, a call.
 {

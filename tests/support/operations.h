@@ -5,8 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "model/core/bit_strings.h"
-#include "model/core/memory.h"
+#include "model/core/value.h"
 
 namespace cosim::test {
 
@@ -19,23 +18,6 @@ template <class V>
 V exchanged(const V& v) {
   return shift_left(v & V(0xf), 4) + (shift_right(v, 4) & V(0xf));
 }
-// An array of five at an index of three bits and more: three of its elements are not there.
-template <class V>
-Array<V, 5> five(const V& a, const V& b) {
-  return {{a, b, a + b, V(7), a - b}};
-}
-template <class V>
-V read_five(const V& a, const V& b) {
-  return read(five(a, b), b);
-}
-template <class V>
-V write_five(const V& a, const V& b) {
-  const auto written = write_where(a < V(3), write(five(a, b), b, V(11)), a, b);
-  V sum(0);
-  for (const V& e : written) sum = shift_left(sum, 2) + e;
-  return sum;
-}
-
 // A condition, and what becomes of it.
 template <class V>
 V in_place(const V& a, const V& b) {
@@ -98,21 +80,12 @@ std::vector<Operation<Value>> operations() {
       OF("shift_left by many", shift_left(a, shift_left(b, 3))),
       OF("shift_right by a value", shift_right(a, b)),
       OF("shift_right by many", shift_right(a, shift_left(b, 3))),
-      OF("slice", slice(a, 6, 2)),
-      OF("join", join(a, b, 3)),
-      OF("invert", invert(a, 6)),
-      OF("rotate_left", rotate_left(a, 2, 5)),
-      HOLDS("all_set", all_set(a, 3)),
-      HOLDS("parity", parity(a, 7)),
-      OF("read", read_five(a, b)),
-      OF("write", write_five(a, b)),
       OF("a sum that wraps", wrapped(a + b)),
       OF("halves exchanged", exchanged(a)),
       // As machine integers have it too.
       OF("constants", (a + 1) - (2 - b) + select(a < 3, 4, a)),
       OF("conditions as numbers", (a < b) + bit(a, 2) + (bit(b, 0) & a)),
       OF("numbers as conditions", select(a & 1, b, select(b, a, 5))),
-      OF("bits joined", join(a, bit(b, 3), 1) + join(a < b, b, 4)),
       OF("changed in place", in_place(a, b)),
       HOLDS("a choice of conditions", select(a < b, a == 1, bit(b, 1))),
       HOLDS("the other comparisons", (a != 3) & ((a <= b) | (b >= 7))),

@@ -5,8 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "model/core/bit_strings.h"
-#include "model/core/memory.h"
+#include "model/core/value.h"
 #include "model/core/wide.h"
 #include "tb/nets/number.h"
 #include "tb/nets/runs.h"
@@ -52,18 +51,6 @@ TEST(Operations, AreBitByBit) {
     ASSERT_EQ(a & b, built([&](int i) { return at(a, i) && at(b, i); }));
     ASSERT_EQ(a | b, built([&](int i) { return at(a, i) || at(b, i); }));
     ASSERT_EQ(a ^ b, built([&](int i) { return at(a, i) != at(b, i); }));
-    for (const int width : {1, 2, 7, 31, 32, 33, 63, 64}) {
-      ASSERT_EQ(invert(a, width), built([&](int i) { return i < width && !at(a, i); }));
-      int set = 0;
-      for (int i = 0; i < width; ++i) set += at(a, i) ? 1 : 0;
-      ASSERT_EQ(all_set(a, width), set == width) << a << " width " << width;
-      ASSERT_EQ(parity(a, width), set % 2 == 1) << a << " width " << width;
-      for (int n = 0; n < width; n += 5) {
-        ASSERT_EQ(rotate_left(a, n, width),
-                  built([&](int i) { return i < width && at(a, (i + width - n) % width); }))
-            << a << " by " << n << " of " << width;
-      }
-    }
   }
 }
 
@@ -83,21 +70,6 @@ TEST(Operations, ShiftByAValueAndLoseWhatIsOut) {
   }
 }
 
-TEST(Operations, CutAndJoin) {
-  for (const Pair& pair : pairs()) {
-    const Word a = pair.a, b = pair.b;
-    for (int low = 0; low < 64; low += 3) {
-      for (int high = low; high < 64; high += 7) {
-        ASSERT_EQ(slice(a, high, low),
-                  built([&](int i) { return i + low <= high && at(a, i + low); }));
-      }
-      if (low == 0) continue;
-      ASSERT_EQ(join(a, b, low), built([&](int i) { return i < low ? at(b, i) : at(a, i - low); }))
-          << a << " above " << low << " bits of " << b;
-    }
-  }
-}
-
 TEST(Operations, WrapAndCompareWithoutASign) {
   for (const Pair& pair : pairs()) {
     const Word a = pair.a, b = pair.b;
@@ -109,25 +81,9 @@ TEST(Operations, WrapAndCompareWithoutASign) {
   }
 }
 
-TEST(Operations, ReadAndWriteOnlyWhatIsThere) {
-  const Array<Word, 5> array{{10, 11, 12, 13, 14}};
-  for (const Word index : {Word{-1}, Word{0}, Word{4}, Word{5}, Word{7}, ones(63)}) {
-    const bool there = index >= 0 && index <= 4;
-    EXPECT_EQ(read(array, index), there ? 10 + index : 0) << index;
-    const auto written = write(array, index, Word{99});
-    const auto kept = write_where(false, array, index, Word{99});
-    for (int i = 0; i < 5; ++i) {
-      EXPECT_EQ(written[i], i == index ? 99 : 10 + i) << index;
-      EXPECT_EQ(kept[i], 10 + i) << index;
-    }
-    EXPECT_EQ(read(write_where(true, array, index, Word{99}), index), there ? 99 : 0) << index;
-  }
-}
-
 // Each operation, of every value type: those that wrap or lose bits, and a product of few bits.
 template <class V>
 std::vector<V> results(const V& a, const V& b) {
-  const Array<V, 3> three{{a, b, V(5)}};
   return {add(a, b),
           subtract(a, b),
           multiply(a, b),
@@ -139,16 +95,7 @@ std::vector<V> results(const V& a, const V& b) {
           shift_right(a, b),
           shift_left(a, low_bits(b, 6)),
           shift_right(a, low_bits(b, 7)),
-          slice(a, 40, 7),
-          join(a, b, 12),
-          invert(a, 50),
-          rotate_left(a, 13, 32),
-          flag<V>(static_cast<Condition<V>>(all_set(a, 2) ^ (a < b))),
-          flag<V>(parity(a, 47)),
-          flag<V>(below(a, b)),
-          read(three, low_bits(b, 2)),
-          read(write(three, low_bits(a, 2), b), low_bits(b, 2)),
-          read(write_where(a < b, three, low_bits(b, 2), a), low_bits(b, 2))};
+          flag<V>(below(a, b))};
 }
 
 TEST(Operations, OfStrictValuesAreThoseOfWords) {
@@ -211,10 +158,6 @@ TEST(Operations, OfGatesAreThoseOfWords) {
     }
   }
 }
-
-// At compile time too.
-static_assert(slice(Word{0xabcd}, 11, 4) == 0xbc && join(Word{0xab}, Word{0xcd}, 8) == 0xabcd);
-static_assert(read(write(Array<Word, 2>{}, Word{1}, Word{9}), Word{1}) == 9);
 
 }  // namespace
 }  // namespace cosim

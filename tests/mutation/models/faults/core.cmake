@@ -11,14 +11,6 @@ fault("A counter is one bit longer"
 fault("A shift by 32 or more loses every bit" [[(n & ~Word{63}) == 0 ? shift_left(v, int(n)) : 0]]
   [[(n & ~Word{31}) == 0 ? shift_left(v, int(n)) : 0]])
 
-faults_in(core/bit_strings.h)
-fault("A parity is that of too few bits" [[half < width]] [[half + 1 < width]])
-fault("A joined part keeps the bits above it" [[low_bits(low, width_of_low)]] [[low]])
-
-faults_in(core/memory.h)
-fault("An array is written at its first element"
-  [[array[static_cast<int>(index)] = value;]] [[array[0] = value;]])
-
 faults_in(core/job.h)
 fault("The second job of a host is its first one again"
   [=[task_for<Design>(p_, jobs_[job_])]=] [=[task_for<Design>(p_, jobs_[job_ == 1 ? 0 : job_])]=])

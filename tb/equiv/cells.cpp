@@ -51,7 +51,8 @@ bool is_no_logic(const Cell& cell) {
 }
 
 void Cells::refuse(const Cell& cell, const std::string& why) {
-  throw InputError(cell.source.empty() ? why : cell.source + ": " + why);
+  const std::string place = cell.source.substr(cell.source.rfind('/') + 1);
+  throw InputError(place.empty() ? why : place + ": " + why);
 }
 
 Cells::Cells(const Module& module, Graph& graph, std::function<Bit()> unknown,

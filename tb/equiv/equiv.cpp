@@ -99,9 +99,9 @@ void require_ports(const Question& q) {
   for (const auto& [clock, falls] : q.gold.clocks) {
     const auto other = q.steps ? q.gate.clocks.find(gate_name(q, clock)) : q.gate.clocks.begin();
     if (other == q.gate.clocks.end() || other->second == falls) continue;
-    const char* edges[] = {"rising", "falling"};
     throw InputError(fmt::format("clock {}: the old RTL uses the {} edge, the new RTL the {} edge",
-                                 clock, edges[falls ? 1 : 0], edges[falls ? 0 : 1]));
+                                 clock, falls ? "falling" : "rising",
+                                 falls ? "rising" : "falling"));
   }
 }
 

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 
 #include "tb/equiv/referee_inputs.h"
 #include "tb/equiv/simulator.h"
 #include "tb/equiv/stepped.h"
 #include "tb/equiv/vhdl_run.h"
+#include "tb/equiv/x_sources.h"
 #include "tb/util/output_file.h"
 #include "tb/util/random.h"
 #include "tb/util/words.h"
@@ -79,9 +81,8 @@ class Match {
       for (const auto& [port, width] : vhdl.outputs) {
         std::vector<Values> bits;
         for (int i = 0; i < width; ++i) bits.push_back(stepped_.output({port, i}));
-        const bool has_state = !side_.registers.empty() || !side_.memories.empty();
-        compare("output " + port, ran.rows[t].substr(at, static_cast<std::size_t>(width)),
-                word_of(bits), !has_state, false, t);
+        compare(port, ran.rows[t].substr(at, static_cast<std::size_t>(width)), word_of(bits), true,
+                t);
         at += static_cast<std::size_t>(width);
       }
       ++is.clocks;
@@ -103,8 +104,8 @@ class Match {
     const Simulated ran = program.run(how_.until);
     variables_ = program.stimulus().variables;
     for (const auto& [name, registers] : side_.variables) registers_of_[name] = &registers;
-    hides_x_ = hides_an_x(program.stimulus());
-    was_x_ = hides_x_;
+    sources_.emplace(side_, program.stimulus(), simulator_, how_.until);
+    was_x_ = sources_->has_hidden();
     for (const Contents& one : program.stimulus().memories) begin_memory(one, ran);
     begin(ran);
     constexpr std::size_t enough = 32;
@@ -112,11 +113,6 @@ class Match {
       take_over(ran.clocks[t]);
       stepped_.clock(rows_[t + 1]);
       compare(ran.clocks[t], t);
-      if (is_vague_ && has_x(s, t)) {
-        wrong_.clear();
-        was_x_ = true;
-      }
-      is_vague_ = false;
       ++is.clocks;
     }
     is.wrong = wrong_;
@@ -238,40 +234,6 @@ class Match {
     }
   }
 
-  // Whether a net of the source is x or z on this clock or the one before.
-  bool has_x(Stimulus s, std::size_t t) const {
-    s.rows.resize(std::min(s.rows.size(), t + 2));
-    s.vcd = "yes";
-    s.first_drawn = t == 0 ? 0 : t - 1;
-    const Program program(side_, s, simulator_, how_.until);
-    if (!program.why_not().empty()) return false;
-    program.run(how_.until);
-    for (const std::string& line : lines_in(program.wave())) {
-      const bool is_word = line.starts_with('b');
-      const std::string value = is_word ? line.substr(0, line.find(' ')) : line.substr(0, 1);
-      if (value.find_first_of("xXzZ") != std::string::npos) return true;
-    }
-    return false;
-  }
-
-  // Whether a register or a memory begins as x without being seen.
-  bool hides_an_x(const Stimulus& seen) const {
-    std::vector<bool> is_seen(side_.registers.size());
-    for (const Variable& one : seen.variables) {
-      for (const std::size_t reg : *registers_of_.at(one.name)) is_seen[reg] = true;
-    }
-    for (std::size_t i = 0; i < is_seen.size(); ++i) {
-      if (side_.registers[i].any && !is_seen[i]) return true;
-    }
-    for (const Cell& cell : side_.module().cells) {
-      const bool begins_as_x =
-          is_cut_ && cell.is_memory() && cell.parameter("INIT").find('x') != std::string::npos;
-      const auto is_it = [&](const Contents& one) { return one.name == cell.name; };
-      if (begins_as_x && std::ranges::none_of(seen.memories, is_it)) return true;
-    }
-    return false;
-  }
-
   // What the registers begin as, and what they were before they were given a value.
   void begin(const Simulated& ran) {
     std::vector<char> digits(side_.registers.size(), '-');
@@ -303,41 +265,54 @@ class Match {
   }
 
   void compare(const std::vector<std::string>& words, std::size_t t) {
-    std::size_t at = 0;
-    bool is_x = hides_x_;  // a register
-    for (std::size_t i = side_.outputs.size(); i < words.size(); ++i) {
-      is_x = is_x || words[i].find_first_not_of("01") != std::string::npos;
+    std::size_t at = side_.outputs.size();
+    std::set<std::string> x;
+    for (const Variable& one : variables_) {
+      if (words[at++].find_first_not_of("01") != std::string::npos) x.insert(one.name);
     }
-    const bool all_known = !is_x && !was_x_;
-    was_x_ = is_x;
+    was_x_ = !x.empty() || sources_->has_hidden();
+    sources_->clock(std::move(x));
+    at = 0;
     for (const auto& [port, width] : side_.outputs) {
       std::vector<Values> bits;
       for (int i = 0; i < width; ++i) bits.push_back(stepped_.output({port, i}));
-      compare("output " + port, words[at++], word_of(bits), all_known, true, t);
+      compare(port, words[at++], word_of(bits), true, t);
     }
     for (const Variable& one : variables_) {
       std::vector<Values> bits;
       for (const std::size_t reg : *registers_of_.at(one.name)) bits.push_back(stepped_.seen(reg));
-      compare("register " + one.name, words[at++], word_of(bits), all_known, false, t);
+      compare(one.name, words[at++], word_of(bits), false, t);
     }
   }
 
-  void compare(const std::string& what, const std::string& source, const std::string& netlist,
-               bool all_known, bool is_output, std::size_t t) {
+  // Whether all is known that it depends on: registers and memories.
+  bool rests_on_known(const std::string& name) {
+    if (simulator_ == Simulator::ghdl) return side_.registers.empty() && side_.memories.empty();
+    return !sources_->reach(name);
+  }
+
+  void compare(const std::string& name, const std::string& source, const std::string& netlist,
+               bool is_output, std::size_t t) {
     if (!wrong_.empty() || source.size() != netlist.size()) return;
+    const bool four = simulator_ != Simulator::verilator;
+    const bool sees_x = simulator_ == Simulator::icarus && how_.x_matters && is_output;
+    bool is_wrong = false, is_vague = false;
     for (std::size_t i = 0; i < source.size(); ++i) {
       const char is = source[i], says = netlist[i];
       if (is == says) continue;
-      const bool other = is_known(is) && is_known(says);
-      const bool four = simulator_ != Simulator::verilator;
-      const bool vague = four && is_known(is) && all_known;
-      const bool sure = four && how_.x_matters && is_output && !is_known(is) && all_known;
-      if (!other && !vague && !sure) continue;
-      is_vague_ = vague && !other;
-      wrong_ = fmt::format("{} is {} on clock {} in {}, and {} on the netlist that {} reads", what,
-                           source, t, name_of(simulator_), netlist, name_of(side_.front_end()));
-      return;
+      if (is_known(is) && is_known(says)) is_wrong = true;
+      if (four && is_known(is) && !is_known(says)) is_vague = true;
+      if (sees_x && !is_known(is) && is_known(says)) is_wrong = is_wrong || rests_on_known(name);
     }
+    if (!is_wrong && is_vague && rests_on_known(name)) {
+      // An `if` that reads an x takes one way in the source.
+      is_wrong = simulator_ == Simulator::ghdl || !sources_->net_reaches(name, t);
+      was_x_ = was_x_ || !is_wrong;
+    }
+    if (!is_wrong) return;
+    wrong_ = fmt::format("{} {} is {} on clock {} in {}, and {} on the netlist that {} reads",
+                         is_output ? "output" : "register", name, source, t, name_of(simulator_),
+                         netlist, name_of(side_.front_end()));
   }
 
   const Side& side_;
@@ -351,9 +326,8 @@ class Match {
   std::map<std::string, const std::vector<std::size_t>*> registers_of_;
   std::map<std::string, std::string> contents_;
   std::map<std::string, std::size_t> number_of_;
-  bool is_vague_ = false;  ///< `wrong_` is that the source is known, and the netlist is not
-  bool was_x_ = false;     ///< a register of the source, on the clock before
-  bool hides_x_ = false;   ///< a register or a memory may be x without being seen
+  std::optional<XSources> sources_;
+  bool was_x_ = false;  ///< what the source is on the clock before may rest on an x
   std::string wrong_;
 };
 

@@ -1,8 +1,52 @@
 #include "tb/equiv/referee_inputs.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace cosim::equiv {
+
+RefereeInputs::RefereeInputs(const Side& side, const Referee& how)
+    : side_(side), how_(how), random_(Random::for_case(1989, 0)) {
+  find_compared();
+}
+
+// Of each comparison with a constant, the bits that are inputs. A word of none, which may be an
+// input some clocks ago, stands for each input of its width.
+void RefereeInputs::find_compared() {
+  static const std::set<std::string> comparisons{"$eq", "$ne", "$eqx", "$nex"};
+  std::map<int, Name> inputs;
+  for (const Port& port : side_.module().ports) {
+    for (std::size_t i = 0; port.way == "input" && i < port.bits.size(); ++i) {
+      inputs[port.bits[i]] = {port.name, static_cast<int>(i)};
+    }
+  }
+  for (const Cell& cell : side_.module().cells) {
+    if (!comparisons.contains(cell.type)) continue;
+    for (const auto& [word, constant] : {std::pair("A", "B"), std::pair("B", "A")}) {
+      const std::vector<int>&bits = cell.pins.at(word), &values = cell.pins.at(constant);
+      const auto is_constant = [](int bit) { return bit == zero || bit == one; };
+      if (!std::ranges::all_of(values, is_constant)) continue;
+      const auto digit = [&](std::size_t i) {
+        return i < values.size() && values[i] == one ? '1' : '0';
+      };
+      Compared own;
+      for (std::size_t i = 0; i < bits.size(); ++i) {
+        if (const auto at = inputs.find(bits[i]); at != inputs.end()) {
+          own.emplace_back(at->second, digit(i));
+        }
+      }
+      for (const auto& [port, width] : side_.inputs) {
+        if (!own.empty() || width == 1 || static_cast<std::size_t>(width) != bits.size()) continue;
+        Compared& all = compared_.emplace_back();
+        for (int i = 0; i < width; ++i) {
+          all.emplace_back(Name(port, i), digit(static_cast<std::size_t>(i)));
+        }
+      }
+      if (own.size() > 1) compared_.push_back(std::move(own));
+    }
+  }
+}
 
 RefereeInputs::Row RefereeInputs::row(std::size_t clock) {
   constexpr std::size_t stretch = 24;
@@ -13,6 +57,15 @@ RefereeInputs::Row RefereeInputs::row(std::size_t clock) {
   for (const auto& [port, width] : side_.inputs) {
     if (!how_.steps && side_.clocks.contains(port)) continue;
     row[port] = digits(port, static_cast<std::size_t>(width), row);
+  }
+  if (!compared_.empty() && random_.below(3) == 0) {
+    for (std::uint64_t many = 1 + random_.below(3); many > 0; --many) {
+      for (const auto& [bit, digit] : compared_[random_.below(compared_.size())]) {
+        const auto word = row.find(bit.first);  // a clock has none
+        if (word == row.end()) continue;
+        word->second[word->second.size() - 1 - static_cast<std::size_t>(bit.second)] = digit;
+      }
+    }
   }
   // The reset first, and now and then.
   constexpr std::size_t first = 3;

@@ -46,6 +46,14 @@ bool is_read(const Module& module, int net) {
   return false;
 }
 
+// ": g", a name that a net has.
+std::string name_behind(const Module& module, int bit) {
+  for (const Net& net : module.nets) {
+    if (net.is_named && std::ranges::find(net.bits, bit) != net.bits.end()) return ": " + net.name;
+  }
+  return "";
+}
+
 // The names of the net that a register drives, and where it stands in the source.
 std::string register_text(const Module& module, const Cell& cell) {
   const int bit = cell.pins.at("Q").front();
@@ -96,12 +104,12 @@ std::string Side::kept_by_function() const {
 }
 
 std::string Side::kept_by_function(const Cell& cell) const {
-  static const Pattern local(R"(([A-Za-z_]\w*)\$func\$.*\.([A-Za-z_]\w*)(\[.*)?)");
+  static const Pattern local(R"(([A-Za-z_]\w*)\$func\$.*\$\d+\.\$?([A-Za-z_]\w*)(\[.*)?)");
   const std::vector<int>& out = cell.pins.at(cell.has("Q") ? "Q" : "Y");
   for (const Net& net : module_->nets) {
     if (std::ranges::find(net.bits, out.front()) == net.bits.end()) continue;
     if (const auto found = local.all(net.name); !found.empty()) {
-      return fmt::format("variable {} of function {} keeps its value from call to call",
+      return fmt::format("variable {} of function {} may keep its value from call to call",
                          found[0][2], found[0][1]);
     }
   }
@@ -138,9 +146,14 @@ void Side::ports() {
     declared[port.name] = port.declared;
     if (port.way == "input" && port.bits.size() == 1) port_of[port.bits.front()] = port.name;
   }
-  const auto clocked = [&](int bit, bool falls) {
+  const auto clocked = [&](const Cell& cell, int bit, bool falls) {
     const auto at = port_of.find(bit);
-    if (at == port_of.end()) throw InputError(what_ + ": a clock that is no input");
+    if (at == port_of.end()) {
+      throw InputError(
+          fmt::format("{}: {} has a clock that is no input{}", what_,
+                      cell.is_memory() ? "memory " + cell.name : register_text(*module_, cell),
+                      name_behind(*module_, bit)));
+    }
     takes_over(at->second, falls);
   };
   for (const Cell& cell : module_->cells) {
@@ -153,7 +166,7 @@ void Side::ports() {
           return i < bits.size() && bits[bits.size() - 1 - i] == '1';
         };
         if (!is_set("WR_CLK_ENABLE")) throw InputError(what_ + ": a memory that no clock writes");
-        clocked(write_clocks.at(i), !is_set("WR_CLK_POLARITY"));
+        clocked(cell, write_clocks.at(i), !is_set("WR_CLK_POLARITY"));
         if (write_clocks.at(i) != write_clocks.front()) {
           throw InputError(what_ + ": a memory that two clocks write");
         }
@@ -183,7 +196,7 @@ void Side::ports() {
       if (cell.starts_with("$_")) {
         throw InputError(fmt::format("{}: an unknown cell: {}", what_, cell.type));
       }
-      if (cell.has("CLK")) clocked(cell.pins.at("CLK").front(), !cell.flag("CLK_POLARITY"));
+      if (cell.has("CLK")) clocked(cell, cell.pins.at("CLK").front(), !cell.flag("CLK_POLARITY"));
       for (const char* pin : {"ARST", "ALOAD", "SET", "CLR"}) {
         if (!cell.has(pin)) continue;
         const auto at = port_of.find(cell.pins.at(pin).front());

@@ -111,8 +111,8 @@ class Side {
   const std::string& what() const { return what_; }
   FrontEnd front_end() const { return front_end_; }
   const Module& module() const { return *module_; }
-  /// "variable k of function f keeps its value from call to call", as far as that is seen: it is
-  /// read where no call has written it. Empty where there is none.
+  /// "variable k of function f may keep its value from call to call": it is read where no call has
+  /// written it, unless that way through the function is never taken. Empty where there is none.
   std::string kept_by_function() const;
   /// Whether its memories were cut when its gates were made.
   bool is_cut() const { return is_cut_; }

@@ -29,7 +29,8 @@ std::string reason(const std::string& said, const std::string& own) {
     if (line.starts_with(own + "/cosim_replay.v")) continue;
     return one_line(line);
   }
-  return said.empty() ? "" : one_line(lines_in(said).front());
+  const std::string first = said.empty() ? "" : one_line(lines_in(said).front());
+  return first.starts_with(own) ? "the testbench: " + first.substr(own.size() + 1) : first;
 }
 
 }  // namespace
@@ -121,8 +122,8 @@ std::vector<std::string> Program::command(const std::string& generation) const {
   const bool is_icarus = simulator_ == Simulator::icarus;
   const std::vector<std::string> begins = words_in(
       is_icarus
-          ? "iverilog -Wno-all -grelative-include -DSYNTHESIS -s cosim_replay -o " + own_ +
-                "/built.vvp " + generation
+          ? "iverilog -grelative-include -DSYNTHESIS -s cosim_replay -o " + own_ + "/built.vvp " +
+                generation
           : "verilator --binary --build-jobs 2 -Wno-fatal -Wno-lint -Wno-style --x-initial unique "
             "--x-assign unique --timescale 1ns/1ps --top-module cosim_replay "
             "+define+SYNTHESIS --Mdir " +

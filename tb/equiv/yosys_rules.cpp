@@ -123,6 +123,10 @@ const std::vector<Rule>& yosys_rules() {
            "$1 is a memory: only words of it can be read, or written"),
       rule("Invalid array access\\.", "a memory is used as a whole, or with too many indices"),
       rule("Can not open file (\\S+) for (\\$\\w+)\\.", "$2: there is no file $1"),
+      rule("Failed to get a constant init value for (\\S+?): .*",
+           "$1: its initial value is computed from other variables, which yosys does not do"),
+      rule("Conflicting initialization values for (\\S+?)\\.?",
+           "$1 has two initial values, one where it is declared and one in an initial block"),
       rule("found logic loop in module (\\S+):", "a combinational loop in module $1"),
       rule("Design contains 'x' or 'z' bits\\..*", "a bit is x or z, of which no gate is made"),
       // Checks of yosys's own.

@@ -1,0 +1,7 @@
+module t(input [31:0] i, input [3:0] a, b, output reg [15:0] y);
+  always @*
+    casez (i)
+      32'b0000001_?????_?????_101_?????_0110011: y = {a, b};
+      default: y = a;
+    endcase
+endmodule

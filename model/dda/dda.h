@@ -261,27 +261,27 @@ struct Dda {
 
     /// Wrong is a step, a code or the end.
     Bit checked(const Job& job, const Driver&, const Out& out, const Bit& is_last) {
-      const Bit sequential = job.words[0][0], counted = !job.words[0][2];
-      const Number two_a = job.words[9], b = job.words[10], two_c = job.words[11];
+      const Bit at_once = job.words[0][0], counted = !job.words[0][2];  // sequential, not free
+      const Number by_x = job.words[9], by_own = job.words[10], by_y = job.words[11];
       const Bit ended = (counted && left_x == 0 && left_y == 0) || (job.counted && left == 0);
       const Bit draws = out.busy && !ended, shift = draws && shifts != 0, moves = draws && !shift;
 
       const auto to_x = sum_x + rate_x;
       const Step dx = step_to(to_x, moves && (!counted || left_x != 0));
-      const Int<W + 2> turned_x = rate_x - times(dx, b), turned_y = rate_y + times(dx, two_a);
-      const auto to_y = sum_y + mux(sequential, turned_y, rate_y);
+      const Int<W + 2> turned_x = rate_x - times(dx, by_own), turned_y = rate_y + times(dx, by_x);
+      const auto to_y = sum_y + mux(at_once, turned_y, rate_y);
       const Step dy = step_to(to_y, moves && (!counted || left_y != 0));
+      const Int<W + 2> next_x = turned_x - times(dy, by_y);
       const Bit right = out.x_up - out.x_down == dx && out.y_up - out.y_down == dy &&
                         out.code_x == x && out.code_y == y;
 
-      // A step along x changes the left side by y' at its middle, one along y by -x'.
-      excess = excess + times(dx, rate_y + rate_y) + mux(dx == 0, 0, two_a) -
-               times(dy, turned_x + turned_x) + mux(dy == 0, 0, two_c);
+      // A step changes the left side by y' at its middle along x, by -x' along y.
+      excess = excess + times(dx, rate_y + turned_y) - times(dy, turned_x + next_x);
       least = mux(excess < least, excess, least);
       most = mux(excess > most, excess, most);
       steps = steps + (dx != 0 || dy != 0);
-      rate_x = mux(shift, rate_x + rate_x, turned_x - times(dy, two_c));
-      rate_y = mux(shift, rate_y + rate_y, turned_y + times(dy, b));
+      rate_x = mux(shift, rate_x + rate_x, next_x);
+      rate_y = mux(shift, rate_y + rate_y, turned_y + times(dy, by_own));
       sum_x = mux(moves, UInt<W>(to_x), sum_x);
       sum_y = mux(moves, UInt<W>(to_y), sum_y);
       x = x + dx;

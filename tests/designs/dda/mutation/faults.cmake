@@ -58,7 +58,7 @@ fault("The check of jobs takes the sum of X for that of Y"
   [[step_to(to_y, moves && (!counted || left_y != 0))]]
   [[step_to(to_x, moves && (!counted || left_y != 0))]])
 fault("The check of jobs knows no sequential update"
-  [[sum_y + mux(sequential, turned_y, rate_y)]] [[sum_y + rate_y]])
+  [[sum_y + mux(at_once, turned_y, rate_y)]] [[sum_y + rate_y]])
 fault("The check of jobs does not see an end that is too early"
   [[is_last && !over]] [[is_last && over]])
 

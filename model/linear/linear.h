@@ -187,6 +187,7 @@ struct Linear {
   auto reached() const {
     return stated({{"a word is formed only while a line runs", trigger31 || !trigger30},
                    {"a line runs only with a code written", trigger32 || !trigger31},
+                   {"a word that is formed has a position left", left() > 0 || !trigger30},
                    {"the positions left are of a BP of M bits", left() <= UInt<M>(-1)},
                    {"between lines no words are counted", trigger31 || multiplier6 == 0},
                    {"between lines the multiplier has no bit", trigger31 || !trigger10}});

@@ -59,10 +59,11 @@ class Collector {
   void one(const char* name, bool drives, int width = 1) {
     if (*name == '\0' || !seen_.insert(name).second) return;
     Field field{name, width, Format::bits, "", "", 0, name};
-    if (width <= row::word_width) return add(drives, field, name);
+    constexpr int word_width = 64;
+    if (width <= word_width) return add(drives, field, name);
     field.is_word = true;
-    for (field.index = 0; field.low < width; ++field.index, field.low += row::word_width) {
-      field.width = std::min(row::word_width, width - field.low);
+    for (field.index = 0; field.low < width; ++field.index, field.low += word_width) {
+      field.width = std::min(word_width, width - field.low);
       add(drives, field, name);
     }
   }

@@ -77,22 +77,6 @@ TEST(Includes, PointOneWay) {
   EXPECT_GT(seen, 300U);
 }
 
-// What a model states is found by its name: a file that has the design without it proves something
-// else.
-TEST(Includes, OfADesignBringWhatIsStatedOfIt) {
-  const auto all = includes({"model"});
-  std::size_t stated = 0;
-  for (const auto& entry : fs::directory_iterator(project_root() / "model")) {
-    const fs::path design = entry.path().filename();
-    if (design == "core" || !fs::exists(entry.path() / "stated.h")) continue;
-    ++stated;
-    const std::string needed =
-        fmt::format("model/{0}/machine.h model/{0}/stated.h", design.string());
-    EXPECT_NE(std::find(all.begin(), all.end(), needed), all.end()) << needed;
-  }
-  EXPECT_GT(stated, 0U);
-}
-
 TEST(Includes, AreToldApart) {
   const auto expect = [](bool may, const std::string& from, std::vector<const char*> what) {
     for (const char* one : what) EXPECT_EQ(may_include(from, one), may) << from << ' ' << one;

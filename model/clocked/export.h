@@ -25,9 +25,9 @@
 //   N output NODE SECTION:NAME        of idle, a member of In; of reset, a register after
 //                                     reset_at_once()
 //
-// A driver is such a file, too: its states are its members, its inputs those of Job and of Out, and
-// its outputs drive:NAME, the inputs that it drives, and over. Those of a checker are the members
-// of Job, Driver and Out, and over; its output is wrong.
+// A driver is such a file, too: its states are its members, its inputs job:NAME and out:NAME, and
+// its outputs drive:NAME, the inputs that it drives, and over. Those of a checker are job:NAME,
+// driver:NAME, out:NAME and over; its output is wrong.
 //
 // The ways through clock() are another file, PATH.ways.btor2, of the same inputs and states, which
 // keep their values. Its outputs are ways:I, each whether a clock takes a way; one of them is true
@@ -153,11 +153,12 @@ class Exporting {
     ways.begin(name);
     graph = Graph();
   }
-  /// A record of inputs.
+  /// A record of inputs, whose names begin with `section`.
   template <class T>
-  T inputs() {
+  T inputs(const std::string& section = "") {
     T all = zero<T>();
-    for_each_cell(all, [&](const Label& l, auto& cell) { declare("input", l, cell); });
+    for_each_cell(all,
+                  [&](const Label& l, auto& cell) { declare("input", section + l.name, cell); });
     return all;
   }
   /// The members of an object, which has its initial values, as states.
@@ -166,7 +167,7 @@ class Exporting {
     T all{};
     for_each_cell(all, [&](const Label& label, auto& cell) {
       const Id init = Inside::node(code_of(cell));
-      const Id state = declare("state", label, cell);
+      const Id state = declare("state", label.name, cell);
       states_.push_back({state, label.is_unreset ? std::nullopt : std::optional(init)});
       next_.push_back(state);
     });
@@ -252,9 +253,9 @@ class Exporting {
     std::optional<Id> init;
   };
   template <class Cell>
-  Id declare(const char* kind, const Label& label, Cell& cell) {
+  Id declare(const char* kind, const std::string& name, Cell& cell) {
     const Id node = graph.input(Cell::width);
-    file_.declare(kind, node, label.name);
+    file_.declare(kind, node, name);
     set_code(cell, Inside::of<UInt<Cell::width>>(node));
     return node;
   }
@@ -324,8 +325,8 @@ template <class Model>
 Exported exported_driver(const std::string& name) {
   using Driver = typename Model::Driver;
   Exporting file("driver of " + name, name);
-  const auto job = file.inputs<typename Model::Job>();
-  const auto out = file.inputs<typename Model::Out>();
+  const auto job = file.inputs<typename Model::Job>("job:");
+  const auto out = file.inputs<typename Model::Out>("out:");
   const auto driver = file.states<Driver>();
   struct Over {
     Bit over;
@@ -340,9 +341,9 @@ template <class Model>
 Exported exported_checker(const std::string& name) {
   using Checker = typename Model::Checker;
   Exporting file("checker of " + name, name);
-  const auto job = file.inputs<typename Model::Job>();
-  const auto driver = file.inputs<typename Model::Driver>();
-  const auto out = file.inputs<typename Model::Out>();
+  const auto job = file.inputs<typename Model::Job>("job:");
+  const auto driver = file.inputs<typename Model::Driver>("driver:");
+  const auto out = file.inputs<typename Model::Out>("out:");
   struct Over {
     Bit over;
   };

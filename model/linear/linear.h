@@ -202,14 +202,14 @@ struct Linear {
     UInt<M> bp;         // the line
     Hex<UInt<M>> uk;    // and its code
     Bit counted;        // give it up after so many words
-    UInt<N + 1> count;  // which no line has more of
+    UInt<N + 1> words;  // which no line has more of
   };
   static Job job_of(const Work& work) {
     constexpr auto most = (std::int64_t{1} << (N + 1)) - 1;
     return {.bp = work.line.major,
             .uk = work.line.code,
             .counted = work.words.has_value(),
-            .count = std::min(work.words.value_or(0), most)};
+            .words = std::min(work.words.value_or(0), most)};
   }
   static std::vector<Work> smaller(const Work& work) { return cosim::linear::smaller(M, work); }
   static std::string describe(const Work& work) { return cosim::linear::describe(M, work); }
@@ -221,7 +221,7 @@ struct Linear {
     UInt<N + 1> words = 0;  // words so far
 
     In drive(const Job& job, In in) const {
-      in.initial_set_n = !(clock == 4 && job.counted && words >= job.count);
+      in.initial_set_n = !(clock == 4 && job.counted && words >= job.words);
       in.write_bp = clock == 0;
       in.write_uk = clock == 1;
       in.start = clock == 2;

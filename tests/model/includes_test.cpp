@@ -1,6 +1,5 @@
 // Arrows between the folders point one way: a model knows no other one, and the harness none at
 // all.
-#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -57,7 +57,7 @@ fault("Counter 4 counts words of half the length"
   [[in.data >> gamma]] [[in.data >> (gamma - 1)]])
 fault("A code written twice counts the remainder twice"
   [[!trigger32 && register5 != 0]] [[register5 != 0]])
-fault("The host gives a line up a word late" [[words >= job.count]] [[words > job.count]])
+fault("The host gives a line up a word late" [[words >= job.words]] [[words > job.words]])
 fault("The check of jobs knows no last word" [[first(job.bp)]] [[whole]])
 fault("The check of jobs reads the low bits of the code from the other end"
   [=[job.uk[N - i]]=] [=[job.uk[i - 1]]=])

@@ -114,12 +114,6 @@ struct RecordTable {
     return all;
   }();
   static constexpr std::size_t size = first[leaves];
-  static constexpr bool has_arrays = [] {
-    for (const int n : capacity) {
-      if (n > 0) return true;
-    }
-    return false;
-  }();
   static constexpr int clocks = [] {
     int n = 0;
     for (const Leaf& leaf : leaves_of<First>) n += leaf.edge != 0;
@@ -247,7 +241,6 @@ template <class V, class Of>
 struct ModelRecord : RecordMembers<V, Of, std::make_index_sequence<Of::leaves>> {
   using Table = Of;
   static constexpr std::size_t size = Of::size;
-  static constexpr bool has_arrays = Of::has_arrays;
 
   template <std::size_t I>
   constexpr auto& leaf() {

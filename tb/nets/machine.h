@@ -188,7 +188,6 @@ Machine machine_of(const typename Design::Params& p, FreeState free_state, FreeI
 
   const auto seen = seen_state<Design, Number>(p, s, in);
   auto step = clock_of<Design, Number>(p, s, in);
-  State::trim(p, step.state);
   const auto after = Synchronizers<Design>(p).taken(p, s, in, step.state);
   m.invariant = detail::whole_invariant<Design>(p, s);
   m.invariant_after = detail::whole_invariant<Design>(p, after);

@@ -54,12 +54,11 @@ constexpr Word difference(const Record& a, const Record& b, const CompareMask<De
   return bits;
 }
 
-/// Copies field by field, but nothing that the shape has not.
-/// A wider load would stall, because the fields have just been stored one by one.
-template <class Record, class Params>
-constexpr void copy_fields(const Params& p, Record& to, const Record& from) {
+/// Copies field by field: a wider load would stall, because the fields have just been stored one by
+/// one.
+template <class Record>
+constexpr void copy_fields(Record& to, const Record& from) {
   for_each_member<Record>([&](auto member, std::size_t) { to.*member = from.*member; });
-  if constexpr (Record::has_arrays) Record::trim(p, to);
 }
 
 /// `Adapter`: dut.h.
@@ -127,7 +126,7 @@ class Lockstep {
     dut_.drive(in);
     dut_.eval(false);
     const auto& seen = seen_state<Design, Word>(dut_.params, state_, in);
-    copy_fields(dut_.params, expected_.registers, Design::registers(dut_.params, seen));
+    copy_fields(expected_.registers, Design::registers(dut_.params, seen));
     Word bits = 0;
     if constexpr (!CompareMask<Design>::any)
       bits = difference(expected_.registers, dut_.registers());
@@ -135,7 +134,7 @@ class Lockstep {
     asm("" : "+r"(bits));
     const auto step = clock_of<Design, Word>(dut_.params, state_, in);
     coverage::count<Design>(dut_.params, seen, in);
-    copy_fields(dut_.params, expected_.outputs, step.outputs);
+    copy_fields(expected_.outputs, step.outputs);
     if constexpr (CompareMask<Design>::any) {
       mask_.clock(dut_.params, seen, in, step.outputs);
       bits = difference(expected_.registers, dut_.registers(), mask_, 0) |
@@ -147,7 +146,7 @@ class Lockstep {
     if constexpr (Taking::any) {
       take(in, step.state);
     } else {
-      copy_fields(dut_.params, state_, step.state);
+      copy_fields(state_, step.state);
       dut_.eval(true);
     }
     bits |= dut_.said() != nullptr ? 1 : 0;
@@ -165,7 +164,7 @@ class Lockstep {
     const auto held = Design::registers(p, taken);
     for_each_cell<decltype(bits)>([&](auto cell, std::size_t) { cell(bits) ^= cell(held); });
     dut_.turn(bits);
-    copy_fields(p, state_, taken);
+    copy_fields(state_, taken);
   }
   /// Gives the model what the RTL holds where no reset reaches. Such a register is a field of the
   /// state by the same name.

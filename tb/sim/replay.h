@@ -121,7 +121,7 @@ template <class Design>
     stimulus.clocks.push_back(inputs.words(in));
     const auto step = clock_of<Design, Word>(p, state, in);
     out = step.outputs;
-    copy_fields(p, state, taking.taken(p, state, in, step.state));
+    copy_fields(state, taking.taken(p, state, in, step.state));
   }
   return stimulus;
 }

@@ -67,7 +67,6 @@ std::vector<Operation<Value>> operations() {
       HOLDS("<", a < b),
       HOLDS(">", a > b),
       HOLDS("==", a == b),
-      HOLDS("below", below(a, b)),
       OF("low_bits", low_bits(a, 5)),
       OF("low_bits of few", low_bits(a, 40)),
       HOLDS("bit", bit(a, 3)),

@@ -3,7 +3,7 @@
 
 #include <bit>
 
-#include "model/core/record.h"
+#include "model/core/fields.h"
 
 namespace cosim::test {
 

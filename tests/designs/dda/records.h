@@ -1,11 +1,12 @@
 // Records of the DDA's design by the names of their fields, and its shapes by their width.
 #pragma once
 
-#include <bit>
-
 #include "tb/designs/dda/design.h"
+#include "tests/support/records.h"
 
 namespace cosim::dda {
+
+using test::named, test::record_of;
 
 template <class V>
 using Inputs = Design::Inputs<V>;
@@ -28,14 +29,6 @@ struct Held {
   Word sx = 0, sy = 0, rate_x = 0, rate_y = 0, x = 0, y = 0, left_x = 0, left_y = 0;
   Word two_a = 0, b = 0, two_c = 0;
 };
-template <class Named, class Record>
-constexpr Named named(const Record& record) {
-  return std::bit_cast<Named>(to_words(record));
-}
-template <class Record, class Named>
-constexpr Record record_of(const Named& named) {
-  return from_words<Record>(std::bit_cast<Words<Record>>(named));
-}
 
 constexpr Params of_width(int width) { return Design::shape_of({width}); }
 

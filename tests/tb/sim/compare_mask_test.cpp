@@ -44,10 +44,10 @@ using First = Masked<3, 70>;
 using Design = StructDesign<First, Masked<4, 192>>;
 
 Design::State<Word> state(bool is_full) {
-  return record_of<Design::State<Word>>(First{.full = is_full});
+  return clocked::record_of<Design::State<Word>>(First{.full = is_full});
 }
 Design::Inputs<Word> in(bool fills, bool asks) {
-  return record_of<Design::Inputs<Word>>(First::In{.fill = fills, .ask = asks});
+  return clocked::record_of<Design::Inputs<Word>>(First::In{.fill = fills, .ask = asks});
 }
 
 // A model of the same in the RTL's place, with a bit of one cell turned over: of the registers

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <memory>
 
+#include "tb/sim/bench.h"
 #include "tb/sim/list.h"
 #include "tb/util/scratch.h"
 #include "tests/support/error_of.h"

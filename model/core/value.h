@@ -1,9 +1,9 @@
 // The operations on a value of a record, for machine integers; on bits of gates they are those of
 // nets::Number. Code that is to run on both is a template over the value type V. V offers +, - and
 // * (with V), &, | and ^ bit by bit, comparisons, V(int), and the functions below; a comparison
-// gives a Condition<V>, which offers !, &, | and ^. A condition may stand where a value may, as 1 or
-// 0. A sum, difference or product must fit into a Word; where it may not, as those of codes of 64
-// bits, there are add(), subtract() and multiply().
+// gives a Condition<V>, which offers !, &, | and ^. A condition may stand where a value may, as 1
+// or 0. A sum, difference or product must fit into a Word; where it may not, as those of codes of
+// 64 bits, there are add(), subtract() and multiply().
 #pragma once
 
 #include <concepts>

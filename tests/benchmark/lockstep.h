@@ -82,8 +82,7 @@ const Bench<typename Adapter::Design>& bench_of() {
     return all;
   };
   for (const auto* bench : benches_of<typename Adapter::Design>()) {
-    if (words(bench->parameters()) ==
-        words(Adapter::Design::parameters(Adapter::params)))
+    if (words(bench->parameters()) == words(Adapter::Design::parameters(Adapter::params)))
       return *bench;
   }
   throw std::logic_error("no bench of the adapter's parameters");

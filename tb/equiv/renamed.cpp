@@ -97,8 +97,8 @@ void rename(Question& q, const Variables& olds, const Variables& news, const std
 void name_known(Question& q, const Variables& olds, const Variables& news) {
   for (const auto& [old_name, new_name] : q.same) {
     // Where both drive a net of one name they are one already.
-    const auto is_paired = [&](const Register& r) {
-      return r.name.first == old_name && r.nets.contains({new_name, r.name.second});
+    const auto is_paired = [&from = old_name, &to = new_name](const Register& r) {
+      return r.name.first == from && r.nets.contains({to, r.name.second});
     };
     if (std::ranges::any_of(q.gate.registers, is_paired)) continue;
     const auto from = olds.find(old_name), to = news.find(new_name);

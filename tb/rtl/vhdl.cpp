@@ -29,7 +29,7 @@ std::string uncommented(const std::string& text) {
 }
 
 // GHDL on copies of the files, in which functions of numeric_vhd stand in front of those of
-// numeric_std.
+// numeric_std, and signals have their first values.
 class Ghdl {
  public:
   Ghdl(const Sources& sources, const std::vector<std::string>& texts, const fs::path& work,
@@ -42,11 +42,12 @@ class Ghdl {
       return static_cast<bool>(unsigned_package.find(text));
     };
     declare_functions(std::any_of(texts.begin(), texts.end(), uses));
+    const std::set<std::string> scalars = scalar_types(texts);
     std::vector<std::string> words;
     for (std::size_t i = 0; i < files_.size(); ++i) {
       refuse_full_names(files_[i], texts[i]);
       words.push_back("cosim_" + std::to_string(i) + ".vhd");
-      write_text(work_ / words.back(), with_functions(texts[i]));
+      write_text(work_ / words.back(), with_functions(with_first_values(texts[i], scalars)));
     }
     words.push_back("numeric.vhd");
     write_text(work_ / words.back(), std::string(numeric_vhd));

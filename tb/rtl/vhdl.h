@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -43,5 +44,12 @@ std::string repaired(std::string module, const NetlistModule& netlist);
 std::string with_names(std::string module);
 
 std::string in_small_letters(std::string text);
+
+/// The types of VHDL texts whose values are numbers or names, in small letters.
+std::set<std::string> scalar_types(const std::vector<std::string>& texts);
+
+/// A text of VHDL in which each signal of such a type that has no default has the first value of
+/// its type, with which it begins: GHDL would write a register without an initial value.
+std::string with_first_values(const std::string& text, const std::set<std::string>& scalars);
 
 }  // namespace cosim::rtl

@@ -290,4 +290,32 @@ std::string repaired(std::string text, const NetlistModule& netlist) {
   return text;
 }
 
+std::set<std::string> scalar_types(const std::vector<std::string>& texts) {
+  static const Regex type(
+      "\\b(type\\s+(\\w+)\\s+is\\s*(\\(|range\\b)|subtype\\s+(\\w+)\\s+is\\s+(\\w+))", REG_ICASE);
+  std::set<std::string> all{"bit", "boolean", "integer", "natural", "positive"};
+  for (const std::string& text : texts) {
+    for (const Match& m : type.all(text)) {
+      if (m.has(2)) all.insert(in_small_letters(m[2]));
+      if (m.has(4) && all.contains(in_small_letters(m[5]))) all.insert(in_small_letters(m[4]));
+    }
+  }
+  return all;
+}
+
+std::string with_first_values(const std::string& text, const std::set<std::string>& scalars) {
+  static const Regex declared(
+      "--[^\n]*|\\b(signal\\s+[A-Za-z0-9_,[:space:]]+:\\s*(\\w+)(\\s+range\\s+([^:;]+))?)\\s*;",
+      REG_ICASE),
+      to("\\b(to|downto)\\b", REG_ICASE);
+  return declared.replaced(text, [&](const Match& m) {
+    if (!m.has(1) || !scalars.contains(in_small_letters(m[2]))) return m[0];
+    const std::string range = m[4];
+    const Match ends = to.find(range);
+    if (m.has(3) && !ends) return m[0];
+    const std::string first = ends ? '(' + range.substr(0, ends.begin()) + ')' : m[2] + "'left";
+    return m[1] + " := " + first + ';';
+  });
+}
+
 }  // namespace cosim::rtl

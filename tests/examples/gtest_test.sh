@@ -17,6 +17,6 @@ refused() {
 }
 refused "cosim_add_gtest(a): needs PROGRAM" "a SOURCES a.cpp"
 refused "cosim_add_gtest(a): needs SOURCES" "a PROGRAM b"
-refused "cosim_add_gtest(a): what is c.cpp?" "a c.cpp PROGRAM b SOURCES a.cpp"
+refused "cosim_add_gtest(a): unknown argument c.cpp" "a c.cpp PROGRAM b SOURCES a.cpp"
 refused "cosim_add_gtest(a): PROGRAM b is no program of cosim_add_program()" "a PROGRAM b SOURCES a.cpp"
 echo "refused"

@@ -52,7 +52,7 @@ cosim_words_for_tools(here [==[$word]==])
 END
   refused "yosys cannot be given the name" cmake -P words.cmake
 done
-for words in 'my-fifo' 'fifo NAMESPACE "acme::;int"'; do
+for words in 'my-fifo' 'fifo STRUCT "acme::;int"'; do
   printf '%s\n' 'set(VERILATOR_ROOT x)' "include($sources/tb/package/design.cmake)" \
     "cosim_add_design($words SOURCES none.v MODEL none.h)" > add.cmake
   refused "names" cmake -P add.cmake

@@ -93,11 +93,6 @@ constexpr V flag(Condition<V> c) {
 constexpr Word ones(int n) { return low_bits(-1, n); }
 
 /// The value of a two's complement code of `width` bits.
-template <class V>
-constexpr V from_twos_complement(V code, int width) {
-  return select(bit(code, width - 1), code - V(shift_left(1, width)), code);
-}
-/// The same where no condition is needed, for machine integers.
 constexpr Word from_twos_complement(Word code, int width) {
   return shift_right(shift_left(code, 64 - width), 64 - width);
 }

@@ -1,7 +1,7 @@
 # In model/core/: how numbers stand for codes, and how jobs are driven.
 
 faults_in(core/value.h)
-fault("A code of two's complement has no sign" [[code - V(shift_left(1, width))]] [[code]])
+fault("A code of two's complement has no sign" [[shift_right(shift_left(code, 64 - width), 64 - width)]] [[code]])
 fault("A negative code of ones' complement is one less"
   [[code - V(ones(width))]] [[code - V(shift_left(1, width))]])
 fault("A negative number has the code of two's complement"

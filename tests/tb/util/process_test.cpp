@@ -83,8 +83,8 @@ TEST_F(Family, LosesItsFirstProcessWithAProgramThatIsKilled) {
 TEST_F(Family, EndsWithItsFirstProcess) {
   const Ended ended = run_program(command("exit 3"));
   EXPECT_EQ(ended.status, 3);
-  EXPECT_TRUE(is_gone("deep"));
-  EXPECT_TRUE(is_gone("orphan"));
+  // They have been killed; it takes them a moment to end.
+  wait_for([&] { return is_gone("deep") && is_gone("orphan"); });
   EXPECT_FALSE(fs::exists(text("folder")));
 }
 

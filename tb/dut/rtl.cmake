@@ -22,7 +22,8 @@ function(cosim_read_rtl prefix what top clock folder)
   set(language)
   set(verilog_2005 +1364-2005ext+v)
   file(REMOVE ${folder}/language.txt)
-  set(tree -Werror-STMTDLY --xml-only --xml-output ${folder}/tree.xml)
+  cosim_tree_options(tree)
+  list(APPEND tree ${folder}/tree -Werror-STMTDLY)
   execute_process(COMMAND ${verilator} ${tree} ${R_FILES}
     RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
   # Verilator 5.006 can fail in an optimization that it can do without.
@@ -49,10 +50,6 @@ function(cosim_read_rtl prefix what top clock folder)
   endif()
   if(status)
     string(REGEX MATCH "%Error[^\n]*" error "${said}")
-    if(error MATCHES "nvalid option|nknown option")
-      message(FATAL_ERROR "${what}: this Verilator has no --xml-only, by which registers, clocks and "
-        "resets are checked: take one from 5.006 to 5.032")
-    endif()
     if(error MATCHES "([^ /]+:[0-9]+):[0-9]+: Cannot find file containing module: '([^']+)'")
       message(FATAL_ERROR "${what}: ${CMAKE_MATCH_1}: no file has the module ${CMAKE_MATCH_2}: give a file that "
         "models it, or make a blackbox of it, whose pins become ports: cosim new --blackbox ${CMAKE_MATCH_2}, in "
@@ -62,21 +59,21 @@ function(cosim_read_rtl prefix what top clock folder)
       message(FATAL_ERROR "${what}: ${CMAKE_MATCH_3}: waits, as a testbench does and no circuit. Only the delay of "
         "an assignment (q <= #1 d) is left out")
     endif()
-    if(error MATCHES "Parameter without initial value is never given value[^']*'([^']*)'")
-      message(FATAL_ERROR "${what}: the parameter ${CMAKE_MATCH_1} has no value of its own: give it one: cosim new "
-        "--param ${CMAKE_MATCH_1}=VALUE, in CMake SHAPES \"${CMAKE_MATCH_1}=VALUE\"")
+    if(error MATCHES "Parameter without (initial|default) value is never given value[^']*'([^']*)'")
+      message(FATAL_ERROR "${what}: the parameter ${CMAKE_MATCH_2} has no value of its own: give it one: cosim new "
+        "--param ${CMAKE_MATCH_2}=VALUE, in CMake SHAPES \"${CMAKE_MATCH_2}=VALUE\"")
     endif()
     if(error MATCHES "([^ /:]+:[0-9]+):[0-9]+: Unsupported: Member call on object '[A-Z]+ '([^']*)'' which is a")
       message(FATAL_ERROR "${what}: ${CMAKE_MATCH_1}: ${CMAKE_MATCH_2} has no members: its type may be a parameter "
         "of the top: cosim new --param TYPE=PACKAGE::STRUCT")
     endif()
     set(place "([^ /:]+:[0-9]+):[0-9]+:")
-    if(error MATCHES "${place} Cannot find include file: (.*)")
+    if(error MATCHES "${place} Cannot find include file: '?([^']*)")
       message(FATAL_ERROR "${what}: ${CMAKE_MATCH_1}: no folder has the header ${CMAKE_MATCH_2}: cosim new --include "
         "DIR, in CMake INCLUDE_DIRS DIR")
     endif()
-    if(error MATCHES "${place} Package/class '([^']+)' not found")
-      message(FATAL_ERROR "${what}: ${CMAKE_MATCH_1}: no file has the package ${CMAKE_MATCH_2}: give its file, too")
+    if(error MATCHES "${place} (Package/class '([^']+)' not found|[^\n]*[Pp]ackage[^\n]* not found: '([^']+)')")
+      message(FATAL_ERROR "${what}: ${CMAKE_MATCH_1}: no file has the package ${CMAKE_MATCH_3}${CMAKE_MATCH_4}: give its file, too")
     endif()
     if(error MATCHES "${place} Define or directive not defined: '`([^']+)'")
       message(FATAL_ERROR "${what}: ${CMAKE_MATCH_1}: no file defines the macro ${CMAKE_MATCH_2}: give the file that "
@@ -134,7 +131,7 @@ function(cosim_read_rtl prefix what top clock folder)
   file(WRITE ${folder}/warnings.txt "${said}")
   cosim_read_netlist(netlist ${folder} "${R_YOSYS}")
   execute_process(
-    COMMAND ${COSIM_PERL} ${reader} ${folder}/tree.xml ${folder}/warnings.txt ${clock} ${netlist}
+    COMMAND ${COSIM_PERL} ${reader} ${folder}/tree ${folder}/warnings.txt ${clock} ${netlist}
     RESULT_VARIABLE status OUTPUT_VARIABLE found ERROR_VARIABLE error)
   if(status)
     string(STRIP "${error}" error)
@@ -165,6 +162,17 @@ function(cosim_read_rtl prefix what top clock folder)
     endif()
     set(${prefix}_${what}s "${lines}" PARENT_SCOPE)
   endforeach()
+endfunction()
+
+# Sets the variable to the options with which Verilator writes its tree into the file that follows: as XML, or, from
+# 5.046 on, as JSON (verilator_tree.pl).
+function(cosim_tree_options variable)
+  execute_process(COMMAND ${VERILATOR_BIN} --xml-only --version RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
+  if(status EQUAL 0)
+    set(${variable} --xml-only --xml-output PARENT_SCOPE)
+  else()
+    set(${variable} --json-only --json-only-output PARENT_SCOPE)
+  endif()
 endfunction()
 
 # Sets the variable to commands of yosys that read files .v as Verilog-2005, and others as SystemVerilog as

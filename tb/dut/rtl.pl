@@ -1,8 +1,8 @@
 #!/usr/bin/env perl
-# rtl.pl TREE.xml WARNINGS CLOCK[,CLOCK]...[:RESET] [NETLIST]
+# rtl.pl TREE WARNINGS CLOCK[,CLOCK]...[:RESET] [NETLIST]
 #
-# Reads the tree of a design that `verilator --xml-only` wrote and what `verilator --lint-only` said of
-# it, and what rtl_yosys.pl found. On standard output, a line each:
+# Reads the tree of a design that Verilator wrote, what `verilator --lint-only` said of it, and what
+# rtl_yosys.pl found. On standard output, a line each:
 #
 #   register NAME WIDTH WORDS BITS [NET WIDTH WORDS LOW]...
 #                      a register, by its path below the top, its bits, those of a word of a memory,

@@ -11,7 +11,7 @@ sub known {
     my ($node, $scope, $active) = @_;
     my ($tag, @in) = ($node->{tag}, @{$node->{in}});
     if ($tag eq 'const') {
-        return $1 =~ s/^0+(?=.)//r if $node->{has}{name} =~ /&apos;s?h([0-9a-f]+)$/;
+        return $1 =~ s/^0+(?=.)//r if $node->{has}{name} =~ /'s?h([0-9a-f]+)$/;
         return;
     }
     if ($tag =~ /^varx?ref$/) {

@@ -1,5 +1,5 @@
 #!/usr/bin/env perl
-# rtl_shape.pl TREE.xml
+# rtl_shape.pl TREE
 #
 # What the tree of a design says of its shape. On standard output, a line each:
 #

@@ -1,7 +1,9 @@
-# The tree of a design that `verilator --xml-only` wrote, the first argument of rtl.pl: its modules, the
-# types and the nets that it has, by their paths below the top.
+# The tree of a design that Verilator wrote, the first argument of rtl.pl: its modules, the types and the
+# nets that it has, by their paths below the top.
 use strict;
 use warnings;
+use FindBin;
+require "$FindBin::Bin/verilator_tree.pl";
 
 sub text_of {
     my ($name) = @_;
@@ -16,20 +18,7 @@ sub refuse {
     exit 1;
 }
 
-# The tree: a node has its tag, its attributes and the nodes in it.
-my $root = {tag => '', in => []};
-{
-    my @open = ($root);
-    my $text = text_of($ARGV[0]);
-    while ($text =~ m{<(/?)(\w+)((?:\s+[\w:]+="[^"]*")*)\s*(/?)>}g) {
-        my ($end, $tag, $attributes, $empty) = ($1, $2, $3, $4);
-        if ($end) { pop @open; next }
-        my %has = $attributes =~ /([\w:]+)="([^"]*)"/g;
-        my $node = {tag => $tag, has => \%has, in => []};
-        push @{$open[-1]{in}}, $node;
-        push @open, $node if !$empty;
-    }
-}
+my $root = tree_in(text_of($ARGV[0]));
 
 sub all_of {
     my ($node, $tag) = @_;
@@ -51,9 +40,9 @@ sub type_of {
 # The number of a node, undef where it is no constant.
 sub constant {
     my ($node) = @_;
-    return if !$node || $node->{tag} ne 'const' || $node->{has}{name} !~ /&apos;s?h([0-9a-f]{1,8})$/;
+    return if !$node || $node->{tag} ne 'const' || $node->{has}{name} !~ /'s?h([0-9a-f]{1,8})$/;
     my $value = hex $1;
-    return $value >= 2**31 && $node->{has}{name} =~ /^32&apos;s/ ? $value - 2**32 : $value;
+    return $value >= 2**31 && $node->{has}{name} =~ /^32's/ ? $value - 2**32 : $value;
 }
 # The two bounds of a range: numbers with a sign, for [N-1:0] of an unsigned N of 0 is [-1:0].
 sub bounds {
@@ -77,7 +66,7 @@ sub size_of {
     return (sort { $a <=> $b } @members)[-1] // 1 if $type->{tag} eq 'uniondtype';
     my $sum = 0;
     $sum += $_ for @members;
-    return $sum || (($has->{name} // '') eq 'double' ? 64 : 1);
+    return $sum || (($has->{name} // '') =~ /^(?:double|real)$/ ? 64 : 1);
 }
 # The width of a net or of a word of a memory, and its words; a memory of several dimensions is an array
 # of arrays, be they packed or not.

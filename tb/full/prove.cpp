@@ -27,7 +27,7 @@ std::vector<proof::Engine> engines_of(const ProveOptions& o) {
   const auto all = o.engines ? proof::engines_of(*o.engines) : proof::all_engines();
   const bool needs_abc = std::ranges::find(all, proof::Engine::cec) != all.end();
   if (needs_abc && !is_installed("yosys-abc")) {
-    throw InputError("prove: needs cec, not installed: yosys-abc");
+    throw InputError("prove: needs yosys-abc, which is not installed (apt-get install yosys)");
   }
   return all;
 }
@@ -41,7 +41,8 @@ int run(const ProveOptions& o, const Registry& registry, Verdicts& verdicts) {
   }
   if (o.theorems) {
     if (o.engines) throw InputError("--engines: belongs to machines; theorems are proved by z3");
-    if (!is_installed("z3")) throw InputError("prove: needs z3, not installed");
+    if (!is_installed("z3"))
+      throw InputError("prove: needs z3, which is not installed (apt-get install z3)");
     return prove_theorems(o, limit, jobs, verdicts);
   }
   const proof::Asking asking{engines_of(o), limit, jobs};

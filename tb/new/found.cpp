@@ -167,8 +167,8 @@ Found found_in(const RtlQuestion& question) {
     }
     throw InputError("new: cmake: " + ended.text);
   }
-  const Ended told = cosim::run_program(
-      {"perl", (reader / "rtl_shape.pl").string(), (work / "tree.xml").string()});
+  const Ended told =
+      cosim::run_program({"perl", (reader / "rtl_shape.pl").string(), (work / "tree").string()});
   if (told.status != 0) throw InputError("new: " + told.text);
   const FoundShape is = shape_of(told.text);
   Found found;
@@ -187,7 +187,8 @@ Found found_in(const RtlQuestion& question) {
     found.language = read_file(language.string());
     again.options.emplace_back("+1364-2005ext+v");
   }
-  follow_parameters(found, is, again, {reader, read_file((work / "verilator.txt").string())},
+  follow_parameters(found, is, again,
+                    {reader, lines_in(read_file((work / "verilator.txt").string()))},
                     scratch.path() / "tried", line);
   for (const FoundParameter& p : question.parameters) {
     const auto same = std::ranges::find(found.parameters, p.name, &FoundParameter::name);

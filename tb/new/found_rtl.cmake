@@ -3,8 +3,8 @@
 #   TOP, CLOCK     as rtl.pl has them
 #   SHAPE          parameters, as of cosim_add_design()
 #   FILES, OPTIONS of Verilator; YOSYS, its options for yosys
-#   WORK           where the answer is to be: tree.xml, found.txt, verilator.txt, the program that
-#                  reads RTL, unread.txt as of cosim_read_netlist(), and error.txt, one line
+#   WORK           where the answer is to be: tree, found.txt, verilator.txt, the program that
+#                  reads RTL and its options, unread.txt as of cosim_read_netlist(), and error.txt, one line
 include(${CMAKE_CURRENT_LIST_DIR}/rtl.cmake)
 include(${CMAKE_CURRENT_LIST_DIR}/shape.cmake)
 function(message kind)
@@ -19,7 +19,9 @@ find_program(VERILATOR_BIN NAMES verilator_bin verilator HINTS $ENV{VERILATOR_RO
 if(NOT VERILATOR_BIN)
   message(FATAL_ERROR "needs verilator")
 endif()
-file(WRITE ${WORK}/verilator.txt ${VERILATOR_BIN})
+cosim_tree_options(tree)
+list(JOIN tree "\n" tree)
+file(WRITE ${WORK}/verilator.txt "${VERILATOR_BIN}\n${tree}\n")
 cosim_shape(shape new "${SHAPE}")
 list(JOIN FILES "\" \"" files)
 cosim_read_rtl(rtl new ${TOP} ${CLOCK} ${WORK} FILES ${FILES} OPTIONS ${shape_generics} ${OPTIONS}

@@ -63,11 +63,11 @@ std::optional<FoundShape> shape_with(const RtlQuestion& question, const std::str
                                      long value, const RtlReader& reader,
                                      const std::filesystem::path& work) {
   std::filesystem::create_directories(work);
-  const std::string tree = (work / "tree.xml").string();
-  std::vector<std::string> words{"env", "-C", question.folder.string(), reader.verilator};
-  words.insert(words.end(), {"--top-module", question.top, "-Mdir", work.string()});
-  words.insert(words.end(), {"--xml-only", "--xml-output", tree, "--no-timing"});
-  words.insert(words.end(), {"-Wno-fatal", "-Wno-lint", "-Wno-style"});
+  const std::string tree = (work / "tree").string();
+  std::vector<std::string> words{"env", "-C", question.folder.string()};
+  words.insert(words.end(), reader.verilator.begin(), reader.verilator.end());
+  words.insert(words.end(), {tree, "--top-module", question.top, "-Mdir", work.string()});
+  words.insert(words.end(), {"--no-timing", "-Wno-fatal", "-Wno-lint", "-Wno-style"});
   words.insert(words.end(), question.options.begin(), question.options.end());
   for (const FoundParameter& p : question.parameters) {
     if (p.name == other) continue;

@@ -40,8 +40,8 @@ std::vector<std::string> plain_verilog(const RtlQuestion& question,
 
 /// What reads RTL.
 struct RtlReader {
-  std::filesystem::path folder;  ///< that of write_reader()
-  std::string verilator;         ///< the program
+  std::filesystem::path folder;        ///< that of write_reader()
+  std::vector<std::string> verilator;  ///< the program, and the options before the file of its tree
 };
 
 /// The shape with another value of a parameter; none where Verilator does not read it so. `work`: a

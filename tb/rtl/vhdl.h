@@ -48,8 +48,8 @@ std::string in_small_letters(std::string text);
 /// The types of VHDL texts whose values are numbers or names, in small letters.
 std::set<std::string> scalar_types(const std::vector<std::string>& texts);
 
-/// A text of VHDL in which each signal of such a type that has no default has the first value of
-/// its type, with which it begins: GHDL would write a register without an initial value.
+/// A text of VHDL in which each signal and output of such a type that has no default has the first
+/// value of its type, with which it begins: GHDL would write a register without an initial value.
 std::string with_first_values(const std::string& text, const std::set<std::string>& scalars);
 
 }  // namespace cosim::rtl

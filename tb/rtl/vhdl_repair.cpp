@@ -305,16 +305,34 @@ std::set<std::string> scalar_types(const std::vector<std::string>& texts) {
 
 std::string with_first_values(const std::string& text, const std::set<std::string>& scalars) {
   static const Regex declared(
-      "--[^\n]*|\\b(signal\\s+[A-Za-z0-9_,[:space:]]+:\\s*(\\w+)(\\s+range\\s+([^:;]+))?)\\s*;",
+      "--[^\n]*|(\\bsignal\\s+[A-Za-z0-9_,[:space:]]+:|:\\s*(out|buffer)\\b)\\s*(\\w+)([^:;]*);",
       REG_ICASE),
-      to("\\b(to|downto)\\b", REG_ICASE);
+      entity("\\b(entity\\s+\\w+\\s+is|end)\\b", REG_ICASE), to("\\b(to|downto)\\b", REG_ICASE),
+      range("^\\s+range\\b", REG_ICASE);
+  const std::vector<Match> marks = entity.all(text);
+  // A parameter of a procedure cannot have a value to begin with.
+  const auto is_port = [&](std::size_t at) {
+    const auto next = std::ranges::find_if(marks, [&](const Match& m) { return m.begin() > at; });
+    return next != marks.begin() && std::prev(next)->size() > 3;
+  };
   return declared.replaced(text, [&](const Match& m) {
-    if (!m.has(1) || !scalars.contains(in_small_letters(m[2]))) return m[0];
-    const std::string range = m[4];
-    const Match ends = to.find(range);
-    if (m.has(3) && !ends) return m[0];
-    const std::string first = ends ? '(' + range.substr(0, ends.begin()) + ')' : m[2] + "'left";
-    return m[1] + " := " + first + ';';
+    if (!m.has(1) || !scalars.contains(in_small_letters(m[3]))) return m[0];
+    if (m.has(2) && !is_port(m.begin())) return m[0];
+    const std::string tail = m[4];
+    // The last port ends with the bracket of all of them.
+    std::size_t end = 0;
+    for (int open = 0; end < tail.size(); ++end) {
+      open += (tail[end] == '(') - (tail[end] == ')');
+      if (open < 0) break;
+    }
+    const std::string values = tail.substr(0, end);
+    const Match word = range.find(values), ends = to.find(values);
+    const bool is_whole = values.find_first_not_of(" \t\r\n") == std::string::npos;
+    if (!is_whole && (!word || !ends)) return m[0];
+    const std::string first =
+        is_whole ? m[3] + "'left"
+                 : '(' + values.substr(word.end(), ends.begin() - word.end()) + ')';
+    return m[1] + ' ' + m[3] + values + " := " + first + tail.substr(end) + ';';
   });
 }
 

@@ -69,7 +69,7 @@ class Fst {
  private:
   std::string path_;
   Leftover half_, hierarchy_;  // what the writer writes, and what it puts beside that meanwhile
-  void* writer_ = nullptr;
+  decltype(fstWriterCreate(nullptr, 0)) writer_ = nullptr;  // another type in newer libraries
   std::string digits_;
 };
 
@@ -137,7 +137,7 @@ void Fst::close() {
   fstWriterClose(writer_);
   writer_ = nullptr;
   // The writer does not say that the disk was full; a file that is not whole cannot be opened.
-  void* reader = fstReaderOpen(half_.path().c_str());
+  auto* const reader = fstReaderOpen(half_.path().c_str());
   if (reader == nullptr) throw InputError(fmt::format("{}: cannot write it whole", path_));
   fstReaderClose(reader);
   if (std::rename(half_.path().c_str(), path_.c_str()) != 0) {

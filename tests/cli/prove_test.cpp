@@ -55,8 +55,9 @@ TEST(ProveWithoutEngines, SaysSoInALine) {
   const Folder folder;
   const test::WithPath none(folder.path(""));
   EXPECT_EQ(refusal(cosim({"prove", "circular"})),
-            "cosim: prove: needs cec, not installed: yosys-abc\n");
-  EXPECT_EQ(refusal(cosim({"prove", "--theorems"})), "cosim: prove: needs z3, not installed\n");
+            "cosim: prove: needs yosys-abc, which is not installed (apt-get install yosys)\n");
+  EXPECT_EQ(refusal(cosim({"prove", "--theorems"})),
+            "cosim: prove: needs z3, which is not installed (apt-get install z3)\n");
 }
 
 TEST_F(Prove, TheTheoremsOfADesign) {

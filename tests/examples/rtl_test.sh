@@ -269,12 +269,12 @@ options=()
 # Without what Verilator says of the RTL nothing goes on.
 cat > verilator_new << 'END'
 #!/bin/sh
-echo "%Error: Invalid option: --xml-only"
+echo "%Error: Invalid option: --json-only"
 exit 1
 END
 chmod +x verilator_new
 ! said=$(cmake -DVERILATOR_BIN="$folder/verilator_new" -P read.cmake 2>&1) || fails "it needs the tree"
-[[ $said == *"made: this Verilator has no --xml-only"* ]] || fails "it says what is missing"
+[[ $said == *"made: Verilator cannot read it: %Error: Invalid option: --json-only"* ]] || fails "it says what is missing"
 
 # A shape, for Verilator, yosys and C++.
 said=$(cmake "-DSHAPE=W=8 MASK=8'h1F K=4'b1_01 MODE=FAST" -P read.cmake 2>&1)

@@ -21,6 +21,17 @@ anchors() {
     tr '[:upper:]' '[:lower:]' | sed 's/[^a-z0-9 _-]//g; s/ /-/g'
 }
 
+# snippets PAGE: its C++, a line for each part between dots, with the number of its first line in front;
+# without comments and blanks, as flat FILE.
+snippets() {
+  awk '
+    function part() { if (text != "") printf "%d\t%s\n", at, text; text = "" }
+    /^```/ { if (inside) part(); inside = /^```cpp/; next }
+    inside && /^\.\.\.$/ { part(); next }
+    inside { if (text == "") at = NR; sub(/\/\/.*/, ""); gsub(/[ \t]/, ""); text = text $0 }' "$1"
+}
+flat() { sed 's://.*::' "$1" | tr -d '[:space:]' && echo; }
+
 # fronted FILE...: how many sentences of all begin with another word than the subject, if too many do.
 fronted() {
   local all=$folder/sentences some=$folder/fronted
@@ -32,7 +43,9 @@ fronted() {
 
 finds() {
   cd "$1"
-  local page target file lines limit pages=()
+  local page target file lines limit number part pages=() compiled=$folder/compiled
+  { find examples tests \( -name '*.h' -o -name '*.cpp' \) 2> /dev/null || true; } |
+    while read -r file; do flat "$file"; done > "$compiled"
   mapfile -t pages < <(find docs -name '*.md' | LC_ALL=C sort)
   for page in README.md "${pages[@]}"; do
     lines=$(wc -l < "$page")
@@ -49,6 +62,9 @@ finds() {
       fi
     done < <(links "$page")
     { grep -noE '@[A-Z_]+@' "$page" || true; } | sed "s|^|$page:|"
+    while IFS=$'\t' read -r number part; do
+      grep -qF -- "$part" "$compiled" || echo "$page:$number: C++ that no file of examples/ or tests/ has"
+    done < <(snippets "$page")
     [[ $page == README.md || $(sed -n 3p "$page") == "After this page you "* ]] ||
       echo "$page:3: does not say what one can do after it"
     [[ $page != docs/* ]] || grep -qE ": ${page#docs/}\$" .mkdocs.yml || echo ".mkdocs.yml: does not list $page"
@@ -80,6 +96,9 @@ After this page you know two, [here](#the-rest-of-it-2) and [there](#the-rest), 
 
 ## The rest of `it`: 2
 END
+mkdir "$folder/tests"
+printf 'int a;  // one\nint b;\nint c;\n' > "$folder/tests/a.h"
+printf '```cpp\nint a;\nint  b;\n...\nint c; // another\n```\n```cpp\nint a;\nint c;\n```\n' >> "$folder/docs/one.md"
 printf '# Two\n\n@TIMES@, [one](../one.md#one), [code](../one.md#a-commentnowhere)\n' > "$folder/docs/sub/two.md"
 { printf '# Long\n\nAfter this page you sleep.\n' && seq "$((most_of_page - 2))"; } > "$folder/docs/sub/long.md"
 printf '%s\n' 'nav:' '  - One: one.md' '  - Index: index.md' '  - Long: sub/long.md' > "$folder/.mkdocs.yml"
@@ -89,6 +108,7 @@ README.md: no docs/gone.md
 README.md: no x.png
 docs/one.md: no heading for #the-rest
 docs/one.md: no README.md
+docs/one.md:17: C++ that no file of examples/ or tests/ has
 docs/sub/long.md: $((most_of_page + 1)) lines, at most $most_of_page
 docs/index.md: does not link docs/sub/long.md
 docs/sub/two.md: no heading for ../one.md#a-commentnowhere

@@ -40,7 +40,7 @@ int run(const ProveOptions& o, const Registry& registry, Verdicts& verdicts) {
     throw InputError(std::string(o.count ? "--count" : "--mutant") + ": belongs to --mutants");
   }
   if (o.theorems) {
-    if (o.engines) throw InputError("--engines: belongs to machines; theorems are proved by z3");
+    if (o.engines) throw InputError("--engines: belongs to machines, not to theorems");
     if (!is_installed("z3"))
       throw InputError("prove: needs z3, which is not installed (apt-get install z3)");
     return prove_theorems(o, limit, jobs, verdicts);

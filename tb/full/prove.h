@@ -39,8 +39,9 @@ int prove_mutants(const ProveOptions& o, const Registry& registry, const proof::
 
 /// Writes what the engines are asked of a claim on `title` into a folder, a file each: binary
 /// AIGER, whose comment says what it is.
-void keep_questions(const std::string& folder, const std::string& title, const proof::Claim& claim);
-/// The same of a theorem: scripts of SMT-LIB 2.
+void keep_questions(const std::string& folder, const std::string& title, const std::string& claim,
+                    const proof::Questions& questions);
+/// The same of a theorem; of one on integers a script of SMT-LIB 2.
 void keep_questions(const std::string& folder, const proof::Theorem& theorem);
 /// Says how to give an engine more time, as a last line.
 void say_limit(int limit);

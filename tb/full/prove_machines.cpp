@@ -237,7 +237,7 @@ int prove_machines(const ProveOptions& o, const proof::Asking& asking, Verdicts&
   for (Claimed& s : subjects) {
     for (const Claim& c : s.claims) {
       rows.push_back({s, c, &c == &s.claims.front(), &c == &s.claims.back()});
-      if (o.keep) keep_questions(*o.keep, s.subject.title, c);
+      if (o.keep) keep_questions(*o.keep, s.subject.title, c.what, c.questions);
     }
   }
   std::string heading;

@@ -58,26 +58,28 @@ std::string text_of_file(const std::string& folder, const std::string& name) {
 
 }  // namespace
 
-void keep_questions(const std::string& folder, const std::string& title,
-                    const proof::Claim& claim) {
-  const auto texts = as_aiger(claim.questions);
+void keep_questions(const std::string& folder, const std::string& title, const std::string& claim,
+                    const proof::Questions& questions) {
+  const auto texts = as_aiger(questions);
   for (std::size_t i = 0; i < texts.size(); ++i) {
-    const std::string& what = claim.questions.asked[i].name;
-    OutputFile file(text_of_file(folder, fmt::format("{} {:.60} {}.aig", title, claim.what, what)));
+    const std::string& what = questions.asked[i].name;
+    OutputFile file(text_of_file(folder, fmt::format("{} {:.60} {}.aig", title, claim, what)));
     file.text(texts[i]);
-    file.text(fmt::format("c\n{}: {}; {}\n", title, claim.what, what));
+    file.text(fmt::format("c\n{}: {}; {}\n", title, claim, what));
     file.close();
   }
 }
 
 void keep_questions(const std::string& folder, const proof::Theorem& theorem) {
-  for (const proof::ScriptOf& one : theorem.negated) {
-    OutputFile file(text_of_file(
-        folder, fmt::format("{} {:.60} {}.smt2", theorem.design, theorem.sentence, one.what)));
-    file.line("; {}: {}; {}", theorem.design, theorem.sentence, one.what);
-    file.text(one.script);
-    file.close();
+  for (const proof::OnBits& one : theorem.on_bits) {
+    keep_questions(folder, theorem.design, theorem.sentence, one.questions);
   }
+  if (!theorem.on_integers) return;
+  OutputFile file(
+      text_of_file(folder, fmt::format("{} {:.60}.smt2", theorem.design, theorem.sentence)));
+  file.line("; {}: {}", theorem.design, theorem.sentence);
+  file.text(theorem.on_integers->negated);
+  file.close();
 }
 
 }  // namespace cosim::cli

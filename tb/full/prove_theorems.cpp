@@ -40,15 +40,15 @@ int prove_theorems(const ProveOptions& o, int limit, unsigned jobs, Verdicts& ve
   std::size_t proved = 0;
   bool more_time_helps = false;
   for (std::size_t i = 0; i < theorems.size(); ++i) {
-    fmt::print("{}: {}.\n  z3 {:.2f} s, {}\n", theorems[i].design, theorems[i].sentence,
-               all[i].seconds, all[i].verdict);
+    fmt::print("{}: {}.\n  {} {:.2f} s, {}\n", theorems[i].design, theorems[i].sentence,
+               theorems[i].engine(), all[i].seconds, all[i].verdict);
     verdicts.add({fmt::format("{}: {}", theorems[i].design, theorems[i].sentence),
                   all[i].proved ? ci::Verdict::End::passed : ci::Verdict::End::failure, "theorem",
                   all[i].verdict, all[i].seconds});
     proved += all[i].proved ? 1 : 0;
     more_time_helps = more_time_helps || all[i].timed_out;
   }
-  fmt::print("{} of {} proved by z3\n", proved, count(theorems.size(), "theorem"));
+  fmt::print("{} of {} proved\n", proved, count(theorems.size(), "theorem"));
   if (more_time_helps) say_limit(limit);
   return proved == theorems.size() ? 0 : 1;
 }

@@ -64,7 +64,7 @@ TEST_P(InterruptedProof, EndsYosys) {
 
 TEST_P(InterruptedProof, EndsTheSolvers) {
   stand_in("z3");
-  expect_ended({"prove", "--theorems", "linear"});
+  expect_ended({"prove", "--theorems", "circular"});
 }
 
 // The rows of what was decided before it are there.
@@ -135,7 +135,7 @@ TEST(ProofAtItsLimit, SaysWhatToDo) {
   const test::StandIns bin{};
   bin.program("z3", "mkdir " + folder.path("once") +
                         " 2> /dev/null && exec sha256sum /dev/zero\necho unknown");
-  const Ended e = cosim({"prove", "--theorems", "linear", "--limit", "1"});
+  const Ended e = cosim({"prove", "--theorems", "circular", "--limit", "1"});
   EXPECT_EQ(e.status, 1) << e.err;
   ASSERT_FALSE(e.out.empty());
   EXPECT_EQ(lines(e.out).back(),

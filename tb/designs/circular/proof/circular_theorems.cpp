@@ -48,17 +48,10 @@ Truth same(const State& a, const State& b) {
 }
 
 // One question: the free integers, what is assumed, what must follow.
-class Proposition {
-  Script script_{"QF_NIA"};
-
+class Proposition : public Script {
  public:
-  Integer integer(const std::string& name) { return Integer(script_.declare(name, "Int")); }
-  void assume(const Truth& t) { script_.assume(t.expression()); }
-  Theorem follows(const std::string& sentence, const Truth& t) {
-    Script premises = script_;
-    premises.ask(truth(true));
-    script_.ask(negation(t.expression()));
-    return {"circular", sentence, {{"any", script_.text()}}, {{"any", premises.text()}}};
+  Theorem follows(const std::string& sentence, const Truth& t) const {
+    return {"circular", sentence, OnIntegers{asked(!t), asked(true)}};
   }
 
   const IntegerPoint p{integer("X"), integer("Y"), integer("D")};

@@ -3,52 +3,42 @@
 #include <fmt/core.h>
 
 #include "tb/designs/linear/proof/theorems.h"
-#include "tb/proof/bits.h"
 
 namespace cosim::linear {
 namespace {
 
 using namespace proof;
+using nets::Number, nets::Truth;
 
 constexpr int kMostBits = 32;
 
 // A sentence for every i from 1 to 32, each a question, on numbers of up to 32 bits.
 class ForEveryBit {
  public:
-  BitVector number(const std::string& name) {
-    return BitVector::unsigned_code(script_.declare(name, bit_vector(kMostBits)), kMostBits);
-  }
-  void assume(const Truth& t) { script_.assume(t.expression()); }
-  void ask(int i, const Truth& t) {
-    Script script = script_;
-    script.ask(negation(t.expression()));
-    negated_.push_back({fmt::format("i = {}", i), script.text()});
-  }
-  Theorem theorem(const std::string& sentence) {
-    Script premises = script_;
-    premises.ask(truth(true));
-    return {"linear", sentence, negated_, {{"any i", premises.text()}}};
-  }
+  Number number(const std::string& name) { return free_.number(name, kMostBits); }
+  void assume(const Truth& t) { free_.assume(t); }
+  void ask(int i, const Truth& t) { all_.push_back(free_.asked(fmt::format("i = {}", i), !t)); }
+  Theorem theorem(const std::string& sentence) { return {"linear", sentence, {}, all_}; }
 
  private:
-  Script script_{"QF_BV"};
-  std::vector<ScriptOf> negated_;
+  FreeNumbers free_;
+  std::vector<OnBits> all_;
 };
 
 // B_i = floor((BP + 2^(i-1)) / 2^i): what a_i weighs in a line of BP positions.
-BitVector weight(const BitVector& bp, int i) {
-  return shift_right(bp + BitVector(cosim::shift_left(1, i - 1)), i);
+Number weight(const Number& bp, int i) {
+  return shift_right(bp + Number(cosim::shift_left(1, i - 1)), i);
 }
 
 Theorem weights_count() {
   ForEveryBit a;
-  const BitVector q = a.number("q");
-  a.assume(q > BitVector(0));
+  const Number q = a.number("q");
+  a.assume(q > Number(0));
   for (int i = 1; i <= kMostBits; ++i) {
-    const Truth is_here = low_bits(q, i) == BitVector(cosim::shift_left(1, i - 1));
-    const BitVector more = select(is_here, BitVector(1), BitVector(0));
-    a.ask(i, (weight(q, i) == weight(q - BitVector(1), i) + more) &
-                 (weight(BitVector(0), i) == BitVector(0)));
+    const Truth is_here = low_bits(q, i) == Number(cosim::shift_left(1, i - 1));
+    const Number more = select(is_here, Number(1), Number(0));
+    a.ask(i,
+          (weight(q, i) == weight(q - Number(1), i) + more) & (weight(Number(0), i) == Number(0)));
   }
   return a.theorem(
       "of the positions 1..BP exactly B_i belong to a_i, by induction over BP < 2^32: so a line "
@@ -57,11 +47,11 @@ Theorem weights_count() {
 
 Theorem weights_sum() {
   ForEveryBit a;
-  const BitVector bp = a.number("BP");
+  const Number bp = a.number("BP");
   for (int i = 1; i <= kMostBits; ++i) {
-    const Truth some_left = shift_right(bp, i) > BitVector(0);
+    const Truth some_left = shift_right(bp, i) > Number(0);
     a.ask(i, (shift_right(bp, i - 1) == weight(bp, i) + shift_right(bp, i)) &
-                 !(some_left & (bp < BitVector(cosim::shift_left(1, i)))));
+                 !(some_left & (bp < Number(cosim::shift_left(1, i)))));
   }
   return a.theorem(
       "the sum of B_1..B_i is BP - floor(BP / 2^i), which for i = m is BP, for every BP < 2^m");
@@ -69,12 +59,12 @@ Theorem weights_sum() {
 
 Theorem codes() {
   ForEveryBit a;
-  const BitVector bp = a.number("BP"), rest = a.number("rest");
+  const Number bp = a.number("BP"), rest = a.number("rest");
   for (int i = 1; i <= kMostBits; ++i) {
-    const BitVector b = weight(bp, i);
-    const BitVector less = select(rest < b, rest, rest - b);
+    const Number b = weight(bp, i);
+    const Number less = select(rest < b, rest, rest - b);
     const Truth too_much = rest > shift_right(bp, i - 1);
-    a.ask(i, too_much | !((less < BitVector(0)) | (less > shift_right(bp, i))));
+    a.ask(i, too_much | !((less < Number(0)) | (less > shift_right(bp, i))));
   }
   return a.theorem(
       "every MP in 0..BP has a code: taking B_i wherever it fits leaves at most floor(BP / 2^i), "

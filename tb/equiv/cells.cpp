@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "model/core/input_error.h"
+#include "tb/nets/words.h"
 #include "tb/util/words.h"
 
 namespace cosim::equiv {
@@ -57,10 +58,7 @@ void Cells::refuse(const Cell& cell, const std::string& why) {
 
 Cells::Cells(const Module& module, Graph& graph, std::function<Bit()> unknown,
              std::function<Bit()> beyond)
-    : graph_(graph),
-      words_(graph),
-      unknown_(std::move(unknown)),
-      beyond_(beyond ? std::move(beyond) : unknown_) {
+    : graph_(graph), unknown_(std::move(unknown)), beyond_(beyond ? std::move(beyond) : unknown_) {
   for (const Cell& cell : module.cells) {
     if (is_no_logic(cell)) continue;
     for (const auto& [pin, bits] : cell.pins) {
@@ -206,7 +204,7 @@ Bits Cells::words_of_memory(const Cell& cell, const Bits& address) {
       if (even.empty() && odd.empty()) continue;
       if (even.empty()) even = unknown_word(width);
       if (odd.empty()) odd = unknown_word(width);
-      next[i] = words_.choose(bit, odd, even);
+      next[i] = nets::chosen(graph_, bit, odd, even);
     }
     level = std::move(next);
   }
@@ -272,7 +270,10 @@ Bits Cells::word(const Cell& cell, const char* pin) {
 }
 
 Bits Cells::operand(const Cell& cell, const char* pin, std::size_t width) {
-  return Arithmetic::extended(word(cell, pin), width, cell.flag(std::string(pin) + "_SIGNED"));
+  Bits a = word(cell, pin);
+  const bool is_signed = !a.empty() && cell.flag(std::string(pin) + "_SIGNED");
+  a.resize(width, is_signed ? a.back() : no);
+  return a;
 }
 
 Bits Cells::unknown_word(std::size_t width) {

@@ -161,7 +161,6 @@ class Side::Builder {
     const std::size_t width = cell.number("WIDTH"), low = cell.number("OFFSET");
     const std::size_t address_width = cell.number("ABITS");
     std::vector<Bits> words = words_[number];
-    Arithmetic logic(side_.logic_);
     for (std::size_t port = 0; port < cell.number("WR_PORTS"); ++port) {
       const Bits address = cells_.of(part(cell.pins.at("WR_ADDR"), port, address_width));
       const Bits data = cells_.of(part(cell.pins.at("WR_DATA"), port, width));
@@ -176,7 +175,7 @@ class Side::Builder {
           if (((w + low) >> bit & 1U) == 0) here[bit] = !here[bit];
         }
         const bool is_reachable = here.size() >= 64 || (w + low) >> here.size() == 0;
-        const Bit is_here = is_reachable ? logic.all(here) : no;
+        const Bit is_here = is_reachable ? side_.logic_.all_of(here) : no;
         for (std::size_t i = 0; i < width; ++i) {
           words[w][i] =
               side_.logic_.mux(side_.logic_.and_of(is_here, enable[i]), data[i], words[w][i]);

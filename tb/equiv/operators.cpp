@@ -4,20 +4,33 @@
 #include <algorithm>
 
 #include "tb/equiv/cells.h"
+#include "tb/nets/words.h"
 #include "tb/util/words.h"
 
 namespace cosim::equiv {
+namespace {
+
+Bit parity(Graph& graph, const Bits& a) {
+  Bit odd = no;
+  for (const Bit bit : a) odd = graph.xor_of(odd, bit);
+  return odd;
+}
+Bits negated(Graph& graph, const Bits& a) { return nets::difference(graph, Bits(a.size(), no), a); }
+
+}  // namespace
+
+Bit Cells::any(const Bits& a) { return graph_.differ(a, Bits(a.size(), no)); }
 
 Bits Cells::result(const Cell& cell) {
   const std::string& t = cell.type;
   if (!cell.has("Y") || !cell.has("A")) refuse(cell, "an unknown cell: " + one_line(t));
   const std::size_t width = cell.pins.at("Y").size();
-  if (t == "$reduce_and") return {words_.all(word(cell, "A"))};
-  if (t == "$reduce_or" || t == "$reduce_bool") return {words_.any(word(cell, "A"))};
-  if (t == "$reduce_xor") return {words_.parity(word(cell, "A"))};
-  if (t == "$reduce_xnor") return {!words_.parity(word(cell, "A"))};
-  if (t == "$logic_not") return {!words_.any(word(cell, "A"))};
-  if (t == "$neg") return words_.negated(operand(cell, "A", width));
+  if (t == "$reduce_and") return {graph_.all_of(word(cell, "A"))};
+  if (t == "$reduce_or" || t == "$reduce_bool") return {any(word(cell, "A"))};
+  if (t == "$reduce_xor") return {parity(graph_, word(cell, "A"))};
+  if (t == "$reduce_xnor") return {!parity(graph_, word(cell, "A"))};
+  if (t == "$logic_not") return {!any(word(cell, "A"))};
+  if (t == "$neg") return negated(graph_, operand(cell, "A", width));
   if (t == "$tribuf") refuse(cell, "a tri-state net");
   if (t == "$slice") {
     const Bits a = word(cell, "A");
@@ -33,12 +46,14 @@ Bits Cells::result(const Cell& cell) {
     return all;
   }
   if (t == "$logic_and" || t == "$logic_or") {
-    const Bit a = words_.any(word(cell, "A")), b = words_.any(word(cell, "B"));
+    const Bit a = any(word(cell, "A")), b = any(word(cell, "B"));
     return {t == "$logic_and" ? graph_.and_of(a, b) : graph_.or_of(a, b)};
   }
-  if (t == "$add") return words_.sum(operand(cell, "A", width), operand(cell, "B", width));
-  if (t == "$sub") return words_.difference(operand(cell, "A", width), operand(cell, "B", width));
-  if (t == "$mul") return words_.product(operand(cell, "A", width), operand(cell, "B", width));
+  if (t == "$add") return nets::sum(graph_, operand(cell, "A", width), operand(cell, "B", width));
+  if (t == "$sub")
+    return nets::difference(graph_, operand(cell, "A", width), operand(cell, "B", width));
+  if (t == "$mul")
+    return nets::product(graph_, operand(cell, "A", width), operand(cell, "B", width));
   if (t == "$div" || t == "$mod" || t == "$divfloor" || t == "$modfloor") {
     return quotient(cell, width);
   }
@@ -52,11 +67,18 @@ Bits Cells::quotient(const Cell& cell, std::size_t width) {
       std::max({width, cell.pins.at("A").size(), cell.pins.at("B").size()}) + 1;
   const bool is_signed = cell.flag("A_SIGNED") && cell.flag("B_SIGNED");
   const Bits a = operand(cell, "A", wide), b = operand(cell, "B", wide);
-  const auto both = words_.divided(a, b, is_signed, cell.type.ends_with("floor"));
-  Bits is = cell.starts_with("$div") ? both.first : both.second;
+  const auto both = is_signed ? nets::divided_with_sign(graph_, a, b) : nets::divided(graph_, a, b);
+  Bits is = cell.starts_with("$div") ? both.quotient : both.remainder;
+  if (is_signed && cell.type.ends_with("floor")) {
+    const Bit apart = graph_.xor_of(a.back(), b.back());
+    const Bit rounds = graph_.and_of(apart, any(both.remainder));
+    is = nets::sum(graph_, is,
+                   cell.starts_with("$div") ? Bits(wide, rounds)
+                                            : nets::chosen(graph_, rounds, b, Bits(wide, no)));
+  }
   is.resize(width);
-  const Bit is_zero = !words_.any(b);
-  return is_zero == no ? is : words_.choose(is_zero, unknown_word(width), is);
+  const Bit is_zero = !any(b);
+  return is_zero == no ? is : nets::chosen(graph_, is_zero, unknown_word(width), is);
 }
 
 // By repeated squaring. A negative exponent leaves 1 or -1 of these, x of 0, and 0 of all else.
@@ -69,18 +91,18 @@ Bits Cells::power(const Cell& cell, std::size_t width) {
   const Bit negative = cell.flag("B_SIGNED") ? exponent.back() : no;
   const Bits a = word(cell, "A");
   for (std::size_t i = 0; i < exponent.size(); ++i) {
-    is = words_.choose(exponent[i], words_.product(is, base), is);
-    if (i + 1 < exponent.size()) base = words_.product(base, base);
+    is = nets::chosen(graph_, exponent[i], nets::product(graph_, is, base), is);
+    if (i + 1 < exponent.size()) base = nets::product(graph_, base, base);
   }
   if (negative == no) return is;
-  const Bit is_zero = !words_.any(a);
-  const Bit is_one = words_.equal(a, Arithmetic::extended({yes}, a.size(), false));
-  const Bit is_minus = cell.flag("A_SIGNED") ? words_.all(a) : no;
-  Bits below = words_.choose(is_one, one_word, Bits(width, no));
-  below =
-      words_.choose(is_minus, words_.choose(exponent.front(), Bits(width, yes), one_word), below);
-  below = words_.choose(is_zero, unknown_word(width), below);
-  return words_.choose(negative, below, is);
+  const Bit is_zero = !any(a);
+  const Bit is_one = nets::equal(graph_, a, nets::resized({yes}, a.size(), no));
+  const Bit is_minus = cell.flag("A_SIGNED") ? graph_.all_of(a) : no;
+  Bits below = nets::chosen(graph_, is_one, one_word, Bits(width, no));
+  below = nets::chosen(graph_, is_minus,
+                       nets::chosen(graph_, exponent.front(), Bits(width, yes), one_word), below);
+  below = nets::chosen(graph_, is_zero, unknown_word(width), below);
+  return nets::chosen(graph_, negative, below, is);
 }
 
 Bits Cells::shifted(const Cell& cell, std::size_t width) {
@@ -89,27 +111,27 @@ Bits Cells::shifted(const Cell& cell, std::size_t width) {
   const std::size_t wide = std::max(width, cell.pins.at("A").size());
   Bits a = operand(cell, "A", wide);
   if (t == "$shl" || t == "$sshl") {
-    a = words_.left(std::move(a), b);
+    a = nets::shifted_up(graph_, std::move(a), b);
   } else if (t == "$shr" || t == "$sshr") {
-    a = words_.right(a, b, t == "$sshr" && cell.flag("A_SIGNED") ? a.back() : no);
+    a = nets::shifted_down(graph_, a, b, t == "$sshr" && cell.flag("A_SIGNED") ? a.back() : no);
   } else if (t == "$shift" || t == "$shiftx") {
     // Of $shiftx each bit from beyond the word is x: one value for all of them, as far as they can
     // be seen together.
     const bool fills_x = t == "$shiftx";
     if (fills_x) a = word(cell, "A");
-    const auto moved = [&](const Bits& of, Bit fill) {
-      if (!cell.flag("B_SIGNED")) return words_.right(of, b, fill);
-      return words_.choose(b.back(), words_.left(of, words_.negated(b), fill),
-                           words_.right(of, b, fill));
+    const auto moved = [&](const Bits& of) {
+      const Bits down = nets::shifted_down(graph_, of, b, no);
+      if (!cell.flag("B_SIGNED")) return down;
+      return nets::chosen(graph_, b.back(), nets::shifted_up(graph_, of, negated(graph_, b)), down);
     };
     const std::size_t had = a.size();
     a.resize(wide, no);
-    Bits result = moved(a, no);
+    Bits result = moved(a);
     result.resize(width);
     if (!fills_x) return result;
     Bits within(wide, no);
     std::fill_n(within.begin(), had, yes);
-    within = moved(within, no);
+    within = moved(within);
     for (std::size_t i = 0; i < width; ++i) {
       if (within[i] != yes) result[i] = graph_.mux(within[i], result[i], beyond_());
     }
@@ -151,12 +173,12 @@ Bit Cells::compared(const Cell& cell) {
   const std::size_t width = std::max(cell.pins.at("A").size(), cell.pins.at("B").size());
   const bool is_signed = cell.flag("A_SIGNED") && cell.flag("B_SIGNED");
   const Bits a = operand(cell, "A", width), b = operand(cell, "B", width);
-  if (t == "$eq") return words_.equal(a, b);
-  if (t == "$ne") return !words_.equal(a, b);
-  if (t == "$lt") return words_.less(a, b, is_signed);
-  if (t == "$ge") return !words_.less(a, b, is_signed);
-  if (t == "$gt") return words_.less(b, a, is_signed);
-  if (t == "$le") return !words_.less(b, a, is_signed);
+  if (t == "$eq") return nets::equal(graph_, a, b);
+  if (t == "$ne") return !nets::equal(graph_, a, b);
+  if (t == "$lt") return nets::less(graph_, a, b, is_signed);
+  if (t == "$ge") return !nets::less(graph_, a, b, is_signed);
+  if (t == "$gt") return nets::less(graph_, b, a, is_signed);
+  if (t == "$le") return !nets::less(graph_, b, a, is_signed);
   refuse(cell, "an unknown cell: " + one_line(t));
 }
 
@@ -171,7 +193,7 @@ Bits Cells::selected(const Cell& cell, std::size_t width) {
     // The first item of a `case` that fits is the last word.
     const Bits b = word(cell, "B"), s = word(cell, "S");
     Bits is = a;
-    for (std::size_t i = 0; i < s.size(); ++i) is = words_.choose(s[i], part(b, i), is);
+    for (std::size_t i = 0; i < s.size(); ++i) is = nets::chosen(graph_, s[i], part(b, i), is);
     return is;
   }
   if (t == "$demux") {
@@ -200,7 +222,7 @@ Bits Cells::selected(const Cell& cell, std::size_t width) {
   for (const Bit bit : s) {
     Bits half;
     for (std::size_t i = 0; 2 * i * width < table.size(); ++i) {
-      const Bits chosen = words_.choose(bit, part(table, 2 * i + 1), part(table, 2 * i));
+      const Bits chosen = nets::chosen(graph_, bit, part(table, 2 * i + 1), part(table, 2 * i));
       half.insert(half.end(), chosen.begin(), chosen.end());
     }
     table = std::move(half);

@@ -82,6 +82,12 @@ Bit Graph::mux(Bit a, Bit b, Bit c) {
   return made(Gate::mux, a, b, c);
 }
 
+Bit Graph::all_of(std::span<const Bit> bits) {
+  Bit all = yes;
+  for (const Bit bit : bits) all = and_of(all, bit);
+  return all;
+}
+
 Bit Graph::differ(std::span<const Bit> a, std::span<const Bit> b) {
   Bit any = no;
   for (std::size_t i = 0; i < a.size(); ++i) any = or_of(any, xor_of(a[i], b[i]));

@@ -70,6 +70,7 @@ class Graph {
   Bit mux(Bit a, Bit b, Bit c);
   /// Bit number i of `table`, where i is the number whose bits are `of`, lowest first; at most 6.
   Bit lut(std::span<const Bit> of, std::uint64_t table);
+  Bit all_of(std::span<const Bit> bits);
   /// Whether any bit of a is not the one of b.
   Bit differ(std::span<const Bit> a, std::span<const Bit> b);
 

@@ -133,16 +133,15 @@ Bit equal(Graph& graph, const Bits& a, const Bits& b) {
   const std::size_t width = signed_width(a, b);
   return !graph.differ(std::span(a).first(width), std::span(b).first(width));
 }
-Bit less(Graph& graph, const Bits& a, const Bits& b) {
-  return !carried(graph, a, inverted(b), signed_width(a, b), yes);
-}
-Bit less_with_sign(Graph& graph, Bits a, Bits b) {
+// By the gates that a model's comparison has (number.h).
+Bit less(Graph& graph, const Bits& a, const Bits& b, bool is_signed) {
+  Bit result = no;
   const std::size_t width = signed_width(a, b);
-  a.resize(width);
-  b.resize(width);
-  a.back() = !a.back();
-  b.back() = !b.back();
-  return less(graph, a, b);
+  for (std::size_t i = 0; i < width; ++i) {
+    const bool is_sign = is_signed && i + 1 == width;
+    result = graph.mux(graph.xor_of(a[i], b[i]), is_sign ? a[i] : b[i], result);
+  }
+  return result;
 }
 
 }  // namespace cosim::nets

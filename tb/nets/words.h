@@ -35,7 +35,6 @@ Bits shifted_up(Graph& graph, Bits a, const Bits& n);
 
 Bit equal(Graph& graph, const Bits& a, const Bits& b);
 /// a < b, as numbers without a sign or with one.
-Bit less(Graph& graph, const Bits& a, const Bits& b);
-Bit less_with_sign(Graph& graph, Bits a, Bits b);
+Bit less(Graph& graph, const Bits& a, const Bits& b, bool is_signed = false);
 
 }  // namespace cosim::nets

@@ -53,19 +53,18 @@ class SideBySide {
       const std::uint64_t always = side.registers[i].first ? ~std::uint64_t{0} : 0;
       constants_.emplace_back(states_[i], always);
     }
-    const nets::Cells& all = gates.cells();
-    std::vector<nets::Bit> given(all.nets.size());
-    std::map<std::size_t, std::size_t> input_of;  // of the gates' graph, by net
-    const auto give = [&](std::size_t net) {
-      input_of[net] = nets_.inputs().size();
-      given[net] = nets_.input();
+    std::map<std::size_t, nets::Bit> given;
+    std::map<std::size_t, std::size_t> input_of;  // of nets_, by gate of the RTL
+    const auto give = [&](nets::Bit net) {
+      input_of[net.gate()] = nets_.inputs().size();
+      given[net.gate()] = nets_.input();
     };
-    for (const auto* free : {&all.inputs, &all.free}) std::ranges::for_each(*free, give);
-    for (const auto& f : all.flip_flops) give(f.now);
-    bits_ = placed(nets_, all, given);
+    for (const auto* free : {&gates.pins(), &gates.undefined()}) std::ranges::for_each(*free, give);
+    for (const auto& f : gates.flip_flops()) give(f.now);
+    const nets::Bits bits = placed(nets_, gates.graph(), given);
     for (const auto& [name, at] : ports_) {
       if (gates.width(name.first) > name.second) {
-        pairs_.emplace_back(input_of.at(gates.net(name.first, name.second)), at);
+        pairs_.emplace_back(input_of.at(gates.net(name.first, name.second).gate()), at);
       }
     }
     // Registers by the names that both have.
@@ -75,17 +74,17 @@ class SideBySide {
       for (std::size_t b = 0; b < registers.size(); ++b) {
         const auto shown = gates.shown(gates.net(name, static_cast<int>(b)));
         if (!shown || !taken.insert(*shown).second) continue;
-        const auto& flip_flop = all.flip_flops[*shown];
-        pairs_.emplace_back(input_of.at(flip_flop.now), states_[registers[b]]);
+        const auto& flip_flop = gates.flip_flops()[*shown];
+        pairs_.emplace_back(input_of.at(flip_flop.now.gate()), states_[registers[b]]);
         compared_.push_back({fmt::format("register {}[{}]", name, b), made_.next[registers[b]],
-                             bits_[flip_flop.next]});
+                             placed_at(bits, flip_flop.next)});
       }
     }
-    unpaired_ = all.flip_flops.size() - taken.size();
+    unpaired_ = gates.flip_flops().size() - taken.size();
     for (const auto& [name, lit] : made_.outputs) {
       if (gates.width(name.first) <= name.second) continue;
       compared_.push_back({fmt::format("output {}[{}]", name.first, name.second), lit,
-                           bits_[gates.net(name.first, name.second)]});
+                           placed_at(bits, gates.net(name.first, name.second))});
     }
   }
 
@@ -151,7 +150,6 @@ class SideBySide {
   std::map<equiv::Name, std::size_t> ports_;
   std::map<equiv::Name, nets::Bit> port_lits_;
   equiv::Side::Made made_;
-  std::vector<nets::Bit> bits_;
   std::vector<std::pair<std::size_t, std::size_t>> pairs_;  // inputs of both
   std::vector<Compared> compared_;
   std::size_t unpaired_ = 0;

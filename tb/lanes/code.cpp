@@ -23,7 +23,7 @@ class Maker {
  public:
   Maker(const nets::Played& played, const proof::RtlNets& rtl)
       : played_(played), machine_(played.model.machine), rtl_(rtl) {
-    for (const auto& f : rtl.cells().flip_flops) {
+    for (const auto& f : rtl.flip_flops()) {
       if (f.falls) throw InputError(machine_.design + ": a flip-flop of the falling edge");
     }
     lay_out();
@@ -68,7 +68,7 @@ class Maker {
         at_first(bit(played_.reset_state[i], b));
     }
     flip_flops_ = l.planes.size();
-    for (const auto& f : rtl_.cells().flip_flops) {
+    for (const auto& f : rtl_.flip_flops()) {
       if (f.initial == '0' || f.initial == '1') {
         at_first(f.initial == '1');
       } else {
@@ -76,26 +76,21 @@ class Maker {
       }
     }
     for (const auto& r : located(rtl_, machine_.design, "register", registers())) {
-      registers_.push_back(nets_of(r));
+      registers_.push_back(r.bits);
       auto& planes = l.registers.emplace_back();
-      for (const std::size_t net : registers_.back()) {
+      for (const Bit net : registers_.back()) {
         const auto shown = rtl_.shown(net);
         planes.push_back(shown ? flip_flops_ + *shown : Layout::none);
       }
     }
     for (const auto& o : located(rtl_, machine_.design, "output", machine_.outputs)) {
-      outputs_.push_back(nets_of(o));
+      outputs_.push_back(o.bits);
     }
     bool any_left_out = false;
     for (const auto* wires : {&registers(), &machine_.outputs}) {
       for (const Wire& w : *wires) any_left_out = any_left_out || w.when;
     }
     if (any_left_out) l.counters = registers_.size() + outputs_.size();
-  }
-  std::vector<std::size_t> nets_of(const proof::RtlCell& cell) const {
-    std::vector<std::size_t> all;
-    for (int i = 0; i < cell.width; ++i) all.push_back(rtl_.net(cell.wire, cell.low + i));
-    return all;
   }
 
   // The model's cells. An input that is drawn as a constant is that one.
@@ -121,29 +116,32 @@ class Maker {
   // The RTL's. Its inputs are those of the tables and then the flip-flops; its outputs what is
   // compared and then the flip-flops after the clock.
   nets::Cells rtl_cells(const std::vector<Bit>& inputs) const {
-    const nets::Cells& cells = rtl_.cells();
     nets::Graph graph;
-    std::vector<Bit> given(cells.nets.size(), nets::no), in, out;
-    const auto is_free = [&](std::size_t net) {
-      given[net] = graph.input();
-      in.push_back(given[net]);
+    std::map<std::size_t, Bit> given;
+    std::vector<Bit> in, out;
+    for (const auto* all : {&rtl_.pins(), &rtl_.undefined()}) {
+      for (const Bit net : *all) given[net.gate()] = nets::no;
+    }
+    const auto is_free = [&](Bit net) {
+      in.push_back(graph.input());
+      given[net.gate()] = in.back();
     };
     const auto pins = pins_of(inputs);
     for (const auto& i : located(rtl_, machine_.design, "input", machine_.inputs)) {
-      for (const std::size_t net : nets_of(i)) {
+      for (const Bit net : i.bits) {
         is_free(net);
         const Bit is = pins.at(in.size() - 1);
-        if (is.is_constant()) given[net] = is;
+        if (is.is_constant()) given[net.gate()] = is;
       }
     }
-    for (const auto& f : cells.flip_flops) is_free(f.now);
-    const auto nets = placed(graph, cells, given);
+    for (const auto& f : rtl_.flip_flops()) is_free(f.now);
+    const auto nets = placed(graph, rtl_.graph(), given);
     for (const auto* all : {&registers_, &outputs_}) {
       for (const auto& wire : *all) {
-        for (const std::size_t net : wire) out.push_back(nets[net]);
+        for (const Bit net : wire) out.push_back(placed_at(nets, net));
       }
     }
-    for (const auto& f : cells.flip_flops) out.push_back(nets[f.next]);
+    for (const auto& f : rtl_.flip_flops()) out.push_back(placed_at(nets, f.next));
     return mapped("rtl", graph, in, out);
   }
   // Of the model's inputs those that are pins.
@@ -165,7 +163,7 @@ class Maker {
     for (std::size_t i = 0; i < count; ++i) values.push_back(code.plane(first + i));
   }
   std::size_t state_bits() const { return flip_flops_ - code_.layout.state; }
-  std::size_t flip_flop_bits() const { return rtl_.cells().flip_flops.size(); }
+  std::size_t flip_flop_bits() const { return rtl_.flip_flops().size(); }
 
   // What the RTL gives where its pins have these values.
   std::vector<Value> rtl(Straight& code, const nets::Cells& cells, std::vector<Value> in) const {
@@ -191,7 +189,7 @@ class Maker {
     std::vector<Value> next(out.end() - static_cast<std::ptrdiff_t>(flip_flop_bits()), out.end());
     std::size_t at = 0;
     for (std::size_t r = 0; r < registers_.size() && !turned.empty(); ++r) {
-      for (const std::size_t net : registers_[r]) {
+      for (const Bit net : registers_[r]) {
         const Value is = turned[at++];
         if (is == zero) continue;
         const auto shown = rtl_.shown(net);
@@ -290,8 +288,8 @@ class Maker {
   const nets::Machine& machine_;
   const proof::RtlNets& rtl_;
   Code code_;
-  std::size_t flip_flops_ = 0;                                 // their first plane
-  std::vector<std::vector<std::size_t>> registers_, outputs_;  // the RTL's nets
+  std::size_t flip_flops_ = 0;                   // their first plane
+  std::vector<nets::Bits> registers_, outputs_;  // of the RTL
 };
 
 }  // namespace

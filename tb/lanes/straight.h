@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/nets/cells.h"
+#include "tb/nets/blif.h"
 
 namespace cosim::lanes {
 

@@ -6,7 +6,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <span>
+#include <map>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -23,15 +24,6 @@ using nets::Plane;
 constexpr int mutsel_bits = 16;
 constexpr std::uint32_t none = ~std::uint32_t{0};
 
-// Lane by lane what Graph::lut() is.
-Plane lut(std::span<const Plane> of, std::uint64_t table) {
-  if (of.empty()) return Plane::all((table & 1) != 0);
-  const std::size_t half = std::size_t{1} << (of.size() - 1);
-  const auto rest = of.first(of.size() - 1);
-  const Plane no = lut(rest, table);
-  return no ^ (of.back() & (no ^ lut(rest, table >> half)));
-}
-
 }  // namespace
 
 PlantedNets::PlantedNets(std::string title, const BenchTables& tables, proof::RtlNets nets)
@@ -46,35 +38,32 @@ PlantedNets::PlantedNets(std::string title, const BenchTables& tables, proof::Rt
   if (nets_.width("mutsel") != mutsel_bits) throw InputError(title_ + ": no mutants");
   for (int i = 0; i < mutsel_bits; ++i) mutsel_.push_back(nets_.net("mutsel", i));
 
-  std::vector<bool> is_known(nets_.cells().nets.size());
-  for (const auto& input : inputs_) {
-    for (const std::size_t net : input) is_known[net] = true;
-  }
-  for (const std::size_t net : mutsel_) is_known[net] = true;
-  for (const std::size_t net : nets_.cells().inputs) {
-    if (!is_known[net]) clocks_.push_back(net);
-  }
-  for (const auto& f : nets_.cells().flip_flops) {
-    flip_flop_clocks_.push_back(f.clock.value_or(every_step));
+  std::set<Bit> known(mutsel_.begin(), mutsel_.end());
+  for (const nets::Bits& input : inputs_) known.insert(input.begin(), input.end());
+  for (const Bit pin : nets_.pins()) {
+    if (!known.contains(pin)) clocks_.push_back(pin);
   }
   find_unreset(tables.registers);
 }
 
 void PlantedNets::find_unreset(std::size_t registers) {
   nets::Graph graph;
-  std::vector<Bit> given(nets_.cells().nets.size(), nets::no);
-  for (const auto& input : inputs_) {
-    for (const std::size_t net : input) given[net] = graph.input();
+  std::map<std::size_t, Bit> given;
+  for (const auto* all : {&nets_.pins(), &nets_.undefined()}) {
+    for (const Bit net : *all) given[net.gate()] = nets::no;
+  }
+  for (const nets::Bits& input : inputs_) {
+    for (const Bit net : input) given[net.gate()] = graph.input();
   }
   std::unordered_map<std::size_t, std::size_t> flip_flops;  // by gate
-  for (std::size_t i = 0; i < nets_.cells().flip_flops.size(); ++i) {
-    const Bit held = given[nets_.cells().flip_flops[i].now] = graph.input();
+  for (std::size_t i = 0; i < nets_.flip_flops().size(); ++i) {
+    const Bit held = given[nets_.flip_flops()[i].now.gate()] = graph.input();
     flip_flops[held.gate()] = i;
   }
-  const auto bits = placed(graph, nets_.cells(), given);
+  const nets::Bits bits = placed(graph, nets_.graph(), given);
   for (std::size_t i = 0; i < registers; ++i) {
     for (std::size_t b = 0; compared_[i].unreset && b < wires_[i].size(); ++b) {
-      const Bit bit = bits[wires_[i][b]];
+      const Bit bit = placed_at(bits, wires_[i][b]);
       const auto own = flip_flops.find(bit.gate());
       if (own == flip_flops.end()) continue;
       unreset_.push_back({i, static_cast<int>(b), own->second, bit.is_inverted()});
@@ -82,13 +71,10 @@ void PlantedNets::find_unreset(std::size_t registers) {
   }
 }
 
-std::vector<std::vector<std::size_t>> PlantedNets::nets_of(const char* kind,
-                                                           const std::vector<Field>& fields) {
-  const auto cells = proof::located_fields(nets_, title_, kind, fields);
-  std::vector<std::vector<std::size_t>> all;
-  for (const proof::RtlCell& c : cells) {
-    auto& wire = all.emplace_back();
-    for (int b = 0; b < c.width; ++b) wire.push_back(nets_.net(c.wire, c.low + b));
+std::vector<nets::Bits> PlantedNets::nets_of(const char* kind, const std::vector<Field>& fields) {
+  std::vector<nets::Bits> all;
+  for (const proof::RtlCell& cell : proof::located_fields(nets_, title_, kind, fields)) {
+    all.push_back(cell.bits);
   }
   return all;
 }
@@ -112,71 +98,86 @@ Lanes::Lanes(const PlantedNets& rtl, const std::vector<unsigned>& numbers) : rtl
   }
 }
 
-// By net the number in constants_ of what it is in each lane, where that follows from mutsel, and
+// By gate the number in constants_ of what it is in each lane, where that follows from mutsel, and
 // from the clock, which is so.
 std::vector<std::uint32_t> Lanes::lane_constants(const std::vector<unsigned>& numbers, bool clock) {
-  const nets::Cells& cells = rtl_.nets_.cells();
-  std::vector<std::uint32_t> all(cells.nets.size(), none);
-  const auto put = [&](std::size_t net, const Plane& plane) {
-    all[net] = static_cast<std::uint32_t>(constants_.size());
+  const auto& gates = rtl_.nets_.graph().gates();
+  std::vector<std::uint32_t> all(gates.size(), none);
+  const auto put = [&](std::size_t gate, const Plane& plane) {
+    all[gate] = static_cast<std::uint32_t>(constants_.size());
     constants_.push_back(plane);
   };
+  put(nets::no.gate(), Plane::all(false));
   for (std::size_t i = 0; i < rtl_.mutsel_.size(); ++i) {
     Plane plane;
     for (std::size_t lane = 0; lane < numbers.size(); ++lane) {
       if ((numbers[lane] >> i & 1) != 0) plane.set(lane);
     }
-    put(rtl_.mutsel_[i], plane);
+    put(rtl_.mutsel_[i].gate(), plane);
   }
-  for (const std::size_t net : rtl_.clocks_) put(net, Plane::all(clock));
-  for (const std::size_t net : cells.free) put(net, Plane::all(false));
-  std::array<Plane, 6> of;
-  for (const auto& t : cells.tables) {
-    if (std::ranges::any_of(t.of, [&](std::size_t n) { return all[n] == none; })) continue;
-    for (std::size_t i = 0; i < t.of.size(); ++i) of[i] = constants_[all[t.of[i]]];
-    put(t.gives, lut(std::span(of).first(t.of.size()), t.table));
+  for (const Bit net : rtl_.clocks_) put(net.gate(), Plane::all(clock));
+  for (const Bit net : rtl_.nets_.undefined()) put(net.gate(), Plane::all(false));
+  for (std::size_t i = 0; i < gates.size(); ++i) {
+    const auto& [kind, a, b, c, number] = gates[i];
+    if (!gates[i].is_logic() || all[a.gate()] == none || all[b.gate()] == none ||
+        all[c.gate()] == none) {
+      continue;
+    }
+    const Plane x = constant(all, a), y = constant(all, b), z = constant(all, c);
+    put(i, kind == nets::Gate::and_gate   ? x & y
+           : kind == nets::Gate::xor_gate ? x ^ y
+                                          : (x & y) | (~x & z));
   }
   return all;
 }
 
+// What a bit with such a number is.
+Plane Lanes::constant(const std::vector<std::uint32_t>& all, Bit bit) const {
+  return constants_[all[bit.gate()]] ^ Plane::all(bit.is_inverted());
+}
+
 void Lanes::place(const std::vector<unsigned>& numbers) {
-  const nets::Cells& cells = rtl_.nets_.cells();
+  const auto& gates = rtl_.nets_.graph().gates();
   const auto low = lane_constants(numbers, false), high = lane_constants(numbers, true);
   find_edges(low, high);
 
-  std::vector<Bit> bits(cells.nets.size());
-  std::vector<bool> is_made(cells.nets.size());
-  const auto make = [&](std::size_t net) {
-    is_made[net] = true;
-    return bits[net] = graph_.input();
+  nets::Bits bits(gates.size());
+  std::vector<bool> is_made(gates.size());
+  const auto make = [&](std::size_t gate) {
+    is_made[gate] = true;
+    return bits[gate] = graph_.input();
   };
-  for (const auto& input : rtl_.inputs_) {
+  for (const nets::Bits& input : rtl_.inputs_) {
     auto& own = inputs_.emplace_back();
-    for (const std::size_t net : input) own.push_back(make(net));
+    for (const Bit net : input) own.push_back(make(net.gate()));
   }
-  for (const auto& f : cells.flip_flops) held_.push_back(make(f.now));
+  for (const auto& f : rtl_.nets_.flip_flops()) held_.push_back(make(f.now.gate()));
   // What is the same in all lanes is folded, so that only the mutants in the lanes are left.
-  const auto bit_of = [&](std::size_t net) {
-    if (is_made[net] || low[net] == none) return bits[net];
-    const Plane& plane = constants_[low[net]];
-    if (plane != constants_[high[net]]) throw InputError(rtl_.title_ + ": its RTL reads the clock");
-    is_made[net] = true;
-    if (!(plane & all_).any()) return bits[net] = nets::no;
-    if (!(~plane & all_).any()) return bits[net] = nets::yes;
-    controls_.emplace_back(make(net), plane);
-    return bits[net];
+  const auto bit_of = [&](Bit net) {
+    const std::size_t gate = net.gate();
+    if (is_made[gate] || low[gate] == none) return placed_at(bits, net);
+    const Plane& plane = constants_[low[gate]];
+    if (plane != constants_[high[gate]])
+      throw InputError(rtl_.title_ + ": its RTL reads the clock");
+    is_made[gate] = true;
+    if (!(plane & all_).any()) {
+      bits[gate] = nets::no;
+    } else if (!(~plane & all_).any()) {
+      bits[gate] = nets::yes;
+    } else {
+      controls_.emplace_back(make(gate), plane);
+    }
+    return placed_at(bits, net);
   };
-  std::vector<Bit> of;
-  for (const auto& t : cells.tables) {
-    if (low[t.gives] != none) continue;
-    of.clear();
-    for (const std::size_t net : t.of) of.push_back(bit_of(net));
-    bits[t.gives] = graph_.lut(of, t.table);
+  for (std::size_t i = 0; i < gates.size(); ++i) {
+    if (!gates[i].is_logic() || low[i] != none) continue;
+    for (const Bit read : {gates[i].a, gates[i].b, gates[i].c}) bit_of(read);
+    bits[i] = remade(graph_, gates[i], bits);
   }
-  for (const auto& f : cells.flip_flops) next_.push_back(bit_of(f.next));
-  for (const auto& wire : rtl_.wires_) {
+  for (const auto& f : rtl_.nets_.flip_flops()) next_.push_back(bit_of(f.next));
+  for (const nets::Bits& wire : rtl_.wires_) {
     auto& own = wires_.emplace_back();
-    for (const std::size_t net : wire) own.push_back(bit_of(net));
+    for (const Bit net : wire) own.push_back(bit_of(net));
   }
   constants_.clear();
 }
@@ -185,17 +186,17 @@ void Lanes::place(const std::vector<unsigned>& numbers) {
 // other edge.
 void Lanes::find_edges(const std::vector<std::uint32_t>& low,
                        const std::vector<std::uint32_t>& high) {
-  const auto& flip_flops = rtl_.nets_.cells().flip_flops;
-  for (std::size_t i = 0; i < flip_flops.size(); ++i) {
-    const std::size_t net = rtl_.flip_flop_clocks_[i];
-    if (net == PlantedNets::every_step) {
+  for (const auto& f : rtl_.nets_.flip_flops()) {
+    if (!f.clock) {
       edges_.push_back({Plane::all(true), Plane::all(false)});
       continue;
     }
-    if (low[net] == none) throw InputError(rtl_.title_ + ": its RTL makes a clock of its own");
-    const Plane before = constants_[low[net]], behind = constants_[high[net]];
+    if (low[f.clock->gate()] == none) {
+      throw InputError(rtl_.title_ + ": its RTL makes a clock of its own");
+    }
+    const Plane before = constant(low, *f.clock), behind = constant(high, *f.clock);
     edges_.push_back({~before & behind, before & ~behind});
-    if (flip_flops[i].falls) std::swap(edges_.back().rising, edges_.back().falling);
+    if (f.falls) std::swap(edges_.back().rising, edges_.back().falling);
   }
 }
 
@@ -230,7 +231,7 @@ Plane Lanes::differing(std::size_t compared, Word value) const {
 }
 
 void Lanes::power_up(const std::vector<bool>& held) {
-  const auto& flip_flops = rtl_.nets_.cells().flip_flops;
+  const auto& flip_flops = rtl_.nets_.flip_flops();
   for (std::size_t i = 0; i < held_.size(); ++i) {
     const char initial = flip_flops[i].initial;
     const bool is_given = initial == '0' || initial == '1';

@@ -24,18 +24,15 @@ class PlantedNets {
 
  private:
   friend class Lanes;
-  std::vector<std::vector<std::size_t>> nets_of(const char* kind, const std::vector<Field>& fields);
+  std::vector<nets::Bits> nets_of(const char* kind, const std::vector<Field>& fields);
   void find_unreset(std::size_t registers);
 
   std::string title_;
   proof::RtlNets nets_;
   std::vector<Field> compared_;
   ResetInputs reset_inputs_;
-  std::vector<std::vector<std::size_t>> inputs_, wires_;  // of inputs, and of what is compared
-  std::vector<std::size_t> mutsel_, clocks_;              // all other inputs are clocks
-  // The net of each; of one of several clocks none, for it takes its next value on every step.
-  static constexpr std::size_t every_step = ~std::size_t{0};
-  std::vector<std::size_t> flip_flop_clocks_;
+  std::vector<nets::Bits> inputs_, wires_;  // of inputs, and of what is compared
+  nets::Bits mutsel_, clocks_;              // all other inputs are clocks
   // A bit of a register that no reset reaches, without a mutant: between its net and its flip-flop
   // there may be mutants.
   struct Unreset {
@@ -84,6 +81,7 @@ class Lanes {
   void place(const std::vector<unsigned>& numbers);
   void find_edges(const std::vector<std::uint32_t>& low, const std::vector<std::uint32_t>& high);
   std::vector<std::uint32_t> lane_constants(const std::vector<unsigned>& numbers, bool clock);
+  nets::Plane constant(const std::vector<std::uint32_t>& all, nets::Bit bit) const;
   void power_up(const std::vector<bool>& held);
   void reset();
   void drive(const std::vector<Word>& inputs);

@@ -1,11 +1,12 @@
 // Netlists as text that yosys and abc write and read: the Berkeley Logic Interchange Format.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "tb/nets/cells.h"
 #include "tb/nets/graph.h"
 
 namespace cosim::nets {
@@ -21,6 +22,21 @@ struct Port {
 /// no input names.
 std::string to_blif(const std::string& name, const Graph& graph, const std::vector<Port>& inputs,
                     const std::vector<Port>& outputs);
+
+/// A netlist as tables of truth.
+struct Cells {
+  std::string name;
+  /// The nets, each of one bit, by the tool's names. All else here names a net by its number.
+  std::vector<std::string> nets;
+  std::vector<std::size_t> inputs, outputs;
+
+  struct Table {
+    std::vector<std::size_t> of;  ///< 0 to 6 nets
+    std::uint64_t table = 0;      ///< bit i: what it gives where `of`, lowest first, are those of i
+    std::size_t gives = 0;
+  };
+  std::vector<Table> tables;  ///< each behind all that gives what it reads
+};
 
 /// Reads one model of logic alone, without a hierarchy: .names of 6 inputs at the most. InputError,
 /// which begins with `what` and says the line, of anything else, of a net that nothing drives, or

@@ -4,7 +4,7 @@
 //
 // The room in short. A model runs on Number (number.h), a value type whose bits are Bit of one
 // Graph; to_blif() (blif.h) writes named bits of it; read_blif() gives what a tool wrote as plain
-// Cells, and placed() puts Cells into a Graph. read_btor2() (btor2.h) gives a golden model that was
+// Cells. read_btor2() (btor2.h) gives a golden model that was
 // exported, and its placed() makes gates of it by the operations of words.h. Runs (runs.h)
 // simulates a Graph, and aiger() writes it for other engines.
 #pragma once

@@ -28,9 +28,9 @@ class Question {
     inputs_ = located(rtl, m.design, "input", m.inputs);
     outputs_ = located(rtl, m.design, "output", m.outputs);
     registers_ = located(rtl, m.design, "register", m.registers);
-    std::vector<bool> is_named(rtl.cells().flip_flops.size());
+    std::vector<bool> is_named(rtl.flip_flops().size());
     for (std::size_t i = 0; i < registers_.size(); ++i) {
-      for (const std::size_t net : nets_of(registers_[i])) {
+      for (const Bit net : registers_[i].bits) {
         const auto shown = rtl.shown(net);
         const std::string name = label_of(m.registers[i].field);
         if (!shown) {
@@ -56,14 +56,14 @@ class Question {
 
   // What the flip-flops may be before a clock.
   std::vector<Bit> anything() {
-    std::vector<Bit> now(rtl_->cells().flip_flops.size());
+    std::vector<Bit> now(rtl_->flip_flops().size());
     for (Bit& bit : now) bit = free();
     return now;
   }
   std::vector<Bit> at_first() {
     std::vector<Bit> now = anything();
     for (std::size_t i = 0; i < now.size(); ++i) {
-      const char initial = rtl_->cells().flip_flops[i].initial;
+      const char initial = rtl_->flip_flops()[i].initial;
       if (initial == '0' || initial == '1') now[i] = initial == '1' ? yes : no;
     }
     return now;
@@ -73,7 +73,7 @@ class Question {
     std::vector<Bit> now = anything();
     for (std::size_t i = 0; i < registers_.size(); ++i) {
       const nets::Wire& w = model_.machine.registers[i];
-      const auto nets = nets_of(registers_[i]);
+      const nets::Bits& nets = registers_[i].bits;
       for (std::size_t b = 0; b < nets.size(); ++b) {
         Bit& bit = now[*rtl_->shown(nets[b])];
         bit = w.when ? graph().mux(*w.when, w.code[b], bit) : w.code[b];
@@ -87,7 +87,7 @@ class Question {
   // One more clock of a reset: of its inputs those that reset are the same, the others free.
   void reset_again() {
     std::vector<Bit> now;
-    for (const auto& f : rtl_->cells().flip_flops) now.push_back(nets_[f.next]);
+    for (const auto& f : rtl_->flip_flops()) now.push_back(at(f.next));
     std::vector<nets::Wire> inputs = model_.machine.inputs;
     for (nets::Wire& w : inputs) {
       for (Bit& bit : w.code) bit = free();
@@ -99,12 +99,12 @@ class Question {
   }
   // What the RTL gives for output number i during the clock, and register number i during and after
   // it.
-  Code output(std::size_t i) const { return bits_of(nets_of(outputs_[i])); }
-  Code shown(std::size_t i) const { return bits_of(nets_of(registers_[i])); }
+  Code output(std::size_t i) const { return bits_of(outputs_[i].bits); }
+  Code shown(std::size_t i) const { return bits_of(registers_[i].bits); }
   Code after(std::size_t i) const {
-    std::vector<std::size_t> next;
-    for (const std::size_t net : nets_of(registers_[i])) {
-      next.push_back(rtl_->cells().flip_flops[*rtl_->shown(net)].next);
+    nets::Bits next;
+    for (const Bit net : registers_[i].bits) {
+      next.push_back(rtl_->flip_flops()[*rtl_->shown(net)].next);
     }
     return bits_of(next);
   }
@@ -136,8 +136,8 @@ class Question {
     for (const std::string& port : ports) {
       std::vector<bool> named(static_cast<std::size_t>(rtl_->width(port)));
       for (const RtlCell& c : cells) {
-        for (int i = 0; port == c.wire && i < c.width; ++i) {
-          named[static_cast<std::size_t>(c.low + i)] = true;
+        for (std::size_t i = 0; port == c.wire && i < c.bits.size(); ++i) {
+          named[static_cast<std::size_t>(c.low) + i] = true;
         }
       }
       const auto open = std::ranges::find(named, false);
@@ -155,37 +155,32 @@ class Question {
     questions_.inputs.push_back({fmt::format("free.{}", questions_.inputs.size()), bit});
     return bit;
   }
-  std::vector<std::size_t> nets_of(const RtlCell& cell) const {
-    std::vector<std::size_t> all;
-    for (int i = 0; i < cell.width; ++i) all.push_back(rtl_->net(cell.wire, cell.low + i));
-    return all;
-  }
-  Code bits_of(const std::vector<std::size_t>& nets) const {
+  Bit at(Bit net) const { return nets::placed_at(nets_, net); }
+  Code bits_of(const nets::Bits& nets) const {
     Code code;
-    for (const std::size_t net : nets) code.push_back(nets_[net]);
+    for (const Bit net : nets) code.push_back(at(net));
     return code;
   }
   void clock(const std::vector<Bit>& flip_flops, const std::vector<nets::Wire>& inputs) {
-    const nets::Cells& cells = rtl_->cells();
-    std::vector<Bit> given(cells.nets.size());
-    for (const auto* nets : {&cells.inputs, &cells.free}) {
-      for (const std::size_t net : *nets) given[net] = free();
+    std::map<std::size_t, Bit> given;
+    for (const auto* all : {&rtl_->pins(), &rtl_->undefined()}) {
+      for (const Bit pin : *all) given[pin.gate()] = free();
     }
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-      const auto nets = nets_of(inputs_[i]);
-      for (std::size_t b = 0; b < nets.size(); ++b) given[nets[b]] = inputs[i].code[b];
+      const nets::Bits& pins = inputs_[i].bits;
+      for (std::size_t b = 0; b < pins.size(); ++b) given[pins[b].gate()] = inputs[i].code[b];
     }
     for (std::size_t i = 0; i < flip_flops.size(); ++i) {
-      given[cells.flip_flops[i].now] = flip_flops[i];
+      given[rtl_->flip_flops()[i].now.gate()] = flip_flops[i];
     }
-    nets_ = placed(graph(), cells, std::move(given));
+    nets_ = placed(graph(), rtl_->graph(), given);
   }
 
   const nets::Model& model_;
   const RtlNets* rtl_ = nullptr;
   std::vector<RtlCell> inputs_, outputs_, registers_;
   Questions questions_;
-  std::vector<Bit> nets_;  // of the RTL, on the clock that the question has come to
+  nets::Bits nets_;  // by gate of the RTL, on the clock that the question has come to
   Bit assumed_ = yes;
 };
 

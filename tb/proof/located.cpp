@@ -19,7 +19,7 @@ std::vector<RtlCell> located_fields(const RtlNets& rtl, const std::string& desig
   std::vector<RtlCell> all;
   for (const auto& row : rows_of(fields)) {
     if (row.front().synchronizer != nullptr) {  // it is no pin
-      all.push_back({"", 0, 0});
+      all.push_back({});
       continue;
     }
     const std::string path = net_path(row.front().net).path;
@@ -39,7 +39,8 @@ std::vector<RtlCell> located_fields(const RtlNets& rtl, const std::string& desig
     for (std::size_t i = 0; i < row.size(); ++i) {
       auto [word, low] = places[i];
       if (is_upward) low = net.width - low - row[i].width;
-      all.push_back({word < 0 ? path : word_net(path, first + word), low, row[i].width});
+      const std::string wire = word < 0 ? path : word_net(path, first + word);
+      all.push_back({wire, low, rtl.bits(wire, low, row[i].width)});
     }
   }
   return all;

@@ -14,11 +14,11 @@ namespace cosim::proof {
 struct RtlCell {
   std::string wire;
   int low = 0;
-  int width = 1;
+  nets::Bits bits;
 };
 
 /// The cells of a table, which `kind` names in errors: input, output or register. A memory's word
-/// is a wire of its own. An input that is no pin is 0 bits of none. InputError where the RTL has no
+/// is a wire of its own. An input that is no pin has no bits. InputError where the RTL has no
 /// such wire or one of another width.
 std::vector<RtlCell> located_fields(const RtlNets& rtl, const std::string& design, const char* kind,
                                     const std::vector<Field>& fields);

@@ -26,26 +26,13 @@ class Maker {
  public:
   Maker(const nets::Model& model, const RtlNets& rtl)
       : machine_(model.machine), rtl_(rtl), q_{model.graph, model.ports, {}, {}} {
-    const auto find = [&](const char* kind, const std::vector<nets::Wire>& table) {
-      std::vector<std::vector<std::size_t>> all;
-      for (const RtlCell& cell : located(rtl, machine_.design, kind, table)) {
-        auto& nets = all.emplace_back();
-        for (int i = 0; i < cell.width; ++i) nets.push_back(rtl.net(cell.wire, cell.low + i));
-      }
-      return all;
-    };
-    inputs_ = find("input", machine_.inputs);
-    registers_ = find("register", machine_.registers);
-    outputs_ = find("output", machine_.outputs);
-    const auto& cells = rtl.cells();
-    for (const auto& f : cells.flip_flops) {
-      if (f.clock) clocks_.push_back(*f.clock);
+    inputs_ = located(rtl, machine_.design, "input", machine_.inputs);
+    registers_ = located(rtl, machine_.design, "register", machine_.registers);
+    outputs_ = located(rtl, machine_.design, "output", machine_.outputs);
+    for (const auto* all : {&rtl.pins(), &rtl.undefined()}) {
+      for (const Bit pin : *all) anything_[pin.gate()] = free_bit();
     }
-    anything_.resize(cells.nets.size());
-    for (const auto* all : {&cells.inputs, &cells.free}) {
-      for (const std::size_t net : *all) anything_[net] = free_bit();
-    }
-    for (const auto& f : cells.flip_flops) anything_[f.now] = free_bit();
+    for (const auto& f : rtl.flip_flops()) anything_[f.now.gate()] = free_bit();
     for (const auto* all : {&machine_.invariant, &machine_.reached, &machine_.legal}) {
       for (const nets::Named& n : *all) assumed_ = graph().and_of(assumed_, n.condition);
     }
@@ -108,16 +95,12 @@ class Maker {
     return bit;
   }
 
-  // By net: flip-flops hold `held`; inputs are the model's, or free.
+  // By gate: flip-flops hold `held`; inputs are the model's, or free.
   Row placed(unsigned number, const Row& held, bool free_inputs,
              const std::vector<nets::Wire>& reset_inputs = {}) {
-    const nets::Cells& cells = rtl_.cells();
-    Row given(cells.nets.size());
-    for (const auto* all : {&cells.inputs, &cells.free}) {
-      for (const std::size_t net : *all) given[net] = anything_[net];
-    }
+    std::map<std::size_t, Bit> given = anything_;
     for (int i = 0; i < rtl_.width("mutsel"); ++i) {
-      given[rtl_.net("mutsel", i)] = (number >> i & 1U) != 0 ? yes : no;
+      given[rtl_.net("mutsel", i).gate()] = nets::constant((number >> i & 1U) != 0);
     }
     for (std::size_t i = 0; i < inputs_.size(); ++i) {
       const nets::Wire& own = machine_.inputs[i];
@@ -125,29 +108,31 @@ class Maker {
       for (const nets::Wire& w : reset_inputs) {
         if (label_of(w.field) == label_of(own.field)) code = &w.code;
       }
-      for (std::size_t b = 0; code != nullptr && b < inputs_[i].size(); ++b) {
-        given[inputs_[i][b]] = (*code)[b];
+      const Row& pins = inputs_[i].bits;
+      for (std::size_t b = 0; code != nullptr && b < pins.size(); ++b) {
+        given[pins[b].gate()] = (*code)[b];
       }
     }
-    for (std::size_t i = 0; i < held.size(); ++i) given[cells.flip_flops[i].now] = held[i];
-    return nets::placed(graph(), cells, std::move(given));
+    for (std::size_t i = 0; i < held.size(); ++i) {
+      given[rtl_.flip_flops()[i].now.gate()] = held[i];
+    }
+    return nets::placed(graph(), rtl_.graph(), given);
   }
   Row held_at_random() const {
     Row all;
-    for (const auto& f : rtl_.cells().flip_flops) all.push_back(anything_[f.now]);
+    for (const auto& f : rtl_.flip_flops()) all.push_back(anything_.at(f.now.gate()));
     return all;
   }
   Row next_of(const Row& nets) const {
     Row all;
-    for (const auto& f : rtl_.cells().flip_flops) all.push_back(nets[f.next]);
+    for (const auto& f : rtl_.flip_flops()) all.push_back(placed_at(nets, f.next));
     return all;
   }
-  static std::vector<Row> in(const Row& nets, const std::vector<std::vector<std::size_t>>& of) {
+  static std::vector<Row> in(const Row& nets, const std::vector<RtlCell>& of) {
     std::vector<Row> all;
-    for (const auto& wire : of) {
-      Row bits;
-      for (const std::size_t net : wire) bits.push_back(nets[net]);
-      all.push_back(std::move(bits));
+    for (const RtlCell& cell : of) {
+      Row& bits = all.emplace_back();
+      for (const Bit net : cell.bits) bits.push_back(placed_at(nets, net));
     }
     return all;
   }
@@ -160,8 +145,8 @@ class Maker {
     const Row nets = placed(number, held, false, without_reset());
     for (std::size_t i = 0; i < registers_.size(); ++i) {
       const nets::Wire& w = machine_.registers[i];
-      for (std::size_t b = 0; b < registers_[i].size(); ++b) {
-        const auto own = std::find(held.begin(), held.end(), nets[registers_[i][b]]);
+      for (std::size_t b = 0; b < registers_[i].bits.size(); ++b) {
+        const auto own = std::ranges::find(held, placed_at(nets, registers_[i].bits[b]));
         if (own == held.end()) continue;
         *own = w.when ? graph().mux(*w.when, w.code[b], *own) : w.code[b];
       }
@@ -169,14 +154,16 @@ class Maker {
     const Row now = placed(number, held, false);
     for (std::size_t i = 0; i < registers_.size(); ++i) {
       const nets::Wire& w = machine_.seen.empty() ? machine_.registers[i] : machine_.seen[i];
-      for (std::size_t b = 0; b < registers_[i].size(); ++b) {
-        const Bit wrong = graph().xor_of(now[registers_[i][b]], w.code[b]);
+      for (std::size_t b = 0; b < registers_[i].bits.size(); ++b) {
+        const Bit wrong = graph().xor_of(placed_at(now, registers_[i].bits[b]), w.code[b]);
         step.given = graph().and_of(step.given, !where_compared(graph(), w, wrong));
       }
     }
     step.outputs = in(now, outputs_);
     step.after = in(placed(number, next_of(now), true), registers_);
-    for (const std::size_t net : clocks_) step.clocks.push_back(now[net]);
+    for (const auto& f : rtl_.flip_flops()) {
+      if (f.clock) step.clocks.push_back(placed_at(now, *f.clock));
+    }
     return step;
   }
 
@@ -206,9 +193,8 @@ class Maker {
   const nets::Machine& machine_;
   const RtlNets& rtl_;
   Questions q_;
-  std::vector<std::vector<std::size_t>> inputs_, registers_, outputs_;
-  std::vector<std::size_t> clocks_;  // of each flip-flop
-  Row anything_;                     // by net, of inputs and flip-flops
+  std::vector<RtlCell> inputs_, registers_, outputs_;
+  std::map<std::size_t, Bit> anything_;  // by gate, of inputs and flip-flops
   Bit assumed_ = yes;
   Step original_;
 };

@@ -29,22 +29,14 @@ class ProductMaker {
         watched_(watched),
         graph_(model.graph),
         free_(model.graph.inputs()) {
-    for (const RtlCell& cell : located(rtl, m_.design, "input", m_.inputs)) {
-      inputs_.push_back(nets_of(cell));
-    }
+    inputs_ = located(rtl, m_.design, "input", m_.inputs);
+    registers_ = located(rtl, m_.design, "register", m_.registers);
+    outputs_ = located(rtl, m_.design, "output", m_.outputs);
     for (const auto& [port, value] : tied) {
-      for (int b = 0; b < rtl.width(port); ++b)
-        tied_.emplace_back(rtl.net(port, b), cosim::bit(value, b));
-    }
-    const auto wires = [&](const char* kind, const std::vector<nets::Wire>& table) {
-      std::vector<std::vector<std::size_t>> all;
-      for (const RtlCell& cell : located(rtl, m_.design, kind, table)) {
-        all.push_back(nets_of(cell));
+      for (int b = 0; b < rtl.width(port); ++b) {
+        tied_[rtl.net(port, b).gate()] = nets::constant(cosim::bit(value, b));
       }
-      return all;
-    };
-    registers_ = wires("register", m_.registers);
-    outputs_ = wires("output", m_.outputs);
+    }
   }
 
   Product make() {
@@ -53,9 +45,8 @@ class ProductMaker {
     Code now;
     for (std::size_t i = 0; i < first.size(); ++i) now.push_back(graph_.input());
     const Code nets = clock(now, codes_of(m_.inputs));
-    const auto& flip_flops = rtl_.cells().flip_flops;
     for (std::size_t i = 0; i < now.size(); ++i) {
-      registers_now_.push_back({now[i], first[i], nets[flip_flops[i].next]});
+      registers_now_.push_back({now[i], first[i], placed_at(nets, rtl_.flip_flops()[i].next)});
     }
     turn();
     add_state(first);
@@ -71,41 +62,38 @@ class ProductMaker {
   };
   using Asked = std::vector<std::pair<std::string, Bit>>;
 
-  std::vector<std::size_t> nets_of(const RtlCell& cell) const {
-    std::vector<std::size_t> all;
-    for (int b = 0; b < cell.width; ++b) all.push_back(rtl_.net(cell.wire, cell.low + b));
-    return all;
-  }
   static std::vector<Code> codes_of(const std::vector<nets::Wire>& wires) {
     std::vector<Code> all;
     for (const nets::Wire& w : wires) all.push_back(w.code);
     return all;
   }
 
+  // What each gate of the RTL is.
   Code clock(const Code& flip_flops, const std::vector<Code>& inputs) {
-    const nets::Cells& cells = rtl_.cells();
-    Code given(cells.nets.size());
-    for (const auto* nets : {&cells.inputs, &cells.free}) {
-      for (const std::size_t net : *nets) given[net] = graph_.input();
+    std::map<std::size_t, Bit> given = tied_;
+    for (const auto* all : {&rtl_.pins(), &rtl_.undefined()}) {
+      for (const Bit pin : *all) {
+        if (!given.contains(pin.gate())) given[pin.gate()] = graph_.input();
+      }
     }
-    for (const auto& [net, value] : tied_) given[net] = value ? yes : no;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-      for (std::size_t b = 0; b < inputs_[i].size(); ++b) given[inputs_[i][b]] = inputs[i][b];
+      const Code& pins = inputs_[i].bits;
+      for (std::size_t b = 0; b < pins.size(); ++b) given[pins[b].gate()] = inputs[i][b];
     }
     for (std::size_t i = 0; i < flip_flops.size(); ++i) {
-      given[cells.flip_flops[i].now] = flip_flops[i];
+      given[rtl_.flip_flops()[i].now.gate()] = flip_flops[i];
     }
-    return placed(graph_, cells, std::move(given));
+    return placed(graph_, rtl_.graph(), given);
   }
 
   // What synchronizers take. RTL with mutants takes the old value: they may stand between a
   // register and its net.
   void turn() {
     for (std::size_t i = 0; i < m_.turned.size() && !has_mutants(); ++i) {
-      for (std::size_t b = 0; b < registers_[i].size(); ++b) {
+      for (std::size_t b = 0; b < registers_[i].bits.size(); ++b) {
         const Bit turned = m_.turned[i].code[b];
         if (turned == no) continue;
-        const auto shown = rtl_.shown(registers_[i][b]);
+        const auto shown = rtl_.shown(registers_[i].bits[b]);
         if (!shown) {
           throw InputError(fmt::format("{}: register {} has no flip-flops of its own", m_.design,
                                        label_of(m_.turned[i].field)));
@@ -119,7 +107,7 @@ class ProductMaker {
 
   // What the flip-flops hold when the first clock begins.
   Code after_reset() {
-    const auto& flip_flops = rtl_.cells().flip_flops;
+    const auto& flip_flops = rtl_.flip_flops();
     Code held;
     for (const auto& f : flip_flops) {
       held.push_back(f.initial == '0' ? no : f.initial == '1' ? yes : graph_.input());
@@ -135,7 +123,7 @@ class ProductMaker {
         inputs.push_back(std::move(code));
       }
       const Code nets = clock(held, inputs);
-      for (std::size_t f = 0; f < held.size(); ++f) held[f] = nets[flip_flops[f].next];
+      for (std::size_t f = 0; f < held.size(); ++f) held[f] = placed_at(nets, flip_flops[f].next);
     }
     return held;
   }
@@ -163,9 +151,9 @@ class ProductMaker {
                         return label_of(a.field) == label_of(b.field);
                       });
   }
-  static Code at(const std::vector<std::size_t>& places, const Code& nets) {
+  static Code at(const RtlCell& cell, const Code& nets) {
     Code code;
-    for (const std::size_t net : places) code.push_back(nets[net]);
+    for (const Bit net : cell.bits) code.push_back(placed_at(nets, net));
     return code;
   }
   Code taken_over(std::size_t i, const Code& nets) {
@@ -175,7 +163,7 @@ class ProductMaker {
     return (nets::Number::signed_code(graph_, code) + sign).code(static_cast<int>(code.size()));
   }
 
-  Bit differs(const nets::Wire& w, const std::vector<std::size_t>& rtl, const Code& nets) {
+  Bit differs(const nets::Wire& w, const RtlCell& rtl, const Code& nets) {
     return where_compared(graph_, w, graph_.differ(w.code, at(rtl, nets)));
   }
 
@@ -200,26 +188,27 @@ class ProductMaker {
       asked_[Happens::stuck].emplace_back("idle inputs are not legal: " + n.name, !n.condition);
     }
     for (const auto& [name, net] : rtl_.unmet()) {
-      // On the first clock such a one tells of the clock before, which is one of the reset.
-      const Bit unmet = rtl_.is_sampled(net) ? graph_.and_of(is_later_, nets[net]) : nets[net];
-      asked_[Happens::assertion].emplace_back("not so: assertion " + name, unmet);
+      asked_[Happens::assertion].emplace_back("not so: assertion " + name, stated(net, nets));
     }
     for (const nets::Named& n : m_.legal) legal_ = graph_.and_of(legal_, n.condition);
+  }
+
+  // On the first clock one that is sampled tells of the clock before, which is one of the reset.
+  Bit stated(Bit net, const Code& nets) {
+    const Bit is = placed_at(nets, net);
+    return rtl_.is_sampled(net) ? graph_.and_of(is_later_, is) : is;
   }
 
   // Whether it happens on this clock. Of the clock before, which a net that toggles is compared
   // with, the first one knows nothing.
   Bit seen(const Watched& one, const Code& nets) {
     Bit any = no;
-    for (const std::size_t net : one.toggles) {
-      const Bit before = graph_.input();
-      registers_now_.push_back({before, no, nets[net]});
-      any = graph_.or_of(any, graph_.and_of(is_later_, graph_.xor_of(before, nets[net])));
+    for (const Bit net : one.toggles) {
+      const Bit before = graph_.input(), now = placed_at(nets, net);
+      registers_now_.push_back({before, no, now});
+      any = graph_.or_of(any, graph_.and_of(is_later_, graph_.xor_of(before, now)));
     }
-    for (const std::size_t net : one.holds) {
-      const Bit holds = nets[net];
-      any = graph_.or_of(any, rtl_.is_sampled(net) ? graph_.and_of(is_later_, holds) : holds);
-    }
+    for (const Bit net : one.holds) any = graph_.or_of(any, stated(net, nets));
     for (const auto* all : {&m_.cases, &m_.ways}) {
       for (const nets::Named& n : *all) {
         if (n.name == one.model_case) any = graph_.or_of(any, n.condition);
@@ -300,8 +289,8 @@ class ProductMaker {
   Bit is_later_ = graph_.input();  // than the first clock
   Code free_;                      // of the model
   Product product_;
-  std::vector<std::vector<std::size_t>> inputs_, registers_, outputs_;  // nets of the RTL
-  std::vector<std::pair<std::size_t, bool>> tied_;
+  std::vector<RtlCell> inputs_, registers_, outputs_;
+  std::map<std::size_t, Bit> tied_;  // by gate of the RTL
   std::vector<Register> registers_now_;
   std::map<Happens, Asked> asked_;
   Bit legal_ = yes;

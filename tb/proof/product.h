@@ -24,10 +24,9 @@ enum class Happens {
 
 /// Something that a clock may have.
 struct Watched {
-  std::vector<std::size_t> toggles =
-      {};                               ///< nets of the RTL: one is not what it was a clock before
-  std::vector<std::size_t> holds = {};  ///< nets of the RTL: one is 1
-  std::string model_case = {};          ///< of the model's cases or ways, by its name: it is so
+  nets::Bits toggles = {};      ///< of the RTL: one is not what it was a clock before
+  nets::Bits holds = {};        ///< of the RTL: one is 1
+  std::string model_case = {};  ///< of the model's cases or ways, by its name: it is so
 };
 
 struct Product {

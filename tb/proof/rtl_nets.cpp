@@ -28,21 +28,9 @@ std::string name_of_statement(std::string cell) {
   return cell;
 }
 
-// What a gate gives, as a table of what it reads; what chooses is the last.
-nets::Cells::Table table_of(const nets::Graph::Made& gate) {
-  const auto is = [](Bit bit, std::uint64_t where) { return bit.is_inverted() ? ~where : where; };
-  constexpr std::uint64_t first = 0xaa, second = 0xcc, third = 0xf0;
-  if (gate.kind == nets::Gate::mux) {
-    const std::uint64_t chosen = is(gate.a, third);
-    return {{}, ((chosen & is(gate.b, second)) | (~chosen & is(gate.c, first))) & 0xff, 0};
-  }
-  const std::uint64_t a = is(gate.a, first), b = is(gate.b, second);
-  return {{}, (gate.kind == nets::Gate::and_gate ? a & b : a ^ b) & 0xf, 0};
-}
-
 }  // namespace
 
-// The module becomes a graph, of which what its named nets rest on becomes tables.
+// The module becomes a graph, of which what its named nets read is kept.
 class RtlNets::Maker {
  public:
   Maker(RtlNets& made, const equiv::Module& module, const Source& source)
@@ -51,7 +39,7 @@ class RtlNets::Maker {
         is_stepped_(source.clocks_are_inputs),
         gates_(
             module, graph_, [this] { return free(); }, [] { return no; }) {
-    made_.cells_.name = source.top;
+    made_.name_ = source.top;
   }
 
   void make() {
@@ -64,17 +52,10 @@ class RtlNets::Maker {
       if (cell.is_register()) clock(cell);
       if (cell.type == "$assert" || cell.type == "$cover") state(cell);
     }
-    number();
+    keep();
   }
 
  private:
-  struct FlipFlop {
-    Bit now;
-    std::optional<Bit> clock;
-    bool falls = false;
-    char initial = 'x';
-  };
-
   Bit free() { return free_.emplace_back(graph_.input()); }
 
   void read_ports() {
@@ -90,11 +71,11 @@ class RtlNets::Maker {
 
   void hold(const equiv::Cell& cell) {
     if (cell.type.find("latch") != std::string::npos || !cell.has("D")) {
-      throw InputError(fmt::format("{}: {} is no flip-flop", made_.cells_.name, cell.name));
+      throw InputError(fmt::format("{}: {} is no flip-flop", made_.name_, cell.name));
     }
     for (const int bit : cell.pins.at("Q")) {
       place_[bit] = flip_flops_.size();
-      flip_flops_.push_back({graph_.latch(), {}});
+      flip_flops_.push_back({graph_.latch(), no});
       gates_.hold(bit, flip_flops_.back().now);
     }
   }
@@ -120,7 +101,8 @@ class RtlNets::Maker {
     const nets::Bits next = gates_.next(cell, is_stepped_);
     for (std::size_t i = 0; i < next.size(); ++i) {
       FlipFlop& own = flip_flops_[place_.at(cell.pins.at("Q")[i])];
-      graph_.next(own.now, next[i]);
+      own.next = next[i];
+      graph_.next(own.now, own.next);
       if (is_stepped_ || !cell.has("CLK")) continue;
       own.clock = gates_.of(cell.pins.at("CLK").front());
       own.falls = !cell.flag("CLK_POLARITY");
@@ -135,72 +117,39 @@ class RtlNets::Maker {
                       graph_.and_of(gates_.of(cell.pins.at("EN").front()), is ^ asserts));
   }
 
-  // Gives the nets their numbers.
-  void number() {
+  // Takes over what is read.
+  void keep() {
     nets::Bits roots;
     for (const auto& [name, bit] : named_) roots.push_back(bit);
     for (const auto* all : {&unmet_, &covered_}) {
       for (const auto& [name, bit] : *all) roots.push_back(bit);
     }
-    for (const FlipFlop& f : flip_flops_) {
-      if (f.clock) roots.push_back(*f.clock);
-    }
+    for (const FlipFlop& f : flip_flops_) roots.push_back(f.clock.value_or(no));
     const std::vector<bool> is_read = graph_.cone(roots, true);
-    nets::Cells& cells = made_.cells_;
-    std::map<Bit, std::string> names;
-    for (const auto& [name, bit] : named_) names.try_emplace(bit, name);
-    for (std::size_t i = 1; i < is_read.size(); ++i) {
-      if (!is_read[i]) continue;
-      const Bit bit = nets::gate_bit(i);
-      const auto named = names.find(bit);
-      const nets::Graph::Made& gate = graph_.gates()[i];
-      const std::size_t net = net_of_[bit] =
-          added(named == names.end() ? fmt::format("${}", i) : named->second);
-      if (!gate.is_logic()) continue;
-      nets::Cells::Table table = table_of(gate);
-      if (gate.kind == nets::Gate::mux) table.of.push_back(read(gate.c));
-      table.of.push_back(read(gate.kind == nets::Gate::mux ? gate.b : gate.a));
-      table.of.push_back(read(gate.kind == nets::Gate::mux ? gate.a : gate.b));
-      table.gives = net;
-      cells.tables.push_back(std::move(table));
-    }
-    const auto put = [&](const nets::Bits& bits, std::vector<std::size_t>& to) {
-      for (const Bit bit : bits) {
-        if (is_read[bit.gate()]) to.push_back(net_of(bit));
+    nets::Placing placing(graph_, made_.graph_);
+    const auto give = [&](const nets::Bits& inputs, nets::Bits& to) {
+      for (const Bit bit : inputs) {
+        if (is_read[bit.gate()]) placing.give(bit, to.emplace_back(made_.graph_.input()));
       }
     };
-    put(inputs_, cells.inputs);
-    put(free_, cells.free);
+    give(inputs_, made_.pins_);
+    give(free_, made_.undefined_);
+    std::erase_if(flip_flops_, [&](const FlipFlop& f) { return !is_read[f.now.gate()]; });
     for (const FlipFlop& f : flip_flops_) {
-      if (!is_read[f.now.gate()]) continue;
-      nets::Cells::FlipFlop& own = cells.flip_flops.emplace_back();
-      own.now = net_of(f.now);
-      own.next = net_of(graph_.latches()[graph_.gates()[f.now.gate()].number].next);
-      if (f.clock) own.clock = net_of(*f.clock);
-      own.falls = f.falls;
-      own.initial = f.initial;
+      placing.give(f.now, made_.graph_.latch());
+      roots.push_back(f.next);
     }
-    for (const auto& [name, bit] : named_) made_.numbers_[name] = net_of(bit);
-    for (const auto& [name, bit] : unmet_) made_.unmet_.emplace_back(name, net_of(bit));
-    for (const auto& [name, bit] : covered_) made_.covered_.emplace_back(name, net_of(bit));
-  }
-
-  std::size_t added(const std::string& name) {
-    made_.cells_.nets.push_back(name);
-    return made_.cells_.nets.size() - 1;
-  }
-  std::size_t read(Bit bit) const { return net_of_.at(bit ^ bit.is_inverted()); }
-  // A constant, and what is inverted, are tables of their own.
-  std::size_t net_of(Bit bit) {
-    const auto [at, is_new] = net_of_.try_emplace(bit, made_.cells_.nets.size());
-    if (!is_new) return at->second;
-    const std::size_t net = added(fmt::format("${}", bit.code));
-    if (bit.is_constant()) {
-      made_.cells_.tables.push_back({{}, bit == yes ? 1U : 0U, net});
-    } else {
-      made_.cells_.tables.push_back({{net_of_.at(!bit)}, 1, net});
+    placing.make(roots);
+    for (FlipFlop f : flip_flops_) {
+      f.now = placing.of(f.now);
+      f.next = placing.of(f.next);
+      if (f.clock) f.clock = placing.of(*f.clock);
+      made_.graph_.next(f.now, f.next);
+      made_.flip_flops_.push_back(f);
     }
-    return net;
+    for (const auto& [name, bit] : named_) made_.named_[name] = placing.of(bit);
+    for (const auto& [name, bit] : unmet_) made_.unmet_.emplace_back(name, placing.of(bit));
+    for (const auto& [name, bit] : covered_) made_.covered_.emplace_back(name, placing.of(bit));
   }
 
   RtlNets& made_;
@@ -212,8 +161,7 @@ class RtlNets::Maker {
   std::vector<FlipFlop> flip_flops_;
   std::map<int, std::size_t> place_;  // of the flip-flop whose pin Q a bit is
   std::map<std::string, Bit> named_;
-  std::vector<std::pair<std::string, Bit>> unmet_, covered_;
-  std::map<Bit, std::size_t> net_of_;
+  Stated unmet_, covered_;
 };
 
 std::string command_to_write_nets(const fs::path& folder) {
@@ -238,9 +186,10 @@ RtlNets::RtlNets(const Source& source)
         return nets;
       }()) {}
 
-RtlNets::RtlNets(const equiv::Module& module, const Source& source) {
+RtlNets::RtlNets(const equiv::Module& module, const Source& source)
+    : is_reset_asynchronous_(source.asynchronous_reset) {
   Maker(*this, module, source).make();
-  find_flip_flops(source.asynchronous_reset);
+  find_flip_flops();
 }
 
 std::string RtlNets::Wire::bit(const std::string& name, int i) const {
@@ -271,12 +220,12 @@ bool RtlNets::is_upward(const std::string& array) const {
   if (known == arrays_->end()) return false;  // parts of a vector
   if (known->second != Order::both) return known->second == Order::upward;
   throw InputError(
-      fmt::format("{}: {}: two arrays of this name count upward and downward", cells_.name, array));
+      fmt::format("{}: {}: two arrays of this name count upward and downward", name_, array));
 }
 
 std::vector<std::string> RtlNets::inputs() const {
-  std::set<std::size_t> clocks;
-  for (const auto& f : cells_.flip_flops) {
+  std::set<Bit> clocks;
+  for (const FlipFlop& f : flip_flops_) {
     if (f.clock) clocks.insert(*f.clock);
   }
   std::vector<std::string> all;
@@ -294,17 +243,22 @@ std::vector<std::string> RtlNets::outputs() const {
   return all;
 }
 
-std::size_t RtlNets::net(const std::string& wire, int bit) const {
+Bit RtlNets::net(const std::string& wire, int bit) const {
   const std::string name = wires_.at(wire).bit(wire, bit);
-  const auto found = numbers_.find(name);
-  if (found == numbers_.end()) throw InputError(fmt::format("{}: no net {}", cells_.name, name));
+  const auto found = named_.find(name);
+  if (found == named_.end()) throw InputError(fmt::format("{}: no net {}", name_, name));
   return found->second;
 }
 
-std::vector<std::size_t> RtlNets::nets_in(const std::string& instance,
-                                          const std::string& bit) const {
-  std::vector<std::size_t> all;
-  for (const auto& [name, net] : numbers_) {
+nets::Bits RtlNets::bits(const std::string& wire, int low, int width) const {
+  nets::Bits all;
+  for (int i = 0; i < width; ++i) all.push_back(net(wire, low + i));
+  return all;
+}
+
+nets::Bits RtlNets::nets_in(const std::string& instance, const std::string& bit) const {
+  nets::Bits all;
+  for (const auto& [name, net] : named_) {
     if (!name.ends_with(bit)) continue;
     const std::size_t path = name.size() - bit.size();
     if (path > 0 && name[path - 1] != '.') continue;
@@ -313,31 +267,32 @@ std::vector<std::size_t> RtlNets::nets_in(const std::string& instance,
   return all;
 }
 
-bool RtlNets::is_sampled(std::size_t stated) const {
-  std::vector<bool> is_read(cells_.nets.size());
-  is_read[stated] = true;
-  for (auto table = cells_.tables.rbegin(); table != cells_.tables.rend(); ++table) {
-    if (!is_read[table->gives]) continue;
-    for (const std::size_t net : table->of) is_read[net] = true;
-  }
-  const auto read = [&](std::size_t net) -> bool { return is_read[net]; };
-  if (std::any_of(cells_.inputs.begin(), cells_.inputs.end(), read)) return false;
-  return std::all_of(
-      cells_.flip_flops.begin(), cells_.flip_flops.end(), [&](const nets::Cells::FlipFlop& f) {
-        return !is_read[f.now] || cells_.nets[f.now].starts_with('$');  // yosys's own
-      });
+bool RtlNets::is_sampled(Bit stated) const {
+  const std::vector<bool> is_read = graph_.cone(std::span(&stated, 1));
+  if (std::ranges::any_of(pins_, [&](Bit pin) { return is_read[pin.gate()]; })) return false;
+  return std::ranges::none_of(named_, [&](const auto& net) {  // else it is yosys's own
+    const std::size_t gate = net.second.gate();
+    return is_read[gate] && graph_.gates()[gate].kind == nets::Gate::latch;
+  });
 }
 
-void RtlNets::find_flip_flops(bool asynchronous_reset) {
-  shown_.resize(cells_.nets.size());
-  for (std::size_t i = 0; i < cells_.flip_flops.size(); ++i) shown_[cells_.flip_flops[i].now] = i;
-  if (!asynchronous_reset) return;
-  std::vector<bool> many(cells_.nets.size());  // more than one
-  for (const nets::Cells::Table& t : cells_.tables) {
-    for (const std::size_t net : t.of) {
-      many[t.gives] = many[t.gives] || many[net] ||
-                      (shown_[t.gives] && shown_[net] && shown_[t.gives] != shown_[net]);
-      if (shown_[net]) shown_[t.gives] = shown_[net];
+std::optional<std::size_t> RtlNets::shown(Bit net) const {
+  const bool is_other = !is_reset_asynchronous_ && net.is_inverted();
+  return is_other ? std::nullopt : shown_[net.gate()];
+}
+
+void RtlNets::find_flip_flops() {
+  const auto& gates = graph_.gates();
+  shown_.resize(gates.size());
+  for (std::size_t i = 0; i < flip_flops_.size(); ++i) shown_[flip_flops_[i].now.gate()] = i;
+  if (!is_reset_asynchronous_) return;
+  std::vector<bool> many(gates.size());  // more than one
+  for (std::size_t i = 0; i < gates.size(); ++i) {
+    if (!gates[i].is_logic()) continue;
+    for (const Bit read : {gates[i].a, gates[i].b, gates[i].c}) {
+      const std::size_t of = read.gate();
+      many[i] = many[i] || many[of] || (shown_[i] && shown_[of] && shown_[i] != shown_[of]);
+      if (shown_[of]) shown_[i] = shown_[of];
     }
   }
   for (std::size_t i = 0; i < many.size(); ++i) {

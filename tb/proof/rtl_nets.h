@@ -1,4 +1,4 @@
-// The RTL as nets of one bit.
+// The RTL as a graph of gates, with names for its bits.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "tb/equiv/netlist.h"
-#include "tb/nets/cells.h"
+#include "tb/nets/graph.h"
 #include "tb/proof/arrays.h"
 #include "tb/proof/yosys.h"
 
@@ -19,6 +19,13 @@ namespace cosim::proof {
 /// One clock of a machine as gates and flip-flops.
 class RtlNets {
  public:
+  /// A latch of the graph.
+  struct FlipFlop {
+    nets::Bit now, next;
+    std::optional<nets::Bit> clock{};  ///< none where each step is its edge
+    bool falls = false;                ///< its edge is the falling one
+    char initial = 'x';                ///< '0', '1', or 'x' where it has no initial value
+  };
   /// Runs yosys on `source`. InputError where it cannot be run, or makes of the RTL something else
   /// than logic and flip-flops.
   explicit RtlNets(const Source& source);
@@ -27,7 +34,12 @@ class RtlNets {
   /// end of a word.
   RtlNets(const equiv::Module& module, const Source& source);
 
-  const nets::Cells& cells() const { return cells_; }
+  /// All that its nets and flip-flops read; each of its latches is a flip-flop.
+  const nets::Graph& graph() const { return graph_; }
+  const std::vector<FlipFlop>& flip_flops() const { return flip_flops_; }
+  /// The inputs of the graph: those of the RTL, and what it leaves undefined.
+  const nets::Bits& pins() const { return pins_; }
+  const nets::Bits& undefined() const { return undefined_; }
   /// The ports of the top; of the inputs all but the clocks of its flip-flops.
   std::vector<std::string> inputs() const;
   std::vector<std::string> outputs() const;
@@ -41,12 +53,14 @@ class RtlNets {
   /// Whether element 0 of an array that has become one wire has the wire's highest bits. InputError
   /// where it is declared in two ways.
   bool is_upward(const std::string& array) const;
-  /// The net of a bit of it, counted from the lowest.
-  std::size_t net(const std::string& wire, int bit) const;
+  /// A bit of it, counted from the lowest.
+  nets::Bit net(const std::string& wire, int bit) const;
+  /// All bits from one on.
+  nets::Bits bits(const std::string& wire, int low, int width) const;
   /// The flip-flop that a net shows, by its number. Under an asynchronous reset a net that shows a
   /// constant where the reset is given, else a flip-flop, shows that one.
-  std::optional<std::size_t> shown(std::size_t net) const { return shown_[net]; }
-  using Stated = std::vector<std::pair<std::string, std::size_t>>;
+  std::optional<std::size_t> shown(nets::Bit net) const;
+  using Stated = std::vector<std::pair<std::string, nets::Bit>>;
   /// The nets that are 1 where what the RTL asserts is not so, where they are kept, with their
   /// assertions' names: a label, or a file and a line.
   const Stated& unmet() const { return unmet_; }
@@ -54,10 +68,10 @@ class RtlNets {
   const Stated& covered() const { return covered_; }
   /// Whether such a net says so of the clock before: what is stated at a clock is sampled by
   /// flip-flops of its own, which are all that the net depends on.
-  bool is_sampled(std::size_t stated) const;
+  bool is_sampled(nets::Bit stated) const;
   /// The nets of a bit by its name in the RTL, "count[3]", in each instance whose path, "a.b", is
   /// one that `instance` tells of, in which "*" stands for any text. None where yosys has none.
-  std::vector<std::size_t> nets_in(const std::string& instance, const std::string& bit) const;
+  nets::Bits nets_in(const std::string& instance, const std::string& bit) const;
 
  private:
   class Maker;
@@ -69,15 +83,19 @@ class RtlNets {
 
     std::string bit(const std::string& name, int i) const;
   };
-  void find_flip_flops(bool asynchronous_reset);
+  void find_flip_flops();
 
-  nets::Cells cells_;
+  std::string name_;
+  bool is_reset_asynchronous_;
+  nets::Graph graph_;
+  nets::Bits pins_, undefined_;
+  std::vector<FlipFlop> flip_flops_;
   bool asserts_ = false;
   std::optional<std::map<std::string, Order>> arrays_;  ///< of RTL that slang has read
   std::map<std::string, Wire> wires_;
-  std::map<std::string, std::size_t> numbers_;  // of nets, by name
+  std::map<std::string, nets::Bit> named_;
   Stated unmet_, covered_;
-  std::vector<std::optional<std::size_t>> shown_;
+  std::vector<std::optional<std::size_t>> shown_;  // by gate
 };
 
 /// For yosys, behind what makes one module of RTL: the command, with "; " before it, that writes it

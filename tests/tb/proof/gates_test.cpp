@@ -3,6 +3,7 @@
 
 #include <fstream>
 #include <functional>
+#include <map>
 #include <optional>
 
 #include "tb/proof/rtl_nets.h"
@@ -25,19 +26,21 @@ class Operators {
   }
   std::uint64_t at(unsigned wide, unsigned narrow) const {
     nets::Graph graph;
-    std::vector<nets::Bit> given(rtl_->cells().nets.size(), nets::no);
+    std::map<std::size_t, nets::Bit> given;
+    for (const nets::Bit pin : rtl_->pins()) given[pin.gate()] = nets::no;
     const auto give = [&](const char* name, int width, unsigned code) {
       for (int i = 0; i < width; ++i) {
-        given[rtl_->net(name, i)] = (code >> i & 1U) != 0 ? nets::yes : nets::no;
+        given[rtl_->net(name, i).gate()] = nets::constant((code >> i & 1U) != 0);
       }
     };
     give("a", 5, wide);
     give("c", 5, wide);
     give("b", 3, narrow);
     give("d", 3, narrow);
-    const auto all = placed(graph, rtl_->cells(), given);
+    const auto all = placed(graph, rtl_->graph(), given);
     std::uint64_t y = 0;
-    for (int i = 0; i < 7; ++i) y |= std::uint64_t{all[rtl_->net("y", i)] == nets::yes} << i;
+    for (int i = 0; i < 7; ++i)
+      y |= std::uint64_t{placed_at(all, rtl_->net("y", i)) == nets::yes} << i;
     return y;
   }
 

@@ -117,12 +117,17 @@ TEST(RtlNets, CountBitsFromTheLowest) {
     module.ports.push_back({net.name, "input", "", net.bits});
   module.ports.pop_back();
   const RtlNets rtl(module, {{}, "top", {}});
-  const auto name = [&](const char* wire, int bit) { return rtl.cells().nets[rtl.net(wire, bit)]; };
-  EXPECT_EQ(name("down", 0), "down[2]");
-  EXPECT_EQ(name("down", 1), "down[3]");
-  EXPECT_EQ(name("up", 0), "up[3]");
-  EXPECT_EQ(name("up", 1), "up[2]");
-  EXPECT_EQ(name("one", 0), "one");
+  const nets::Bits& pins = rtl.pins();
+  ASSERT_EQ(pins.size(), 5U);
+  const auto is_called = [&](const char* wire, int bit, const char* name, Bit pin) {
+    EXPECT_EQ(rtl.net(wire, bit), pin) << name;
+    EXPECT_EQ(rtl.nets_in("", name), nets::Bits{pin}) << name;
+  };
+  is_called("down", 0, "down[2]", pins[0]);
+  is_called("down", 1, "down[3]", pins[1]);
+  is_called("up", 0, "up[3]", pins[2]);
+  is_called("up", 1, "up[2]", pins[3]);
+  is_called("one", 0, "one", pins[4]);
   EXPECT_EQ(rtl.inputs(), (std::vector<std::string>{"down", "one", "up"}));
   EXPECT_EQ(rtl.width("none"), 0);
   EXPECT_EQ(rtl.width("$made"), 0);
@@ -158,7 +163,7 @@ equiv::Module flip_flops() {
 
 TEST(RtlNets, HaveFlipFlopsWithEdgesAndFirstValues) {
   const RtlNets rtl(flip_flops(), {{}, "top", {}});
-  const auto& all = rtl.cells().flip_flops;
+  const auto& all = rtl.flip_flops();
   ASSERT_EQ(all.size(), 2U);
   EXPECT_EQ(all[0].now, rtl.net("a", 0));
   EXPECT_EQ(all[0].initial, '1');
@@ -170,10 +175,9 @@ TEST(RtlNets, HaveFlipFlopsWithEdgesAndFirstValues) {
 
   // From all states, with and without rst: (a & !rst & b) ^ a.
   nets::Graph graph;
-  std::vector<nets::Bit> given(rtl.cells().nets.size(), nets::no);
-  const char* const names[] = {"a", "b", "rst"};
-  for (const char* name : names) given[rtl.net(name, 0)] = graph.input();
-  const nets::Bit next = placed(graph, rtl.cells(), given)[all[0].next];
+  std::map<std::size_t, Bit> given{{rtl.net("clk", 0).gate(), nets::no}};
+  for (const char* name : {"a", "b", "rst"}) given[rtl.net(name, 0).gate()] = graph.input();
+  const Bit next = placed_at(placed(graph, rtl.graph(), given), all[0].next);
   const auto gates = nets::run(graph, std::vector<std::uint64_t>{0xaa, 0xcc, 0xf0});
   EXPECT_EQ(nets::in_runs(gates, next) & 0xff, ((0xaa & ~0xf0 & 0xcc) ^ 0xaa) & 0xff);
 }

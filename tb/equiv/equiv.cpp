@@ -166,7 +166,7 @@ proof::Reached reach(const Question& q, const Product& product, const std::strin
   q.budget.check();
   if (!q.keep.empty()) {
     OutputFile file((q.keep / (called + ".aig")).string());
-    file.text(aiger(product.graph, product.bad, product.names));
+    file.text(aiger(product.graph, {product.bad}, product.names));
     file.close();
   }
   const auto now = Budget::Clock::now();

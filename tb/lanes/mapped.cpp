@@ -23,20 +23,19 @@ std::size_t size_of(const nets::Cells& cells) {
 
 nets::Cells mapped(const std::string& name, const nets::Graph& graph,
                    const std::vector<nets::Bit>& inputs, const std::vector<nets::Bit>& outputs) {
-  const auto ports = [](const char* kind, const std::vector<nets::Bit>& bits) {
-    std::vector<nets::Port> all;
-    for (const nets::Bit bit : bits) all.push_back({fmt::format("{}{}", kind, all.size()), bit});
-    return all;
-  };
+  nets::Graph own;  // with these inputs alone, in their order
+  nets::Placing placing(graph, own);
+  for (const nets::Bit bit : inputs) placing.give(bit, own.input());
+  placing.make(outputs);
+  nets::Bits made;
+  for (const nets::Bit bit : outputs) made.push_back(placing.of(bit));
   const Scratch scratch;
-  const auto file = [&](const std::string& of) {
-    return (scratch.path() / (of + ".blif")).string();
-  };
-  std::ofstream(file("given")) << to_blif(name, graph, ports("i", inputs), ports("o", outputs));
+  const auto file = [&](const char* of) { return (scratch.path() / of).string(); };
+  std::ofstream(file("given.aig")) << aiger(own, made);
   // Which of two ways needs fewer cells depends on the netlist. mfs2 takes most of the time.
-  const std::string read = "read_blif " + file("given") + "; strash; ", map = "if -a -K 3; ";
+  const std::string read = "read_aiger " + file("given.aig") + "; strash; ", map = "if -a -K 3; ";
   const std::string again = "strash; dch; " + map, ends = again + "mfs2 -a; write_blif ";
-  const std::vector<std::string> all{file("0"), file("1")};
+  const std::vector<std::string> all{file("0.blif"), file("1.blif")};
   const Ended ended = run_program(
       {"yosys-abc", "-q",
        read + "ifraig; " + map + again + ends + all[0] + "; " + read + "dc2; " + ends + all[1]});
@@ -47,8 +46,8 @@ nets::Cells mapped(const std::string& name, const nets::Graph& graph,
     throw InputError(fmt::format("{}: yosys-abc fails: {}", name, ended.text));
   }
   nets::Cells cells = nets::read_blif(read_file(all.front()), name);
-  for (const std::string& made : all) {
-    nets::Cells other = nets::read_blif(read_file(made), name);
+  for (const std::string& path : all) {
+    nets::Cells other = nets::read_blif(read_file(path), name);
     if (size_of(other) < size_of(cells)) cells = std::move(other);
   }
   if (cells.inputs.size() != inputs.size() || cells.outputs.size() != outputs.size()) {

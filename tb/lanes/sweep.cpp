@@ -38,35 +38,30 @@ std::string key_of(const std::string& title, const nets::Played& played,
   std::sort(files.begin(), files.end());
   for (const fs::path& file : files) key += read_file(file.string());
   const nets::Machine& m = played.model.machine;
-  std::vector<nets::Port> out, held;
-  const auto add = [](std::vector<nets::Port>& ports, const std::vector<nets::Bit>& bits) {
-    for (const nets::Bit bit : bits) ports.push_back({fmt::format("p{}", ports.size()), bit});
+  nets::Bits out;
+  const auto add = [&](const nets::Bits& bits) { out.insert(out.end(), bits.begin(), bits.end()); };
+  const auto add_text = [&](const nets::Graph& graph) {
+    key += aiger(graph, std::exchange(out, {}));
   };
   for (const auto* wires : {&m.registers, &m.seen, &m.outputs, &m.turned, &m.next}) {
     for (const nets::Wire& w : *wires) {
-      add(out, w.code);
-      if (w.when) add(out, {*w.when});
+      add(w.code);
+      if (w.when) add({*w.when});
       key += fmt::format("{} {} {}\n", label_of(w.field), w.field.net, w.when.has_value());
     }
   }
-  key += to_blif("model", played.model.graph, played.model.ports, out);
+  add_text(played.model.graph);
   for (const auto* step : {&played.draw.clock, &played.draw.stretch}) {
-    held.clear();
-    out.clear();
-    add(held, step->held);
-    add(out, step->inputs);
-    add(out, step->after);
-    key += to_blif("draw", step->graph, held, out);
+    add(step->inputs);
+    add(step->after);
+    add_text(step->graph);
   }
   if (const auto& answer = played.draw.answer) {
-    held.clear();
-    out.clear();
-    add(held, answer->held);
-    add(held, answer->seen);
-    add(out, answer->after);
-    add(out, {answer->wrong});
-    add(out, answer->rest);
-    key += to_blif("answer", answer->graph, held, out) + fmt::format("{}\n", answer->driver);
+    add(answer->after);
+    add({answer->wrong});
+    add(answer->rest);
+    add_text(answer->graph);
+    key += fmt::format("{}\n", answer->driver);
   }
   for (const auto* codes : {&played.reset_state, &played.reset_inputs}) {
     for (const Word code : *codes) key += fmt::format("{} ", code);

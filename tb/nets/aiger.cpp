@@ -43,13 +43,14 @@ class Gates {
 
 }  // namespace
 
-std::string aiger(const Graph& graph, Bit bad, const std::map<std::size_t, std::string>& names) {
+std::string aiger(const Graph& graph, const Bits& outputs,
+                  const std::map<std::size_t, std::string>& names) {
   const std::vector<Graph::Made>& gates = graph.gates();
   // Numbered as AIGER wants it: inputs, latches, gates.
   std::vector<Literal> number(gates.size(), 0);
   Literal next = 0;
   for (const Bit input : graph.inputs()) number[input.gate()] = next += 2;
-  Bits roots{bad};
+  Bits roots = outputs;
   for (const Graph::Latch& latch : graph.latches()) {
     number[latch.now.gate()] = (next += 2) + (latch.first ? 1U : 0U);
     roots.push_back(latch.next);
@@ -66,12 +67,13 @@ std::string aiger(const Graph& graph, Bit bad, const std::map<std::size_t, std::
   }
   const auto& inputs = graph.inputs();
   const auto& latches = graph.latches();
-  std::string text = fmt::format("aig {} {} {} 1 {}\n", made.last() / 2, inputs.size(),
-                                 latches.size(), made.count());
+  std::string text = fmt::format("aig {} {} {} {} {}\n", made.last() / 2, inputs.size(),
+                                 latches.size(), outputs.size(), made.count());
   for (const Graph::Latch& latch : latches) {
     text += fmt::format("{}\n", of(latch.next) ^ (latch.first ? 1U : 0U));
   }
-  text += fmt::format("{}\n", of(bad)) + made.text();
+  for (const Bit output : outputs) text += fmt::format("{}\n", of(output));
+  text += made.text();
   const auto name = [&](char kind, char otherwise, std::size_t i, Bit bit) {
     const auto given = names.find(bit.gate());
     text += fmt::format("{}{} {}\n", kind, i,

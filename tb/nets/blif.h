@@ -1,4 +1,4 @@
-// Netlists as text that yosys and abc write and read: the Berkeley Logic Interchange Format.
+// Netlists of tables, as abc writes them: the Berkeley Logic Interchange Format.
 #pragma once
 
 #include <cstddef>
@@ -7,21 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "tb/nets/graph.h"
-
 namespace cosim::nets {
-
-/// A bit with a name: printable characters but '#', '=' and '\'; none begins with '$'.
-struct Port {
-  std::string name;
-  Bit bit;
-};
-
-/// The gates that `outputs` come to, from `inputs`, which are free bits of the graph, each with a
-/// name of its own; an output may be any bit. InputError where an output rests on a free bit that
-/// no input names.
-std::string to_blif(const std::string& name, const Graph& graph, const std::vector<Port>& inputs,
-                    const std::vector<Port>& outputs);
 
 /// A netlist as tables of truth.
 struct Cells {

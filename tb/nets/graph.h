@@ -3,10 +3,9 @@
 // engine are graphs.
 //
 // The room in short. A model runs on Number (number.h), a value type whose bits are Bit of one
-// Graph; to_blif() (blif.h) writes named bits of it; read_blif() gives what a tool wrote as plain
-// Cells. read_btor2() (btor2.h) gives a golden model that was
-// exported, and its placed() makes gates of it by the operations of words.h. Runs (runs.h)
-// simulates a Graph, and aiger() writes it for other engines.
+// Graph; aiger() writes bits of it for other engines. read_btor2() (btor2.h) gives a golden model
+// that was exported, and its placed() makes gates of it by the operations of words.h. Runs (runs.h)
+// simulates a Graph.
 #pragma once
 
 #include <compare>
@@ -144,9 +143,15 @@ class Placing {
   std::vector<bool> is_made_;
 };
 
-/// Binary AIGER 1.0 with the one output `bad`. An input or a latch has the name that `names` gives
-/// its gate, else input i is called pI, latch i rI. A latch that begins as 1 is kept inverted.
-std::string aiger(const Graph& graph, Bit bad,
+/// A bit with a name: printable characters; none begins with '$'.
+struct Port {
+  std::string name;
+  Bit bit;
+};
+
+/// Binary AIGER 1.0. An input or a latch has the name that `names` gives its gate, else input i is
+/// called pI, latch i rI. A latch that begins as 1 is kept inverted.
+std::string aiger(const Graph& graph, const Bits& outputs,
                   const std::map<std::size_t, std::string>& names = {});
 
 }  // namespace cosim::nets

@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "tb/nets/blif.h"
 #include "tb/nets/machine.h"
 #include "tb/nets/number.h"
 

@@ -26,7 +26,7 @@ std::vector<std::string> as_aiger(const Questions& questions) {
   for (const nets::Port& p : questions.inputs) names[p.bit.gate()] = p.name;
   std::vector<std::string> all;
   for (const nets::Port& asked : questions.asked) {
-    all.push_back(aiger(questions.graph, asked.bit, names));
+    all.push_back(aiger(questions.graph, {asked.bit}, names));
   }
   return all;
 }

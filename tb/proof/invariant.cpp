@@ -78,7 +78,7 @@ std::vector<Cube> cubes_in(const std::string& pla, const nets::Graph& graph) {
 std::vector<Cube> learnt(const Merged& of, Clock::time_point until) {
   const Scratch scratch;
   OutputFile file((scratch.path() / "asked.aig").string());
-  file.text(aiger(of.graph, of.bad));
+  file.text(aiger(of.graph, {of.bad}));
   file.close();
   const std::string found = (scratch.path() / "invariant").string();
   run_until({"env", "-C", scratch.path().string(), "yosys-abc", "-s", "-q",

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "model/core/value.h"
-#include "tb/nets/blif.h"
 #include "tb/nets/graph.h"
 
 namespace cosim::proof {

@@ -84,7 +84,7 @@ class Portfolio {
         searches_(!graph.latches().empty() ? kSequential : kLogic),
         is_logic_(graph.latches().empty()) {
     OutputFile file((scratch_.path() / "asked.aig").string());
-    file.text(aiger(graph, bad));
+    file.text(aiger(graph, {bad}));
     file.close();
   }
 

@@ -74,7 +74,7 @@ TEST(Aiger, GivesWhatTheGraphGives) {
       leaves[4 + i] ^= turned;
       expected.push_back(in_runs(gates, graph.latches()[i].next) ^ turned);
     }
-    EXPECT_EQ(outputs_of(aiger(graph, bad), leaves), expected) << seed;
+    EXPECT_EQ(outputs_of(aiger(graph, {bad}), leaves), expected) << seed;
   }
 }
 
@@ -82,7 +82,7 @@ TEST(Aiger, NamesWhatItIsGivenNamesFor) {
   Graph graph;
   const Bit a = graph.input(), b = graph.input(), held = graph.latch();
   graph.next(held, a);
-  const std::string file = aiger(graph, graph.and_of(b, held), {{b.gate(), "count[3]"}});
+  const std::string file = aiger(graph, {graph.and_of(b, held)}, {{b.gate(), "count[3]"}});
   EXPECT_TRUE(file.ends_with("i0 p0\ni1 count[3]\nl0 r0\n")) << file;
 }
 

@@ -2,9 +2,11 @@
 // loads if it loads one; the accesses to the bus and the retirements come out.
 #pragma once
 
+#include <cosim/program.h>
 #include <cosim/stream.h>
 
 #include <string>
+#include <utility>
 
 #include "program.h"
 #include "rv32i.h"
@@ -146,6 +148,38 @@ struct Core {
                 {"a jump to itself", jumps && r.next_pc == r.pc},
                 {"a load whose result the next instruction reads", follows_a_load && uses_it},
                 {"a store behind a load", follows_a_load && stores}})};
+  }
+
+  /// The instructions of a test program in ELF that begins at 0, as far as the ISS executes it.
+  static std::pair<std::vector<Step>, std::string> program(const std::string& path) {
+    constexpr int riscv = 243;
+    constexpr std::size_t most = 100'000;
+    cosim::Program program(path, riscv);
+    if (program.elf().entry != 0) throw cosim::InputError(path + ": does not begin at address 0");
+    std::vector<Step> steps;
+    Rv32i simulator;
+    const auto word = [&](const UInt<32>& at) {
+      return UInt<32>(program.memory.read(at.value(), 4));
+    };
+    while (!program.has_ended() && steps.size() < most) {
+      const UInt<32> insn = word(simulator.pc);
+      const UInt<32> loads_from = Rv32i(simulator).clock({0, insn, 0}).mem_addr;
+      const UInt<32> loaded = word(loads_from);
+      const Rv32i::Out did = simulator.clock({0, insn, loaded});
+      for (int byte = 0; byte < 4; ++byte) {
+        if (!did.wmask[byte]) continue;
+        program.memory.write(did.mem_addr.value() + byte, (did.wdata >> 8 * byte).value(), 1);
+      }
+      const Operation op = operation_of(insn);
+      steps.push_back({.op = op,
+                       .rd = insn.slice<11, 7>(),
+                       .rs1 = insn.slice<19, 15>(),
+                       .rs2 = insn.slice<24, 20>(),
+                       .immediate = op == Operation::other ? insn : immediate_of(insn),
+                       .loaded = loaded,
+                       .waits = steps.size() % 4});
+    }
+    return {steps, program.wrong()};
   }
 
   static std::tuple<std::vector<Access>, std::vector<Retired>> run(const std::vector<Step>& steps) {

@@ -1,4 +1,5 @@
-// Instructions as random programs draw them: an operation, registers and an immediate.
+// Instructions as random programs draw them, an operation, registers and an immediate; and as the
+// words that they are in memory.
 #pragma once
 
 #include <cosim/stream.h>
@@ -69,6 +70,40 @@ inline UInt<32> encoded(Operation op, const UInt<5>& rd, const UInt<5>& rs1, con
   return immediate;
 }
 
+/// The immediate of an instruction, sign-extended; 0 if its kind has none.
+inline UInt<32> immediate_of(const UInt<32>& insn) {
+  switch (insn.slice<6, 0>().value()) {
+    case 0x13:
+      if (insn[12] && !insn[13]) return insn.slice<24, 20>();
+      return Int<12>(insn.slice<31, 20>());
+    case 0x03:
+    case 0x0f:
+    case 0x67:
+      return Int<12>(insn.slice<31, 20>());
+    case 0x23:
+      return Int<12>(cat(insn.slice<31, 25>(), insn.slice<11, 7>()));
+    case 0x63:
+      return Int<13>(cat(insn[31], insn[7], insn.slice<30, 25>(), insn.slice<11, 8>(), Bit(0)));
+    case 0x17:
+    case 0x37:
+      return insn & 0xfffff000;
+    case 0x6f:
+      return Int<21>(cat(insn[31], insn.slice<19, 12>(), insn[20], insn.slice<30, 21>(), Bit(0)));
+  }
+  return 0;
+}
+
+/// The operation of an instruction; `other` if there is none.
+inline Operation operation_of(const UInt<32>& insn) {
+  for (int i = 0; i < static_cast<int>(Operation::other); ++i) {
+    const auto op = static_cast<Operation>(i);
+    const UInt<32> same = encoded(op, insn.slice<11, 7>(), insn.slice<19, 15>(),
+                                  insn.slice<24, 20>(), immediate_of(insn));
+    if (same == insn) return op;
+  }
+  return Operation::other;
+}
+
 inline std::string hexadecimal(const UInt<32>& word) {
   char text[11];
   std::snprintf(text, sizeof text, "%08x", static_cast<unsigned>(word.value()));
@@ -82,6 +117,7 @@ inline std::string text_of(const Enum<Operation>& op, const UInt<5>& rd, const U
   const UInt<32> insn = encoded(static_cast<Operation>(op), rd, rs1, rs2, immediate);
   const std::string name = std::string(op.name()) + ' ';
   const std::string number = std::to_string(Int<12>(UInt<12>(immediate)).value());
+  const std::string offset = std::to_string(Int<32>(immediate_of(insn)).value());
   switch (insn.slice<6, 0>().value()) {
     case 0x13:
       return name + x(rd) + ", " + x(rs1) + ", " +
@@ -93,15 +129,10 @@ inline std::string text_of(const Enum<Operation>& op, const UInt<5>& rd, const U
       return name + x(rd) + ", " + number + '(' + x(rs1) + ')';
     case 0x23:
       return name + x(rs2) + ", " + number + '(' + x(rs1) + ')';
-    case 0x63: {
-      const auto offset = cat(insn[31], insn[7], insn.slice<30, 25>(), insn.slice<11, 8>(), Bit(0));
-      return name + x(rs1) + ", " + x(rs2) + ", . + " + std::to_string(Int<13>(offset).value());
-    }
-    case 0x6f: {
-      const auto offset =
-          cat(insn[31], insn.slice<19, 12>(), insn[20], insn.slice<30, 21>(), Bit(0));
-      return name + x(rd) + ", . + " + std::to_string(Int<21>(offset).value());
-    }
+    case 0x63:
+      return name + x(rs1) + ", " + x(rs2) + ", . + " + offset;
+    case 0x6f:
+      return name + x(rd) + ", . + " + offset;
     case 0x17:
     case 0x37:
       return name + x(rd) + ", 0x" + hexadecimal(insn >> 12).substr(3);

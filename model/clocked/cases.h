@@ -64,4 +64,10 @@ constexpr auto stream_cases(const X& x, [[maybe_unused]] const X* before) {
   }
 }
 
+/// A model of streams says with compared(y) which fields of an expected Y are compared.
+template <class M, class Y>
+concept SaysComparedFields = requires(const Y& y) {
+  M::compared(y);
+};
+
 }  // namespace cosim::clocked

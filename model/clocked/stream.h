@@ -35,9 +35,18 @@
 //                                            stated(...)), or a std::tuple of these
 //   static auto cases(const X& x, const X* before)          the same, with the transaction before
 //                                            x, null for the first one of a case
+//   static auto compared(const Y&)           fields of an output that are compared only where their
+//                                            condition holds for the expected transaction:
+//                                            stated({{"data", y.hit}}), by the field's name
 //   static std::string text_of(const X&)     a transaction in reports: "lw x25, 0(x0)"
 //   static std::string state_after(const std::vector<X>&)   the state of the model behind these
 //                                            arguments of run(); printed at a difference
+//
+//   static std::pair<std::vector<X>, std::string> program(const std::string& path)
+//                                            for the command `program`: the arguments of run() that
+//                                            the file has, such as the instructions of a program
+//                                            (<cosim/program.h>), and what it finds wrong by
+//                                            itself, one line, or empty
 //
 // and In, Out and clock() of a golden model (model.h): then every register is compared, too.
 //

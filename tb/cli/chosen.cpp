@@ -59,4 +59,16 @@ std::vector<const AnyBench*> chosen_shapes(const std::vector<std::string>& words
   return all;
 }
 
+std::pair<const AnyBench*, std::size_t> bench_before(const std::vector<std::string>& words) {
+  if (words.empty()) throw InputError("DESIGN: is needed");
+  const auto parameters = chosen_benches({words.front()}).front()->parameters();
+  const auto end = std::find_if_not(words.begin() + 1, words.end(), [&](const std::string& word) {
+    return std::ranges::any_of(parameters, [&](const Parameter& p) {
+      return word.starts_with(std::string(p.name) + '=');
+    });
+  });
+  return {chosen_benches({words.begin(), end}).front(),
+          static_cast<std::size_t>(end - words.begin())};
+}
+
 }  // namespace cosim::cli

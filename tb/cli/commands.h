@@ -12,6 +12,7 @@ void add_examples(const Command& program, const Registry& registry);
 void add_sweep(const Command& program, const Registry& registry);
 void add_replay(const Command& program);
 void add_job(const Command& program);
+void add_program(const Command& program);
 void add_wave_command(const Command& program);
 void add_cover(const Command& program, const Registry& registry);
 

@@ -60,21 +60,11 @@ std::vector<Word> values_of(const std::vector<JobField>& fields, const std::stri
 
 // The design and its parameters, then what is behind them: the jobs, a semicolon between two.
 std::pair<const AnyBench*, JobList> read(const std::vector<std::string>& words) {
-  if (words.empty()) throw InputError("DESIGN: is needed");
-  const AnyBench* bench = chosen_benches({words.front()}).front();
-  std::size_t at = 1;
-  const auto parameters = bench->parameters();
-  const auto is_parameter = [&](const std::string& word) {
-    return std::ranges::any_of(parameters, [&](const Parameter& p) {
-      return word.starts_with(std::string(p.name) + '=');
-    });
-  };
-  while (at < words.size() && is_parameter(words[at])) ++at;
-  const auto shape = words.begin() + static_cast<std::ptrdiff_t>(at);
-  bench = chosen_benches({words.begin(), shape}).front();
+  const auto [bench, at] = bench_before(words);
   const auto fields = bench->job_fields();
   if (fields.empty()) throw InputError(bench->design() + ": declares no jobs");
-  const std::string text = fmt::format("{}", fmt::join(shape, words.end(), " "));
+  const auto begin = words.begin() + static_cast<std::ptrdiff_t>(at);
+  const std::string text = fmt::format("{}", fmt::join(begin, words.end(), " "));
   JobList jobs;
   for (const std::string& part : parts_in(text, ';')) jobs.push_back(values_of(fields, part));
   if (jobs.empty()) jobs.push_back(values_of(fields, ""));

@@ -66,6 +66,7 @@ int run(int argc, char** argv) {
         cosim::cli::add_examples(program, registry);
         cosim::cli::add_sweep(program, registry);
         cosim::cli::add_job(program);
+        cosim::cli::add_program(program);
         cosim::cli::add_replay(program);
         cosim::cli::add_wave_command(program);
         cosim::cli::add_cover(program, registry);

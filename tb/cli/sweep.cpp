@@ -66,26 +66,6 @@ int stopped(const Interrupted& interrupted, ProgressLine& progress, const std::s
   return 128 + interrupted.signal;
 }
 
-void add_verdicts(const std::vector<Outcome>& outcomes, const std::vector<double>& seconds,
-                  bool allows_nothing, Verdicts& verdicts) {
-  for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    const Outcome& o = outcomes[i];
-    ci::Verdict one{fmt::format("{}, {}", o.bench->title(), o.work)};
-    one.seconds = seconds[i];
-    one.text = swept_text(o.result) + '\n';
-    if (!o.result.match()) {
-      one.end = ci::Verdict::End::failure;
-      one.type = "mismatch";
-      one.text = o.result.mismatch ? to_text(*o.result.mismatch) : o.result.checked.error;
-    } else if (compared_nothing(o) && !allows_nothing) {
-      one.end = ci::Verdict::End::error;
-      one.type = "nothing";
-      one.text = nothing_text(o);
-    }
-    verdicts.add(one);
-  }
-}
-
 int run(const SweepOptions& o, Verdicts& verdicts) {
   const Benches benches = matching(o.design.design, o.shape.shape());
   check_kind(o);
@@ -129,7 +109,9 @@ int run(const SweepOptions& o, Verdicts& verdicts) {
     resume.keep(result);
   }
   interrupts.reset();  // a report to a pipe waits for its reader: there a signal ends the program
-  add_verdicts(outcomes, seconds, o.common.allows_nothing, verdicts);
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    verdicts.add(outcomes[i], o.common.allows_nothing, seconds[i]);
+  }
   const int status = conclude(outcomes, o.common);
   checkpoint.done();
   return status;

@@ -21,6 +21,22 @@ void Verdicts::add(ci::Verdict one) {
   all_.push_back(std::move(one));
 }
 
+void Verdicts::add(const Outcome& o, bool allows_nothing, double seconds) {
+  ci::Verdict one{fmt::format("{}, {}", o.bench->title(), o.work)};
+  one.seconds = seconds;
+  one.text = swept_text(o.result) + '\n';
+  if (!o.result.match()) {
+    one.end = ci::Verdict::End::failure;
+    one.type = "mismatch";
+    one.text = o.result.mismatch ? to_text(*o.result.mismatch) : o.result.checked.error;
+  } else if (compared_nothing(o) && !allows_nothing) {
+    one.end = ci::Verdict::End::error;
+    one.type = "nothing";
+    one.text = nothing_text(o);
+  }
+  add(one);
+}
+
 void Verdicts::write() const {
   for (const ci::Verdict& one : all_) {
     const bool failed = one.end != ci::Verdict::End::passed;

@@ -8,6 +8,7 @@
 
 #include "tb/cli/common.h"
 #include "tb/sweep/ci.h"
+#include "tb/sweep/report.h"
 
 namespace cosim::cli {
 
@@ -17,6 +18,8 @@ class Verdicts {
   Verdicts(const std::string& command, const Common& common);
   /// The seconds are those since the one before it, where it has none of its own.
   void add(ci::Verdict one);
+  /// That of a run, in which nothing may be compared if `allows_nothing`.
+  void add(const Outcome& outcome, bool allows_nothing, double seconds = 0);
   /// Writes all into the file of --junit, and, in a run of GitHub's, prints what failed as
   /// annotations.
   void write() const;

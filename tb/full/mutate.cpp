@@ -101,6 +101,7 @@ class Equivalent {
   }
   /// Takes them out of what survived, and prints each.
   void apply(const AnyBench& bench, Json& outcome) {
+    std::uint64_t declared = 0;
     for (Json& mutant : outcome.at("outcomes")) {
       if (mutant.at("end") != "survived") continue;
       const std::string name = bench.built_as() + ": " + mutant.at("what").get<std::string>();
@@ -109,10 +110,13 @@ class Equivalent {
       known->is_used = true;
       mutant["end"] = "declared equivalent";
       mutant["reason"] = known->reason;
-      outcome["survived"] = outcome["survived"].get<std::uint64_t>() - 1;
-      outcome["declared"] = outcome.value("declared", std::uint64_t{0}) + 1;
+      ++declared;
       fmt::print("declared equivalent: {}: {}\n", name, known->reason);
     }
+    if (declared == 0) return;
+    // After the loop: a new key moves the values of the object.
+    outcome["survived"] = outcome["survived"].get<std::uint64_t>() - declared;
+    outcome["declared"] = declared;
   }
   /// Says which lines are of no survivor of these machines.
   void complain_of_unused(const std::vector<const AnyBench*>& machines) const {

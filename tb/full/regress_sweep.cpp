@@ -88,8 +88,8 @@ Json SweepWork::run(std::uint64_t first, std::uint64_t last, const regress::Plac
 // The failure for the report, and its folder.
 Json SweepWork::kept(const Result& result, const regress::Place& place) const {
   if (!result.mismatch) {
-    return {{"what", fmt::format("{}: RTL and model agree, and both are wrong: {}", result.failed,
-                                 result.checked.error)}};
+    return {{"what", fmt::format("{}: RTL and model agree, but the checker reports: {}",
+                                 result.failed, result.checked.error)}};
   }
   const Mismatch& m = *result.mismatch;
   const Failure failure = leave_failure(bench_, result.failed, m, {place.failures()});

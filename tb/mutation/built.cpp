@@ -42,7 +42,8 @@ namespace fs = std::filesystem;
 
 // The folder that a surviving mutant leaves: one that no stimulus and no proof told from the RTL.
 //
-//   report.txt   what it is, what was tried, how to give it to the solvers
+//   report.txt   what it is, what was tried, how to give it to the solvers or, where nothing can be
+//                proved, how to declare it
 //   report.json  the same for a program
 //   mutants.v    the RTL with its mutants; mutsel is the number
 
@@ -54,7 +55,8 @@ std::map<std::string, std::size_t> kinds_of(const std::vector<Case>& cases) {
 }
 
 // Writes root/<design>-<parameters>-mutant-<number> and returns it. `prover`: how a person calls
-// what proves; `apart`: the state that tells it from the RTL without it, where one is known.
+// what proves, or "" where nothing can be proved; `apart`: the state that tells it from the RTL
+// without it, where one is known.
 // InputError where it cannot be written.
 std::filesystem::path leave_survivor(const Subject& subject, unsigned mutant,
                                      const std::string& prover, const std::string& apart,
@@ -69,7 +71,6 @@ std::filesystem::path leave_survivor(const Subject& subject, unsigned mutant,
   json["parameters"] = parameters(subject.bench());
   json["mutant"] = mutant;
   json["what"] = what;
-  json["prove"] = prove;
   std::string text = fmt::format(
       "{}: mutant {} survived: {}\nNo proof that it is the same machine, and RTL and model part on "
       "no clock of these runs\n",
@@ -82,7 +83,16 @@ std::filesystem::path leave_survivor(const Subject& subject, unsigned mutant,
     text += "They part " + apart +
             "If that state is never reached, let invariant() of the model say so.\n";
   }
-  text += fmt::format("To have the solvers look for a state in which they part:\n  {}\n", prove);
+  if (prover.empty()) {
+    text += fmt::format(
+        "No engine can decide it. Rare transactions of a stream come more often with draws() or "
+        "arranged() in the model. If the circuit is the same, this is its line in the file of "
+        "mutate --equivalent:\n  {}: {} -- REASON\n",
+        title, what);
+  } else {
+    json["prove"] = prove;
+    text += fmt::format("To have the solvers look for a state in which they part:\n  {}\n", prove);
+  }
 
   draft.write("report.txt", text);
   draft.write("report.json", json_text(json, 1) + '\n');
@@ -219,8 +229,8 @@ int campaign_on(const Subject& subject, const proof::BuiltMachine& machine, cons
                  stimulus_of(subject, mutant, o.failures).string());
     }
     if (campaign.outcomes[i].end != Outcome::End::survived) continue;
-    const auto kept =
-        leave_survivor(subject, mutant, o.prover, asked.told_apart(mutant), o.failures);
+    const auto kept = leave_survivor(subject, mutant, machine.is_provable() ? o.prover : "",
+                                     asked.told_apart(mutant), o.failures);
     fmt::print("survived: {}, kept in: {}\n", subject.mutants()[mutant - 1], kept.string());
   }
   return campaign.count(Outcome::End::survived) == 0 ? 0 : 1;

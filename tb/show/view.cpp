@@ -206,6 +206,9 @@ void write_view(const std::string& path, const WaveShape& shape, const WaveRange
   view.signal("cosim.clk", "", binary, "clk");
   view.signal("cosim.clock", range_of_bits(clock_width), decimal, "clock");
   view.signal("cosim.mismatch.any", "", binary, "mismatch", red);
+  for (const std::string& name : shape.texts) {
+    view.signal("cosim.text." + name, "", hex, name, yellow);
+  }
   const std::vector<Bus> inputs = buses_of(shape.inputs), compared = buses_of(shape.compared);
   const auto add = [&](const WaveRow& row) {
     switch (row.kind) {

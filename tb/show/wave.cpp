@@ -55,6 +55,9 @@ class Fst {
   /// A variable that holds a real number.
   Handle real(const std::string& name);
 
+  /// A variable that holds text.
+  Handle text(const std::string& name);
+
   /// In nanoseconds; rising.
   void time(std::uint64_t t);
   /// The low `width` bits of `value`, width <= 64.
@@ -62,6 +65,7 @@ class Fst {
   /// `width` bits of any number, the lowest byte first.
   void bytes(Handle handle, int width, const unsigned char* bytes);
   void number(Handle handle, double number);
+  void text(Handle handle, const std::string& text);
 
   /// Completes the file. To be called last.
   void close();
@@ -113,6 +117,10 @@ Fst::Handle Fst::real(const std::string& name) {
                             0);
 }
 
+Fst::Handle Fst::text(const std::string& name) {
+  return fstWriterCreateVar(writer_, FST_VT_GEN_STRING, FST_VD_IMPLICIT, 0, name.c_str(), 0);
+}
+
 void Fst::time(std::uint64_t t) { fstWriterEmitTimeChange(writer_, t); }
 
 void Fst::value(Handle handle, int width, Word value) {
@@ -131,6 +139,11 @@ void Fst::bytes(Handle handle, int width, const unsigned char* bytes) {
 
 void Fst::number(Handle handle, double number) {
   fstWriterEmitValueChange(writer_, handle, &number);
+}
+
+void Fst::text(Handle handle, const std::string& text) {
+  fstWriterEmitVariableLengthValueChange(writer_, handle, text.data(),
+                                         static_cast<std::uint32_t>(text.size()));
 }
 
 void Fst::close() {
@@ -197,6 +210,11 @@ void Wave::begin(const WaveShape& shape, const WaveRange& /*range*/,
   any_ = fst.variable("any", 1);
   for (const Bus& b : buses_) mismatch_.push_back(fst.variable(b.name, 1));
   fst.close_scope();
+  if (!shape.texts.empty()) {
+    fst.open_scope("text");
+    for (const std::string& name : shape.texts) texts_.push_back(fst.text(name));
+    fst.close_scope();
+  }
   fst.open_scope("number");
   for (const Bus& b : buses_) {
     numbers_.push_back(has_number(b.field) ? fst.real(b.name) : 0);
@@ -240,6 +258,7 @@ void Wave::clock(const WaveClock& now) {
     fst.number(numbers_[i], number_of(bus.field, now.actual[bus.first]));
     fst.number(expected_numbers_[i], number_of(bus.field, now.expected[bus.first]));
   }
+  for (std::size_t i = 0; i < texts_.size(); ++i) fst.text(texts_[i], now.texts[i]);
   const auto& differs = now.differs;
   fst.value(any_, 1, std::ranges::find(differs, true) == differs.end() ? 0 : 1);
   for (std::size_t i = 0; i < probes_.size(); ++i) {

@@ -7,6 +7,7 @@
 //   cosim.expected.NAME            what the model has in it
 //   cosim.actual.NAME              what the RTL has in it
 //   cosim.inputs.NAME              the pins driven
+//   cosim.text.NAME                what passes at an interface, in words of the design's own
 //   cosim.number.NAME              a ones' complement register of the RTL as the number it is
 //   cosim.number.expected_NAME     and the model's
 //   cosim.SCOPE.NAME               a probe of the design, by the side that it names or the RTL
@@ -81,8 +82,9 @@ struct WaveShape {
   std::vector<Field> inputs;
   std::vector<Field> compared;  ///< registers first
   std::size_t registers = 0;
-  std::vector<Probe> probes;      ///< those of a scope side by side
-  std::vector<WavePart> parts{};  ///< of a machine whose pins belong to interfaces; else empty
+  std::vector<Probe> probes;         ///< those of a scope side by side
+  std::vector<WavePart> parts{};     ///< of a machine whose pins belong to interfaces; else empty
+  std::vector<std::string> texts{};  ///< the names of signals that are text
   WaveSides sides{};
   std::map<std::string, std::string> ranges{};  ///< of buses by name: "[7:4]"; else "[WIDTH-1:0]"
 
@@ -106,6 +108,7 @@ struct WaveClock {
   std::vector<bool> compared;  ///< whether it means anything on this clock
   std::vector<bool> differs;   ///< of what does; both have one an entry of expected
   std::vector<Word> expected_probes, actual_probes;
+  std::vector<std::string> texts;
 
   bool differs_in(const Bus& bus) const {
     const auto cell = differs.begin() + static_cast<std::ptrdiff_t>(bus.first);
@@ -160,7 +163,7 @@ class Wave final : public WaveSink {
   std::vector<Bus> input_buses_, buses_;
   std::vector<Signal> rtl_;
   std::vector<std::uint32_t> rtl_handles_, inputs_, expected_, actual_, mismatch_, numbers_,
-      expected_numbers_, probes_, expected_probes_;
+      expected_numbers_, probes_, expected_probes_, texts_;
   std::uint32_t clk_ = 0, clock_ = 0, any_ = 0;
   std::uint64_t end_ = 0;
 };

@@ -68,6 +68,7 @@ struct BenchTables {
   /// Those that go in, then those that come out; none where clocks are compared.
   std::vector<StreamName> streams;
   std::vector<std::string> cases;  ///< what may happen to a transaction, "STREAM: SENTENCE"
+  bool has_programs = false;       ///< its model reads files: program()
   std::vector<Field> inputs;
   const char* row = "clock";         ///< what a row of a stimulus is, a noun
   std::vector<std::string> assumed;  ///< of the inputs, sentences
@@ -103,6 +104,7 @@ class AnyBench {
   const std::vector<Field>& inputs() const { return tables_.inputs; }
   const std::vector<StreamName>& streams() const { return tables_.streams; }
   const std::vector<std::string>& cases() const { return tables_.cases; }
+  bool has_programs() const { return tables_.has_programs; }
   const char* row() const { return tables_.row; }
   const std::vector<std::string>& assumed() const { return tables_.assumed; }
   const std::vector<Probe>& probes() const { return tables_.probes; }
@@ -166,6 +168,13 @@ class AnyBench {
   /// How the fields of random transactions are distributed, some lines; empty of a bench that has
   /// none.
   virtual std::string drawn_text(std::uint64_t /*seed*/) const { return {}; }
+
+  /// What the model reads from the file `path`, with random stalls. `wrong`: what the program in it
+  /// finds wrong by itself, one line, or empty. InputError where it cannot be read.
+  virtual Stimulus program(const std::string& /*path*/, std::uint64_t /*seed*/,
+                           std::string& /*wrong*/) const {
+    return {};
+  }
 
   /// Makes what replays and waves need besides, which they do themselves where it is missing: for
   /// where there is no compiler later. InputError where that fails.

@@ -24,7 +24,7 @@ struct Run {
   std::vector<std::uint64_t> left_out{};
   std::optional<Mismatch> mismatch;
   std::vector<Transactions> streams{};  ///< as BenchTables::streams; empty of a run in lockstep
-  /// Of a hostile case, how often each of BenchTables::cases happened.
+  /// How often each of BenchTables::cases happened.
   std::vector<std::uint64_t> happened{};
 };
 

@@ -192,6 +192,13 @@ Stimulus AnyStreamBench::drawn(const HostileCase& c, std::uint64_t number) const
   return draw_stream_case(shape_, c.seed, c.index * c.clocks + number, c.clocks, may_go());
 }
 
+Stimulus AnyStreamBench::program(const std::string& path, std::uint64_t seed,
+                                 std::string& wrong) const {
+  std::vector<Sequence> given;
+  wrong = read_program(path, given);
+  return stalled(shape_, seed, given);
+}
+
 Run AnyStreamBench::run_hostile(const HostileCase& c) const {
   draw_if_wanted(*this, [&] { return drawn(c, 0); });
   const Rig::Hostile all = Borrowed(*this)->run(c);
@@ -221,6 +228,8 @@ Run AnyStreamBench::replay(const Stimulus& stimulus, Window window) const {
   Run run;
   run.clocks = first.clocks;
   run.streams = first.streams;
+  run.happened.resize(cases().size());
+  rig.count_cases(first.streams, run.happened);
   if (!first.finding) return run;
   run.clocks = first.finding->clock + 1;
   TraceRecorder recorder(shape_, *first.finding, window);

@@ -26,6 +26,7 @@ class AnyStreamBench : public AnyBench {
 
   Run run_hostile(const HostileCase& c) const override;
   std::string drawn_text(std::uint64_t seed) const override;
+  Stimulus program(const std::string& path, std::uint64_t seed, std::string& wrong) const override;
   void prepare_replays() const override { open_dut(1); }
   Run replay(const Stimulus& stimulus, Window window) const override;
   std::optional<std::uint64_t> first_difference(const Stimulus& stimulus) const override;
@@ -43,15 +44,16 @@ class AnyStreamBench : public AnyBench {
   virtual std::unique_ptr<StreamDut> open_dut(std::uint32_t power_up) const = 0;
   /// What must come out of each stream, in place of what `all` holds.
   virtual void expect(const std::vector<Sequence>& given, std::vector<Sequence>& all) const = 0;
+  /// The transactions of a file into `given`, and what the program in it finds wrong.
+  virtual std::string read_program(const std::string& /*path*/,
+                                   std::vector<Sequence>& /*given*/) const {
+    return {};
+  }
   /// The sizes of that alone for the first so many transactions of each stream of `given`, which
   /// stays; called with ever more.
   virtual StreamSizes sizes(const std::vector<Sequence>& given) const = 0;
-  /// A transaction in words of the design's own; empty where it has none.
-  virtual std::string text_of(bool /*goes_in*/, std::size_t /*s*/,
-                              std::span<const Word> /*words*/) const {
-    return {};
-  }
-  /// The state of the model behind these transactions of each stream that goes in, likewise.
+  /// The state of the model behind these transactions of each stream that goes in, in words of the
+  /// design's own; empty where it has none.
   virtual std::string state_after(const std::vector<Sequence>& /*given*/) const { return {}; }
   /// Adds to `hits`, of each of the cases() of stream s, how often it happened in the first n
   /// transactions of `some`.

@@ -90,44 +90,52 @@ Word value(Random& random, const Field& field, const CellDraw& draw) {
   return low_bits(static_cast<Word>(share->low + above), field.width);
 }
 
-// Calls take(row) for each row, whose memory is used again; gives the power-up.
+void draw_transaction(Random& random, const StreamShape& shape, std::size_t s, const MayGo& may_go,
+                      std::span<Word> words) {
+  constexpr int tries = 1000;
+  const Interface& in = shape.in[s];
+  for (int i = 0; i < tries; ++i) {
+    for (std::size_t c = 0; c < words.size(); ++c) {
+      words[c] = value(random, in.cells[c], in.draws[c]);
+    }
+    if (in.arrange) in.arrange(words);
+    if (!may_go || may_go(s, words)) return;
+  }
+  throw InputError(fmt::format("{}: of {} random transactions of stream {} none is legal",
+                               shape.title, tries, in.name));
+}
+
+// Calls take(row) for each row, whose memory is used again; gives the power-up. The transactions
+// are those of `given`, unless that is empty.
 template <class Take>
 std::uint32_t draw(const StreamShape& shape, std::uint64_t seed, std::uint64_t index,
-                   std::uint64_t most, const MayGo& may_go, const Take& take) {
+                   std::uint64_t most, const MayGo& may_go, const std::vector<Sequence>& given,
+                   const Take& take) {
   Random random = Random::for_case(seed, index);
   const auto power_up = static_cast<std::uint32_t>(random.next());
-  const std::uint64_t rows =
+  std::uint64_t rows =
       transactions(random, shape.most_transactions, std::max<std::uint64_t>(most, 1));
+  for (const Sequence& all : given) {
+    rows = std::max<std::uint64_t>(&all == &given.front() ? 0 : rows, all.size());
+  }
   const auto density = densities(random, shape.in.size() + shape.out.size());
   // Where two streams belong together, a transaction too few in one leaves the other waiting.
   const bool all_give = shape.in.size() == 1 || random.one_in_power(1);
-  constexpr int tries = 1000;
 
   std::vector<Word> row(shape.columns().size());
   for (std::uint64_t n = 0; n < rows; ++n) {
     auto column = row.begin();
     std::size_t at = 0;
     for (std::size_t s = 0; s < shape.in.size(); ++s) {
-      const bool gives = all_give || !random.one_in_power(3);
+      const bool gives = given.empty() ? all_give || !random.one_in_power(3) : n < given[s].size();
       *column++ = gives ? 1 : 0;
       const Word stall = density[at++].stall(random, n);
       *column++ = gives ? stall : 0;
-      const Interface& in = shape.in[s];
-      const std::vector<Field>& fields = in.cells;
-      const std::span<Word> words(column, fields.size());
-      column += static_cast<std::ptrdiff_t>(fields.size());
-      for (int i = 0; i < tries; ++i) {
-        for (std::size_t c = 0; c < words.size(); ++c) {
-          words[c] = value(random, fields[c], in.draws[c]);
-        }
-        if (in.arrange) in.arrange(words);
-        if (!may_go || may_go(s, words)) break;
-        if (i + 1 == tries) {
-          throw InputError(fmt::format("{}: of {} random transactions of stream {} none is legal",
-                                       shape.title, tries, in.name));
-        }
-      }
+      const std::span<Word> words(column, shape.in[s].cells.size());
+      column += static_cast<std::ptrdiff_t>(words.size());
+      if (given.empty()) draw_transaction(random, shape, s, may_go, words);
       if (!gives) std::fill(words.begin(), words.end(), 0);
+      if (gives && !given.empty()) std::ranges::copy(given[s][n], words.begin());
     }
     for (const Interface& i : shape.out) {
       const Density& d = density[at++];
@@ -146,7 +154,7 @@ Stimulus draw_stream_case(const StreamShape& shape, std::uint64_t seed, std::uin
                           std::uint64_t most, const MayGo& may_go) {
   Stimulus stimulus;
   stimulus.machine = shape.title;
-  stimulus.power_up = draw(shape, seed, index, most, may_go,
+  stimulus.power_up = draw(shape, seed, index, most, may_go, {},
                            [&](const std::vector<Word>& row) { stimulus.clocks.push_back(row); });
   return stimulus;
 }
@@ -154,8 +162,16 @@ Stimulus draw_stream_case(const StreamShape& shape, std::uint64_t seed, std::uin
 std::uint32_t draw_stream_case(const StreamShape& shape, std::uint64_t seed, std::uint64_t index,
                                std::uint64_t most, const MayGo& may_go, StreamCase& into) {
   into.clear();
-  return draw(shape, seed, index, most, may_go,
+  return draw(shape, seed, index, most, may_go, {},
               [&](const std::vector<Word>& row) { into.add(shape, row); });
+}
+
+Stimulus stalled(const StreamShape& shape, std::uint64_t seed, const std::vector<Sequence>& given) {
+  Stimulus stimulus;
+  stimulus.machine = shape.title;
+  stimulus.power_up = draw(shape, seed, 0, 1, {}, given,
+                           [&](const std::vector<Word>& row) { stimulus.clocks.push_back(row); });
+  return stimulus;
 }
 
 }  // namespace cosim

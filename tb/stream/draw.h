@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "tb/sim/stimulus.h"
 #include "tb/stream/shape.h"
@@ -25,5 +26,8 @@ Stimulus draw_stream_case(const StreamShape& shape, std::uint64_t seed, std::uin
 /// The same case, taken apart into `into`, whose memory it uses again. Gives its power-up.
 std::uint32_t draw_stream_case(const StreamShape& shape, std::uint64_t seed, std::uint64_t index,
                                std::uint64_t most, const MayGo& may_go, StreamCase& into);
+
+/// A case of these transactions, some of each stream that goes in, with random stalls.
+Stimulus stalled(const StreamShape& shape, std::uint64_t seed, const std::vector<Sequence>& given);
 
 }  // namespace cosim

@@ -18,45 +18,67 @@ constexpr std::size_t looked_at = 4;
 // How far one is looked for.
 constexpr std::size_t looked_for = 256;
 
-bool same(const Sequence& a, std::size_t i, const Sequence& b, std::size_t k) {
-  return std::equal(a[i].begin(), a[i].end(), b[k].begin());
-}
+// What came and what was expected at an interface.
+struct Both {
+  const Interface& i;
+  const Sequence& came;
+  const Sequence& expected;
 
-// Whether `came` from i on is `expected` from k on, as far as both go.
-bool goes_on(const Sequence& came, std::size_t i, const Sequence& expected, std::size_t k) {
-  std::size_t n = 0;
-  while (n < looked_at && i + n < came.size() && k + n < expected.size()) {
-    if (!same(came, i + n, expected, k + n)) return false;
-    ++n;
+  /// Whether number n that came is what is expected as number k.
+  bool same(std::size_t n, std::size_t k) const {
+    const auto actual = came[n], right = expected[k];
+    for (std::size_t c = 0; c < right.size(); ++c) {
+      if (actual[c] != right[c] && i.is_compared(right, c)) return false;
+    }
+    return true;
   }
-  // With nothing to look at, both must be at their end.
-  return n > 0 || (i >= came.size() && k >= expected.size());
-}
+  /// Whether what came from n on is what is expected from k on, as far as both go.
+  bool goes_on(std::size_t n, std::size_t k) const {
+    std::size_t seen = 0;
+    while (seen < looked_at && n + seen < came.size() && k + seen < expected.size()) {
+      if (!same(n + seen, k + seen)) return false;
+      ++seen;
+    }
+    // With nothing to look at, both must be at their end.
+    return seen > 0 || (n >= came.size() && k >= expected.size());
+  }
+  /// The first from `from` on that is expected and is what came as number n; and one that came and
+  /// is what is expected as number k.
+  std::optional<std::size_t> later_expected(std::size_t n, std::size_t from) const {
+    return first(from, expected, [&](std::size_t k) { return same(n, k); });
+  }
+  std::optional<std::size_t> later_came(std::size_t k, std::size_t from) const {
+    return first(from, came, [&](std::size_t n) { return same(n, k); });
+  }
 
-std::string wrong_value(const std::string& stream, std::size_t n, const Sequence& came,
-                        const Sequence& expected) {
+ private:
+  template <class Is>
+  static std::optional<std::size_t> first(std::size_t from, const Sequence& in, const Is& is) {
+    const std::size_t end = std::min(in.size(), from + looked_for);
+    while (from < end && !is(from)) ++from;
+    return from < end ? std::optional(from) : std::nullopt;
+  }
+};
+
+std::string wrong_value(const Both& both, std::size_t n) {
+  const std::string& stream = both.i.name;
   const std::string which = fmt::format("{} number {}", stream, n);
-  if (n > 0 && same(came, n, expected, n - 1) && goes_on(came, n + 1, expected, n)) {
+  if (n > 0 && both.same(n, n - 1) && both.goes_on(n + 1, n)) {
     return fmt::format("doubled: {} is number {} again", which, n - 1);
   }
-  if (goes_on(came, n + 1, expected, n)) {
+  if (both.goes_on(n + 1, n)) {
     return fmt::format("extra: a value that is not expected comes before {}", which);
   }
-  const auto later = [&](const Sequence& in, const Sequence& of, std::size_t i, std::size_t from) {
-    const std::size_t end = std::min(in.size(), from + looked_for);
-    while (from < end && !same(in, from, of, i)) ++from;
-    return from < end ? std::optional(from) : std::nullopt;
-  };
   // One wrong among right ones is no more than that, whatever else it may be equal to.
-  const auto comes_for = later(expected, came, n, n + 1);
-  if (!comes_for || goes_on(came, n + 1, expected, n + 1)) {
+  const auto comes_for = both.later_expected(n, n + 1);
+  if (!comes_for || both.goes_on(n + 1, n + 1)) {
     return fmt::format("another value: {}", which);
   }
-  if (later(came, expected, n, n + 1)) {
+  if (both.later_came(n, n + 1)) {
     return fmt::format("reordered: {} comes after number {}", which, *comes_for);
   }
   // What follows must come from further on too.
-  if (n + 1 == came.size() || later(expected, came, n + 1, *comes_for + 1)) {
+  if (n + 1 == both.came.size() || both.later_expected(n + 1, *comes_for + 1)) {
     const std::string gone =
         *comes_for == n + 1 ? which : fmt::format("{} to {}", which, *comes_for - 1);
     return fmt::format("lost: {}; number {} comes instead", gone, *comes_for);
@@ -84,11 +106,11 @@ std::string to_text(const StreamShape& shape, const StreamOrder& order,
   }
   switch (f.kind) {
     case Kind::value:
-      return wrong_value(i.name, f.number, result.came, order.expected[f.stream]);
+      return wrong_value({i, result.came, order.expected[f.stream]}, f.number);
     case Kind::extra: {
       const Sequence& expected = order.expected[f.stream];
       const std::string all = count(expected.size(), "transaction");
-      if (f.number > 0 && same(result.came, f.number, expected, f.number - 1)) {
+      if (f.number > 0 && Both{i, result.came, expected}.same(f.number, f.number - 1)) {
         return fmt::format("doubled: {} is number {} again; {} expected", which, f.number - 1, all);
       }
       return fmt::format("extra: {} comes; {} expected", which, all);

@@ -50,7 +50,7 @@ void TraceRecorder::keep(std::size_t& at, const Interface& i, const InterfaceSee
   if (!i.valid.empty()) one(seen.valid ? 1 : 0, seen.valid ? 1 : 0);
   if (!i.ready.empty()) one(seen.ready ? 1 : 0, seen.ready ? 1 : 0);
   for (std::size_t c = 0; c < seen.actual.size(); ++c) {
-    one(seen.expected[c], seen.actual[c], !i.goes_in && !seen.valid);
+    one(seen.expected[c], seen.actual[c], !i.goes_in && !seen.compared[c]);
   }
 }
 
@@ -85,7 +85,11 @@ bool TraceRecorder::clock(std::uint64_t clock, const std::vector<Word>& edges,
 
 WaveRecorder::WaveRecorder(const StreamShape& shape, const std::string& title, const StreamDut& dut,
                            const StreamResult& known, Window around, WaveSink& sink)
-    : finding_(known.finding), rtl_(dut.signals()), edges_(shape.clocks.size()), sink_(sink) {
+    : streams_(shape),
+      finding_(known.finding),
+      rtl_(dut.signals()),
+      edges_(shape.clocks.size()),
+      sink_(sink) {
   for (Signal& s : rtl_) {
     for (std::size_t c = 0; c < shape.clocks.size(); ++c) {
       if (s.scope.size() != 1 || s.name != shape.clocks[c].port) continue;
@@ -109,6 +113,8 @@ WaveRecorder::WaveRecorder(const StreamShape& shape, const std::string& title, c
       shape_.compared.insert(shape_.compared.end(), i.cells.begin(), i.cells.end());
     }
     shape_.compared.push_back({kept(i.name + "_fails"), 1, Format::flag, "", ""});
+    if (i.text) shape_.texts.push_back(i.name);
+    if (i.text && !i.goes_in) shape_.texts.push_back("expected_" + i.name);
     shape_.parts.push_back({i.name, shape_.inputs.size(), shape_.compared.size()});
   };
   if (shape.clocks.size() > 1) {
@@ -150,8 +156,11 @@ bool WaveRecorder::clock(std::uint64_t clock, const std::vector<Word>& edges,
     } else {
       now.expected.insert(now.expected.end(), seen.expected.begin(), seen.expected.end());
       now.actual.insert(now.actual.end(), seen.actual.begin(), seen.actual.end());
+      now.compared.insert(now.compared.end(), seen.compared.begin(), seen.compared.end());
     }
-    now.compared.resize(now.expected.size(), seen.valid);
+    const Interface& i = (goes_in ? streams_.in : streams_.out)[s];
+    if (i.text) now.texts.push_back(seen.valid ? i.text(seen.actual) : "-");
+    if (i.text && !goes_in) now.texts.push_back(seen.valid ? i.text(seen.expected) : "-");
     now.compared.push_back(true);
     now.expected.push_back(0);
     now.actual.push_back(found != nullptr && found->goes_in == goes_in && found->stream == s ? 1
@@ -160,7 +169,7 @@ bool WaveRecorder::clock(std::uint64_t clock, const std::vector<Word>& edges,
   for (std::size_t s = 0; s < in.size(); ++s) add(true, s, in[s]);
   for (std::size_t s = 0; s < out.size(); ++s) add(false, s, out[s]);
   for (std::size_t i = 0; i < now.expected.size(); ++i) {
-    now.differs.push_back(now.expected[i] != now.actual[i]);
+    now.differs.push_back(now.compared[i] && now.expected[i] != now.actual[i]);
   }
   sink_.clock(now);
   return clock < range_.last;

@@ -35,8 +35,8 @@ class TraceRecorder final : public StreamObserver {
 };
 
 /// The RTL's hierarchy, of several clocks on which steps they take their edge, and of each
-/// interface valid, ready, the number of its transaction, its fields, those expected, and
-/// NAME_fails, which is 1 where the finding is.
+/// interface valid, ready, the number of its transaction, its fields, those expected, its text
+/// where the model has one, and NAME_fails, which is 1 where the finding is.
 class WaveRecorder final : public StreamObserver {
  public:
   /// Of a run of `dut` that goes as `known`, for `sink`: all of it or what is around its finding.
@@ -49,6 +49,7 @@ class WaveRecorder final : public StreamObserver {
  private:
   const char* kept(std::string name) { return names_.emplace_back(std::move(name)).c_str(); }
 
+  const StreamShape& streams_;
   std::optional<StreamFinding> finding_;
   std::deque<std::string> names_;
   WaveShape shape_;

@@ -56,6 +56,7 @@ struct InterfaceSeen {
   bool valid = false, ready = false;
   std::size_t number = 0;              ///< of the transaction that is next or under way
   std::vector<Word> actual, expected;  ///< its cells; of one that goes in the same
+  std::vector<bool> compared;          ///< of each cell of one that comes out
 };
 
 class StreamObserver {

@@ -11,7 +11,7 @@ constexpr std::uint64_t gathered_clocks = 2000;
 // What a person sees of one interface on a clock, after sample().
 InterfaceSeen seen_of(const Giver& g) {
   const bool ready = g.own ? g.moved : g.i.ready.empty() || g.nets.ready.get();
-  InterfaceSeen seen{g.offers, ready, g.taken, {}, {}};
+  InterfaceSeen seen{g.offers, ready, g.taken, {}, {}, {}};
   read(g.nets.cells, seen.actual);
   if (g.own && g.offers) {
     const auto words = (*g.given)[g.taken];
@@ -23,7 +23,7 @@ InterfaceSeen seen_of(const Giver& g) {
 }
 
 InterfaceSeen seen_of(const Taker& t) {
-  InterfaceSeen seen{t.valid, t.ready, t.came, {}, {}};
+  InterfaceSeen seen{t.valid, t.ready, t.came, {}, {}, {}};
   read(t.nets.cells, seen.actual);
   if (t.own && t.valid) seen.actual = t.words;
   seen.actual.resize(t.i.cells.size());
@@ -32,6 +32,9 @@ InterfaceSeen seen_of(const Taker& t) {
   if (t.valid && t.came < t.expected->size()) {
     const auto words = (*t.expected)[t.came];
     seen.expected.assign(words.begin(), words.end());
+  }
+  for (std::size_t c = 0; c < seen.expected.size(); ++c) {
+    seen.compared.push_back(t.valid && t.i.is_compared(seen.expected, c));
   }
   return seen;
 }
@@ -291,7 +294,8 @@ void StreamRunner::judge_value(const Taker& t) {
   } else {
     const auto right = (*t.expected)[t.came];
     for (std::size_t c = 0; c < right.size(); ++c) {
-      if (t.words[c] != right[c]) found(Kind::value, false, number_of(t), t.came, c);
+      if (t.words[c] == right[c] || !t.i.is_compared(right, c)) continue;
+      found(Kind::value, false, number_of(t), t.came, c);
     }
   }
   if (order_->gather) gathered(number_of(t)).push(t.words);

@@ -52,10 +52,17 @@ struct Interface {
   bool pulse = false, steady = false;
   OwnDriver own = {};
   std::vector<std::string> cases = {};  ///< what may happen to a transaction of it, sentences
-  std::vector<CellDraw> draws = {};     ///< of each cell
+  /// Whether a cell of an expected transaction is compared; empty: each is.
+  std::function<bool(std::span<const Word> expected, std::size_t cell)> compares = {};
+  std::vector<CellDraw> draws = {};  ///< of each cell
+  /// A transaction in words of the design's own; empty: it has none.
+  std::function<std::string(std::span<const Word>)> text = {};
   /// Makes a transaction that was drawn one that may come; empty: it is left as it is.
   std::function<void(std::span<Word>)> arrange = {};
 
+  bool is_compared(std::span<const Word> expected, std::size_t cell) const {
+    return !compares || compares(expected, cell);
+  }
   /// It says on each clock whether it takes.
   bool has_ready() const { return !ready.empty() || own.is_there(); }
   bool can_stall() const { return has_ready() || !credit.empty(); }

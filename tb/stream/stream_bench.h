@@ -1,6 +1,7 @@
 // The bench of one shape of a design with a stream model: what of it needs the model's types.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <concepts>
 #include <cstddef>
@@ -15,6 +16,7 @@
 #include "model/clocked/says.h"
 #include "model/clocked/stream.h"
 #include "model/core/design.h"
+#include "model/core/input_error.h"
 #include "tb/stream/bench.h"
 #include "tb/stream/codes.h"
 #include "tb/stream/own_of.h"
@@ -46,15 +48,16 @@ constexpr auto each(const Visit& visit) {
   (std::make_index_sequence<N>());
 }
 
-/// What the model M calls a transaction X, if it does; `words`: one a cell.
+/// A model that says what an X is in words.
 template <class M, class X>
-std::string text_of(std::span<const Word> words) {
-  if constexpr (requires(const X& x) { M::text_of(x); }) {
-    return M::text_of(Codes<X>::object(words));
-  } else {
-    return {};
-  }
-}
+concept HasText = requires(const X& x) {
+  M::text_of(x);
+};
+/// A model whose transactions may be those of a file.
+template <class M>
+concept ReadsPrograms = requires(const std::string& path) {
+  M::program(path);
+};
 
 }  // namespace detail
 
@@ -97,6 +100,7 @@ class StreamBench final : public AnyStreamBench {
       const auto pins = M::pins();
       shape_.pins.assign(pins.begin(), pins.end());
     }
+    tables_.has_programs = detail::ReadsPrograms<M>;
     add_all<true>(detail::as_tuple(M::in()));
     add_all<false>(detail::as_tuple(M::out()));
     fill_tables();
@@ -124,6 +128,24 @@ class StreamBench final : public AnyStreamBench {
     });
   }
 
+  std::string read_program(const std::string& path, std::vector<Sequence>& given) const override {
+    if constexpr (detail::ReadsPrograms<M>) {
+      auto [transactions, wrong] = M::program(path);
+      const auto all = detail::as_tuple(std::move(transactions));
+      each_in([&](auto s) {
+        given.emplace_back(shape_.in[s].cells.size());
+        std::vector<Word> words(given[s].cells());
+        for (const auto& one : std::get<s>(all)) {
+          CodesOf<s, In>::put(one, words);
+          given[s].push(words);
+        }
+        return 0;
+      });
+      return wrong;
+    }
+    return {};
+  }
+
   StreamSizes sizes(const std::vector<Sequence>& given) const override {
     // Each transaction is made once, and once in the vector that the model is given.
     return [&given, some = each_in([](auto s) {
@@ -141,20 +163,6 @@ class StreamBench final : public AnyStreamBench {
     };
   }
 
-  std::string text_of(bool goes_in, std::size_t stream,
-                      std::span<const Word> words) const override {
-    std::string text;
-    const auto see = [&]<class X>(const X*) {
-      text = detail::text_of<M, X>(words);
-      return 0;
-    };
-    if (goes_in) {
-      each_in([&](auto s) { return s == stream ? see(pointer<s, In>) : 0; });
-    } else {
-      each_out([&](auto s) { return s == stream ? see(pointer<s, Out>) : 0; });
-    }
-    return text;
-  }
   std::string state_after(const std::vector<Sequence>& given) const override {
     const auto all = each_in([&](auto s) { return CodesOf<s, In>::objects(given[s]); });
     return std::apply(
@@ -170,23 +178,21 @@ class StreamBench final : public AnyStreamBench {
 
   void count_cases(bool goes_in, std::size_t stream, const Sequence& some, std::size_t n,
                    std::span<std::uint64_t> hits) const override {
-    const auto count = [&]<class X>(const X*) {
-      if constexpr (clocked::SaysStreamCases<M, X>) {
-        std::array<X, 2> last{clocked::zero<X>(), clocked::zero<X>()};
-        for (std::size_t i = 0; i < n; ++i) {
-          last[i % 2] = detail::Codes<X>::object(some[i]);
-          std::size_t at = 0;
-          clocked::for_each_case(
-              clocked::stream_cases<M>(last[i % 2], i == 0 ? nullptr : &last[(i + 1) % 2]),
-              [&](const char*, const char*, bool holds) { hits[at++] += holds ? 1 : 0; });
-        }
+    const auto count = [&]<bool in, class X>(std::bool_constant<in>, const X*) {
+      std::array<X, 2> last{clocked::zero<X>(), clocked::zero<X>()};
+      for (std::size_t i = 0; i < n; ++i) {
+        last[i % 2] = detail::Codes<X>::object(some[i]);
+        std::size_t at = 0;
+        for_each_case<in, X>(
+            last[i % 2], i == 0 ? nullptr : &last[(i + 1) % 2],
+            [&](const auto&, const auto&, bool holds) { hits[at++] += holds ? 1 : 0; });
       }
       return 0;
     };
     if (goes_in) {
-      each_in([&](auto s) { return s == stream ? count(pointer<s, In>) : 0; });
+      each_in([&](auto s) { return s == stream ? count(std::true_type(), pointer<s, In>) : 0; });
     } else {
-      each_out([&](auto s) { return s == stream ? count(pointer<s, Out>) : 0; });
+      each_out([&](auto s) { return s == stream ? count(std::false_type(), pointer<s, Out>) : 0; });
     }
   }
 
@@ -232,14 +238,13 @@ class StreamBench final : public AnyStreamBench {
       const auto& ports = std::get<s>(side).ports;
       shape_.add(ports, goes_in, detail::Codes<X>::fields(),
                  detail::own_driver<typename StreamOf<s, Side>::Own, X, goes_in>());
-      if constexpr (clocked::SaysStreamCases<M, X>) {
-        const auto x = clocked::zero<X>();
-        clocked::for_each_case(clocked::stream_cases<M, X>(x, nullptr), [&](const std::string& a,
-                                                                            const std::string& b,
-                                                                            bool) {
-          (goes_in ? shape_.in : shape_.out).back().cases.push_back(b.empty() ? a : a + ", " + b);
-        });
-      }
+      Interface& i = (goes_in ? shape_.in : shape_.out).back();
+      for_each_case<goes_in, X>(clocked::zero<X>(), nullptr,
+                                [&](const std::string& a, const std::string& b, bool) {
+                                  i.cases.push_back(b.empty() ? a : a + ", " + b);
+                                });
+      if constexpr (!goes_in && clocked::SaysComparedFields<M, X>) add_compared<X>(i);
+      add_text<X>(i);
       if (!goes_in) return 0;
       add_draws<X>(shape_.in.back());
       for (const auto& rule : rules_of(clocked::zero<X>())) {
@@ -249,6 +254,50 @@ class StreamBench final : public AnyStreamBench {
     });
   }
 
+  /// Calls visit(sentence, other sentence or "", holds) for each of cases(), and for each field of
+  /// an output that is compared only now and then.
+  template <bool goes_in, class X, class Visit>
+  static void for_each_case([[maybe_unused]] const X& x, [[maybe_unused]] const X* before,
+                            const Visit& visit) {
+    if constexpr (clocked::SaysStreamCases<M, X>) {
+      clocked::for_each_case(clocked::stream_cases<M, X>(x, before), visit);
+    }
+    if constexpr (!goes_in && clocked::SaysComparedFields<M, X>) {
+      for (const clocked::Stated& one : M::compared(x)) {
+        visit(std::string(one.sentence) + " is compared", "", static_cast<bool>(one.holds));
+      }
+    }
+  }
+  template <class X>
+  void add_compared(Interface& i) {
+    const auto& fields = detail::Codes<X>::fields();
+    const auto covers = [](const std::string& name, const std::string& field) {
+      return field == name || field.starts_with(name + '.') || field.starts_with(name + '[');
+    };
+    std::vector<std::vector<bool>> covered;  // of each sentence, its cells
+    for (const clocked::Stated& one : M::compared(clocked::zero<X>())) {
+      std::vector<bool>& cells = covered.emplace_back();
+      for (const Field& f : fields) cells.push_back(covers(one.sentence, f.name));
+      if (std::ranges::count(cells, true) > 0) continue;
+      throw InputError(title() + ": compared(): stream " + i.name + " has no field " +
+                       one.sentence);
+    }
+    i.compares = [covered](std::span<const Word> expected, std::size_t cell) {
+      std::size_t at = 0;
+      for (const clocked::Stated& one : M::compared(detail::Codes<X>::object(expected))) {
+        if (covered[at++][cell] && !static_cast<bool>(one.holds)) return false;
+      }
+      return true;
+    };
+  }
+  template <class X>
+  static void add_text([[maybe_unused]] Interface& i) {
+    if constexpr (detail::HasText<M, X>) {
+      i.text = [](std::span<const Word> words) {
+        return M::text_of(detail::Codes<X>::object(words));
+      };
+    }
+  }
   template <class X>
   void add_draws(Interface& i) {
     if constexpr (requires(const X& x) { M::arranged(x); }) {

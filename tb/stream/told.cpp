@@ -14,25 +14,24 @@ std::vector<std::string> AnyStreamBench::told(const StreamFinding& finding,
                                               const std::vector<std::size_t>& taken) const {
   constexpr std::size_t most = 4;  // transactions of a stream
   std::vector<std::string> lines;
-  const auto add = [&](const std::string& what, bool goes_in, std::size_t s, const Sequence& all,
+  const auto add = [&](const std::string& what, const Interface& i, const Sequence& all,
                        std::size_t n) {
-    if (n >= all.size()) return;
-    const std::string text = text_of(goes_in, s, all[n]);
-    const std::string& name = (goes_in ? shape_.in : shape_.out)[s].name;
-    if (!text.empty()) lines.push_back(fmt::format("{}{} number {}: {}", what, name, n, text));
+    if (n >= all.size() || !i.text) return;
+    lines.push_back(fmt::format("{}{} number {}: {}", what, i.name, n, i.text(all[n])));
   };
   std::vector<Sequence> gone;
   for (std::size_t s = 0; s < taken.size(); ++s) {
     const Sequence& given = order.given.given[s];
     for (std::size_t n = taken[s] - std::min(taken[s], most); n < taken[s]; ++n) {
-      add("", true, s, given, n);
+      add("", shape_.in[s], given, n);
     }
     gone.emplace_back(given.cells());
     for (std::size_t n = 0; n < taken[s]; ++n) gone.back().push(given[n]);
   }
   if (!finding.goes_in) {
-    add("expected ", false, finding.stream, order.expected[finding.stream], finding.number);
-    add("actual   ", false, finding.stream, came, finding.number);
+    const Interface& out = shape_.out[finding.stream];
+    add("expected ", out, order.expected[finding.stream], finding.number);
+    add("actual   ", out, came, finding.number);
   }
   const std::string state = gone.empty() ? "" : state_after(gone);
   if (!state.empty()) lines.push_back("the model behind these: " + state);

@@ -115,7 +115,8 @@ std::string head(const Page& page) {
         fmt::format("<h1>{}</h1>\n<p>{}</p>\n", markup(o.bench->title()), markup(o.result.failed));
     text += o.result.mismatch
                 ? block(difference_text(*o.result.mismatch), " class=\"first\"")
-                : block("RTL and model agree, and both are wrong: " + o.result.checked.error + '\n',
+                : block("RTL and model agree, but the checker reports: " + o.result.checked.error +
+                            '\n',
                         " class=\"first\"");
   }
   return text + "<div class=\"soft\">" + paragraphs(comparison_text(page.outcomes)) + "</div>\n";

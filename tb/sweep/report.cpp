@@ -256,7 +256,8 @@ std::string verdict_text(const std::vector<Outcome>& outcomes) {
     if (o.result.mismatch) {
       text += to_text(*o.result.mismatch);
     } else {
-      text += fmt::format("RTL and model agree, and both are wrong: {}\n", o.result.checked.error);
+      text +=
+          fmt::format("RTL and model agree, but the checker reports: {}\n", o.result.checked.error);
     }
   }
   return text + fmt::format("verdict: {}\n", verdict_of(outcomes));

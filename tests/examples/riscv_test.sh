@@ -23,3 +23,26 @@ says "never happens: retired: a store behind a load"
 ends 0 list --drawn
 says_like '^step: 1[0-9]* transactions in '
 says_like '^  step_op: addi 2[.][0-9] %, slti 2[.]'
+
+# A program of 8 words, which leaves 2 as its signature and passes; with another byte its test 5 fails.
+cp "$root/tests/fuzz/corpus/elf/32" passes.elf
+cp passes.elf fails.elf
+printf '\xb0' | dd of=fails.elf bs=1 seek=106 conv=notrunc status=none
+ends 0 program core passes.elf --junit passes.xml
+says_like '^core, passes.elf: 6 transactions, match$'
+says_like '^transactions: step: 6 in; access: 8 out, 8 compared; retired: 6 out, 6 compared$'
+says 'verdict: match'
+grep -q 'tests="1" failures="0" errors="0"' passes.xml || fails "a program is a test of JUnit"
+echo 00000002 > passes.elf.signature
+ends 0 program core passes.elf --seed 2
+echo 00000003 > passes.elf.signature
+ends 1 program core fails.elf passes.elf --failures kept
+says_like '^core, fails.elf: 6 transactions, MISMATCH$'
+says 'RTL and model agree, but the checker reports: tohost: test 5 fails'
+says 'RTL and model agree, but the checker reports: signature: word 0 is 00000002, and 00000003 in passes.elf.signature'
+ends 2 program core
+says 'FILE: is needed'
+ends 2 program single passes.elf
+says 'single: its model has no program(), which reads a file'
+ends 2 program core /dev/null
+says '/dev/null: is no file that can be read, or is empty'

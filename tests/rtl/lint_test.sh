@@ -16,7 +16,7 @@ failures=0
 # came of it.
 lint() {
   status=0
-  output=$("$root/scripts/lint" "${1---rtl}" "${2-$copy}" 2>&1) || status=$?
+  output=$("$root/scripts/lint" --junit "$folder/junit.xml" "${1---rtl}" "${2-$copy}" 2>&1) || status=$?
 }
 
 # expect TITLE STATUS [PATTERN...]: the last lint ended so, and its output has each pattern.
@@ -47,9 +47,15 @@ fault() {
 lint
 expect "no fault" 0 '^verilator .* 1  clean$' '^iverilog .* 1  clean$' '^yosys .* 1  clean$' \
   '^waivers .* clean$'
+# in_junit PATTERN: a line of what --junit wrote.
+in_junit() { grep -qE -- "$1" "$folder/junit.xml" || { cat "$folder/junit.xml" && failures=$((failures + 1)); }; }
+in_junit '<testsuite name="scripts/lint" tests="4" failures="0" errors="0">'
 
 fault "latch" 'reg planted; always @* if (clk) planted = rst;' \
   'Warning-LATCH' '^yosys .* findings' 'proc_dlatch'
+in_junit '<testsuite name="scripts/lint" tests="4" failures="[23]" errors="0">'
+in_junit '<testcase classname="lint" name="yosys, check -assert, no latch">$'
+in_junit '<failure message="findings in 1">'
 fault "truncation" 'wire [3:0] planted = {5{clk}};' \
   'Warning-WIDTH' "5 bits"
 fault "truncation at a port" \

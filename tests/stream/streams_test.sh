@@ -9,7 +9,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 source "$(dirname "${BASH_SOURCE[0]}")/../support/program.sh"
 program_of streams "$here/designs" "$@"
 ((${#chosen[@]} > 0)) || chosen=(loses doubles hangs slow wrong bends asks idles sha256 word pairs divider
-  credits blocks packets serial stack keeps crosses asserts asserted guarded)
+  credits blocks packets serial stack keeps crosses lookup asserts asserted guarded)
 
 # found DESIGN KIND MOST: the fault is found, of that kind, and its smallest stimulus has at most MOST
 # transactions, and shows it again.
@@ -104,6 +104,12 @@ try_serial() { both serial 'another value: out' 1; }
 try_stack() { both stack 'reordered: y number 0 comes after number 1' 2; }
 # What no reset reaches is what it was at power-up, whatever ran before: the case shows it again by itself.
 try_keeps() { both keeps 'another value: y number 0' 1; }
+# What means nothing is not compared, and counts as a case that must happen.
+try_lookup() {
+  both lookup 'another value: y number' 1
+  says 'cases: 1 of 1 happened'
+  grep -q '^0  *1  *0  *9 ' lookup.stim || fails "the key is that of the fault"
+}
 # Where the writer is faster, which words are lost; the wave has both clocks.
 try_crosses() {
   both crosses '(lost|another value): y number [0-9]*' 8
@@ -135,6 +141,11 @@ try_divider() {
     ends 1 mutate divider FAULT=0 --mutants 40
     says 'divider FAULT=0: a stream model, which knows no clock: no mutant can be proved equal'
     says_like '^divider FAULT=0: 40 mutants: 3[0-9] killed, 0 proved equal, [1-3] survived$'
+    # A survivor's report has the lines that declare them.
+    sed -n 's/^  \(divider FAULT=0: .* -- \)REASON$/\1it holds 0 already/p' \
+      failures/divider-*mutant*/report.txt > equivalent
+    ends 0 mutate divider FAULT=0 --mutants 40 --equivalent equivalent
+    says_like '^declared equivalent: divider FAULT=0: .*: it holds 0 already$'
   else
     echo 'no yosys: no mutants'
   fi

@@ -35,7 +35,8 @@ class Vcd {
   std::size_t size() const { return codes_.size(); }
   std::uint64_t end() const { return end_; }
 
-  /// The bits, or the number of a real, that the signal has at a time; none before its first.
+  /// The bits, or the number of a real, or the text, that the signal has at a time; none before its
+  /// first.
   std::optional<std::string> at(const std::string& signal, std::uint64_t time) const {
     const auto code = codes_.find(signal);
     if (code == codes_.end()) return {};
@@ -66,7 +67,7 @@ class Vcd {
         changes_[code];
       } else if (word[0] == '#') {
         end_ = time = std::stoull(word.substr(1));
-      } else if (word[0] == 'b' || word[0] == 'r') {
+      } else if (word[0] == 'b' || word[0] == 'r' || word[0] == 's') {
         std::string code;
         in >> code;
         if (changes_.contains(code)) changes_[code][time] = word.substr(1);

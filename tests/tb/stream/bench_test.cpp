@@ -6,11 +6,14 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 
 #include "model/core/input_error.h"
 #include "tb/show/picture.h"
 #include "tb/sweep/report.h"
+#include "tests/support/folder.h"
+#include "tests/support/vcd.h"
 #include "tests/tb/stream/queue.h"
 
 namespace cosim {
@@ -31,6 +34,9 @@ class QueueBench : public AnyStreamBench {
     shape_.add({.name = "x"}, true, {&data, 1});
     shape_.in.front().cases = {"even", "any", "never"};
     shape_.add({.name = "y"}, false, {&data, 1});
+    for (Interface* i : {&shape_.in.front(), &shape_.out.front()}) {
+      i->text = [](std::span<const Word> words) { return "<" + std::to_string(words[0]) + ">"; };
+    }
     fill_tables();
   }
   std::unique_ptr<StreamDut> dut(std::uint32_t) const override {
@@ -52,9 +58,6 @@ class QueueBench : public AnyStreamBench {
     };
   }
   const char* broken_rule(std::size_t, std::span<const Word>) const override { return nullptr; }
-  std::string text_of(bool, std::size_t, std::span<const Word> words) const override {
-    return "<" + std::to_string(words[0]) + ">";
-  }
   std::string state_after(const std::vector<Sequence>& given) const override {
     return std::to_string(given[0].size()) + " taken";
   }
@@ -90,7 +93,7 @@ TEST(StreamBench, CountsWhatWentInCameOutAndWasCompared) {
                                  outcome_of(bench, bench.replay(bench.ten(), {}))};
   EXPECT_EQ(all[0].result.streams, (std::vector<Transactions>{{10, 0}, {10, 10}}));
   const std::string text = comparison_text(all) + verdict_text(all);
-  EXPECT_NE(text.find("\ntransactions: x: 20 in; y: 20 out, 20 compared\nverdict: match\n"),
+  EXPECT_NE(text.find("\ntransactions: x: 20 in; y: 20 out, 20 compared\ncases: 2 of 3 happened\n"),
             std::string::npos)
       << text;
   const auto report = nlohmann::json::parse(report_json({all[0]}, 1));
@@ -137,6 +140,51 @@ TEST(StreamBench, TellsAFailureInTheWordsOfItsModel) {
   EXPECT_NE(std::ranges::find(told, "actual   y number 3: <0>"), told.end());
   EXPECT_NE(told.back().find(" taken"), std::string::npos);
   EXPECT_NE(difference_text(*run.mismatch).find("\n  x number 3: <3>\n"), std::string::npos);
+}
+
+// Number 3 is wrong in a field that means nothing there; number 4 is not.
+TEST(StreamBench, LeavesOutWhatIsNotCompared) {
+  class Conditional : public QueueBench {
+   public:
+    Conditional() {
+      shape_.out.front().compares = [](std::span<const Word> y, std::size_t) { return y[0] != 4; };
+    }
+  } bench;
+  bench.first = bench.later = QueueFault::value;
+  EXPECT_FALSE(bench.replay(bench.ten(), {}).mismatch);
+  Stimulus other = bench.ten();
+  other.clocks[3][2] = 7;
+  EXPECT_TRUE(bench.replay(other, {}).mismatch);
+}
+
+TEST(StreamBench, WritesTheWordsOfItsModelIntoTheWave) {
+  class Sink final : public WaveSink {
+   public:
+    void begin(const WaveShape& shape, const WaveRange&, const std::vector<Signal>&) override {
+      names = shape.texts;
+    }
+    void clock(const WaveClock& now) override {
+      for (std::size_t i = 0; i < names.size(); ++i) texts.insert(names[i] + now.texts[i]);
+    }
+    void end(const WaveRange&) override {}
+    std::vector<std::string> names;
+    std::set<std::string> texts;
+  } sink;
+  QueueBench bench;
+  bench.first = bench.later = bench.shown = QueueFault::value;
+  bench.show(bench.ten(), {}, sink);
+  EXPECT_EQ(sink.names, (std::vector<std::string>{"x", "y", "expected_y"}));
+  for (const char* text : {"x<3>", "y<0>", "expected_y<4>", "y-"}) {
+    EXPECT_TRUE(sink.texts.contains(text)) << text;
+  }
+  if (!test::can_read_waves()) GTEST_SKIP() << "there is no fst2vcd";
+  const test::Folder folder;
+  const std::string path = folder.path("x.fst");
+  bench.draw_wave(path, bench.ten(), {});
+  const std::uint64_t clock = bench.replay(bench.ten(), {}).mismatch->clock;
+  EXPECT_EQ(test::Vcd(path).at("cosim.text.y", 10 * clock + 1), "<0>");
+  EXPECT_EQ(test::Vcd(path).at("cosim.text.expected_y", 10 * clock + 1), "<4>");
+  EXPECT_NE(folder.text("x.gtkw").find("\n+{y} cosim.text.y\n"), std::string::npos);
 }
 
 TEST(StreamBench, ThatComparesNothingDoesNotMatch) {

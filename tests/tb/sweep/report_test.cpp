@@ -83,7 +83,7 @@ TEST(ReportText, EndsWithTheVerdict) {
             "circular W=4, case 3: R = 12\n" + to_text(*parted().mismatch) + "verdict: MISMATCH\n");
   EXPECT_EQ(verdict_text({{&arcs(), "arcs", objected()}}),
             "circular W=4, case 0: R = 12\n"
-            "RTL and model agree, and both are wrong: oracle 8 steps, machine 7\n"
+            "RTL and model agree, but the checker reports: oracle 8 steps, machine 7\n"
             "verdict: MISMATCH\n");
 }
 

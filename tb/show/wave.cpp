@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include "model/core/input_error.h"
@@ -75,6 +76,7 @@ class Fst {
   Leftover half_, hierarchy_;  // what the writer writes, and what it puts beside that meanwhile
   decltype(fstWriterCreate(nullptr, 0)) writer_ = nullptr;  // another type in newer libraries
   std::string digits_;
+  std::map<Handle, std::string> texts_;  // as they are now
 };
 
 Fst::Fst(const std::string& path)
@@ -142,6 +144,9 @@ void Fst::number(Handle handle, double number) {
 }
 
 void Fst::text(Handle handle, const std::string& text) {
+  // The writer has no look at what it was before.
+  if (const auto now = texts_.find(handle); now != texts_.end() && now->second == text) return;
+  texts_[handle] = text;
   fstWriterEmitVariableLengthValueChange(writer_, handle, text.data(),
                                          static_cast<std::uint32_t>(text.size()));
 }

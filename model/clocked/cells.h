@@ -39,9 +39,7 @@ void for_each_cell(T& object, const Visit& visit, Label label = {}) {
       for_each_cell(element, visit, of_element);
     }
   } else {
-    static_assert(std::is_class_v<Plain>,
-                  "a member of a model, of In or of Out is a UInt, an Int, a Bit, an Array or a "
-                  "struct of these: write UInt<8> in place of int");
+    reflect::check_struct<Plain>();
     [&]<std::size_t... I>(std::index_sequence<I...>) {
       [[maybe_unused]] const auto one = [&](auto& member, std::string_view name) {
         Label of_member = label;

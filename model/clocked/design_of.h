@@ -176,6 +176,7 @@ struct DesignOf : JobRecords<FirstModel, More...>,
   }
 
   static constexpr Step<Word> next(const Params& p, const State<Word>& s, const Inputs<Word>& in) {
+    check_clock<First>();
     return shaped(p, [&](auto of) {
       using M = typename decltype(of)::type;
       auto model = object_of<M>(s);

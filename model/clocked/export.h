@@ -178,7 +178,7 @@ class Exporting {
   template <class T, class Run>
   void clock(const T& object, const char* section, const Run& run) {
     std::vector<std::string> names;
-    const std::vector<Id> nodes = ways.join([&] {
+    const std::vector<Id> nodes = ways.join_twice([&] {
       std::vector<Id> all;
       T after = object;
       const auto out = run(after);
@@ -275,6 +275,7 @@ class Exporting {
 /// The model as a file, `name` in its first line and in errors.
 template <class Model>
 Exported exported(const std::string& name) {
+  check_clock<Model>();
   Exporting file("model " + name, name);
   const auto in = file.inputs<typename Model::In>();
   const auto model = file.states<Model>();
@@ -357,16 +358,21 @@ Exported exported_checker(const std::string& name) {
 }
 
 /// Writes PATH.btor2, PATH.ways.btor2 and, of a model with jobs, PATH.driver.btor2 and
-/// PATH.checker.btor2. A file of what cannot be exported has a line "; error: TEXT" alone.
+/// PATH.checker.btor2. Where one cannot be exported it has a line "; error: TEXT" alone, and so
+/// have those after it.
 template <class Model>
 void write_exported(const std::string& path, const std::string& name) {
+  std::string failure;
   const auto write = [&](const std::string& more, const auto& make) {
     std::string text;
     try {
-      text = make().text;
+      if (failure.empty()) text = make().text;
     } catch (const InputError& error) {
-      text = std::string("; error: ") + error.what() + '\n';
+      failure = error.what();
+    } catch (const std::exception& error) {
+      failure = name + ": the model throws: " + error.what();
     }
+    if (!failure.empty()) text = "; error: " + failure + '\n';
     std::ofstream(path + more + ".btor2.new") << text;
     std::filesystem::rename(path + more + ".btor2.new", path + more + ".btor2");
   };

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 #include "model/clocked/operators.h"
@@ -153,7 +154,8 @@ class Array {
   static constexpr std::size_t index(const I& i) {
     if constexpr (Native<I>) {
       if (i < 0 || static_cast<std::size_t>(i) >= N) {
-        throw std::out_of_range("an Array has no such element");
+        throw std::out_of_range("an Array of " + std::to_string(N) + " elements has no element " +
+                                std::to_string(i));
       }
       return static_cast<std::size_t>(i);
     } else {

@@ -89,9 +89,7 @@ consteval std::size_t count() {
   } else if constexpr (ArrayLike<T>) {
     return std::size_t(T::size) * count<typename T::Element>();
   } else {
-    static_assert(std::is_class_v<T>,
-                  "a member of a model, of In or of Out is a UInt, an Int, a Bit, an Array or a "
-                  "struct of these: write UInt<8> in place of int");
+    reflect::check_struct<T>();
     return []<std::size_t... I>(std::index_sequence<I...>) {
       return (std::size_t{0} + ... + count<MemberType<T, I>>());
     }

@@ -84,6 +84,7 @@ K shifted_symbol(const A& a, const N& n) {
   using Room = Integer<std::max(K::width, Base<N>::width), K::is_signed>;
   static_assert(!Base<N>::is_signed || Native<N>,
                 "a shift or an index is unsigned: make it a UInt");
+  if constexpr (Native<N>) amount(n);  // which throws where it is below 0
   const Id by = Inside::node(UInt<Room::width>(n));
   return K(Inside::of<Room>(graph.make(op, Room::width, Inside::node(Room(K(a))), by)));
 }
@@ -170,6 +171,21 @@ COSIM_OPERATOR(>, (compared<false>(b, a)))
 COSIM_OPERATOR(<=, (!compared<false>(b, a)))
 COSIM_OPERATOR(>=, (!compared<false>(a, b)))
 #undef COSIM_BOTH
+
+template <class A, class B>
+concept WithFloating = (Value<A> && std::floating_point<B>) || (std::floating_point<A> && Value<B>);
+#define COSIM_FLOATING(OP)                                                                        \
+  template <class A, class B>                                                                     \
+  requires WithFloating<A, B>                                                                     \
+  constexpr A operator OP(const A& a, const B&) {                                                 \
+    static_assert(!WithFloating<A, B>, "a model computes with integers: 3 * a / 2, not 1.5 * a"); \
+    return a;                                                                                     \
+  }
+COSIM_FLOATING(+)
+COSIM_FLOATING(-)
+COSIM_FLOATING(*)
+COSIM_FLOATING(/)
+#undef COSIM_FLOATING
 #undef COSIM_OPERATOR
 
 #define COSIM_ASSIGNMENT(OP)                      \

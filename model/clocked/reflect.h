@@ -52,6 +52,30 @@ inline constexpr std::size_t members = count<std::remove_cvref_t<T>>();
 #define COSIM_48 COSIM_32 COSIM_8(t) COSIM_8(u)
 // clang-format on
 
+template <std::size_t>
+inline constexpr Any any{};
+template <class T, std::size_t... I, std::size_t... J>
+consteval bool is_one_member(std::index_sequence<I...>, std::index_sequence<J...>) {
+  return requires { T{any<I>..., {}, any<J>...}; };
+}
+/// Whether a member is a C array, which takes an Any for each element.
+template <class T, std::size_t... I>
+consteval bool has_c_array(std::index_sequence<I...>) {
+  constexpr std::size_t n = sizeof...(I);
+  return !(is_one_member<T>(std::make_index_sequence<I>(), std::make_index_sequence<n - 1 - I>()) &&
+           ...);
+}
+
+/// Stops the compiler where T is no type of a member, and no value or Array, either.
+template <class T>
+consteval void check_struct() {
+  static_assert(
+      std::is_class_v<T> && !requires { typename T::value_type; },
+      "a member of a model, of In or of Out is a UInt, an Int, a Bit, an Array or a "
+      "struct of these: write UInt<8> in place of int, and Array<UInt<8>, 4> in place of "
+      "std::array or std::vector");
+}
+
 /// Of structs of N members, more than 64: model/cosim/many_members.h.
 template <std::size_t N>
 struct Many;
@@ -69,6 +93,9 @@ constexpr auto tie(T& object) {
       n <= 64 || requires { sizeof(Many<n>); },
       "a struct of a model has at most 64 members, or 256 behind a line #include "
       "<cosim/many_members.h>: put others into a struct of their own, or into an Array");
+  static_assert(!has_c_array<std::remove_cv_t<T>>(std::make_index_sequence<n>()),
+                "a member of a model is no C array: write Array<UInt<8>, 4> r in place of "
+                "UInt<8> r[4]");
   if constexpr (n == 0) {
     return std::tie();
   }

@@ -50,6 +50,7 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <utility>
 
@@ -75,7 +76,8 @@ template <bool LEVEL, auto... PINS>
 struct Level {
   /// Sets the pins to the level that resets, or to the other one.
   template <class In>
-  static constexpr void set(In& in, bool resets) {
+  requires(std::same_as<Base<std::remove_reference_t<decltype(std::declval<In&>().*PINS)>>,
+                        Bit>&&...) static constexpr void set(In& in, bool resets) {
     ((in.*PINS = resets == LEVEL), ...);
   }
 };
@@ -87,7 +89,8 @@ inline constexpr Level<false, PINS...> active_low{};
 template <class... Levels>
 struct Together {
   template <class In>
-  static constexpr void set(In& in, bool resets) {
+  requires(requires(In& in) { Levels::set(in, true); } &&
+           ...) static constexpr void set(In& in, bool resets) {
     (Levels::set(in, resets), ...);
   }
 };
@@ -102,6 +105,16 @@ concept SaysReset = requires {
   M::reset;
 };
 
+/// Stops the compiler where a model has no clock().
+template <class M>
+consteval void check_clock() {
+  static_assert(
+      requires(M m, const typename M::In& in) {
+        { m.clock(in) } -> std::same_as<typename M::Out>;
+      },
+      "a model has a function Out clock(const In& in), which is const if it has no registers");
+}
+
 /// The inputs of an idle clock: rest(), or all 0. The reset pins are active if `resets`.
 template <class M>
 constexpr typename M::In resting(bool resets) {
@@ -112,7 +125,13 @@ constexpr typename M::In resting(bool resets) {
       return zero<typename M::In>();
     }
   }();
-  if constexpr (SaysReset<M>) M::reset.set(in, resets);
+  if constexpr (SaysReset<M>) {
+    static_assert(
+        requires { M::reset.set(in, resets); },
+        "reset is active_low<&In::rst_n>, active_high<&In::rst> or both(...) of pins that are a "
+        "Bit");
+    M::reset.set(in, resets);
+  }
   return in;
 }
 

@@ -149,6 +149,13 @@ class Integer {
   }
   constexpr Integer(const Integer&) = default;
   constexpr Integer& operator=(const Integer&) & = default;
+  template <class Never = void>
+  constexpr const Integer& operator=(const Integer&) const& {
+    static_assert(!std::is_void_v<Never>,
+                  "a const value cannot be assigned to: In is const, and so is every register in a "
+                  "function that is const; a clock() that changes registers is not const");
+    return *this;
+  }
   constexpr Integer(Inside, const Rep& rep) : rep_(rep) {}
 
   /// Whether it is not 0. For a symbol this is a fork: both ways are run.
@@ -164,8 +171,9 @@ class Integer {
   }
 #endif
   /// As a number of C++; upper bits are cut off, as by a cast of C++. Not for a symbol.
-  template <Native T>
-  requires(!std::same_as<T, bool>) constexpr explicit operator T() const {
+  template <class T>
+  requires((Native<T> || std::floating_point<T>)&&!std::same_as<T, bool>) constexpr explicit
+  operator T() const {
 #ifdef COSIM_SYMBOLIC
     static_assert(
         std::same_as<T, bool>,

@@ -133,6 +133,15 @@ class Ways {
     if (--depth_ == 0) keeps_ = false;
     return nodes;
   }
+  /// As join(). InputError where a second time gives other nodes.
+  template <class Run>
+  std::vector<Id> join_twice(Run run) {
+    std::vector<Id> nodes = join(run);
+    const std::uint64_t once = count_;
+    if (join(run) != nodes) unlike();
+    count_ = once;
+    return nodes;
+  }
 
  private:
   static constexpr std::size_t most_forks = 100'000;
@@ -215,16 +224,19 @@ class Ways {
     }
     std::string line = name_ + ": " + std::to_string(count_) + " ways through clock() and more";
     if (most != asked_.end()) {
-      line += "; the condition at " + source_line(most->first) + " forks most, " +
-              std::to_string(most->second) +
-              " times: take mux(), or join the ways of its block by merge(*this, [&] { ... })";
+      line +=
+          "; the condition at " + source_line(most->first) + " forks most, " +
+          std::to_string(most->second) +
+          (script_.forks.size() > most->second / 2
+               ? " times, one after the other: the loop or recursion that it ends may not end"
+               : " times: take mux(), or join the ways of its block by merge(*this, [&] { ... })");
     }
     throw InputError(line);
   }
   [[noreturn]] void unlike() const {
     throw InputError(name_ +
                      ": clock() is not the same when it is run again: it may depend on its "
-                     "members and on In alone");
+                     "members and on In alone, on no static or global variable and not on time");
   }
 
   std::string name_;

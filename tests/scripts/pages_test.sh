@@ -98,7 +98,18 @@ After this page you know two, [here](#the-rest-of-it-2) and [there](#the-rest), 
 END
 mkdir "$folder/tests"
 printf 'int a;  // one\nint b;\nint c;\n' > "$folder/tests/a.h"
-printf '```cpp\nint a;\nint  b;\n...\nint c; // another\n```\n```cpp\nint a;\nint c;\n```\n' >> "$folder/docs/one.md"
+cat >> "$folder/docs/one.md" << 'END'
+```cpp
+int a;
+int  b;
+...
+int c; // another
+```
+```cpp
+int a;
+int c;
+```
+END
 printf '# Two\n\n@TIMES@, [one](../one.md#one), [code](../one.md#a-commentnowhere)\n' > "$folder/docs/sub/two.md"
 { printf '# Long\n\nAfter this page you sleep.\n' && seq "$((most_of_page - 2))"; } > "$folder/docs/sub/long.md"
 printf '%s\n' 'nav:' '  - One: one.md' '  - Index: index.md' '  - Long: sub/long.md' > "$folder/.mkdocs.yml"

@@ -131,8 +131,9 @@ class Maker {
   static std::vector<Row> in(const Row& nets, const std::vector<RtlCell>& of) {
     std::vector<Row> all;
     for (const RtlCell& cell : of) {
-      Row& bits = all.emplace_back();
+      Row bits;
       for (const Bit net : cell.bits) bits.push_back(placed_at(nets, net));
+      all.push_back(std::move(bits));
     }
     return all;
   }

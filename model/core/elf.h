@@ -33,10 +33,7 @@ class ElfReader {
     std::ifstream file(path, std::ios::binary);
     file_.assign(std::istreambuf_iterator<char>(file), {});
     if (!file || file_.empty()) refuse("is no file that can be read, or is empty");
-    if (file_.substr(0, 4) !=
-        "\x7f"
-        "ELF")
-      refuse("is no ELF file");
+    if (file_.substr(0, 4) != "\177ELF") refuse("is no ELF file");
     is_64_ = number(4, 1) == 2;
     if (number(5, 1) != 1) refuse("is big-endian; only little-endian files are read");
     if (number(16, 2) != 2) refuse("is no static executable, but an object or a shared library");

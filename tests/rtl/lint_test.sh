@@ -5,7 +5,8 @@
 # Needs: circular
 source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 needs verilator iverilog yosys clang-tidy cppcheck shellcheck clang++ cmake ninja
-copy=$folder
+copy=$folder/rtl
+mkdir "$copy"
 cp -r "$root/rtl/circular" "$copy"
 echo 'circular W=8' > "$copy/shipped.txt"
 top=$copy/circular/circular.v

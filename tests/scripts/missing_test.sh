@@ -107,6 +107,7 @@ ends exhaustive
 ends fresh bookworm true
 ends fuzz
 ends lint
+ends models --count 1
 mkdir "$folder/modules"
 cp "$root/examples/counter/counter.v" "$folder/modules"
 ends modules "$folder/modules"

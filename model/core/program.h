@@ -3,9 +3,8 @@
 //
 //   tohost                            the program ends when this is not 0: 1 is a pass, another odd
 //                                     number is 2 * the number of the test that fails + 1
-//   begin_signature, end_signature    optional: what it leaves there, compared with FILE.signature
-//   if
-//                                     that exists: a word of 32 bits a line, 8 hexadecimal digits
+//   begin_signature, end_signature    optional: what it leaves there, compared with FILE.signature,
+//                                     if that exists: 32 bits a line, 8 hexadecimal digits
 #pragma once
 
 #include <array>

@@ -56,6 +56,9 @@ std::vector<Theorem> joined(std::vector<std::vector<Theorem>> lists) {
 }
 
 Judgement judged(const Theorem& theorem, int limit) {
+  if (!theorem.on_integers && theorem.on_bits.empty()) {
+    return {false, false, "UNDECIDED: nothing is asked, for no width of the design is built", 0};
+  }
   Judgement all{true, false, "proved", 0};
   const auto ask_z3 = [&](const std::string& script, Answer wanted) {
     const Solved solved = solve_by_z3(script, limit);

@@ -63,6 +63,12 @@ TEST_F(Theorems, OnIntegersThatAreFalseAreRefuted) {
   EXPECT_EQ(judged(wrong, kLimit).verdict.rfind("UNDECIDED: failed (any): ", 0), 0U);
 }
 
+TEST(TheoremsOnBits, AreNotProvedByNoQuestion) {
+  const auto nothing = at_every_width(
+      "none", "of no design", [](const Widths&, FreeNumbers&) { return nets::Truth(true); });
+  EXPECT_FALSE(judged(nothing, kLimit).proved);
+}
+
 // x + 1 > x, unless it wraps in 8 bits.
 TEST(TheoremsOnBits, ThatAreFalseAreRefuted) {
   FreeNumbers free;

@@ -5,7 +5,8 @@
 //   a * b       the bits of both together
 //   a / b       rounded to 0; the bits of a, and one more where b has a sign. By 0: all bits set
 //   a % b       the bits and the sign of a. By 0: a
-//   a & b ...   the smallest type that holds both; ~a keeps its own
+//   a & b       the type of a UInt beside a number with a sign: x & 3 is as wide as x
+//   a | b ...   else the smallest type that holds both; ~a keeps its own
 //   a << n      n more bits: as many as a UInt n can be; of an int n, as many as a has, or 64
 //   a >> n      the bits of a; an Int keeps its sign
 //   a == b ...  a Bit. Numbers are compared, not bit patterns: Int<4>(-1) is not UInt<4>(15)
@@ -160,8 +161,13 @@ constexpr Base<A> operator%(const A& a, const B& b) { return operated<Op::urem, 
   template <class A, class B>      \
   requires Operands<A, B>          \
   constexpr auto operator OP(const A& a, const B& b) { return RESULT; }
+/// The type of a & b: where one has no sign, the result has none and is no wider.
+template <class A, class B>
+using Masked = std::conditional_t<Base<A>::is_signed == Base<B>::is_signed, Both<A, B>,
+                                  std::conditional_t<Base<A>::is_signed, Base<B>, Base<A>>>;
+
 #define COSIM_BOTH(OP) (operated<OP, Both<A, B>>(a, b))
-COSIM_OPERATOR(&, COSIM_BOTH(Op::band))
+COSIM_OPERATOR(&, (operated<Op::band, Masked<A, B>>(a, b)))
 COSIM_OPERATOR(|, COSIM_BOTH(Op::bor))
 COSIM_OPERATOR(^, COSIM_BOTH(Op::bxor))
 COSIM_OPERATOR(==, (compared<true>(a, b)))

@@ -61,7 +61,7 @@ Gpu::Gpu(const fs::path& folder, const std::string& key,
   }
   begin_ = Device::kernel(program, "begin");
   run_ = Device::kernel(program, "run");
-  threads = device.units * (device.is_gpu ? 512 : 64);
+  threads = device.units * (device.is_gpu ? 1536 : 64);
   lanes = static_cast<int>(32 * threads);
   planes_ = device.buffer(4 * threads * layout.planes.size());
   found_ = device.buffer(4 * threads);

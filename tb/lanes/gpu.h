@@ -33,7 +33,9 @@ std::string to_opencl(const Code& code);
 /// The kernels on the device, compiled when they are first asked for and kept.
 class Gpu {
  public:
-  static constexpr std::size_t group = 64;  ///< threads
+  /// Threads that share local memory. Few, because a group has at most 48 kB of it, 384 planes a
+  /// thread, and a multiprocessor runs as many groups as fit.
+  static constexpr std::size_t group = 32;
 
   /// From `folder`, where that is kept that was made of the same `key`; else of what source()
   /// gives. InputError where there is no device, or it compiles no kernel.

@@ -1,6 +1,7 @@
 // Random expressions, the same text for values of a model and for big integers.
 #pragma once
 
+#include <concepts>
 #include <type_traits>
 
 #include "model/clocked/model.h"
@@ -12,6 +13,9 @@ constexpr unsigned mixed(unsigned x) {
   x = (x ^ x >> 16) * 0x45d9f3bu;
   return x ^ x >> 16;
 }
+
+static_assert(std::same_as<decltype(UInt<8>(0) & 3), UInt<8>>);
+static_assert(std::same_as<decltype(-1 & UInt<8>(0)), UInt<8>>);
 
 /// An expression of a and b: what it consists of is drawn from SEED.
 template <unsigned SEED, int DEPTH, class A, class B>
@@ -44,7 +48,7 @@ auto expression(const A& a, const B& b) {
     else if constexpr (r % 16 == 9)
       return x + constant;
     else if constexpr (r % 16 == 10)
-      return x - constant;
+      return x & constant;
     else if constexpr (r % 16 == 11)
       return constant - x;
     else if constexpr (r % 16 == 12)

@@ -125,8 +125,10 @@ Side read(const Files& files, const std::string& what, const Budget& budget) {
     if (!has_slang()) throw;
     try {
       return {files, what, FrontEnd::slang, budget};
-    } catch (const InputError&) {
-      throw InputError(error.what());
+    } catch (const InputError& by_slang) {
+      const bool is_sv = std::ranges::any_of(
+          files.files, [](const auto& file) { return file.extension() == ".sv"; });
+      throw InputError(is_sv ? by_slang.what() : error.what());
     }
   }
 }

@@ -2,13 +2,18 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 
 #include "model/core/input_error.h"
 #include "tb/equiv/reading.h"
+#include "tb/rtl/lexer.h"
+#include "tb/rtl/regex.h"
 #include "tb/util/output_file.h"
+#include "tb/util/pattern.h"
 #include "tb/util/read_file.h"
+#include "tb/util/words.h"
 
 namespace cosim::equiv {
 namespace {
@@ -41,7 +46,7 @@ for (const name of readdirSync(own)) {
 let said = '', status = 0, made = {};
 const print = bytes => { said += bytes === null ? '' : new TextDecoder().decode(bytes); };
 try {
-  made = await runYosys(['-q', 'script.ys'], files, {stdout: print, stderr: print});
+  made = await runYosys(['script.ys'], files, {stdout: print, stderr: print});
 } catch (error) {
   status = 1;
   if (!(Exit && error instanceof Exit)) said += String(error);
@@ -56,6 +61,33 @@ fs::path slang_place() {
   const char* named = std::getenv("COSIM_SLANG");
   const fs::path place = named != nullptr && *named != '\0' ? named : COSIM_SLANG_FOLDER;
   return fs::exists(place) ? fs::absolute(place) : fs::path{};
+}
+
+// A static variable of a function or a block keeps its value from one call to the next. slang takes
+// it as any other, and so does Verilator.
+void refuse_static(const std::string& what, const std::string& name, const std::string& text) {
+  static const rtl::Regex word("(\\b\\w+\\s+)?\\bstatic\\s+(\\w+)");
+  static const rtl::Regex of_a_scope("^(function|task|module|interface|package|program)\\b");
+  const std::string plain = rtl::blanked(text);
+  for (const rtl::Match& found : word.all(plain)) {
+    if (of_a_scope.find(found[1]) || of_a_scope.find(found[2])) continue;
+    throw InputError(fmt::format(
+        "{}: {}:{}: a static variable keeps its value from call to call, which slang does not "
+        "read: make it automatic, or a register",
+        what, name,
+        1 + std::count(plain.begin(), plain.begin() + std::ptrdiff_t(found.begin(2)), '\n')));
+  }
+}
+
+// The first error of slang, which is no error of yosys's form, and is coloured.
+std::string slang_message(const Ended& ended, const fs::path& own, const Reading& reading) {
+  static const Pattern colours("\x1b\\[[0-9;]*m");
+  static const Pattern error(R"(([^\n]+:\d+):\d+: error: ([^\n]+)\n([^\n]*))");
+  const std::string plain = colours.replaced(ended.text, "");
+  const auto found = error.all(plain);
+  if (found.empty()) return yosys_message(plain, ended.status, reading.names());
+  return one_line(fmt::format("{}: {}: {}", reading.by_own_names((own / found[0][1]).string()),
+                              found[0][2], found[0][3]));
 }
 
 // What slang reads, and then `commands` of yosys write as files OUT.ENDING: their texts.
@@ -86,7 +118,9 @@ std::vector<std::string> by_slang(const Files& files, const std::string& what, c
     commands += fmt::format(" -G {}={}", name, value);
   }
   for (std::size_t i = 0; i < files.files.size(); ++i) {
-    commands += ' ' + seen(reading.file(i, read_file(files.files[i].string())));
+    const std::string text = read_file(files.files[i].string());
+    refuse_static(what, files.files[i].string(), text);
+    commands += ' ' + seen(reading.file(i, text));
   }
   commands += fmt::format("\nhierarchy -top {}\n{}", files.top, commands_behind);
   for (const char* ending : endings) {
@@ -97,7 +131,7 @@ std::vector<std::string> by_slang(const Files& files, const std::string& what, c
   }
   commands += '\n';
   write_file((own / "script.ys").string(), commands);
-  std::vector<std::string> words{place.string(), "-q", "-s", (own / "script.ys").string()};
+  std::vector<std::string> words{place.string(), "-s", (own / "script.ys").string()};
   if (!is_program) {
     write_file((own / "run.mjs").string(), runner);
     const fs::path packages = place / "node_modules";
@@ -106,8 +140,8 @@ std::vector<std::string> by_slang(const Files& files, const std::string& what, c
   }
   const Ended ended = run_reader(words, own, fs::absolute(files.folder), budget);
   if (ended.status != 0) {
-    throw InputError(fmt::format("{}: slang cannot read it: {}", what,
-                                 yosys_message(ended.text, ended.status, reading.names())));
+    throw InputError(
+        fmt::format("{}: slang cannot read it: {}", what, slang_message(ended, own, reading)));
   }
   const std::string wrong = misread(ended.text, reading);
   if (!wrong.empty()) throw InputError(fmt::format("{}: slang cannot read it: {}", what, wrong));

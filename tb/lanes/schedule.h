@@ -34,8 +34,8 @@ struct Schedule {
   std::size_t places = 0;  ///< of the values that left
 };
 
-/// All statements, for so many registers, 4 or more. Values are numbered 0 .. values - 1. Of the
-/// orders that are tried, the one that needs least memory; the same for the same statements.
+/// All statements, for so many registers, 4 or more. Values are numbered 0 .. values - 1. The same
+/// for the same statements.
 Schedule scheduled(const std::vector<Statement>& statements, std::size_t values,
                    std::size_t registers);
 

@@ -85,16 +85,5 @@ TEST(Schedule, RunsEachStatementOnceOnWhatItReads) {
   }
 }
 
-// Half of the values have an end of their own, and one together with another value: as the ends are
-// given, all of the first half are there before any of the others is made.
-TEST(Schedule, BringsTogetherWhatReadsTheSame) {
-  std::vector<Statement> statements;
-  constexpr std::size_t count = 20, registers = 6;
-  for (std::size_t v = 0; v < 2 * count; ++v) statements.push_back({{v}, 2 * count + v});
-  for (std::size_t v = 0; v < count; ++v) statements.push_back({{2 * count + v}});
-  for (std::size_t v = 0; v < count; ++v) statements.push_back({{2 * count + v, 3 * count + v}});
-  EXPECT_EQ(scheduled(statements, 4 * count, registers).places, 0U);
-}
-
 }  // namespace
 }  // namespace cosim::lanes

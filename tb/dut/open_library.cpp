@@ -1,4 +1,4 @@
-#include "tb/dut/open_library.h"
+#include "tb/dut/open_dut.h"
 
 #include <dlfcn.h>
 #include <fmt/core.h>

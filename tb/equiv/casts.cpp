@@ -1,4 +1,4 @@
-#include "tb/equiv/casts.h"
+#include "tb/equiv/front_end.h"
 
 #include <cctype>
 #include <map>

@@ -1,4 +1,4 @@
-#include "tb/equiv/drawn.h"
+#include "tb/equiv/result.h"
 
 #include <algorithm>
 #include <cstdint>

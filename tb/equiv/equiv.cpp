@@ -7,12 +7,11 @@
 
 #include "model/core/input_error.h"
 #include "tb/equiv/clocks.h"
+#include "tb/equiv/front_end.h"
 #include "tb/equiv/product.h"
 #include "tb/equiv/renamed.h"
 #include "tb/equiv/replay.h"
-#include "tb/equiv/slang.h"
 #include "tb/equiv/trust.h"
-#include "tb/equiv/unknown.h"
 #include "tb/proof/reach.h"
 #include "tb/util/output_file.h"
 #include "tb/util/parallel.h"
@@ -274,8 +273,8 @@ void compare_all(Question& q, Answer& answer) {
     if (is_decided_by_memories(q, memories, answer)) return;
   }
   make_gates(q, Memories::registers, answer);
-  // The registers that both have by name are equal nearly always: then one clock from any state is
-  // all of the question.
+  // The registers that both have by name are equal nearly always: then one clock from any state
+  // is all of the question.
   if (is_equal_by_names(q, {}, answer)) return;
   const Product product = product_of(q, Registers::two, {}, {});
   const proof::Reached reached = reach(q, product, "from-reset");

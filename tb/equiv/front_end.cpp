@@ -7,10 +7,8 @@
 #include <optional>
 
 #include "model/core/input_error.h"
-#include "tb/equiv/casts.h"
 #include "tb/equiv/prints.h"
 #include "tb/equiv/reading.h"
-#include "tb/equiv/slang.h"
 #include "tb/equiv/yosys_messages.h"
 #include "tb/util/output_file.h"
 #include "tb/util/pattern.h"

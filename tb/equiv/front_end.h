@@ -16,4 +16,19 @@ struct Elaborated {
 Elaborated elaborated(const Files& files, const std::string& what, FrontEnd front_end,
                       const Budget& budget);
 
+/// What slang makes of a design, as elaborated().
+Elaborated elaborated_by_slang(const Files& files, const std::string& what, const Budget& budget);
+
+/// The design as plain Verilog that yosys 0.23 reads, as slang reads it: its parameters are
+/// numbers, its nets and registers have their names. InputError and OutOfTime, as above.
+std::string verilog_by_slang(const Files& files, const std::string& what, const Budget& budget);
+
+/// Whether slang is there: `scripts/setup systemverilog` brings it. Another folder of npm's
+/// packages, or a yosys that has read_slang, is named by COSIM_SLANG.
+bool has_slang();
+
+/// A text of SystemVerilog with brackets around each cast to a size behind an operator: yosys reads
+/// |5'(x) as (|5)'(x), but |(5'(x)) as it is written. Text in comments and strings stays as it is.
+std::string with_casts_apart(const std::string& text);
+
 }  // namespace cosim::equiv

@@ -1,7 +1,7 @@
 // Where as many ports write both, each is compared with the other side's. Else what they leave: at
 // an address that is free, which stands for all, the last port that writes there decides, as in
 // memory_map.
-#include "tb/equiv/memories.h"
+#include "tb/equiv/product.h"
 
 #include <vector>
 

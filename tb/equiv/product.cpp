@@ -6,7 +6,6 @@
 #include <stdexcept>
 
 #include "tb/equiv/clocks.h"
-#include "tb/equiv/memories.h"
 
 namespace cosim::equiv {
 namespace {

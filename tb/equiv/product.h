@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "tb/equiv/equiv.h"
+#include "tb/equiv/side.h"
 #include "tb/nets/graph.h"
+#include "tb/proof/reach.h"
 
 namespace cosim::equiv {
 
@@ -68,5 +70,27 @@ std::size_t unknown_bits(const Question& question);
 /// differs whatever they read, `any` the bits of which that is not known in one of both.
 /// A stimulus for it is one for the RTLs as they are. The inputs have the same numbers.
 Product whatever_is_free(const Product& product);
+
+/// A memory of a side, its number there, and what the side's gates give its ports.
+struct MemoryPorts {
+  const Memory& memory;
+  std::size_t number;
+  const Side::Made& made;
+};
+
+/// Whether they read another address, or leave another word at some address, whichever it is.
+/// They have as many words and read ports as each other.
+Bit strays_of(Graph& graph, const MemoryPorts& gold, const MemoryPorts& gate);
+
+/// Values of the old RTL's x: all 0, all 1, and some by chance, so that what depends on several bits is seen to.
+std::vector<Filler> first_fillers(std::size_t bits);
+
+/// What is certain of the outputs that differ at the end of a stimulus.
+struct Certain {
+  bool any = false;            ///< one of them is the same with every value of the old RTL's x
+  std::set<Name> open;         ///< those that are not, or of which it is not known
+  std::vector<Filler> others;  ///< values with which one of `open` is another
+};
+Certain certain_of(const Question& question, const Product& product, const proof::Reached& reached);
 
 }  // namespace cosim::equiv

@@ -6,11 +6,9 @@
 #include <optional>
 #include <set>
 
-#include "tb/equiv/referee_inputs.h"
 #include "tb/equiv/simulator.h"
 #include "tb/equiv/stepped.h"
 #include "tb/equiv/vhdl_run.h"
-#include "tb/equiv/x_sources.h"
 #include "tb/util/output_file.h"
 #include "tb/util/random.h"
 #include "tb/util/words.h"

@@ -1,4 +1,4 @@
-#include "tb/equiv/referee_inputs.h"
+#include "tb/equiv/referee.h"
 
 #include <algorithm>
 #include <map>

@@ -5,7 +5,6 @@
 #include <set>
 
 #include "tb/equiv/clocks.h"
-#include "tb/equiv/drawn.h"
 #include "tb/sweep/page.h"
 #include "tb/util/draft.h"
 #include "tb/util/json.h"

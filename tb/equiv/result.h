@@ -13,6 +13,7 @@
 #include <string>
 
 #include "tb/equiv/equiv.h"
+#include "tb/show/picture.h"
 
 namespace cosim::equiv {
 
@@ -40,5 +41,13 @@ struct Kept {
 /// InputError where it cannot be written.
 Kept keep(const std::string& top, const Question& question, const Answer& answer,
           const std::filesystem::path& root, std::uint64_t after);
+
+/// Draws the clocks around the difference into the file `fst`, with its view, and returns the
+/// picture. The hierarchies of both are in it, as old.* and new.*, where Verilator recorded them.
+/// A bit that the old RTL leaves x is drawn as the new one has it; a word that is x in all its bits
+/// counts as not compared, and so do the clocks of the reset. `after`: clocks behind the
+/// difference. InputError where it cannot be written.
+WavePicture draw(const Question& question, const Answer& answer, std::uint64_t after,
+                 const std::string& fst);
 
 }  // namespace cosim::equiv

@@ -8,7 +8,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/equiv/cells.h"
-#include "tb/equiv/slang.h"
+#include "tb/equiv/front_end.h"
 #include "tb/util/pattern.h"
 #include "tb/util/read_file.h"
 #include "tb/util/words.h"

@@ -88,7 +88,7 @@ std::string memory_port(std::size_t memory, const char* port);
 /// What reads Verilog.
 enum class FrontEnd {
   yosys,  ///< read_verilog of the yosys that is installed
-  slang,  ///< read_slang of another one (slang.h)
+  slang,  ///< read_slang of another one (front_end.h)
 };
 const char* name_of(FrontEnd front_end);
 

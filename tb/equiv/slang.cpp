@@ -1,4 +1,4 @@
-#include "tb/equiv/slang.h"
+#include "tb/equiv/front_end.h"
 
 #include <fmt/core.h>
 

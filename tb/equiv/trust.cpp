@@ -4,8 +4,8 @@
 
 #include "model/core/input_error.h"
 #include "tb/equiv/clocks.h"
+#include "tb/equiv/front_end.h"
 #include "tb/equiv/referee.h"
-#include "tb/equiv/slang.h"
 #include "tb/util/parallel.h"
 #include "tb/util/pattern.h"
 #include "tb/util/read_file.h"

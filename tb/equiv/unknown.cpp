@@ -1,4 +1,4 @@
-#include "tb/equiv/unknown.h"
+#include "tb/equiv/product.h"
 
 #include <algorithm>
 #include <map>

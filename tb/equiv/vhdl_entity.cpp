@@ -1,4 +1,4 @@
-#include "tb/equiv/vhdl_entity.h"
+#include "tb/equiv/vhdl_run.h"
 
 #include <algorithm>
 #include <cctype>

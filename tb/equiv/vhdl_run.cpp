@@ -10,7 +10,6 @@
 #include <sstream>
 #include <string>
 
-#include "tb/equiv/vhdl_entity.h"
 #include "tb/util/pattern.h"
 #include "tb/util/process.h"
 #include "tb/util/scratch.h"

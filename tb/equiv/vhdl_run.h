@@ -4,7 +4,9 @@
 
 #include <chrono>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -39,5 +41,27 @@ struct VhdlRun {
 VhdlRun run_vhdl(const std::vector<std::string>& files, const std::string& top,
                  const std::vector<std::string>& generics, const VhdlStimulus& stimulus,
                  std::chrono::steady_clock::time_point until);
+
+// The declaration of an entity of VHDL, as a text: what a testbench repeats.
+
+struct VhdlPort {
+  std::string name;
+  std::string mode;  ///< in small letters: in, out, inout, buffer or linkage
+  std::string type;  ///< with its constraint, without a default
+};
+
+struct VhdlEntity {
+  std::string name;
+  std::string context;   ///< its library and use clauses
+  std::string generics;  ///< their declarations, between the brackets
+  std::vector<std::string> generic_names;
+  std::vector<VhdlPort> ports;
+};
+
+/// The same in small letters: VHDL knows no others.
+std::string small_letters(std::string text);
+
+/// The entity of that name, in any case, in the text of a file.
+std::optional<VhdlEntity> entity_in(std::string_view text, const std::string& name);
 
 }  // namespace cosim::equiv

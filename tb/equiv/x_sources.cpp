@@ -1,4 +1,4 @@
-#include "tb/equiv/x_sources.h"
+#include "tb/equiv/referee.h"
 
 #include <fmt/core.h>
 

@@ -9,7 +9,6 @@
 #include <map>
 #include <sstream>
 
-#include "tb/equiv/yosys_rules.h"
 #include "tb/util/pattern.h"
 #include "tb/util/words.h"
 

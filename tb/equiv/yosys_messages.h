@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "tb/util/pattern.h"
+
 namespace cosim::equiv {
 
 /// Files by the names that yosys was given, and as a person calls them.
@@ -15,5 +17,13 @@ using FileNames = std::vector<std::pair<std::string, std::string>>;
 /// `text` is what yosys printed until it ended; its log (yosys -l FILE) has more, as which register
 /// it was at. `status` is how it ended: 128 and more by a signal.
 std::string yosys_message(const std::string& text, int status, const FileNames& files);
+
+struct Rule {
+  Pattern pattern;   ///< of a message, with names as a person writes them
+  std::string text;  ///< in its place: $1 as in Pattern, {signal} and its {reset}
+};
+
+/// The first that fits holds.
+const std::vector<Rule>& yosys_rules();
 
 }  // namespace cosim::equiv

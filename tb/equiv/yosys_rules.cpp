@@ -1,4 +1,4 @@
-#include "tb/equiv/yosys_rules.h"
+#include "tb/equiv/yosys_messages.h"
 
 namespace cosim::equiv {
 

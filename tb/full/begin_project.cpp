@@ -10,7 +10,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/cli/named_values.h"
-#include "tb/equiv/slang.h"
+#include "tb/equiv/front_end.h"
 #include "tb/new/new.h"
 #include "tb/new/new_sources.h"
 #include "tb/new/verilog_words.h"

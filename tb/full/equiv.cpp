@@ -1,6 +1,4 @@
 // cosim equiv: two versions of RTL, proved the same or told apart.
-#include "tb/equiv/equiv.h"
-
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -15,16 +13,18 @@
 #include "tb/cli/number.h"
 #include "tb/cli/outputs.h"
 #include "tb/cli/verdicts.h"
+#include "tb/equiv/equiv.h"
 #include "tb/equiv/result.h"
 #include "tb/full/commands.h"
 #include "tb/full/equiv_sides.h"
-#include "tb/new/files_read.h"
+#include "tb/new/verilog_words.h"
 #include "tb/sweep/progress.h"
 #include "tb/util/draft.h"
 #include "tb/util/interrupt.h"
 #include "tb/util/output_file.h"
 #include "tb/util/parallel.h"
 #include "tb/util/pattern.h"
+#include "tb/util/read_file.h"
 #include "tb/util/words.h"
 
 namespace cosim::cli {
@@ -175,6 +175,34 @@ int compare(const EquivOptions& o, Verdicts& verdicts) {
     return equiv::compare(q);
   }();
   return conclude(o, top, q, answer, verdicts);
+}
+
+// The files, and what they `include or give to $readmemh, and so on, wherever in their own folders,
+// in `folders` or in the working directory it may be found. What cannot be read is left out.
+std::vector<std::string> files_read(const std::vector<std::string>& files,
+                                    const std::vector<std::string>& folders) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> all = files;
+  std::set<std::string> met(files.begin(), files.end());
+  const auto add = [&](const fs::path& file) {
+    std::error_code error;
+    if (fs::is_regular_file(file, error) && met.insert(file.string()).second) all.push_back(file);
+  };
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    VerilogText words;
+    try {
+      words = verilog_words(read_file(all[i]));
+    } catch (const InputError&) {
+      continue;
+    }
+    words.headers.insert(words.headers.end(), words.data.begin(), words.data.end());
+    for (const std::string& name : words.headers) {
+      add(name);
+      add(fs::path(all[i]).parent_path() / name);
+      for (const std::string& folder : folders) add(fs::path(folder) / name);
+    }
+  }
+  return all;
 }
 
 int run(const EquivOptions& o) {

@@ -8,7 +8,6 @@
 
 #include "model/core/input_error.h"
 #include "tb/cli/named_values.h"
-#include "tb/full/revision.h"
 #include "tb/new/liberty.h"
 #include "tb/new/new_sources.h"
 #include "tb/new/verilog_words.h"

@@ -1,5 +1,6 @@
 #include "tb/full/machine_of.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "model/core/input_error.h"
@@ -12,6 +13,10 @@ const proof::BuiltMachine& machine_of(const AnyBench& bench) {
     if (machine.title == bench.built_as()) return machine;
   }
   throw InputError(bench.title() + ": its RTL is not known");
+}
+
+const AnyBench& bench_of(const std::string& title) {
+  return **std::ranges::find_if(benches(), [&](const auto& b) { return b->title() == title; });
 }
 
 proof::Source source_of(const AnyBench& bench) {

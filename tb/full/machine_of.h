@@ -1,6 +1,8 @@
 // What is known of a bench's RTL and of its model.
 #pragma once
 
+#include <string>
+
 #include "tb/proof/claims.h"
 #include "tb/proof/machines.h"
 #include "tb/sim/bench.h"
@@ -9,6 +11,9 @@ namespace cosim::cli {
 
 /// What is known of a bench's RTL and of its model. InputError where nothing is.
 const proof::BuiltMachine& machine_of(const AnyBench& bench);
+
+/// The bench of a title; there is one.
+const AnyBench& bench_of(const std::string& title);
 
 /// The RTL that a bench was built from, with its parameters.
 proof::Source source_of(const AnyBench& bench);

@@ -66,17 +66,12 @@ proof::Source source_of(const ProveOptions& o, const ProveSubject& s) {
   return source;
 }
 
-const AnyBench& bench_of(const ProveSubject& subject) {
-  const auto same = [&](const auto& b) { return b->title() == subject.title; };
-  return **std::ranges::find_if(benches(), same);
-}
-
 void ask_from_reset(Row& row, const proof::Asking& asking) {
   const proof::Happens what = *row.claim.from_reset;
   Claimed& of = row.of;
   if (!of.from_reset.contains(what)) {
     if (!of.machine) of.machine.emplace(of.subject.model, proof::RtlNets(of.source));
-    of.from_reset[what] = asked_from_reset(*of.machine, what, bench_of(of.subject),
+    of.from_reset[what] = asked_from_reset(*of.machine, what, bench_of(of.subject.title),
                                            std::chrono::seconds(asking.limit), asking.jobs);
   }
   const FromResetAnswer& answer = of.from_reset[what];
@@ -166,7 +161,7 @@ void decide(std::vector<Row>& rows, const proof::Asking& asking) {
 // A stimulus or a counterexample can be replayed only if this program was built from the same RTL.
 void explain(const ProveOptions& o, const Row& row) {
   const ProveSubject& subject = row.of.subject;
-  const AnyBench& bench = bench_of(subject);
+  const AnyBench& bench = bench_of(subject.title);
   const auto keep = [&](const Mismatch& mismatch) {
     fmt::print("\n{}", to_text(mismatch));
     const Failure failure = leave_failure(bench, refuted_case, mismatch,

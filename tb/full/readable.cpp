@@ -8,7 +8,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/cli/registry.h"
-#include "tb/equiv/slang.h"
+#include "tb/equiv/front_end.h"
 #include "tb/util/hash.h"
 #include "tb/util/output_file.h"
 

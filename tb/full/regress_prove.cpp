@@ -101,18 +101,14 @@ class ProveWork final : public regress::Work {
     if (claim.from_reset && !decision.disagree) {
       proof::Source source = source_for(model, machine_.source);
       source.keeps_statements = true;
-      from_reset = asked_from_reset(proof::FromReset(model, proof::RtlNets(source)),
-                                    *claim.from_reset, bench(), std::chrono::seconds(limit_), 1);
+      from_reset =
+          asked_from_reset(proof::FromReset(model, proof::RtlNets(source)), *claim.from_reset,
+                           bench_of(title()), std::chrono::seconds(limit_), 1);
       json["verdict"] = from_reset->verdict;
       if (from_reset->ever == proof::Ever::never) return json;
     }
     json["failed"] = failed(model, claim, decision, from_reset, place);
     return json;
-  }
-
-  const AnyBench& bench() const {
-    const auto same = [&](const auto& b) { return b->title() == title(); };
-    return **std::ranges::find_if(benches(), same);
   }
 
   // A counterexample that lockstep shows has a folder; else the command finds it again.
@@ -124,12 +120,13 @@ class ProveWork final : public regress::Work {
     std::optional<Mismatch> mismatch;
     if (from_reset && from_reset->ever == proof::Ever::yes) {
       mismatch = from_reset->run.mismatch;
-    } else if (auto found = refuted(model, bench(), decision)) {
+    } else if (auto found = refuted(model, bench_of(title()), decision)) {
       mismatch = std::move(found->run.mismatch);
     }
     if (!mismatch) return json;
-    const Failure failure = leave_failure(bench(), fmt::format("{}: {}", refuted_case, claim.what),
-                                          *mismatch, {place.failures()});
+    const Failure failure =
+        leave_failure(bench_of(title()), fmt::format("{}: {}", refuted_case, claim.what), *mismatch,
+                      {place.failures()});
     json["folder"] = failure.folder.lexically_relative(place.run).string();
     json["command"] = "replay " + json["folder"].get<std::string>();
     return json;

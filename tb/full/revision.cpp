@@ -1,6 +1,6 @@
 // git read-tree and checkout-index, with an index of their own. Not git archive, which changes what
 // has the attributes export-subst and export-ignore.
-#include "tb/full/revision.h"
+#include "tb/full/equiv_sides.h"
 
 #include <fmt/core.h>
 

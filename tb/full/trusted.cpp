@@ -11,8 +11,8 @@
 
 #include "model/core/input_error.h"
 #include "tb/cli/registry.h"
+#include "tb/equiv/front_end.h"
 #include "tb/equiv/referee.h"
-#include "tb/equiv/slang.h"
 #include "tb/full/readable.h"
 #include "tb/nets/runs.h"
 #include "tb/proof/rtl_nets.h"

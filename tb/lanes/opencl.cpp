@@ -1,5 +1,5 @@
 // The functions and numbers are those of OpenCL 1.2, whose binary interface is fixed.
-#include "tb/lanes/opencl.h"
+#include "tb/lanes/gpu.h"
 
 #include <dlfcn.h>
 #include <fmt/core.h>

@@ -2,7 +2,7 @@
 // last value to the first). A cell of three inputs is one instruction with a table of truth, which
 // puts its result in place of its last input: inputs change places, and the table with them, so
 // that this is one that no register has to hold any more.
-#include "tb/lanes/straight.h"
+#include "tb/lanes/code.h"
 
 #include <fmt/core.h>
 

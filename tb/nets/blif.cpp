@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -61,10 +63,8 @@ class Reader {
     if (words.empty()) return;
     const std::string first = words.front();
     if (first[0] != '.') return read_row(words);
-    in_table_ = false;
     words.erase(words.begin());
     if (first == ".model") {
-      if (!cells_.name.empty()) fail("a second model");
       if (!words.empty()) cells_.name = words.front();
     } else if (first == ".inputs") {
       for (const std::string& name : words) cells_.inputs.push_back(driven(name));
@@ -87,13 +87,12 @@ class Reader {
     for (std::size_t i = 0; i + 1 < words.size(); ++i) table.of.push_back(net(words[i]));
     table.gives = driven(words.back());
     cells_.tables.push_back(table);
-    in_table_ = true;
     output_.reset();
   }
 
   // A row of a cover: what the inputs are, and what the table gives then; all rows give the same.
   void read_row(std::vector<std::string> words) {
-    if (!in_table_) fail(words.front() + ": not in a table");
+    if (cells_.tables.empty()) fail(words.front() + ": not in a table");
     Cells::Table& t = cells_.tables.back();
     if (t.of.empty()) words.insert(words.begin(), "");
     const bool fits = words.size() == 2 && words[0].size() == t.of.size() &&
@@ -124,34 +123,25 @@ class Reader {
 
   // Each table behind those that it reads.
   void in_order() {
-    constexpr std::size_t none = ~std::size_t{0};
-    std::vector<std::size_t> giver(cells_.nets.size(), none);
+    std::map<std::size_t, std::size_t> giver;  // the table that gives a net
     for (std::size_t i = 0; i < cells_.tables.size(); ++i) giver[cells_.tables[i].gives] = i;
     enum class Seen : char { no, begun, done };
     std::vector<Seen> seen(cells_.tables.size());
     std::vector<Cells::Table> ordered;
-    std::vector<std::pair<std::size_t, std::size_t>> stack;  // a table, how many inputs are done
-    for (std::size_t i = 0; i < seen.size(); ++i) {
-      if (seen[i] == Seen::no) stack.emplace_back(i, 0);
-      while (!stack.empty()) {
-        auto& [at, input] = stack.back();
-        const Cells::Table& t = cells_.tables[at];
-        seen[at] = Seen::begun;
-        if (input == t.of.size()) {
-          seen[at] = Seen::done;
-          ordered.push_back(t);
-          stack.pop_back();
-          continue;
-        }
-        const std::size_t next = giver[t.of[input++]];
-        if (next == none || seen[next] == Seen::done) continue;
-        if (seen[next] == Seen::begun) {
-          throw InputError(
-              fmt::format("{}: net {}: a loop", what_, cells_.nets[cells_.tables[next].gives]));
-        }
-        stack.emplace_back(next, 0);
+    const std::function<void(std::size_t)> place = [&](std::size_t i) {
+      const Cells::Table& table = cells_.tables[i];
+      if (seen[i] == Seen::done) return;
+      if (seen[i] == Seen::begun) {
+        throw InputError(fmt::format("{}: net {}: a loop", what_, cells_.nets[table.gives]));
       }
-    }
+      seen[i] = Seen::begun;
+      for (const std::size_t net : table.of) {
+        if (const auto from = giver.find(net); from != giver.end()) place(from->second);
+      }
+      seen[i] = Seen::done;
+      ordered.push_back(table);
+    };
+    for (std::size_t i = 0; i < seen.size(); ++i) place(i);
     cells_.tables = std::move(ordered);
   }
 
@@ -160,7 +150,6 @@ class Reader {
   std::unordered_map<std::string, std::size_t> numbers_;
   std::vector<bool> is_driven_;
   std::size_t number_ = 0;
-  bool in_table_ = false;
   std::optional<char> output_;  // of the table's first row
 };
 

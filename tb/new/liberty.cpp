@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "model/core/input_error.h"
-#include "tb/new/liberty_groups.h"
 #include "tb/util/pattern.h"
 
 namespace cosim::cli {

@@ -1,4 +1,4 @@
-#include "tb/new/liberty_groups.h"
+#include "tb/new/liberty.h"
 
 #include <fmt/core.h>
 

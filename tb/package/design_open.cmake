@@ -1,4 +1,4 @@
-# The library of a design's classes whose whole hierarchy is open: tb/dut/open_library.h.
+# The library of a design's classes whose whole hierarchy is open: tb/dut/open_dut.h.
 include_guard(GLOBAL)
 
 # Makes it of the target NAME_open, and sets OPEN_FILE, its path. To be called by cosim_add_design(), whose

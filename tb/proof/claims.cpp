@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "model/core/input_error.h"
+#include "tb/proof/counterexample.h"
 #include "tb/proof/located.h"
-#include "tb/proof/terms.h"
 
 namespace cosim::proof {
 namespace {

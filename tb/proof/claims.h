@@ -36,7 +36,6 @@
 #include <vector>
 
 #include "tb/nets/model.h"
-#include "tb/proof/answer.h"
 #include "tb/proof/product.h"
 #include "tb/proof/questions.h"
 #include "tb/proof/rtl_nets.h"

@@ -2,7 +2,6 @@
 
 #include <fmt/core.h>
 
-#include "tb/proof/terms.h"
 #include "tb/util/show.h"
 
 namespace cosim::proof {
@@ -20,6 +19,13 @@ std::string rows(const char* kind, const std::vector<Value>& values) {
 }
 
 }  // namespace
+
+std::string term_of(const char* side, const Field& field) {
+  return field.index < 0 ? fmt::format("{}.{}", side, field.name)
+                         : fmt::format("{}.{}.{}", side, field.name, field.index);
+}
+
+std::string term_of_invariant(std::size_t i) { return fmt::format("model.kept.{}", i); }
 
 std::optional<Counterexample> counterexample(const nets::Model& model,
                                              const std::map<std::string, Word>& values) {

@@ -1,11 +1,13 @@
 // A state and inputs that refute a claim.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "model/core/fields.h"
 #include "tb/nets/model.h"
 
 namespace cosim::proof {
@@ -34,5 +36,14 @@ std::vector<Word> words(const std::vector<Value>& values);
 
 /// Every signal of it, expected above actual where they differ. Lines end in '\n'.
 std::string to_text(const Counterexample& c);
+
+/// "in.start", of an element "state.store.3"; of what both sides give, "model.count.after".
+std::string term_of(const char* side, const Field& field);
+/// Whether the model's next state keeps sentence i of the invariant.
+std::string term_of_invariant(std::size_t i);
+
+inline constexpr const char* kSeen = ".seen";
+inline constexpr const char* kOutput = ".output";
+inline constexpr const char* kAfter = ".after";
 
 }  // namespace cosim::proof

@@ -61,8 +61,6 @@ bool take(const Questions& questions, nets::Bit asked, const std::vector<std::ui
   return true;
 }
 
-constexpr int kNoProgram = 127;
-
 // Which inputs are 1, by a file of abc that names those.
 std::vector<std::uint64_t> inputs_in(const Questions& questions, const std::string& file) {
   std::set<std::string> set;
@@ -116,7 +114,7 @@ Solved solve_by_abc(const Questions& questions, int limit, const std::atomic<boo
   if (ended.timed_out) {
     const bool is_stopped = no_more != nullptr && *no_more;
     solved.answer = is_stopped ? Answer::stopped : Answer::timed_out;
-  } else if (ended.status == kNoProgram) {
+  } else if (ended.status == 127) {
     solved.answer = Answer::missing;
   } else if (ended.status == 0 && solved.answers.size() == texts.size()) {
     solved.answer = solved.answers.front();

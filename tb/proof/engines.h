@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "tb/proof/answer.h"
 #include "tb/proof/questions.h"
 
 namespace cosim::proof {

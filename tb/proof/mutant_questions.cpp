@@ -9,8 +9,8 @@
 #include <map>
 #include <utility>
 
+#include "tb/proof/counterexample.h"
 #include "tb/proof/located.h"
-#include "tb/proof/terms.h"
 
 namespace cosim::proof {
 namespace {

@@ -25,7 +25,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Rows = std::vector<std::vector<bool>>;
 
-constexpr int kNoProgram = 127;
 constexpr std::size_t kClocks = 20000, kSteps = 20'000'000;  // of random stimuli at a time
 constexpr const char* kChance = "random stimuli";
 constexpr auto kTurn = std::chrono::seconds(1);
@@ -136,7 +135,7 @@ class Portfolio {
          fmt::format("read_aiger asked.aig; strash; {}{}{}; print_status; write_cex -n {}",
                      search.commands, seconds, more, found)},
         until, &enough_);
-    if (ended.status == kNoProgram) throw InputError("needs yosys-abc, which comes with yosys");
+    if (ended.status == 127) throw InputError("needs yosys-abc, which comes with yosys");
     Said said;
     said.rows = tried(graph_, bad_, found);
     said.never = is_logic_ ? says_unsatisfiable(ended.text) : says_never(ended.text);

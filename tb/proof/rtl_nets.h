@@ -11,10 +11,16 @@
 
 #include "tb/equiv/netlist.h"
 #include "tb/nets/graph.h"
-#include "tb/proof/arrays.h"
 #include "tb/proof/yosys.h"
 
 namespace cosim::proof {
+
+/// How SystemVerilog declares its unpacked arrays, which its netlist no longer tells.
+enum class Order {
+  upward,    ///< logic [7:0] held [2], held [0:1]: element 0 has the highest bits of its net
+  downward,  ///< held [1:0]: it has the lowest
+  both       ///< one is declared so and another otherwise
+};
 
 /// One clock of a machine as gates and flip-flops.
 class RtlNets {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "tb/nets/graph.h"
-#include "tb/proof/answer.h"
+#include "tb/proof/questions.h"
 
 namespace cosim::proof {
 

@@ -43,12 +43,6 @@ Source read_for(const nets::Machine& machine, Source source);
 Source source_in(const std::filesystem::path& folder, const std::string& design,
                  const std::vector<Parameter>& parameters);
 
-/// For yosys: `proc` without proc_rmdead, which takes an item of `case` with an x for one that
-/// covers those behind it, and without proc_rom, which makes memories of some.
-inline constexpr const char* processes_to_cells =
-    "proc_clean; proc_prune; proc_init; proc_arst; proc_mux; proc_dlatch; proc_dff; proc_memwr; "
-    "proc_clean";
-
 /// The commands of yosys that read the files of `source`, each by its kind: a file .sv is
 /// SystemVerilog. They end in "; ".
 std::string read_commands(const Source& source);

@@ -1,8 +1,8 @@
 // Each work has a share of the shards in proportion to its minutes, at least one and no more than
 // it has units; in it shard i begins at unit units * i / parts, so that no two differ by more than
 // one unit.
-#include "tb/regress/cut.h"
 #include "model/core/wide.h"
+#include "tb/regress/run_folder.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "tb/sweep/points.h"
+#include "tb/sweep/asked.h"
 
 #include <fmt/core.h>
 

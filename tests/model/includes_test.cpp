@@ -90,15 +90,15 @@ TEST(Includes, AreToldApart) {
   expect(true, "tb/proof/claims.h", {"model/core/fields.h", "tb/util/process.h"});
   expect(false, "tb/proof/claims.h",
          {"model/plane/point.h", "model/linear/linear.h", "tb/designs/linear/figures.h",
-          "tb/studies/comparison/work.h", "tests/support/root.h"});
+          "tb/studies/comparison/contest.h", "tests/support/root.h"});
   expect(true, "tb/designs/dda/figures.h",
          {"model/dda/job.h", "model/core/fields.h", "model/plane/point.h",
           "tb/designs/dda/sweeps.h", "tb/sweep/sweep.h"});
   expect(false, "tb/designs/dda/figures.h",
          {"model/linear/job.h", "model/toolpath/plan.h", "tb/designs/linear/figures.h",
-          "tb/studies/comparison/work.h"});
+          "tb/studies/comparison/contest.h"});
   expect(true, "tb/studies/toolpath/path_run.h",
-         {"model/linear/job.h", "tb/designs/circular/figures.h", "tb/studies/comparison/work.h"});
+         {"model/linear/job.h", "tb/designs/circular/figures.h", "tb/studies/comparison/contest.h"});
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // Every unit is in one shard and no shard is empty, whatever the numbers.
-#include "tb/regress/cut.h"
+#include "tb/regress/run_folder.h"
 
 #include <gtest/gtest.h>
 

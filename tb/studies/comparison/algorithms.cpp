@@ -1,4 +1,4 @@
-#include "tb/studies/comparison/algorithms.h"
+#include "tb/studies/comparison/contest.h"
 
 #include "model/linear/control_code.h"
 #include "model/prior_art/bresenham.h"

@@ -1,5 +1,5 @@
 // Casts to a size that yosys misreads.
-#include "tb/equiv/casts.h"
+#include "tb/equiv/front_end.h"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,6 @@
 
 #include <fstream>
 
-#include "tb/equiv/vhdl_entity.h"
 #include "tb/util/process.h"
 #include "tb/util/scratch.h"
 

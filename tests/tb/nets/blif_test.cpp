@@ -94,7 +94,6 @@ TEST(Blif, ThatIsNoneIsRefused) {
   EXPECT_EQ(refusal(".subckt adder A=x\n"),
             "x.blif: line 1: .subckt adder A=x: not a netlist of tables");
   EXPECT_EQ(refusal(".latch a b\n"), "x.blif: line 1: .latch a b: not a netlist of tables");
-  EXPECT_EQ(refusal(".model a\n.model b\n"), "x.blif: line 2: a second model");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "tb/stream/edges.h"
+#include "tb/stream/runner.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What counted runs have left in files, added up.
-#include "tb/sweep/points.h"
+#include "tb/sweep/asked.h"
 
 #include <gtest/gtest.h>
 

@@ -17,8 +17,8 @@
 #include "tb/designs/dda/cli/shape.h"
 #include "tb/designs/linear/cli/shape.h"
 #include "tb/studies/comparison/contest.h"
-#include "tb/studies/comparison/work.h"
 #include "tb/studies/toolpath/cli/curves.h"
+#include "tb/studies/toolpath/pieces.h"
 #include "tb/util/read_file.h"
 #include "tb/util/words.h"
 
@@ -39,7 +39,7 @@ struct CompareOptions {
 
 struct NamedWork {
   std::string text;  // what it is, one line
-  compare::Work pieces;
+  pieces::Work pieces;
 };
 
 constexpr int widest_work = 16;
@@ -66,7 +66,7 @@ NamedWork read_work(const std::string& file, const Text& steps_per_mm) {
     throw InputError(fmt::format("{}: at {} steps/mm a line or a radius is above {}", file, scale,
                                  largest_major));
   }
-  return {fmt::format("{} at {} steps/mm", one_line(file), scale), compare::work_of(plan)};
+  return {fmt::format("{} at {} steps/mm", one_line(file), scale), pieces::work_of(plan)};
 }
 
 NamedWork parse_work(const CompareOptions& o) {
@@ -79,14 +79,14 @@ NamedWork parse_work(const CompareOptions& o) {
   if (o.steps_per_mm) throw InputError("--steps-per-mm: belongs to FILE");
   if (o.line) {
     const Line line = parse_line(*o.line);
-    return {fmt::format("BP = {}, MP = {}", line.major, line.minor), compare::work_of(line)};
+    return {fmt::format("BP = {}, MP = {}", line.major, line.minor), pieces::work_of(line)};
   }
   const auto radius = static_cast<std::int64_t>(whole("--arc", *o.arc, 1, largest_major));
   const Arc quarter{{radius, 0}, static_cast<std::uint64_t>(radius * radius), {0, radius}};
-  return {fmt::format("R = {}, a quarter", radius), compare::work_of(quarter)};
+  return {fmt::format("R = {}, a quarter", radius), pieces::work_of(quarter)};
 }
 
-compare::Machines machines_for(const compare::Work& work, std::uint64_t seed) {
+compare::Machines machines_for(const pieces::Work& work, std::uint64_t seed) {
   std::int64_t longest = 0, radius = 0;
   for (const Line& line : work.lines.works) longest = std::max(longest, line.major);
   for (const Arc& arc : work.arcs.works) {
@@ -151,8 +151,7 @@ Series& series_of(Plot& plot, const std::string& name) {
 // Adds the points that were drawn of a piece, each once: spread evenly over the piece's part of the
 // path, so that algorithms of more and of fewer steps stand at the same places.
 template <class W>
-void add_points(Series& series, const W& work, const compare::Place& place,
-                compare::Points points) {
+void add_points(Series& series, const W& work, const pieces::Place& place, compare::Points points) {
   points.erase(std::unique(points.begin(), points.end()), points.end());
   const double last = std::max(1.0, static_cast<double>(points.size()) - 1);
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -166,7 +165,7 @@ void add_points(Series& series, const W& work, const compare::Place& place,
 // Draws into the picture, where there is one. The table goes to `looks`, too.
 template <class W>
 std::vector<Entry> contest(const char* what, const Choice<W>& choice,
-                           const compare::Machines& machines, const compare::Batch<W>& batch,
+                           const compare::Machines& machines, const pieces::Batch<W>& batch,
                            Plot* plot, Looks& looks) {
   std::vector<Entry> entries;
   for (const auto* algorithm : choice.some) {
@@ -197,7 +196,7 @@ void name_parts(Plot& plot, const std::vector<Entry>& lines, const std::vector<E
   }
 }
 
-void check_known(const Text& asked, const std::vector<bool>& known, const compare::Work& work) {
+void check_known(const Text& asked, const std::vector<bool>& known, const pieces::Work& work) {
   for (std::size_t i = 0; i < known.size(); ++i) {
     if (known[i]) continue;
     const std::string there =

@@ -1,6 +1,6 @@
 // The library of the classes that are open as a whole: built where it is not there, and nowhere
 // else.
-#include "tb/dut/open_library.h"
+#include "tb/dut/open_dut.h"
 
 #include <gtest/gtest.h>
 

@@ -82,7 +82,8 @@ struct MemoryPorts {
 /// They have as many words and read ports as each other.
 Bit strays_of(Graph& graph, const MemoryPorts& gold, const MemoryPorts& gate);
 
-/// Values of the old RTL's x: all 0, all 1, and some by chance, so that what depends on several bits is seen to.
+/// Values of the old RTL's x: all 0, all 1, and some by chance, so that what depends on several
+/// bits is seen to.
 std::vector<Filler> first_fillers(std::size_t bits);
 
 /// What is certain of the outputs that differ at the end of a stimulus.

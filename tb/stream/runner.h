@@ -16,11 +16,11 @@
 
 namespace cosim {
 
-/// Which of a design's clocks take their edge, for stimulus of streams. Each has a period and a next
-/// edge, as in an event-driven simulator; a step is the next time at which any has one. The periods
-/// are drawn anew for each stretch of steps: all in phase; nearly the same, which drift past each
-/// other; of ratios up to 32; or as they were, while one clock stands still. So each order of edges
-/// comes, and each clock goes on in the end.
+/// Which of a design's clocks take their edge, for stimulus of streams. Each has a period and a
+/// next edge, as in an event-driven simulator; a step is the next time at which any has one. The
+/// periods are drawn anew for each stretch of steps: all in phase; nearly the same, which drift
+/// past each other; of ratios up to 32; or as they were, while one clock stands still. So each
+/// order of edges comes, and each clock goes on in the end.
 class EdgesDrawn {
  public:
   /// Of so many clocks, from 2 on.

@@ -80,12 +80,6 @@ std::string JsonAt::text() const {
   return value_->get<std::string>();
 }
 
-std::vector<std::string> JsonAt::texts() const {
-  std::vector<std::string> all;
-  for (const JsonAt& one : list()) all.push_back(one.text());
-  return all;
-}
-
 bool JsonAt::yes() const {
   if (!value_->is_boolean()) wrong("true or false");
   return value_->get<bool>();

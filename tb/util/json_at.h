@@ -30,7 +30,6 @@ class JsonAt {
   std::vector<JsonAt> list(std::size_t least = 0, std::size_t most = ~std::size_t{0}) const;
 
   std::string text() const;
-  std::vector<std::string> texts() const;
   bool yes() const;
   /// A whole number, low to high.
   std::uint64_t whole(std::uint64_t low = 0, std::uint64_t high = ~std::uint64_t{0}) const;

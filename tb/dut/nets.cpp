@@ -214,7 +214,6 @@ std::vector<Net> find_ports(const std::vector<PortNet>& of_rtl, const Ports& por
     if (port->is_input != goes_in) {
       refuse(ports.title, fmt::format("{} {}: in the RTL it is no {}", what, path, what));
     }
-    if (port->words < 0) refuse(ports.title, fmt::format("{} {}: an array of arrays", what, path));
     const RtlNet net{port->width, port->words};
     const auto places =
         places_in(net, cells, fmt::format("{}: {}", ports.title, named(what, cells.front())));

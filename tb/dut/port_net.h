@@ -17,15 +17,22 @@ struct PortNet {
   const char* name;  ///< in the RTL
   bool is_input;
   int width;   ///< bits, of an array those of a word
-  int words;   ///< of an array; 0: a plain port; -1: an array of arrays, which no table can have
+  int words;   ///< of an array, of several dimensions all elements; 0: a plain port
   void* data;  ///< the lowest byte; words lie one behind the other
   int each;    ///< bytes of a word
 };
+/// The elements of VlUnpacked<VlUnpacked<T, 3>, 2>: 6.
+template <class T>
+inline constexpr int array_words = 1;
+template <template <class, std::size_t> class Of, class T, std::size_t N>
+inline constexpr int array_words<Of<T, N>> = static_cast<int>(N) * array_words<T>;
+
 /// A port that is the member `pin` of a Verilated class.
 template <class Pin>
 PortNet port_net(const char* name, bool is_input, int width, int words, Pin& pin) {
   if constexpr (std::is_array_v<Pin>) {
-    return {name, is_input, width, words, &pin, static_cast<int>(sizeof pin[0])};
+    return {name,  is_input, width,
+            words, &pin,     static_cast<int>(sizeof(std::remove_all_extents_t<Pin>))};
   } else if constexpr (requires { pin.data(); }) {
     return {name, is_input, width, words, pin.data(), static_cast<int>(sizeof pin)};
   } else {

@@ -2,7 +2,8 @@
 #
 #   cmake -DOUTPUT=FILE [-DOPEN=CONTROL] -P ports.cmake CLASS.h
 #
-# writes a header with ports_of(CLASS&), see tb/dut/port_net.h; with power_up_again(CLASS&) where all
+# writes a header with ports_of(CLASS&), see tb/dut/port_net.h, which enters arrays of several dimensions into
+# Verilator's table of names, too; with power_up_again(CLASS&) where all
 # state of the class is plain; and where there is a control file, which opens some nets of the class, with
 # known_nets<CLASS> of its ports and those nets.
 cmake_minimum_required(VERSION 3.25)
@@ -52,10 +53,10 @@ function(cosim_write_ports header)
     set(array "${CMAKE_MATCH_3}")
     math(EXPR width "${CMAKE_MATCH_4} - ${CMAKE_MATCH_5} + 1")
     set(words 0)
-    if("${array}" MATCHES "^[[]([0-9]+)[]]$")
-      set(words ${CMAKE_MATCH_1})
-    elseif(array)
-      set(words -1)
+    if(array)
+      string(REGEX REPLACE "[]][[]" "*" words "${array}")
+      string(REGEX REPLACE "[][]" "" words "${words}")
+      math(EXPR words "${words}")
     endif()
     cosim_rtl_name(name ${member})
     string(APPEND ports "      port_net(\"${name}\", ${is_input}, ${width}, ${words}, top.${member}),\n")
@@ -65,6 +66,11 @@ function(cosim_write_ports header)
     cosim_known_nets(known ${header} ${class})
   endif()
   cosim_power_up_again(again ${header} ${class})
+  cosim_name_arrays(arrays ${header} ${class})
+  set(include)
+  if(arrays)
+    set(include "#include \"${class}__Syms.h\"\n")
+  endif()
   file(WRITE ${OUTPUT} "// Made by ports.cmake.
 #pragma once
 
@@ -72,10 +78,10 @@ function(cosim_write_ports header)
 
 #include \"${class}.h\"
 #include \"tb/dut/port_net.h\"
-${known}${again}
+${include}${known}${again}
 inline std::vector<cosim::PortNet> ports_of(${class}& top) {
   using cosim::port_net;
-  return {
+${arrays}  return {
 ${ports}  };
 }
 ")
@@ -140,6 +146,32 @@ template <>
 inline constexpr std::array<cosim::NetOffset, ${count}> cosim::known_nets<${class}>{{
 ${nets}}};
 " PARENT_SCOPE)
+endfunction()
+
+# Statements that enter arrays of several dimensions into Verilator's table of names, as an array of all
+# elements: Verilator 5.006 writes those as comments, for the table has one dimension.
+# "//UNSUP __Vscope_t.varInsert(__Vfinal,"a", &(TOP.t__DOT__a), false, VLVT_UINT8,VLVF_PUB_RW,3 ,3,0 ,0,1 ,0,2);"
+function(cosim_name_arrays variable header class)
+  cmake_path(GET header PARENT_PATH folder)
+  file(GLOB files ${folder}/${class}__Syms*.cpp)
+  string(CONCAT array "//UNSUP (__Vscope_[A-Za-z0-9_]+[.]varInsert[(])__Vfinal,(\"[^\"]+\"), &[(]([A-Za-z0-9_.]+)[)], "
+    "(false, VLVT_[A-Z0-9]+,[A-Z_|]+),[0-9]+ ([-0-9, ]+)[)]")
+  set(text "")
+  foreach(file IN LISTS files)
+    file(READ ${file} all)
+    string(REGEX MATCHALL "${array}" found "${all}")
+    foreach(one IN LISTS found)
+      string(REGEX MATCH "${array}" _ "${one}")
+      set(enter "all.${CMAKE_MATCH_1}1, ${CMAKE_MATCH_2}, &all.${CMAKE_MATCH_3}, ${CMAKE_MATCH_4}, 2")
+      set(words "cosim::array_words<decltype(all.${CMAKE_MATCH_3})>")
+      string(REGEX REPLACE " *,?(-?[0-9]+),(-?[0-9]+)" " * ((\\1 > \\2 ? \\1 - \\2 : \\2 - \\1) + 1)" bits "${CMAKE_MATCH_5}")
+      string(APPEND text "  ${enter}, 1${bits} / ${words} - 1, 0, 0, ${words} - 1);\n")
+    endforeach()
+  endforeach()
+  if(text)
+    string(PREPEND text "  ${class}__Syms& all = *top.rootp->vlSymsp;\n")
+  endif()
+  set(${variable} "${text}" PARENT_SCOPE)
 endfunction()
 
 # The text of power_up_again: what the constructor and the first eval() do, without the tables of names

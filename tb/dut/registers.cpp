@@ -56,7 +56,7 @@ void close(Register& r, std::span<const Field> row, const std::string& title) {
     if (c.name != path || c.net.words != r.net.words) continue;
     const std::string what = fmt::format("{}: register {}", title, row.front().net);
     if (r.net.words < 0) {
-      throw InputError(what + ": a memory of more dimensions than one can only be in unobserved");
+      throw InputError(what + ": a queue or an associative array can only be in unobserved");
     }
     const auto places = places_in(c.net, row, what);
     for (std::size_t i = 0; i < row.size(); ++i) {
@@ -128,7 +128,7 @@ std::vector<std::string> unobserved_signals(const RtlText& text, const std::vect
       const bool whole = is_allowed(r.name), allowed = is_allowed(part) || whole;
       if (!allowed && r.net.words < 0) {
         throw InputError(fmt::format(
-            "{}: register {}: a memory of more dimensions than one can only be in unobserved",
+            "{}: register {}: a queue or an associative array can only be in unobserved",
             text.title, r.name));
       }
       (allowed ? unobserved : missing).push_back(part);

@@ -68,14 +68,15 @@ sub size_of {
     $sum += $_ for @members;
     return $sum || (($has->{name} // '') =~ /^(?:double|real)$/ ? 64 : 1);
 }
-# The width of a net or of a word of a memory, and its words; a memory of several dimensions is an array
-# of arrays, be they packed or not.
+# The width of a net or of a word of a memory, and its words, which of a memory of several dimensions are all
+# elements, those of the last index one behind the other; -1 of a queue and the like.
 sub shape_of {
-    my $type = type_of($_[0]);
-    return (size_of($_[0]), 0) if $type->{tag} =~ /^(?:basic|packarray|struct|union)/;
-    my $word = $type->{has}{sub_dtype_id};
-    return (size_of($_[0]), -1) if $type->{tag} ne 'unpackarraydtype' || type_of($word)->{tag} =~ /array/;
-    return (size_of($word), elements($type));
+    my ($id, $words) = ($_[0], 0);
+    while (type_of($id)->{tag} eq 'unpackarraydtype') {
+        $words = ($words || 1) * elements(type_of($id));
+        $id = type_of($id)->{has}{sub_dtype_id};
+    }
+    return (size_of($id), type_of($id)->{tag} =~ /^(?:basic|packarray|struct|union)/ ? $words : -1);
 }
 # 1 where it, or a word of it, is a number with a sign.
 sub is_signed {
@@ -102,7 +103,7 @@ sub declare {
             next if $in->{has}{param} || $in->{has}{localparam};
             my ($width, $words) = shape_of($in->{has}{dtype_id});
             my $net = $path . $name;
-            $info{$net} = {width => $width, words => $words, bits => $width * ($words > 0 ? $words : 1),
+            $info{$net} = {type => $in->{has}{dtype_id}, type_name => $in->{has}{vartype} // '', width => $width, words => $words, bits => $width * ($words > 0 ? $words : 1),
                 signed => is_signed($in->{has}{dtype_id}),
                 first => $words > 0 ? first_of(type_of($in->{has}{dtype_id})) : 0};
             push @{$by_name{$name}}, $net;

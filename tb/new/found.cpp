@@ -111,11 +111,8 @@ void order_resets(Found& found) {
 void read_shape(Found& found, const FoundShape& shape) {
   for (const auto& [way, name] : shape.ports) {
     const FoundShape::Net& is = shape.nets.at(name);
-    const FoundNet net{name, {is.width}, {is.words}, is.is_signed};
-    if (is.words < 0) {
-      throw InputError(
-          fmt::format("new: {}: a port that is an array of more dimensions than one", name));
-    }
+    FoundNet net{name, {is.width}, {is.words}, is.is_signed};
+    net.parts = is.parts;
     const auto clock = std::ranges::find(found.clocks, name, &FoundClock::name);
     if (clock == found.clocks.end()) {
       (way == "input" ? found.inputs : found.outputs).push_back(net);
@@ -126,7 +123,15 @@ void read_shape(Found& found, const FoundShape& shape) {
   }
   for (FoundNet& net : found.registers) {
     const auto is = shape.nets.find(net.name);
-    net.is_signed = is != shape.nets.end() && is->second.is_signed;
+    if (is == shape.nets.end()) continue;
+    net.is_signed = is->second.is_signed;
+    net.parts = is->second.parts;
+  }
+  for (const auto* nets : {&found.outputs, &found.registers}) {
+    for (const FoundNet& net : *nets) {
+      if (net.parts.size() != 1 || net.parts.front().type.empty()) continue;
+      found.enums[net.parts.front().type] = shape.enums.at(net.parts.front().type);
+    }
   }
   order_resets(found);
 }

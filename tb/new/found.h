@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,16 +18,26 @@ struct FoundSize {
   std::string text = {};  ///< how it follows parameters: "{WIDTH} + 1"; empty: not
 };
 
+/// A member of a struct, or a net whose type is an enum.
+struct FoundPart {
+  std::string name;  ///< its path in the struct; empty: it is the net
+  int high = 0, low = 0;
+  bool is_signed = false;
+  std::string type = {};  ///< of Found::enums; empty: none
+  bool operator==(const FoundPart&) const = default;
+};
+
 /// A port, a register or a memory.
 struct FoundNet {
   std::string name;        ///< of a register its path below the top
   FoundSize width;         ///< bits, of a memory those of a word
-  FoundSize words = {0};   ///< of a memory; 0: none; -1: of more dimensions than one
+  FoundSize words = {0};   ///< of a memory; 0: none; -1: of a queue and the like
   bool is_signed = false;  ///< it, or each word, is a number with a sign
   bool is_reset = true;    ///< false of a register to which no reset gives a constant
   std::string value = {};  ///< that constant, in hexadecimal; empty: 0
   /// The bits that hold a state, high and low; empty: all.
   std::vector<std::pair<int, int>> bits = {};
+  std::vector<FoundPart> parts = {};     ///< all, the highest bits first; empty: it is a number
   Edge edge = Edge::none;                ///< of an input that is one of several clocks
   std::vector<std::string> clocks = {};  ///< of a register those of several that it changes on
 };
@@ -58,6 +69,7 @@ struct Found {
   bool asynchronous = false;       ///< they reset without waiting for the clock
   std::vector<FoundNet> inputs, outputs, registers;  ///< inputs without the clock where it is one
   std::vector<FoundParameter> parameters;  ///< of the top: whole numbers that follow no other
+  std::map<std::string, std::vector<std::string>> enums;  ///< the names of their values from 0 on
   std::string language;  ///< as what files .v are read, and why; "" where that is SystemVerilog
   std::string unread;    ///< why yosys, where it is installed, does not read it; "" where it does
 

@@ -32,6 +32,15 @@ FoundShape shape_of(std::string_view text) {
       words >> name;
       FoundShape::Net& net = shape.nets[name];
       words >> net.width >> net.words >> net.is_signed;
+    } else if (what == "part") {
+      FoundPart part;
+      words >> name >> part.name >> part.high >> part.low >> part.is_signed >> part.type;
+      if (part.name == "-") part.name.clear();
+      if (part.type == "-") part.type.clear();
+      shape.nets[name].parts.push_back(part);
+    } else if (what == "enum") {
+      words >> name;
+      for (std::string value; words >> value;) shape.enums[name].push_back(value);
     }
   }
   return shape;

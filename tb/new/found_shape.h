@@ -18,12 +18,14 @@ struct FoundShape {
   struct Net {
     int width = 0, words = 0;  ///< words as of FoundNet
     bool is_signed = false;
+    std::vector<FoundPart> parts = {};
     bool operator==(const Net&) const = default;
   };
   std::string top;
   std::vector<std::pair<std::string, std::string>> ports;  ///< "input" or "output", and its name
   std::vector<std::pair<std::string, long>> parameters;
   std::map<std::string, Net> nets;
+  std::map<std::string, std::vector<std::string>> enums = {};  ///< as of Found
 };
 
 /// Of the text of rtl_shape.pl.

@@ -7,14 +7,13 @@
 
 #include "model/core/input_error.h"
 #include "tb/new/new.h"
+#include "tb/new/new_members.h"
 
 namespace cosim::cli {
 namespace {
 
 // More words of a memory than this take a compiler minutes.
 constexpr int most_words = 4096;
-// What a struct of a model can have, model/clocked/reflect.h.
-constexpr std::size_t most_members = 256;
 
 constexpr const char* types = "Bit UInt Int Array Unreset At Rises Falls Text clog2 In Out ";
 constexpr const char* others =
@@ -25,131 +24,13 @@ constexpr const char* others =
     "both zero cat mux "
     "merge reduce_and reduce_or reduce_xor";
 
-// A member of the struct.
-struct Member {
-  std::string name;
-  std::string type;
-  FoundNet net;
-  std::string value = {};  // of a register
-};
-
 std::string parameter(const std::string& name) {
   return TakenNames(std::string(types) + others).other_than(name);
 }
 
-// A number of RTL, from its hexadecimal digits.
-std::string bits_of(const std::string& hex, int high, int low) {
-  std::string digits;
-  for (int at = low; at <= high; at += 4) {
-    int digit = 0;
-    for (int bit = at; bit < at + 4 && bit <= high; ++bit) {
-      const auto from_end = static_cast<std::size_t>(bit / 4);
-      if (from_end >= hex.size()) break;
-      const int all = std::stoi(hex.substr(hex.size() - 1 - from_end, 1), nullptr, 16);
-      digit |= (all >> bit % 4 & 1) << (bit - at);
-    }
-    digits.insert(0, fmt::format("{:x}", digit));
-  }
-  digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));
-  return digits;
-}
-std::string number(const std::string& hex) {
-  const bool is_digit = hex.size() == 1 && hex < "a";
-  return is_digit ? hex : "0x" + hex;
-}
-// The value of a register in C++.
-std::string value_of(const std::string& hex, const FoundNet& net) {
-  const int width = net.width.number;
-  const std::string ones = bits_of(std::string(static_cast<std::size_t>(width), 'f'), width - 1, 0);
-  if (hex == ones && !net.width.text.empty()) return "-1";  // whatever the parameters
-  if (net.is_signed && width <= 64 && bits_of(hex, width - 1, width - 1) == "1") {
-    const std::uint64_t above = width == 64 ? 0 : ~std::uint64_t{0} << width;
-    return std::to_string(static_cast<std::int64_t>(std::stoull(hex, nullptr, 16) | above));
-  }
-  if (width <= 64) return number(hex);
-  std::string parts;
-  for (int high = width - 1; high >= 0;) {
-    const int low = high / 64 * 64;
-    parts += fmt::format("{}UInt<{}>({})", parts.empty() ? "" : ", ", high - low + 1,
-                         number(bits_of(hex, high, low)));
-    high = low - 1;
-  }
-  return "cat(" + parts + ')';
-}
-
-// Names of members, each another one.
-class Names {
- public:
-  explicit Names(const std::string& taken) : taken_(taken) {}
-  std::string of(const std::string& path) {
-    std::string name = taken_.other_than(path);
-    taken_.insert(name);
-    return name;
-  }
-
- private:
-  TakenNames taken_;
-};
-
-Member member_of(const FoundNet& net, const std::string& name, const std::string& at) {
-  Member m{name, type_of(net), net};
-  if (name != at) m.type = fmt::format("At<\"{}\", {}>", at, m.type);
-  if (!net.is_reset) {
-    m.type = fmt::format("Unreset<{}>", m.type);
-  } else if (net.value.empty() || net.words.number != 0) {
-    m.value = "0";
-  } else {
-    m.value = value_of(net.value, net);
-  }
-  return m;
-}
-
-std::vector<Member> ports_of(const std::vector<FoundNet>& nets, const std::string& taken) {
-  Names names(taken);
-  std::vector<Member> members;
-  for (const FoundNet& net : nets) {
-    members.push_back(member_of(net, names.of(net.name), net.name));
-    members.back().value.clear();
-  }
-  return members;
-}
-
-// The bits of a net that hold a state.
-FoundNet part_of(const FoundNet& net, int high, int low) {
-  FoundNet part = net;
-  part.width = {high - low + 1};
-  part.is_signed = false;
-  part.value = net.value.empty() ? "" : bits_of(net.value, high, low);
-  return part;
-}
-
-std::vector<Member> registers_of(const std::vector<FoundNet>& nets, const std::string& taken) {
-  // A register below the top has its own name where no other one has it.
-  const auto last = [](const std::string& path) { return path.substr(path.rfind('.') + 1); };
-  std::map<std::string, int> alike;
-  for (const FoundNet& net : nets) ++alike[last(net.name)];
-  Names names(taken);
-  std::vector<Member> members;
-  for (const FoundNet& net : nets) {
-    const std::string stem = alike[last(net.name)] == 1 ? last(net.name) : net.name;
-    if (net.bits.empty() || net.words.number != 0) {
-      members.push_back(member_of(net, names.of(stem), net.name));
-      continue;
-    }
-    for (const auto& [high, low] : net.bits) {
-      const std::string bits =
-          high == low ? fmt::format("[{}]", low) : fmt::format("[{}:{}]", high, low);
-      members.push_back(member_of(part_of(net, high, low), names.of(stem + bits), net.name + bits));
-    }
-  }
-  return members;
-}
-
 std::string struct_text(const std::string& name, const std::vector<Member>& members) {
   if (members.empty()) return fmt::format("  struct {} {{}};\n", name);
-  std::string text = fmt::format("  struct {} {{\n", name);
-  for (const Member& m : members) text += fmt::format("    {} {};\n", m.type, m.name);
-  return text + "  };\n";
+  return fmt::format("  struct {} {{\n{}  }};\n", name, declared(members, "    "));
 }
 
 std::string name_of(const std::vector<Member>& members, const std::string& net) {
@@ -186,9 +67,7 @@ std::string reset_at_once_of(const Found& f, const std::vector<Member>& inputs,
     for (const auto& [name, value] : r.values) {
       for (const Member& m : registers) {
         if (m.net.name != name) continue;
-        const std::string is =
-            m.net.bits.empty() && m.net.words.number == 0 ? value_of(value, m.net) : m.value;
-        values += fmt::format("      {} = {};\n", m.name, is.empty() ? "0" : is);
+        values += fmt::format("      {} = {};\n", m.name, value_of(value, m));
       }
     }
     if (values.empty()) continue;
@@ -248,8 +127,7 @@ std::string clock_of(const Found& f, const std::vector<Member>& inputs,
   std::string text =
       fmt::format("\n  Out clock({}const In& in){} {{\n", edges.empty() ? "[[maybe_unused]] " : "",
                   f.clocks.empty() ? " const" : "");
-  std::vector<std::string> zeros;
-  for (const Member& m : outputs) zeros.push_back(fmt::format(".{} = 0", m.name));
+  const std::vector<std::string> zeros = zeros_of(outputs);
   const std::string one_line = fmt::format("    const Out out{{{}}};\n", fmt::join(zeros, ", "));
   text += f.clocks.empty()
               ? "    // To be written: the outputs.\n"
@@ -266,9 +144,10 @@ std::string clock_of(const Found& f, const std::vector<Member>& inputs,
 }
 
 void require_few(const std::vector<Member>& members, const std::string& of, const char* what) {
-  if (members.size() <= most_members) return;
-  throw InputError(fmt::format("new: {}: {} {}: a model has at most {}", of, members.size(), what,
-                               most_members));
+  const std::size_t count = zeros_of(members).size();
+  if (count <= most_members) return;
+  throw InputError(
+      fmt::format("new: {}: {} {}: a model has at most {}", of, count, what, most_members));
 }
 
 }  // namespace
@@ -319,9 +198,9 @@ BegunModel lockstep_model(const std::string& name, const Found& f) {
       continue;
     }
     unobserved.push_back('"' + net.name + '"');
-    model.left.push_back(fmt::format(
-        "{} is not compared: {}", net.name,
-        net.words.number < 0 ? "it has more dimensions than one" : "it has too many words"));
+    model.left.push_back(
+        fmt::format("{} is not compared: {}", net.name,
+                    net.words.number < 0 ? "it is a queue or the like" : "it has too many words"));
   }
   if (f.resets.empty() && !f.clocks.empty()) {
     model.left.push_back(
@@ -329,8 +208,10 @@ BegunModel lockstep_model(const std::string& name, const Found& f) {
   }
   const std::string title = struct_of(name, f);
   const std::string taken = taken_in(title, f);
-  const auto inputs = ports_of(f.inputs, taken), outputs = ports_of(f.outputs, taken);
-  const auto registers = registers_of(nets, taken + ' ' + others);
+  const auto inputs = input_members(f.inputs, taken);
+  const EnumTypes enums(title, f.enums);
+  const auto outputs = output_members(f.outputs, taken, enums);
+  const auto registers = register_members(nets, taken + ' ' + others, enums);
   require_few(inputs, f.top, "inputs");
   require_few(outputs, f.top, "outputs");
   require_few(registers, f.top, "registers");
@@ -344,7 +225,9 @@ BegunModel lockstep_model(const std::string& name, const Found& f) {
   if (std::max({inputs.size(), outputs.size(), registers.size()}) > 64) {
     text += "#include <cosim/many_members.h>\n";
   }
-  text += '\n' + template_of(f);
+  if (!f.enums.empty()) text += "#include <cosim/enum.h>\n";
+  text += '\n' + enums.text();
+  text += template_of(f);
   text += fmt::format("struct {} {{\n", title) + struct_text("In", inputs) +
           struct_text("Out", outputs) + reset_of(f, inputs);
   if (f.asynchronous && !has_reset_at_once(f)) {
@@ -355,10 +238,7 @@ BegunModel lockstep_model(const std::string& name, const Found& f) {
                         fmt::join(unobserved, ", "));
   }
   if (!registers.empty()) text += '\n';
-  for (const Member& m : registers) {
-    const bool is_set = !m.value.empty();
-    text += fmt::format("  {} {}{}{};\n", m.type, m.name, is_set ? " = " : "", m.value);
-  }
+  text += declared(registers, "  ");
   text += clock_of(f, inputs, outputs, registers, title);
   if (has_reset_at_once(f)) text += reset_at_once_of(f, inputs, registers);
   text += "};\n";

@@ -34,8 +34,9 @@ std::vector<RtlCell> located_fields(const RtlNets& rtl, const std::string& desig
     }
     const auto places =
         places_in(net, row, fmt::format("{}: {} {}", design, kind, row.front().net));
-    const bool is_array = row.size() > 1 && !row.front().is_word && net.words == 0;
-    const bool is_upward = is_array && rtl.is_upward(path);
+    const bool is_array =
+        row.size() > 1 && !row.front().is_word && static_cast<int>(row.size()) != net.words;
+    const bool is_upward = is_array && rtl.is_upward(path) && net.words == 0;
     for (std::size_t i = 0; i < row.size(); ++i) {
       auto [word, low] = places[i];
       if (is_upward) low = net.width - low - row[i].width;

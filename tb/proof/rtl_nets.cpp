@@ -34,15 +34,19 @@ std::map<std::string, Order> declared_arrays(const std::vector<std::filesystem::
   static const std::set<std::string> no_types{"return", "else", "begin", "assign", "case", "if"};
   static const Pattern comment(R"(//[^\n]*|/\*([^*]|\*(?!/))*\*/)");
   static const Pattern declared(
-      R"(([A-Za-z_]\w*)(?:\s*\[[^\];]*\])*\s+([A-Za-z_]\w*)\s*\[([^\]:;]*)(:[^\];]*)?\]\s*[;,=])");
+      R"(([A-Za-z_]\w*)(?:\s*\[[^\];]*\])*\s+([A-Za-z_]\w*)\s*((?:\[[^\];]*\]\s*)+)[;,=])");
+  static const Pattern dimension(R"(\[([^\]:]*)(:[^\]]*)?\])"), zero(R"(\s*0\s*)");
   std::map<std::string, Order> all;
   for (const std::filesystem::path& file : files) {
     const std::string text = comment.replaced(read_file(file.string()), " ");
     for (const Pattern::Parts& part : declared.all(text)) {
       if (no_types.contains(part[1])) continue;
-      static const Pattern zero(R"(\s*0\s*)");
-      const bool is_upward = part[4].empty() || !zero.whole(part[3]).empty();
-      const Order order = is_upward ? Order::upward : Order::downward;
+      const auto dimensions = dimension.all(part[3]);
+      const Pattern::Parts& first = dimensions.front();
+      const bool is_upward = first[2].empty() || !zero.whole(first[1]).empty();
+      const Order order = dimensions.size() > 1 ? Order::several
+                          : is_upward           ? Order::upward
+                                                : Order::downward;
       const auto [known, is_new] = all.emplace(part[2], order);
       if (!is_new && known->second != order) known->second = Order::both;
     }
@@ -240,6 +244,11 @@ bool RtlNets::is_upward(const std::string& array) const {
   if (!arrays_) return false;
   const auto known = arrays_->find(array.substr(array.rfind('.') + 1));
   if (known == arrays_->end()) return false;  // parts of a vector
+  if (known->second == Order::several) {
+    throw InputError(
+        fmt::format("{}: {}: an array of several dimensions, which slang has read, is not proved",
+                    name_, array));
+  }
   if (known->second != Order::both) return known->second == Order::upward;
   throw InputError(
       fmt::format("{}: {}: two arrays of this name count upward and downward", name_, array));

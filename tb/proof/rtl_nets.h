@@ -19,6 +19,7 @@ namespace cosim::proof {
 enum class Order {
   upward,    ///< logic [7:0] held [2], held [0:1]: element 0 has the highest bits of its net
   downward,  ///< held [1:0]: it has the lowest
+  several,   ///< it has several dimensions
   both       ///< one is declared so and another otherwise
 };
 

@@ -222,11 +222,11 @@ endmodule
 RTL
 found 'one.q 1 0 0:0 q 1 0 0\nr 1 0 0:0\ns 1 0 0:0|low rst_n'
 
-# A memory of several dimensions is marked.
+# A memory of several dimensions has all elements as its words.
 rtl 'reg [3:0] one[0:3], two[0:1][1:3]; reg [1:0][3:0] net, of_nets[0:1];
      always @(posedge clk) begin one[w[1:0]] <= w[3:0]; two[d][w[1:0]] <= w[3:0]; net <= w;
        of_nets[d] <= w; q <= ^{one[0], two[0][1], net, of_nets[0]}; end'
-found 'net 8 0 7:0\nof_nets 16 -1 15:0\none 4 4 15:0\nq 1 0 0:0\ntwo 24 -1 23:0|'
+found 'net 8 0 7:0\nof_nets 8 2 15:0\none 4 4 15:0\nq 1 0 0:0\ntwo 4 6 23:0|'
 
 # Registers in every kind of place. A variable that each way through a process writes before it reads it
 # is none; one that only some ways write is.

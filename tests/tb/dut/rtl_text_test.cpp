@@ -92,14 +92,14 @@ TEST(Unobserved, BitsThatHoldNoStateNeedNoField) {
   EXPECT_EQ(unobserved_signals(part, {field("mixed[7:4]")}, {"mixed"}), Names{"mixed[0]"});
 }
 
-TEST(Unobserved, SoIsAMemoryOfSeveralDimensions) {
+TEST(Unobserved, SoIsAQueue) {
   const RtlText deep{"made", "count 4 0 3:0\ngrid 64 -1 63:0", ""};
   EXPECT_EQ(unobserved_signals(deep, {field("count")}, {"grid"}), Names{"grid"});
   for (const std::vector<Field>& fields :
        {std::vector<Field>{field("count")}, {field("count"), field("grid")}}) {
     const std::string refused = said_of(deep, fields, {});
     EXPECT_TRUE(refused.ends_with(
-        "register grid: a memory of more dimensions than one can only be in unobserved"))
+        "register grid: a queue or an associative array can only be in unobserved"))
         << refused;
   }
 }

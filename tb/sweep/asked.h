@@ -1,6 +1,6 @@
-// Points of coverage: what Verilator and the cases and ways of a model have counted, read out of the
-// files that counted runs left; and what came of those that no sweep reached, where an engine was
-// asked for each whether it can ever happen.
+// Points of coverage: what Verilator and the cases and ways of a model have counted, read out of
+// the files that counted runs left; and what came of those that no sweep reached, where an engine
+// was asked for each whether it can ever happen.
 #pragma once
 
 #include <cstdint>

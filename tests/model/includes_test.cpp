@@ -97,8 +97,9 @@ TEST(Includes, AreToldApart) {
   expect(false, "tb/designs/dda/figures.h",
          {"model/linear/job.h", "model/toolpath/plan.h", "tb/designs/linear/figures.h",
           "tb/studies/comparison/contest.h"});
-  expect(true, "tb/studies/toolpath/path_run.h",
-         {"model/linear/job.h", "tb/designs/circular/figures.h", "tb/studies/comparison/contest.h"});
+  expect(
+      true, "tb/studies/toolpath/path_run.h",
+      {"model/linear/job.h", "tb/designs/circular/figures.h", "tb/studies/comparison/contest.h"});
 }
 
 }  // namespace

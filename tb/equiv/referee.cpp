@@ -77,10 +77,8 @@ class Match {
       stepped_.clock(row);
       at = 0;
       for (const auto& [port, width] : vhdl.outputs) {
-        std::vector<Values> bits;
-        for (int i = 0; i < width; ++i) bits.push_back(stepped_.output({port, i}));
-        compare(port, ran.rows[t].substr(at, static_cast<std::size_t>(width)), word_of(bits), true,
-                t);
+        compare(port, ran.rows[t].substr(at, static_cast<std::size_t>(width)),
+                netlist_word(port, width), true, t);
         at += static_cast<std::size_t>(width);
       }
       ++is.clocks;
@@ -265,22 +263,33 @@ class Match {
   void compare(const std::vector<std::string>& words, std::size_t t) {
     std::size_t at = side_.outputs.size();
     std::set<std::string> x;
+    was_x_ = sources_->has_hidden();
     for (const Variable& one : variables_) {
-      if (words[at++].find_first_not_of("01") != std::string::npos) x.insert(one.name);
+      if (words[at++].find_first_not_of("01") == std::string::npos) continue;
+      was_x_ = true;
+      // An x that comes from none, where the netlist has a value, is no excuse for another one.
+      const bool is_one = netlist_word(one).find('x') == std::string::npos;
+      if (!is_one || sources_->reach(one.name)) x.insert(one.name);
     }
-    was_x_ = !x.empty() || sources_->has_hidden();
     sources_->clock(std::move(x));
     at = 0;
     for (const auto& [port, width] : side_.outputs) {
-      std::vector<Values> bits;
-      for (int i = 0; i < width; ++i) bits.push_back(stepped_.output({port, i}));
-      compare(port, words[at++], word_of(bits), true, t);
+      compare(port, words[at++], netlist_word(port, width), true, t);
     }
     for (const Variable& one : variables_) {
-      std::vector<Values> bits;
-      for (const std::size_t reg : *registers_of_.at(one.name)) bits.push_back(stepped_.seen(reg));
-      compare(one.name, words[at++], word_of(bits), false, t);
+      compare(one.name, words[at++], netlist_word(one), false, t);
     }
+  }
+
+  std::string netlist_word(const std::string& port, int width) {
+    std::vector<Values> bits;
+    for (int i = 0; i < width; ++i) bits.push_back(stepped_.output({port, i}));
+    return word_of(bits);
+  }
+  std::string netlist_word(const Variable& one) {
+    std::vector<Values> bits;
+    for (const std::size_t reg : *registers_of_.at(one.name)) bits.push_back(stepped_.seen(reg));
+    return word_of(bits);
   }
 
   // Whether all is known that it depends on: registers and memories.

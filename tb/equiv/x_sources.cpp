@@ -69,10 +69,16 @@ const std::set<int>& XSources::fan_in(const std::string& word) {
   if (!is_new) return at->second;
   std::vector<int> open = *bits_.at(word);
   std::set<const Cell*> met;
+  // A register depends on its own x only by way of what it is next.
+  std::set<int> own(open.begin(), open.end());
+  std::erase_if(own, [&](int bit) {
+    const auto driver = driver_.find(bit);
+    return driver == driver_.end() || !driver->second->is_register();
+  });
   while (!open.empty()) {
     const int bit = open.back();
     open.pop_back();
-    if (bit < 0 || !at->second.insert(bit).second) continue;
+    if (bit < 0 || (own.erase(bit) == 0 && !at->second.insert(bit).second)) continue;
     const auto driver = driver_.find(bit);
     if (driver == driver_.end() || !met.insert(driver->second).second) continue;
     for (const auto& [pin, bits] : driver->second->pins) {

@@ -2,7 +2,7 @@
 // values first the one that needs the most registers (Sethi-Ullman numbers, of a graph in place of
 // a tree); an end runs as soon as all that it reads is there. Registers in that order: the value
 // that is used again last leaves (Belady's rule). A local search for a better order of the ends
-// made the clocks of circular and DDA 2 to 19 % faster.
+// would make the clocks of circular and DDA 2 to 19 % faster.
 #include "tb/lanes/schedule.h"
 
 #include <algorithm>

@@ -53,9 +53,9 @@ refused cut.sv
 says "cosim: new: cut.sv:11: d has no members: its type may be a parameter of the top: cosim new --param TYPE=PACKAGE::STRUCT"
 made bus_pkg.sv cut.sv --param req_t=bus_pkg::req_t --param N=3
 grep -qx '  cut #(.N(N), .req_t(req_t)) dut (.\*);' made/made_top.sv
-grep -qx '    UInt<8> d;' made/made.h
+grep -qF 'At<"d[7:1]", UInt<7>> a;' made/made.h
 grep -qx '    UInt<N> q;' made/made.h
-grep -qF '"dut.kept"' made/made.h
+grep -qF 'At<"dut.kept[0]", Bit>> b;' made/made.h
 grep -q 'SOURCES bus_pkg.sv cut.sv made_top.sv TOP made_top .* SHAPES "N=3"' made/CMakeLists.txt
 # A type that is written out; a name that matches a word is a type where the head says so.
 made cut.sv --param 'req_t=struct packed { logic [2:0] a; }'

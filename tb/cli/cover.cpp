@@ -51,6 +51,8 @@ bool is_toggle(const Point& p) { return p.kind == "toggle"; }
 bool is_cover(const Point& p) { return p.kind == "user"; }
 bool is_way(const Point& p) { return p.kind == "model way"; }
 bool is_branch(const Point& p) { return p.kind == "model branch"; }
+bool is_model_line(const Point& p) { return p.kind == "model line"; }
+bool is_condition(const Point& p) { return p.kind == "model condition"; }
 bool is_line(const Point& p) { return !is_toggle(p) && !is_cover(p) && !is_of_model(p); }
 
 struct Kind {
@@ -58,7 +60,10 @@ struct Kind {
   bool (*is)(const Point&);
 };
 constexpr Kind kinds_of_rtl[] = {{"lines", is_line}, {"toggles", is_toggle}, {"covers", is_cover}};
-constexpr Kind kinds_of_model[] = {{"ways", is_way}, {"branches", is_branch}};
+constexpr Kind kinds_of_model[] = {{"ways", is_way},
+                                   {"branches", is_branch},
+                                   {"lines of the model", is_model_line},
+                                   {"conditions of the model", is_condition}};
 
 // "24 of 24 lines"; nothing where there is none.
 void add_part(std::string& text, Json& json, const char* name, std::uint64_t reached,
@@ -76,6 +81,10 @@ std::string known(const std::vector<Answer>& answers, std::size_t i) {
 }
 
 std::string never_taken(const Point& p, const std::string& answer) {
+  if (is_model_line(p) || is_condition(p)) {
+    const char* what = is_condition(p) ? "always the same" : "never runs";
+    return fmt::format("{}:{}: {}{}: {}", p.file, p.line, what, answer, p.what);
+  }
   const std::size_t colon = p.what.find(':');  // "false: if (x); after 36 true"
   return fmt::format("{}:{}: never {}{}{}", p.file, p.line, p.what.substr(0, colon), answer,
                      p.what.substr(colon));
@@ -289,7 +298,8 @@ void add_cover(const Command& program, const Registry& registry) {
       "coverage_on'. The program with counters is built when it is first needed.\n"
       "Ways are the paths through clock() of the model. A model with more than 256 ways has\n"
       "branches instead, the values of each condition, and so have blocks of merge(). A way is\n"
-      "printed by the line of its last condition.\n"
+      "printed by the line of its last condition. A model of streams alone has lines of its\n"
+      "headers, and conditions, each of which has to be true once and false once.\n"
       "--close asks for each bit, cover statement, case and way whether it can happen from reset;\n"
       "its stimuli are kept, and run in the RTL with counters.\n"
       "Exit status: 0 all reached, or proved unreachable; 1 something was not; 2 bad input.\n"

@@ -15,7 +15,8 @@ namespace cosim::coverage {
 
 /// A place in the RTL, or a way through the model, at its last condition.
 struct Point {
-  std::string kind;  ///< line, branch, toggle, user; model way, model branch
+  /// line, branch, toggle, user; model way, branch, line, condition
+  std::string kind;
   std::string file;
   int line = 0, column = 0;
   /// "count[3]" of a toggle, "if" or "else" of a branch; "false: if (x); after 36 true" of a way.

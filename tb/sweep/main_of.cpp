@@ -58,22 +58,24 @@ int replay(const std::vector<std::unique_ptr<AnyBench>>& benches, const std::str
 
 }  // namespace
 
-int main_of(const std::vector<std::unique_ptr<AnyBench>>& benches, int argc, char** argv) {
+int main_of(const std::vector<std::unique_ptr<AnyBench>>& benches, int argc, char** argv,
+            const Counted& counted) {
   allow_large_records();
   const std::vector<std::string> words(argv, argv + argc);
   try {
     setenv("COSIM_COVERAGE", words.at(1).c_str(), 1);
     int status = 0;
-    if (words.at(2) == "replay") {
+    const bool replays = words.at(2) == "replay";
+    if (replays) {
       for (std::size_t i = 3; i < words.size() && status == 0; ++i) {
         status = replay(benches, words[i]);
       }
-      return status;
     }
-    for (std::size_t i = 0; i < benches.size() && status == 0; ++i) {
+    for (std::size_t i = 0; !replays && i < benches.size() && status == 0; ++i) {
       status = run(*benches[i], std::stoull(words.at(2)), std::stoull(words.at(3)),
                    std::stoull(words.at(4)), words.at(1) + progress_file);
     }
+    if (counted.dump != nullptr) leave_lines(counted, benches.front()->design());
     return status;
   } catch (const std::exception& error) {
     fmt::print("{}\n", error.what());

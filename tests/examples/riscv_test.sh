@@ -19,6 +19,10 @@ grep -q 'tests="1" failures="0" errors="0"' all.xml || fails "a sweep is a test 
 
 ends 1 cover core --hostile 40
 says "never happens: retired: a store behind a load"
+if "${CXX:-c++}" --version | grep -q 'Free Software'; then  # GCC counts lines of the model, Clang does not
+  says_like '/rv32i[.]h:[0-9]*: always the same: if [(]in[.]rst[)] [{]$'
+  says_not 'never runs: pc = out.next_pc;'
+fi
 
 ends 0 list --drawn
 says_like '^step: 1[0-9]* transactions in '

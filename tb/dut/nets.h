@@ -76,7 +76,7 @@ struct Ports {
 /// if the inputs that are clocks are not `clocks`.
 std::vector<Net> find_ports(const std::vector<PortNet>& of_rtl, const Ports& ports);
 /// The cells of the design's registers and memories; of a net that carries a register's value, as
-/// `text` says, which is of rtl.pl, those of the register. InputError if there is no net of that
+/// `text` says, which is of cosim_rtl, those of the register. InputError if there is no net of that
 /// path and width.
 std::vector<Net> find_registers(VerilatedContext& context, const std::string& title,
                                 std::span<const Field> cells, std::string_view text = "");

@@ -38,7 +38,7 @@ MakeOpen open_maker_in(const OpenLibrary& library, const char* id);
 struct OpenClass {
   std::unique_ptr<OpenInstance> (*make)(std::uint32_t power_up);
   const char *title, *clock;
-  const char* registers = "";    ///< the text of rtl.pl
+  const char* registers = "";    ///< the text of cosim_rtl
   std::string_view clocks = "";  ///< as Ports has them
   bool loads = true;             ///< registers can be set
 };

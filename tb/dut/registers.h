@@ -1,4 +1,4 @@
-// What the RTL's own text says of its registers and resets, by rtl.pl, against what a design says.
+// What the RTL's own text says of its registers and resets, by cosim_rtl, against what a design says.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace cosim {
 
-/// The registers, asynchronous resets and outputs as rtl.pl prints them, without the first word.
+/// The registers, asynchronous resets and outputs as cosim_rtl prints them, without the first word.
 struct RtlText {
   std::string title;              ///< of the shape, for errors
   std::string_view registers;     ///< lines "PATH WIDTH WORDS BITS [NET WIDTH WORDS LOW]..."

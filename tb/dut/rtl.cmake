@@ -1,11 +1,11 @@
-# What a design's RTL is, before anything is built from it: cosim_read_rtl() asks Verilator and rtl.pl.
+# What a design's RTL is, before anything is built from it: cosim_read_rtl() asks Verilator and cosim_rtl.
 include_guard(GLOBAL)
-set_property(GLOBAL PROPERTY COSIM_RTL_READER "${CMAKE_CURRENT_LIST_DIR}/rtl.pl")
+include(${CMAKE_CURRENT_LIST_DIR}/../rtl/tool.cmake)
 
 # cosim_read_rtl(PREFIX WHAT TOP CLOCK FOLDER FILES... OPTIONS word... YOSYS commands...)
 #
-# Sets PREFIX_registers, the text of rtl.pl on the registers, its lines joined by \n, PREFIX_resets, the
-# asynchronous ones, "inner NAME" of a register that is one, PREFIX_clocks and PREFIX_outputs; PREFIX_unrolled,
+# Sets PREFIX_registers, what cosim_rtl says of the registers (tb/rtl/registers.h), its lines joined by \n,
+# PREFIX_resets, the asynchronous ones, "inner NAME" of a register that is one, PREFIX_clocks and PREFIX_outputs; PREFIX_unrolled,
 # options that Verilator needs to build it, also where files .v are Verilog-2005 and nothing later; and
 # PREFIX_hash, of all that it read. An error, one line that begins
 # with WHAT, where the RTL has what no design can have. OPTIONS are Verilator's; YOSYS is what makes yosys
@@ -13,8 +13,7 @@ set_property(GLOBAL PROPERTY COSIM_RTL_READER "${CMAKE_CURRENT_LIST_DIR}/rtl.pl"
 # does not write its tree: no design goes unchecked.
 function(cosim_read_rtl prefix what top clock folder)
   cmake_parse_arguments(PARSE_ARGV 5 R "" "YOSYS" "FILES;OPTIONS")
-  get_property(reader GLOBAL PROPERTY COSIM_RTL_READER)
-  find_program(COSIM_PERL perl REQUIRED)
+  cosim_rtl_program(cosim_rtl)
   file(MAKE_DIRECTORY ${folder})
   set(verilator ${VERILATOR_BIN} --top-module ${top} -Mdir ${folder} -Wno-fatal -Wno-lint -Wno-style
     --no-timing ${R_OPTIONS})
@@ -96,18 +95,11 @@ function(cosim_read_rtl prefix what top clock folder)
   if(NOT CMAKE_SCRIPT_MODE_FILE)
     set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${read})
   endif()
-  execute_process(COMMAND ${COSIM_PERL} -pi
-    -e "s{/\\*\\s*verilator lint_off\\b.*?\\*/}{}g; s{\\balways_latch\\b}{always @*}g"
-    ${folder}/plain.sv COMMAND_ERROR_IS_FATAL ANY)
+  set(by_language "")
   if(language)
-    # It is one text now: each file's words again.
-    execute_process(COMMAND ${COSIM_PERL} -pi
-      -e "BEGIN { %old = map { \$_ => m{[.]v\$} } split /;/, shift }"
-      -e "if (m{^`line 1 \"(.*)\"} && exists \$old{\$1} && !\$met{\$1}++) {"
-      -e "  print qq{`end_keywords\\n} if \$open; \$open = \$old{\$1};"
-      -e "  print qq{`begin_keywords \"1364-2005\"\\n} if \$open }" "${R_FILES}" ${folder}/plain.sv
-      COMMAND_ERROR_IS_FATAL ANY)
+    set(by_language "${R_FILES}")
   endif()
+  execute_process(COMMAND ${cosim_rtl} warnings ${folder}/plain.sv "${by_language}" COMMAND_ERROR_IS_FATAL ANY)
   file(SHA256 ${folder}/plain.sv hash)
   set(${prefix}_hash ${hash} PARENT_SCOPE)
   # What writes an array with `<=` in a loop must be unrolled; the loops of others had better not be.
@@ -131,7 +123,7 @@ function(cosim_read_rtl prefix what top clock folder)
   file(WRITE ${folder}/warnings.txt "${said}")
   cosim_read_netlist(netlist ${folder} "${R_YOSYS}")
   execute_process(
-    COMMAND ${COSIM_PERL} ${reader} ${folder}/tree ${folder}/warnings.txt ${clock} ${netlist}
+    COMMAND ${cosim_rtl} registers ${folder}/tree ${folder}/warnings.txt ${clock} ${netlist}
     RESULT_VARIABLE status OUTPUT_VARIABLE found ERROR_VARIABLE error)
   if(status)
     string(STRIP "${error}" error)
@@ -165,7 +157,7 @@ function(cosim_read_rtl prefix what top clock folder)
 endfunction()
 
 # Sets the variable to the options with which Verilator writes its tree into the file that follows: as XML, or, from
-# 5.046 on, as JSON (verilator_tree.pl).
+# 5.046 on, as JSON (tb/rtl/tree.h).
 function(cosim_tree_options variable)
   execute_process(COMMAND ${VERILATOR_BIN} --xml-only --version RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
   if(status EQUAL 0)
@@ -200,14 +192,12 @@ macro(cosim_find_yosys)
   set(COSIM_RUN_YOSYS ${CMAKE_COMMAND} -E env --unset=HOME --unset=XDG_STATE_HOME ${COSIM_YOSYS})
 endmacro()
 
-# What yosys, where there is one and it reads the RTL in 40 s, says that the RTL holds: sets the variable to the
-# file that rtl_yosys.pl made, or to nothing; FOLDER/unread.txt then says why. Sets VARIABLE_has_no_loop where
+# What yosys, where there is one and it reads the RTL in 40 s, says that the RTL holds: sets the variable to its
+# netlist as JSON, or to nothing; FOLDER/unread.txt then says why. Sets VARIABLE_has_no_loop where
 # there is none even if each bit that a cell gives depends on all that it takes.
 function(cosim_read_netlist variable folder commands)
   set(${variable} "" PARENT_SCOPE)
   set(${variable}_has_no_loop FALSE PARENT_SCOPE)
-  get_property(reader GLOBAL PROPERTY COSIM_RTL_READER)
-  string(REGEX REPLACE "[.]pl$" "_yosys.pl" reader ${reader})
   cosim_find_yosys()
   if(NOT COSIM_YOSYS OR NOT commands)
     return()
@@ -225,9 +215,7 @@ function(cosim_read_netlist variable folder commands)
     string(STRIP "${error}" error)
     file(WRITE ${folder}/unread.txt "yosys cannot read the RTL: ${error}")
   else()
-    execute_process(COMMAND ${COSIM_PERL} ${reader} ${folder}/netlist.json
-      OUTPUT_FILE ${folder}/netlist.txt COMMAND_ERROR_IS_FATAL ANY)
-    set(${variable} ${folder}/netlist.txt PARENT_SCOPE)
+    set(${variable} ${folder}/netlist.json PARENT_SCOPE)
     file(STRINGS ${folder}/netlist.log loops REGEX "^Found [0-9]+ SCCs[.]$")
     if(loops MATCHES "Found 0 SCCs[.]$")
       set(${variable}_has_no_loop TRUE PARENT_SCOPE)

@@ -27,7 +27,7 @@ std::vector<std::pair<int, int>> ranges_of(const std::string& text) {
   return all;
 }
 
-// The text of rtl.pl.
+// What cosim_rtl prints (tb/rtl/registers.h).
 void read_found(Found& found, const std::string& text) {
   std::map<std::string, std::string> values;
   std::map<std::string, std::vector<std::string>> clocks;  // of registers
@@ -108,9 +108,9 @@ void order_resets(Found& found) {
   }
 }
 
-void read_shape(Found& found, const FoundShape& shape) {
+void read_shape(Found& found, const rtl::Shape& shape) {
   for (const auto& [way, name] : shape.ports) {
-    const FoundShape::Net& is = shape.nets.at(name);
+    const rtl::Shape::Net& is = shape.nets.at(name);
     FoundNet net{name, {is.width}, {is.words}, is.is_signed};
     net.parts = is.parts;
     const auto clock = std::ranges::find(found.clocks, name, &FoundClock::name);
@@ -161,8 +161,9 @@ Found found_in(const RtlQuestion& question) {
        fmt::format("-DSHAPE={}", fmt::join(shape, " ")),
        fmt::format("-DFILES={}", fmt::join(files, ";")),
        fmt::format("-DOPTIONS={}", fmt::join(question.options, ";")),
-       fmt::format("-DYOSYS={}", fmt::join(question.options, " ")), "-DWORK=" + work.string(), "-P",
-       (reader / "found_rtl.cmake").string()});
+       fmt::format("-DYOSYS={}", fmt::join(question.options, " ")), "-DWORK=" + work.string(),
+       fmt::format("-DREADER={};cosim_rtl", fs::read_symlink("/proc/self/exe").string()), "-P",
+       (reader / "new" / "found_rtl.cmake").string()});
   if (ended.status == 127) throw InputError("needs cmake");
   if (ended.status != 0) {
     const fs::path error = work / "error.txt";
@@ -172,10 +173,13 @@ Found found_in(const RtlQuestion& question) {
     }
     throw InputError("new: cmake: " + ended.text);
   }
-  const Ended told =
-      cosim::run_program({"perl", (reader / "rtl_shape.pl").string(), (work / "tree").string()});
-  if (told.status != 0) throw InputError("new: " + told.text);
-  const FoundShape is = shape_of(told.text);
+  const rtl::Shape is = [&] {
+    try {
+      return rtl::shape_of(work / "tree");
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("new: {}", error.what()));
+    }
+  }();
   Found found;
   found.top = is.top;
   read_found(found, read_file((work / "found.txt").string()));
@@ -192,8 +196,7 @@ Found found_in(const RtlQuestion& question) {
     found.language = read_file(language.string());
     again.options.emplace_back("+1364-2005ext+v");
   }
-  follow_parameters(found, is, again,
-                    {reader, lines_in(read_file((work / "verilator.txt").string()))},
+  follow_parameters(found, is, again, lines_in(read_file((work / "verilator.txt").string())),
                     scratch.path() / "tried", line);
   for (const FoundParameter& p : question.parameters) {
     const auto same = std::ranges::find(found.parameters, p.name, &FoundParameter::name);

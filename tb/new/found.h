@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "model/core/fields.h"
+#include "tb/rtl/shape.h"
 
 namespace cosim::cli {
 
@@ -16,15 +17,6 @@ namespace cosim::cli {
 struct FoundSize {
   int number = 1;
   std::string text = {};  ///< how it follows parameters: "{WIDTH} + 1"; empty: not
-};
-
-/// A member of a struct, or a net whose type is an enum.
-struct FoundPart {
-  std::string name;  ///< its path in the struct; empty: it is the net
-  int high = 0, low = 0;
-  bool is_signed = false;
-  std::string type = {};  ///< of Found::enums; empty: none
-  bool operator==(const FoundPart&) const = default;
 };
 
 /// A port, a register or a memory.
@@ -37,7 +29,7 @@ struct FoundNet {
   std::string value = {};  ///< that constant, in hexadecimal; empty: 0
   /// The bits that hold a state, high and low; empty: all.
   std::vector<std::pair<int, int>> bits = {};
-  std::vector<FoundPart> parts = {};     ///< all, the highest bits first; empty: it is a number
+  std::vector<rtl::Part> parts = {};     ///< all, the highest bits first; empty: it is a number
   Edge edge = Edge::none;                ///< of an input that is one of several clocks
   std::vector<std::string> clocks = {};  ///< of a register those of several that it changes on
 };

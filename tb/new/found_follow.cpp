@@ -61,7 +61,7 @@ std::string form_of(const std::string& p, const Points& points) {
 
 struct Tried {
   long value;
-  FoundShape shape;
+  rtl::Shape shape;
 };
 
 // Two parameters that a size is a multiple of are its factors; else it is not known.
@@ -82,8 +82,8 @@ void put(FoundSize& size, const std::string& p, long value, const Points& points
 
 }  // namespace
 
-void follow_parameters(Found& found, const FoundShape& shape, const RtlQuestion& question,
-                       const RtlReader& reader, const std::filesystem::path& work,
+void follow_parameters(Found& found, const rtl::Shape& shape, const RtlQuestion& question,
+                       const std::vector<std::string>& verilator, const std::filesystem::path& work,
                        StateLine& line) {
   constexpr long most = 1L << 24;
   std::map<std::string, std::vector<Tried>> tried;
@@ -101,14 +101,14 @@ void follow_parameters(Found& found, const FoundShape& shape, const RtlQuestion&
     // A width in bytes needs a step of more than 8 to show.
     for (const long other : {value < 2 ? value + 2 : 2 * value, value + 1, 8 * value + 9}) {
       auto found_so =
-          shape_with(question, name, other, reader, work / fmt::format("{}_{}", name, other));
+          shape_with(question, name, other, verilator, work / fmt::format("{}_{}", name, other));
       if (!found_so) continue;
       const bool same =
           found_so->nets == shape.nets && found_so->ports.size() == shape.ports.size();
       tried.at(name).push_back({other, std::move(*found_so)});
       if (same && tried.at(name).size() == 2) {
         // A parameter may have the next value by another one alone.
-        const auto others = [&, &n = name](const FoundShape& s) {
+        const auto others = [&, &n = name](const rtl::Shape& s) {
           auto list = s.parameters;
           std::erase_if(list, [&](const auto& p) { return p.first == n; });
           return list;
@@ -123,7 +123,7 @@ void follow_parameters(Found& found, const FoundShape& shape, const RtlQuestion&
   });
   // What follows another parameter is none of the shape's own.
   std::set<std::string> derived;
-  const auto value_in = [](const FoundShape& s, const std::string& name) {
+  const auto value_in = [](const rtl::Shape& s, const std::string& name) {
     const auto p =
         std::ranges::find_if(s.parameters, [&](const auto& q) { return q.first == name; });
     return p == s.parameters.end() ? -1 : p->second;

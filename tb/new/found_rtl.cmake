@@ -1,12 +1,14 @@
 # What `cosim new` asks of RTL, in the folder that has it: cmake -P with
 #
-#   TOP, CLOCK     as rtl.pl has them
+#   READER         the program cosim_rtl, and its first words
+#   TOP, CLOCK     as cosim_read_rtl() has them
 #   SHAPE          parameters, as of cosim_add_design()
 #   FILES, OPTIONS of Verilator; YOSYS, its options for yosys
 #   WORK           where the answer is to be: tree, found.txt, verilator.txt, the program that
 #                  reads RTL and its options, unread.txt as of cosim_read_netlist(), and error.txt, one line
-include(${CMAKE_CURRENT_LIST_DIR}/rtl.cmake)
-include(${CMAKE_CURRENT_LIST_DIR}/shape.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/../dut/rtl.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/../dut/shape.cmake)
+set_property(GLOBAL PROPERTY COSIM_RTL_PROGRAM ${READER})
 function(message kind)
   if(kind STREQUAL FATAL_ERROR)
     string(JOIN "" text ${ARGN})

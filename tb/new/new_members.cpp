@@ -59,27 +59,27 @@ bool is_struct(const FoundNet& net) {
 }
 
 // The members of a struct, or the net itself, as far as they hold a state.
-std::vector<FoundPart> held_parts(const FoundNet& net) {
-  const FoundPart all{"", net.width.number - 1, 0, net.is_signed};
+std::vector<rtl::Part> held_parts(const FoundNet& net) {
+  const rtl::Part all{"", net.width.number - 1, 0, net.is_signed};
   if (net.words.number != 0) return {all};
-  std::vector<FoundPart> parts{all}, held;
+  std::vector<rtl::Part> parts{all}, held;
   if (is_struct(net) || net.parts.size() == 1) parts = net.parts;
   auto ranges = net.bits;
   if (ranges.empty()) ranges = {{all.high, 0}};
-  for (const FoundPart& part : parts) {
+  for (const rtl::Part& part : parts) {
     for (const auto& [above, below] : ranges) {
       const int high = std::min(above, part.high), low = std::max(below, part.low);
       if (high < low) continue;
       const bool is_whole = high == part.high && low == part.low;
       held.push_back(
           is_whole ? part
-                   : FoundPart{part.name + range_of(high - part.low, low - part.low), high, low});
+                   : rtl::Part{part.name + range_of(high - part.low, low - part.low), high, low});
     }
   }
   return held;
 }
 
-Member member_of(const FoundNet& net, const FoundPart& part, const std::string& name,
+Member member_of(const FoundNet& net, const rtl::Part& part, const std::string& name,
                  const EnumTypes* enums) {
   Member m{name, "", net, part.high, part.low, part.is_signed};
   const int width = part.high - part.low + 1;
@@ -105,7 +105,7 @@ template <class NameOf>
 void add_members(std::vector<Member>& members, const FoundNet& net, const std::string& path,
                  const Names& names, const EnumTypes* enums, const NameOf& name_of) {
   const std::string top = is_struct(net) ? name_of(path) : "";
-  for (const FoundPart& part : held_parts(net)) {
+  for (const rtl::Part& part : held_parts(net)) {
     std::string name = top;
     if (is_struct(net)) {
       for (const std::string& word : parts_in(part.name, '.')) name += '.' + names.inner(word);

@@ -19,6 +19,6 @@ set(CPACK_DEBIAN_PACKAGE_DEPENDS
   "libfmt-dev (>= ${fmt_major})" "libfmt-dev (<< ${fmt_next})"
   "verilator (>= ${verilator_minor})" "verilator (<< ${verilator_minor}.~)")
 list(JOIN CPACK_DEBIAN_PACKAGE_DEPENDS ", " CPACK_DEBIAN_PACKAGE_DEPENDS)
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "yosys, iverilog, make, libjson-xs-perl, z3, libgtest-dev")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "yosys, iverilog, make, z3, libgtest-dev")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "gtkwave, iverilog, lcov")
 include(CPack)

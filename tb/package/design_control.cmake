@@ -1,4 +1,4 @@
-# cosim_control_file(VARIABLE ID REGISTERS MODEL): what has Verilator keep the registers, by rtl.pl, and
+# cosim_control_file(VARIABLE ID REGISTERS MODEL): what has Verilator keep the registers, by cosim_rtl, and
 # what of the nets that carry their values the text of the model names.
 function(cosim_control_file variable id registers model)
   string(REPLACE "\\n" ";" lines "${registers}")

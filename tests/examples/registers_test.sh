@@ -1,14 +1,16 @@
 #!/usr/bin/env bash
-# registers_test.sh SOURCES [DRAWS [SEED]]
+# registers_test.sh SOURCES PROGRAM [DRAWS [SEED]]
 #
 # Draws RTL with registers in all kinds of places, and variables that are none among them, and looks
-# that cosim_read_rtl() finds exactly the bits that hold a state. SOURCES is the project's folder.
+# that cosim_read_rtl() finds exactly the bits that hold a state. SOURCES is the project's folder, PROGRAM is
+# cosim_rtl.
 # Status: 0 so, 1 not; then the RTL is printed.
 source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
-sources=$1 draws=${2:-6} RANDOM=${3:-1}
+sources=$1 draws=${3:-6} RANDOM=${4:-1}
 cd "$folder"
 cat > read.cmake << END
 include($sources/tb/dut/rtl.cmake)
+set_property(GLOBAL PROPERTY COSIM_RTL_PROGRAM $2)
 find_program(VERILATOR_BIN verilator)
 cosim_read_rtl(r made made clk $folder/work FILES $folder/made.sv)
 message("\${r_registers}")

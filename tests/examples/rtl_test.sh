@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
-# rtl_test.sh SOURCES
+# rtl_test.sh SOURCES PROGRAM
 #
 # What cosim_add_design() reads out of RTL when CMake configures: registers, with the nets that carry
 # them, and asynchronous resets; and what it refuses, in one line that names the net. SOURCES is the
-# project's folder. Status: 0 so, 1 not.
+# project's folder, PROGRAM is cosim_rtl. Status: 0 so, 1 not.
 source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 sources=$1
 cd "$folder"
 cat > read.cmake << END
 include($sources/tb/dut/rtl.cmake)
+set_property(GLOBAL PROPERTY COSIM_RTL_PROGRAM $2)
 include($sources/tb/dut/shape.cmake)
 find_program(VERILATOR_BIN verilator)
 if(SHAPE)

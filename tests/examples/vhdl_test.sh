@@ -261,7 +261,7 @@ sed 's/if rising_edge(clk)/if clk/; s,entity work,work,' rtl/a_top.vhd > missing
 refused missing.vhd
 says 'missing.vhd:4:'
 mkdir bin
-for tool in sh perl cmake verilator verilator_bin env yosys rm mkdir; do
+for tool in sh cmake verilator verilator_bin env yosys rm mkdir; do
   real=$(command -v "$tool") || continue
   ln -s "$real" "bin/$tool"
 done

@@ -1,4 +1,4 @@
-# cmake -DCOMPILER=... -DSOURCE=... -DSTAMP=... -DINCLUDES=... -DMODEL=... -DFILES=... -P design_export.cmake
+# cmake -DCOMPILER=... -DSOURCE=... -DSTAMP=... -DINCLUDES=... -DMODEL=... -DFILES=... -DSECONDS=... -P design_export.cmake
 #
 # Compiles the exporter of a design's golden model and runs it: then FILES.btor2 and more are there, and STAMP,
 # with what it depends on in STAMP.d. A model that no exporter can be compiled for is simulated all the
@@ -18,10 +18,12 @@ execute_process(
   RESULT_VARIABLE status ERROR_VARIABLE said)
 set(error "")
 if(status EQUAL 0)
-  execute_process(COMMAND ${STAMP}.program TIMEOUT 300 RESULT_VARIABLE status)
-  if(NOT status EQUAL 0)
-    list(GET MODEL 0 file)
-    set(error "${file}: the exporter of the model ends with \"${status}\": does a loop or recursion in it end?")
+  execute_process(COMMAND ${STAMP}.program TIMEOUT ${SECONDS} RESULT_VARIABLE status)
+  list(GET MODEL 0 file)
+  if(status MATCHES timeout)
+    set(error "${file}: the model is not exported within ${SECONDS} s: a loop or recursion in it may not end")
+  elseif(NOT status EQUAL 0)
+    set(error "${file}: the exporter of the model stops with \"${status}\": a loop or recursion in it may not end")
   endif()
 else()
   string(REGEX MATCH "error: ([^\n]*)" error "${said}")

@@ -104,7 +104,7 @@ function(cosim_struct_design)
     COMMAND ${CMAKE_COMMAND} "-DCOMPILER=${CMAKE_CXX_COMPILER_LAUNCHER};${CMAKE_CXX_COMPILER}"
       -DSOURCE=${source} -DSTAMP=${stamp} "-DMODEL=${model}" "-DFILES=${struct_paths}"
       "-DINCLUDES=$<TARGET_PROPERTY:cosim::core,INTERFACE_INCLUDE_DIRECTORIES>;${includes}"
-      -P ${root}/tb/package/design_export.cmake
+      -DSECONDS=300 -P ${root}/tb/package/design_export.cmake
     DEPENDS ${source} ${root}/tb/package/design_export.cmake COMMENT "The model of ${NAME} as a file")
   add_custom_target(${NAME}_exported DEPENDS ${stamp})
   set_property(GLOBAL APPEND PROPERTY COSIM_EXPORTED ${NAME}_exported)

@@ -107,3 +107,25 @@ Index:the model throws: an Array of 4 elements has no element 4
 Static:on no static or global variable
 Sum:on no static or global variable
 END
+
+# What does not end, asking no condition of a symbol, in the build of a design.
+cd "$scratch"
+printf '%s\n' '#include "model/clocked/export.h"' 'using namespace cosim::clocked;' \
+  '#include "never.h"' 'int main() { write_exported<M>("never", "never"); }' > never.cpp
+# never WORDS BODY: with this body of clock(), the file has one line, which names the header.
+never() {
+  cat > never.h << END
+struct M {
+  struct In { UInt<8> a; };
+  struct Out { UInt<8> x; };
+  int deep(volatile int& x) { return x + deep(x) + x; }
+  Out clock(const In& in) { volatile int x = 0; $2 return {.x = in.a}; }
+};
+END
+  cmake "-DCOMPILER=$compiler" -DSOURCE=never.cpp "-DSTAMP=$scratch/never.stamp" "-DINCLUDES=$root" -DMODEL=never.h \
+    -DFILES=never -DSECONDS=1 -P "$root/tb/package/design_export.cmake"
+  [[ $(< never.btor2) == "; error: never.h: $1: a loop or recursion in it may not end" ]] || { cat never.btor2 && exit 1; }
+  cmp never.btor2 never.ways.btor2
+}
+never 'the model is not exported within 1 s' 'while (x == 0) {}'
+never 'the exporter of the model stops with "Segmentation fault"' 'x = deep(x);'

@@ -14,12 +14,20 @@ class Draw {
   Model model() {
     for (const char* name : {"a", "b", "c", "d"}) m_.inputs.push_back(variable(name, "in."));
     m_.inputs[3].type = {1, false};
-    for (int i = 0; i < 3 + below(3); ++i) {
+    for (int i = 0; i < 2 + below(3); ++i) {
       Variable v = variable("r" + std::to_string(i), "");
       if (i == 0) v.size = 4 + below(3);
       v.verilog = "n_" + v.cpp;
       v.initial = number(v.type);
       m_.registers.push_back(v);
+    }
+    for (const std::string member : {"p", "q"}) {
+      Variable v = variable(member, "");
+      v.initial = number(v.type);
+      for (const std::string group : {"g", "h"}) {
+        v.cpp = group + '.' + member, v.verilog = "n_" + group + '_' + member;
+        m_.registers.push_back(v);
+      }
     }
     m_.functions = {function()};
     scope_ = m_.inputs;
@@ -104,6 +112,8 @@ class Draw {
       const int w[] = {t.width + 1, t.width + 1, a.type.width + b.type.width,
                        a.type.width + b.type.is_signed};
       if (kind == 4) return {op, a.type, {a, b}};
+      if (kind == 5 && a.type.is_signed != b.type.is_signed)
+        return {op, a.type.is_signed ? b.type : a.type, {a, b}};
       if (kind < 8) return {op, {kind < 4 ? w[kind] : t.width, t.is_signed || kind == 1}, {a, b}};
       return {op, {1, false}, {a, b}};
     }
@@ -147,7 +157,7 @@ class Draw {
     return all;
   }
   Stmt statement(int depth) {
-    const int kind = depth == 0 ? 0 : below(10);
+    const int kind = depth == 0 ? 0 : below(11);
     Stmt s{Does::assign};
     if (kind >= 4 && kind <= 6) {
       forks_ += 1;
@@ -157,6 +167,9 @@ class Draw {
     } else if (kind == 7) {
       const double before = forks_;
       s.does = Does::repeat, s.number = loops_++, s.count = 2 + below(3);
+      if (percent(60)) {
+        s.count = 2 + below(2), s.value = cast(value(2), {s.count, false});
+      }
       s.blocks = {block(std::min(depth - 1, 1), 1 + below(2))};
       if (percent(30)) {
         Stmt stop{Does::stop};
@@ -164,7 +177,7 @@ class Draw {
         s.blocks[0].insert(s.blocks[0].begin() + below(2), stop);
       }
       --loops_;
-      forks_ = before + (forks_ - before) * s.count;
+      forks_ = before + (forks_ - before) * s.count + (s.value.op.empty() ? 0 : 2);
     } else if (kind == 8) {
       s.does = Does::select, s.value = cast(value(2), {2 + below(2), percent(30)});
       forks_ += s.value.type.width;
@@ -175,6 +188,8 @@ class Draw {
       s.does = Does::merge, s.blocks = {block(depth - 1, 2)};
       in_merge_ = false;
       forks_ = before;
+    } else if (kind == 10) {
+      s.does = Does::copy, s.number = below(2);
     } else {
       assignment(s);
     }

@@ -10,7 +10,7 @@ namespace cosim::clocked {
 
 int main(int, char** words) {
   using namespace cosim::clocked;
-  ways.most_seconds = 120;  // also on a machine that has other work
+  ways.most_seconds = 120;  // not optimized
   for_each_model([&]<class Model>(const std::string& seed) {
     try {
       std::ofstream(std::string(words[1]) + '/' + seed + ".btor2") << exported<Model>(seed).text;

@@ -1,6 +1,7 @@
 // A file of BTOR2 that the exporter wrote as a module of Verilog, t.
 #pragma once
 
+#include <algorithm>
 #include <map>
 
 #include "tests/clocked/netlist.h"
@@ -24,7 +25,8 @@ inline std::string gold(std::istream& file) {
   }
   std::map<std::string, int> widths;
   for (const auto& state : n.states) {
-    const std::string stem = state.name.substr(0, state.name.find('['));
+    std::string stem = state.name.substr(0, state.name.find('['));
+    std::replace(stem.begin(), stem.end(), '.', '_');
     const int width = n.nodes[state.node].width, at = widths[stem];
     widths[stem] += width;
     const std::string part =

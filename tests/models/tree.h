@@ -36,11 +36,13 @@ struct Variable {
   int size = 0;  ///< of an array; 0: it is none
   long initial = 0;
 };
-enum class Does { assign, choose, repeat, select, leave, stop, merge };
+enum class Does { assign, choose, repeat, select, leave, stop, merge, copy };
 /// assign: target = value, or target OP= value where op is not empty. Its target is all of a
 /// variable, or `part`, as "slice", "bit", "bits" or "element" at args[0].
-/// choose: if (value) blocks[0] else blocks[1]. repeat: for. select: switch over value, whose last
-/// block is the default one. leave: return. stop: break, where value holds.
+/// choose: if (value) blocks[0] else blocks[1]. repeat: for; with a value, while a local variable
+/// that begins at it and is shifted to the right is not 0. copy: g = h, two registers that are
+/// structs, or h = g if `number` is 1. select: switch over value, whose last block is the default
+/// one. leave: return. stop: break, where value holds.
 struct Stmt {
   Does does;
   Variable target = {};
@@ -49,7 +51,7 @@ struct Stmt {
   std::vector<Expr> args = {};
   Expr value = {};
   std::vector<std::vector<Stmt>> blocks = {};
-  int number = 0;  ///< of a loop variable
+  int number = 0;  ///< of a loop variable, of a copy
   int count = 0;   ///< how often a loop is run
 };
 /// if (condition) return yes; return no;

@@ -17,11 +17,12 @@ class Writer {
     for (const Variable& v : m_.outputs) ports += ", output reg " + verilog(v.type) + v.verilog;
     for (const Variable& r : m_.registers) {
       const Type all = r.size > 0 ? Type{r.size * r.type.width, false} : r.type;
-      state += "  reg " + verilog(all) + r.cpp + ", " + r.verilog + ";\n";
+      const std::string name = r.verilog.substr(2);
+      state += "  reg " + verilog(all) + name + ", " + r.verilog + ";\n";
       const std::string initial = replicated(r);
-      state += "  initial " + r.cpp + " = " + initial + ";\n";
-      begin += "    " + r.verilog + " = " + r.cpp + ";\n";
-      next += "    " + r.cpp + " <= rst ? " + initial + " : " + r.verilog + ";\n";
+      state += "  initial " + name + " = " + initial + ";\n";
+      begin += "    " + r.verilog + " = " + name + ";\n";
+      next += "    " + name + " <= rst ? " + initial + " : " + r.verilog + ";\n";
     }
     std::size_t i = 0;
     for (const auto* some : {&m_.locals, &m_.outputs}) {
@@ -170,6 +171,12 @@ class Writer {
         return line("leave = 1;");
       case Does::stop:
         return line("if (" + value(s.value) + " != 0) " + stop_ + " = 1;");
+      case Does::copy: {
+        if (is_changed()) return;
+        const std::string to = s.number == 1 ? "n_h" : "n_g", from = s.number == 1 ? "n_g" : "n_h";
+        line(to + "_p = " + from + "_p;");
+        return line(to + "_q = " + from + "_q;");
+      }
       case Does::merge:
         return block(s.blocks[0], left);
       case Does::choose: {
@@ -198,12 +205,21 @@ class Writer {
     if (declared_.find("integer " + i + ";") == std::string::npos) {
       declared_ += "  integer " + i + ";\n";
     }
+    const bool shifts = !s.value.op.empty();
+    std::string w;
+    if (shifts) {
+      line(i + " = 0;");
+      const std::string begin = value(s.value);
+      w = declared(s.value.type, "w");
+      line(w + " = " + begin + ";");
+    }
     stop_ = declared({1, false}, "stop");
     line(stop_ + " = 0;");
     line("for (" + i + " = 0; " + i + " < " + std::to_string(s.count) + "; " + i + " = " + i +
          " + 1) begin");
-    line("if (!(leave || " + stop_ + ")) begin");
+    line("if (!(leave || " + stop_ + ')' + (shifts ? " && " + w + " != 0" : "") + ") begin");
     block(s.blocks[0], "leave || " + stop_);
+    if (shifts) line(w + " = " + w + " >> 1;");
     line("end\n    end");
     stop_ = outer;
   }

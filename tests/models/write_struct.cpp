@@ -95,7 +95,17 @@ std::string text(const Model& m, const std::vector<Stmt>& block) {
         all += "if (" + text(s.value) + ") " + text(m, s.blocks[0]);
         if (!s.blocks[1].empty()) all += " else " + text(m, s.blocks[1]);
         break;
+      case Does::copy:
+        all += s.number == 1 ? "h = g;\n" : "g = h;\n";
+        break;
       case Does::repeat:
+        if (!s.value.op.empty()) {
+          const std::string w = "w" + std::to_string(s.number);
+          all += "{\nint " + i + " = 0;\n" + cpp(s.value.type) + ' ' + w + " = " + text(s.value) +
+                 ";\nwhile (" + w + " != 0) {\n" + text(m, s.blocks[0]) + w + " = " + w +
+                 " >> 1;\n++" + i + ";\n}\n}\n";
+          break;
+        }
         all += "for (int " + i + " = 0; " + i + " < " + std::to_string(s.count) + "; ++" + i +
                ") " + text(m, s.blocks[0]);
         break;
@@ -128,11 +138,16 @@ std::string members(const std::vector<Variable>& all) {
 std::string struct_of(const Model& m, const std::string& name) {
   std::string all = "struct " + name + " {\nstruct In { Bit rst; " + members(m.inputs) +
                     "};\nstruct Out { " + members(m.outputs) + "};\n";
+  std::string members;
   for (const Variable& r : m.registers) {
     const std::string type = cpp(r.type);
+    if (r.cpp[0] == 'g')
+      members += type + ' ' + r.cpp.substr(2) + " = " + std::to_string(r.initial) + "; ";
+    if (r.cpp[0] != 'r') continue;
     all += (r.size > 0 ? "Array<" + type + ", " + std::to_string(r.size) + ">" : type) + ' ' +
            r.cpp + " = " + std::to_string(r.initial) + ";\n";
   }
+  all += "struct Group { " + members + "} g, h;\n";
   for (const Function& f : m.functions) {
     all += cpp(f.result) + ' ' + f.name + "(const " + cpp(f.parameters[0].type) + "& x, const " +
            cpp(f.parameters[1].type) + "& y) const {\nif (" + text(f.condition) + ") return " +

@@ -255,6 +255,7 @@ std::string verilog_of_vhdl(const Sources& sources, const fs::path& work, const 
       by_netlist("^    case|or posedge|; // (pos|neg)edge$", REG_NEWLINE);
   static const Regex unknown("^  initial\n    \\S+ <= [0-9]+'bX+;\n", REG_NEWLINE),
       initial("^(  initial\n    \\S+) <= ", REG_NEWLINE);
+  static const Regex nets("^  (wire|reg) (\\[[0-9]+:0\\] )?n[0-9]+_o;$", REG_NEWLINE);
   std::map<std::string, Entity> entities;
   std::set<std::string> used, done;
   std::vector<std::string> texts;
@@ -309,6 +310,10 @@ std::string verilog_of_vhdl(const Sources& sources, const fs::path& work, const 
     all = Regex("^(module |  )" + name + "(\\s)", REG_NEWLINE)
               .replaced(all, "\\1" + (small == top ? sources.top : small) + "\\2");
   }
+  // Its own nets are no signals of the source: nobody covers their bits.
+  all = nets.replaced(all, [](const Match& m) {
+    return "/* verilator coverage_off */" + m[0] + " /* verilator coverage_on */";
+  });
   return "// Made by GHDL from VHDL.\n/* verilator lint_off DECLFILENAME */\n/* verilator lint_off "
          "UNUSED */\n\n" +
          all;

@@ -128,8 +128,8 @@ Json closed(const Points& points, const Answers& answers) {
       fmt::format("{} reached, {} unreachable, {} open", sums[Answer::reached],
                   sums[Answer::unreachable], sums[Answer::open] + sums[Answer::not_asked]);
   if (sums[Answer::not_asked] != 0) {
-    text += fmt::format(", {} of these not asked: no lines are, nor bits that yosys has no net of",
-                        sums[Answer::not_asked]);
+    text += fmt::format(", {} of these not asked", sums[Answer::not_asked]);
+    if (!answers.is_refused) text += ": no lines are, nor bits that yosys has no net of";
   }
   fmt::print("of {}: {}\n", count(points.places.size() + points.cases.size(), "point"), text);
   return {{"reached", sums[Answer::reached]},

@@ -47,7 +47,7 @@ class Asker {
 
   coverage::Answers ask() {
     for (const auto& shape : asking_.shapes) ask(shape);
-    coverage::Answers all;
+    coverage::Answers all{{}, {}, is_refused_};
     for (std::size_t i = 0; i < places_.size(); ++i) {
       all.places.push_back(places_[i].answer(points_.places[i].hits));
     }
@@ -75,6 +75,7 @@ class Asker {
     } catch (const InputError& error) {
       if (!is_installed("yosys") || !is_installed("yosys-abc")) throw;
       fmt::print("{}: nothing can be asked of it\n", error.what());
+      is_refused_ = true;
       for (const std::size_t i : places) places_[i].is_missing = true;
       for (const std::size_t i : cases) cases_[i].is_missing = true;
     }
@@ -178,6 +179,7 @@ class Asker {
   const coverage::Asking& asking_;
   coverage::Points& points_;
   std::vector<Told> places_, cases_;
+  bool is_refused_ = false;
   std::vector<Watched> watched_;  // in the shape that is asked
   std::vector<Tell> tell_;        // and whom it is told
 };

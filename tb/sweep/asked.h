@@ -47,12 +47,13 @@ enum class Answer {
   reached,      ///< by a sweep, or by a stimulus of the engine that was run in the counted RTL
   unreachable,  ///< proved in every shape
   open,         ///< neither in the time there was
-  not_asked,    ///< a line, or a bit that the RTL as nets does not have
+  not_asked,    ///< a line, a bit that the RTL as nets does not have, or a point of a refused shape
 };
 
 /// Of the points of a design, in their order.
 struct Answers {
   std::vector<Answer> places, cases;
+  bool is_refused = false;  ///< nothing can be asked of a shape, and its line was printed
 };
 
 struct Asking {

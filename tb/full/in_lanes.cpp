@@ -61,26 +61,6 @@ std::unique_ptr<lanes::Built> made(const AnyBench& bench, const Sweep& sweep, bo
       });
 }
 
-// Says in the end how fast it was.
-Sweep taken_by_gpu(const AnyBench& bench, const Sweep& sweep, std::uint64_t seed,
-                   std::uint64_t clocks) {
-  if (clocks == 0) {
-    throw InputError("--lanes gpu: for --hostile alone; jobs run in 512, 256 or 64 lanes");
-  }
-  const std::shared_ptr<lanes::Gpu> gpu(
-      made_by(bench, sweep, true, [](const auto&... of) { return lanes::on_gpu(of...); }).release(),
-      [](lanes::Gpu* g) {
-        fmt::print("{}\n", g->speed());
-        delete g;
-      });
-  fmt::print("{}\n", gpu->about);
-  Sweep all = lanes::hostile_sweep(bench, *gpu, seed, clocks);
-  all.run_some = [run = all.run_some, gpu](std::uint64_t first, std::uint64_t count) {
-    return run(first, count);
-  };
-  return all;
-}
-
 Sweep taken(const AnyBench& bench, const Sweep& sweep, std::uint64_t seed, std::uint64_t clocks,
             std::shared_ptr<lanes::Built> built) {
   Sweep all = clocks != 0 ? lanes::hostile_sweep(bench, *built, seed, clocks)
@@ -96,7 +76,11 @@ Sweep taken(const AnyBench& bench, const Sweep& sweep, std::uint64_t seed, std::
 Sweep in_lanes(const AnyBench& bench, const Sweep& sweep, std::uint64_t seed, std::uint64_t clocks,
                const Text& lanes) {
   const std::optional<int> asked = lanes_asked(lanes);
-  if (asked == on_gpu) return taken_by_gpu(bench, sweep, seed, clocks);
+  if (asked == on_gpu && clocks == 0) {
+    throw InputError("--lanes gpu: for --hostile alone; jobs run in 512, 256 or 64 lanes");
+  }
+  if (asked == on_gpu)
+    return lanes::hostile_sweep(bench, made_by(bench, sweep, true, lanes::on_gpu), seed, clocks);
   std::shared_ptr<lanes::Built> built;
   try {
     built = made(bench, sweep, clocks != 0, asked.value_or(lanes::widest()));

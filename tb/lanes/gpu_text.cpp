@@ -12,38 +12,36 @@
 
 #include "tb/lanes/gpu.h"
 #include "tb/sim/hostile.h"
+#include "tb/util/pattern.h"
 
 namespace cosim::lanes {
 namespace {
 
-// Of a clock's own values; more are planes of their own.
-constexpr std::size_t gpu_registers = 200;
+// A thread has 255 registers: for a clock's own values, more of which are planes, and for planes.
+constexpr std::size_t gpu_registers = 200, planes_in_registers = 96;
 
 // The two functions of a and b between which c chooses: the compiler leaves out what is constant.
-std::string cell_functions() {
+std::string cell_functions(bool has_lop3) {
   constexpr std::array two{"Z",     "~(a | b)", "a & ~b", "~b",       "b & ~a", "~a",
                            "a ^ b", "~(a & b)", "a & b",  "~(a ^ b)", "a",      "a | ~b",
                            "b",     "b | ~a",   "a | b",  "O"};
-  std::string plain = "#ifdef LOP3\n", all;
+  constexpr auto plain = "return ((({0}) ^ ({1})) & c) ^ ({0});";
+  constexpr auto lop3 =
+      R"(V d; asm("lop3.b32 %0, %1, %2, %3, {};" : "=r"(d) : "r"(c), "r"(b), "r"(a)); return d;)";
+  std::string text;
   for (std::size_t t = 0; t < 256; ++t) {
-    plain += fmt::format(
-        "inline V T_0x{0:02x}(V a, V b, V c) {{ V d; asm(\"lop3.b32 %0, %1, %2, %3, {0};\" : "
-        "\"=r\"(d) : \"r\"(c), \"r\"(b), \"r\"(a)); return d; }}\n",
-        t);
-    all +=
-        fmt::format("inline V T_0x{:02x}(V a, V b, V c) {{ return ((({}) ^ ({})) & c) ^ ({}); }}\n",
-                    t, two.at(t & 15), two.at(t >> 4), two.at(t & 15));
+    const auto body =
+        has_lop3 ? fmt::format(lop3, t) : fmt::format(plain, two[t & 15], two[t >> 4]);
+    text += fmt::format("inline V T_0x{:02x}(V a, V b, V c) {{ {} }}\n", t, body);
   }
-  return plain + "#else\n" + all + "#endif\n";
+  return text;
 }
 
 // The planes that stand in a text, and whether it writes them.
 std::map<std::size_t, bool> planes_of(const std::string& text) {
+  static const Pattern use(R"(M\((\d+)\)( = )?)");
   std::map<std::size_t, bool> planes;
-  for (std::size_t at = text.find("M("); at != std::string::npos; at = text.find("M(", at + 1)) {
-    const std::size_t end = text.find(')', at);
-    planes[std::stoul(text.substr(at + 2, end - at - 2))] |= text.compare(end, 4, ") = ") == 0;
-  }
+  for (const auto& parts : use.all(text)) planes[std::stoul(parts[1])] |= !parts[2].empty();
   return planes;
 }
 
@@ -85,54 +83,48 @@ kernel void begin(global V* g, uint S, ulong seed, ulong first) {{
          "  }\n}\n#undef M\n";
 }
 
-std::string ran(const Code& code) {
+}  // namespace
+
+std::string to_opencl(const Code& code, const Device& device) {
   Straight merging = code.clock;
   const std::vector<Straight::Merged> merged = merging.merge(code.layout.state);
   const std::string clock = merging.text(gpu_registers), stretch = code.stretch.text(gpu_registers);
   const auto used = planes_of(clock);
   std::vector<std::pair<std::size_t, bool>> order(used.begin(), used.end());
   std::ranges::stable_sort(order, {}, [](const auto& p) { return p.second; });
-  std::size_t cells = 0;
-  for (std::size_t at = clock.find(" T("); at != std::string::npos;
-       at = clock.find(" T(", at + 1)) {
-    ++cells;
+  // Registers first, then local memory, as far as it goes.
+  const std::size_t fit = device.local_bytes / (4 * Device::group);
+  const std::size_t local =
+      std::min(order.size() - std::min(order.size(), planes_in_registers), fit - fit / 32);
+  std::string text, loaded, stored;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const std::size_t plane = order[i].first;
+    text += i < local ? fmt::format("#define M_{} s[{} * {} + own]\n", plane, i, Device::group)
+                      : fmt::format("#define M_{0} m{0}\n", plane);
+    loaded += fmt::format("  {0}M_{1} = g[{1}u * S + thread];\n", i < local ? "" : "V ", plane);
   }
-  std::string text =
-      fmt::format("// cells {}\n// planes {}\n#define M(i) M_##i\n", cells, order.size());
-  std::string loaded, stored;
-  std::size_t place = 0;
-  for (const auto& [plane, is_written] : order) {
-    text += fmt::format(
-        "#if {0} < COSIM_LOCAL\n#define M_{1} s[{0} * {2} + own]\n#define D_{1}\n#else\n"
-        "#define M_{1} m{1}\n#define D_{1} V m{1};\n#endif\n",
-        place++, plane, Gpu::group);
-    loaded += fmt::format("  D_{0} M_{0} = g[{0}u * S + thread];\n", plane);
-    if (is_written) stored += fmt::format("  g[{0}u * S + thread] = M_{0};\n", plane);
-  }
-  for (const auto& [plane, is_written] : planes_of(stretch)) {
-    if (used.count(plane) != 0) {
-      if (is_written && !used.at(plane)) {
-        stored += fmt::format("  g[{0}u * S + thread] = M_{0};\n", plane);
-      }
-    } else {
-      text += fmt::format("#define M_{0} g[{0}u * S + thread]\n", plane);
-    }
+  for (const auto& [plane, is_written] : planes_of(clock + stretch)) {
+    const bool is_loaded = used.count(plane) != 0;
+    if (!is_loaded) text += fmt::format("#define M_{0} g[{0}u * S + thread]\n", plane);
+    if (is_loaded && is_written) stored += fmt::format("  g[{0}u * S + thread] = M_{0};\n", plane);
   }
   // A difference of the last clock goes on in the first pair.
   for (const auto& [kept, dropped] : merged) {
     loaded += fmt::format("  late |= M_{} ^ g[{}u * S + thread];\n", kept, dropped);
     stored += fmt::format("  g[{}u * S + thread] = M_{} ^ late;\n", dropped, kept);
   }
-  text += fmt::format(
-      R"(kernel __attribute__((reqd_work_group_size({0}, 1, 1))) void run(global V* g, uint S, uint from,
-    uint to, ulong count, global uint* found, global uint* left) {{
+  return fmt::format("// {} {} {} {}\n", Pattern(R"( T\()").all(clock).size(), order.size(), local,
+                     to_text(code.layout)) +
+         "typedef uint V;\n#define Z 0u\n#define O 0xffffffffu\n#define FORGET\n"
+         "#define count(v) popcount(v)\n#define T(t, a, b, c) T_##t(a, b, c)\n" +
+         cell_functions(device.is_nvidia) + begun(code) + "#define M(i) M_##i\n" + text +
+         fmt::format(
+             R"(kernel __attribute__((reqd_work_group_size({0}, 1, 1))) void run(global V* g, uint S,
+    uint from, uint to, ulong count, global uint* found, global uint* left) {{
   const uint thread = get_global_id(0), own = get_local_id(0);
-#if COSIM_LOCAL
-  local volatile V s[COSIM_LOCAL * {0}];
-#endif
+  local volatile V s[{7} * {0}];
   V late = Z;
-{1}  uint left_out[{2}], is = O;
-  for (int i = 0; i < {2}; ++i) left_out[i] = 0;
+{1}  uint left_out[{2}] = {{0}}, is = O;
   const ulong before = 32 * (ulong)thread;
   V active = count >= before + 32 ? O : count <= before ? Z : (1u << (uint)(count - before)) - 1;
   for (uint at = from; at < to;) {{
@@ -152,23 +144,11 @@ std::string ran(const Code& code) {
     }}
   }}
 {6}  found[thread] = is;
+  for (uint i = 0; i < {2}; ++i) left[i * S + thread] = left_out[i];
+}}
 )",
-      Gpu::group, loaded, std::max<std::size_t>(code.layout.counters, 1), HostileCase::stretch,
-      stretch, clock, stored);
-  if (code.layout.counters != 0) {
-    text += fmt::format("  for (uint i = 0; i < {}; ++i) left[i * S + thread] = left_out[i];\n",
-                        code.layout.counters);
-  }
-  return text + "}\n";
-}
-
-}  // namespace
-
-std::string to_opencl(const Code& code) {
-  return "// " + to_text(code.layout) +
-         "\ntypedef uint V;\n#define Z 0u\n#define O 0xffffffffu\n#define FORGET\n"
-         "#define count(v) popcount(v)\n#define T(t, a, b, c) T_##t(a, b, c)\n" +
-         cell_functions() + begun(code) + ran(code);
+             Device::group, loaded, std::max<std::size_t>(code.layout.counters, 1),
+             HostileCase::stretch, stretch, clock, stored, std::max<std::size_t>(local, 1));
 }
 
 }  // namespace cosim::lanes

@@ -55,4 +55,14 @@ class Player {
   std::vector<std::uint64_t> left_out_;
 };
 
+/// The first so many lanes go on up to this clock, which is not run. Each part of a play has no
+/// more lanes than the one before, and none above one that differs.
+struct Part {
+  std::uint64_t lanes, to;
+};
+struct Outcome {
+  std::optional<Player::Differs> differs;  ///< the lowest lane that does, and its first such clock
+  std::vector<std::uint64_t> left_out;     ///< as of a Player
+};
+
 }  // namespace cosim::lanes

@@ -60,28 +60,24 @@ void Straight::compare(Value a, Value b, Value when) {
 
 std::vector<Straight::Merged> Straight::merge(std::size_t first) {
   std::vector<Merged> merged;
-  std::map<Value, Value> instead;  // of planes
+  std::map<Value, Value> instead;  // of the planes that are merged
   std::map<std::size_t, Value> stored;
   for (const Use& u : stores_) stored[u.number] = u.value;
-  std::set<Value> known;
   const auto is_free = [&](Value v) {
     return cells_[v].is_plane && cells_[v].plane >= first && stored.count(cells_[v].plane) != 0 &&
-           known.count(v) == 0;
+           instead.count(v) == 0;
   };
   std::erase_if(comparisons_, [&](const Comparison& c) {
     if (c.when != one || !is_free(c.a) || !is_free(c.b)) return false;
-    known.insert({c.a, c.b});
     merged.push_back({cells_[c.a].plane, cells_[c.b].plane});
-    instead[c.b] = c.a;
+    instead[c.a] = instead[c.b] = c.a;
     return true;
   });
   for (const Merged& m : merged) {
     comparisons_.push_back({stored[m.kept], stored[m.dropped], one, true});
     std::erase_if(stores_, [&](const Use& u) { return u.number == m.dropped; });
   }
-  const auto replace = [&](Value& v) {
-    if (const auto by = instead.find(v); by != instead.end()) v = by->second;
-  };
+  const auto replace = [&](Value& v) { v = instead.count(v) != 0 ? instead[v] : v; };
   for (Cell& cell : cells_) std::ranges::for_each(cell.of, replace);
   for (Comparison& c : comparisons_) {
     for (Value* v : {&c.a, &c.b, &c.when}) replace(*v);

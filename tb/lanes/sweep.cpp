@@ -7,11 +7,12 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
+#include <vector>
 
 #include "model/core/input_error.h"
 #include "tb/lanes/code.h"
-#include "tb/lanes/gpu.h"
 #include "tb/lanes/player.h"
 #include "tb/util/pattern.h"
 #include "tb/util/read_file.h"
@@ -81,35 +82,23 @@ bool speaks(const proof::Source& source) {
 }
 
 // The cases of a sweep, some at a time.
-template <class Lanes, class Player>
 class Hostile {
  public:
   static constexpr std::uint64_t length = 1000;
+  using Play = std::function<Outcome(std::uint64_t first, const std::vector<Part>& parts)>;
 
-  Hostile(const AnyBench& bench, Lanes& lanes, std::uint64_t seed, std::uint64_t clocks)
-      : bench_(bench), lanes_(lanes), seed_(seed), clocks_(clocks) {}
+  Hostile(const AnyBench& bench, std::uint64_t lanes, std::uint64_t seed, std::uint64_t clocks,
+          Play play)
+      : bench_(bench), lanes_(lanes), seed_(seed), clocks_(clocks), play_(std::move(play)) {}
 
   Result run(std::uint64_t first, std::uint64_t count) const {
-    Player player(lanes_, bench_);
-    player.begin(seed_, first, count);
     const std::uint64_t ends = clocks_of(first + count - 1);  // of the last case, perhaps sooner
-    std::optional<lanes::Player::Differs> worst;
-    const auto run_to = [&](std::uint64_t to) {
-      while (const auto differs = player.run(to)) {
-        worst = differs;
-        player.work_below(differs->lane);
-      }
-    };
-    run_to(ends);
-    if (ends < length) {
-      player.work_below(count - 1);
-      run_to(length);
-    }
-    if (worst) return failed(first, *worst);
+    Outcome outcome = play_(first, {{count, ends}, {count - 1, length}});
+    if (outcome.differs) return failed(first, *outcome.differs);
     Result result;
     result.cases = count;
     result.clocks = (count - 1) * length + ends;
-    result.left_out = player.left_out();
+    result.left_out = std::move(outcome.left_out);
     return result;
   }
 
@@ -126,7 +115,7 @@ class Hostile {
           "error "
           "of the lanes, or a register that nothing sets powers up otherwise; --lanes 0 runs "
           "without it",
-          bench_.title(), c.index, differs.lane, lanes_.lanes, differs.clock,
+          bench_.title(), c.index, differs.lane, lanes_, differs.clock,
           again.mismatch ? fmt::format("on clock {}", again.mismatch->clock) : "nowhere"));
     }
     Result one = hostile_result(bench_, c, std::move(again));
@@ -136,15 +125,15 @@ class Hostile {
   }
 
   const AnyBench& bench_;
-  Lanes& lanes_;
-  std::uint64_t seed_, clocks_;
+  std::uint64_t lanes_, seed_, clocks_;
+  Play play_;
 };
 
-template <class Player, class Lanes>
-Sweep sweep_of(const AnyBench& bench, Lanes& lanes, std::uint64_t seed, std::uint64_t clocks) {
+Sweep sweep_of(const AnyBench& bench, std::uint64_t lanes, std::uint64_t seed, std::uint64_t clocks,
+               Hostile::Play play) {
   Sweep sweep = cosim::hostile_sweep(bench, seed, clocks);
-  sweep.at_once = static_cast<std::uint64_t>(lanes.lanes);
-  sweep.run_some = [hostile = Hostile<Lanes, Player>(bench, lanes, seed, clocks)](
+  sweep.at_once = lanes;
+  sweep.run_some = [hostile = Hostile(bench, lanes, seed, clocks, std::move(play))](
                        std::uint64_t first, std::uint64_t count) {
     return hostile.run(first, count);
   };
@@ -182,15 +171,30 @@ std::unique_ptr<Gpu> on_gpu(const std::string& title, const nets::Played& played
                             const proof::Source& source, const fs::path& folder) {
   const proof::Source all = checked(title, played, source);
   return std::make_unique<Gpu>(folder, key_of(title, played, all, 0),
-                               [&] { return to_opencl(code_of(played, proof::RtlNets(all))); });
+                               [&] { return code_of(played, proof::RtlNets(all)); });
 }
 
 Sweep hostile_sweep(const AnyBench& bench, const Built& built, std::uint64_t seed,
                     std::uint64_t clocks) {
-  return sweep_of<Player>(bench, built, seed, clocks);
+  return sweep_of(bench, static_cast<std::uint64_t>(built.lanes), seed, clocks,
+                  [&bench, &built, seed](std::uint64_t first, const std::vector<Part>& parts) {
+                    Player player(built, bench);
+                    player.begin(seed, first, parts.front().lanes);
+                    Outcome outcome;
+                    for (const Part& part : parts) {
+                      player.work_below(part.lanes);
+                      while (const auto differs = player.run(part.to)) {
+                        outcome.differs = differs;
+                        player.work_below(differs->lane);
+                      }
+                    }
+                    outcome.left_out = player.left_out();
+                    return outcome;
+                  });
 }
-Sweep hostile_sweep(const AnyBench& bench, Gpu& gpu, std::uint64_t seed, std::uint64_t clocks) {
-  return sweep_of<GpuPlayer>(bench, gpu, seed, clocks);
+Sweep hostile_sweep(const AnyBench& bench, std::shared_ptr<Gpu> gpu, std::uint64_t seed,
+                    std::uint64_t clocks) {
+  return sweep_of(bench, gpu->lanes, seed, clocks, std::bind_front(&Gpu::play, gpu, seed));
 }
 
 }  // namespace cosim::lanes

@@ -33,10 +33,11 @@ std::unique_ptr<Gpu> on_gpu(const std::string& title, const nets::Played& played
                             const proof::Source& source, const std::filesystem::path& folder);
 
 /// The sweep that hostile_sweep() of the bench is, with the same result. A case that differs is run
-/// again by the bench: Unconfirmed where that does not find it on the same clock. Both must outlive
-/// the sweep.
+/// again by the bench: Unconfirmed where that does not find it on the same clock. The bench and
+/// `built` must outlive the sweep.
 Sweep hostile_sweep(const AnyBench& bench, const Built& built, std::uint64_t seed,
                     std::uint64_t clocks);
-Sweep hostile_sweep(const AnyBench& bench, Gpu& gpu, std::uint64_t seed, std::uint64_t clocks);
+Sweep hostile_sweep(const AnyBench& bench, std::shared_ptr<Gpu> gpu, std::uint64_t seed,
+                    std::uint64_t clocks);
 
 }  // namespace cosim::lanes

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <initializer_list>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -32,13 +33,14 @@ template <class Design>
 void expect_as_alone(const Variant<Design>& v, std::initializer_list<std::uint64_t> lengths,
                      bool has_fault) {
   SCOPED_TRACE(v.name + ": " + v.what);
-  const auto gpu = lanes::on_gpu(v.bench->title(), nets::played_of<Design>(v.bench->params()),
-                                 source_of(v), COSIM_LANES_FOLDER);
+  const std::shared_ptr<lanes::Gpu> gpu =
+      lanes::on_gpu(v.bench->title(), nets::played_of<Design>(v.bench->params()), source_of(v),
+                    COSIM_LANES_FOLDER);
   for (const std::uint64_t clocks : lengths) {
     const Result alone = run_sweep(hostile_sweep(*v.bench, seed, clocks), 1);
     ASSERT_EQ(alone.mismatch.has_value(), has_fault);
     for (const unsigned threads : {1U, 2U}) {
-      expect_equal(run_sweep(lanes::hostile_sweep(*v.bench, *gpu, seed, clocks), threads), alone);
+      expect_equal(run_sweep(lanes::hostile_sweep(*v.bench, gpu, seed, clocks), threads), alone);
     }
   }
 }

@@ -99,7 +99,8 @@ Vars vars_at(VerilatedContext& context, const std::string& net) {
   return vars_of(scope_of(context, top + '.' + net.substr(0, dot)), net.substr(dot + 1));
 }
 
-// What some bits of a net are a copy of: bits of a register, by the text of cosim_rtl, or themselves.
+// What some bits of a net are a copy of: bits of a register, by the text of cosim_rtl, or
+// themselves.
 struct Origin {
   std::string net;
   int low;

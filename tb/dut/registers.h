@@ -1,4 +1,5 @@
-// What the RTL's own text says of its registers and resets, by cosim_rtl, against what a design says.
+// What the RTL's own text says of its registers and resets, by cosim_rtl, against what a design
+// says.
 #pragma once
 
 #include <string>

@@ -174,7 +174,8 @@ std::string assumed_text(const Question& q) {
     }
   }
   if (!any.empty()) {
-    text += fmt::format("; without an initial value, so any: {}", count(any.size(), "register"));
+    text += fmt::format("; {} without an initial value, which may begin with any",
+                        count(any.size(), "register"));
   }
   for (const auto& [pin, value] : q.tied)
     text += fmt::format("; {} is {}", pin, hexadecimal(value));

@@ -95,7 +95,8 @@ std::string readme_of(const std::string& name, NewModel model) {
     ctest --test-dir build --output-on-failure
 
 The first command needs cosim installed, or `-DCOSIM_SOURCE=` with the folder of its sources. A failure
-is shrunk and kept in `failures/`; `build/{0}_cosim wave` opens the newest one in GTKWave{1}.
+is shrunk and kept in `failures/`, one of ctest in `build/failures/`; `build/{0}_cosim wave` opens the newest
+one in GTKWave, `build/{0}_cosim wave build/failures/NAME` that one{1}.
 `build/{0}_cosim --help` lists all commands.
 )",
       name,

@@ -147,7 +147,8 @@ const Net* Design::net(std::string_view path) const { return value_or_null(nets_
 
 const Scope& Design::scope_in(const Node& node, const std::string& path,
                               const Scope* around) const {
-  Scope& scope = scopes_.emplace_back(Scope{path, around});
+  scopes_.push_back({path, around});
+  Scope& scope = scopes_.back();
   for (const Node* in : node.in) {
     const std::string& name = in->has("name");
     if (in->is("var") && net(path + name) != nullptr) scope.nets[name] = path + name;

@@ -89,8 +89,9 @@ void leave_lines(const Counted& counted, const std::string& design) {
       if (number <= texts.size())
         text = fmt::format("{}", fmt::join(words_in(texts[number - 1]), " "));
       if (text.ends_with(':')) continue;  // a label
+      const std::string place = fmt::format("{}\t{}\t{}", path, number, text);
       const auto add = [&](const char* kind, std::uint64_t hits) {
-        counts.push_back({fmt::format("{}\t{}\t{}\t{}", kind, path, number, text), hits});
+        counts.push_back({kind + ('\t' + place), hits});
       };
       add("line", line.hits);
       const bool is_condition =

@@ -18,9 +18,9 @@ TEST(ShowShort, FlagsAndNumbers) {
 }
 
 TEST(ShowShort, NamesOfValuesWithNumbersBehindThem) {
-  static constexpr const char* names[] = {"red", "green"};
+  static constexpr const char* colors[] = {"red", "green"};
   Field color = field(2, Format::number);
-  color.names = names;
+  color.names = colors;
   color.named = 2;
   EXPECT_EQ(show_short(color, 1), "green");
   EXPECT_EQ(show_short(color, 2), "2");

@@ -1,5 +1,5 @@
-// The tree of a design as Verilator writes it: XML of `--xml-only` or, from 5.046 on, JSON of
-// `--json-only`. All that depends on the version of these formats is in tree.cpp.
+// The tree of a design as Verilator writes it: XML or, from 5.046 on, JSON. All that depends on the
+// version of these formats is in tree.cpp.
 #pragma once
 
 #include <deque>

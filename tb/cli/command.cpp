@@ -28,12 +28,27 @@ std::string prefix(const CLI::App& app) {
   return name.empty() ? name : name + ": ";
 }
 
+std::vector<const CLI::App*> subcommands(const CLI::App& app) {
+  return app.get_subcommands([](const CLI::App*) { return true; });
+}
+
 std::string commands_of(const CLI::App& app) {
   std::string text;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+  for (const CLI::App* command : subcommands(app)) {
     text += (text.empty() ? "" : ", ") + command->get_name();
   }
   return text;
+}
+
+// The words of a command that has more are designs.
+const char* kind_of_words(const CLI::App& app) {
+  return app.get_parent() == nullptr ? "command" : "design";
+}
+
+bool is_design(const CLI::App& program, const std::string& word) {
+  return std::ranges::any_of(subcommands(program), [&](const CLI::App* command) {
+    return command->get_subcommand_no_throw(word) != nullptr;
+  });
 }
 
 std::string unexpected(const CLI::App& app, const std::string& argument) {
@@ -42,8 +57,11 @@ std::string unexpected(const CLI::App& app, const std::string& argument) {
   }
   const std::string commands = commands_of(app);
   if (commands.empty()) return fmt::format("{}takes no {}", prefix(app), in_quotes(argument));
-  return fmt::format("{}no such command: {}; there are {}", prefix(app), in_quotes(argument),
-                     commands);
+  if (app.get_parent() == nullptr && is_design(app, argument)) {
+    return fmt::format("{} is a design: a command comes before it: {}", argument, commands);
+  }
+  return fmt::format("{}no such {}: {}; there are {}", prefix(app), kind_of_words(app),
+                     in_quotes(argument), commands);
 }
 
 // The option that such an error begins with: "--minor: ...", "table ..." of a flag.
@@ -74,7 +92,9 @@ std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
   }
   if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
     const std::string commands = commands_of(at);
-    if (!commands.empty()) return fmt::format("{}a command is needed: {}", prefix(at), commands);
+    if (!commands.empty()) {
+      return fmt::format("{}a {} is needed: {}", prefix(at), kind_of_words(at), commands);
+    }
     for (const CLI::Option* option : at.get_options()) {
       if (option->get_required() && option->empty()) return option->get_name() + ": is needed";
     }
@@ -98,11 +118,8 @@ std::string empty_value(int argc, const char* const* argv) {
 // commands, and the options once a - is there. What is no command, a file or a design, is left out.
 void print_completions(const CLI::App& program, int argc, const char* const* argv) {
   const CLI::App* at = &program;
-  const auto commands = [](const CLI::App& app) {
-    return app.get_subcommands([](const CLI::App*) { return true; });
-  };
   for (int i = 2; i + 1 < argc; ++i) {
-    for (const CLI::App* command : commands(*at)) {
+    for (const CLI::App* command : subcommands(*at)) {
       if (command->get_name() != argv[i]) continue;
       at = command;
       break;
@@ -112,7 +129,7 @@ void print_completions(const CLI::App& program, int argc, const char* const* arg
   const auto offer = [&](const std::string& word) {
     if (word.starts_with(begun)) fmt::print("{}\n", word);
   };
-  for (const CLI::App* command : commands(*at)) offer(command->get_name());
+  for (const CLI::App* command : subcommands(*at)) offer(command->get_name());
   if (!begun.starts_with('-')) return;
   for (const CLI::Option* option : at->get_options()) {
     for (const std::string& name : option->get_lnames()) offer("--" + name);

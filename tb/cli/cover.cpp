@@ -215,7 +215,7 @@ Json covered(const CoverOptions& o, const Registry& registry, const Benches& ben
       std::ranges::count_if(points.cases, [](const auto& one) { return one.hits != 0; });
   add_part(text, json, "cases", static_cast<std::uint64_t>(hit), points.cases.size());
   for (const Kind& kind : kinds_of_model) add_kind(kind);
-  fmt::print("{}, {}: reached {}\n", design, count(benches.size(), "shape"), text);
+  fmt::print("{}, {}: reached {}\n", design, count(benches.size(), "configuration"), text);
   const auto left = never_reached(points, answers);
   for (const std::string& line : left) fmt::print("{}\n", line);
   json["never_reached"] = left;
@@ -280,21 +280,22 @@ void add_cover(const Command& program, const Registry& registry) {
       "cover", "Which lines and bits of the RTL, cases, ways of the model no sweep reaches");
   command.arguments("MACHINE", o->words, "A design, or a line of 'list'; default all");
   command.text("--hostile", o->hostile, "CLOCKS",
-               "How many hostile clocks each shape gets; default 100000");
+               "How many hostile clocks each configuration gets; default 100000");
   command.text("--random", o->random, "JOBS",
                "How many random jobs, where the design declares some; default 1000");
   command.text("--counts", o->counts, "FOLDER",
                "Leave the counts in this new folder, for verilator_coverage");
   command.flag("--close", o->close,
                "Ask an engine for the rest: a stimulus, or a proof that it is unreachable");
-  command.text("--seconds", o->seconds, "S", "Seconds of search for each shape; default 60");
+  command.text("--seconds", o->seconds, "S",
+               "Seconds of search for each configuration; default 60");
   command.text("--stimuli", o->stimuli, "FOLDER",
                "The folder for the stimuli that it finds; default stimuli");
   add_report(command, o->common);
   add_seed(command, o->common);
   command.footer(fmt::format(
       "Verilator counts lines, toggles of each bit and cover statements, over all instances and\n"
-      "shapes of a design, but not between '// verilator coverage_off' and '// verilator\n"
+      "configurations of a design, but not between '// verilator coverage_off' and '// verilator\n"
       "coverage_on'. The program with counters is built when it is first needed.\n"
       "Ways are the paths through clock() of the model. A model with more than 256 ways has\n"
       "branches instead, the values of each condition, and so have blocks of merge(). A way is\n"

@@ -46,7 +46,7 @@ void check_designs(int argc, char** argv) {
 }
 
 int run(int argc, char** argv) {
-  cosim::name_program(cosim::cli::registry().program());
+  cosim::name_program(cosim::cli::registry().program(), argc > 0 ? argv[0] : "");
   check_designs(argc, argv);
   cosim::cli::form().hand_over(cosim::cli::registry());
   return cosim::cli::run_program(

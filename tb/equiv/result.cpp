@@ -252,7 +252,7 @@ Kept keep(const std::string& top, const Question& q, const Answer& a,
        draw(q, a, after, (draft.folder() / "wave.fst").string()), csv});
   const std::string folder = for_shell(draft.target().string());
   shown.commands.push_back(
-      {fmt::format("{} wave {}", program_name(), folder), "The whole wave in GTKWave"});
+      {fmt::format("{} wave {}", for_shell(program_call()), folder), "The whole wave in GTKWave"});
   shown.commands.push_back({fmt::format("cd {} && gtkwave wave.fst wave.gtkw", folder),
                             "The same where there is only the folder"});
   kept.page = page_text(shown);

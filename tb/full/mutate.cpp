@@ -222,7 +222,8 @@ void add_mutate(const Command& program, const Registry& registry) {
   auto o = std::make_shared<MutateOptions>();
   const Command command = program.sub(mutate_command.name, mutate_command.help);
   command.arguments("MACHINE", o->words, "A design, or a line of 'list'; default all");
-  command.text("--mutants", o->mutants, "N", "At most N for each shape, 1 to 65535; default 100");
+  command.text("--mutants", o->mutants, "N",
+               "At most N for each configuration, 1 to 65535; default 100");
   command.flag("--unproved", o->unproved, "Do without proofs: what is not found survives");
   command.text("--equivalent", o->equivalent, "FILE",
                "Survivors known to be equal, a line each: MACHINE: MUTANT -- REASON");

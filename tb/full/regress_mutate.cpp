@@ -83,13 +83,13 @@ class MutateKind final : public regress::Kind {
 
   regress::Keys keys() const override {
     using Type = regress::Key::Type;
-    return {
-        "mutate",
-        {{"mutate", Type::text, "A design, or a line of 'list'; each mutant is to be found"},
-         {"mutants", Type::number, "At most N for each shape that is built; default 100", 1, 65535},
-         {"programs", Type::words,
-          "Instead of building any: programs that attack mutants, from the plan's folder"},
-         {"unproved", Type::yes, "Prove none to be equal: what is not killed survives"}}};
+    return {"mutate",
+            {{"mutate", Type::text, "A design, or a line of 'list'; each mutant is to be found"},
+             {"mutants", Type::number,
+              "At most N for each configuration that is built; default 100", 1, 65535},
+             {"programs", Type::words,
+              "Instead of building any: programs that attack mutants, from the plan's folder"},
+             {"unproved", Type::yes, "Prove none to be equal: what is not killed survives"}}};
   }
 
   void keep(regress::Task& task, const fs::path& plan, const fs::path& run) const override {

@@ -129,7 +129,8 @@ class SweepKind final : public regress::Kind {
     using Type = regress::Key::Type;
     return {
         "sweep",
-        {{"sweep", Type::text, "A design, or a line of 'list': NAME M=5 N=2; every built shape"},
+        {{"sweep", Type::text,
+          "A design, or a line of 'list': NAME M=5 N=2; every built configuration"},
          {"exhaustive", Type::yes, "Everything, at the widths small enough for it"},
          {"random", Type::number, "So many random cases at each width", 1, most_cases},
          {"hostile", Type::number, "So many clocks of any value on any pin at each width", 1,

@@ -53,7 +53,7 @@ class StreamBatch final : public Batch {
   void run(const Case& c, const Decide& killed) override {
     if (const Outcome o = on_lane(0, c); o.end != Outcome::End::open) {
       throw InputError(bench_.title() + ": RTL and model differ without a mutant: " + o.stimulus +
-                       ", " + o.signal);
+                       ", " + o.signal + "; sweep shows it, and must match before mutate");
     }
     std::vector<std::size_t> parted;
     for (std::size_t i = 0; i < mutants.size(); ++i) {

@@ -280,7 +280,7 @@ int run(const Options& o, Cases (*cases)(const AnyBench&)) {
 int main_of_built(Cases (*cases)(const AnyBench&), int argc, char** argv) {
   allow_large_records();
   CLI::App app{
-      "Attacks the mutants of a shape.\n"
+      "Attacks the mutants of a configuration.\n"
       "Status: 0 none survived, 1 some did, 2 could not be run."};
   Options o;
   app.add_option("SHAPE", o.shape, "Design and parameters")->required();

@@ -38,7 +38,7 @@ const AnyBench& directed_choice(const std::vector<const AnyBench*>& benches,
     name = plain;
     std::free(plain);
   }
-  throw InputError(name + ": no design was built with it as its model at this shape");
+  throw InputError(name + ": no design was built with it as its model in this configuration");
 }
 
 DirectedRecord::DirectedRecord(const AnyBench& bench, std::uint32_t power_up) : bench_(bench) {

@@ -12,6 +12,7 @@
 #include "tb/util/draft.h"
 #include "tb/util/json.h"
 #include "tb/util/output_file.h"
+#include "tb/util/quoted.h"
 #include "tb/util/words.h"
 
 namespace cosim {
@@ -26,13 +27,15 @@ std::string rows_text(const AnyBench& bench, std::size_t rows) {
 
 std::vector<Page::Command> commands_after(const Failure& failure) {
   const std::string folder = failure.folder.string();
-  const std::string replay = fmt::format("{} replay {}/smallest.stim", program_name(), folder);
-  return {{failure.replay, "The same run once more"},
-          {replay, "The smallest stimulus"},
-          {replay + " --html again.html", "A page of it like this one, after a change"},
-          {fmt::format("{} wave {}", program_name(), folder), "The whole wave in GTKWave"},
-          {fmt::format("cd {} && gtkwave wave.fst wave.gtkw", folder),
-           "The same where there is only the folder"}};
+  const std::string replay =
+      fmt::format("{} replay {}/smallest.stim", for_shell(program_call()), folder);
+  return {
+      {failure.replay, "The same run once more"},
+      {replay, "The smallest stimulus"},
+      {replay + " --html again.html", "A page of it like this one, after a change"},
+      {fmt::format("{} wave {}", for_shell(program_call()), folder), "The whole wave in GTKWave"},
+      {fmt::format("cd {} && gtkwave wave.fst wave.gtkw", folder),
+       "The same where there is only the folder"}};
 }
 
 }  // namespace
@@ -56,7 +59,7 @@ Failure leave_failure(const AnyBench& bench, const std::string& what, const Mism
   Draft draft(options.root, failure_name(bench, what));
   Failure failure;
   failure.folder = draft.target();
-  failure.replay = fmt::format("{} replay {}", program_name(), draft.target().string());
+  failure.replay = fmt::format("{} replay {}", for_shell(program_call()), draft.target().string());
 
   Stimulus stimulus = mismatch.stimulus;
   stimulus.machine = bench.title();

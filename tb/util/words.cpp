@@ -35,6 +35,11 @@ std::string& the_program() {
   return name;
 }
 
+std::string& the_call() {
+  static std::string call;
+  return call;
+}
+
 bool is_half_integer(double x) { return 2 * x == std::floor(2 * x); }
 
 }  // namespace
@@ -102,7 +107,12 @@ bool is_like(std::string_view text, std::string_view pattern) {
 
 const std::string& program_name() { return the_program(); }
 
-void name_program(const std::string& name) { the_program() = name; }
+const std::string& program_call() { return the_call().empty() ? program_name() : the_call(); }
+
+void name_program(const std::string& name, const std::string& call) {
+  the_program() = name;
+  the_call() = call;
+}
 
 void complain(const std::string& text) {
   std::fputs((program_name() + ": " + one_line(text) + '\n').c_str(), stderr);

@@ -32,8 +32,11 @@ bool is_like(std::string_view text, std::string_view pattern);
 
 /// How this program is called in what it says: "cosim", unless it was named otherwise.
 const std::string& program_name();
+/// How the user called it, "build/pwm_cosim", for command lines to copy; its name if that is not
+/// known.
+const std::string& program_call();
 /// Names it; before any other thread runs.
-void name_program(const std::string& name);
+void name_program(const std::string& name, const std::string& call = {});
 
 /// "PROGRAM: TEXT" as one line on standard error. Throws nothing, even if standard error is closed
 /// or full.

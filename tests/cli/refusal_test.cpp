@@ -49,12 +49,13 @@ TEST_F(Refusal, OfCommands) {
   const std::string designs = names_of_commands({"sweep"});
   expect_unused({}, "a command is needed: " + commands);
   expect_unused({"draw"}, "no such command: 'draw'; there are " + commands);
+  expect_unused({"linear"}, "linear is a design: a command comes before it: " + commands);
   expect_unused({""}, "no such command: ''; there are " + commands);
   expect_unused({"--csv", "x"}, "no such option: '--csv'");
   expect_unused({"list", "line"}, "list: takes no 'line'");
   expect_unused({"list", "--csv", "x"}, "list: no such option: '--csv'");
-  expect_unused({"sweep"}, "sweep: a command is needed: " + designs);
-  expect_unused({"sweep", "spiral"}, "sweep: no such command: 'spiral'; there are " + designs);
+  expect_unused({"sweep"}, "sweep: a design is needed: " + designs);
+  expect_unused({"sweep", "spiral"}, "sweep: no such design: 'spiral'; there are " + designs);
   expect_unused({"sweep", "--random", "5"}, "sweep: no such option: '--random'");
   expect_unused({"sweep", "linear", "circular"}, "sweep linear: takes no 'circular'");
 }

@@ -85,7 +85,10 @@ TEST_F(FailureFolder, OfALineHasAllThatIsNeeded) {
   }
   // Nothing else is left, no draft either.
   EXPECT_EQ(std::distance(fs::directory_iterator(failures), fs::directory_iterator()), 1);
-  EXPECT_EQ(behind(e.out, "replay: "), "cosim replay " + kept.string());
+  // The command line that is printed can be copied.
+  const std::string replay = behind(e.out, "replay: ");
+  EXPECT_TRUE(replay.ends_with(" replay " + kept.string())) << replay;
+  EXPECT_EQ(WEXITSTATUS(std::system((replay + " > " + folder.path("said")).c_str())), 1) << replay;
 }
 
 TEST_F(FailureFolder, IsReplayedToTheSameDifference) {

@@ -7,7 +7,7 @@ program=$(realpath "$1")
 source "$(dirname "${BASH_SOURCE[0]}")/../support/program.sh"
 
 ends 0 cover counter W=4 --report all.json --counts left
-says_like '^counter, 1 shape: reached ([0-9]+) of \1 lines, ([0-9]+) of \2 toggles, 2 of 2 ways$'
+says_like '^counter, 1 configuration: reached ([0-9]+) of \1 lines, ([0-9]+) of \2 toggles, 2 of 2 ways$'
 says_not never
 grep -q '"never_reached": \[\]' all.json || fails "the report says so"
 verilator_coverage --write-info left.info left/counter/*/V* > /dev/null || fails "Verilator reads the counts"

@@ -134,7 +134,7 @@ try_divider() {
   ends 2 replay clocks.stim
   says_like 'is not origin, power-up, state or transaction'
   ends 0 cover divider FAULT=0 --hostile 20000
-  says_like '^divider, 1 shape: reached [0-9]* of [0-9]* lines, '
+  says_like '^divider, 1 configuration: reached [0-9]* of [0-9]* lines, '
   # Of streams alone a mutant is killed or not, and never equal. Of 40 one is left: that done holds its
   # 0 while the divider works is never needed, for it has been 0 since the start.
   if command -v yosys > /dev/null; then

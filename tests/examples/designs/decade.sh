@@ -26,15 +26,15 @@ fi
 # Nor does anything take the way through the model on which the digit is above nine.
 way='/decade[.]h:[0-9]+: never true' condition='if [(]digit_q > 9[)]; after [0-9]+ false, [0-9]+ true$'
 ends 1 cover decade FAULT=0 --hostile 5000 --report covered.json
-says_like "^decade, 1 shape: reached .*, 3 of 4 ways$"
+says_like "^decade, 1 configuration: reached .*, 3 of 4 ways$"
 says_like "$way: $condition"
 [[ $(jq -c '.[0].ways' covered.json) == '{"reached":3,"all":4}' ]] || fails "the report has the ways"
 if [[ $solvers ]]; then
   # A clock takes one way; a stimulus takes each other one.
   ends 1 cover decade FAULT=0 --hostile 1
-  says_like "^decade, 1 shape: reached .*, 1 of 4 ways$"
+  says_like "^decade, 1 configuration: reached .*, 1 of 4 ways$"
   ends 0 cover decade FAULT=0 --hostile 1 --close --stimuli reached
-  says_like "^decade, 1 shape: reached .*, 3 of 4 ways$"
+  says_like "^decade, 1 configuration: reached .*, 3 of 4 ways$"
   says_like "$way: unreachable, proved: $condition"
   grep -qE '^origin reaches .*decade[.]h:[0-9]+ false: if [(]digit_q > 9[)]' reached/*.stim ||
     fails "a stimulus says which way it takes"

@@ -100,7 +100,7 @@ TEST(Directed, RefusesInputsThatNeverCome) {
 
 TEST(Directed, RefusesAModelThatIsNotBuilt) {
   EXPECT_EQ(test::error_of([] { const Directed<Counted> bench; }),
-            "cosim::counted::Counted: no design was built with it as its model at this shape");
+            "cosim::counted::Counted: no design was built with it as its model in this configuration");
   EXPECT_EQ(&directed_choice({&good}, typeid(Counted)), &good);
 }
 

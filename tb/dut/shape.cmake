@@ -7,13 +7,12 @@ include_guard(GLOBAL)
 #   PREFIX_values     8, 31, "FAST": numbers and texts of the model's Params
 #   PREFIX_names, PREFIX_list  its names, and these as a list
 #   PREFIX_generics   what Verilator is given: -GW=8;-GMASK=8'h1F;-GMODE="FAST"
-#   PREFIX_chparams   what yosys is given, which takes a text for its bits
 #   PREFIX_constants  the same by names, for C++, of those that are no plain number
 #
 # A value is a whole number, a constant of Verilog with a base, or else a text without blanks.
 function(cosim_shape prefix what shape)
   string(REGEX MATCHALL "[^ ]+" words "${shape}")
-  foreach(list title names values generics chparams constants)
+  foreach(list title names values generics constants)
     set(${list})
   endforeach()
   foreach(word IN LISTS words)
@@ -45,7 +44,6 @@ function(cosim_shape prefix what shape)
     list(APPEND names "${name}")
     list(APPEND values "${number}")
     list(APPEND generics "-G${name}=${value}")
-    list(APPEND chparams " -chparam ${name} ${constant}")
     if(NOT constant STREQUAL number)
       list(APPEND constants "{\"${name}\", \"${constant}\"}")
     endif()
@@ -53,9 +51,8 @@ function(cosim_shape prefix what shape)
   list(JOIN title " " title)
   set(list "${values}")
   list(JOIN values ", " values)
-  list(JOIN chparams "" chparams)
   list(JOIN constants ", " constants)
-  foreach(one title names list values generics chparams constants)
+  foreach(one title names list values generics constants)
     set(${prefix}_${one} "${${one}}" PARENT_SCOPE)
   endforeach()
 endfunction()

@@ -152,10 +152,13 @@ equiv::Side read_side(const EquivOptions& o, const SideFiles& own, const Named& 
   std::filesystem::create_directory(made);
   read_cells(verilog, o.blackboxes, cells);
   if (std::ranges::all_of(verilog, rtl::is_vhdl)) all.vhdl.assign(verilog.begin(), verilog.end());
-  const auto status_of = [](const auto& words) { return cosim::run_program(words).status; };
+  const auto run = [](const auto& words) {
+    Ended ended = cosim::run_program(words);
+    return rtl::Ran{ended.status, std::move(ended.text)};
+  };
   try {
-    const auto plain = rtl::plain_verilog(
-        {".", verilog, all.top, all.parameters, o.blackboxes, true}, made, status_of);
+    const auto plain =
+        rtl::plain_verilog({".", verilog, all.top, all.parameters, o.blackboxes, true}, made, run);
     all.files.assign(plain.begin(), plain.end());
   } catch (const InputError& error) {
     require_room(made.parent_path());

@@ -6,7 +6,6 @@
 #include "tb/full/ask_points.h"
 #include "tb/full/commands.h"
 #include "tb/full/in_lanes.h"
-#include "tb/rtl/answer.h"
 #include "tb/sim/bench.h"
 
 namespace cosim::cli {
@@ -30,9 +29,5 @@ void add_commands(const Command& program, const Registry& registry) {
 
 int main(int argc, char** argv) {
   using namespace cosim::cli;
-  // The scripts of `new` have no other program that reads RTL.
-  if (argc > 1 && std::string_view(argv[1]) == "cosim_rtl") {
-    return cosim::rtl::answer({argv + 2, argv + argc});
-  }
   return run_form(argc, argv, {nothing, add_commands, nothing, in_lanes, ask_points});
 }

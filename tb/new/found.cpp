@@ -4,71 +4,34 @@
 #include <fmt/format.h>
 
 #include <cctype>
-#include <map>
-#include <sstream>
 
 #include "model/core/input_error.h"
 #include "tb/new/found_shape.h"
+#include "tb/rtl/read.h"
 #include "tb/util/process.h"
-#include "tb/util/read_file.h"
-#include "tb/util/words.h"
 
 namespace cosim::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-// "7:4,0:0"
-std::vector<std::pair<int, int>> ranges_of(const std::string& text) {
-  std::vector<std::pair<int, int>> all;
-  for (const std::string& range : parts_in(text, ',')) {
-    all.emplace_back(std::stoi(range), std::stoi(range.substr(range.find(':') + 1)));
+void take_registers(Found& found, const rtl::Registers& is) {
+  for (const rtl::Clock& clock : is.clocks) {
+    found.clocks.push_back({clock.name, clock.falls ? Edge::falling : Edge::rising});
   }
-  return all;
-}
-
-// What cosim_rtl prints (tb/rtl/registers.h).
-void read_found(Found& found, const std::string& text) {
-  std::map<std::string, std::string> values;
-  std::map<std::string, std::vector<std::string>> clocks;  // of registers
-  for (const std::string& line : lines_in(text)) {
-    std::istringstream words(line);
-    std::string what, name, bits;
-    words >> what >> name;
-    if (what == "clock") {
-      const bool falls = words >> bits && name == "falling";
-      found.clocks.push_back({falls ? bits : name, falls ? Edge::falling : Edge::rising});
-    } else if (what == "clocked") {
-      words >> clocks[name].emplace_back();
-    } else if (what == "reset" || what == "inner" || what == "synchronous") {
-      FoundReset reset;
-      reset.active_low = name == "low";
-      if (reset.active_low) words >> name;
-      reset.name = name;
-      reset.is_inner = what == "inner";
-      found.asynchronous |= what != "synchronous";
-      found.resets.push_back(reset);
-    } else if (what == "value") {
-      words >> values[name];
-    } else if (what == "given") {
-      const auto reset = std::ranges::find(found.resets, name, &FoundReset::name);
-      std::string value;
-      words >> bits >> value;
-      if (reset != found.resets.end()) reset->values.emplace_back(bits, value);
-    } else if (what == "register") {
-      FoundNet net{name, {}};
-      words >> net.width.number >> net.words.number >> bits;
-      net.bits = ranges_of(bits);
-      const int all = net.width.number * std::max(net.words.number, 1);
-      if (net.bits == std::vector{std::pair{all - 1, 0}}) net.bits.clear();
-      found.registers.push_back(net);
-    }
+  for (const rtl::Reset& reset : is.resets) {
+    found.asynchronous |= reset.kind != rtl::Reset::Kind::synchronous;
+    found.resets.push_back(
+        {reset.name, reset.is_active_low, reset.kind == rtl::Reset::Kind::inner, reset.values});
   }
-  for (FoundNet& net : found.registers) {
-    const auto value = values.find(net.name);
-    net.is_reset = value != values.end();
-    if (net.is_reset && value->second != "0") net.value = value->second;
-    net.clocks = clocks[net.name];
+  for (const rtl::Register& one : is.registers) {
+    FoundNet net{one.name, {static_cast<int>(one.width)}, {static_cast<int>(one.words)}};
+    const int all = net.width.number * std::max(net.words.number, 1);
+    if (one.bits != std::vector{std::pair{all - 1, 0}}) net.bits = one.bits;
+    net.is_reset = one.value.has_value();
+    if (net.is_reset && *one.value != "0") net.value = *one.value;
+    net.clocks = one.clocks;
+    found.registers.push_back(net);
   }
 }
 
@@ -136,68 +99,51 @@ void read_shape(Found& found, const rtl::Shape& shape) {
   order_resets(found);
 }
 
+// What Verilator and yosys say, and the shape; `question` gets the options that it takes to read
+// it.
+std::pair<rtl::Shape, rtl::RtlRead> read_all(RtlQuestion& question, const fs::path& work) try {
+  fs::create_directory(work);
+  std::vector<std::string> shape;
+  for (const FoundParameter& p : question.parameters) shape.push_back(p.name + '=' + p.value);
+  const auto& clocks = question.clocks;
+  rtl::RtlAsked asked{.verilator = verilator_program(),
+                      .yosys = is_installed("yosys") ? "yosys" : "",
+                      .folder = question.folder,
+                      .files = plain_verilog(question, shape, work),
+                      .options = question.options,
+                      .top = question.top,
+                      .clocks = clocks.empty() ? "?" : fmt::format("{}", fmt::join(clocks, ",")),
+                      .work = work};
+  if (clocks.size() > 1) asked.clocks += ',';
+  if (!question.reset.empty()) asked.clocks += ':' + question.reset;
+  for (const FoundParameter& p : question.parameters) asked.options.push_back(verilator_option(p));
+  rtl::RtlRead read = rtl::read_rtl(asked, run_for_rtl);
+  question.options.insert(question.options.end(), read.verilator.begin(), read.verilator.end());
+  return {rtl::shape_of(work / "tree"), std::move(read)};
+} catch (const InputError& error) {
+  require_room(work.parent_path());
+  throw InputError(fmt::format("new: {}", error.what()));
+}
+
 }  // namespace
 
 Found found_in(const RtlQuestion& question) {
   const Scratch scratch;
-  const fs::path reader = write_reader(scratch), work = scratch.path() / "work";
-  fs::create_directory(work);
   StateLine line;
   line.show(question.top + ": reading it, and trying each parameter");
-  std::vector<std::string> shape, files;
-  for (const FoundParameter& p : question.parameters) shape.push_back(p.name + '=' + p.value);
-  try {
-    files = plain_verilog(question, shape, work);
-  } catch (const InputError& error) {
-    require_room(scratch.path());
-    throw InputError(fmt::format("new: {}", error.what()));
-  }
-  const auto& clocks = question.clocks;
-  std::string clock = clocks.empty() ? "?" : fmt::format("{}", fmt::join(clocks, ","));
-  if (clocks.size() > 1) clock += ',';
-  const Ended ended = cosim::run_program(
-      {"env", "-C", question.folder.string(), "cmake", "-DTOP=" + question.top,
-       fmt::format("-DCLOCK={}{}{}", clock, question.reset.empty() ? "" : ":", question.reset),
-       fmt::format("-DSHAPE={}", fmt::join(shape, " ")),
-       fmt::format("-DFILES={}", fmt::join(files, ";")),
-       fmt::format("-DOPTIONS={}", fmt::join(question.options, ";")),
-       fmt::format("-DYOSYS={}", fmt::join(question.options, " ")), "-DWORK=" + work.string(),
-       fmt::format("-DREADER={};cosim_rtl", fs::read_symlink("/proc/self/exe").string()), "-P",
-       (reader / "new" / "found_rtl.cmake").string()});
-  if (ended.status == 127) throw InputError("needs cmake");
-  if (ended.status != 0) {
-    const fs::path error = work / "error.txt";
-    if (fs::exists(error)) {
-      const std::string why = read_file(error.string());
-      throw InputError(why.starts_with("new: ") ? why : "new: " + why);
-    }
-    throw InputError("new: cmake: " + ended.text);
-  }
-  const rtl::Shape is = [&] {
-    try {
-      return rtl::shape_of(work / "tree");
-    } catch (const InputError& error) {
-      throw InputError(fmt::format("new: {}", error.what()));
-    }
-  }();
+  RtlQuestion again = question;
+  const auto [is, read] = read_all(again, scratch.path() / "work");
   Found found;
   found.top = is.top;
-  read_found(found, read_file((work / "found.txt").string()));
+  take_registers(found, read.found);
   read_shape(found, is);
   for (const auto& [name, value] : is.parameters) {
     if (value >= -(1L << 31) && value < 1L << 31 && !is_word(value))
       found.parameters.push_back({name, std::to_string(value)});
   }
-  if (const fs::path unread = work / "unread.txt"; fs::exists(unread)) {
-    found.unread = read_file(unread.string());
-  }
-  RtlQuestion again = question;
-  if (const fs::path language = work / "language.txt"; fs::exists(language)) {
-    found.language = read_file(language.string());
-    again.options.emplace_back("+1364-2005ext+v");
-  }
-  follow_parameters(found, is, again, lines_in(read_file((work / "verilator.txt").string())),
-                    scratch.path() / "tried", line);
+  found.unread = read.unread;
+  found.language = read.language;
+  follow_parameters(found, is, again, scratch.path() / "tried", line);
   for (const FoundParameter& p : question.parameters) {
     const auto same = std::ranges::find(found.parameters, p.name, &FoundParameter::name);
     if (same == found.parameters.end()) {

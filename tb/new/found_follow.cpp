@@ -10,6 +10,7 @@
 #include <set>
 
 #include "tb/new/found_shape.h"
+#include "tb/rtl/read.h"
 #include "tb/util/parallel.h"
 #include "tb/util/words.h"
 
@@ -83,8 +84,9 @@ void put(FoundSize& size, const std::string& p, long value, const Points& points
 }  // namespace
 
 void follow_parameters(Found& found, const rtl::Shape& shape, const RtlQuestion& question,
-                       const std::vector<std::string>& verilator, const std::filesystem::path& work,
-                       StateLine& line) {
+                       const std::filesystem::path& work, StateLine& line) {
+  std::vector<std::string> verilator = rtl::tree_options(verilator_program(), run_for_rtl);
+  verilator.insert(verilator.begin(), verilator_program());
   constexpr long most = 1L << 24;
   std::map<std::string, std::vector<Tried>> tried;
   std::vector<std::pair<std::string, long>> all;

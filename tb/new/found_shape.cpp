@@ -3,26 +3,31 @@
 #include <fmt/core.h>
 #include <fmt/format.h>
 
+#include <cstdlib>
+
 #include "model/core/input_error.h"
-#include "rtl_reader.h"
 #include "tb/rtl/plain_verilog.h"
-#include "tb/util/output_file.h"
-#include "tb/util/words.h"
 
 namespace cosim::cli {
 
-std::filesystem::path write_reader(const Scratch& scratch) {
-  const std::filesystem::path folder = scratch.path() / "reader";
-  try {
-    for (const ReaderFile& script : rtl_reader) {
-      std::filesystem::create_directories((folder / script.name).parent_path());
-      write_file((folder / script.name).string(), script.text);
-    }
-  } catch (const InputError&) {
-    require_room(scratch.path());
-    throw;
+std::string verilator_program() {
+  // The program itself: the script in front of it takes five times as long as a small design.
+  const char* root = std::getenv("VERILATOR_ROOT");
+  const std::string own = fmt::format("{}/bin/verilator_bin", root == nullptr ? "" : root);
+  if (std::filesystem::exists(own)) return own;
+  for (const char* program : {"verilator_bin", "verilator"}) {
+    if (is_installed(program)) return program;
   }
-  return folder;
+  throw InputError("needs verilator");
+}
+
+std::string verilator_option(const FoundParameter& p) {
+  return fmt::format("-G{}={}", p.name, p.is_text ? '"' + p.value + '"' : p.value);
+}
+
+rtl::Ran run_for_rtl(const std::vector<std::string>& words) {
+  Ended ended = cosim::run_program(words);
+  return {ended.status, std::move(ended.text)};
 }
 
 std::vector<std::string> plain_verilog(const RtlQuestion& question,
@@ -30,7 +35,7 @@ std::vector<std::string> plain_verilog(const RtlQuestion& question,
                                        const std::filesystem::path& work) {
   return rtl::plain_verilog(
       {question.folder, question.files, question.top, parameters, question.blackboxes}, work,
-      [](const auto& words) { return cosim::run_program(words).status; });
+      run_for_rtl);
 }
 
 std::optional<rtl::Shape> shape_with(const RtlQuestion& question, const std::string& other,
@@ -44,8 +49,7 @@ std::optional<rtl::Shape> shape_with(const RtlQuestion& question, const std::str
   words.insert(words.end(), {"--no-timing", "-Wno-fatal", "-Wno-lint", "-Wno-style"});
   words.insert(words.end(), question.options.begin(), question.options.end());
   for (const FoundParameter& p : question.parameters) {
-    if (p.name == other) continue;
-    words.push_back(fmt::format("-G{}={}", p.name, p.is_text ? '"' + p.value + '"' : p.value));
+    if (p.name != other) words.push_back(verilator_option(p));
   }
   words.push_back(fmt::format("-G{}={}", other, value));
   std::vector<std::string> parameters{fmt::format("{}={}", other, value)};

@@ -179,7 +179,6 @@ function(cosim_add_design NAME)
     list(APPEND options -D${define})
   endforeach()
   cosim_words_for_tools("${what}" ${TOP} ${CLOCK} ${D_CLOCKS} ${D_DEFINES} ${folders})
-  list(JOIN options " " include_options)
   list(JOIN D_BLACKBOXES "," blackboxes)
   list(JOIN folders "\", \"" FOLDERS)
   list(JOIN D_DEFINES "\", \"" DEFINES)
@@ -220,12 +219,9 @@ function(cosim_add_design NAME)
     set(generics ${shape_generics})
     cosim_verilog_of(rtl "cosim_add_design(${TITLE})" ${TOP} ${CMAKE_CURRENT_BINARY_DIR}/rtl_${ID}
       "${shape_title}" "${blackboxes}" ${sources})
-    list(JOIN rtl "\" \"" for_yosys)
-    set(for_yosys "${include_options} \"${for_yosys}\"")
     list(JOIN rtl "\", \"" FILES)
     cosim_read_rtl(rtl_of "cosim_add_design(${TITLE})" ${TOP} ${reader_clock}
-      ${CMAKE_CURRENT_BINARY_DIR}/rtl_${ID} FILES ${rtl} OPTIONS ${generics} ${options}
-      YOSYS "read_verilog -sv -defer ${for_yosys}; hierarchy -check -top ${TOP}${shape_chparams}")
+      ${CMAKE_CURRENT_BINARY_DIR}/rtl_${ID} FILES ${rtl} OPTIONS ${generics} ${options})
     if(rtl_of_resets MATCHES "inner (low )?([^\\]*)" AND NOT D_UNPROVED)
       message(FATAL_ERROR "cosim_add_design(${TITLE}): ${CMAKE_MATCH_2}: a register is an asynchronous "
         "reset: write UNPROVED, because nothing can be proved of such a design")

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <string>
+#include <utility>
 #include <vector>
 
 namespace cosim::rtl {
@@ -37,17 +37,17 @@ class BitSet {
     for (std::size_t i = 0; i < n; ++i) words_[i] &= ~other.words_[i];
     return *this;
   }
-  /// "7:4,0:0", the highest ones first.
-  std::string ranges() const {
-    std::string text;
+  /// The high and the low bit of each range, the highest one first.
+  std::vector<std::pair<int, int>> ranges() const {
+    std::vector<std::pair<int, int>> all;
     for (std::size_t end = 64 * words_.size(); end > 0; --end) {
       if (!has(end - 1)) continue;
       std::size_t low = end - 1;
       while (low > 0 && has(low - 1)) --low;
-      text += (text.empty() ? "" : ",") + std::to_string(end - 1) + ':' + std::to_string(low);
+      all.emplace_back(end - 1, low);
       end = low + 1;
     }
-    return text;
+    return all;
   }
 
  private:

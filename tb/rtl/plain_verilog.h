@@ -2,9 +2,10 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <string>
 #include <vector>
+
+#include "tb/rtl/run.h"
 
 namespace cosim::rtl {
 
@@ -35,9 +36,6 @@ std::vector<std::string> without_blackboxes(const Sources& sources,
 /// assignment, bufif0, bufif1 or a module whose port is split. The files are as of
 /// without_blackboxes().
 std::vector<std::string> with_split_inouts(const Sources& sources, const std::filesystem::path& to);
-
-/// Runs a program, found as a shell finds it, and gives its status, 127 where there is none.
-using Run = std::function<int(const std::vector<std::string>& words)>;
 
 bool is_vhdl(const std::filesystem::path& file);
 

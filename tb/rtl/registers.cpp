@@ -14,8 +14,8 @@ namespace {
 
 class RegisterReader {
  public:
-  RegisterReader(const RegistersAsked& asked, std::ostream& out)
-      : tree_(asked.tree), all_(tree_), warnings_(text_of(asked.warnings)), out_(out) {
+  explicit RegisterReader(const RegistersAsked& asked)
+      : tree_(asked.tree), all_(tree_), warnings_(asked.warnings) {
     const std::size_t colon = std::min(asked.clocks.find(':'), asked.clocks.size());
     if (colon < asked.clocks.size()) wanted_reset_ = asked.clocks.substr(colon + 1);
     give_clocks_of(asked.clocks.substr(0, colon));
@@ -27,32 +27,29 @@ class RegisterReader {
     throw InputError(*std::ranges::min_element(latches_) + ": a latch");
   }
 
-  void print() {
-    std::vector<std::string> names;
+  Registers take() {
+    Registers found;
     for (const auto& [name, bits] : registers_) {
-      names.push_back(name);
-      out_ << "register " << name << ' ' << shape_text(name) << ' ' << bits.ranges();
-      for (const auto& [net, low] : all_.carried.carriers(name)) {
-        if (net == name || all_.design.net(net) == nullptr) continue;
-        out_ << ' ' << net << ' ' << shape_text(net) << ' ' << low;
+      const Net& net = *all_.design.net(name);
+      Register one{name, net.width, net.words, bits.ranges()};
+      for (const auto& [carrier, low] : all_.carried.carriers(name)) {
+        const Net* is = carrier == name ? nullptr : all_.design.net(carrier);
+        if (is != nullptr) one.carriers.push_back({carrier, is->width, is->words, low});
       }
-      out_ << '\n';
+      for (const Process& p : all_.clocked) {
+        if (clocks_.size() > 1 && p.held.contains(name)) one.clocks.push_back(p.clock);
+      }
+      found.registers.push_back(std::move(one));
     }
-    for (const std::string& name : all_.outputs_in_order) out_ << "output " << name << '\n';
-    print_levels("reset ", resets_.asynchronous);
-    print_levels("inner ", resets_.inner);
+    found.outputs.assign(all_.outputs_in_order.begin(), all_.outputs_in_order.end());
     for (const std::string& clock : clocks_) {
       const auto way = ways_.find(clock);
-      const bool falls = way != ways_.end() && way->second != "POS";
-      out_ << "clock " << (falls ? "falling " : "") << clock << '\n';
+      found.clocks.push_back({clock, way != ways_.end() && way->second != "POS"});
     }
-    for (const Process& p : all_.clocked) {
-      if (clocks_.size() < 2) break;
-      for (const auto& [net, bits] : p.held) out_ << "clocked " << net << ' ' << p.clock << '\n';
-    }
-    print_resets(all_, wanted_reset_, resets_, names, out_);
+    find_resets(all_, wanted_reset_, resets_, found);
     static const Regex loop("^%Warning-UNOPTFLAT: [^'\n]*'([^']+)'", REG_NEWLINE);
-    for (const Match& m : loop.all(warnings_)) out_ << "loop " << below_top(m[1]) << '\n';
+    for (const Match& m : loop.all(warnings_)) found.loops.push_back(below_top(m[1]));
+    return found;
   }
 
  private:
@@ -203,21 +200,10 @@ class RegisterReader {
     static const Regex point("__DOT__");
     return point.replaced(name, ".");
   }
-  std::string shape_text(const std::string& net) const {
-    const Net& is = *all_.design.net(net);
-    return std::to_string(is.width) + ' ' + std::to_string(is.words);
-  }
-  void print_levels(const char* what, const Levels& levels) {
-    std::vector<std::string> texts;
-    for (const auto& [name, level] : levels) texts.push_back((level ? "" : "low ") + name);
-    std::ranges::sort(texts);
-    for (const std::string& text : texts) out_ << what << text << '\n';
-  }
 
   Tree tree_;
   Elaborated all_;
   std::string warnings_, wanted_reset_;
-  std::ostream& out_;
   std::vector<std::string> clocks_, latches_;
   std::map<std::string, std::string> ways_;
   Bits registers_;
@@ -226,8 +212,6 @@ class RegisterReader {
 
 }  // namespace
 
-void print_registers(const RegistersAsked& asked, std::ostream& out) {
-  RegisterReader(asked, out).print();
-}
+Registers registers_in(const RegistersAsked& asked) { return RegisterReader(asked).take(); }
 
 }  // namespace cosim::rtl

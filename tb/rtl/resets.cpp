@@ -138,15 +138,23 @@ Levels synchronous_reset(const Elaborated& design, const std::string& wanted,
   return best;
 }
 
-std::string with_level(const std::string& name, bool level) { return (level ? "" : "low ") + name; }
+void add_resets(Registers& found, const Levels& levels, Reset::Kind kind) {
+  const auto begin = static_cast<std::ptrdiff_t>(found.resets.size());
+  for (const auto& [name, level] : levels) found.resets.push_back({name, !level, kind});
+  // Those that are low behind the others, as the tables have them.
+  std::ranges::stable_sort(found.resets.begin() + begin, found.resets.end(), {},
+                           [](const Reset& r) { return (r.is_active_low ? "low " : "") + r.name; });
+}
 
 }  // namespace
 
-void print_resets(const Elaborated& design, const std::string& wanted, const Resets& resets,
-                  const std::vector<std::string>& registers, std::ostream& out) {
+void find_resets(const Elaborated& design, const std::string& wanted, const Resets& resets,
+                 Registers& found) {
   if (!wanted.empty() && !design.inputs.contains(wanted)) {
     throw InputError(wanted + ": the RTL has no such input, but it is named as its reset");
   }
+  add_resets(found, resets.asynchronous, Reset::Kind::asynchronous);
+  add_resets(found, resets.inner, Reset::Kind::inner);
   Levels active = resets.asynchronous;
   active.insert(resets.inner.begin(), resets.inner.end());
   const Levels at_once = active;
@@ -164,23 +172,25 @@ void print_resets(const Elaborated& design, const std::string& wanted, const Res
     if (has_one || (by_clock.size() == 1 && !resets.asynchronous.empty())) continue;
     for (const auto& [name, level] : synchronous_reset(design, wanted, processes)) {
       if (!active.try_emplace(name, level).second) continue;
-      out << "synchronous " << with_level(name, level) << '\n';
+      found.resets.push_back({name, !level, Reset::Kind::synchronous});
     }
   }
-  const auto print = [&](const std::string& begin, const Given& given) {
-    for (const std::string& name : registers) {
-      const auto found = given.find(name);
-      if (found != given.end() && found->second) {
-        out << begin << name << ' ' << *found->second << '\n';
+  if (active.size() > 1 || !resets.inner.empty()) {
+    for (Reset& reset : found.resets) {
+      if (!at_once.contains(reset.name)) continue;
+      const Given given = Constants(design, {{reset.name, !reset.is_active_low}}).given_by(clocked);
+      for (const Register& one : found.registers) {
+        const auto value = given.find(one.name);
+        if (value != given.end() && value->second) {
+          reset.values.emplace_back(one.name, *value->second);
+        }
       }
     }
-  };
-  for (const auto& [name, level] : at_once) {
-    if (active.size() <= 1 && resets.inner.empty()) break;
-    const Levels one{{name, level}};
-    print("given " + name + ' ', Constants(design, one).given_by(clocked));
   }
-  print("value ", Constants(design, active).given_by(active.empty() ? initial : clocked));
+  const Given given = Constants(design, active).given_by(active.empty() ? initial : clocked);
+  for (Register& one : found.registers) {
+    if (const auto value = given.find(one.name); value != given.end()) one.value = value->second;
+  }
 }
 
 }  // namespace cosim::rtl

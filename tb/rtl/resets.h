@@ -4,11 +4,11 @@
 
 #include <map>
 #include <optional>
-#include <ostream>
 #include <string>
 #include <vector>
 
 #include "tb/rtl/elaborated.h"
+#include "tb/rtl/registers.h"
 
 namespace cosim::rtl {
 
@@ -20,9 +20,9 @@ struct Resets {
   Levels inner;         ///< registers
 };
 
-/// Prints the lines synchronous, given and value of registers.h. `wanted`: the name of the
-/// synchronous reset, "" where it is to be found.
-void print_resets(const Elaborated& design, const std::string& wanted, const Resets& resets,
-                  const std::vector<std::string>& registers, std::ostream& out);
+/// Adds the resets, with the constants that they give, and the values of the registers. `wanted`:
+/// the name of the synchronous reset, "" where it is to be found.
+void find_resets(const Elaborated& design, const std::string& wanted, const Resets& resets,
+                 Registers& found);
 
 }  // namespace cosim::rtl

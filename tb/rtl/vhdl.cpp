@@ -64,7 +64,7 @@ class Ghdl {
                                    work_.string(), "ghdl", command,
                                    "--std=08"};
     words.insert(words.end(), arguments.begin(), arguments.end());
-    const int status = run_(words);
+    const int status = run_(words).status;
     if (status == 0) return text_of(work_ / "out");
     if (status == 127) throw InputError("needs ghdl, which turns VHDL into Verilog");
     std::string first;

@@ -12,6 +12,7 @@ cat > read.cmake << END
 include($sources/tb/dut/rtl.cmake)
 set_property(GLOBAL PROPERTY COSIM_RTL_PROGRAM $2)
 find_program(VERILATOR_BIN verilator)
+set(COSIM_YOSYS "")
 cosim_read_rtl(r made made clk $folder/work FILES $folder/made.sv)
 message("\${r_registers}")
 END

@@ -14,13 +14,12 @@ include($sources/tb/dut/shape.cmake)
 find_program(VERILATOR_BIN verilator)
 if(SHAPE)
   cosim_shape(s shape "\${SHAPE}")
-  message("\${s_title}|\${s_values}|\${s_generics}|\${s_chparams}|\${s_constants}")
+  message("\${s_title}|\${s_values}|\${s_generics}|\${s_constants}")
 else()
   if(NOT CLOCKS)
     set(CLOCKS clk)
   endif()
-  cosim_read_rtl(r made made \${CLOCKS} $folder/work FILES $folder/made.sv
-    YOSYS "read_verilog -sv $folder/made.sv; hierarchy -check -top made")
+  cosim_read_rtl(r made made \${CLOCKS} $folder/work FILES $folder/made.sv)
   if(CLOCKS MATCHES ",")
     string(APPEND r_resets "|\${r_clocks}")
   endif()
@@ -276,7 +275,6 @@ chmod +x verilator_new
 # A shape, for Verilator, yosys and C++.
 said=$(cmake "-DSHAPE=W=8 MASK=8'h1F K=4'b1_01 MODE=FAST" -P read.cmake 2>&1)
 [[ $said == "W=8 MASK=31 K=5 MODE=FAST|8, 31, 5, \"FAST\"|-GW=8;-GMASK=8'h1F;-GK=4'b1_01;-GMODE=\"FAST\"|\
- -chparam W 8 -chparam MASK 8'h1F -chparam K 4'b1_01 -chparam MODE 32'h46415354|\
 {\"MASK\", \"8'h1F\"}, {\"K\", \"4'b1_01\"}, {\"MODE\", \"32'h46415354\"}" ]] || fails "the shape is read"
 for wrong in "W" "W=4'b12" "W=40'hFFFFFFFFFF" 'W=a"b'; do
   ! said=$(cmake "-DSHAPE=$wrong" -P read.cmake 2>&1) || fails "$wrong is refused"

@@ -47,7 +47,8 @@ const char* kind_of_words(const CLI::App& app) {
 
 bool is_design(const CLI::App& program, const std::string& word) {
   return std::ranges::any_of(subcommands(program), [&](const CLI::App* command) {
-    return command->get_subcommand_no_throw(word) != nullptr;
+    return std::ranges::any_of(subcommands(*command),
+                               [&](const CLI::App* design) { return design->get_name() == word; });
   });
 }
 

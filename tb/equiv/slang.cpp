@@ -83,8 +83,14 @@ void refuse_static(const std::string& what, const std::string& name, const std::
 std::string slang_message(const Ended& ended, const fs::path& own, const Reading& reading) {
   static const Pattern colours("\x1b\\[[0-9;]*m");
   static const Pattern error(R"(([^\n]+:\d+):\d+: error: ([^\n]+)\n([^\n]*))");
+  static const Pattern source_line(R"(Source line ([^\n]+:\d+):\d+: *([^\n]*))");
   const std::string plain = colours.replaced(ended.text, "");
   const auto found = error.all(plain);
+  if (const auto lines = source_line.all(plain); found.empty() && !lines.empty()) {
+    return one_line(fmt::format("{}: it does not support this: {}",
+                                reading.by_own_names((own / lines.back()[1]).string()),
+                                lines.back()[2]));
+  }
   if (found.empty()) return yosys_message(plain, ended.status, reading.names());
   return one_line(fmt::format("{}: {}: {}", reading.by_own_names((own / found[0][1]).string()),
                               found[0][2], found[0][3]));

@@ -160,7 +160,12 @@ void try_slang(Found& found, const RtlQuestion& asked, const std::string& header
     slang_verilog(asked, headers, defines);
     found.unread.clear();
   } catch (const InputError& error) {
+    // The files lie in a draft of the project.
+    const std::string folder = asked.folder.string() + '/';
     found.unread = error.what();
+    for (std::size_t at = 0; (at = found.unread.find(folder)) != std::string::npos;) {
+      found.unread.erase(at, folder.size());
+    }
   } catch (const equiv::OutOfTime&) {
     found.unread = found.top + ": slang takes too long";
   }

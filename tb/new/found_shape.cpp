@@ -12,9 +12,10 @@ namespace cosim::cli {
 
 std::string verilator_program() {
   // The program itself: the script in front of it takes five times as long as a small design.
-  const char* root = std::getenv("VERILATOR_ROOT");
-  const std::string own = fmt::format("{}/bin/verilator_bin", root == nullptr ? "" : root);
-  if (std::filesystem::exists(own)) return own;
+  if (const char* root = std::getenv("VERILATOR_ROOT"); root != nullptr) {
+    const std::string own = fmt::format("{}/bin/verilator_bin", root);
+    if (std::filesystem::exists(own)) return own;
+  }
   for (const char* program : {"verilator_bin", "verilator"}) {
     if (is_installed(program)) return program;
   }

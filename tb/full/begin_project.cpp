@@ -9,12 +9,11 @@
 #include <set>
 
 #include "model/core/input_error.h"
-#include "tb/cli/named_values.h"
 #include "tb/equiv/front_end.h"
+#include "tb/full/wrapped_top.h"
 #include "tb/new/new.h"
 #include "tb/new/new_sources.h"
 #include "tb/new/verilog_words.h"
-#include "tb/new/wrapper.h"
 #include "tb/rtl/plain_verilog.h"
 #include "tb/util/pattern.h"
 #include "tb/util/quoted.h"
@@ -46,40 +45,6 @@ std::string name_in(const std::string& option, const Text& value) {
   return *value;
 }
 
-// What --param gives: the parameters of a shape, and those that are given by a wrapper.
-struct GivenParameters {
-  std::vector<FoundParameter> shape;
-  std::map<std::string, std::string> code;  // SystemVerilog
-};
-GivenParameters parameters_in(const std::vector<std::string>& words,
-                              const std::optional<TopHead>& head) {
-  static const Pattern parameter("([A-Za-z_][A-Za-z0-9_$]*)=(.+)"), number("-?[0-9]{1,9}"),
-      constant("[0-9]*'[sS]?[bodhBODH][0-9a-fA-F_]+"), text("[A-Za-z0-9_.:+-]+"),
-      of_package("[A-Za-z_][A-Za-z0-9_$]*::.*");
-  GivenParameters all;
-  for (const std::string& word : words) {
-    const auto parts = parameter.whole(word);
-    const bool is_number = !parts.empty() && !number.whole(parts[2]).empty();
-    if (!is_number && !parts.empty() && !constant.whole(parts[2]).empty()) {
-      throw InputError(fmt::format(
-          "--param: {}: the value must be a whole number or a word, not a constant with a base",
-          in_quotes(word)));
-    }
-    if (parts.empty()) {
-      throw InputError(fmt::format("--param: {} is not NAME=VALUE", in_quotes(word)));
-    }
-    const bool is_code = text.whole(parts[2]).empty() || !of_package.whole(parts[2]).empty() ||
-                         (head && head->is_type(parts[1]));
-    if (!is_number && is_code) {
-      all.code[parts[1]] = parts[2];
-    } else {
-      all.shape.push_back({parts[1], parts[2], !is_number});
-    }
-  }
-  named_values("--param", words);
-  return all;
-}
-
 // The words that Verilator and yosys are given.
 std::vector<std::string> options_of(const NewOptions& o, const std::string& headers) {
   static const Pattern define(R"([A-Za-z_][A-Za-z0-9_$]*(=[A-Za-z0-9_.:+'-]*)?)");
@@ -106,31 +71,6 @@ std::string header_folder(const Sources& rtl) {
   std::string folder = rtl.headers.empty() ? "" : "include";
   for (; depth > 0; --depth) folder += "/here";
   return folder;
-}
-
-// Adds a wrapper, the new top, where a value is SystemVerilog; the parameters of the shape.
-std::vector<FoundParameter> with_wrapper(const std::string& name,
-                                         const std::vector<std::string>& words, Sources& rtl) {
-  if (words.empty()) return {};
-  std::optional<TopHead> head;
-  for (const SourceFile& file : rtl.files) {
-    const auto units = verilog_words(file.text).units;
-    const bool has_top = std::ranges::any_of(
-        units, [&](const VerilogUnit& unit) { return unit.is_module && unit.name == rtl.top; });
-    if (has_top && !rtl::is_vhdl(file.from)) head.emplace(file.text, rtl.top);
-  }
-  GivenParameters given = parameters_in(words, head);
-  if (given.code.empty()) return given.shape;
-  if (!head) {
-    throw InputError(
-        fmt::format("--param: {}={}: a type or an expression needs a top in Verilog, and {} is not",
-                    given.code.begin()->first, given.code.begin()->second, rtl.top));
-  }
-  std::string top = name + "_top";
-  while (top == rtl.top) top += "_";
-  rtl.files.push_back({top + ".sv", top + ".sv", head->wrapped(top, given.code)});
-  rtl.top = top;
-  return given.shape;
 }
 
 // What slang makes of it. InputError, OutOfTime.
@@ -258,16 +198,12 @@ BegunProject begin_project(const NewOptions& o, const Draft& project) {
   }
   Sources rtl = sources_of(
       {name, given, o.libraries, o.includes, name_in("--top", o.top), value_words(o.parameters)});
-  question.parameters = with_wrapper(name, o.parameters, rtl);
   require_files(name, rtl);
   BegunProject begun;
   begun.headers = header_folder(rtl);
   begun.left_out = rtl.left_out;
   begun.top_is_guessed = rtl.top_is_guessed;
-  for (const SourceFile& file : rtl.files) {
-    begun.sources.push_back(file.name);
-    project.write(file.name, file.text);
-  }
+  for (const SourceFile& file : rtl.files) project.write(file.name, file.text);
   for (const SourceFile& header : rtl.headers) {
     const fs::path to = (fs::path(begun.headers) / header.name).lexically_normal();
     fs::create_directories((project.folder() / to).parent_path());
@@ -277,8 +213,14 @@ BegunProject begin_project(const NewOptions& o, const Draft& project) {
     fs::create_directories(project.folder() / begun.headers);
     project.write(begun.headers + "/.gitkeep", "");
   }
-  question.files = begun.sources;
   question.options = options_of(o, begun.headers);
+  const std::size_t files = rtl.files.size();
+  question.parameters = with_wrapper(name, o.parameters, rtl, question);
+  require_files(name, rtl);
+  for (std::size_t i = files; i < rtl.files.size(); ++i)
+    project.write(rtl.files[i].name, rtl.files[i].text);
+  for (const SourceFile& file : rtl.files) begun.sources.push_back(file.name);
+  question.files = begun.sources;
   question.top = rtl.top;
   begun.defines = o.defines;
   read_rtl(begun, question, rtl, project);

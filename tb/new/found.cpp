@@ -99,17 +99,14 @@ void read_shape(Found& found, const rtl::Shape& shape) {
   order_resets(found);
 }
 
-// What Verilator and yosys say, and the shape; `question` gets the options that it takes to read
-// it.
-std::pair<rtl::Shape, rtl::RtlRead> read_all(RtlQuestion& question, const fs::path& work) try {
-  fs::create_directory(work);
-  std::vector<std::string> shape;
-  for (const FoundParameter& p : question.parameters) shape.push_back(p.name + '=' + p.value);
+// What read_rtl() is asked of the files.
+rtl::RtlAsked asked_of(const RtlQuestion& question, std::vector<std::string> files,
+                       const fs::path& work) {
   const auto& clocks = question.clocks;
   rtl::RtlAsked asked{.verilator = verilator_program(),
                       .yosys = is_installed("yosys") ? "yosys" : "",
                       .folder = question.folder,
-                      .files = plain_verilog(question, shape, work),
+                      .files = std::move(files),
                       .options = question.options,
                       .top = question.top,
                       .clocks = clocks.empty() ? "?" : fmt::format("{}", fmt::join(clocks, ",")),
@@ -117,6 +114,16 @@ std::pair<rtl::Shape, rtl::RtlRead> read_all(RtlQuestion& question, const fs::pa
   if (clocks.size() > 1) asked.clocks += ',';
   if (!question.reset.empty()) asked.clocks += ':' + question.reset;
   for (const FoundParameter& p : question.parameters) asked.options.push_back(verilator_option(p));
+  return asked;
+}
+
+// What Verilator and yosys say, and the shape; `question` gets the options that it takes to read
+// it.
+std::pair<rtl::Shape, rtl::RtlRead> read_all(RtlQuestion& question, const fs::path& work) try {
+  fs::create_directory(work);
+  std::vector<std::string> shape;
+  for (const FoundParameter& p : question.parameters) shape.push_back(p.name + '=' + p.value);
+  const auto asked = asked_of(question, plain_verilog(question, shape, work), work);
   rtl::RtlRead read = rtl::read_rtl(asked, run_for_rtl);
   question.options.insert(question.options.end(), read.verilator.begin(), read.verilator.end());
   return {rtl::shape_of(work / "tree"), std::move(read)};
@@ -126,6 +133,12 @@ std::pair<rtl::Shape, rtl::RtlRead> read_all(RtlQuestion& question, const fs::pa
 }
 
 }  // namespace
+
+fs::path tree_in(const RtlQuestion& question, const fs::path& work) try {
+  return rtl::write_tree(asked_of(question, question.files, work), run_for_rtl);
+} catch (const InputError& error) {
+  throw InputError(fmt::format("new: {}", error.what()));
+}
 
 Found found_in(const RtlQuestion& question) {
   const Scratch scratch;

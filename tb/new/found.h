@@ -87,6 +87,10 @@ struct RtlQuestion {
   std::vector<std::string> blackboxes;     ///< modules whose pins become ports
 };
 
+/// Has Verilator write the tree of the files into the folder `work`, and gives its path. Of a
+/// question its folder, files, options and top count. InputError, one line.
+std::filesystem::path tree_in(const RtlQuestion& question, const std::filesystem::path& work);
+
 /// Reads the files. InputError, one line, where Verilator cannot, and for what a design cannot
 /// have: a clock that is no input, a latch, a bidirectional port. `said`: is told what takes long.
 Found found_in(const RtlQuestion& question);

@@ -9,7 +9,6 @@
 
 #include "model/core/input_error.h"
 #include "tb/rtl/lexer.h"
-#include "tb/rtl/verilog.h"
 #include "tb/util/pattern.h"
 
 namespace cosim::cli {
@@ -35,7 +34,7 @@ TopHead::TopHead(std::string_view text, const std::string& top) : top_(top) {
 
 void TopHead::read(std::string_view text) {
   const auto refused = [&](const char* why) {
-    return InputError(fmt::format("--param: {}: {}: no wrapper can be written", top_, why));
+    return InputError(fmt::format("new: {}: {}: no wrapper can be written", top_, why));
   };
   const std::string plain = rtl::blanked(text);
   const Pattern begin(R"(\b(?:macro)?module\s+(?:automatic\s+|static\s+)?)" + top_ + R"(\b)");
@@ -78,17 +77,47 @@ void TopHead::read(std::string_view text) {
       if (is_type) types_.insert(name);
     }
   }
+  const std::size_t ports_at = at + 1;
+  const std::string ports(group());
+  read_ports(rtl::parts(ports, ports_at));
   static const Pattern direction(R"(\b(?:input|output|inout)\b)");
-  if (!direction.in(std::string(group()))) throw refused("the list of its ports has no types");
+  if (!direction.in(ports) && interfaces_.empty())
+    throw refused("the list of its ports has no types");
   text_ = std::string(text.substr(from, at));
 }
 
+void TopHead::read_ports(const std::vector<rtl::Piece>& items) {
+  static const Pattern of_modport(
+      R"((?:([A-Za-z_]\w*)\s*\.\s*([A-Za-z_]\w*)\s+)?([A-Za-z_]\w*)\s*((?:\[[^\]]*\]\s*)*))"),
+      named(R"(([A-Za-z_]\w*)\s*(?:\[[^\]]*\]\s*)*(?:=.*)?$)");
+  bool is_in_interfaces = false;  // a name alone is of the kind of the one before it
+  for (const rtl::Piece& item : items) {
+    const Pattern::Parts one = of_modport.whole(item.text);
+    is_in_interfaces = !one.empty() && (!one[1].empty() || is_in_interfaces);
+    if (is_in_interfaces) {
+      const bool is_first = !one[1].empty();
+      interfaces_.push_back({is_first ? one[1] : interfaces_.back().interface,
+                             is_first ? one[2] : interfaces_.back().modport, one[3], one[4],
+                             item.at, item.at + item.text.size()});
+    } else if (const auto names = named.all(item.text); !names.empty()) {
+      pins_.insert(names.front()[1]);
+    }
+  }
+}
+
 std::string TopHead::wrapped(const std::string& name,
-                             const std::map<std::string, std::string>& values) const {
+                             const std::map<std::string, std::string>& values,
+                             const std::vector<OpenedPort>& opened) const {
   if (!wrong_.empty()) throw InputError(wrong_);
   static const Pattern is_written_out(R"(^\s*(?:struct|union|enum)\b)");
-  std::string head = text_, given, types;
+  std::string head = text_, given, types, body;
   std::vector<std::pair<Item, std::string>> edits;
+  for (std::size_t i = 0; i < opened.size(); ++i) {
+    const InterfacePort& port = interfaces_[i];
+    edits.emplace_back(Item{port.at, port.end},
+                       fmt::format("{}", fmt::join(opened[i].ports, ",\n    ")));
+    body += opened[i].body;
+  }
   for (const auto& [parameter, value] : values) {
     const auto item = items_.find(parameter);
     if (item == items_.end()) {
@@ -106,11 +135,12 @@ std::string TopHead::wrapped(const std::string& name,
   }
   // Verilator 5.006 ends in an internal error where such a type is itself the default.
   if (!types.empty()) types = fmt::format("package {}_types;\n{}endpackage\n", name, types);
-  return types +
-         fmt::format(
-             "// {0} with parameters that are no numbers: its own head, with other defaults.\n"
-             "module {1}{2};\n  {0}{3} dut (.*);\nendmodule\n",
-             top_, name, head, given.empty() ? "" : " #(" + given + ")");
+  return types + fmt::format(
+                     "// {0} in its own head, {5}.\n"
+                     "module {1}{2};\n{4}  {0}{3} dut (.*);\nendmodule\n",
+                     top_, name, head, given.empty() ? "" : " #(" + given + ")", body,
+                     opened.empty() ? "with other defaults"
+                                    : "with the members of its interfaces as ports");
 }
 
 }  // namespace cosim::cli

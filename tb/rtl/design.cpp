@@ -15,20 +15,8 @@ bool is_hexadecimal(std::string_view text) {
   return !text.empty() && text.find_first_not_of("0123456789abcdef") == text.npos;
 }
 
-// The two bounds of a range: numbers with a sign, for [N-1:0] of an unsigned N of 0 is [-1:0].
-std::vector<long> bounds(const Node& type) {
-  std::vector<long> all;
-  const auto range = std::ranges::find_if(type.in, [](const Node* in) { return in->is("range"); });
-  if (range == type.in.end()) return all;
-  for (const Node* in : (*range)->in) {
-    if (const auto value = constant(in)) {
-      all.push_back(*value >= two_to_31 ? *value - two_to_32 : *value);
-    }
-  }
-  return all;
-}
 long elements(const Node& type) {
-  const auto of = bounds(type);
+  const auto of = bounds_of(type);
   return of.size() < 2 ? 1 : std::labs(of[0] - of[1]) + 1;
 }
 bool is_array(const Node& type) { return type.is("packarraydtype") || type.is("unpackarraydtype"); }
@@ -51,6 +39,19 @@ std::optional<long> constant(const Node* node) {
   if (!is_number || digits.size() > 8 || !is_hexadecimal(digits)) return {};
   const long value = std::stol(digits, nullptr, 16);
   return value >= two_to_31 && name.starts_with("32's") ? value - two_to_32 : value;
+}
+
+// Numbers with a sign, for [N-1:0] of an unsigned N of 0 is [-1:0].
+std::vector<long> bounds_of(const Node& array) {
+  std::vector<long> all;
+  const auto range = std::ranges::find_if(array.in, [](const Node* in) { return in->is("range"); });
+  if (range == array.in.end()) return all;
+  for (const Node* in : (*range)->in) {
+    if (const auto value = constant(in)) {
+      all.push_back(*value >= two_to_31 ? *value - two_to_32 : *value);
+    }
+  }
+  return all;
 }
 
 Design::Design(const Tree& tree) {
@@ -128,7 +129,7 @@ void Design::declare(const Node& node, const std::string& path) {
       if (!is_plain) net.words = -1;
       net.is_signed = is_signed(net.type);
       if (net.words > 0) {
-        const auto of = bounds(type_of(net.type));
+        const auto of = bounds_of(type_of(net.type));
         net.first = of.empty() ? 0 : *std::ranges::min_element(of);
       }
       nets_.insert_or_assign(path + name, net);

@@ -81,6 +81,9 @@ class Design {
   mutable std::deque<Scope> scopes_;  // of all that asked
 };
 
+/// The two bounds of an array's range; none where they are no numbers.
+std::vector<long> bounds_of(const Node& array);
+
 /// The number of a node; none where it is no constant of up to 32 bits.
 std::optional<long> constant(const Node* node);
 

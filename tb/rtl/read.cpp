@@ -32,6 +32,32 @@ class RtlReader {
     std::filesystem::create_directories(asked_.work);
   }
 
+  void write_tree() {
+    Words tree = tree_options(asked_.verilator, run_);
+    append(tree, {(asked_.work / "tree").string(), "-Werror-STMTDLY"});
+    append(tree, asked_.files);
+    const auto attempt = [&] { return verilator(tree); };
+    Ran ran = attempt();
+    // Verilator 5.006 can fail in an optimization that it can do without.
+    static const Regex internal("Internal Error: [^\n]*V3Dfg");
+    if (ran.status != 0 && internal.find(ran.text)) {
+      read_.verilator.emplace_back("-fno-dfg");
+      ran = attempt();
+    }
+    static const Regex other_language(
+        "%Error: ([^\n]*[.]v:[0-9]+:[0-9]+: [^\n]*(syntax error|SystemVerilog)[^\n]*)");
+    const Match wrong = other_language.find(ran.text);
+    if (ran.status != 0 && wrong) {
+      read_.verilator.insert(read_.verilator.begin(), verilog_2005);
+      if (attempt().status == 0) {
+        read_.language =
+            "files .v are read as Verilog-2005, for in SystemVerilog: " + without_folders(wrong[1]);
+        return;
+      }
+    }
+    if (ran.status != 0) throw InputError(error_in(ran.text, "Verilator cannot read it"));
+  }
+
   RtlRead take() {
     write_tree();
     preprocess();
@@ -61,32 +87,6 @@ class RtlReader {
     append(all, options);
     all.insert(all.begin(), {"timeout", "--foreground", "40"});
     return run_here(all);
-  }
-
-  void write_tree() {
-    Words tree = tree_options(asked_.verilator, run_);
-    append(tree, {(asked_.work / "tree").string(), "-Werror-STMTDLY"});
-    append(tree, asked_.files);
-    const auto attempt = [&] { return verilator(tree); };
-    Ran ran = attempt();
-    // Verilator 5.006 can fail in an optimization that it can do without.
-    static const Regex internal("Internal Error: [^\n]*V3Dfg");
-    if (ran.status != 0 && internal.find(ran.text)) {
-      read_.verilator.emplace_back("-fno-dfg");
-      ran = attempt();
-    }
-    static const Regex other_language(
-        "%Error: ([^\n]*[.]v:[0-9]+:[0-9]+: [^\n]*(syntax error|SystemVerilog)[^\n]*)");
-    const Match wrong = other_language.find(ran.text);
-    if (ran.status != 0 && wrong) {
-      read_.verilator.insert(read_.verilator.begin(), verilog_2005);
-      if (attempt().status == 0) {
-        read_.language =
-            "files .v are read as Verilog-2005, for in SystemVerilog: " + without_folders(wrong[1]);
-        return;
-      }
-    }
-    if (ran.status != 0) throw InputError(error_in(ran.text, "Verilator cannot read it"));
   }
 
   // With all that it warns of, even if the RTL turns it off; a latch that is meant is one too.
@@ -217,6 +217,11 @@ std::vector<std::string> tree_options(const std::string& verilator, const Run& r
   if (run({verilator, "--xml-only", "--version"}).status == 0)
     return {"--xml-only", "--xml-output"};
   return {"--json-only", "--json-only-output"};
+}
+
+std::filesystem::path write_tree(const RtlAsked& asked, const Run& run) {
+  RtlReader(asked, run).write_tree();
+  return asked.work / "tree";
 }
 
 RtlRead read_rtl(const RtlAsked& asked, const Run& run) { return RtlReader(asked, run).take(); }

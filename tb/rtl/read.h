@@ -34,7 +34,11 @@ struct RtlRead {
 /// from 5.046 on, as JSON (tree.h).
 std::vector<std::string> tree_options(const std::string& verilator, const Run& run);
 
-/// Writes the tree (tree.h) to WORK/tree, and to WORK/plain.sv the preprocessed text. InputError,
+/// Writes the tree (tree.h) of RTL, and gives its path. Of what is asked the netlist does not count.
+/// InputError, one line, where Verilator cannot read it.
+std::filesystem::path write_tree(const RtlAsked& asked, const Run& run);
+
+/// Writes the tree to WORK/tree, and to WORK/plain.sv the preprocessed text. InputError,
 /// one line, where Verilator cannot read it, and for what no design can have (registers.h), a
 /// combinational loop too.
 RtlRead read_rtl(const RtlAsked& asked, const Run& run);

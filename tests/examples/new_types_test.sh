@@ -73,7 +73,7 @@ printf 'module old(clk, d, q);\nparameter W = 2;\ninput clk;\ninput [W-1:0] d;\n
 printf 'always @(posedge clk) q <= d;\nendmodule\n' >> old.v
 made old.v --param W=3
 refused old.v --param W=bus_pkg::WIDE
-says "cosim: --param: old: the list of its ports has no types: no wrapper can be written"
+says "cosim: new: old: the list of its ports has no types: no wrapper can be written"
 
 # Macros of a file without modules are for those before it, too.
 cat > defs.vh << 'RTL'
@@ -86,10 +86,6 @@ made aa.sv defs.vh
 grep -qx '    UInt<4> d;' made/made.h
 
 # What is missing is named.
-printf 'interface bus; logic a; modport s(input a); endinterface\n' > port.sv
-printf 'module port(input clk, bus.s p, output logic q);\nalways_ff @(posedge clk) q <= p.a;\nendmodule\n' >> port.sv
-refused port.sv --top port
-says "cosim: new: port.sv:2: an interface is a port of the top: give a module around it whose ports are signals"
 cat > head.v << 'RTL'
 `include "none.vh"
 module head(input clk, output reg q); always @(posedge clk) q <= 1; endmodule

@@ -85,7 +85,17 @@ std::string slang_verilog(const RtlQuestion& asked, const std::string& headers,
     files.parameters.push_back(p.name + '=' + (p.is_text ? '"' + p.value + '"' : p.value));
   }
   constexpr int seconds = 300;
-  return equiv::verilog_by_slang(files, files.top, equiv::Budget(seconds));
+  try {
+    return equiv::verilog_by_slang(files, files.top, equiv::Budget(seconds));
+  } catch (const InputError& error) {
+    // The folder has its name when it is whole.
+    std::string text = error.what();
+    const std::string folder = asked.folder.string() + '/';
+    for (std::size_t at = 0; (at = text.find(folder, at)) != std::string::npos;) {
+      text.erase(at, folder.size());
+    }
+    throw InputError(text);
+  }
 }
 
 // What yosys cannot read may be read by slang: then what keeps the design unproved is none.
@@ -100,12 +110,7 @@ void try_slang(Found& found, const RtlQuestion& asked, const std::string& header
     slang_verilog(asked, headers, defines);
     found.unread.clear();
   } catch (const InputError& error) {
-    // The files lie in a draft of the project.
-    const std::string folder = asked.folder.string() + '/';
     found.unread = error.what();
-    for (std::size_t at = 0; (at = found.unread.find(folder)) != std::string::npos;) {
-      found.unread.erase(at, folder.size());
-    }
   } catch (const equiv::OutOfTime&) {
     found.unread = found.top + ": slang takes too long";
   }
@@ -137,10 +142,10 @@ bool with_synthesis(BegunProject& begun, RtlQuestion& asked, const Sources& rtl,
   return true;
 }
 
-// Has Verilog by slang in place of the sources.
-bool by_slang(BegunProject& begun, RtlQuestion& asked, const Draft& project,
-              const std::string& why) {
-  if (!equiv::has_slang()) return false;
+// Has Verilog by slang in place of the sources. Gives why not; "" where it does.
+std::string by_slang(BegunProject& begun, RtlQuestion& asked, const Draft& project,
+                     const std::string& why) {
+  if (!equiv::has_slang()) return "slang may read it: scripts/setup systemverilog installs it";
   const std::string file = asked.top + "_slang.v";
   RtlQuestion again = asked;
   again.files = {file};
@@ -149,11 +154,11 @@ bool by_slang(BegunProject& begun, RtlQuestion& asked, const Draft& project,
   try {
     project.write(file, slang_verilog(asked, begun.headers, begun.defines));
     begun.found = found_in(again);
-  } catch (const InputError&) {
+  } catch (const InputError& error) {
     fs::remove(project.folder() / file);
-    return false;
+    return error.what();
   } catch (const equiv::OutOfTime&) {
-    return false;
+    return "slang takes too long";
   }
   for (const std::string& source : begun.sources) fs::remove(project.folder() / source);
   if (!begun.headers.empty()) fs::remove_all(project.folder() / begun.headers);
@@ -163,7 +168,7 @@ bool by_slang(BegunProject& begun, RtlQuestion& asked, const Draft& project,
   begun.sources = {file};
   begun.notes.push_back(fmt::format(
       "{} replaces the sources, as slang reads them with these parameters: {}", file, why));
-  return true;
+  return "";
 }
 
 void read_rtl(BegunProject& begun, RtlQuestion& asked, const Sources& rtl, const Draft& project) {
@@ -177,8 +182,12 @@ void read_rtl(BegunProject& begun, RtlQuestion& asked, const Sources& rtl, const
     const bool is_of_words = why.starts_with("Verilator cannot ") ||
                              why.find(": waits, as a testbench does") != std::string::npos;
     if (!is_of_words) throw InputError(all);
-    if (with_synthesis(begun, asked, rtl, why) || by_slang(begun, asked, project, why)) return;
-    throw InputError(all);
+    if (with_synthesis(begun, asked, rtl, why)) return;
+    const std::string otherwise = by_slang(begun, asked, project, why);
+    if (otherwise.empty()) return;
+    // Of words that are no language slang says the same.
+    const bool is_alone = why.find("syntax error") != std::string::npos;
+    throw InputError(is_alone ? all : fmt::format("{}; {}", all, otherwise));
   }
 }
 

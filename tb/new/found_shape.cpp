@@ -63,7 +63,12 @@ std::optional<rtl::Shape> shape_with(const RtlQuestion& question, const std::str
   } catch (const InputError&) {
     return std::nullopt;
   }
-  if (cosim::run_program(words).status != 0) return std::nullopt;
+  // An address of twice the width may be a memory that takes minutes.
+  constexpr int seconds = 10;
+  if (const Ended ended = cosim::run_program(words, seconds);
+      ended.timed_out || ended.status != 0) {
+    return std::nullopt;
+  }
   try {
     return rtl::shape_of(tree);
   } catch (const InputError&) {

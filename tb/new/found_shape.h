@@ -28,8 +28,8 @@ std::vector<std::string> plain_verilog(const RtlQuestion& question,
                                        const std::vector<std::string>& parameters,
                                        const std::filesystem::path& work);
 
-/// The shape with another value of a parameter; none where Verilator does not read it so.
-/// `verilator`: the program and its tree_options(); `work`: a folder for it alone.
+/// The shape with another value of a parameter; none where Verilator does not read it so, or not
+/// soon. `verilator`: the program and its tree_options(); `work`: a folder for it alone.
 std::optional<rtl::Shape> shape_with(const RtlQuestion& question, const std::string& other,
                                      long value, const std::vector<std::string>& verilator,
                                      const std::filesystem::path& work);

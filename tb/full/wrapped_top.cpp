@@ -96,7 +96,12 @@ std::vector<OpenedPort> opened_in(const TopHead& head, const GivenParameters& gi
     try {
       return rtl::Tree(tree_in(question, scratch.path() / "work"));
     } catch (const InputError& error) {
-      static const Pattern lacks_value("the parameter ([A-Za-z0-9_$]+) has no value of its own");
+      static const Pattern lacks_file("no file has the module ([^:]+):"),
+          lacks_value("the parameter ([A-Za-z0-9_$]+) has no value of its own");
+      if (const auto name = lacks_file.all(error.what()); !name.empty()) {
+        throw InputError(
+            fmt::format("new: no file has the interface {}: give its file, too", name[0][1]));
+      }
       const auto found = lacks_value.all(error.what());
       if (found.empty()) throw;
       throw InputError(

@@ -19,7 +19,8 @@ run() {
     words=("${words[@]:1}")
   fi
   case ${words[0]} in
-    cosim | scripts/cosim) "$one" "${words[@]:1}" ;;
+    # By the name that the page has.
+    cosim | scripts/cosim) (exec -a "${words[0]}" "$one" "${words[@]:1}") ;;
     cat) cat "${words[@]:1}" ;;
     *) echo "is no command for this test: $1" ;;
   esac

@@ -7,8 +7,10 @@
 #include <optional>
 
 #include "model/core/input_error.h"
+#include "tb/equiv/assertions.h"
 #include "tb/equiv/prints.h"
 #include "tb/equiv/reading.h"
+#include "tb/equiv/sources.h"
 #include "tb/equiv/yosys_messages.h"
 #include "tb/util/output_file.h"
 #include "tb/util/pattern.h"
@@ -36,33 +38,30 @@ std::string simpler(const std::string& text) {
 }
 
 std::string for_yosys(const fs::path& file, bool prints) {
-  const std::string text = with_casts_apart(read_file(file.string()));
+  const bool is_sv = Reading::extension(file) == ".sv";
+  const std::string own = read_file(file.string());
+  const std::string text = with_casts_apart(is_sv ? without_assertions(own) : own);
   return prints ? text : simpler(text);
 }
 
-// Files that are included are read as they are.
-void require_no_casts(const Files& files) {
-  static const Pattern include(R"re(`include\s*"([^"]+)")re");
-  std::vector<fs::path> all = files.files, folders = files.include_dirs;
-  folders.push_back(files.folder);
-  for (const fs::path& file : files.files) folders.push_back(file.parent_path());
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    const std::string text = read_file(all[i].string());
-    if (i >= files.files.size() && with_casts_apart(text) != text) {
+// What yosys reads in another way than Verilog says, without a word. Files that are included are
+// read as they are.
+void refuse_misread(const std::vector<SourceText>& sources) {
+  for (const SourceText& one : sources) {
+    if (one.is_included && with_casts_apart(one.text) != one.text) {
       throw InputError(fmt::format(
           "{}: an operator before a cast, as |5'(x), which yosys misreads in a file that is "
           "included: put brackets around the cast",
-          all[i].string()));
-    }
-    for (const Pattern::Parts& part : include.all(text)) {
-      for (const fs::path& folder : folders) {
-        const fs::path file = folder / part[1];
-        if (fs::is_regular_file(file) && std::ranges::find(all, file) == all.end()) {
-          all.push_back(file);
-        }
-      }
+          one.file.string()));
     }
   }
+  const auto refuse = [&](const char* expression, const char* what) {
+    const std::string place = place_of(sources, expression);
+    if (!place.empty()) throw InputError(fmt::format("{}: yosys misreads {}", place, what));
+  };
+  refuse("\\btask\\b[^;]*[(,]\\s*inout\\b|\\btask\\b[^;(]*;\\s*([^;]*;\\s*)*inout\\b",
+         "a task with an inout argument");
+  refuse("(^|[;)\\s])bind\\s+[A-Za-z_]", "bind");
 }
 
 std::string script(const Files& files, Reading& reading, const fs::path& scratch, bool prints,
@@ -84,19 +83,20 @@ std::string script(const Files& files, Reading& reading, const fs::path& scratch
     for (const auto& [name, value] : reading.parameters()) {
       list += fmt::format("{}.{}({})", list.empty() ? "" : ", ", name, value);
     }
+    const std::string above = unused_name("cosim_top", sources_of(files));
     write_file((scratch / "parameters.v").string(),
-               fmt::format("module cosim_top; {} #({}) cosim_dut(); endmodule\n", files.top, list));
+               fmt::format("module {}; {} #({}) cosim_dut(); endmodule\n", above, files.top, list));
     commands += fmt::format(
-        "read_verilog -sv {}/parameters.v\nhierarchy -check -top cosim_top\ndelete cosim_top\n"
+        "read_verilog -sv {0}/parameters.v\nhierarchy -check -top {1}\ndelete {1}\n"
         "hierarchy -auto-top\n",
-        scratch.string());
+        scratch.string(), above);
   }
   return commands + processes + to_cells +
          fmt::format("write_json {0}/top.json\nwrite_rtlil {0}/top.il\n", scratch.string());
 }
 
 Elaborated by_yosys(const Files& files, const std::string& what, const Budget& budget) {
-  require_no_casts(files);
+  refuse_misread(sources_of(files));
   const Scratch scratch;
   const fs::path own = scratch.path();
   Reading reading(files, own);

@@ -10,6 +10,7 @@ namespace cosim::equiv {
 /// What a front end writes of a design.
 struct Elaborated {
   std::string json, rtlil;
+  bool has_unique = false;  ///< an incomplete `unique case` is any value in it
 };
 
 /// Reads the files. InputError, one line that begins with `what` or a file; OutOfTime.

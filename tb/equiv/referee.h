@@ -64,6 +64,17 @@ class RefereeInputs {
   Row before_;
 };
 
+/// States to load into the variables of a stimulus behind its last clock, so that what is behind a
+/// rare state, as behind a counter at 5,000, is compared as well. The values: what the netlist
+/// compares words with, small numbers, chance. Nothing where a state that is never reached may be
+/// read in another way: as where cases are said to exclude each other, and where a register resets
+/// another one.
+void load_states(const Side& side, Stimulus& stimulus);
+
+/// Whether a register that begins as 0 for its type's sake is x in the simulator, unless it is
+/// given a value there.
+bool may_be_x(const Side& side, Simulator simulator);
+
 /// Which x of the source a word of it may come from: a register, a memory or a net that it depends
 /// on, on this clock or any before. An x elsewhere excuses nothing.
 class XSources {
@@ -82,10 +93,14 @@ class XSources {
   bool reach(const std::string& word);
   /// Whether a net is x or z that it depends on, on clock t or the one before. Runs the simulator.
   bool net_reaches(const std::string& word, std::size_t t);
+  /// The same of nets that are z.
+  bool z_reaches(const std::string& word, std::size_t t);
 
  private:
   const std::set<int>& fan_in(const std::string& word);
   bool reaches(const std::string& from, const std::string& word);
+  using Drawn = std::map<std::size_t, std::set<std::string>>;  ///< nets, by clock
+  bool reaches(const Drawn& drawn, const std::string& word, std::size_t t);
   void draw(std::size_t from);
 
   const Side& side_;
@@ -97,7 +112,7 @@ class XSources {
   std::map<std::string, std::set<int>> fan_in_;  ///< of those that were asked for
   std::set<int> hidden_;                         ///< nets of what begins as x and is not shown
   std::set<std::string> now_, before_;           ///< registers that are x
-  std::map<std::size_t, std::set<std::string>> drawn_;  ///< nets that are x, by clock
+  Drawn x_, z_;                                  ///< nets that are x or z, and those that are z
 };
 
 }  // namespace cosim::equiv

@@ -9,6 +9,7 @@
 #include "model/core/input_error.h"
 #include "tb/equiv/cells.h"
 #include "tb/equiv/front_end.h"
+#include "tb/equiv/sources.h"
 #include "tb/util/pattern.h"
 #include "tb/util/read_file.h"
 #include "tb/util/words.h"
@@ -82,12 +83,21 @@ Side::Side(const Files& files, std::string what, FrontEnd front_end, const Budge
       throw InputError(fmt::format("--include: {} is no folder", in_quotes(folder.string())));
     }
   }
+  const std::vector<SourceText> sources = sources_of(files_);
+  has_zeros_by_type_ = front_end == FrontEnd::slang && has_types_of_two_values(sources);
   const Elaborated text = elaborated(files_, what_, front_end_, budget);
+  has_unique_ = text.has_unique;
   Module module = module_of(text.json);
   connect_clocks(module);
   module_ = std::make_shared<const Module>(std::move(module));
   form_ = form_of(text.rtlil);
   ports();
+  static const std::string x = "'[sS]?[bBoOhHdD]?[0-9a-fA-F_]*[xX]";
+  // An x that is written nowhere is what a function returns where it assigns nothing.
+  const std::string kept = kept_by_function();
+  if (kept.starts_with("variable result ") && place_of(sources, x).empty()) {
+    throw Refused(fmt::format("{}: {}", what_, kept));
+  }
 }
 
 // What is read of a variable of a function where no call has written it is a register, or an x that
@@ -108,15 +118,27 @@ std::string Side::kept_by_function(const Cell& cell) const {
   const std::vector<int>& out = cell.pins.at(cell.has("Q") ? "Q" : "Y");
   for (const Net& net : module_->nets) {
     if (std::ranges::find(net.bits, out.front()) == net.bits.end()) continue;
-    if (const auto found = local.all(net.name); !found.empty()) {
-      return fmt::format("variable {} of function {} may keep its value from call to call",
-                         found[0][2], found[0][1]);
+    for (const Pattern::Parts& part : local.all(net.name)) {
+      const bool is_automatic =
+          !place_of(sources_of(files_), "\\bfunction\\s+automatic\\b[^;(]*\\b" + part[1] + "\\b")
+               .empty();
+      if (is_automatic) continue;
+      return fmt::format("variable {} of function {} may keep its value from call to call", part[2],
+                         part[1]);
     }
   }
   return "";
 }
 
 Side read(const Files& files, const std::string& what, const Budget& budget) {
+  if (has_slang() && has_types_of_two_values(sources_of(files))) {
+    try {
+      return {files, what, FrontEnd::slang, budget};
+    } catch (const Refused&) {
+      throw;
+    } catch (const InputError&) {  // yosys may read it
+    }
+  }
   try {
     return {files, what, FrontEnd::yosys, budget};
   } catch (const Refused&) {

@@ -114,6 +114,10 @@ class Side {
   /// "variable k of function f may keep its value from call to call": it is read where no call has
   /// written it, unless that way through the function is never taken. Empty where there is none.
   std::string kept_by_function() const;
+  /// Whether an incomplete `unique case` is any value in it.
+  bool has_unique() const { return has_unique_; }
+  /// Whether a register may begin as 0 for its type's sake, where Icarus Verilog has an x.
+  bool has_zeros_by_type() const { return has_zeros_by_type_; }
   /// Whether its memories were cut when its gates were made.
   bool is_cut() const { return is_cut_; }
   /// Equal where the RTLs are the same but for where it stands in the files.
@@ -156,7 +160,7 @@ class Side {
   FrontEnd front_end_;
   std::shared_ptr<const Module> module_;
   std::string form_;
-  bool is_cut_ = false;
+  bool is_cut_ = false, has_zeros_by_type_ = false, has_unique_ = false;
 
   Graph logic_;
   std::vector<Source> sources_;  ///< by input of `logic_`

@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "tb/equiv/assertions.h"
+#include "tb/equiv/sources.h"
 #include "tb/util/output_file.h"
 #include "tb/util/pattern.h"
 #include "tb/util/process.h"
@@ -33,6 +35,15 @@ std::string reason(const std::string& said, const std::string& own) {
   return first.starts_with(own) ? "the testbench: " + first.substr(own.size() + 1) : first;
 }
 
+// Icarus Verilog 11 takes the count of a shift and an index in a process as signed where they
+// select all bits of a signed variable, as s[2:0] of `reg signed [2:0] s`. Braces mend that, and
+// change nothing else.
+std::string with_braces(const std::string& text) {
+  static const Pattern select(
+      R"((<<<?=?|>>>?=?|\[)([\s(+]*)([A-Za-z_][\w$.]*\s*\[[^\[\]?;]*:[^\[\]?;]*\]))");
+  return select.replaced(text, "$1$2{$3}");
+}
+
 }  // namespace
 
 const char* name_of(Simulator simulator) {
@@ -46,7 +57,8 @@ Program::Program(const Side& side, Stimulus stimulus, Simulator simulator,
     : side_(side),
       stimulus_(std::move(stimulus)),
       simulator_(simulator),
-      own_(scratch_.path().string()) {
+      own_(scratch_.path().string()),
+      bench_(unused_name("cosim_replay", sources_of(side.files()))) {
   if (!stimulus_.vcd.empty()) stimulus_.vcd = own_ + "/wave.vcd";
   std::string rows;
   for (const std::string& row : stimulus_.rows) rows += (row.empty() ? "0" : row) + '\n';
@@ -59,9 +71,12 @@ Program::Program(const Side& side, Stimulus stimulus, Simulator simulator,
   if (simulator_ == Simulator::verilator) {
     stimulus_.variables.clear();
     stimulus_.memories.clear();
-  } else {
-    copy_with_braces();
+    stimulus_.states.clear();
   }
+  std::string states;
+  for (const std::string& state : stimulus_.states) states += state + '\n';
+  write_file(own_ + "/states", states);
+  copy_simpler();
   // Verilog-2005 has fewer keywords; but some files are SystemVerilog whatever their names are.
   std::vector<std::string> generations{"-g2005", "-g2012"};
   if (simulator_ == Simulator::verilator || is_system_verilog(side.files())) {
@@ -71,32 +86,28 @@ Program::Program(const Side& side, Stimulus stimulus, Simulator simulator,
     constexpr int attempts = 6;
     for (int i = 0; i < attempts; ++i) {
       std::map<std::size_t, std::string> line_of;
-      write_file(own_ + "/cosim_replay.v", testbench(side_, stimulus_, own_ + "/rows", line_of));
+      write_file(own_ + "/cosim_replay.v", testbench(side_, stimulus_, bench_, own_, line_of));
       const Ended built = run_until(command(generation), until);
       if (built.timed_out) throw OutOfTime();
       why_not_.clear();
       if (built.status == 0) return;
       why_not_ = built.status == 127 ? fmt::format("{} is not installed", name_of(simulator_))
                                      : by_own_names(reason(built.text, own_));
-      const auto had = stimulus_.variables.size() + stimulus_.memories.size();
-      leave_out(built.text, std::move(line_of));
-      if (had == stimulus_.variables.size() + stimulus_.memories.size()) break;
+      if (!leave_out(built.text, std::move(line_of))) break;
     }
   }
 }
 
-// Icarus Verilog 11 takes the count of a shift and an index in a process as signed where they
-// select all bits of a signed variable, as s[2:0] of `reg signed [2:0] s`. Braces mend that, and
-// change nothing else.
-void Program::copy_with_braces() {
-  static const Pattern select(
-      R"((<<<?=?|>>>?=?|\[)([\s(+]*)([A-Za-z_][\w$.]*\s*\[[^\[\]?;]*:[^\[\]?;]*\]))");
+// What a simulator is given in place of a file, where it does not read that as it should.
+void Program::copy_simpler() {
   for (const fs::path& one : side_.files().files) {
-    const std::string text = read_file(one.string()), braced = select.replaced(text, "$1$2{$3}");
-    if (braced == text) continue;
+    const std::string text = read_file(one.string());
+    std::string simpler = one.extension() == ".sv" ? without_assertions(text) : text;
+    if (simulator_ == Simulator::icarus) simpler = with_braces(simpler);
+    if (simpler == text) continue;
     std::string& copy = copies_[fs::absolute(one).string()];
     copy = fmt::format("{}/source{}{}", own_, copies_.size(), one.extension().string());
-    write_file(copy, braced);
+    write_file(copy, simpler);
   }
 }
 
@@ -122,12 +133,12 @@ std::vector<std::string> Program::command(const std::string& generation) const {
   const bool is_icarus = simulator_ == Simulator::icarus;
   const std::vector<std::string> begins = words_in(
       is_icarus
-          ? "iverilog -grelative-include -DSYNTHESIS -s cosim_replay -o " + own_ + "/built.vvp " +
+          ? "iverilog -grelative-include -DSYNTHESIS -s " + bench_ + " -o " + own_ + "/built.vvp " +
                 generation
           : "verilator --binary --build-jobs 2 -Wno-fatal -Wno-lint -Wno-style --x-initial unique "
-            "--x-assign unique --timescale 1ns/1ps --top-module cosim_replay "
-            "+define+SYNTHESIS --Mdir " +
-                own_ + "/built" + (stimulus_.vcd.empty() ? "" : " --trace"));
+            "--x-assign unique --timescale 1ns/1ps --top-module " +
+                bench_ + " --prefix Vcosim_replay +define+SYNTHESIS --Mdir " + own_ + "/built" +
+                (stimulus_.vcd.empty() ? "" : " --trace"));
   words.insert(words.end(), begins.begin(), begins.end());
   for (const std::string& define : files.defines) {
     words.push_back((is_icarus ? "-D" : "+define+") + define);
@@ -150,8 +161,8 @@ std::vector<std::string> Program::command(const std::string& generation) const {
   return words;
 }
 
-// Those of which a line of the testbench is wrong.
-void Program::leave_out(const std::string& said, std::map<std::size_t, std::string> line_of) {
+// Those of which a line of the testbench is wrong; whether there are any.
+bool Program::leave_out(const std::string& said, std::map<std::size_t, std::string> line_of) {
   static const Pattern place(R"(cosim_replay\.v:(\d+):)");
   std::set<std::string> names;
   for (const Pattern::Parts& part : place.all(said)) {
@@ -161,11 +172,13 @@ void Program::leave_out(const std::string& said, std::map<std::size_t, std::stri
   }
   std::erase_if(stimulus_.variables, [&](const Variable& one) { return names.contains(one.name); });
   for (Variable& one : stimulus_.variables) {
+    if (names.contains(one.name + '@')) one.is_loaded = false;
     if (!names.contains(one.name + '=') || one.value.empty()) continue;
     one.name.clear();  // a net: what drives it is given a value where it stands
   }
   std::erase_if(stimulus_.variables, [](const Variable& one) { return one.name.empty(); });
   std::erase_if(stimulus_.memories, [&](const Contents& one) { return names.contains(one.name); });
+  return !names.empty();
 }
 
 // A file of $readmemh is found beside the RTL, or from the working directory.
@@ -177,7 +190,9 @@ Simulated Program::run(std::chrono::steady_clock::time_point until, const char* 
   }
   folders.push_back(fs::absolute(side_.files().folder));
   Ended ended;
+  const std::string written = own_ + "/lines";
   for (const fs::path& folder : folders) {
+    fs::remove(written);
     std::vector<std::string> words{"env", "-C", folder.string()};
     if (simulator_ == Simulator::icarus) {
       words.insert(words.end(), {"vvp", "-n", own_ + "/built.vvp"});
@@ -193,7 +208,7 @@ Simulated Program::run(std::chrono::steady_clock::time_point until, const char* 
     if (!is_missing) break;
   }
   Simulated is;
-  for (const std::string& line : lines_in(ended.text)) {
+  for (const std::string& line : lines_in(fs::exists(written) ? read_file(written) : "")) {
     std::vector<std::string> words = words_in(line);
     if (words.empty()) continue;
     if (words[0] == "cosim_done") is.is_complete = true;

@@ -45,16 +45,16 @@ class Program {
 
  private:
   std::vector<std::string> command(const std::string& generation) const;
-  void copy_with_braces();
+  void copy_simpler();
   std::string by_own_names(std::string text) const;
-  void leave_out(const std::string& said, std::map<std::size_t, std::string> line_of);
+  bool leave_out(const std::string& said, std::map<std::size_t, std::string> line_of);
 
   const Side& side_;
   Stimulus stimulus_;
   Simulator simulator_;
   Scratch scratch_;
-  std::string own_, why_not_;
-  std::map<std::string, std::string> copies_;  ///< by files: those that Icarus reads in their place
+  std::string own_, bench_, why_not_;          ///< bench_: the testbench's module
+  std::map<std::string, std::string> copies_;  ///< by files: those that are read in their place
 };
 
 }  // namespace cosim::equiv

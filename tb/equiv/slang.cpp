@@ -7,7 +7,9 @@
 #include <filesystem>
 
 #include "model/core/input_error.h"
+#include "tb/equiv/assertions.h"
 #include "tb/equiv/reading.h"
+#include "tb/equiv/sources.h"
 #include "tb/rtl/lexer.h"
 #include "tb/rtl/regex.h"
 #include "tb/util/output_file.h"
@@ -96,9 +98,16 @@ std::string slang_message(const Ended& ended, const fs::path& own, const Reading
                               found[0][2], found[0][3]));
 }
 
+// How slang is given the text of a file.
+std::string for_slang(const fs::path& file, bool has_unique) {
+  const std::string own = read_file(file.string());
+  const std::string text = file.extension() == ".sv" ? without_assertions(own) : own;
+  return has_unique ? text : without_unique(text);
+}
+
 // What slang reads, and then `commands` of yosys write as files OUT.ENDING: their texts.
 std::vector<std::string> by_slang(const Files& files, const std::string& what, const Budget& budget,
-                                  const char* commands_behind,
+                                  bool has_unique, const char* commands_behind,
                                   const std::vector<const char*>& endings) {
   const fs::path place = slang_place();
   if (place.empty()) {
@@ -107,6 +116,13 @@ std::vector<std::string> by_slang(const Files& files, const std::string& what, c
   const Scratch scratch;
   const fs::path own = scratch.path();
   Reading reading(files, own);
+  // slang says nothing of a parameter that is not there.
+  for (const auto& [name, value] : reading.parameters()) {
+    const std::string declared = "(\\bparameter\\b|#\\s*\\()[^;]*\\b" + name + "\\b";
+    if (place_of(sources_of(files), declared).empty()) {
+      throw InputError(fmt::format("{}: a parameter is given that no module has: {}", what, name));
+    }
+  }
   const bool is_program = !fs::is_directory(place);
   // As the program sees them: in its tree the scratch folder is the root.
   const auto seen = [&](const fs::path& path) {
@@ -124,7 +140,7 @@ std::vector<std::string> by_slang(const Files& files, const std::string& what, c
     commands += fmt::format(" -G {}={}", name, value);
   }
   for (std::size_t i = 0; i < files.files.size(); ++i) {
-    const std::string text = read_file(files.files[i].string());
+    const std::string text = for_slang(files.files[i], has_unique);
     refuse_static(what, files.files[i].string(), text);
     commands += ' ' + seen(reading.file(i, text));
   }
@@ -164,13 +180,24 @@ bool has_slang() { return !slang_place().empty(); }
 
 Elaborated elaborated_by_slang(const Files& files, const std::string& what, const Budget& budget) {
   const std::string commands = std::string(with_rmdead) + to_cells;
-  const auto texts = by_slang(files, what, budget, commands.c_str(), {"json", "il"});
-  return {texts[0], texts[1]};
+  const auto read = [&](bool has_unique) {
+    const auto texts = by_slang(files, what, budget, has_unique, commands.c_str(), {"json", "il"});
+    return Elaborated{texts[0], texts[1], has_unique};
+  };
+  try {
+    return read(false);
+  } catch (const InputError&) {
+    const auto has_unique = [](const fs::path& file) {
+      return for_slang(file, true) != for_slang(file, false);
+    };
+    if (std::ranges::none_of(files.files, has_unique)) throw;
+    return read(true);  // without it there may be a latch
+  }
 }
 
 std::string verilog_by_slang(const Files& files, const std::string& what, const Budget& budget) {
   // All public nets are kept, and $bwmux, which yosys 0.23 does not know, is not.
-  return by_slang(files, what, budget,
+  return by_slang(files, what, budget, true,
                   "proc\nbwmuxmap\nsetattr -set keep 1 w:* w:$* %d\nopt_expr\nopt_clean\n"
                   "setattr -unset keep w:* w:$* %d",
                   {"v"})

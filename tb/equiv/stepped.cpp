@@ -84,7 +84,7 @@ void Stepped::begin_memory(std::size_t memory, const std::string& digits) {
   }
 }
 
-void Stepped::clock(const std::map<std::string, std::string>& inputs) {
+void Stepped::settle(const std::map<std::string, std::string>& inputs) {
   for (const auto& [port, digits] : inputs) {
     for (std::size_t i = 0; i < digits.size(); ++i) {
       const auto at = ports_.find({port, static_cast<int>(digits.size() - 1 - i)});
@@ -101,6 +101,10 @@ void Stepped::clock(const std::map<std::string, std::string>& inputs) {
     if (!changed) break;
     runs_.clock(inputs_);
   }
+}
+
+void Stepped::clock(const std::map<std::string, std::string>& inputs) {
+  settle(inputs);
   for (std::size_t i = 0; i < next_.size(); ++i) next_[i] = runs_.of(made_.next[i]);
   for (std::size_t m = 0; m < memories_.size(); ++m) write(m);
 }

@@ -28,7 +28,9 @@ class Stepped {
   void begin(std::size_t reg, char digit);
   /// The words of a memory: digits, the lowest bit first.
   void begin_memory(std::size_t memory, const std::string& digits);
-  /// A clock with these inputs, and the values on it: binary digits by port, highest bit first.
+  /// The values with these inputs, binary digits by port, highest bit first; no clock comes yet.
+  void settle(const std::map<std::string, std::string>& inputs);
+  /// A clock with these inputs, and the values on it.
   void clock(const std::map<std::string, std::string>& inputs);
 
   Values output(const Name& name) const { return runs_.of(made_.outputs.at(name)); }

@@ -28,10 +28,7 @@ class Text {
 
 }  // namespace
 
-std::string verilog_name(const std::string& name) {
-  static const Pattern plain(R"([A-Za-z_][\w$]*)");
-  return plain.whole(name).empty() ? '\\' + name + ' ' : name;
-}
+std::string verilog_name(const std::string& name) { return '\\' + name + ' '; }
 
 std::vector<Variable> variables_of(const Side& side, const std::string& begins) {
   // A path through instances and generated blocks.
@@ -39,14 +36,16 @@ std::vector<Variable> variables_of(const Side& side, const std::string& begins) 
   std::vector<Variable> all;
   for (const auto& [name, registers] : side.variables) {
     if (path.whole(name).empty()) continue;
-    Variable one{name, ""};
+    Variable one;
+    one.name = name;
     bool is_any = false;
     for (auto at = registers.rbegin(); at != registers.rend(); ++at) {
       const Register& is = side.registers[*at];
       is_any = is_any || is.any;
       one.value += is.any ? (begins.empty() ? 'x' : begins[*at]) : is.first ? '1' : '0';
     }
-    if (begins.empty() || !is_any) one.value.clear();
+    one.width = registers.size();
+    if (begins.empty() || (!is_any && !side.has_zeros_by_type())) one.value.clear();
     all.push_back(one);
   }
   return all;
@@ -61,12 +60,12 @@ std::string at_rest(const Side& side, const Stimulus& s) {
   return row;
 }
 
-std::string testbench(const Side& side, const Stimulus& s, const std::string& rows,
-                      std::map<std::size_t, std::string>& line_of) {
+std::string testbench(const Side& side, const Stimulus& s, const std::string& module,
+                      const std::string& folder, std::map<std::size_t, std::string>& line_of) {
   Text text;
   text.add(s.modules);
   // Long beside the delays that RTL may have.
-  text.add("`timescale 1us/1ps\nmodule cosim_replay;\n");
+  text.add(fmt::format("`timescale 1us/1ps\nmodule {};\n", module));
   std::string pins, inputs, printed;
   const auto pin = [&](const std::string& port, const std::string& is) {
     pins += fmt::format("{}.{}({})", pins.empty() ? "" : ", ", verilog_name(port), is);
@@ -106,11 +105,18 @@ std::string testbench(const Side& side, const Stimulus& s, const std::string& ro
                               one.substr(at + 1));
   }
   if (!parameters.empty()) parameters = "#(" + parameters + ") ";
+  if (!s.states.empty()) {
+    text.add(fmt::format("  reg [{0}:0] cosim_state, cosim_states[0:{1}];\n",
+                         s.states.front().size() - 1, s.states.size() - 1));
+  }
   text.add(fmt::format(
-      "  integer cosim_i;\n  reg [{}:0] cosim_rows[0:{}];\n"
+      "  integer cosim_i, cosim_file;\n  reg [{}:0] cosim_rows[0:{}];\n"
       "  reg cosim_clock = 0;\n  {} {}cosim_dut({});\n  initial begin\n",
       std::max<std::size_t>(bits, 1) - 1, s.rows.size() - 1, side.files().top, parameters, pins));
-  text.add(fmt::format("    $readmemb(\"{}\", cosim_rows);\n", rows));
+  text.add(
+      fmt::format("    cosim_file = $fopen(\"{0}/lines\", \"w\");\n"
+                  "    $readmemb(\"{0}/rows\", cosim_rows);\n",
+                  folder));
   if (!inputs.empty()) text.add(fmt::format("    {{{}}} = cosim_rows[0];\n", inputs));
   text.add("    #1;\n");
   const auto named = [&](const std::string& name, const std::string& line) {
@@ -118,22 +124,26 @@ std::string testbench(const Side& side, const Stimulus& s, const std::string& ro
     text.add(line + '\n');
   };
   for (const Contents& one : s.memories) {
-    named(one.name, fmt::format("    for (cosim_i = {0}; cosim_i < {1}; cosim_i = cosim_i + 1) "
-                                "$display(\"cosim_word {2} %b\", cosim_dut.{2}[cosim_i]);",
-                                one.low, one.low + one.words, one.name));
+    named(one.name,
+          fmt::format("    for (cosim_i = {0}; cosim_i < {1}; cosim_i = cosim_i + 1) "
+                      "$fdisplay(cosim_file, \"cosim_word {2} %b\", cosim_dut.{2}[cosim_i]);",
+                      one.low, one.low + one.words, one.name));
     if (!one.file.empty()) {
       named(one.name, fmt::format("    $readmemb(\"{}\", cosim_dut.{});", one.file, one.name));
     }
   }
   for (const Variable& one : s.variables) {
-    named(one.name, fmt::format("    $display(\"cosim_before {0} %b\", cosim_dut.{0});", one.name));
+    named(one.name,
+          fmt::format("    $fdisplay(cosim_file, \"cosim_before {0} %b\", cosim_dut.{0});",
+                      one.name));
     if (one.value.empty()) continue;
     named(one.name + '=',
           fmt::format("    cosim_dut.{} = {}'b{};", one.name, one.value.size(), one.value));
   }
   text.add("    #1;\n");
   for (const Variable& one : s.variables) {
-    named(one.name, fmt::format("    $display(\"cosim_after {0} %b\", cosim_dut.{0});", one.name));
+    named(one.name, fmt::format("    $fdisplay(cosim_file, \"cosim_after {0} %b\", cosim_dut.{0});",
+                                one.name));
   }
   text.add(fmt::format("    for (cosim_i = 1; cosim_i < {}; cosim_i = cosim_i + 1) begin\n",
                        s.rows.size()));
@@ -143,17 +153,31 @@ std::string testbench(const Side& side, const Stimulus& s, const std::string& ro
                     "        $dumpvars(0, cosim_dut);\n      end\n",
                     s.first_drawn + 1, s.vcd));
   }
+  if (!s.states.empty()) {
+    text.add(
+        fmt::format("      if (cosim_i > {0} && (cosim_i - {1}) % {2} == 0) begin\n"
+                    "        cosim_state = cosim_states[(cosim_i - {1}) / {2}];\n",
+                    s.first_load, s.first_load + 1, load_clocks));
+    for (const Variable& one : s.variables) {
+      if (!one.is_loaded) continue;
+      const std::size_t high = s.states.front().size() - one.at;
+      named(one.name + '@', fmt::format("        cosim_dut.{} = cosim_state[{}:{}];", one.name,
+                                        high - 1, high - one.width));
+    }
+    text.add("      end\n");
+  }
   if (!inputs.empty()) text.add(fmt::format("      {{{}}} = cosim_rows[cosim_i];\n", inputs));
   for (const std::string& net : s.further) printed += ", " + net;
   std::string formats;
   for (std::size_t i = 0; i < s.outputs.size() + s.further.size(); ++i) formats += " %b";
-  text.add(fmt::format("      #1 $write(\"cosim_replay{}\"{});\n", formats, printed));
+  text.add(fmt::format("      #1 $fwrite(cosim_file, \"cosim_replay{}\"{});\n", formats, printed));
   for (const Variable& one : s.variables) {
-    named(one.name, fmt::format("      $write(\" %b\", cosim_dut.{});", one.name));
+    named(one.name, fmt::format("      $fwrite(cosim_file, \" %b\", cosim_dut.{});", one.name));
   }
   text.add(
-      "      $write(\"\\n\");\n      cosim_clock = 1;\n      #1 cosim_clock = 0;\n    end\n"
-      "    $display(\"cosim_done\");\n    $finish;\n  end\nendmodule\n");
+      "      $fwrite(cosim_file, \"\\n\");\n      cosim_clock = 1;\n      #1 cosim_clock = 0;\n    "
+      "end\n"
+      "    $fdisplay(cosim_file, \"cosim_done\");\n    $finish;\n  end\nendmodule\n");
   return text.text();
 }
 

@@ -21,6 +21,8 @@ inline constexpr std::uint64_t clock_ps = 2'000'000, settled_ps = 3'000'000;
 struct Variable {
   std::string name;
   std::string value;  ///< that it is given, binary; empty: none
+  std::size_t at = 0, width = 0;  ///< its digits in a state
+  bool is_loaded = true;  ///< it can be given a value on a later clock
 };
 
 /// A memory of the RTL.
@@ -38,6 +40,8 @@ struct Stimulus {
   std::vector<std::string> outputs;         ///< that are printed
   std::vector<Variable> variables;          ///< that are printed behind them
   std::vector<Contents> memories;
+  std::vector<std::string> states;  ///< of all variables, a line for each time they are loaded
+  std::size_t first_load = 0;       ///< the clock on which they are loaded first
   std::string modules;               ///< Verilog: further modules
   std::string instances;             ///< of them; an input is in_NAME, an output out_NAME
   std::vector<std::string> wires;    ///< further outputs that they name
@@ -46,24 +50,28 @@ struct Stimulus {
   std::uint64_t first_drawn = 0;     ///< the clock it begins on
 };
 
-/// Verilog, the module cosim_replay with the RTL as its instance cosim_dut. What names one variable
+/// Verilog, a module of that name with the RTL as its instance cosim_dut. What names one variable
 /// or memory stands on a line of its own, in `line_of` by the number of the line, from 1: where a
-/// simulator does not know the name it can be left out. It prints
+/// simulator does not know the name it can be left out. It writes to the file `lines` of a folder,
+/// apart from what the RTL prints,
 ///   cosim_word WORD     the words of the memories, before they are given any
 ///   cosim_before WORD   of each variable, before it is given a value
 ///   cosim_replay WORD...  a line a clock, binary
-/// and, at the end, cosim_done. `rows` is the file of the rows.
-std::string testbench(const Side& side, const Stimulus& stimulus, const std::string& rows,
-                      std::map<std::size_t, std::string>& line_of);
+/// and, at the end, cosim_done. The file `rows` of the folder has the rows.
+std::string testbench(const Side& side, const Stimulus& stimulus, const std::string& module,
+                      const std::string& folder, std::map<std::size_t, std::string>& line_of);
 
 /// The variables of a side that are all registers. `begins` has a digit for each register of the
 /// side, what it begins as, or is empty: one that has no initial value of its own is given it.
 std::vector<Variable> variables_of(const Side& side, const std::string& begins);
 
+/// Variables are loaded so often, from Stimulus::first_load on.
+inline constexpr std::size_t load_clocks = 8;
+
 /// Row 0: clocks rest, and all else is x, so that an asynchronous reset comes with the first clock.
 std::string at_rest(const Side& side, const Stimulus& stimulus);
 
-/// A name as Verilog has it, escaped where it has to be.
+/// A name as Verilog has it, escaped: it may be a keyword.
 std::string verilog_name(const std::string& name);
 
 }  // namespace cosim::equiv

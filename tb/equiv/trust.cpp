@@ -67,6 +67,12 @@ bool are_trusted(Question& q, Answer& answer) {
     }
     trusted = {side.front_end(), refereed(side, how)};
     if (!trusted.is.agrees) read_again(q, side, how, trusted);
+    if (trusted.is.agrees && side.has_unique() && trusted.is.by == name_of(Simulator::verilator)) {
+      trusted.is.agrees = false;
+      trusted.is.wrong =
+          "an incomplete unique case or if leaves an x, which Verilator does not show: write a "
+          "default";
+    }
     return true;
   });
   for (const auto& [trusted, side] :

@@ -16,6 +16,10 @@ const char* driving_pin(const Cell& cell) {
 
 }  // namespace
 
+bool may_be_x(const Side& side, Simulator simulator) {
+  return side.has_zeros_by_type() && simulator == Simulator::icarus;
+}
+
 XSources::XSources(const Side& side, const Stimulus& shown, Simulator simulator,
                    std::chrono::steady_clock::time_point until)
     : side_(side), shown_(shown), simulator_(simulator), until_(until) {
@@ -44,7 +48,8 @@ XSources::XSources(const Side& side, const Stimulus& shown, Simulator simulator,
                                   : is_held          ? cell.number("SIZE") * cell.number("WIDTH")
                                                      : 0;
     for (std::size_t i = 0; i < registers; ++i, ++reg) {
-      if (!side.registers[reg].any || is_shown.contains(reg)) continue;
+      const bool begins_as_x = side.registers[reg].any || may_be_x(side, simulator);
+      if (!begins_as_x || is_shown.contains(reg)) continue;
       if (is_held) {
         hidden_.insert(bits.begin(), bits.end());
       } else {
@@ -101,11 +106,15 @@ bool XSources::reach(const std::string& word) {
   return std::ranges::any_of(hidden_, [&](int bit) { return all.contains(bit); });
 }
 
-bool XSources::net_reaches(const std::string& word, std::size_t t) {
+bool XSources::net_reaches(const std::string& word, std::size_t t) { return reaches(x_, word, t); }
+
+bool XSources::z_reaches(const std::string& word, std::size_t t) { return reaches(z_, word, t); }
+
+bool XSources::reaches(const Drawn& drawn, const std::string& word, std::size_t t) {
   const std::size_t first = t == 0 ? 0 : t - 1;
-  if (!drawn_.contains(first) || !drawn_.contains(t)) draw(first);
+  if (!drawn.contains(first) || !drawn.contains(t)) draw(first);
   for (const std::size_t clock : {first, t}) {
-    for (const std::string& net : drawn_[clock]) {
+    for (const std::string& net : drawn.at(clock)) {
       if (reaches(net, word)) return true;
     }
   }
@@ -115,8 +124,9 @@ bool XSources::net_reaches(const std::string& word, std::size_t t) {
 // Runs some clocks with a wave, and takes from it which nets of the netlist are x on each.
 void XSources::draw(std::size_t from) {
   constexpr std::size_t many = 64;
-  drawn_.clear();
-  for (std::size_t t = from; t < from + many; ++t) drawn_[t];
+  x_.clear();
+  z_.clear();
+  for (std::size_t t = from; t < from + many; ++t) x_[t], z_[t];
   Stimulus s = shown_;
   s.rows.resize(std::min(s.rows.size(), from + many + 1));
   s.vcd = "yes";
@@ -126,7 +136,7 @@ void XSources::draw(std::size_t from) {
   program.run(until_);
   std::map<std::string, std::vector<std::string>> nets;  // by the wave's short names
   std::vector<std::string> scopes;
-  std::set<std::string> is_x;
+  std::set<std::string> is_x, is_z;
   std::size_t clock = from;
   for (const std::string& line : lines_in(program.wave())) {
     const std::vector<std::string> words = words_in(line);
@@ -147,19 +157,26 @@ void XSources::draw(std::size_t from) {
     } else if (first == '#') {
       const std::uint64_t time = std::stoull(line.substr(1));
       const std::size_t now = time < clock_ps ? 0 : time / clock_ps - 1;
-      for (; clock < now; ++clock) drawn_[clock + 1] = is_x;
+      for (; clock < now; ++clock) {
+        x_[clock + 1] = is_x;
+        z_[clock + 1] = is_z;
+      }
     } else if (first == 'b' || std::string("01xXzZ").find(first) != std::string::npos) {
       const bool is_word = first == 'b' && words.size() > 1;
       const std::string value = is_word ? words[0] : line.substr(0, 1);
-      const bool has_x = value.find_first_of("xXzZ") != std::string::npos;
-      for (const std::string& net : nets[is_word ? words[1] : line.substr(1)]) {
-        if (has_x) {
-          is_x.insert(net);
-          drawn_[clock].insert(net);
-        } else {
-          is_x.erase(net);
+      const auto note = [&](const char* digits, std::set<std::string>& now, Drawn& drawn) {
+        const bool has_it = value.find_first_of(digits) != std::string::npos;
+        for (const std::string& net : nets[is_word ? words[1] : line.substr(1)]) {
+          if (has_it) {
+            now.insert(net);
+            drawn[clock].insert(net);
+          } else {
+            now.erase(net);
+          }
         }
-      }
+      };
+      note("xXzZ", is_x, x_);
+      note("zZ", is_z, z_);
     }
   }
 }

@@ -259,9 +259,11 @@ std::string verilog_of_vhdl(const Sources& sources, const fs::path& work, const 
   std::map<std::string, Entity> entities;
   std::set<std::string> used, done;
   std::vector<std::string> texts;
+  bool has_any = false;
   for (const std::string& file : sources.files) {
     texts.push_back(text_of(sources.folder / file, file));
     const std::string text = uncommented(texts.back());
+    has_any = has_any || text.find("'-'") != std::string::npos;
     entities.merge(entities_in(text));
     for (const Match& m : instance.all(text)) used.insert(in_small_letters(m[2]));
   }
@@ -295,7 +297,7 @@ std::string verilog_of_vhdl(const Sources& sources, const fs::path& work, const 
         words[0] = "--out=vhdl";
         netlist = netlist_modules(ghdl("--synth", words));
       }
-      ghdl.own_errors([&] { module = repaired(module, netlist[in_small_letters(name)]); });
+      ghdl.own_errors([&] { module = repaired(module, netlist[in_small_letters(name)], has_any); });
       module = with_values(with_names(module));
       module = with_defaults(initial.replaced(unknown.replaced(module, ""), "\\1 = "));
       if (is_top && in_small_letters(name) == root)

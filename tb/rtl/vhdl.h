@@ -37,8 +37,8 @@ std::map<std::string, NetlistModule> netlist_modules(const std::string& vhdl);
 void refuse_lost_values(const std::string& verilog, const std::string& said);
 
 /// A module as GHDL 2.0 wrote it, with what its printer of Verilog gets wrong put right. InputError
-/// where it cannot be.
-std::string repaired(std::string module, const NetlistModule& netlist);
+/// where it cannot be. `has_any`: the VHDL has a '-', so that a choice without a value is an x.
+std::string repaired(std::string module, const NetlistModule& netlist, bool has_any);
 
 /// A module of GHDL's with registers by such names in place of n49_q.
 std::string with_names(std::string module);

@@ -192,7 +192,7 @@ void refuse_lost_values(const std::string& verilog, const std::string& said) {
   }
 }
 
-std::string repaired(std::string text, const NetlistModule& netlist) {
+std::string repaired(std::string text, const NetlistModule& netlist, bool has_any) {
   // An operand is one group, and two with a sign: the second one is the word.
   static const std::string word = "(\\w+|[0-9]+'b\\w+)", bits = "\\$(un)?signed\\(" + word + "\\)";
   static const std::string sized = "(resize ?\\()?" + bits + "(, [0-9]+\\))?";
@@ -268,7 +268,7 @@ std::string repaired(std::string text, const NetlistModule& netlist) {
     const std::size_t from = m.end(), end = text.find("\n    endcase\n", from);
     const auto value = netlist.defaults.find(m[1]);
     if (end == std::string::npos) break;
-    if (value != netlist.defaults.end() && !is_x.find(value->second)) {
+    if (value != netlist.defaults.end() && (has_any || !is_x.find(value->second))) {
       text.insert(end + 1, "      default: " + m[1] + " <= " + value->second + ";\n");
     }
     m = one_hot.find(text, from);

@@ -1,0 +1,33 @@
+// The texts of a side: its files and those that they include.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tb/equiv/side.h"
+
+namespace cosim::equiv {
+
+struct SourceText {
+  std::filesystem::path file;
+  bool is_included = false;
+  std::string text;
+};
+
+/// The files of a side in their order, then the files that they include, as far as the names of
+/// these are found beside a file or in the folders of --include.
+std::vector<SourceText> sources_of(const Files& files);
+
+/// "FILE:LINE", the first place where the code of a text matches a regular expression of libc:
+/// comments, strings and attributes do not count. Empty where none does.
+std::string place_of(const std::vector<SourceText>& sources, const std::string& expression);
+
+/// Whether it has variables of two values by way of an enumeration, a structure or a typedef. They
+/// begin as 0, which neither yosys 0.23 nor Icarus Verilog 11 knows.
+bool has_types_of_two_values(const std::vector<SourceText>& sources);
+
+/// A name that no source has in it: `begins`, with as many underscores behind it as that takes.
+std::string unused_name(std::string begins, const std::vector<SourceText>& sources);
+
+}  // namespace cosim::equiv

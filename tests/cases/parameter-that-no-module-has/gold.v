@@ -1,0 +1,2 @@
+// --param gives a parameter that is not there.
+module t #(parameter N=1) (input [3:0] a, output [3:0] y); assign y = a + N; endmodule

@@ -1,0 +1,1 @@
+module t(input \reg , output \wire ); assign \wire = !\reg ; endmodule

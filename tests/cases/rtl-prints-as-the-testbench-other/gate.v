@@ -1,0 +1,1 @@
+module t(input c, a, output reg q); always @(posedge c) begin q <= ~a; $display("cosim_done"); $write("cosim_replay 0\n"); end endmodule

@@ -1,0 +1,4 @@
+// The driver of y2 is bound from outside.
+module drv(output y); assign y = 1; endmodule
+module t(input a, output y); wire y2;  assign y = a & y2; endmodule
+bind t drv d(.y(y2));

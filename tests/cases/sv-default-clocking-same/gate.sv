@@ -1,0 +1,1 @@
+module t(input c, r, a,b, output logic y);  assign y = a & b; endmodule

@@ -1,0 +1,1 @@
+module t(input c, a, output logic [1:0] y); logic [1:0] k; always_ff @(posedge c) if (a) k <= 1; assign y = k; endmodule

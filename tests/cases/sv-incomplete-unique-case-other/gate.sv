@@ -1,0 +1,1 @@
+module t(input logic [1:0] a, output logic y); always_comb begin y=0; y = a!=0; end endmodule

@@ -1,0 +1,1 @@
+module t(input c, a, output logic [3:0] y); logic [3:0] k; always_ff @(posedge c) if (a) k[3:2] <= 1; assign y = k; endmodule

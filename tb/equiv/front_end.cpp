@@ -59,9 +59,10 @@ void refuse_misread(const std::vector<SourceText>& sources) {
     const std::string place = place_of(sources, expression);
     if (!place.empty()) throw InputError(fmt::format("{}: yosys misreads {}", place, what));
   };
-  refuse("\\btask\\b[^;]*[(,]\\s*inout\\b|\\btask\\b[^;(]*;\\s*([^;]*;\\s*)*inout\\b",
+  refuse("\\btask\\b[^;(]*\\([^;)]*\\binout\\b", "a task with an inout argument");
+  refuse("\\btask\\b[^;(]*;(\\s*(input|output|reg|integer)\\b[^;]*;)*\\s*inout\\b",
          "a task with an inout argument");
-  refuse("(^|[;)\\s])bind\\s+[A-Za-z_]", "bind");
+  refuse("\\bbind\\s+[A-Za-z_]", "bind");
 }
 
 std::string script(const Files& files, Reading& reading, const fs::path& scratch, bool prints,
@@ -91,7 +92,9 @@ std::string script(const Files& files, Reading& reading, const fs::path& scratch
         "hierarchy -auto-top\n",
         scratch.string(), above);
   }
-  return commands + processes + to_cells +
+  // What a function returns keeps its name, by which it is known where it may be an old one.
+  const char* results = "\nsetattr -set keep 1 w:*$func$*$result";
+  return commands + processes + results + to_cells +
          fmt::format("write_json {0}/top.json\nwrite_rtlil {0}/top.il\n", scratch.string());
 }
 

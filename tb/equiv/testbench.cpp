@@ -113,6 +113,9 @@ std::string testbench(const Side& side, const Stimulus& s, const std::string& mo
       "  integer cosim_i, cosim_file;\n  reg [{}:0] cosim_rows[0:{}];\n"
       "  reg cosim_clock = 0;\n  {} {}cosim_dut({});\n  initial begin\n",
       std::max<std::size_t>(bits, 1) - 1, s.rows.size() - 1, side.files().top, parameters, pins));
+  if (!s.states.empty()) {
+    text.add(fmt::format("    $readmemb(\"{}/states\", cosim_states);\n", folder));
+  }
   text.add(
       fmt::format("    cosim_file = $fopen(\"{0}/lines\", \"w\");\n"
                   "    $readmemb(\"{0}/rows\", cosim_rows);\n",

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "tb/equiv/referee.h"
@@ -90,6 +91,8 @@ void load_states(const Side& side, Stimulus& s) {
   if (s.variables.empty() || has_inner_reset(side) || is_told_of_states(side)) return;
   const std::vector<std::string> constants = constants_of(side.module());
   Random random = Random::for_case(1631518, 4);
+  std::map<std::string, const std::vector<std::size_t>*> registers_of;
+  for (const auto& [name, registers] : side.variables) registers_of[name] = &registers;
   std::size_t at = 0;
   for (Variable& one : s.variables) {
     one.at = at;
@@ -97,7 +100,16 @@ void load_states(const Side& side, Stimulus& s) {
   }
   for (std::size_t i = 0; i < times; ++i) {
     std::string& state = s.states.emplace_back();
-    for (const Variable& one : s.variables) state += value(one.width, constants, random);
+    std::map<std::size_t, char> digits;  // a register may have several names
+    for (const Variable& one : s.variables) {
+      std::string text = value(one.width, constants, random);
+      const std::vector<std::size_t>& registers = *registers_of.at(one.name);
+      for (std::size_t r = 0; r < registers.size(); ++r) {
+        char& digit = text[one.width - 1 - r];
+        digit = digits.try_emplace(registers[r], digit).first->second;
+      }
+      state += text;
+    }
   }
 }
 

@@ -54,8 +54,11 @@ std::vector<Variable> variables_of(const Side& side, const std::string& begins) 
 std::string at_rest(const Side& side, const Stimulus& s) {
   std::string row;
   for (const std::string& port : s.inputs) {
-    row.append(static_cast<std::size_t>(side.inputs.at(port)),
-               side.clocks.contains(port) ? '0' : 'x');
+    char is = side.clocks.contains(port) ? '0' : 'x';
+    // Verilator has no x: a reset that is active on the first clock has its edge there.
+    const auto reset = side.asynchronous_resets.find(port);
+    if (reset != side.asynchronous_resets.end()) is = reset->second ? '0' : '1';
+    row.append(static_cast<std::size_t>(side.inputs.at(port)), is);
   }
   return row;
 }

@@ -68,7 +68,7 @@ std::vector<Variable> variables_of(const Side& side, const std::string& begins);
 /// Variables are loaded so often, from Stimulus::first_load on.
 inline constexpr std::size_t load_clocks = 8;
 
-/// Row 0: clocks rest, all else is x, and an asynchronous reset is not active: it comes with clock 1.
+/// Row 0: clocks rest, no asynchronous reset is active before the first clock, and all else is x.
 std::string at_rest(const Side& side, const Stimulus& stimulus);
 
 /// A name as Verilog has it, escaped: it may be a keyword.

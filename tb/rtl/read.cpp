@@ -81,9 +81,20 @@ class RtlReader {
     append(all, words);
     return run_here(all);
   }
-  // yosys keeps a history in the user's home.
+  // yosys keeps a history in the user's home. What it does not know, such as a name in an
+  // interface, is a new net for it, with a warning: an error here.
   Ran yosys(const std::string& commands, const Words& options) const {
-    Words all{"env", "-u", "HOME", "-u", "XDG_STATE_HOME", asked_.yosys, "-q", "-p", commands};
+    Words all{"env",
+              "-u",
+              "HOME",
+              "-u",
+              "XDG_STATE_HOME",
+              asked_.yosys,
+              "-q",
+              "-e",
+              "Identifier .*[.$].* is implicitly declared",
+              "-p",
+              commands};
     append(all, options);
     all.insert(all.begin(), {"timeout", "--foreground", "40"});
     return run_here(all);

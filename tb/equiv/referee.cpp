@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 
+#include "tb/equiv/referee_memories.h"
 #include "tb/equiv/simulator.h"
 #include "tb/equiv/sources.h"
 #include "tb/equiv/stepped.h"
@@ -19,8 +20,6 @@ namespace {
 
 using Values = Stepped::Values;
 using Inputs = RefereeInputs::Row;
-
-bool is_known(char digit) { return digit == '0' || digit == '1'; }
 
 // A value of the netlist: one digit a bit, 'x' where it is not the same in all runs.
 std::string word_of(const std::vector<Values>& bits) {
@@ -38,7 +37,8 @@ class Match {
         how_(how),
         simulator_(simulator),
         is_cut_(!side.memories.empty() && side.is_cut()),
-        stepped_(side, is_cut_, how.steps) {
+        stepped_(side, is_cut_, how.steps),
+        memories_(side) {
     const std::vector<SourceText> sources = sources_of(side.files());
     const bool four = simulator == Simulator::icarus;
     casex_ = four && !place_of(sources, "\\bcasex\\b").empty();
@@ -109,7 +109,11 @@ class Match {
     for (const auto& [name, registers] : side_.variables) registers_of_[name] = &registers;
     sources_.emplace(side_, program.stimulus(), simulator_, how_.until);
     was_x_ = sources_->has_hidden();
-    for (const Contents& one : program.stimulus().memories) begin_memory(one, ran);
+    for (const Contents& one : program.stimulus().memories) {
+      if (const std::string wrong = memories_.begin(one, ran, stepped_); !wrong.empty()) {
+        wrong_ = wrong;
+      }
+    }
     begin(ran);
     constexpr std::size_t enough = 32;
     for (std::size_t t = 0; t < ran.clocks.size() && wrong_.empty(); ++t) {
@@ -160,7 +164,7 @@ class Match {
       if (bits > most_bits) break;
       s.variables.push_back(std::move(one));
     }
-    if (is_cut_) memories(s);
+    if (is_cut_) memories_.add_to(s);
     if (simulator_ == Simulator::icarus) add_loads(s, inputs);
     return s;
   }
@@ -184,66 +188,6 @@ class Match {
       }
       add_row(s, std::move(row));
     }
-  }
-
-  // Words that have no initial value are given one.
-  void memories(Stimulus& s) {
-    constexpr std::size_t most = 4096;
-    std::size_t number = 0;
-    Random random = Random::for_case(1631518, 3);
-    for (const Cell& cell : side_.module().cells) {
-      if (!cell.is_memory()) continue;
-      Contents one{cell.name, cell.number("OFFSET"), cell.number("SIZE"), ""};
-      const std::size_t width = cell.number("WIDTH");
-      const std::string& init = cell.parameter("INIT");
-      number_of_[cell.name] = number++;
-      if (one.words > most || cell.name.front() == '$') continue;
-      std::string text, &all = contents_[cell.name];
-      for (std::size_t w = 0; w < one.words; ++w) {
-        std::string word;
-        for (std::size_t i = width; i-- > 0;) {
-          const std::size_t at = w * width + i;
-          word += at < init.size() ? init[init.size() - 1 - at] : 'x';
-        }
-        if (word.find_first_not_of('x') == std::string::npos) {
-          for (char& digit : word) digit = random.below(2) == 0 ? '0' : '1';
-          text += fmt::format("@{:x} {}\n", w + one.low, word);
-        }
-        all.append(word.rbegin(), word.rend());
-      }
-      if (!text.empty()) {
-        one.file = (files_.path() / fmt::format("memory{}", number)).string();
-        write_file(one.file, text);
-      }
-      s.memories.push_back(std::move(one));
-    }
-  }
-
-  void begin_memory(const Contents& one, const Simulated& ran) {
-    const std::size_t number = number_of_.at(one.name);
-    const Cell& cell = cell_of(one.name);
-    const std::string& init = cell.parameter("INIT");
-    const std::size_t width = cell.number("WIDTH");
-    const auto at = ran.memories.find(one.name);
-    if (at == ran.memories.end()) return;
-    for (std::size_t w = 0; w < at->second.size(); ++w) {
-      for (std::size_t i = 0; i < width && i < at->second[w].size(); ++i) {
-        const std::size_t bit = w * width + i;
-        const char says = bit < init.size() ? init[init.size() - 1 - bit] : 'x';
-        const char is = at->second[w][at->second[w].size() - 1 - i];
-        if (is_known(is) != is_known(says) || (is_known(is) && is != says)) {
-          wrong_ = fmt::format("word {} of memory {} begins as {}, and {} reads another value",
-                               w + one.low, one.name, at->second[w], name_of(side_.front_end()));
-          return;
-        }
-      }
-    }
-    stepped_.begin_memory(number, contents_.at(one.name));
-  }
-
-  const Cell& cell_of(const std::string& name) const {
-    return *std::ranges::find_if(side_.module().cells,
-                                 [&](const Cell& cell) { return cell.name == name; });
   }
 
   void load(const std::string& state) {
@@ -395,12 +339,10 @@ class Match {
   Simulator simulator_;
   bool is_cut_;
   Stepped stepped_;
-  Scratch files_;
+  RefereeMemories memories_;
   std::vector<Inputs> rows_;
   std::vector<Variable> variables_;
   std::map<std::string, const std::vector<std::size_t>*> registers_of_;
-  std::map<std::string, std::string> contents_;
-  std::map<std::string, std::size_t> number_of_;
   std::optional<XSources> sources_;
   std::vector<std::string> loads_;
   std::size_t first_load_ = 0;

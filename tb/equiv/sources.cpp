@@ -57,7 +57,9 @@ bool has_types_of_two_values(const std::vector<SourceText>& sources) {
 }
 
 std::string unused_name(std::string begins, const std::vector<SourceText>& sources) {
-  const auto has_it = [&](const SourceText& one) { return one.text.find(begins) != std::string::npos; };
+  const auto has_it = [&](const SourceText& one) {
+    return one.text.find(begins) != std::string::npos;
+  };
   while (std::ranges::any_of(sources, has_it)) begins += '_';
   return begins;
 }

@@ -13,6 +13,7 @@
 #include "tb/rtl/plain_verilog.h"
 #include "tb/util/output_file.h"
 #include "tb/util/pattern.h"
+#include "tb/util/scratch.h"
 #include "tb/util/words.h"
 
 namespace cosim::cli {

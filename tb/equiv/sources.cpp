@@ -56,6 +56,23 @@ bool has_types_of_two_values(const std::vector<SourceText>& sources) {
   return false;
 }
 
+std::string place_of_two_valued_port(std::vector<SourceText> sources) {
+  static const rtl::Regex own("\\b(function|task)\\b");
+  for (SourceText& one : sources) {
+    one.text = rtl::blanked(one.text);
+    for (rtl::Match found = own.find(one.text); found;) {
+      const std::size_t from = found.begin();
+      const std::size_t end = std::min(one.text.find("end" + found[1], from), one.text.size());
+      std::replace_if(
+          one.text.begin() + std::ptrdiff_t(from), one.text.begin() + std::ptrdiff_t(end),
+          [](char c) { return c != '\n'; }, ' ');
+      found = own.find(one.text, end);
+    }
+  }
+  return place_of(sources,
+                  "\\b(input|output|inout)\\s+(var\\s+)?(bit|byte|shortint|int|longint)\\b");
+}
+
 std::string unused_name(std::string begins, const std::vector<SourceText>& sources) {
   const auto has_it = [&](const SourceText& one) {
     return one.text.find(begins) != std::string::npos;

@@ -27,6 +27,10 @@ std::string place_of(const std::vector<SourceText>& sources, const std::string& 
 /// begin as 0, which neither yosys 0.23 nor Icarus Verilog 11 knows.
 bool has_types_of_two_values(const std::vector<SourceText>& sources);
 
+/// "FILE:LINE" of a module's port of a type of two values; "" where there is none. Such a port is
+/// 0 where it is open or an index is beyond its end: x in Icarus Verilog, any value for yosys.
+std::string place_of_two_valued_port(std::vector<SourceText> sources);
+
 /// A name that no source has in it: `begins`, with as many underscores behind it as that takes.
 std::string unused_name(std::string begins, const std::vector<SourceText>& sources);
 

@@ -20,9 +20,9 @@ inline constexpr std::uint64_t clock_ps = 2'000'000, settled_ps = 3'000'000;
 /// A variable of the RTL below the top: "u.count".
 struct Variable {
   std::string name;
-  std::string value;  ///< that it is given, binary; empty: none
+  std::string value;              ///< that it is given, binary; empty: none
   std::size_t at = 0, width = 0;  ///< its digits in a state
-  bool is_loaded = true;  ///< it can be given a value on a later clock
+  bool is_loaded = true;          ///< it can be given a value on a later clock
 };
 
 /// A memory of the RTL.
@@ -40,8 +40,8 @@ struct Stimulus {
   std::vector<std::string> outputs;         ///< that are printed
   std::vector<Variable> variables;          ///< that are printed behind them
   std::vector<Contents> memories;
-  std::vector<std::string> states;  ///< of all variables, a line for each time they are loaded
-  std::size_t first_load = 0;       ///< the clock on which they are loaded first
+  std::vector<std::string> states;   ///< of all variables, a line for each time they are loaded
+  std::size_t first_load = 0;        ///< the clock on which they are loaded first
   std::string modules;               ///< Verilog: further modules
   std::string instances;             ///< of them; an input is in_NAME, an output out_NAME
   std::vector<std::string> wires;    ///< further outputs that they name

@@ -6,6 +6,7 @@
 #include "tb/equiv/clocks.h"
 #include "tb/equiv/front_end.h"
 #include "tb/equiv/referee.h"
+#include "tb/equiv/sources.h"
 #include "tb/util/parallel.h"
 #include "tb/util/pattern.h"
 #include "tb/util/read_file.h"
@@ -72,6 +73,16 @@ bool are_trusted(Question& q, Answer& answer) {
       trusted.is.wrong =
           "an incomplete unique case or if leaves an x, which Verilator does not show: write a "
           "default";
+    }
+    const std::string port = trusted.is.agrees && side.unknowns > 0
+                                 ? place_of_two_valued_port(sources_of(side.files()))
+                                 : "";
+    if (!port.empty()) {
+      trusted.is.agrees = false;
+      trusted.is.wrong = fmt::format(
+          "{}: a port of a type of two values, beside a value that is x: the port would be 0, and "
+          "neither reader nor simulator makes it so; declare it logic",
+          port);
     }
     return true;
   });

@@ -34,8 +34,8 @@ struct RtlRead {
 /// from 5.046 on, as JSON (tree.h).
 std::vector<std::string> tree_options(const std::string& verilator, const Run& run);
 
-/// Writes the tree (tree.h) of RTL, and gives its path. Of what is asked the netlist does not count.
-/// InputError, one line, where Verilator cannot read it.
+/// Writes the tree (tree.h) of RTL, and gives its path. Of what is asked the netlist does not
+/// count. InputError, one line, where Verilator cannot read it.
 std::filesystem::path write_tree(const RtlAsked& asked, const Run& run);
 
 /// Writes the tree to WORK/tree, and to WORK/plain.sv the preprocessed text. InputError,

@@ -99,8 +99,9 @@ TEST(Directed, RefusesInputsThatNeverCome) {
 }
 
 TEST(Directed, RefusesAModelThatIsNotBuilt) {
-  EXPECT_EQ(test::error_of([] { const Directed<Counted> bench; }),
-            "cosim::counted::Counted: no design was built with it as its model in this configuration");
+  EXPECT_EQ(
+      test::error_of([] { const Directed<Counted> bench; }),
+      "cosim::counted::Counted: no design was built with it as its model in this configuration");
   EXPECT_EQ(&directed_choice({&good}, typeid(Counted)), &good);
 }
 

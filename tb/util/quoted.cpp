@@ -29,6 +29,14 @@ std::string escaped(const std::string& text, std::string_view special) {
   return safe;
 }
 
+// A word that needs no quotation, neither in CMake nor in a shell.
+bool is_plain(const std::string& text) {
+  return !text.empty() && std::ranges::all_of(text, [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("_./+-=").find(c) != std::string_view::npos;
+  });
+}
+
 }  // namespace
 
 std::string file_for_yosys(const std::filesystem::path& file) {
@@ -47,15 +55,12 @@ std::string word_for_yosys(const std::string& word) {
 
 std::string for_cmake(const std::string& text) {
   refuse(text, "CMake", ";");
-  const auto is_plain = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
-           std::string_view("_./+-=").find(c) != std::string_view::npos;
-  };
-  if (!text.empty() && std::ranges::all_of(text, is_plain)) return text;
+  if (is_plain(text)) return text;
   return '"' + escaped(text, "\\\"$") + '"';
 }
 
 std::string for_shell(const std::string& text) {
+  if (is_plain(text)) return text;
   std::string safe = "'";
   for (const char c : text) safe += c == '\'' ? "'\\''" : std::string(1, c);
   return safe + "'";

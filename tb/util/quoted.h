@@ -20,7 +20,7 @@ std::string word_for_yosys(const std::string& word);
 /// one with a semicolon, which makes a list of it, or a control character.
 std::string for_cmake(const std::string& text);
 
-/// A word of a command of a shell.
+/// A word of a command of a shell; not in quotation marks where it needs none.
 std::string for_shell(const std::string& text);
 
 /// A string of gnuplot. InputError for one with a control character.

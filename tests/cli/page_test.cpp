@@ -44,7 +44,7 @@ TEST_F(Page, OfAFailureHasAllThatIsNeeded) {
   for (const auto& name : report.at("compared_signals")) {
     EXPECT_TRUE(has(page, '>' + name.get<std::string>())) << name;
   }
-  expect_has(page, {folder.text(kept + "/smallest.stim"), "cosim replay " + folder.path(kept)});
+  expect_has(page, {folder.text(kept + "/smallest.stim"), " replay " + folder.path(kept)});
 }
 
 TEST_F(Page, OfARunShowsItsWordsAndPath) {

@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# hostile_names_test.sh SOURCES
+# hostile_names_test.sh SOURCES PROGRAM
 #
 # A name that holds commands of yosys, gnuplot or a shell is taken for that name, or refused, wherever a
-# script or CMake gives it to one of them; nothing in it is run. SOURCES: the project's folder. Status: 0 so, 1 not, 77 where yosys is not installed.
+# script or CMake gives it to one of them; nothing in it is run. SOURCES: the project's folder; PROGRAM: cosim_rtl.
+# Status: 0 so, 1 not, 77 where yosys is not installed.
 # shellcheck disable=SC2016  # what is in the names is to be run by nobody
 source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 needs yosys
-sources=$(realpath "$1")
+sources=$(realpath "$1") rtl=$(realpath "$2")
 cd "$folder"
 read -ra shape < <(grep -m1 '^[^#]' "$sources/rtl/shipped.txt")
 
@@ -58,15 +59,13 @@ for words in 'my-fifo' 'fifo STRUCT "acme::;int"'; do
   refused "names" cmake -P add.cmake
 done
 mkdir 'of a design'
-cp "$sources/rtl/${shape[0]}"/*.v 'of a design'
+echo 'module loop(input d, output q); wire a; assign a = q ^ d; assign q = a & d; endmodule' > 'of a design/loop.v'
 cat > loop.cmake << END
 include($sources/tb/dut/rtl.cmake)
-file(GLOB rtl "$PWD/of a design/*.v")
-list(JOIN rtl "\" \"" rtl)
-cosim_find_loop(loop none "$PWD/of a design/loop.txt" "read_verilog \"\${rtl}\"; hierarchy -top ${shape[0]}")
+set_property(GLOBAL PROPERTY COSIM_RTL_PROGRAM $rtl)
+find_program(VERILATOR_BIN verilator)
+cosim_read_rtl(r made loop - "$PWD/of a design/work" FILES "$PWD/of a design/loop.v")
 END
-cmake -P loop.cmake > said 2>&1
-[[ ! -s said && -e 'of a design/loop.txt' ]] ||
-  { cat said && echo "a folder's name with spaces: no loop is looked for" && exit 1; }
+refused "a combinational loop" cmake -P loop.cmake
 [[ ! -e pwned ]] || { echo "the name of a file was run" && exit 1; }
 echo "taken for names, or refused"

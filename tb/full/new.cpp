@@ -139,8 +139,9 @@ void add_new(const Command& program) {
   command.text("--reset", o->reset, "PIN",
                "Its synchronous reset, where the name does not show it");
   command.each("--param", o->parameters, "NAME=VALUE",
-               "A parameter of the top, a number or a word: the configuration that is built;\n"
-               "or a type or another constant of SystemVerilog, T=pkg::bus_t: a wrapper has it.\n"
+               "A parameter of the top, a number or a word: the configuration that is\n"
+               "built; or a type or another constant of SystemVerilog, T=pkg::bus_t: a\n"
+               "wrapper has it.\n"
                "PORT.NAME=VALUE: a parameter of the interface at that port");
   command.each("--include", o->includes, "DIR", "A folder with the headers that `include names");
   command.each("--define", o->defines, "NAME[=VALUE]", "A macro of the preprocessor");

@@ -36,7 +36,7 @@ theorems=$(PATH=$folder:$PATH "$program" prove --theorems 2>&1 |
 
 finds() {
   local page file name faults kept
-  says docs/interpolators/results.md "every state and input, $machines shapes up to 32 bits" \
+  says docs/interpolators/results.md "every state and input, $machines configurations up to 32 bits" \
     "the claims of the sources, $theorems theorems on the models" \
     "All $((3 * machines)) claims, of $machines machines up to 32 bits" \
     "All ${#files[@]} planted faults and misprints" \

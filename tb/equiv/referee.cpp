@@ -11,8 +11,6 @@
 #include "tb/equiv/sources.h"
 #include "tb/equiv/stepped.h"
 #include "tb/equiv/vhdl_run.h"
-#include "tb/util/output_file.h"
-#include "tb/util/random.h"
 #include "tb/util/words.h"
 
 namespace cosim::equiv {
@@ -106,6 +104,7 @@ class Match {
     const Simulated ran = program.run(how_.until);
     variables_ = program.stimulus().variables;
     loads_ = program.stimulus().states;
+    first_load_ = program.stimulus().first_load;
     for (const auto& [name, registers] : side_.variables) registers_of_[name] = &registers;
     sources_.emplace(side_, program.stimulus(), simulator_, how_.until);
     was_x_ = sources_->has_hidden();
@@ -139,55 +138,9 @@ class Match {
 
  private:
   Stimulus stimulus() {
-    constexpr std::size_t most = 2048, least = 128, work = 60'000'000;
-    const std::size_t clocks = std::clamp(work / (stepped_.gates() + 1), least, most);
-    Stimulus s;
-    s.steps = how_.steps;
-    for (const auto& [port, width] : side_.inputs) {
-      if (how_.steps || !side_.clocks.contains(port)) s.inputs.push_back(port);
-    }
-    for (const auto& [port, width] : side_.outputs) s.outputs.push_back(port);
-    RefereeInputs inputs(side_, how_);
-    s.rows.push_back(at_rest(side_, s));
-    rows_.emplace_back();
-    for (std::size_t t = 0; t < clocks; ++t) add_row(s, inputs.row(t));
-    // Each register is given a value, as far as names go.
-    Random random = Random::for_case(1631518, 1665343);
-    std::string begins;
-    for (std::size_t i = 0; i < side_.registers.size(); ++i) {
-      begins += random.below(2) == 0 ? '0' : '1';
-    }
-    constexpr std::size_t most_bits = 6000;
-    std::size_t bits = 0;
-    for (Variable& one : variables_of(side_, begins)) {
-      bits += side_.outputs.empty() ? 1 : std::max<std::size_t>(one.value.size(), 1);
-      if (bits > most_bits) break;
-      s.variables.push_back(std::move(one));
-    }
+    Stimulus s = referee_stimulus(side_, how_, simulator_, stepped_.gates(), rows_);
     if (is_cut_) memories_.add_to(s);
-    if (simulator_ == Simulator::icarus) add_loads(s, inputs);
     return s;
-  }
-
-  void add_row(Stimulus& s, Inputs row) {
-    std::string text;
-    for (const std::string& port : s.inputs) text += row.at(port);
-    s.rows.push_back(text);
-    rows_.push_back(std::move(row));
-  }
-
-  // No register is reset at once while it is loaded, nor on the clock before.
-  void add_loads(Stimulus& s, RefereeInputs& inputs) {
-    load_states(side_, s);
-    first_load_ = s.first_load = s.rows.size() - 1;
-    for (std::size_t t = 0; t < s.states.size() * load_clocks; ++t) {
-      Inputs row = inputs.row(first_load_ + t);
-      for (const auto& [port, level] : side_.asynchronous_resets) {
-        const bool is_near = t % load_clocks == 0 || t % load_clocks == load_clocks - 1;
-        if (is_near && row.contains(port)) row[port] = level ? "0" : "1";
-      }
-      add_row(s, std::move(row));
-    }
   }
 
   void load(const std::string& state) {

@@ -64,6 +64,11 @@ class RefereeInputs {
   Row before_;
 };
 
+/// The clocks on which source and netlist run, and each row of them by its ports, behind `rows`.
+/// `gates`: of the netlist, of which more take fewer clocks.
+Stimulus referee_stimulus(const Side& side, const Referee& how, Simulator simulator,
+                          std::size_t gates, std::vector<RefereeInputs::Row>& rows);
+
 /// States to load into the variables of a stimulus behind its last clock, so that what is behind a
 /// rare state, as behind a counter at 5,000, is compared as well. The values: what the netlist
 /// compares words with, small numbers, chance. Nothing where a state that is never reached may be

@@ -60,7 +60,8 @@ std::string for_cmake(const std::string& text) {
 }
 
 std::string for_shell(const std::string& text) {
-  if (is_plain(text)) return text;
+  // a=b/program would be an assignment.
+  if (is_plain(text) && text.find('=') == std::string::npos) return text;
   std::string safe = "'";
   for (const char c : text) safe += c == '\'' ? "'\\''" : std::string(1, c);
   return safe + "'";

@@ -22,6 +22,13 @@ TEST(Quoted, AWordForYosysIsOneOrRefused) {
   }
 }
 
+TEST(Quoted, ForAShell) {
+  EXPECT_EQ(for_shell("build/a-b_c.1"), "build/a-b_c.1");
+  EXPECT_EQ(for_shell(""), "''");
+  EXPECT_EQ(for_shell("a=b/program"), "'a=b/program'");
+  EXPECT_EQ(for_shell("it's $HOME"), "'it'\\''s $HOME'");
+}
+
 TEST(Quoted, ForCMake) {
   EXPECT_EQ(for_cmake("a-b.v"), "a-b.v");
   EXPECT_EQ(for_cmake(""), "\"\"");

@@ -144,12 +144,12 @@ Side read(const Files& files, const std::string& what, const Budget& budget) {
   } catch (const Refused&) {
     throw;
   } catch (const InputError& error) {
-    if (!has_slang()) throw;
+    const bool is_sv = std::ranges::any_of(
+        files.files, [](const auto& file) { return file.extension() == ".sv"; });
+    if (!has_slang()) throw InputError(error.what() + (is_sv ? slang_hint() : ""));
     try {
       return {files, what, FrontEnd::slang, budget};
     } catch (const InputError& by_slang) {
-      const bool is_sv = std::ranges::any_of(
-          files.files, [](const auto& file) { return file.extension() == ".sv"; });
       throw InputError(is_sv ? by_slang.what() : error.what());
     }
   }

@@ -178,6 +178,10 @@ std::vector<std::string> by_slang(const Files& files, const std::string& what, c
 
 bool has_slang() { return !slang_place().empty(); }
 
+std::string slang_hint() {
+  return has_slang() ? "" : "; slang may read it: scripts/setup systemverilog installs it";
+}
+
 Elaborated elaborated_by_slang(const Files& files, const std::string& what, const Budget& budget) {
   const std::string commands = std::string(with_rmdead) + to_cells;
   const auto read = [&](bool has_unique) {

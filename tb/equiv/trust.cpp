@@ -95,7 +95,7 @@ bool are_trusted(Question& q, Answer& answer) {
     if (const std::string kept = side->kept_by_function(); !kept.empty()) {
       answer.left += "; perhaps " + kept;
     }
-    if (!has_slang()) answer.left += "; scripts/setup systemverilog brings another reader";
+    answer.left += slang_hint();
     return false;
   }
   return true;

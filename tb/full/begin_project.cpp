@@ -103,7 +103,7 @@ void try_slang(Found& found, const RtlQuestion& asked, const std::string& header
                const std::vector<std::string>& defines) {
   if (found.unread.empty()) return;
   if (!equiv::has_slang()) {
-    found.unread += "; slang may read it: scripts/setup systemverilog installs it";
+    found.unread += equiv::slang_hint();
     return;
   }
   try {
@@ -142,10 +142,10 @@ bool with_synthesis(BegunProject& begun, RtlQuestion& asked, const Sources& rtl,
   return true;
 }
 
-// Has Verilog by slang in place of the sources. Gives why not; "" where it does.
+// Has Verilog by slang in place of the sources. Gives "; " and why not; "" where it does.
 std::string by_slang(BegunProject& begun, RtlQuestion& asked, const Draft& project,
                      const std::string& why) {
-  if (!equiv::has_slang()) return "slang may read it: scripts/setup systemverilog installs it";
+  if (!equiv::has_slang()) return equiv::slang_hint();
   const std::string file = asked.top + "_slang.v";
   RtlQuestion again = asked;
   again.files = {file};
@@ -156,9 +156,9 @@ std::string by_slang(BegunProject& begun, RtlQuestion& asked, const Draft& proje
     begun.found = found_in(again);
   } catch (const InputError& error) {
     fs::remove(project.folder() / file);
-    return error.what();
+    return std::string("; ") + error.what();
   } catch (const equiv::OutOfTime&) {
-    return "slang takes too long";
+    return "; slang takes too long";
   }
   for (const std::string& source : begun.sources) fs::remove(project.folder() / source);
   if (!begun.headers.empty()) fs::remove_all(project.folder() / begun.headers);
@@ -187,7 +187,7 @@ void read_rtl(BegunProject& begun, RtlQuestion& asked, const Sources& rtl, const
     if (otherwise.empty()) return;
     // Of words that are no language slang says the same.
     const bool is_alone = why.find("syntax error") != std::string::npos;
-    throw InputError(is_alone ? all : fmt::format("{}; {}", all, otherwise));
+    throw InputError(is_alone ? all : all + otherwise);
   }
 }
 

@@ -63,10 +63,7 @@ proof::Source readable(proof::Source source) {
       proof::run_yosys(proof::commands_to_elaborate(source) + "; proc", source.top);
       return source;
     } catch (const InputError& error) {
-      if (!equiv::has_slang()) {
-        throw InputError(fmt::format(
-            "{}; slang may read it: scripts/setup systemverilog installs it", error.what()));
-      }
+      if (!equiv::has_slang()) throw InputError(error.what() + equiv::slang_hint());
     }
     std::string text;
     try {

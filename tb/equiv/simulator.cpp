@@ -8,6 +8,7 @@
 
 #include "tb/equiv/assertions.h"
 #include "tb/equiv/sources.h"
+#include "tb/rtl/design.h"
 #include "tb/util/output_file.h"
 #include "tb/util/pattern.h"
 #include "tb/util/process.h"
@@ -93,6 +94,11 @@ Program::Program(const Side& side, Stimulus stimulus, Simulator simulator,
       if (built.status == 0) return;
       why_not_ = built.status == 127 ? fmt::format("{} is not installed", name_of(simulator_))
                                      : by_own_names(reason(built.text, own_));
+      static const Pattern array("port connection .* port which is an array");
+      if (array.in(built.text) && stimulus_.arrays.empty()) {
+        find_arrays(until);
+        if (!stimulus_.arrays.empty()) continue;
+      }
       if (!leave_out(built.text, std::move(line_of))) break;
     }
   }
@@ -121,15 +127,55 @@ std::string Program::by_own_names(std::string text) const {
   return text;
 }
 
-std::vector<std::string> Program::command(const std::string& generation) const {
+// The words of definitions, of folders and of files.
+std::vector<std::string> Program::sources(const char* define, const char* folder) const {
   const Files& files = side_.files();
-  std::vector<std::string> words{"env", "-C", own_ + "/empty"}, folders;
+  std::vector<std::string> words;
+  const auto look_in = [&](const fs::path& path) {
+    words.push_back(folder + fs::absolute(path).string());
+  };
+  for (const std::string& one : files.defines) words.push_back(define + one);
+  for (const fs::path& one : files.files) look_in(fs::absolute(one).parent_path());
+  for (const fs::path& one : files.include_dirs) look_in(one);
+  look_in(files.folder);
+  words.push_back(own_ + "/timescale.v");
   for (const fs::path& one : files.files) {
-    folders.push_back(fs::absolute(one).parent_path().string());
+    const std::string file = fs::absolute(one).string();
+    const auto copy = copies_.find(file);
+    words.push_back(copy == copies_.end() ? file : copy->second);
   }
-  for (const fs::path& folder : files.include_dirs)
-    folders.push_back(fs::absolute(folder).string());
-  folders.push_back(fs::absolute(files.folder).string());
+  return words;
+}
+
+// Asks Verilator which ports are arrays.
+void Program::find_arrays(std::chrono::steady_clock::time_point until) {
+  const auto run = [&](const std::vector<std::string>& words) {
+    const Ended ended = run_until(words, until);
+    if (ended.timed_out) throw OutOfTime();
+    return rtl::Ran{ended.status, ended.text};
+  };
+  const std::string tree = own_ + "/tree";
+  std::vector<std::string> words =
+      words_in("env -C " + own_ + "/empty verilator -Wno-fatal -Wno-lint -Wno-style --no-timing " +
+               "+define+SYNTHESIS --Mdir " + own_ + "/read --top-module " + side_.files().top);
+  for (const auto& more :
+       {rtl::tree_options("verilator", run), {tree}, sources("+define+", "+incdir+")})
+    words.insert(words.end(), more.begin(), more.end());
+  for (const std::string& one : side_.files().parameters) words.push_back("-G" + one);
+  if (run(words).status != 0) return;
+  const rtl::Tree read(tree);
+  const rtl::Design design(read);
+  for (const rtl::Node* port : design.top().in) {
+    if (!port->is_port()) continue;
+    const std::string& name = port->has("name");
+    auto sizes = design.unpacked(port->has("dtype_id")).first;
+    const bool is_known = side_.inputs.contains(name) || side_.outputs.contains(name);
+    if (is_known && !sizes.empty()) stimulus_.arrays[name] = std::move(sizes);
+  }
+}
+
+std::vector<std::string> Program::command(const std::string& generation) const {
+  std::vector<std::string> words{"env", "-C", own_ + "/empty"};
   const bool is_icarus = simulator_ == Simulator::icarus;
   const std::vector<std::string> begins = words_in(
       is_icarus
@@ -140,18 +186,8 @@ std::vector<std::string> Program::command(const std::string& generation) const {
                 bench_ + " --prefix Vcosim_replay +define+SYNTHESIS --Mdir " + own_ + "/built" +
                 (stimulus_.vcd.empty() ? "" : " --trace"));
   words.insert(words.end(), begins.begin(), begins.end());
-  for (const std::string& define : files.defines) {
-    words.push_back((is_icarus ? "-D" : "+define+") + define);
-  }
-  for (const std::string& folder : folders) {
-    words.push_back((is_icarus ? "-I" : "+incdir+") + folder);
-  }
-  words.push_back(own_ + "/timescale.v");
-  for (const fs::path& one : files.files) {
-    const std::string file = fs::absolute(one).string();
-    const auto copy = copies_.find(file);
-    words.push_back(copy == copies_.end() ? file : copy->second);
-  }
+  const auto more = sources(is_icarus ? "-D" : "+define+", is_icarus ? "-I" : "+incdir+");
+  words.insert(words.end(), more.begin(), more.end());
   words.push_back(own_ + "/cosim_replay.v");
   if (!is_icarus) {
     for (const char* word : {"-MAKEFLAGS", "OPT_FAST= OPT_GLOBAL="}) words.emplace_back(word);

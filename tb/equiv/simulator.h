@@ -45,6 +45,8 @@ class Program {
 
  private:
   std::vector<std::string> command(const std::string& generation) const;
+  std::vector<std::string> sources(const char* define, const char* folder) const;
+  void find_arrays(std::chrono::steady_clock::time_point until);
   void copy_simpler();
   std::string by_own_names(std::string text) const;
   bool leave_out(const std::string& said, std::map<std::size_t, std::string> line_of);

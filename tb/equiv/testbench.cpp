@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "tb/util/pattern.h"
 
@@ -25,6 +26,28 @@ class Text {
   std::string text_;
   std::size_t line_ = 1;
 };
+
+// An unpacked array, each element of which is joined to its bits.
+std::string array_pin(const std::string& array, int width, const std::vector<long>& sizes,
+                      const std::string& bits, bool is_input) {
+  std::vector<std::string> elements{""};
+  std::string dimensions;
+  for (const long size : sizes) {
+    dimensions += fmt::format("[0:{}]", size - 1);
+    std::vector<std::string> inner;
+    for (const std::string& one : elements) {
+      for (long i = 0; i < size; ++i) inner.push_back(fmt::format("{}[{}]", one, i));
+    }
+    elements = std::move(inner);
+  }
+  const int word = width / static_cast<int>(elements.size());
+  std::string text = fmt::format("  wire {}{}{};\n", range(word), array, dimensions), whole;
+  for (const std::string& one : elements) {
+    whole += fmt::format("{}{}{}", whole.empty() ? "" : ", ", array, one);
+  }
+  return text + (is_input ? fmt::format("  assign {{{}}} = {};\n", whole, bits)
+                          : fmt::format("  assign {} = {{{}}};\n", bits, whole));
+}
 
 }  // namespace
 
@@ -70,11 +93,20 @@ std::string testbench(const Side& side, const Stimulus& s, const std::string& mo
   // Long beside the delays that RTL may have.
   text.add(fmt::format("`timescale 1us/1ps\nmodule {};\n", module));
   std::string pins, inputs, printed;
-  const auto pin = [&](const std::string& port, const std::string& is) {
-    pins += fmt::format("{}.{}({})", pins.empty() ? "" : ", ", verilog_name(port), is);
-  };
   const auto signal = [](const char* begins, const std::string& port) {
     return verilog_name(begins + port);
+  };
+  const auto connect = [&](const std::string& port, const std::string& is) {
+    pins += fmt::format("{}.{}({})", pins.empty() ? "" : ", ", verilog_name(port), is);
+  };
+  const auto pin = [&](const std::string& port, const std::string& is) {
+    const auto array = s.arrays.find(port);
+    if (array == s.arrays.end()) return connect(port, is);
+    const bool is_input = side.inputs.contains(port);
+    const auto whole = signal("array_", port);
+    text.add(array_pin(whole, (is_input ? side.inputs : side.outputs).at(port), array->second, is,
+                       is_input));
+    connect(port, whole);
   };
   std::size_t bits = 0;
   for (const std::string& port : s.inputs) {

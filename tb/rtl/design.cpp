@@ -109,6 +109,15 @@ bool Design::is_signed(const std::string& id) const {
   return !is.empty() && is != "0" && is != "false";
 }
 
+std::pair<std::vector<long>, std::string> Design::unpacked(const std::string& id) const {
+  std::pair<std::vector<long>, std::string> is{{}, id};
+  while (type_of(is.second).is("unpackarraydtype")) {
+    is.first.push_back(elements(type_of(is.second)));
+    is.second = type_of(is.second).has("sub_dtype_id");
+  }
+  return is;
+}
+
 void Design::declare(const Node& node, const std::string& path) {
   for (const Node* in : node.in) {
     const std::string& name = in->has("name");
@@ -117,11 +126,8 @@ void Design::declare(const Node& node, const std::string& path) {
       Net net{in->has("dtype_id"), in->has("vartype")};
       // Of a memory of several dimensions all elements are words, those of the last index one
       // behind the other.
-      std::string word = net.type;
-      while (type_of(word).is("unpackarraydtype")) {
-        net.words = std::max(net.words, 1L) * elements(type_of(word));
-        word = type_of(word).has("sub_dtype_id");
-      }
+      const auto [sizes, word] = unpacked(net.type);
+      for (const long size : sizes) net.words = std::max(net.words, 1L) * size;
       net.width = size_of(word);
       const std::string& tag = type_of(word).tag;
       const bool is_plain = tag.starts_with("basic") || tag.starts_with("packarray") ||

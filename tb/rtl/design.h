@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "tb/rtl/tree.h"
@@ -51,6 +52,9 @@ class Design {
   const Node& type_of(const std::string& id) const;
   long size_of(const std::string& id) const;  ///< bits
   bool is_signed(const std::string& id) const;
+  /// The sizes of its dimensions that are not packed, the first index first, and the type of a
+  /// word.
+  std::pair<std::vector<long>, std::string> unpacked(const std::string& id) const;
 
   /// Adds the nets in the node and below; `path` is as of Scope.
   void declare(const Node& node, const std::string& path);

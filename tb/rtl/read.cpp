@@ -6,6 +6,7 @@
 #include "tb/rtl/files.h"
 #include "tb/rtl/preprocessed.h"
 #include "tb/rtl/regex.h"
+#include "tb/rtl/tree.h"
 #include "tb/rtl/verilator_errors.h"
 
 namespace cosim::rtl {
@@ -223,12 +224,6 @@ class RtlReader {
 };
 
 }  // namespace
-
-std::vector<std::string> tree_options(const std::string& verilator, const Run& run) {
-  if (run({verilator, "--xml-only", "--version"}).status == 0)
-    return {"--xml-only", "--xml-output"};
-  return {"--json-only", "--json-only-output"};
-}
 
 std::filesystem::path write_tree(const RtlAsked& asked, const Run& run) {
   RtlReader(asked, run).write_tree();

@@ -30,10 +30,6 @@ struct RtlRead {
   std::string doubt;     ///< a net that may be in a loop, which yosys could tell; empty: none
 };
 
-/// The words with which that Verilator writes its tree into the file that follows them: as XML or,
-/// from 5.046 on, as JSON (tree.h).
-std::vector<std::string> tree_options(const std::string& verilator, const Run& run);
-
 /// Writes the tree (tree.h) of RTL, and gives its path. Of what is asked the netlist does not
 /// count. InputError, one line, where Verilator cannot read it.
 std::filesystem::path write_tree(const RtlAsked& asked, const Run& run);

@@ -202,4 +202,10 @@ Tree::Tree(const std::filesystem::path& file) {
   }
 }
 
+std::vector<std::string> tree_options(const std::string& verilator, const Run& run) {
+  if (run({verilator, "--xml-only", "--version"}).status == 0)
+    return {"--xml-only", "--xml-output"};
+  return {"--json-only", "--json-only-output"};
+}
+
 }  // namespace cosim::rtl

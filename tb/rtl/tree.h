@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tb/rtl/run.h"
+
 namespace cosim::rtl {
 
 /// A node has its tag, its attributes and the nodes in it, in the words of the XML.
@@ -27,6 +29,9 @@ struct Node {
 
 /// All nodes with that tag in it and below, in their order.
 std::vector<const Node*> all_of(const Node& node, std::string_view tag);
+
+/// The words with which that Verilator writes its tree into the file that follows them.
+std::vector<std::string> tree_options(const std::string& verilator, const Run& run);
 
 class Tree {
  public:

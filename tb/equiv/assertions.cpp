@@ -1,7 +1,10 @@
 #include "tb/equiv/assertions.h"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <string_view>
+#include <vector>
 
 #include "tb/equiv/prints.h"
 #include "tb/rtl/lexer.h"
@@ -36,6 +39,23 @@ std::size_t behind_actions(std::string_view plain, std::size_t at) {
   return second ? behind_printing(plain, end + second.end()) : end;
 }
 
+// Where what stands in a text is an item of a case, from each place on.
+std::map<std::size_t, bool> cases_in(std::string_view plain) {
+  static const rtl::Regex word("\\b(case[xz]?|begin|fork|endcase|end|join(_any|_none)?)\\b");
+  std::map<std::size_t, bool> is_case{{0, false}};
+  std::vector<bool> open;  // a case, or else
+  for (const rtl::Match& found : word.all(plain)) {
+    const bool is_end = found[1].starts_with("e") || found[1].starts_with("j");
+    if (!is_end) {
+      open.push_back(found[1].starts_with("case"));
+    } else if (!open.empty()) {
+      open.pop_back();
+    }
+    is_case[found.end()] = !open.empty() && open.back();
+  }
+  return is_case;
+}
+
 // Whether a statement has to be at this place, as behind if (a).
 bool needs_statement(std::string_view plain, std::size_t at) {
   static const rtl::Regex before("(\\)|\\belse)\\s*$");
@@ -50,17 +70,20 @@ std::string without_assertions(std::string text) {
   static const rtl::Regex assertion(
       "(\\b\\w+\\s*:\\s*)?\\b(assert|assume|cover|restrict)\\s+(property|sequence)\\b");
   static const rtl::Regex declaration("\\b(property|sequence)\\s+\\w");
-  static const rtl::Regex defaults("\\bdefault\\s+(clocking|disable)\\b");
+  static const rtl::Regex defaults("\\bdefault\\s+(clocking|disable\\s+iff)\\b");
   std::string plain = rtl::blanked(text);
   const auto remove = [&](std::size_t from, std::size_t to) {
     blank(text, from, to);
     blank(plain, from, to);
   };
+  const std::map<std::size_t, bool> cases = cases_in(plain);
   for (rtl::Match found = assertion.find(plain); found;) {
-    const std::size_t from = found.begin(), behind = found.end();
+    // The label of the assertion, or of an item that has nothing else.
+    const bool is_item = std::prev(cases.upper_bound(found.begin()))->second;
+    const std::size_t from = is_item ? found.begin(2) : found.begin(), behind = found.end();
     const std::size_t end = behind_actions(plain, behind_arguments(plain, behind));
     if (end != std::string::npos) {
-      const bool is_statement = needs_statement(plain, from);
+      const bool is_statement = is_item || needs_statement(plain, from);
       remove(from, end);
       if (is_statement) text[end - 1] = plain[end - 1] = ';';
     }

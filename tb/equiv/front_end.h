@@ -28,7 +28,8 @@ std::string verilog_by_slang(const Files& files, const std::string& what, const 
 /// packages, or a yosys that has read_slang, is named by COSIM_SLANG.
 bool has_slang();
 
-/// What a message that another front end failed ends with: what installs slang; "" where it is there.
+/// What a message that another front end failed ends with: what installs slang; "" where it is
+/// there.
 std::string slang_hint();
 
 /// A text of SystemVerilog with brackets around each cast to a size behind an operator: yosys reads

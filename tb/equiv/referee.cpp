@@ -138,7 +138,7 @@ class Match {
 
  private:
   Stimulus stimulus() {
-    Stimulus s = referee_stimulus(side_, how_, simulator_, stepped_.gates(), rows_);
+    Stimulus s = referee_stimulus(side_, how_, simulator_, stepped_.graph().gates().size(), rows_);
     if (is_cut_) memories_.add_to(s);
     return s;
   }

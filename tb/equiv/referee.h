@@ -69,12 +69,25 @@ class RefereeInputs {
 Stimulus referee_stimulus(const Side& side, const Referee& how, Simulator simulator,
                           std::size_t gates, std::vector<RefereeInputs::Row>& rows);
 
+/// Values of inputs and registers that make a gate of the netlist what it hardly is by chance; the
+/// others are free.
+struct RarePattern {
+  std::vector<std::pair<Name, char>> inputs;  ///< bits of ports
+  std::map<std::size_t, char> state;          ///< by register
+};
+
+/// Test patterns: a solver finds them for gates that are 0, or 1, on hardly any of these clocks, so
+/// that what stands behind a comparison of 32 bits is compared as well.
+std::vector<RarePattern> rare_patterns(const Side& side, const Referee& how,
+                                       const std::vector<RefereeInputs::Row>& rows);
+
 /// States to load into the variables of a stimulus behind its last clock, so that what is behind a
 /// rare state, as behind a counter at 5,000, is compared as well. The values: what the netlist
-/// compares words with, small numbers, chance. Nothing where a state that is never reached may be
-/// read in another way: as where cases are said to exclude each other, and where a register resets
-/// another one.
-void load_states(const Side& side, Stimulus& stimulus);
+/// compares words with, small numbers, chance, so many `times`; and those of the patterns, once.
+/// Nothing where a state that is never reached may be read in another way: as where cases are said
+/// to exclude each other, and where a register resets another one.
+void load_states(const Side& side, std::size_t times, const std::vector<RarePattern>& patterns,
+                 Stimulus& stimulus);
 
 /// Whether a register that begins as 0 for its type's sake is x in the simulator, unless it is
 /// given a value there.

@@ -85,9 +85,8 @@ std::string value(std::size_t width, const std::vector<std::string>& constants, 
 
 }  // namespace
 
-void load_states(const Side& side, Stimulus& s) {
-  constexpr std::size_t share = 32;  // of the clocks before
-  const std::size_t times = s.rows.size() / share;
+void load_states(const Side& side, std::size_t times, const std::vector<RarePattern>& patterns,
+                 Stimulus& s) {
   if (s.variables.empty() || has_inner_reset(side) || is_told_of_states(side)) return;
   const std::vector<std::string> constants = constants_of(side.module());
   Random random = Random::for_case(1631518, 4);
@@ -98,9 +97,10 @@ void load_states(const Side& side, Stimulus& s) {
     one.at = at;
     at += one.width;
   }
-  for (std::size_t i = 0; i < times; ++i) {
+  for (std::size_t i = 0; i < times + patterns.size(); ++i) {
     std::string& state = s.states.emplace_back();
     std::map<std::size_t, char> digits;  // a register may have several names
+    if (i >= times) digits = patterns[i - times].state;
     for (const Variable& one : s.variables) {
       std::string text = value(one.width, constants, random);
       const std::vector<std::size_t>& registers = *registers_of.at(one.name);

@@ -35,7 +35,11 @@ class Stepped {
 
   Values output(const Name& name) const { return runs_.of(made_.outputs.at(name)); }
   Values seen(std::size_t reg) const { return runs_.of(made_.seen[reg]); }
-  std::size_t gates() const { return graph_.gates().size(); }
+  /// What a bit of its graph is, and which inputs of that are ports and registers.
+  Values of(Bit bit) const { return runs_.of(bit); }
+  const Graph& graph() const { return graph_; }
+  const std::map<Name, std::size_t>& ports() const { return ports_; }
+  const std::vector<std::size_t>& states() const { return states_; }
 
  private:
   struct Held {

@@ -38,10 +38,10 @@ struct Stimulus {
   std::vector<std::string> inputs;          ///< in the order of a row
   std::vector<std::string> rows;            ///< a line a clock, behind row 0
   std::vector<std::string> outputs;         ///< that are printed
-  /// Ports that are unpacked arrays: the sizes of their dimensions, the first index first. The first
-  /// element has the highest bits.
+  /// Ports that are unpacked arrays: the sizes of their dimensions, the first index first. The
+  /// first element has the highest bits.
   std::map<std::string, std::vector<long>> arrays;
-  std::vector<Variable> variables;          ///< that are printed behind them
+  std::vector<Variable> variables;  ///< that are printed behind them
   std::vector<Contents> memories;
   std::vector<std::string> states;   ///< of all variables, a line for each time they are loaded
   std::size_t first_load = 0;        ///< the clock on which they are loaded first

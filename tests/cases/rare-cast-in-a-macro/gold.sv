@@ -1,0 +1,6 @@
+module t(input clk, input rst, input [31:0] a, b, input [15:0] d, e, output [15:0] y);
+wire rare = ({a[12:0],a[31:13]} + (b ^ 32'h5A5A1234)) == 32'hDEADBEE7;
+`define LOW(x) 4'(x)
+
+assign y = rare ? {15'd0,|`LOW(d)} : 16'd0;
+endmodule

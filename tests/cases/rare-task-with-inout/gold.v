@@ -1,0 +1,6 @@
+module t(input clk, input rst, input [31:0] a, b, input [15:0] d, e, output [15:0] y);
+wire rare = ({a[12:0],a[31:13]} + (b ^ 32'h5A5A1234)) == 32'hDEADBEE7;
+reg [15:0] r; task f(input [(4>>1)+13:0] p, inout [15:0] k); k = k + p; endtask
+always @* begin r = d; f(e, r); end
+assign y = rare ? r : 16'd0;
+endmodule

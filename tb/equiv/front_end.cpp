@@ -92,8 +92,9 @@ std::string script(const Files& files, Reading& reading, const fs::path& scratch
         "hierarchy -auto-top\n",
         scratch.string(), above);
   }
-  // What a function returns keeps its name, by which it is known where it may be an old one.
-  const char* results = "\nsetattr -set keep 1 w:*$func$*$result";
+  // What a function returns keeps its name, by which it is known where it may be an old one; but a
+  // register that nothing reads, as in a clocked block, goes.
+  const char* results = "\nsetattr -set keep 1 w:*$func$*$result t:*dff* %co1:+[Q] %d";
   return commands + processes + results + to_cells +
          fmt::format("write_json {0}/top.json\nwrite_rtlil {0}/top.il\n", scratch.string());
 }

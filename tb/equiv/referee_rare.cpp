@@ -51,8 +51,7 @@ class Patterns {
  public:
   Patterns(const Stepped& stepped, const std::vector<std::size_t>& ones, std::size_t clocks,
            std::chrono::steady_clock::time_point until)
-      : stepped_(stepped),
-        graph_(stepped.graph()),
+      : graph_(stepped.graph()),
         ones_(ones),
         clocks_(clocks),
         targets_(targets_of(graph_, ones, clocks)),
@@ -153,7 +152,6 @@ class Patterns {
     return made;
   }
 
-  const Stepped& stepped_;
   const Graph& graph_;
   const std::vector<std::size_t>& ones_;
   std::size_t clocks_;

@@ -173,7 +173,8 @@ void Command::texts(const std::string& name, std::vector<std::string>& values,
 
 void Command::each(const std::string& name, std::vector<std::string>& values,
                    const std::string& type, const std::string& help) const {
-  app_->add_option(name, values, help)->type_name(type)->allow_extra_args(false);
+  auto* option = app_->add_option(name, values, help + "; repeatable")->allow_extra_args(false);
+  option->option_text(type);  // CLI11 adds dots, as for several in one place
 }
 
 void Command::argument(const std::string& name, Text& value, const std::string& help,

@@ -33,7 +33,7 @@ class Command {
   /// An option that takes one value or more, and may be given again.
   void texts(const std::string& name, std::vector<std::string>& values, const std::string& type,
              const std::string& help) const;
-  /// An option that takes one value, and may be given again.
+  /// An option that takes one value, and may be given again: its help says so.
   void each(const std::string& name, std::vector<std::string>& values, const std::string& type,
             const std::string& help) const;
   /// A word without a name. InputError "NAME: is needed" if it is `needed` and missing.

@@ -250,7 +250,7 @@ void add_equiv(const Command& program) {
   command.each("--same", o->same, "OLD=NEW",
                "A register that has another name in the new RTL; most are found");
   command.each("--assume", o->assumed, "EXPRESSION",
-               "Verilog over the old RTL's ports, true on every clock after the reset");
+               "Verilog over the old RTL's ports, true on each clock after reset");
   command.text("--latency", o->latency, "N", "The new outputs come N clocks later");
   command.flag("--netlists", o->netlists,
                "A difference is not replayed in Verilator, where Icarus Verilog cannot");

@@ -151,7 +151,7 @@ void add_new(const Command& program) {
   command.each("-y", o->libraries, "DIR",
                "A folder with further modules, of which those needed are taken");
   command.each("-f", o->lists, "LIST",
-               "A list of files, +incdir+DIR, +define+NAME=VALUE, -y DIR, -v FILE, -f LIST");
+               "Files, +incdir+DIR, +define+NAME=VALUE, -y DIR, -v FILE, -f LIST");
   command.each("-F", o->own_lists, "LIST", "The same, whose paths begin at the folder of the list");
   command.footer(
       fmt::format("Example: {} new adder adder.v\n"

@@ -63,6 +63,7 @@ void refuse_misread(const std::vector<SourceText>& sources) {
   refuse("\\btask\\b[^;(]*;(\\s*(input|output|reg|integer)\\b[^;]*;)*\\s*inout\\b",
          "a task with an inout argument");
   refuse("\\bbind\\s+[A-Za-z_]", "bind");
+  refuse("\\b(tri0|tri1|trireg)\\b", "tri0, tri1 and trireg");
 }
 
 std::string script(const Files& files, Reading& reading, const fs::path& scratch, bool prints,

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "tb/equiv/assertions.h"
+#include "tb/equiv/for_icarus.h"
 #include "tb/equiv/sources.h"
 #include "tb/rtl/design.h"
 #include "tb/util/output_file.h"
@@ -34,15 +35,6 @@ std::string reason(const std::string& said, const std::string& own) {
   }
   const std::string first = said.empty() ? "" : one_line(lines_in(said).front());
   return first.starts_with(own) ? "the testbench: " + first.substr(own.size() + 1) : first;
-}
-
-// Icarus Verilog 11 takes the count of a shift and an index in a process as signed where they
-// select all bits of a signed variable, as s[2:0] of `reg signed [2:0] s`. Braces mend that, and
-// change nothing else.
-std::string with_braces(const std::string& text) {
-  static const Pattern select(
-      R"((<<<?=?|>>>?=?|\[)([\s(+]*)([A-Za-z_][\w$.]*\s*\[[^\[\]?;]*:[^\[\]?;]*\]))");
-  return select.replaced(text, "$1$2{$3}");
 }
 
 }  // namespace
@@ -109,7 +101,7 @@ void Program::copy_simpler() {
   for (const fs::path& one : side_.files().files) {
     const std::string text = read_file(one.string());
     std::string simpler = one.extension() == ".sv" ? without_assertions(text) : text;
-    if (simulator_ == Simulator::icarus) simpler = with_braces(simpler);
+    if (simulator_ == Simulator::icarus) simpler = for_icarus(simpler);
     if (simpler == text) continue;
     std::string& copy = copies_[fs::absolute(one).string()];
     copy = fmt::format("{}/source{}{}", own_, copies_.size(), one.extension().string());

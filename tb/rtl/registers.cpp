@@ -24,7 +24,8 @@ class RegisterReader {
     find_latches();
     if (!asked.netlist.empty()) add_held(read_held(asked.netlist));
     if (latches_.empty()) return;
-    throw InputError(*std::ranges::min_element(latches_) + ": a latch");
+    const auto& [net, place] = *latches_.begin();
+    throw InputError(net + ": a latch" + (place.empty() ? "" : " in " + place));
   }
 
   Registers take() {
@@ -137,13 +138,15 @@ class RegisterReader {
 
   // The variable of a loop, which is always written before it is read, holds nothing.
   void find_latches() {
-    static const Regex latch("^%Warning-LATCH: .*Latch inferred for signal '([^']+)'", REG_NEWLINE);
+    static const Regex latch(
+        "^%Warning-LATCH: (.*/)?([^/]+:[0-9]+):[0-9]+: Latch inferred for signal '([^']+)'",
+        REG_NEWLINE);
     for (const Match& m : latch.all(warnings_)) {
-      const std::string net = below_top(m[1]);
+      const std::string net = below_top(m[3]);
       const auto read = all_.reads.exposed().find(net);
       const bool is_read = read != all_.reads.exposed().end() && !read->second.is_empty();
       if (all_.design.net(net) == nullptr || is_read || all_.is_carried_to_output(net)) {
-        latches_.push_back(net);
+        latches_.try_emplace(net, m[2]);
       }
     }
   }
@@ -176,7 +179,7 @@ class RegisterReader {
     };
     for (const auto& names : held.latches) {
       const auto places = places_of(names);
-      latches_.push_back(places.empty() ? names[0].net : places[0].first);
+      latches_.try_emplace(places.empty() ? names[0].net : places[0].first);
     }
     for (const auto& names : held.registers) {
       auto places = places_of(names);
@@ -204,7 +207,8 @@ class RegisterReader {
   Tree tree_;
   Elaborated all_;
   std::string warnings_, wanted_reset_;
-  std::vector<std::string> clocks_, latches_;
+  std::vector<std::string> clocks_;
+  std::map<std::string, std::string> latches_;  // nets, and where they are if that is known
   std::map<std::string, std::string> ways_;
   Bits registers_;
   Resets resets_;

@@ -41,7 +41,7 @@ refused "none.v: no such file" made none.v
 rtl 'always @(posedge clk) q <= d'
 wrong "Verilator cannot read it: %Error: made.v:3:1: syntax error, unexpected endmodule"
 rtl 'always @* if (other) q = d; always @(posedge clk) r <= q;'
-wrong "q: a latch"
+wrong "q: a latch in made.v:2"
 echo 'module made(input wire clk, output reg made); always @(posedge clk) made <= !made; endmodule' > made.v
 wrong "made.v:1: made is the name of a signal and of its module, which Verilator cannot simulate: rename one"
 rtl 'always @(posedge clk or posedge other) if (other) q <= 0; else q <= d;'
@@ -117,7 +117,7 @@ rtl 'reg mem[1:4]; always @(posedge clk) begin mem[w[2:0]] <= d; q <= mem[w[6:4]
 "$program" new made made.v > said
 grep -qx '  Unreset<Array<Bit, 4>> mem;' made/made.h
 rtl '(* nomem2reg *) reg mem[0:3]; always @* if (other) mem[w[1:0]] = d; always @(posedge clk) q <= mem[w[5:4]];'
-wrong "mem: a latch"
+wrong "mem: a latch in made.v:2"
 # Ports of both directions are split, whatever drives them; one that nothing drives is an input.
 # both BODY: a module with two.
 both() {

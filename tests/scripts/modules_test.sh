@@ -37,7 +37,7 @@ cat said errors
 [[ $status == 1 ]] # not nine of ten
 diff - <(cut -f 2,4- table | sed 's/clock [0-9]*/clock N/') << 'TABLE'
 counts	accepted	stops at n, clock N
-latched	cosim: new: q: a latch	
+latched	cosim: new: q: a latch in all.v:9	
 nothing	accepted	matches
 words	accepted	stops at operator_, clock N
 TABLE

@@ -38,8 +38,9 @@ void for_each_cell(T& object, const Visit& visit, Label label = {}) {
       auto&& element = object[i];  // of a const array a copy
       for_each_cell(element, visit, of_element);
     }
-  } else {
+  } else if constexpr (!reflect::Struct<Plain>) {
     reflect::check_struct<Plain>();
+  } else {
     [&]<std::size_t... I>(std::index_sequence<I...>) {
       [[maybe_unused]] const auto one = [&](auto& member, std::string_view name) {
         Label of_member = label;

@@ -202,7 +202,7 @@ Exported exported(const std::string& name) {
   const auto in = file.inputs<typename Model::In>();
   const auto model = file.states<Model>();
   using Out = typename Model::Out;
-  file.clock(model, "", [&](Model& m) { return m.clock(in); });
+  if constexpr (HasClock<Model>) file.clock(model, "", [&](Model& m) { return m.clock(in); });
   if constexpr (requires { model.cases(in); }) file.say("cases", [&] { return model.cases(in); });
   if constexpr (requires { model.legal(in); }) file.say("legal", [&] { return model.legal(in); });
   if constexpr (requires { model.invariant(); }) {

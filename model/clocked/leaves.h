@@ -88,8 +88,10 @@ consteval std::size_t count() {
     return 1;
   } else if constexpr (ArrayLike<T>) {
     return std::size_t(T::size) * count<typename T::Element>();
-  } else {
+  } else if constexpr (!reflect::Struct<T>) {
     reflect::check_struct<T>();
+    return 0;
+  } else {
     return []<std::size_t... I>(std::index_sequence<I...>) {
       return (std::size_t{0} + ... + count<MemberType<T, I>>());
     }

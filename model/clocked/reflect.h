@@ -66,14 +66,19 @@ consteval bool has_c_array(std::index_sequence<I...>) {
            ...);
 }
 
+/// What has members, unlike what containers are and C++ has by itself.
+template <class T>
+concept Struct = std::is_class_v<T> && !requires {
+  typename T::value_type;
+};
+
 /// Stops the compiler where T is no type of a member, and no value or Array, either.
 template <class T>
 consteval void check_struct() {
-  static_assert(
-      std::is_class_v<T> && !requires { typename T::value_type; },
-      "a member of a model, of In or of Out is a UInt, an Int, a Bit, an Array or a "
-      "struct of these: write UInt<8> in place of int, and Array<UInt<8>, 4> in place of "
-      "std::array or std::vector");
+  static_assert(Struct<T>,
+                "a member of a model, of In or of Out is a UInt, an Int, a Bit, an Array or a "
+                "struct of these: write UInt<8> in place of int, and Array<UInt<8>, 4> in place of "
+                "std::array or std::vector");
 }
 
 /// Of structs of N members, more than 64: model/cosim/many_members.h.

@@ -105,13 +105,16 @@ concept SaysReset = requires {
   M::reset;
 };
 
+template <class M>
+concept HasClock = requires(M m, const typename M::In& in) {
+  { m.clock(in) } -> std::same_as<typename M::Out>;
+};
+
 /// Stops the compiler where a model has no clock().
 template <class M>
 consteval void check_clock() {
   static_assert(
-      requires(M m, const typename M::In& in) {
-        { m.clock(in) } -> std::same_as<typename M::Out>;
-      },
+      HasClock<M>,
       "a model has a function Out clock(const In& in), which is const if it has no registers");
 }
 

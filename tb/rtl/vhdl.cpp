@@ -297,7 +297,9 @@ std::string verilog_of_vhdl(const Sources& sources, const fs::path& work, const 
       if (is_top) words.push_back("-g" + name + '=' + value);
     }
     words.push_back(root);
-    const std::string text = ghdl("--synth", words);
+    // GHDL 5 says behind a line what it is.
+    static const Regex said("( //\\(module output\\)| // extract)$", REG_NEWLINE);
+    const std::string text = said.replaced(ghdl("--synth", words), "");
     ghdl.own_errors([&] { refuse_lost_values(text, ghdl.said()); });
     std::map<std::string, NetlistModule> netlist;
     const std::vector<Match> modules = begin.all(text);

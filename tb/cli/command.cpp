@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "model/core/input_error.h"
 #include "tb/util/words.h"
@@ -221,8 +222,13 @@ int run_program(int argc, const char* const* argv, const std::string& name, cons
   }
   if (argc < 2) fmt::print("{}", app.help());
   if (const std::string line = empty_value(argc, argv); !line.empty()) throw InputError(line);
+  std::vector<const char*> words(argv, argv + argc);
+  if (argc > 1 && std::string_view(argv[1]) == "help") {  // help COMMAND is COMMAND --help
+    words.erase(words.begin() + 1);
+    words.push_back("--help");
+  }
   try {
-    app.parse(argc, argv);
+    app.parse(static_cast<int>(words.size()), words.data());
   } catch (const CLI::Success& call) {  // --help and the like
     return app.exit(call);
   } catch (const CLI::ParseError& error) {

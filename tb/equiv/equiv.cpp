@@ -153,7 +153,7 @@ void make_gates(Question& q, Memories how, Answer& answer) {
     }
     return true;
   });
-  q.gate.name_as(q.gold);
+  name_alike(q.gold, q.gate);
   find_resets(q);
   answer.renamed = name_renamed(q);
 }

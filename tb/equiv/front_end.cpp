@@ -37,11 +37,32 @@ std::string simpler(const std::string& text) {
   return real.replaced(without_prints(text), "$1$2");
 }
 
-std::string for_yosys(const fs::path& file, bool prints) {
+// How much of a file yosys is given.
+struct Shown {
+  bool prints = true;   ///< what is printed
+  bool pragmas = true;  ///< what stands between the comments translate_off and translate_on
+};
+
+// Verilog knows no such comments, and yosys leaves out what is between them.
+std::string without_pragmas(const std::string& text) {
+  static const Pattern pragma(R"(((?:synopsys|synthesis)[ \t]*)translate_(off|on))");
+  return pragma.replaced(text, "$1translate-$2");
+}
+
+// Whether such parts are of simulation alone, as far as one can see.
+bool hides_simulation(const std::string& text) {
+  static const Pattern hidden(R"((?:synopsys|synthesis)[ \t]*translate_off([^]*?)translate_on)"),
+      simulation(R"(\$[a-z]|\binitial\b)");
+  const auto parts = hidden.all(text);
+  return std::ranges::all_of(parts, [](const auto& part) { return simulation.in(part[1]); });
+}
+
+std::string for_yosys(const fs::path& file, const Shown& shown) {
   const bool is_sv = Reading::extension(file) == ".sv";
   const std::string own = read_file(file.string());
-  const std::string text = with_casts_apart(is_sv ? without_assertions(own) : own);
-  return prints ? text : simpler(text);
+  std::string text = with_casts_apart(is_sv ? without_assertions(own) : own);
+  if (shown.pragmas) text = without_pragmas(text);
+  return shown.prints ? text : simpler(text);
 }
 
 // What yosys reads in another way than Verilog says, without a word. Files that are included are
@@ -52,6 +73,11 @@ void refuse_misread(const std::vector<SourceText>& sources) {
       throw InputError(fmt::format(
           "{}: an operator before a cast, as |5'(x), which yosys misreads in a file that is "
           "included: put brackets around the cast",
+          one.file.string()));
+    }
+    if (one.is_included && without_pragmas(one.text) != one.text) {
+      throw InputError(fmt::format(
+          "{}: translate_off in a file that is included: yosys leaves out what Verilog does not",
           one.file.string()));
     }
   }
@@ -66,15 +92,15 @@ void refuse_misread(const std::vector<SourceText>& sources) {
   refuse("\\b(tri0|tri1|trireg)\\b", "tri0, tri1 and trireg");
 }
 
-std::string script(const Files& files, Reading& reading, const fs::path& scratch, bool prints,
-                   const char* processes) {
+std::string script(const Files& files, Reading& reading, const fs::path& scratch,
+                   const Shown& shown, const char* processes) {
   std::string options = " -defer -D SYNTHESIS", commands;
   for (const fs::path& folder : reading.folders()) options += " -I" + folder.string();
   for (const std::string& define : files.defines) options += " -D" + define;
   for (std::size_t i = 0; i < files.files.size(); ++i) {
     const bool is_system_verilog = Reading::extension(files.files[i]) == ".sv";
     commands += fmt::format("read_verilog{}{} {}\n", is_system_verilog ? " -sv" : "", options,
-                            reading.file(i, for_yosys(files.files[i], prints)));
+                            reading.file(i, for_yosys(files.files[i], shown)));
   }
   // Parameters as an instance would give them, so that each has the sign that Verilog says; then
   // the module that has them is the top.
@@ -107,8 +133,8 @@ Elaborated by_yosys(const Files& files, const std::string& what, const Budget& b
   Reading reading(files, own);
   const std::string log = (own / "log").string();
   const char* processes = has_items_with_x(files) ? without_rmdead : with_rmdead;
-  const auto attempt = [&](bool prints, const fs::path& folder) {
-    write_file((own / "script.ys").string(), script(files, reading, own, prints, processes));
+  const auto attempt = [&](const Shown& shown, const fs::path& folder) {
+    write_file((own / "script.ys").string(), script(files, reading, own, shown, processes));
     const Ended ended = run_reader({"yosys", "-q", "-l", log, "-s", (own / "script.ys").string()},
                                    own, folder, budget);
     if (ended.status == 127) throw InputError("needs yosys");
@@ -123,6 +149,10 @@ Elaborated by_yosys(const Files& files, const std::string& what, const Budget& b
   };
   const fs::path empty = own / "empty";
   fs::create_directory(empty);
+  const auto any_of_files = [&](const auto& is_so) {
+    return std::ranges::any_of(
+        files.files, [&](const fs::path& file) { return is_so(read_file(file.string())); });
+  };
   // It may be what is printed that it does not read, or a file of $readmemh that is not beside the
   // RTL but where one works.
   std::optional<InputError> first;
@@ -131,35 +161,40 @@ Elaborated by_yosys(const Files& files, const std::string& what, const Budget& b
   for (const fs::path& file : files.files) {
     const fs::path folder = fs::absolute(file).parent_path();
     const bool is_there = std::ranges::find(folders, folder) != folders.end();
-    if (!is_there && for_yosys(file, true) != read_file(file.string())) folders.push_back(folder);
+    if (!is_there && for_yosys(file, {}) != read_file(file.string())) folders.push_back(folder);
   }
-  for (const bool prints : {true, false}) {
+  std::vector<Shown> ways{{true, true}};
+  if (any_of_files([](const std::string& text) { return simpler(text) != text; }))
+    ways.push_back({false, true});
+  const bool has_pragmas =
+      any_of_files([](const std::string& text) { return without_pragmas(text) != text; });
+  if (has_pragmas && !any_of_files([](const auto& text) { return !hides_simulation(text); }))
+    ways.push_back({true, false});
+  for (const Shown& shown : ways) {
     for (const fs::path& folder : folders) {
       try {
-        attempt(prints, folder);
+        attempt(shown, folder);
         const auto has_latch = [&] {
           return read_file((own / "top.json").string()).find("\"$dlatch") != std::string::npos;
         };
         if (processes == without_rmdead && has_latch()) {
           processes = with_rmdead;
-          attempt(prints, folder);
+          attempt(shown, folder);
         }
         return {read_file((own / "top.json").string()), read_file((own / "top.il").string())};
       } catch (const InputError& error) {
         if (!first) first = error;
       }
     }
-    const bool is_printing =
-        std::any_of(files.files.begin(), files.files.end(), [](const fs::path& file) {
-          const std::string text = read_file(file.string());
-          return simpler(text) != text;
-        });
-    if (!is_printing) break;
   }
   throw InputError(first->what());
 }
 
 }  // namespace
+
+std::string revealed(const std::string& text) {
+  return hides_simulation(text) ? text : without_pragmas(text);
+}
 
 Elaborated elaborated(const Files& files, const std::string& what, FrontEnd front_end,
                       const Budget& budget) {

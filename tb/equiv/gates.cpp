@@ -230,6 +230,24 @@ void Side::name_as(const Side& other) {
   }
 }
 
+void Side::number_as_declared(const std::set<std::string>& nets) {
+  std::map<std::string, int> low;
+  for (const Net& net : module().nets) {
+    if (nets.contains(net.name)) low[net.name] = net.low;
+  }
+  const auto numbered = [&](Name name) {
+    const auto at = low.find(name.first);
+    if (at != low.end()) name.second += at->second;
+    return name;
+  };
+  for (Register& r : registers) {
+    r.name = numbered(r.name);
+    std::set<Name> all;
+    for (const Name& net : r.nets) all.insert(numbered(net));
+    r.nets = std::move(all);
+  }
+}
+
 Side::Made Side::make(Graph& graph, const std::function<Bit(const Name&)>& input,
                       const Bits& unknown, const Bits& state) const {
   Bits value(logic_.gates().size(), no);

@@ -10,23 +10,12 @@
 #include "tb/equiv/simulator.h"
 #include "tb/equiv/sources.h"
 #include "tb/equiv/stepped.h"
-#include "tb/equiv/vhdl_run.h"
 #include "tb/util/words.h"
 
 namespace cosim::equiv {
 namespace {
 
-using Values = Stepped::Values;
 using Inputs = RefereeInputs::Row;
-
-// A value of the netlist: one digit a bit, 'x' where it is not the same in all runs.
-std::string word_of(const std::vector<Values>& bits) {
-  std::string text;
-  for (auto at = bits.rbegin(); at != bits.rend(); ++at) {
-    text += *at == 0 ? '0' : *at == ~Values{0} ? '1' : 'x';
-  }
-  return text;
-}
 
 class Match {
  public:
@@ -41,55 +30,6 @@ class Match {
     const bool four = simulator == Simulator::icarus;
     casex_ = four && !place_of(sources, "\\bcasex\\b").empty();
     casez_ = four && !place_of(sources, "\\bcasez\\b").empty();
-  }
-
-  // By GHDL, which runs the VHDL that the Verilog was made of: its registers begin as they do, and
-  // are not seen.
-  Refereed judged_as_vhdl() {
-    Refereed is;
-    const Stimulus s = stimulus();
-    VhdlStimulus vhdl;
-    vhdl.falls = side_.clocks;
-    for (const auto& [clock, falls] : side_.clocks) vhdl.clocks.push_back(clock);
-    for (const std::string& port : s.inputs) {
-      if (!side_.clocks.contains(port)) vhdl.inputs.emplace_back(port, side_.inputs.at(port));
-    }
-    for (const std::string& port : s.outputs)
-      vhdl.outputs.emplace_back(port, side_.outputs.at(port));
-    for (std::size_t t = 1; t < rows_.size(); ++t) {
-      std::string row;
-      for (const std::string& clock : vhdl.clocks) row += how_.steps ? rows_[t].at(clock) : "1";
-      for (const auto& [port, width] : vhdl.inputs) row += rows_[t].at(port);
-      vhdl.rows.push_back(row);
-    }
-    std::vector<std::string> files;
-    for (const auto& file : side_.files().vhdl) files.push_back(file.string());
-    const VhdlRun ran =
-        run_vhdl(files, side_.files().top, side_.files().parameters, vhdl, how_.until);
-    if (ran.rows.empty()) {
-      is.wrong = ran.error;
-      return is;
-    }
-    is.by = "GHDL";
-    for (std::size_t t = 0; t < ran.rows.size() && wrong_.empty(); ++t) {
-      Inputs row = rows_[t + 1];
-      std::size_t at = vhdl.clocks.size();
-      for (const auto& [port, width] : vhdl.inputs) {
-        row[port] = ran.inputs[t].substr(at, static_cast<std::size_t>(width));
-        at += static_cast<std::size_t>(width);
-      }
-      stepped_.clock(row);
-      at = 0;
-      for (const auto& [port, width] : vhdl.outputs) {
-        compare(port, ran.rows[t].substr(at, static_cast<std::size_t>(width)),
-                netlist_word(port, width), true, t);
-        at += static_cast<std::size_t>(width);
-      }
-      ++is.clocks;
-    }
-    is.wrong = wrong_;
-    is.agrees = is.wrong.empty();
-    return is;
   }
 
   Refereed judged() {
@@ -236,37 +176,22 @@ class Match {
   }
 
   std::string netlist_word(const std::string& port, int width) {
-    std::vector<Values> bits;
-    for (int i = 0; i < width; ++i) bits.push_back(stepped_.output({port, i}));
-    return word_of(bits);
+    std::string text;
+    for (int i = width; i-- > 0;) text += Stepped::digit(stepped_.output({port, i}));
+    return text;
   }
   std::string netlist_word(const Variable& one) {
-    std::vector<Values> bits;
-    for (const std::size_t reg : *registers_of_.at(one.name)) bits.push_back(stepped_.seen(reg));
-    return word_of(bits);
-  }
-
-  bool all_registers_are_known() {
-    for (std::size_t i = 0; i < side_.registers.size(); ++i) {
-      const Values is = stepped_.seen(i);
-      if (is != 0 && is != ~Values{0}) return false;
-    }
-    return true;
-  }
-
-  // Whether all is known that it depends on: registers and memories.
-  bool rests_on_known(const std::string& name) {
-    if (simulator_ == Simulator::ghdl) {
-      return side_.memories.empty() && all_registers_are_known();
-    }
-    return !sources_->reach(name);
+    std::string text;
+    for (const std::size_t reg : *registers_of_.at(one.name))
+      text += Stepped::digit(stepped_.seen(reg));
+    return {text.rbegin(), text.rend()};
   }
 
   void compare(const std::string& name, const std::string& source, const std::string& netlist,
                bool is_output, std::size_t t) {
     if (!wrong_.empty() || source.size() != netlist.size()) return;
     const bool four = simulator_ != Simulator::verilator;
-    const bool sees_x = is_output && (simulator_ == Simulator::ghdl || (four && how_.x_matters));
+    const bool sees_x = is_output && four && how_.x_matters;
     bool is_wrong = false, is_vague = false;
     for (std::size_t i = 0; i < source.size(); ++i) {
       const char is = source[i], says = netlist[i];
@@ -274,14 +199,14 @@ class Match {
       if (is_known(is) && is_known(says)) is_wrong = true;
       if (is_lenient_) continue;
       if (four && is_known(is) && !is_known(says)) is_vague = true;
-      if (sees_x && !is_known(is) && is_known(says)) is_wrong = is_wrong || rests_on_known(name);
+      if (sees_x && !is_known(is) && is_known(says)) is_wrong = is_wrong || !sources_->reach(name);
     }
     // What casez takes for any value is known in the source and is not in the netlist.
     const bool is_matched = is_vague && (casex_ || (casez_ && sources_->z_reaches(name, t)));
     is_wrong = is_wrong || is_matched;
-    if (!is_wrong && is_vague && rests_on_known(name)) {
+    if (!is_wrong && is_vague && !sources_->reach(name)) {
       // An `if` that reads an x takes one way in the source.
-      is_wrong = simulator_ == Simulator::ghdl || !sources_->net_reaches(name, t);
+      is_wrong = !sources_->net_reaches(name, t);
       was_x_ = was_x_ || !is_wrong;
     }
     if (is_wrong) say_wrong(name, source, netlist, is_output, t);
@@ -308,7 +233,7 @@ class Match {
 }  // namespace
 
 Refereed refereed(const Side& side, const Referee& how) {
-  if (!side.files().vhdl.empty()) return Match(side, how, Simulator::ghdl).judged_as_vhdl();
+  if (!side.files().vhdl.empty()) return refereed_vhdl(side, how);
   const Refereed first = Match(side, how, Simulator::icarus).judged();
   if (!first.by.empty() || !how.verilator) return first;
   Refereed second;

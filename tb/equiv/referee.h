@@ -36,6 +36,8 @@ struct Referee {
 
 /// Compares the gates of a side, which were made, with its source: outputs and registers.
 Refereed refereed(const Side& side, const Referee& how);
+/// The same of a side that was made of VHDL, in GHDL, which runs that: the outputs.
+Refereed refereed_vhdl(const Side& side, const Referee& how);
 
 /// Inputs by chance, in stretches of some clocks that each have their own ways: mostly low or
 /// mostly high bits, small numbers, ends of ranges, what was before, the same word as another

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 #include <vector>
 
 #include "model/core/input_error.h"
@@ -116,6 +117,19 @@ void name_known(Question& q, const Variables& olds, const Variables& news) {
 }
 
 }  // namespace
+
+void name_alike(Side& gold, Side& gate) {
+  std::map<std::string, const Net*> olds;
+  for (const Net& net : gold.module().nets) olds[net.name] = &net;
+  std::set<std::string> nets;
+  for (const Net& net : gate.module().nets) {
+    const auto old = olds.find(net.name);
+    if (old != olds.end() && old->second->bits.size() != net.bits.size()) nets.insert(net.name);
+  }
+  gold.number_as_declared(nets);
+  gate.number_as_declared(nets);
+  gate.name_as(gold);
+}
 
 std::map<std::string, std::string> name_renamed(Question& q) {
   const Variables old_all = variables_of(q.gold), new_all = variables_of(q.gate);

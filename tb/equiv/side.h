@@ -106,6 +106,8 @@ class Side {
   /// A register that drives a net whose name another side's register drives too gets the name of
   /// that one: synthesis makes new names for a register's net, and keeps the old ones beside them.
   void name_as(const Side& other);
+  /// The registers on these nets count their bits by the indices of the declaration, [31:2] from 2.
+  void number_as_declared(const std::set<std::string>& nets);
 
   const Files& files() const { return files_; }
   const std::string& what() const { return what_; }

@@ -93,6 +93,13 @@ std::string slang_message(const Ended& ended, const fs::path& own, const Reading
                                 reading.by_own_names((own / lines.back()[1]).string()),
                                 lines.back()[2]));
   }
+  static const Pattern placeless(R"((?:^|\n)error: ([^\n]+))");
+  if (const auto said = placeless.all(plain); found.empty() && !said.empty()) {
+    const bool is_top = said[0][1].find("is not a valid top-level module") != std::string::npos;
+    return one_line(said[0][1] + (is_top ? ": where a parameter of it has no value of its own, "
+                                           "--param NAME=VALUE gives it one"
+                                         : ""));
+  }
   if (found.empty()) return yosys_message(plain, ended.status, reading.names());
   return one_line(fmt::format("{}: {}: {}", reading.by_own_names((own / found[0][1]).string()),
                               found[0][2], found[0][3]));
@@ -112,6 +119,10 @@ std::vector<std::string> by_slang(const Files& files, const std::string& what, c
   const fs::path place = slang_place();
   if (place.empty()) {
     throw InputError(what + ": slang is not installed; scripts/setup systemverilog brings it");
+  }
+  // Of a net that has one driver all other strengths are the same.
+  if (const std::string at = place_of(sources_of(files), "\\bhighz[01]\\b"); !at.empty()) {
+    throw InputError(fmt::format("{}: slang misreads the strengths highz0 and highz1", at));
   }
   const Scratch scratch;
   const fs::path own = scratch.path();

@@ -63,10 +63,11 @@ Stepped::Stepped(const Side& side, bool cut, bool steps)
     held.write_address = pins("WR_ADDR");
     held.data = pins("WR_DATA");
     held.bits.resize(held.words * held.width);
+    const std::string& digits = cell.parameter("INIT");
+    held.first.assign(digits.rbegin(), digits.rend());
     memories_.push_back(std::move(held));
-    std::string digits = cell.parameter("INIT");
-    digits.assign(digits.rbegin(), digits.rend());
-    begin_memory(number++, digits);
+    begin_memory(number, memories_[number].first);
+    ++number;
   }
 }
 
@@ -74,6 +75,21 @@ Stepped::Values Stepped::unknown() { return (random_.next() & ~Values{3}) | 2U; 
 
 void Stepped::begin(std::size_t reg, char digit) {
   next_[reg] = digit == '1' ? ~Values{0} : digit == '0' ? 0 : unknown();
+}
+
+void Stepped::begin_alike(unsigned fill) {
+  Random chance = Random::for_case(48, fill);
+  const auto digit = [&] { return fill == 0 || (fill > 1 && chance.next() % 2 == 0) ? '0' : '1'; };
+  for (std::size_t i = 0; i < next_.size(); ++i) {
+    const Register& reg = side_.registers[i];
+    begin(i, reg.any ? digit() : reg.first ? '1' : '0');
+  }
+  for (std::size_t m = 0; m < memories_.size(); ++m) {
+    std::string digits = memories_[m].first;
+    digits.resize(memories_[m].bits.size(), 'x');
+    for (char& one : digits) one = one == '0' || one == '1' ? one : digit();
+    begin_memory(m, digits);
+  }
 }
 
 void Stepped::begin_memory(std::size_t memory, const std::string& digits) {

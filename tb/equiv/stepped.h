@@ -26,12 +26,18 @@ class Stepped {
 
   /// What a register begins as, in all runs: '0' or '1', else another value in each.
   void begin(std::size_t reg, char digit);
+  /// All runs begin alike, so that only what the logic itself leaves open differs in them: what has
+  /// no initial value is 0 in all for `fill` 0, 1 for 1, and chance for others.
+  void begin_alike(unsigned fill);
   /// The words of a memory: digits, the lowest bit first.
   void begin_memory(std::size_t memory, const std::string& digits);
   /// The values with these inputs, binary digits by port, highest bit first; no clock comes yet.
   void settle(const std::map<std::string, std::string>& inputs);
   /// A clock with these inputs, and the values on it.
   void clock(const std::map<std::string, std::string>& inputs);
+
+  /// '0' or '1' where all runs have it, else 'x'.
+  static char digit(Values bits) { return bits == 0 ? '0' : bits == ~Values{0} ? '1' : 'x'; }
 
   Values output(const Name& name) const { return runs_.of(made_.outputs.at(name)); }
   Values seen(std::size_t reg) const { return runs_.of(made_.seen[reg]); }
@@ -44,6 +50,7 @@ class Stepped {
  private:
   struct Held {
     std::size_t width = 0, address = 0, words = 0, low = 0, reads = 0, writes = 0;
+    std::string first;  ///< digits, the lowest bit first
     std::vector<Values> bits;
     std::vector<std::size_t> read_data;  ///< inputs of the graph
     Bits read_address, enable, write_address, data;

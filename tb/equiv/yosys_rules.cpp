@@ -80,6 +80,8 @@ const std::vector<Rule>& yosys_rules() {
            "port $1 is declared as neither input nor output"),
       rule("Parameter defaults can only be omitted in SystemVerilog mode!",
            "a parameter without a default value, as in SystemVerilog (a file .sv)"),
+      rule("Parameter (\\S+) has no default value and has not been overridden!?",
+           "parameter $1 has no value of its own: --param $1=VALUE gives it one"),
       rule("(.*) is only supported in SystemVerilog mode\\.", "$1: only in a file .sv"),
       // The preprocessor.
       rule("Found `(\\w+) outside of macro conditional branch!", "`$1 without an `ifdef before it"),

@@ -129,7 +129,8 @@ int compare(const EquivOptions& o, Verdicts& verdicts) {
   const unsigned jobs =
       o.jobs ? static_cast<unsigned>(number("--jobs", *o.jobs, 1, 1024)) : std::max(4U, cores());
   const equiv::Budget budget(seconds);
-  const std::string top = o.top ? *o.top : needed("--top", o.gate_top);
+  const std::string top = top_of(o, files.gate);
+  require_own_folder(equiv::folder_of(top, o.common.failures_folder()));
   const auto undecided = [&](const char* why) {
     const std::string text =
         fmt::format("{}: undecided: {} in {} s (--seconds)\n", top, why, seconds);
@@ -138,7 +139,7 @@ int compare(const EquivOptions& o, Verdicts& verdicts) {
   };
   BothSides sides;
   try {
-    sides = read_sides(o, files, scratch.path(), budget, jobs);
+    sides = read_sides(o, files, top, scratch.path(), budget, jobs);
   } catch (const equiv::OutOfTime&) {
     return undecided("yosys does not read it");
   }
@@ -208,7 +209,6 @@ std::vector<std::string> files_read(const std::vector<std::string>& files,
 int run(const EquivOptions& o) {
   check_outputs(o.common, files_read(files_named(o), o.include_dirs));
   const std::string top = o.top.value_or(o.gate_top.value_or(""));
-  require_own_folder(equiv::folder_of(top, o.common.failures_folder()));
   return with_verdicts(equiv_command.name, top.empty() ? "?" : top, o.common,
                        [&](Verdicts& verdicts) { return compare(o, verdicts); });
 }
@@ -218,7 +218,7 @@ int run(const EquivOptions& o) {
 void add_equiv(const Command& program) {
   auto o = std::make_shared<EquivOptions>();
   const Command command = program.sub(equiv_command.name, equiv_command.help);
-  command.arguments("FILE", o->files, "With --rev: the files of the new RTL");
+  command.arguments("FILE", o->files, "The old file and the new one; with --rev the files of the new RTL");
   command.texts("--gold", o->gold, "FILE",
                 "The files of the old RTL; FILE.f is a list, as with -F");
   command.texts("--gate", o->gate, "FILE", "The files of the new RTL, or FILE.f");
@@ -228,7 +228,8 @@ void add_equiv(const Command& program) {
                "With --rev: a list of files, +incdir+DIR, +define+NAME=VALUE, -y DIR, -v\n"
                "FILE, -f LIST; the old RTL has the list of that revision");
   command.each("-F", o->own_lists, "LIST", "The same, whose paths begin at the folder of the list");
-  command.text("--top", o->top, "NAME", "The module that is compared");
+  command.text("--top", o->top, "NAME",
+               "The module that is compared; default: the one that no other has an instance of");
   command.text("--gold-top", o->gold_top, "NAME", "Its name in the old RTL");
   command.text("--gate-top", o->gate_top, "NAME", "Its name in the new RTL");
   command.texts("--cells", o->cells, "FILE",
@@ -266,7 +267,7 @@ void add_equiv(const Command& program) {
   command.footer(
       fmt::format("Needs yosys and Icarus Verilog. Exit status: 0 equal, 1 different, 2 bad input, "
                   "3 undecided.\n"
-                  "Example: {} equiv --gold old/uart.v --gate uart.v --top uart",
+                  "Example: {} equiv old/uart.v uart.v",
                   program_name()));
   command.action([o] { return run(*o); });
 }

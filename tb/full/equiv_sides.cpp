@@ -8,6 +8,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/cli/named_values.h"
+#include "tb/full/wrapped_top.h"
 #include "tb/new/liberty.h"
 #include "tb/new/new_sources.h"
 #include "tb/new/verilog_words.h"
@@ -68,7 +69,11 @@ SideFiles old_files(const EquivOptions& o, const std::filesystem::path& scratch)
   for (const std::string& file : named) {
     if (!fs::exists(file)) throw InputError(file + ": No such file or directory");
   }
-  const Revision revision(*o.rev, named.front(), scratch);
+  const Revision revision(*o.rev, named, scratch);
+  for (const std::string& file : named) {
+    if (revision.has(file)) continue;
+    fmt::print("{}: in another repository: as it is today on both sides\n", one_line(file));
+  }
   const auto was = [&](const fs::path& path) { return revision.old(path); };
   const rtl::FileList list = listed(o, o.files, true, was, was);
   SideFiles old = side_of(list, o);
@@ -114,6 +119,33 @@ void read_cells(std::vector<std::string>& files, const std::vector<std::string>&
   }
 }
 
+// A module around the top, as `cosim new` writes it, where that has ports that are interfaces or is
+// given types as parameters.
+void wrap_top(equiv::Files& all, std::vector<std::string>& files,
+              const std::filesystem::path& folder) {
+  Sources rtl;
+  rtl.top = all.top;
+  for (const std::string& file : files) {
+    const std::filesystem::path path = std::filesystem::absolute(file);
+    if (path.extension() == ".sv") rtl.files.push_back({path.string(), path, read_file(file)});
+  }
+  if (!needs_wrapper(all.parameters, rtl)) return;
+  RtlQuestion asked;
+  asked.folder = folder;
+  for (const auto& dir : all.include_dirs)
+    asked.options.push_back("-I" + std::filesystem::absolute(dir).string());
+  for (const std::string& define : all.defines) asked.options.push_back("-D" + define);
+  std::set<std::string> left;
+  for (const FoundParameter& p : with_wrapper(all.top, all.parameters, rtl, asked))
+    left.insert(p.name);
+  std::erase_if(all.parameters, [&](const std::string& word) {
+    return !left.contains(word.substr(0, word.find('=')));
+  });
+  all.top = rtl.top;
+  files.push_back((folder / rtl.files.back().name).string());
+  write_file(files.back(), rtl.files.back().text);
+}
+
 struct Named {
   const char* what;
   const char* option;
@@ -122,9 +154,10 @@ struct Named {
 };
 
 equiv::Side read_side(const EquivOptions& o, const SideFiles& own, const Named& named,
-                      const std::filesystem::path& made, const equiv::Budget& budget) {
+                      const std::string& top, const std::filesystem::path& made,
+                      const equiv::Budget& budget) {
   equiv::Files all;
-  all.top = named.top ? *named.top : needed("--top", o.top);
+  all.top = named.top.value_or(top);
   std::vector<std::string> parameters = o.parameters;
   parameters.insert(parameters.end(), named.parameters.begin(), named.parameters.end());
   const char* const option = named.parameters.empty() ? "--param" : named.option;
@@ -151,6 +184,7 @@ equiv::Side read_side(const EquivOptions& o, const SideFiles& own, const Named& 
   std::filesystem::create_directories(cells);
   std::filesystem::create_directory(made);
   read_cells(verilog, o.blackboxes, cells);
+  wrap_top(all, verilog, cells);
   if (std::ranges::all_of(verilog, rtl::is_vhdl)) all.vhdl.assign(verilog.begin(), verilog.end());
   const auto run = [](const auto& words) {
     Ended ended = cosim::run_program(words);
@@ -178,9 +212,12 @@ BothFiles files_of(const EquivOptions& o, const std::filesystem::path& scratch) 
       throw InputError("FILE: is needed, or -f LIST");
     }
   } else if (!o.files.empty()) {
-    throw InputError(fmt::format("equiv: takes no {} without --rev", in_quotes(o.files.front())));
+    if (o.files.size() != 2 || !o.gold.empty() || !o.gate.empty()) {
+      throw InputError(
+          "equiv: takes the old file and the new one, or --gold FILES --gate FILES, or --rev");
+    }
   } else if (o.gold.empty()) {
-    throw InputError("--gold: is needed, or --rev");
+    throw InputError("--gold: is needed, or OLD NEW, or --rev");
   } else if (o.gate.empty()) {
     throw InputError("--gate: is needed");
   }
@@ -189,9 +226,22 @@ BothFiles files_of(const EquivOptions& o, const std::filesystem::path& scratch) 
   if (!is_one_list && !(o.lists.empty() && o.own_lists.empty())) {
     throw InputError("-f and -F: go with --rev; --gold and --gate take a list as FILE.f");
   }
-  both.gate = new_files(o, o.rev ? o.files : o.gate, is_one_list);
-  both.gold = o.rev ? old_files(o, scratch) : new_files(o, o.gold, false);
+  const bool is_pair = !o.rev && !o.files.empty();
+  const std::vector<std::string> now = is_pair ? std::vector{o.files[1]} : o.rev ? o.files : o.gate;
+  both.gate = new_files(o, now, is_one_list);
+  both.gold = o.rev ? old_files(o, scratch)
+                    : new_files(o, is_pair ? std::vector{o.files[0]} : o.gold, false);
   return both;
+}
+
+std::string top_of(const EquivOptions& o, const SideFiles& gate) {
+  if (o.top) return *o.top;
+  if (o.gate_top) return *o.gate_top;
+  const Sources sources =
+      sources_of({.name = "", .files = gate.files, .includes = gate.include_dirs});
+  if (!sources.top_is_guessed) return sources.top;
+  throw InputError(fmt::format(
+      "--top: is needed: {} is not the only module that no other has an instance of", sources.top));
 }
 
 std::vector<std::string> files_named(const EquivOptions& o) {
@@ -209,15 +259,15 @@ std::vector<std::string> files_named(const EquivOptions& o) {
   return all;
 }
 
-BothSides read_sides(const EquivOptions& o, const BothFiles& files,
+BothSides read_sides(const EquivOptions& o, const BothFiles& files, const std::string& top,
                      const std::filesystem::path& folder, const equiv::Budget& budget,
                      unsigned jobs) {
   BothSides both;
   const Named gold{"the old RTL", "--param and --gold-param", o.gold_top, o.gold_parameters};
   const Named gate{"the new RTL", "--param and --gate-param", o.gate_top, o.gate_parameters};
   in_parallel(2, jobs, [&](std::uint64_t i) {
-    if (i == 0) both.gold = read_side(o, files.gold, gold, folder / "was", budget);
-    if (i == 1) both.gate = read_side(o, files.gate, gate, folder / "is", budget);
+    if (i == 0) both.gold = read_side(o, files.gold, gold, top, folder / "was", budget);
+    if (i == 1) both.gate = read_side(o, files.gate, gate, top, folder / "is", budget);
     return true;
   });
   return both;

@@ -35,6 +35,9 @@ struct BothFiles {
 /// Each side's own, those of lists of files (tb/rtl/file_list.h) too: with --rev those of the old
 /// one are what git has, in `scratch`. InputError where the options name none.
 BothFiles files_of(const EquivOptions& options, const std::filesystem::path& scratch);
+/// --top, --gate-top, or the one module of the new files that no other has an instance of.
+/// InputError where there are more.
+std::string top_of(const EquivOptions& options, const SideFiles& gate);
 /// All files that are named today, the lists among them. A list that cannot be read names none.
 std::vector<std::string> files_named(const EquivOptions& options);
 
@@ -42,9 +45,9 @@ struct BothSides {
   std::optional<equiv::Side> gold, gate;
 };
 
-/// Reads both at once, on `jobs` threads at the most. `folder`: one for temporary files.
-/// InputError, and OutOfTime.
-BothSides read_sides(const EquivOptions& options, const BothFiles& files,
+/// Reads both at once, on `jobs` threads at the most, from `top` unless a side's own is named.
+/// `folder`: one for temporary files. InputError, and OutOfTime.
+BothSides read_sides(const EquivOptions& options, const BothFiles& files, const std::string& top,
                      const std::filesystem::path& folder, const equiv::Budget& budget,
                      unsigned jobs);
 
@@ -55,9 +58,13 @@ BothSides read_sides(const EquivOptions& options, const BothFiles& files,
 /// link that leads out of the repository leads where it does today.
 class Revision {
  public:
-  /// Of the repository that `file` lies in. InputError "--rev: ...", one line.
-  Revision(const std::string& rev, const std::filesystem::path& file,
+  /// Of the repository that the files lie in; of several the one that has the others as
+  /// submodules, or the one of the working directory. InputError "--rev: ...", one line.
+  Revision(const std::string& rev, const std::vector<std::string>& files,
            const std::filesystem::path& folder);
+
+  /// Whether it lies in the repository.
+  bool has(const std::filesystem::path& today) const { return inside(today).has_value(); }
 
   /// What a file or a folder of today is in the revision: none where it is not there. What lies
   /// outside of the repository stays where it is, and so does with `may_be_made` what git knows

@@ -9,8 +9,10 @@
 #include "model/core/input_error.h"
 #include "tb/cli/registry.h"
 #include "tb/equiv/front_end.h"
+#include "tb/rtl/plain_verilog.h"
 #include "tb/util/hash.h"
 #include "tb/util/output_file.h"
+#include "tb/util/read_file.h"
 
 namespace cosim::cli {
 namespace {
@@ -18,6 +20,20 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int time_for_slang = 60;  // seconds
+
+// Copies in the build folder of the files that yosys would read in part.
+void reveal(proof::Source& source) {
+  for (fs::path& file : source.files) {
+    const std::string text = read_file(file.string()), whole = equiv::revealed(text);
+    if (whole == text) continue;
+    const fs::path copy =
+        fs::path(registry().build_folder()) / "revealed" / hash_of(text) / file.filename();
+    fs::create_directories(copy.parent_path());
+    write_file(copy.string(), whole);
+    source.include_dirs.push_back(fs::absolute(file).parent_path());
+    file = copy;
+  }
+}
 
 }  // namespace
 
@@ -32,6 +48,7 @@ equiv::Files files_of(const proof::Source& source) {
   }
   files.include_dirs = source.include_dirs;
   files.defines = source.defines;
+  if (source.files.size() == 1) files.vhdl = rtl::vhdl_of(source.files.front());
   return files;
 }
 
@@ -47,12 +64,14 @@ std::string hash_of_rtl(const proof::Source& source) {
       if (entry.is_regular_file() && entry.file_size() < most) all.insert(entry.path());
     }
   }
+  for (const fs::path& file : files_of(source).vhdl) all.insert(file);
   std::string key = proof::commands_to_elaborate(source);
   for (const fs::path& file : all) key += file.string() + hash_of_file(file.string());
   return hash_of(key);
 }
 
 proof::Source readable(proof::Source source) {
+  reveal(source);
   const bool is_verilog = std::ranges::none_of(
       source.files, [](const fs::path& file) { return file.extension() == ".sv"; });
   if (is_verilog || !source.written.empty()) return source;

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <set>
 
 #include "model/core/input_error.h"
 #include "tb/util/process.h"
@@ -45,20 +46,52 @@ fs::path plain(const fs::path& path) {
 
 bool leads_out(const fs::path& relative) { return relative.empty() || *relative.begin() == ".."; }
 
-}  // namespace
-
-Revision::Revision(const std::string& rev, const fs::path& file, const fs::path& folder)
-    : rev_(rev), folder_(folder / "tree") {
-  const Ended root = git(plain(file).parent_path(), {"rev-parse", "--show-toplevel"});
+// The root of the repository that a folder lies in, if it lies in one.
+std::optional<fs::path> root_above(const fs::path& folder) {
+  const Ended root = git(folder, {"rev-parse", "--show-toplevel"});
   if (root.text.find("dubious ownership") != std::string::npos) {
     throw InputError(
         fmt::format("--rev: git refuses the repository of {}, which another user owns; allow it by "
                     "git config --global --add safe.directory FOLDER",
-                    file.string()));
+                    folder.string()));
   }
-  if (root.status != 0)
-    throw InputError(fmt::format("--rev: {} is not in a git repository", file.string()));
-  root_ = root.text;
+  if (root.status != 0) return std::nullopt;
+  return root.text;
+}
+
+// The repository that the files lie in; of several the one that has the others as submodules, or
+// the one of the working directory.
+fs::path repository_of(const std::vector<std::string>& files) {
+  std::set<fs::path> roots;
+  std::set<fs::path> folders;
+  for (const std::string& file : files) folders.insert(plain(file).parent_path());
+  for (const fs::path& folder : folders) {
+    if (const auto root = root_above(folder)) roots.insert(*root);
+  }
+  if (roots.empty()) {
+    throw InputError(fmt::format("--rev: {} is not in a git repository", files.front()));
+  }
+  const std::set<fs::path> all = roots;
+  for (const fs::path& root : all) {
+    fs::path above = root;
+    do {
+      above = git(above, {"rev-parse", "--show-superproject-working-tree"}).text;
+    } while (!above.empty() && !all.contains(above));
+    if (!above.empty()) roots.erase(root);
+  }
+  if (roots.size() == 1) return *roots.begin();
+  const auto here = root_above(fs::current_path());
+  if (here && roots.contains(*here)) return *here;
+  throw InputError(fmt::format("--rev: the files are in the repositories {} and {}: call it in the "
+                               "one whose revision is meant",
+                               roots.begin()->string(), std::next(roots.begin())->string()));
+}
+
+}  // namespace
+
+Revision::Revision(const std::string& rev, const std::vector<std::string>& files,
+                   const fs::path& folder)
+    : rev_(rev), root_(repository_of(files)), folder_(folder / "tree") {
   const bool named = !rev.empty() && rev.front() != '-';
   const Ended tree = named ? git(root_, {"rev-parse", "--verify", "--quiet", rev + "^{tree}"})
                            : Ended{1, false, 0, ""};

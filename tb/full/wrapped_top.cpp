@@ -101,13 +101,13 @@ std::vector<OpenedPort> opened_in(const TopHead& head, const GivenParameters& gi
           lacks_value("the parameter ([A-Za-z0-9_$]+) has no value of its own");
       if (const auto name = lacks_file.all(error.what()); !name.empty()) {
         throw InputError(
-            fmt::format("new: no file has the interface {}: give its file, too", name[0][1]));
+            fmt::format("no file has the interface {}: give its file, too", name[0][1]));
       }
       const auto found = lacks_value.all(error.what());
       if (found.empty()) throw;
       throw InputError(
-          fmt::format("new: the parameter {} of an interface has no value of its own: give it one: "
-                      "cosim new --param PORT.{}=VALUE",
+          fmt::format("the parameter {} of an interface has no value of its own: give it one: --param "
+                      "PORT.{}=VALUE",
                       found[0][1], found[0][1]));
     }
   }();
@@ -116,11 +116,7 @@ std::vector<OpenedPort> opened_in(const TopHead& head, const GivenParameters& gi
   return all;
 }
 
-}  // namespace
-
-std::vector<FoundParameter> with_wrapper(const std::string& name,
-                                         const std::vector<std::string>& words, Sources& rtl,
-                                         const RtlQuestion& asked) {
+std::optional<TopHead> head_in(const Sources& rtl) {
   std::optional<TopHead> head;
   for (const SourceFile& file : rtl.files) {
     const auto units = verilog_words(file.text).units;
@@ -128,6 +124,23 @@ std::vector<FoundParameter> with_wrapper(const std::string& name,
         units, [&](const VerilogUnit& unit) { return unit.is_module && unit.name == rtl.top; });
     if (has_top && !rtl::is_vhdl(file.from)) head.emplace(file.text, rtl.top);
   }
+  return head;
+}
+
+}  // namespace
+
+bool needs_wrapper(const std::vector<std::string>& words, const Sources& rtl) {
+  const std::optional<TopHead> head = head_in(rtl);
+  if (!head) return false;
+  return !head->interfaces().empty() || std::ranges::any_of(words, [&](const std::string& word) {
+    return head->is_type(word.substr(0, word.find('=')));
+  });
+}
+
+std::vector<FoundParameter> with_wrapper(const std::string& name,
+                                         const std::vector<std::string>& words, Sources& rtl,
+                                         const RtlQuestion& asked) {
+  const std::optional<TopHead> head = head_in(rtl);
   const GivenParameters given = parameters_in(words, head);
   if (!head && !given.of_interfaces.empty()) {
     throw InputError(fmt::format("--param: {}: {} has no interface as a port",

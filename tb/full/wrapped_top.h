@@ -1,4 +1,4 @@
-// The wrapper that `cosim new` writes around a top.
+// The wrapper that `cosim new` and `cosim equiv` write around a top.
 #pragma once
 
 #include <string>
@@ -8,6 +8,9 @@
 #include "tb/new/new_sources.h"
 
 namespace cosim::cli {
+
+/// Whether the top has ports that are interfaces, or one of `words` gives it a type.
+bool needs_wrapper(const std::vector<std::string>& words, const Sources& rtl);
 
 /// Adds a wrapper, the new top, to the files where a value of `words`, as of --param, is
 /// SystemVerilog, or where a port is an interface. Gives the parameters of the shape. `asked`: the

@@ -40,7 +40,7 @@ Elements elements_of(const InterfacePort& port) {
             fmt::format("(({0}) < ({1}) ? ({1}) : ({0}))", a, b)};
   }
   throw InputError(fmt::format(
-      "new: {}: an interface as a port has one dimension at most: give a module around the top",
+      "{}: an interface as a port has one dimension at most: give a module around the top",
       port.name));
 }
 
@@ -76,7 +76,7 @@ class Opening {
  private:
   InputError refused(const std::string& member, const std::string& why) const {
     return InputError(
-        fmt::format("new: {}.{}: {}: give a module around {}, whose ports are signals",
+        fmt::format("{}.{}: {}: give a module around {}, whose ports are signals",
                     port_.interface, member, why, port_.name));
   }
 
@@ -86,7 +86,7 @@ class Opening {
       if (const Node* of = design_.module(in->has("defName")); of != nullptr) return *of;
     }
     throw InputError(
-        fmt::format("new: {}: Verilator does not say what {} has", port_.name, port_.interface));
+        fmt::format("{}: Verilator does not say what {} has", port_.name, port_.interface));
   }
 
   // The members that the modport names.

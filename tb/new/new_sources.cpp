@@ -116,7 +116,7 @@ std::string top_of(const Pool& pool, const GivenRtl& given, bool& is_guessed) {
       }
     }
   }
-  if (tops.empty()) throw InputError("new: no module in " + in_quotes(given.files.front()));
+  if (tops.empty()) throw InputError("no module in " + in_quotes(given.files.front()));
   std::set<std::string> all;
   for (const std::string& top : tops) {
     if (!used.contains(top)) all.insert(top);
@@ -136,7 +136,7 @@ std::string top_of(const Pool& pool, const GivenRtl& given, bool& is_guessed) {
   }
   std::vector<std::string> some(
       all.begin(), std::next(all.begin(), std::min<std::ptrdiff_t>(8, std::ssize(all))));
-  throw InputError(fmt::format("new: the top may be {}{}: choose it with --top",
+  throw InputError(fmt::format("the top may be {}{}: choose it with --top",
                                fmt::join(some, " or "),
                                all.size() > some.size() ? " or another" : ""));
 }

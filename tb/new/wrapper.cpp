@@ -34,7 +34,7 @@ TopHead::TopHead(std::string_view text, const std::string& top) : top_(top) {
 
 void TopHead::read(std::string_view text) {
   const auto refused = [&](const char* why) {
-    return InputError(fmt::format("new: {}: {}: no wrapper can be written", top_, why));
+    return InputError(fmt::format("{}: {}: no wrapper can be written", top_, why));
   };
   const std::string plain = rtl::blanked(text);
   const Pattern begin(R"(\b(?:macro)?module\s+(?:automatic\s+|static\s+)?)" + top_ + R"(\b)");

@@ -43,5 +43,8 @@ bool is_vhdl(const std::filesystem::path& file);
 /// folders ghdl, blackbox and inout into the folder `to`.
 std::vector<std::string> plain_verilog(Sources sources, const std::filesystem::path& to,
                                        const Run& run);
+/// The VHDL that the file `made`, one that plain_verilog() named, was made of; empty for another
+/// file, and where the design has Verilog, too.
+std::vector<std::filesystem::path> vhdl_of(const std::filesystem::path& made);
 
 }  // namespace cosim::rtl

@@ -33,7 +33,7 @@ const Meaning meanings[] = {
      "\\1: no file defines the macro \\2: give the file that does, or cosim new --define \\2, in "
      "CMake DEFINES \\2"},
     {"PLACE Unsupported: Interfaced port on top level module",
-     "\\1: an interface is a port of the top: cosim new writes a module around it whose ports are "
+     "\\1: an interface is a port of the top: cosim writes a module around it whose ports are "
      "signals, if the port names a modport (bus.target p)"},
     {"PLACE Unsupported in C: Variable has same name as instance: '([^']+)'",
      "\\1: \\2 is the name of a signal and of its module, which Verilator cannot simulate: rename "

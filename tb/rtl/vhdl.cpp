@@ -239,19 +239,6 @@ std::string with_parameters(const std::string& text, const Entity& top,
                       : text.substr(0, line) + "\n  #(" + list + ")\n" + text.substr(line + 1);
 }
 
-// GHDL takes the choices of case? and select? as those of case, where a - matches a - alone.
-void refuse_matching(const std::string& file, const std::string& text) {
-  static const Regex matching("\\b(case|select)\\s*\\?", REG_ICASE),
-      open("\"[01xzXZuUwWlLhH]*-[01xzXZuUwWlLhH-]*\"");
-  const Match found = matching.find(text);
-  if (!found || !open.find(text)) return;
-  const auto line =
-      1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(found.begin()), '\n');
-  throw InputError(file + ':' + std::to_string(line) +
-                   ": GHDL does not match the - of a choice of " + in_small_letters(found[1]) +
-                   "?: write if with std_match");
-}
-
 }  // namespace
 
 std::string in_small_letters(std::string text) {
@@ -276,7 +263,7 @@ std::string verilog_of_vhdl(const Sources& sources, const fs::path& work, const 
   for (const std::string& file : sources.files) {
     texts.push_back(text_of(sources.folder / file, file));
     const std::string text = uncommented(texts.back());
-    refuse_matching(file, text);
+    refuse_misread_vhdl(file, text);
     has_any = has_any || text.find("'-'") != std::string::npos;
     entities.merge(entities_in(text));
     for (const Match& m : instance.all(text)) used.insert(in_small_letters(m[2]));

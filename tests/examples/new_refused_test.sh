@@ -255,8 +255,8 @@ refused "-y: 'none': no such folder" made made.v -y none
 refused "--param: 'W' is not NAME=VALUE" made made.v --param W
 refused "--define: '1' is not NAME or NAME=VALUE" made made.v --define 1
 cat made.v part.v > both.v
-refused "new: the top may be made or part: choose it with --top" another both.v
-refused "new: no module in 'other/none.v'" made other/none.v
+refused "the top may be made or part: choose it with --top" another both.v
+refused "no module in 'other/none.v'" made other/none.v
 refused "--plain: does not go with --stream" made --plain --stream
 rtl 'always @(posedge clk) q <= d;'
 wrong "made: no stream goes in: it has no input whose name ends in valid or vld, and not both start and done" --stream

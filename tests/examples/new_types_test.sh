@@ -73,7 +73,7 @@ printf 'module old(clk, d, q);\nparameter W = 2;\ninput clk;\ninput [W-1:0] d;\n
 printf 'always @(posedge clk) q <= d;\nendmodule\n' >> old.v
 made old.v --param W=3
 refused old.v --param W=bus_pkg::WIDE
-says "cosim: new: old: the list of its ports has no types: no wrapper can be written"
+says "cosim: old: the list of its ports has no types: no wrapper can be written"
 
 # Macros of a file without modules are for those before it, too.
 cat > defs.vh << 'RTL'

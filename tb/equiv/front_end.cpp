@@ -8,6 +8,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/equiv/assertions.h"
+#include "tb/equiv/misread.h"
 #include "tb/equiv/prints.h"
 #include "tb/equiv/reading.h"
 #include "tb/equiv/sources.h"
@@ -43,53 +44,13 @@ struct Shown {
   bool pragmas = true;  ///< what stands between the comments translate_off and translate_on
 };
 
-// Verilog knows no such comments, and yosys leaves out what is between them.
-std::string without_pragmas(const std::string& text) {
-  static const Pattern pragma(R"(((?:synopsys|synthesis)[ \t]*)translate_(off|on))");
-  return pragma.replaced(text, "$1translate-$2");
-}
-
-// Whether such parts are of simulation alone, as far as one can see.
-bool hides_simulation(const std::string& text) {
-  static const Pattern hidden(R"((?:synopsys|synthesis)[ \t]*translate_off([^]*?)translate_on)"),
-      simulation(R"(\$[a-z]|\binitial\b)");
-  const auto parts = hidden.all(text);
-  return std::ranges::all_of(parts, [](const auto& part) { return simulation.in(part[1]); });
-}
-
 std::string for_yosys(const fs::path& file, const Shown& shown) {
   const bool is_sv = Reading::extension(file) == ".sv";
   const std::string own = read_file(file.string());
   std::string text = with_casts_apart(is_sv ? without_assertions(own) : own);
+  text = without_macro_of_yosys(text);
   if (shown.pragmas) text = without_pragmas(text);
   return shown.prints ? text : simpler(text);
-}
-
-// What yosys reads in another way than Verilog says, without a word. Files that are included are
-// read as they are.
-void refuse_misread(const std::vector<SourceText>& sources) {
-  for (const SourceText& one : sources) {
-    if (one.is_included && with_casts_apart(one.text) != one.text) {
-      throw InputError(fmt::format(
-          "{}: an operator before a cast, as |5'(x), which yosys misreads in a file that is "
-          "included: put brackets around the cast",
-          one.file.string()));
-    }
-    if (one.is_included && without_pragmas(one.text) != one.text) {
-      throw InputError(fmt::format(
-          "{}: translate_off in a file that is included: yosys leaves out what Verilog does not",
-          one.file.string()));
-    }
-  }
-  const auto refuse = [&](const char* expression, const char* what) {
-    const std::string place = place_of(sources, expression);
-    if (!place.empty()) throw InputError(fmt::format("{}: yosys misreads {}", place, what));
-  };
-  refuse("\\btask\\b[^;(]*\\([^;)]*\\binout\\b", "a task with an inout argument");
-  refuse("\\btask\\b[^;(]*;(\\s*(input|output|reg|integer)\\b[^;]*;)*\\s*inout\\b",
-         "a task with an inout argument");
-  refuse("\\bbind\\s+[A-Za-z_]", "bind");
-  refuse("\\b(tri0|tri1|trireg)\\b", "tri0, tri1 and trireg");
 }
 
 std::string script(const Files& files, Reading& reading, const fs::path& scratch,
@@ -127,7 +88,7 @@ std::string script(const Files& files, Reading& reading, const fs::path& scratch
 }
 
 Elaborated by_yosys(const Files& files, const std::string& what, const Budget& budget) {
-  refuse_misread(sources_of(files));
+  refuse_misread(sources_of(files), FrontEnd::yosys);
   const Scratch scratch;
   const fs::path own = scratch.path();
   Reading reading(files, own);
@@ -191,10 +152,6 @@ Elaborated by_yosys(const Files& files, const std::string& what, const Budget& b
 }
 
 }  // namespace
-
-std::string revealed(const std::string& text) {
-  return hides_simulation(text) ? text : without_pragmas(text);
-}
 
 Elaborated elaborated(const Files& files, const std::string& what, FrontEnd front_end,
                       const Budget& budget) {

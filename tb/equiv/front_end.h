@@ -24,10 +24,6 @@ Elaborated elaborated_by_slang(const Files& files, const std::string& what, cons
 /// numbers, its nets and registers have their names. InputError and OutOfTime, as above.
 std::string verilog_by_slang(const Files& files, const std::string& what, const Budget& budget);
 
-/// The text of a file in which no comment translate_off hides more than simulation: yosys leaves out
-/// what stands behind it, and Verilog does not.
-std::string revealed(const std::string& text);
-
 /// Whether slang is there: `scripts/setup systemverilog` brings it. Another folder of npm's
 /// packages, or a yosys that has read_slang, is named by COSIM_SLANG.
 bool has_slang();

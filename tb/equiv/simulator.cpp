@@ -10,6 +10,7 @@
 #include "tb/equiv/for_icarus.h"
 #include "tb/equiv/sources.h"
 #include "tb/rtl/design.h"
+#include "tb/rtl/verilog.h"
 #include "tb/util/output_file.h"
 #include "tb/util/pattern.h"
 #include "tb/util/process.h"
@@ -98,9 +99,13 @@ Program::Program(const Side& side, Stimulus stimulus, Simulator simulator,
 
 // What a simulator is given in place of a file, where it does not read that as it should.
 void Program::copy_simpler() {
-  for (const fs::path& one : side_.files().files) {
-    const std::string text = read_file(one.string());
-    std::string simpler = one.extension() == ".sv" ? without_assertions(text) : text;
+  std::vector<std::string> files;
+  for (const fs::path& one : side_.files().files) files.push_back(fs::absolute(one).string());
+  const auto given = rtl::without_port_defaults("/", files, fs::path(own_) / "ports");
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    const fs::path& one = side_.files().files[i];
+    const std::string text = read_file(one.string()), own = read_file(given[i]);
+    std::string simpler = one.extension() == ".sv" ? without_assertions(own) : own;
     if (simulator_ == Simulator::icarus) simpler = for_icarus(simpler);
     if (simpler == text) continue;
     std::string& copy = copies_[fs::absolute(one).string()];

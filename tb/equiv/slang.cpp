@@ -8,6 +8,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/equiv/assertions.h"
+#include "tb/equiv/misread.h"
 #include "tb/equiv/reading.h"
 #include "tb/equiv/sources.h"
 #include "tb/rtl/lexer.h"
@@ -105,6 +106,23 @@ std::string slang_message(const Ended& ended, const fs::path& own, const Reading
                               found[0][2], found[0][3]));
 }
 
+// Whether the module declares it; true of one whose declarations may be in a file that it includes.
+bool has_parameter(const std::vector<SourceText>& sources, const std::string& module,
+                   const std::string& name) {
+  const rtl::Regex begin("\\bmodule\\s+(automatic\\s+|static\\s+)?" + module + "\\b"),
+      declared("(\\bparameter\\b|^\\s*(import\\b[^;]*;\\s*)*#\\s*\\()[^;]*\\b" + name + "\\b"),
+      included("`include\\b");
+  for (const SourceText& one : sources) {
+    const std::string plain = rtl::blanked(one.text);
+    const rtl::Match head = begin.find(plain);
+    if (!head) continue;
+    const std::size_t end = plain.find("endmodule", head.end());
+    const std::string body = plain.substr(head.end(), end - head.end());
+    if (declared.find(body) || included.find(body)) return true;
+  }
+  return false;
+}
+
 // How slang is given the text of a file.
 std::string for_slang(const fs::path& file, bool has_unique) {
   const std::string own = read_file(file.string());
@@ -120,19 +138,14 @@ std::vector<std::string> by_slang(const Files& files, const std::string& what, c
   if (place.empty()) {
     throw InputError(what + ": slang is not installed; scripts/setup systemverilog brings it");
   }
-  // Of a net that has one driver all other strengths are the same.
-  if (const std::string at = place_of(sources_of(files), "\\bhighz[01]\\b"); !at.empty()) {
-    throw InputError(fmt::format("{}: slang misreads the strengths highz0 and highz1", at));
-  }
+  refuse_misread(sources_of(files), FrontEnd::slang);
   const Scratch scratch;
   const fs::path own = scratch.path();
   Reading reading(files, own);
   // slang says nothing of a parameter that is not there.
   for (const auto& [name, value] : reading.parameters()) {
-    const std::string declared = "(\\bparameter\\b|#\\s*\\()[^;]*\\b" + name + "\\b";
-    if (place_of(sources_of(files), declared).empty()) {
-      throw InputError(fmt::format("{}: a parameter is given that no module has: {}", what, name));
-    }
+    if (has_parameter(sources_of(files), files.top, name)) continue;
+    throw InputError(fmt::format("{}: {} has no parameter {}", what, files.top, name));
   }
   const bool is_program = !fs::is_directory(place);
   // As the program sees them: in its tree the scratch folder is the root.

@@ -15,8 +15,11 @@
 #include "tb/new/new_sources.h"
 #include "tb/new/verilog_words.h"
 #include "tb/rtl/plain_verilog.h"
+#include "tb/rtl/verilog.h"
 #include "tb/util/pattern.h"
 #include "tb/util/quoted.h"
+#include "tb/util/read_file.h"
+#include "tb/util/scratch.h"
 #include "tb/util/words.h"
 
 namespace cosim::cli {
@@ -142,6 +145,29 @@ bool with_synthesis(BegunProject& begun, RtlQuestion& asked, const Sources& rtl,
   return true;
 }
 
+// Leaves out the defaults of inputs, which Verilator 5.006 does not read, where nothing needs them.
+bool without_defaults(BegunProject& begun, RtlQuestion& asked, const Draft& project,
+                      const std::string& why) {
+  if (why.find("Default value on module input") == std::string::npos) return false;
+  const Scratch scratch;
+  const auto files = rtl::without_port_defaults(asked.folder, asked.files, scratch.path());
+  std::map<std::string, std::string> before;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (files[i] == asked.files[i]) continue;
+    before[asked.files[i]] = read_file((asked.folder / asked.files[i]).string());
+    project.write(asked.files[i], read_file(files[i]));
+  }
+  try {
+    begun.found = found_in(asked);
+  } catch (const InputError&) {
+    for (const auto& [file, text] : before) project.write(file, text);
+    return false;
+  }
+  begun.notes.push_back(fmt::format(
+      "the defaults of inputs, which every instance gives a net, are left out: {}", why));
+  return true;
+}
+
 // Has Verilog by slang in place of the sources. Gives "; " and why not; "" where it does.
 std::string by_slang(BegunProject& begun, RtlQuestion& asked, const Draft& project,
                      const std::string& why) {
@@ -182,7 +208,9 @@ void read_rtl(BegunProject& begun, RtlQuestion& asked, const Sources& rtl, const
     const bool is_of_words = why.starts_with("Verilator cannot ") ||
                              why.find(": waits, as a testbench does") != std::string::npos;
     if (!is_of_words) throw InputError(all);
-    if (with_synthesis(begun, asked, rtl, why)) return;
+    if (with_synthesis(begun, asked, rtl, why) || without_defaults(begun, asked, project, why)) {
+      return;
+    }
     const std::string otherwise = by_slang(begun, asked, project, why);
     if (otherwise.empty()) return;
     // Of words that are no language slang says the same.

@@ -9,6 +9,7 @@
 #include "model/core/input_error.h"
 #include "tb/cli/registry.h"
 #include "tb/equiv/front_end.h"
+#include "tb/equiv/misread.h"
 #include "tb/rtl/plain_verilog.h"
 #include "tb/util/hash.h"
 #include "tb/util/output_file.h"

@@ -220,7 +220,7 @@ void Verilog::edit(const Module& module, std::size_t at, std::size_t length, std
   edits_[module.file].push_back({module.at + at, length, std::move(by)});
 }
 
-std::vector<std::string> Verilog::write(const std::filesystem::path& to) const {
+std::vector<std::string> Verilog::write(const std::filesystem::path& to, bool marks) const {
   static const Regex include("(`include\\s+\")([^\"/][^\"]*)\"");
   std::vector<std::string> all = files_;
   std::set<std::string> written;
@@ -244,7 +244,7 @@ std::vector<std::string> Verilog::write(const std::filesystem::path& to) const {
       all[i] = (to / (std::to_string(written.size()) + file.filename().string())).string();
     written.insert(all[i]);
     // Messages on a line name the file that the user has.
-    if (files_[i].find('"') == std::string::npos)
+    if (marks && files_[i].find('"') == std::string::npos)
       text.insert(0, "`line 1 \"" + files_[i] + "\" 0\n");
     write_text(all[i], text);
   }

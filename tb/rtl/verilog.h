@@ -78,8 +78,9 @@ class Verilog {
   bool has(const std::string& word) const;
   /// Has `by` in place of a piece of the module, on as many lines as before.
   void edit(const Module& module, std::size_t at, std::size_t length, std::string by);
-  /// Writes the files that have edits into a folder. All files to read.
-  std::vector<std::string> write(const std::filesystem::path& to) const;
+  /// Writes the files that have edits into a folder, with `marks` behind a `line that says which
+  /// they are. All files to read.
+  std::vector<std::string> write(const std::filesystem::path& to, bool marks = true) const;
 
  private:
   struct Edit {
@@ -90,5 +91,11 @@ class Verilog {
   std::vector<std::string> files_, texts_, plain_;
   std::vector<std::vector<Edit>> edits_;
 };
+
+/// The files, and in place of those with `input d = 1'b0` copies in the folder `to` without these
+/// defaults, but for inputs that an instance leaves open: Verilator 5.006 does not read them.
+std::vector<std::string> without_port_defaults(const std::filesystem::path& folder,
+                                               const std::vector<std::string>& files,
+                                               const std::filesystem::path& to);
 
 }  // namespace cosim::rtl

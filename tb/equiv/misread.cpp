@@ -1,0 +1,179 @@
+#include "tb/equiv/misread.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+
+#include "model/core/input_error.h"
+#include "tb/equiv/front_end.h"
+#include "tb/equiv/prints.h"
+#include "tb/rtl/lexer.h"
+#include "tb/rtl/regex.h"
+#include "tb/util/pattern.h"
+
+namespace cosim::equiv {
+namespace {
+
+std::string place_in(const SourceText& source, std::size_t at) {
+  const auto begin = source.text.begin();
+  return fmt::format("{}:{}", source.file.string(),
+                     1 + std::count(begin, begin + std::ptrdiff_t(at), '\n'));
+}
+
+// Behind a statement, or a list of them in begin and end, that begins at `at`.
+std::size_t behind_statement(std::string_view plain, std::size_t at) {
+  static const rtl::Regex word("\\b(begin|end)\\b|;");
+  int depth = 0;
+  while (const rtl::Match found = word.find(plain.substr(at))) {
+    at += found.end();
+    if (found[1] == "begin") ++depth;
+    if (found[1] == "end") --depth;
+    if (depth <= 0) return at;
+  }
+  return plain.size();
+}
+
+// Whether it assigns; what is in brackets counts not.
+bool assigns(std::string_view statement) {
+  int depth = 0;
+  for (std::size_t i = 0; i < statement.size(); ++i) {
+    const char c = statement[i];
+    if (c == '(' || c == '[') ++depth;
+    if (c == ')' || c == ']') --depth;
+    if (depth == 0 &&
+        (c == '=' || statement.substr(i, 2) == "++" || statement.substr(i, 2) == "--"))
+      return true;
+  }
+  return false;
+}
+
+// An assertion that does more than print: front ends take its action for none.
+void refuse_acting_assertions(const SourceText& source) {
+  static const rtl::Regex assertion(
+      "\\b(assert|assume|cover|expect)\\b\\s*(property\\b|sequence\\b|final\\b|#\\s*0)?\\s*\\("),
+      otherwise("^\\s*else\\b");
+  const std::string plain = rtl::blanked(source.text);
+  for (const rtl::Match& found : assertion.all(plain)) {
+    const std::size_t from = behind_arguments(plain, found.end() - 1);
+    std::size_t at = from;
+    const auto over_else = [&] {
+      const rtl::Match word = otherwise.find(std::string_view(plain).substr(at));
+      if (word) at += word.end();
+      return bool(word);
+    };
+    if (over_else()) {
+      at = behind_statement(plain, at);
+    } else {
+      at = behind_statement(plain, at);
+      if (over_else()) at = behind_statement(plain, at);
+    }
+    if (!assigns(std::string_view(plain).substr(from, at - from))) continue;
+    throw InputError(fmt::format("{}: an assertion that assigns, which no front end reads",
+                                 place_in(source, found.begin())));
+  }
+}
+
+// A statement that waits, outside of `initial`: front ends take no time for it, and so no `if`
+// before it.
+void refuse_waits(const SourceText& source) {
+  static const rtl::Regex wait(
+      "(\\)|;|\\bbegin|\\belse|\\bend|:|[^<>=!]=)\\s*#\\s*[0-9A-Za-z_`]|(\\)|\\bbegin|\\belse)\\s*#"
+      "\\s*\\("),
+      block("\\b(initial|final|always\\w*|task|function|endtask|module)\\b");
+  std::string text = source.text;
+  if (hides_simulation(text)) {
+    static const Pattern hidden(R"((synopsys|synthesis)[ \t]*translate_off[^]*?translate_on)");
+    for (const auto& part : hidden.all(text)) {
+      const std::size_t at = text.find(part[0]);
+      std::replace_if(
+          text.begin() + std::ptrdiff_t(at), text.begin() + std::ptrdiff_t(at + part[0].size()),
+          [](char c) { return c != '\n'; }, ' ');
+    }
+  }
+  const std::string plain = rtl::blanked(text);
+  std::string in = "module";
+  std::vector<rtl::Match> blocks = block.all(plain);
+  std::size_t next = 0;
+  for (const rtl::Match& found : wait.all(plain)) {
+    for (; next < blocks.size() && blocks[next].begin() < found.begin(); ++next) {
+      in = blocks[next][1];
+    }
+    if (!in.starts_with("always") && in != "task") continue;
+    throw InputError(fmt::format(
+        "{}: a statement that waits; only q <= #1 d and assign #1 y = a, whose delays count for "
+        "nothing, are read",
+        place_in(source, found.begin())));
+  }
+}
+
+void refuse_misread_by_yosys(const std::vector<SourceText>& sources) {
+  for (const SourceText& one : sources) {
+    if (!one.is_included) continue;  // the others are written otherwise
+    if (with_casts_apart(one.text) != one.text) {
+      throw InputError(fmt::format(
+          "{}: an operator before a cast, as |5'(x), which yosys misreads in a file that is "
+          "included: put brackets around the cast",
+          one.file.string()));
+    }
+    if (without_pragmas(one.text) != one.text) {
+      throw InputError(fmt::format(
+          "{}: translate_off in a file that is included: yosys leaves out what Verilog does not",
+          one.file.string()));
+    }
+  }
+  const auto refuse = [&](const char* expression, const char* what) {
+    const std::string place = place_of(sources, expression);
+    if (!place.empty()) throw InputError(fmt::format("{}: yosys misreads {}", place, what));
+  };
+  refuse("\\btask\\b[^;(]*\\([^;)]*\\binout\\b", "a task with an inout argument");
+  refuse("\\btask\\b[^;(]*;(\\s*(input|output|reg|integer)\\b[^;]*;)*\\s*inout\\b",
+         "a task with an inout argument");
+  refuse("\\bbind\\s+[A-Za-z_]", "bind");
+  refuse("\\b(tri0|tri1|trireg)\\b", "tri0, tri1 and trireg");
+}
+
+}  // namespace
+
+void refuse_misread(const std::vector<SourceText>& sources, FrontEnd front_end) {
+  for (const SourceText& one : sources) {
+    refuse_acting_assertions(one);
+    refuse_waits(one);
+  }
+  if (front_end == FrontEnd::yosys) return refuse_misread_by_yosys(sources);
+  // Of a net that has one driver all other strengths are the same.
+  const std::string place = place_of(sources, "\\bhighz[01]\\b");
+  if (!place.empty()) {
+    throw InputError(fmt::format("{}: slang misreads the strengths highz0 and highz1", place));
+  }
+}
+
+// Verilog knows no such comments, and yosys leaves out what is between them.
+std::string without_pragmas(const std::string& text) {
+  static const Pattern pragma(R"(((?:synopsys|synthesis)[ \t]*)translate_(off|on))");
+  return pragma.replaced(text, "$1translate-$2");
+}
+
+// Whether such parts are of simulation alone, as far as one can see.
+bool hides_simulation(const std::string& text) {
+  static const Pattern hidden(R"((?:synopsys|synthesis)[ \t]*translate_off([^]*?)translate_on)"),
+      simulation(R"(\$[a-z]|\binitial\b)");
+  const auto parts = hidden.all(text);
+  return std::ranges::all_of(parts, [](const auto& part) { return simulation.in(part[1]); });
+}
+
+std::string without_macro_of_yosys(const std::string& text) {
+  static const rtl::Regex word("`\\w+\\s+YOSYS\\b");
+  return word.find(text) ? "`undef YOSYS " + text : text;
+}
+
+std::string revealed(const std::string& text) {
+  return without_macro_of_yosys(hides_simulation(text) ? text : without_pragmas(text));
+}
+
+bool has_rows(const std::vector<SourceText>& sources) {
+  static const std::string type = "\\b(reg|logic|wire|bit|byte|int|integer|\\w+_t)\\b",
+                           ranges = "(\\s*\\[[^]]*\\]){2,}\\s*[;,=]";
+  return !place_of(sources, type + "[^;=(]*[A-Za-z_0-9]" + ranges).empty();
+}
+
+}  // namespace cosim::equiv

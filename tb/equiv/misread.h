@@ -1,0 +1,31 @@
+// What a front end reads in another way than Verilog says, without a word. Where it is seen in the
+// text it is refused or written otherwise: a simulation finds it only if it happens there.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tb/equiv/side.h"
+#include "tb/equiv/sources.h"
+
+namespace cosim::equiv {
+
+/// InputError "FILE:LINE: ...".
+void refuse_misread(const std::vector<SourceText>& sources, FrontEnd front_end);
+
+/// The text without the comments translate_off and translate_on: yosys leaves out what is between
+/// them, and Verilog does not.
+std::string without_pragmas(const std::string& text);
+/// Whether what is between them is of simulation alone, as far as one can see.
+bool hides_simulation(const std::string& text);
+/// The text, where it asks for the macro YOSYS, which yosys alone has, without that, on the same
+/// lines.
+std::string without_macro_of_yosys(const std::string& text);
+/// The text without that macro, and without such comments where they hide more than simulation.
+std::string revealed(const std::string& text);
+
+/// Whether Icarus Verilog 11 may take a word for another one, as yosys does: in an array of several
+/// dimensions an index beyond its own one leads to the next row.
+bool has_rows(const std::vector<SourceText>& sources);
+
+}  // namespace cosim::equiv

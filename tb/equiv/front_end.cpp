@@ -102,8 +102,10 @@ Elaborated by_yosys(const Files& files, const std::string& what, const Budget& b
     if (ended.status != 0) {
       // Its log says more, as which register it was at.
       const std::string said = fs::exists(log) ? read_file(log) : ended.text;
-      throw InputError(fmt::format("{}: yosys cannot read it: {}", what,
-                                   yosys_message(said, ended.status, reading.names())));
+      static const Pattern given(R"(^\S*/parameters\.v:\d+: (?:Parameter cosim_dut\.(\S+): )?)");
+      const std::string why =
+          given.replaced(yosys_message(said, ended.status, reading.names()), "--param $1: ");
+      throw InputError(fmt::format("{}: yosys cannot read it: {}", what, why));
     }
     const std::string wrong = misread(ended.text, reading);
     if (!wrong.empty()) throw InputError(fmt::format("{}: yosys cannot read it: {}", what, wrong));

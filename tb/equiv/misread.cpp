@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <set>
 
 #include "model/core/input_error.h"
 #include "tb/equiv/front_end.h"
@@ -106,6 +107,47 @@ void refuse_waits(const SourceText& source) {
   }
 }
 
+// Whether an index of as many bits as it takes can be beyond a dimension; so it is of one whose
+// size is no number.
+bool has_beyond(const std::string& dimension) {
+  static const Pattern range(R"(\[\s*(\d+)\s*:\s*0\s*\]|\[\s*0\s*:\s*(\d+)\s*\]|\[\s*(\d+)\s*\])");
+  const auto part = range.whole(dimension);
+  if (part.empty()) return true;
+  const std::string last = part[1] + part[2];
+  if (last.size() + part[3].size() > 9) return true;
+  const unsigned long size = last.empty() ? std::stoul(part[3]) : std::stoul(last) + 1;
+  return (size & (size - 1)) != 0;
+}
+
+// A bit or a word beyond the end of what has two values is 0, and any value for both front ends.
+void refuse_two_valued_beyond(const SourceText& source) {
+  static const Pattern declaration(
+      R"(\b(?:bit|byte|shortint|int|longint)\b(?:\s+(?:signed|unsigned)\b)?\s*((?:\[[^\]]*\]\s*)*)([A-Za-z_]\w*)\s*((?:\[[^\]]*\]\s*)*)[;,=)])"),
+      dimension(R"(\[[^\]]*\])"), word(R"((?:^|[^\w'.$])([A-Za-z_]\w*))"),
+      loop(R"(\bfor\s*\(\s*(?:\w+\s+)*([A-Za-z_]\w*)\s*=)"),
+      constant(R"(\b(?:parameter|localparam|genvar)\b[^;=]*?([A-Za-z_]\w*)\s*[=;,])");
+  const std::string plain = rtl::blanked(source.text);
+  std::set<std::string> known;
+  for (const auto* names : {&loop, &constant}) {
+    for (const auto& one : names->all(plain)) known.insert(one[1]);
+  }
+  for (const auto& declared : declaration.all(plain)) {
+    const auto dimensions = dimension.all(declared[1] + declared[3]);
+    if (std::ranges::none_of(dimensions, [](const auto& d) { return has_beyond(d[0]); })) continue;
+    const rtl::Regex use("\\b" + declared[2] + "\\s*((\\[[^]:]*\\]\\s*)+)");
+    for (const rtl::Match& found : use.all(plain)) {
+      const auto words = word.all(found[1]);
+      const bool is_known =
+          std::ranges::all_of(words, [&](const auto& w) { return known.contains(w[1]); });
+      if (is_known) continue;
+      throw InputError(
+          fmt::format("{}: {} has two values, and is 0 beyond its end in SystemVerilog: no front "
+                      "end reads it so",
+                      place_in(source, found.begin()), declared[2]));
+    }
+  }
+}
+
 void refuse_misread_by_yosys(const std::vector<SourceText>& sources) {
   for (const SourceText& one : sources) {
     if (!one.is_included) continue;  // the others are written otherwise
@@ -138,6 +180,7 @@ void refuse_misread(const std::vector<SourceText>& sources, FrontEnd front_end) 
   for (const SourceText& one : sources) {
     refuse_acting_assertions(one);
     refuse_waits(one);
+    refuse_two_valued_beyond(one);
   }
   if (front_end == FrontEnd::yosys) return refuse_misread_by_yosys(sources);
   // Of a net that has one driver all other strengths are the same.

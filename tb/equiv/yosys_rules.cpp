@@ -88,6 +88,10 @@ const std::vector<Rule>& yosys_rules() {
       rule("Unterminated preprocessor conditional!", "an `ifdef without an `endif"),
       rule("Can't open include file (\\S+?)!",
            "`include finds no file $1: --include DIR names its folder"),
+      rule("Unimplemented compiler directive or undefined macro "
+           "`?(begin_keywords|end_keywords|pragma|unconnected_drive|nounconnected_drive|__LINE__|"
+           "__FILE__)\\.",
+           "`$1 is not known to yosys"),
       rule("Unimplemented compiler directive or undefined macro `?(\\w+)\\.",
            "`$1 is not defined: --define $1=VALUE, or a file with it"),
       rule(

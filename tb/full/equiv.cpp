@@ -218,7 +218,8 @@ int run(const EquivOptions& o) {
 void add_equiv(const Command& program) {
   auto o = std::make_shared<EquivOptions>();
   const Command command = program.sub(equiv_command.name, equiv_command.help);
-  command.arguments("FILE", o->files, "The old file and the new one; with --rev the files of the new RTL");
+  command.arguments("FILE", o->files,
+                    "The old file and the new one; with --rev the files of the new RTL");
   command.texts("--gold", o->gold, "FILE",
                 "The files of the old RTL; FILE.f is a list, as with -F");
   command.texts("--gate", o->gate, "FILE", "The files of the new RTL, or FILE.f");

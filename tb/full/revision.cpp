@@ -82,9 +82,10 @@ fs::path repository_of(const std::vector<std::string>& files) {
   if (roots.size() == 1) return *roots.begin();
   const auto here = root_above(fs::current_path());
   if (here && roots.contains(*here)) return *here;
-  throw InputError(fmt::format("--rev: the files are in the repositories {} and {}: call it in the "
-                               "one whose revision is meant",
-                               roots.begin()->string(), std::next(roots.begin())->string()));
+  throw InputError(
+      fmt::format("--rev: the files are in the repositories {} and {}: call it in the "
+                  "one whose revision is meant",
+                  roots.begin()->string(), std::next(roots.begin())->string()));
 }
 
 }  // namespace

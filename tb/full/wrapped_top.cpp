@@ -105,10 +105,10 @@ std::vector<OpenedPort> opened_in(const TopHead& head, const GivenParameters& gi
       }
       const auto found = lacks_value.all(error.what());
       if (found.empty()) throw;
-      throw InputError(
-          fmt::format("the parameter {} of an interface has no value of its own: give it one: --param "
-                      "PORT.{}=VALUE",
-                      found[0][1], found[0][1]));
+      throw InputError(fmt::format(
+          "the parameter {} of an interface has no value of its own: give it one: --param "
+          "PORT.{}=VALUE",
+          found[0][1], found[0][1]));
     }
   }();
   std::vector<OpenedPort> all;

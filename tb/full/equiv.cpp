@@ -230,7 +230,8 @@ void add_equiv(const Command& program) {
                "FILE, -f LIST; the old RTL has the list of that revision");
   command.each("-F", o->own_lists, "LIST", "The same, whose paths begin at the folder of the list");
   command.text("--top", o->top, "NAME",
-               "The module that is compared; default: the one that no other has an instance of");
+               "The module that is compared; default: the one that no other has an\n"
+               "instance of");
   command.text("--gold-top", o->gold_top, "NAME", "Its name in the old RTL");
   command.text("--gate-top", o->gate_top, "NAME", "Its name in the new RTL");
   command.texts("--cells", o->cells, "FILE",

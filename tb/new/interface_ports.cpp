@@ -75,9 +75,8 @@ class Opening {
 
  private:
   InputError refused(const std::string& member, const std::string& why) const {
-    return InputError(
-        fmt::format("{}.{}: {}: give a module around {}, whose ports are signals",
-                    port_.interface, member, why, port_.name));
+    return InputError(fmt::format("{}.{}: {}: give a module around {}, whose ports are signals",
+                                  port_.interface, member, why, port_.name));
   }
 
   const Node& found() const {

@@ -136,8 +136,7 @@ std::string top_of(const Pool& pool, const GivenRtl& given, bool& is_guessed) {
   }
   std::vector<std::string> some(
       all.begin(), std::next(all.begin(), std::min<std::ptrdiff_t>(8, std::ssize(all))));
-  throw InputError(fmt::format("the top may be {}{}: choose it with --top",
-                               fmt::join(some, " or "),
+  throw InputError(fmt::format("the top may be {}{}: choose it with --top", fmt::join(some, " or "),
                                all.size() > some.size() ? " or another" : ""));
 }
 

@@ -37,7 +37,8 @@ std::map<std::string, NetlistModule> netlist_modules(const std::string& vhdl);
 void refuse_lost_values(const std::string& verilog, const std::string& said);
 
 /// InputError "FILE:LINE: ..." for VHDL, without its comments, that GHDL converts to another design
-/// without a word: case? with a - in a choice, and a comparison with a value that is neither 0 nor 1.
+/// without a word: case? with a - in a choice, and a comparison with a value that is neither 0
+/// nor 1.
 void refuse_misread_vhdl(const std::string& file, const std::string& text);
 
 /// A module as GHDL 2.0 wrote it, with what its printer of Verilog gets wrong put right. InputError

@@ -51,7 +51,9 @@ bool assigns(std::string_view statement) {
 // An assertion that does more than print: front ends take its action for none.
 void refuse_acting_assertions(const SourceText& source) {
   static const rtl::Regex assertion(
-      "\\b(assert|assume|cover|expect)\\b\\s*(property\\b|sequence\\b|final\\b|#\\s*0)?\\s*\\("),
+      "(^|[^`$._[:alnum:]])(assert|assume|cover)\\b\\s*(property\\b|sequence\\b|final\\b|#\\s*0)?"
+      "\\s*"
+      "\\("),
       otherwise("^\\s*else\\b");
   const std::string plain = rtl::blanked(source.text);
   for (const rtl::Match& found : assertion.all(plain)) {
@@ -65,8 +67,11 @@ void refuse_acting_assertions(const SourceText& source) {
     if (over_else()) {
       at = behind_statement(plain, at);
     } else {
+      // Behind an empty one an else is of an if.
       at = behind_statement(plain, at);
-      if (over_else()) at = behind_statement(plain, at);
+      const bool is_empty =
+          plain.substr(from, at - from).find_first_not_of(" \t\r\n") == at - from - 1;
+      if (!is_empty && over_else()) at = behind_statement(plain, at);
     }
     if (!assigns(std::string_view(plain).substr(from, at - from))) continue;
     throw InputError(fmt::format("{}: an assertion that assigns, which no front end reads",

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string_view>
 
 #include "model/core/input_error.h"
 #include "tb/equiv/front_end.h"
@@ -124,26 +125,56 @@ bool has_beyond(const std::string& dimension) {
   return (size & (size - 1)) != 0;
 }
 
+// The indices that stand behind a name, each without its brackets.
+std::vector<std::string> indices_at(std::string_view plain, std::size_t at) {
+  std::vector<std::string> all;
+  for (;;) {
+    at = plain.find_first_not_of(" \t\r\n", at);
+    if (at == std::string_view::npos || plain[at] != '[') return all;
+    const std::size_t from = ++at;
+    for (int depth = 1; at < plain.size() && depth > 0; ++at) {
+      depth += plain[at] == '[' ? 1 : plain[at] == ']' ? -1 : 0;
+    }
+    all.emplace_back(plain.substr(from, at - from - 1));
+  }
+}
+
+// Words whose values are known when the RTL is read: of loops, parameters and the like.
+class Constants {
+ public:
+  explicit Constants(const std::string& plain) {
+    static const Pattern loop(R"(\bfor\s*\(\s*(?:\w+\s+)*([A-Za-z_]\w*)\s*=)"),
+        constant(R"(\b(?:parameter|localparam|genvar)\b[^;=]*?([A-Za-z_]\w*)\s*[=;,])");
+    for (const auto* names : {&loop, &constant}) {
+      for (const auto& one : names->all(plain)) known_.insert(one[1]);
+    }
+  }
+  bool make(const std::string& index) const {
+    static const Pattern word(R"((?:^|[^\w'.$])([A-Za-z_]\w*))");
+    const auto words = word.all(index);
+    return std::ranges::all_of(words, [&](const auto& w) { return known_.contains(w[1]); });
+  }
+
+ private:
+  std::set<std::string> known_;
+};
+
 // A bit or a word beyond the end of what has two values is 0, and any value for both front ends.
 void refuse_two_valued_beyond(const SourceText& source) {
   static const Pattern declaration(
       R"(\b(?:bit|byte|shortint|int|longint)\b(?:\s+(?:signed|unsigned)\b)?\s*((?:\[[^\]]*\]\s*)*)([A-Za-z_]\w*)\s*((?:\[[^\]]*\]\s*)*)[;,=)])"),
-      dimension(R"(\[[^\]]*\])"), word(R"((?:^|[^\w'.$])([A-Za-z_]\w*))"),
-      loop(R"(\bfor\s*\(\s*(?:\w+\s+)*([A-Za-z_]\w*)\s*=)"),
-      constant(R"(\b(?:parameter|localparam|genvar)\b[^;=]*?([A-Za-z_]\w*)\s*[=;,])");
+      dimension(R"(\[[^\]]*\])");
   const std::string plain = rtl::blanked(source.text);
-  std::set<std::string> known;
-  for (const auto* names : {&loop, &constant}) {
-    for (const auto& one : names->all(plain)) known.insert(one[1]);
-  }
+  const Constants constants(plain);
   for (const auto& declared : declaration.all(plain)) {
     const auto dimensions = dimension.all(declared[1] + declared[3]);
     if (std::ranges::none_of(dimensions, [](const auto& d) { return has_beyond(d[0]); })) continue;
-    const rtl::Regex use("\\b" + declared[2] + "\\s*((\\[[^]:]*\\]\\s*)+)");
+    const rtl::Regex use("\\b" + declared[2] + "\\s*\\[");
     for (const rtl::Match& found : use.all(plain)) {
-      const auto words = word.all(found[1]);
-      const bool is_known =
-          std::ranges::all_of(words, [&](const auto& w) { return known.contains(w[1]); });
+      const auto indices = indices_at(plain, found.end() - 1);
+      const bool is_known = std::ranges::all_of(indices, [&](const std::string& index) {
+        return index.find(':') != std::string::npos || constants.make(index);
+      });
       if (is_known) continue;
       throw InputError(
           fmt::format("{}: {} has two values, and is 0 beyond its end in SystemVerilog: no front "
@@ -219,9 +250,23 @@ std::string revealed(const std::string& text) {
 }
 
 bool has_rows(const std::vector<SourceText>& sources) {
-  static const std::string type = "\\b(reg|logic|wire|bit|byte|int|integer|\\w+_t)\\b",
-                           ranges = "(\\s*\\[[^]]*\\]){2,}\\s*[;,=]";
-  return !place_of(sources, type + "[^;=(]*[A-Za-z_0-9]" + ranges).empty();
+  static const Pattern declaration(
+      R"(\b(?:reg|logic|wire|bit|byte|int|integer|\w+_t)\b[^;=(]*?\b([A-Za-z_]\w*)\s*(?:\[[^\]]*\]\s*){2,}[;,=)])");
+  for (const SourceText& one : sources) {
+    const std::string plain = rtl::blanked(one.text);
+    const Constants constants(plain);
+    for (const auto& declared : declaration.all(plain)) {
+      const rtl::Regex use("\\b" + declared[1] + "\\s*\\[");
+      for (const rtl::Match& found : use.all(plain)) {
+        const auto indices = indices_at(plain, found.end() - 1);
+        if (!std::all_of(indices.begin() + 1, indices.end(),
+                         [&](const std::string& index) { return constants.make(index); })) {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
 }
 
 }  // namespace cosim::equiv

@@ -25,7 +25,8 @@ std::string without_macro_of_yosys(const std::string& text);
 std::string revealed(const std::string& text);
 
 /// Whether Icarus Verilog 11 may take a word for another one, as yosys does: in an array of several
-/// dimensions an index beyond its own one leads to the next row.
+/// dimensions an index beyond its own one leads to the next row. So where one behind the first
+/// is no constant.
 bool has_rows(const std::vector<SourceText>& sources);
 
 }  // namespace cosim::equiv

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "model/core/input_error.h"
 #include "tb/equiv/front_end.h"
@@ -20,6 +21,16 @@ std::string place_in(const SourceText& source, std::size_t at) {
   const auto begin = source.text.begin();
   return fmt::format("{}:{}", source.file.string(),
                      1 + std::count(begin, begin + std::ptrdiff_t(at), '\n'));
+}
+
+// What stands between comments translate_off and translate_on: where each part begins and ends.
+std::vector<std::pair<std::size_t, std::size_t>> hidden_in(const std::string& text) {
+  static const rtl::Regex off("(synopsys|synthesis)[ \t]*translate_off");
+  std::vector<std::pair<std::size_t, std::size_t>> all;
+  for (const rtl::Match& found : off.all(text)) {
+    all.emplace_back(found.end(), std::min(text.find("translate_on", found.end()), text.size()));
+  }
+  return all;
 }
 
 // Behind a statement, or a list of them in begin and end, that begins at `at`.
@@ -89,11 +100,9 @@ void refuse_waits(const SourceText& source) {
       block("\\b(initial|final|always\\w*|task|function|endtask|module)\\b");
   std::string text = source.text;
   if (hides_simulation(text)) {
-    static const Pattern hidden(R"((synopsys|synthesis)[ \t]*translate_off[^]*?translate_on)");
-    for (const auto& part : hidden.all(text)) {
-      const std::size_t at = text.find(part[0]);
+    for (const auto& [from, to] : hidden_in(text)) {
       std::replace_if(
-          text.begin() + std::ptrdiff_t(at), text.begin() + std::ptrdiff_t(at + part[0].size()),
+          text.begin() + std::ptrdiff_t(from), text.begin() + std::ptrdiff_t(to),
           [](char c) { return c != '\n'; }, ' ');
     }
   }
@@ -143,16 +152,18 @@ std::vector<std::string> indices_at(std::string_view plain, std::size_t at) {
 class Constants {
  public:
   explicit Constants(const std::string& plain) {
-    static const Pattern loop(R"(\bfor\s*\(\s*(?:\w+\s+)*([A-Za-z_]\w*)\s*=)"),
-        constant(R"(\b(?:parameter|localparam|genvar)\b[^;=]*?([A-Za-z_]\w*)\s*[=;,])");
-    for (const auto* names : {&loop, &constant}) {
-      for (const auto& one : names->all(plain)) known_.insert(one[1]);
+    static const rtl::Regex loop("\\bfor\\s*\\(\\s*(\\w+\\s+)*(\\w+)\\s*="),
+        constant("\\b(parameter|localparam|genvar)\\b([^;=]*)[=;]"), word("\\w+");
+    for (const rtl::Match& one : loop.all(plain)) known_.insert(one[2]);
+    for (const rtl::Match& one : constant.all(plain)) {
+      const std::string names = one[2];
+      for (const rtl::Match& name : word.all(names)) known_.insert(name[0]);
     }
   }
   bool make(const std::string& index) const {
-    static const Pattern word(R"((?:^|[^\w'.$])([A-Za-z_]\w*))");
+    static const rtl::Regex word("(^|[^'.$[:alnum:]_])([A-Za-z_]\\w*)");
     const auto words = word.all(index);
-    return std::ranges::all_of(words, [&](const auto& w) { return known_.contains(w[1]); });
+    return std::ranges::all_of(words, [&](const auto& w) { return known_.contains(w[2]); });
   }
 
  private:
@@ -161,15 +172,18 @@ class Constants {
 
 // A bit or a word beyond the end of what has two values is 0, and any value for both front ends.
 void refuse_two_valued_beyond(const SourceText& source) {
-  static const Pattern declaration(
-      R"(\b(?:bit|byte|shortint|int|longint)\b(?:\s+(?:signed|unsigned)\b)?\s*((?:\[[^\]]*\]\s*)*)([A-Za-z_]\w*)\s*((?:\[[^\]]*\]\s*)*)[;,=)])"),
-      dimension(R"(\[[^\]]*\])");
+  static const std::string ranges = "((\\[[^]]*\\]\\s*)*)";
+  static const rtl::Regex declaration(
+      "\\b(bit|byte|shortint|int|longint)\\b(\\s+(signed|unsigned)\\b)?\\s*" + ranges +
+      "([A-Za-z_]\\w*)\\s*" + ranges + "[;,=)]"),
+      dimension("\\[[^]]*\\]");
   const std::string plain = rtl::blanked(source.text);
   const Constants constants(plain);
-  for (const auto& declared : declaration.all(plain)) {
-    const auto dimensions = dimension.all(declared[1] + declared[3]);
+  for (const rtl::Match& declared : declaration.all(plain)) {
+    const std::string both = declared[4] + declared[7], name = declared[6];
+    const auto dimensions = dimension.all(both);
     if (std::ranges::none_of(dimensions, [](const auto& d) { return has_beyond(d[0]); })) continue;
-    const rtl::Regex use("\\b" + declared[2] + "\\s*\\[");
+    const rtl::Regex use("\\b" + name + "\\s*\\[");
     for (const rtl::Match& found : use.all(plain)) {
       const auto indices = indices_at(plain, found.end() - 1);
       const bool is_known = std::ranges::all_of(indices, [&](const std::string& index) {
@@ -179,7 +193,7 @@ void refuse_two_valued_beyond(const SourceText& source) {
       throw InputError(
           fmt::format("{}: {} has two values, and is 0 beyond its end in SystemVerilog: no front "
                       "end reads it so",
-                      place_in(source, found.begin()), declared[2]));
+                      place_in(source, found.begin()), name));
     }
   }
 }
@@ -228,16 +242,17 @@ void refuse_misread(const std::vector<SourceText>& sources, FrontEnd front_end) 
 
 // Verilog knows no such comments, and yosys leaves out what is between them.
 std::string without_pragmas(const std::string& text) {
-  static const Pattern pragma(R"(((?:synopsys|synthesis)[ \t]*)translate_(off|on))");
-  return pragma.replaced(text, "$1translate-$2");
+  static const rtl::Regex pragma("((synopsys|synthesis)[ \t]*translate)_(off|on)");
+  return pragma.replaced(text, [](const rtl::Match& found) { return found[1] + '-' + found[3]; });
 }
 
-// Whether such parts are of simulation alone, as far as one can see.
 bool hides_simulation(const std::string& text) {
-  static const Pattern hidden(R"((?:synopsys|synthesis)[ \t]*translate_off([^]*?)translate_on)"),
-      simulation(R"(\$[a-z]|\binitial\b)");
-  const auto parts = hidden.all(text);
-  return std::ranges::all_of(parts, [](const auto& part) { return simulation.in(part[1]); });
+  static const rtl::Regex simulation("\\$[a-z]|\\binitial\\b");
+  const auto parts = hidden_in(text);
+  return std::ranges::all_of(parts, [&](const auto& part) {
+    return bool(
+        simulation.find(std::string_view(text).substr(part.first, part.second - part.first)));
+  });
 }
 
 std::string without_macro_of_yosys(const std::string& text) {
@@ -250,15 +265,19 @@ std::string revealed(const std::string& text) {
 }
 
 bool has_rows(const std::vector<SourceText>& sources) {
-  static const Pattern declaration(
-      R"(\b(?:reg|logic|wire|bit|byte|int|integer|\w+_t)\b[^;=(]*?\b([A-Za-z_]\w*)\s*(?:\[[^\]]*\]\s*){2,}[;,=)])");
+  static const std::string range = "\\s*\\[[^]]*\\]";
+  static const rtl::Regex array("([A-Za-z_]\\w*)" + range + range + "(" + range + ")*\\s*[;,=)]"),
+      type("\\b(reg|logic|wire|bit|byte|int|integer|\\w+_t)\\b");
   for (const SourceText& one : sources) {
     const std::string plain = rtl::blanked(one.text);
     const Constants constants(plain);
-    for (const auto& declared : declaration.all(plain)) {
-      const rtl::Regex use("\\b" + declared[1] + "\\s*\\[");
-      for (const rtl::Match& found : use.all(plain)) {
-        const auto indices = indices_at(plain, found.end() - 1);
+    for (const rtl::Match& found : array.all(plain)) {
+      // A declaration, and no expression.
+      const std::size_t from = plain.find_last_of(";=(", found.begin()) + 1;
+      if (!type.find(std::string_view(plain).substr(from, found.begin() - from))) continue;
+      const rtl::Regex use("\\b" + found[1] + "\\s*\\[");
+      for (const rtl::Match& used : use.all(plain)) {
+        const auto indices = indices_at(plain, used.end() - 1);
         if (!std::all_of(indices.begin() + 1, indices.end(),
                          [&](const std::string& index) { return constants.make(index); })) {
           return true;

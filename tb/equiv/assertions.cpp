@@ -13,12 +13,6 @@
 namespace cosim::equiv {
 namespace {
 
-void blank(std::string& text, std::size_t from, std::size_t to) {
-  std::replace_if(
-      text.begin() + std::ptrdiff_t(from), text.begin() + std::ptrdiff_t(to),
-      [](char c) { return c != '\n'; }, ' ');
-}
-
 // Behind the statement that prints, or is empty, at `at`; npos where it is another one.
 std::size_t behind_printing(std::string_view plain, std::size_t at) {
   static const rtl::Regex statement("^\\s*(\\$\\w+\\s*)?");

@@ -17,12 +17,6 @@
 namespace cosim::equiv {
 namespace {
 
-std::string place_in(const SourceText& source, std::size_t at) {
-  const auto begin = source.text.begin();
-  return fmt::format("{}:{}", source.file.string(),
-                     1 + std::count(begin, begin + std::ptrdiff_t(at), '\n'));
-}
-
 // What stands between comments translate_off and translate_on: where each part begins and ends.
 std::vector<std::pair<std::size_t, std::size_t>> hidden_in(const std::string& text) {
   static const rtl::Regex off("(synopsys|synthesis)[ \t]*translate_off");
@@ -87,7 +81,7 @@ void refuse_acting_assertions(const SourceText& source) {
     }
     if (!assigns(std::string_view(plain).substr(from, at - from))) continue;
     throw InputError(fmt::format("{}: an assertion that assigns, which no front end reads",
-                                 place_in(source, found.begin())));
+                                 place_in(source, found.begin(2))));
   }
 }
 
@@ -100,11 +94,7 @@ void refuse_waits(const SourceText& source) {
       block("\\b(initial|final|always\\w*|task|function|endtask|module)\\b");
   std::string text = source.text;
   if (hides_simulation(text)) {
-    for (const auto& [from, to] : hidden_in(text)) {
-      std::replace_if(
-          text.begin() + std::ptrdiff_t(from), text.begin() + std::ptrdiff_t(to),
-          [](char c) { return c != '\n'; }, ' ');
-    }
+    for (const auto& [from, to] : hidden_in(text)) blank(text, from, to);
   }
   const std::string plain = rtl::blanked(text);
   std::string in = "module";
@@ -153,12 +143,14 @@ class Constants {
  public:
   explicit Constants(const std::string& plain) {
     static const rtl::Regex loop("\\bfor\\s*\\(\\s*(\\w+\\s+)*(\\w+)\\s*="),
+        each("\\bforeach\\s*\\(([^)]*)\\)"),
         constant("\\b(parameter|localparam|genvar)\\b([^;=]*)[=;]"), word("\\w+");
     for (const rtl::Match& one : loop.all(plain)) known_.insert(one[2]);
-    for (const rtl::Match& one : constant.all(plain)) {
-      const std::string names = one[2];
+    const auto add = [&](const std::string& names) {
       for (const rtl::Match& name : word.all(names)) known_.insert(name[0]);
-    }
+    };
+    for (const rtl::Match& one : each.all(plain)) add(one[1]);
+    for (const rtl::Match& one : constant.all(plain)) add(one[2]);
   }
   bool make(const std::string& index) const {
     static const rtl::Regex word("(^|[^'.$[:alnum:]_])([A-Za-z_]\\w*)");

@@ -17,6 +17,12 @@ bool is_of_name(char c) {
 
 }  // namespace
 
+void blank(std::string& text, std::size_t from, std::size_t to) {
+  std::replace_if(
+      text.begin() + std::ptrdiff_t(from), text.begin() + std::ptrdiff_t(to),
+      [](char c) { return c != '\n'; }, ' ');
+}
+
 std::size_t skipped(std::string_view text, std::size_t at) {
   const auto behind = [&](std::string_view end, std::size_t from) {
     const std::size_t found = text.find(end, from);
@@ -63,9 +69,7 @@ std::string without_prints(std::string text) {
     if (std::ranges::find(prints, name) == prints.end()) continue;
     const std::size_t from = at - 1;
     at = behind_arguments(text, end);
-    std::replace_if(
-        text.begin() + static_cast<std::ptrdiff_t>(from),
-        text.begin() + static_cast<std::ptrdiff_t>(at), [](char c) { return c != '\n'; }, ' ');
+    blank(text, from, at);
   }
   return text;
 }

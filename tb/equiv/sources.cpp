@@ -33,15 +33,19 @@ std::vector<SourceText> sources_of(const Files& files) {
   return sources;
 }
 
+std::string place_in(const SourceText& source, std::size_t at) {
+  const auto begin = source.text.begin();
+  return fmt::format("{}:{}", source.file.string(),
+                     1 + std::count(begin, begin + std::ptrdiff_t(at), '\n'));
+}
+
 std::string place_of(const std::vector<SourceText>& sources, const std::string& expression) {
   const rtl::Regex regex(expression);
   for (const SourceText& source : sources) {
     const std::string plain = rtl::blanked(source.text);
     const rtl::Match found = regex.find(plain);
     if (!found) continue;
-    const auto begin = plain.begin();
-    return fmt::format("{}:{}", source.file.string(),
-                       1 + std::count(begin, begin + std::ptrdiff_t(found.begin()), '\n'));
+    return place_in(source, found.begin());
   }
   return "";
 }

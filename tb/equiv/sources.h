@@ -19,6 +19,9 @@ struct SourceText {
 /// these are found beside a file or in the folders of --include.
 std::vector<SourceText> sources_of(const Files& files);
 
+/// "FILE:LINE" of a place in a text.
+std::string place_in(const SourceText& source, std::size_t at);
+
 /// "FILE:LINE", the first place where the code of a text matches a regular expression of libc:
 /// comments, strings and attributes do not count. Empty where none does.
 std::string place_of(const std::vector<SourceText>& sources, const std::string& expression);

@@ -9,6 +9,6 @@ source "$(dirname "${BASH_SOURCE[0]}")/../support/program.sh"
 
 ends 0 cover timer WIDTH=8 --hostile 10000
 says_like ' toggles, 10 of 10 ways$'
-ends 0 prove WIDTH=8
+ends 0 prove timer WIDTH=8
 says_like 'the RTL: read by yosys, as GHDL simulates it on [0-9]+ clocks'
 echo "as it should be"

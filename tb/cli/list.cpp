@@ -24,8 +24,12 @@ void add_list(const Command& program) {
       if (bench->design() != design) {
         design = bench->design();
         const std::string source = bench->source();
+        std::vector<const AnyBench*> shapes;
+        for (const auto& other : benches()) {
+          if (other->design() == design) shapes.push_back(other.get());
+        }
         fmt::print("{}{}: {} compared on every clock\n", design,
-                   source.empty() ? "" : ", " + source, compared_signals(*bench));
+                   source.empty() ? "" : ", " + source, compared_signals(shapes));
       }
       fmt::print("  {}\n", bench->title());
       if (*drawn) fmt::print("{}", bench->drawn_text(1));

@@ -306,7 +306,7 @@ VhdlRun run_vhdl(const VhdlLines& files, const std::string& top, const VhdlLines
   std::ofstream(bench) << tb.text;
   std::ofstream(folder + "/in") << fmt::format("{}\n", fmt::join(stimulus.rows, "\n"));
   const auto ghdl = [&](const char* command, const VhdlLines& words) {
-    VhdlLines all{"ghdl", command, "--std=08", "--workdir=" + folder};
+    VhdlLines all{"ghdl", command, "--std=08", "-fsynopsys", "--workdir=" + folder};
     all.insert(all.end(), words.begin(), words.end());
     return run_until(all, until);
   };

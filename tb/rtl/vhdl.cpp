@@ -62,7 +62,7 @@ class Ghdl {
     static const Regex column("^(\\S+:[0-9]+):[0-9]{4,}:");  // of what is put into a line
     std::vector<std::string> words{"sh",           "-c",   "cd \"$0\" && exec \"$@\" > out 2> said",
                                    work_.string(), "ghdl", command,
-                                   "--std=08"};
+                                   "--std=08",    "-fsynopsys"};
     words.insert(words.end(), arguments.begin(), arguments.end());
     const int status = run_(words).status;
     if (status == 0) return text_of(work_ / "out");

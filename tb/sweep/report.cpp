@@ -209,7 +209,21 @@ bool all_match(const std::vector<Outcome>& outcomes) {
   return std::ranges::all_of(outcomes, [](const Outcome& o) { return o.result.match(); });
 }
 
-std::string compared_signals(const AnyBench& bench) { return bench.compared_text(); }
+std::string compared_signals(const std::vector<const AnyBench*>& shapes) {
+  std::set<std::string> texts;
+  std::set<std::size_t> registers, outputs;
+  for (const AnyBench* bench : shapes) {
+    texts.insert(bench->compared_text());
+    registers.insert(bench->registers());
+    outputs.insert(bench->compared().size() - bench->registers());
+  }
+  if (texts.size() == 1) return *texts.begin();
+  const auto between = [](const std::set<std::size_t>& of, const std::string& noun) {
+    return of.size() == 1 ? count(*of.begin(), noun)
+                          : fmt::format("{} to {}", *of.begin(), count(*of.rbegin(), noun));
+  };
+  return between(registers, "register") + " and " + between(outputs, "output");
+}
 
 std::string comparison_text(const std::vector<Outcome>& outcomes) {
   std::string text;
@@ -217,7 +231,11 @@ std::string comparison_text(const std::vector<Outcome>& outcomes) {
   for (const AnyBench* bench : benches) {
     const auto [clocks, signals, streams, happened] = sum_of(outcomes, looked_at(*bench));
     const std::string of = benches.size() > 1 ? " of " + looked_at(*bench) : "";
-    text += fmt::format("compared: {}{} on {} clock{}\n", compared_signals(*bench), of,
+    std::vector<const AnyBench*> shapes;
+    for (const Outcome& o : outcomes) {
+      if (looked_at(*o.bench) == looked_at(*bench)) shapes.push_back(o.bench);
+    }
+    text += fmt::format("compared: {}{} on {} clock{}\n", compared_signals(shapes), of,
                         clocks == 1 ? "the one" : fmt::format("each of {}", clocks),
                         clocks == 1 ? "" : "s");
     if (!streams.empty()) {

@@ -43,8 +43,9 @@ std::string measured_text(const Result& result);
 /// The same after the number of cases, where they are jobs.
 std::string swept_text(const Result& result);
 
-/// "9 registers and 4 outputs"
-std::string compared_signals(const AnyBench& bench);
+/// "9 registers and 4 outputs"; "5 to 21 registers and 4 outputs" where the shapes of the design
+/// have not as many.
+std::string compared_signals(const std::vector<const AnyBench*>& shapes);
 
 /// How many of the cases happened, and a line for each of the first 20 that never did; `of` stands
 /// behind the first words.

@@ -15,6 +15,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <sstream>
+#include <string_view>
 #include <system_error>
 
 #include "model/core/input_error.h"
@@ -37,16 +38,43 @@ constexpr const char* large_heap =
     "glibc.malloc.top_pad=67108864:glibc.malloc.trim_threshold=268435456:"
     "glibc.malloc.mmap_threshold=33554432:glibc.malloc.hugetlb=1";
 
-std::vector<std::string> environment_with(const std::string& folder) {
-  std::vector<std::string> list;
+// What is run, and where; an `env` in front is done here, for it takes as long as a small program.
+struct Called {
+  std::vector<std::string> words, environment;
+  std::string folder;  // "" is this one's
+};
+
+Called called(const std::vector<std::string>& words, const std::string& temporary) {
+  std::vector<std::string> unset{"TMPDIR"}, set{"TMPDIR=" + temporary};
+  if (getenv("GLIBC_TUNABLES") == nullptr)
+    set.push_back(fmt::format("GLIBC_TUNABLES={}", large_heap));
+  Called is;
+  std::size_t first = 0;
+  if (words.front() == "env") {
+    for (first = 1; first + 1 < words.size(); ++first) {
+      if (words[first] == "-C") {
+        is.folder = words[++first];
+      } else if (words[first] == "-u") {
+        unset.push_back(words[++first]);
+      } else if (const std::size_t end = words[first].find('='); end != std::string::npos) {
+        const std::string name = words[first].substr(0, end);
+        std::erase_if(set, [&](const std::string& one) { return one.starts_with(name + '='); });
+        unset.push_back(name);
+        set.push_back(words[first]);
+      } else {
+        break;
+      }
+    }
+  }
+  is.words.assign(words.begin() + static_cast<std::ptrdiff_t>(first), words.end());
   for (char** one = environ; *one != nullptr; ++one) {
-    if (std::strncmp(*one, "TMPDIR=", 7) != 0) list.emplace_back(*one);
+    const std::string_view variable(*one);
+    if (std::ranges::find(unset, variable.substr(0, variable.find('='))) == unset.end()) {
+      is.environment.emplace_back(variable);
+    }
   }
-  list.push_back("TMPDIR=" + folder);
-  if (getenv("GLIBC_TUNABLES") == nullptr) {
-    list.push_back(fmt::format("GLIBC_TUNABLES={}", large_heap));
-  }
-  return list;
+  is.environment.insert(is.environment.end(), set.begin(), set.end());
+  return is;
 }
 
 std::vector<char*> pointers(const std::vector<std::string>& words) {
@@ -59,9 +87,8 @@ std::vector<char*> pointers(const std::vector<std::string>& words) {
 // Begins the program, in a process group of its own: what a terminal sends to this program is
 // handed on by it. What runs before it in the child may take no memory, for this program may have
 // several threads.
-pid_t begin(const std::vector<std::string>& words, const std::string& folder, int out, int limit) {
-  const std::vector<std::string> environment = environment_with(folder);
-  const std::vector<char*> argv = pointers(words), variables = pointers(environment);
+pid_t begin(const Called& is, int out, int limit) {
+  const std::vector<char*> argv = pointers(is.words), variables = pointers(is.environment);
   sigset_t every, before;
   sigfillset(&every);
   pthread_sigmask(SIG_SETMASK, &every, &before);  // no handler of this program runs in the child
@@ -85,6 +112,7 @@ pid_t begin(const std::vector<std::string>& words, const std::string& folder, in
   dup2(out, STDERR_FILENO);
   // Nobody is to wait for the end of a file, or for a lock, because of it.
   close_range(STDERR_FILENO + 1, ~0U, 0);
+  if (!is.folder.empty() && chdir(is.folder.c_str()) != 0) _exit(127);
   rlimit now{};
   if (limit > 0 && getrlimit(RLIMIT_CPU, &now) == 0) {
     // Where both are the same it is killed, and cannot make anything else of it as of SIGXCPU.
@@ -141,7 +169,7 @@ Ended run(const std::vector<std::string>& words, int limit, Clock::time_point un
   const Scratch scratch;
   int ends[2] = {-1, -1};
   const bool is_open = pipe2(ends, O_CLOEXEC) == 0;
-  const pid_t child = is_open ? begin(words, scratch.path(), ends[1], limit) : -1;
+  const pid_t child = is_open ? begin(called(words, scratch.path()), ends[1], limit) : -1;
   if (child < 0) throw InputError(words.front() + ": cannot be run: " + std::strerror(errno));
   close(ends[1]);
 

@@ -18,7 +18,9 @@ struct Ended {
   std::string text;        ///< what it printed, errors included
 };
 
-/// Runs a program, found as a shell finds it, with nothing to read. After `limit` seconds of
+/// Runs a program, found as a shell finds it, with nothing to read. `env` may stand before it, with
+/// "-C FOLDER",
+/// "-u NAME" and "NAME=VALUE". After `limit` seconds of
 /// processor time it is stopped; 0 is no limit. A program that only waits is stopped after many
 /// times the limit, and as at its limit when `no_more` becomes true. What it leaves running when it
 /// ends is ended; TMPDIR is a folder of its own, removed with it. When interrupted (interrupt.h)

@@ -73,8 +73,9 @@ TEST(Results, OfMoreSignalsAreAdded) {
 }
 
 TEST(ReportText, CountsTheSignals) {
-  EXPECT_EQ(compared_signals(lines()), "9 registers and 4 outputs");
-  EXPECT_EQ(compared_signals(arcs()), "5 registers and 3 outputs");
+  EXPECT_EQ(compared_signals({&lines()}), "9 registers and 4 outputs");
+  EXPECT_EQ(compared_signals({&arcs()}), "5 registers and 3 outputs");
+  EXPECT_EQ(compared_signals({&arcs(), &lines(), &arcs()}), "5 to 9 registers and 3 to 4 outputs");
 }
 
 TEST(ReportText, EndsWithTheVerdict) {

@@ -97,6 +97,16 @@ TEST(RunProgram, GivesTheStatusAndTheTextOfTheOther) {
   EXPECT_TRUE(is_installed("sh"));
 }
 
+TEST(RunProgram, GivesItsFolderAndVariablesToTheOther) {
+  setenv("COSIM_GOES", "away", 1);
+  setenv("COSIM_OTHER", "old", 1);
+  const Ended ended =
+      run_program({"env", "-u", "COSIM_GOES", "-C", "/usr", "COSIM_OTHER=a=b", "sh", "-c",
+                   "pwd; echo \"${COSIM_GOES-none} $COSIM_OTHER $1\"", "sh", "NAME=VALUE"});
+  EXPECT_EQ(ended.text, "/usr\nnone a=b NAME=VALUE\n");
+  EXPECT_NE(run_program({"env", "-C", "/no/such/folder", "true"}).status, 0);
+}
+
 // It takes no time of a processor.
 TEST(RunUntil, StopsAProgramThatOnlyWaits) {
   const auto soon = std::chrono::steady_clock::now() + std::chrono::milliseconds(200);

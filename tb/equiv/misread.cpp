@@ -54,7 +54,7 @@ bool assigns(std::string_view statement) {
   return false;
 }
 
-// An assertion that does more than print: front ends take its action for none.
+// An assertion that does more than print, by its action or its condition: front ends do neither.
 void refuse_acting_assertions(const SourceText& source) {
   static const rtl::Regex assertion(
       "(^|[^`$._[:alnum:]])(assert|assume|cover)\\b\\s*(property\\b|sequence\\b|final\\b|#\\s*0)?"
@@ -79,17 +79,22 @@ void refuse_acting_assertions(const SourceText& source) {
           plain.substr(from, at - from).find_first_not_of(" \t\r\n") == at - from - 1;
       if (!is_empty && over_else()) at = behind_statement(plain, at);
     }
-    if (!assigns(std::string_view(plain).substr(from, at - from))) continue;
+    const std::string condition = plain.substr(found.end(), from - found.end());
+    const bool counts =
+        condition.find("++") != std::string::npos || condition.find("--") != std::string::npos;
+    if (!counts && !assigns(std::string_view(plain).substr(from, at - from))) continue;
     throw InputError(fmt::format("{}: an assertion that assigns, which no front end reads",
                                  place_in(source, found.begin(2))));
   }
 }
 
-// A statement that waits, outside of `initial`: front ends take no time for it, and so no `if`
-// before it.
+// A statement that waits: front ends take no time for it, and so no `if` before it. In `initial` it
+// is one that something is assigned behind; the others check parameters, or print.
 void refuse_waits(const SourceText& source) {
   static const rtl::Regex wait(
-      "(\\)|;|\\bbegin|\\belse|\\bend|:|[^<>=!]=)\\s*#\\s*[0-9A-Za-z_`]|(\\)|\\bbegin|\\belse)\\s*#"
+      "(\\)|;|\\bbegin|\\belse|\\bend|\\binitial|:|[^<>=!]=)\\s*#\\s*[0-9A-Za-z_`]|(\\)|\\bbegin|"
+      "\\belse|"
+      "\\binitial)\\s*#"
       "\\s*\\("),
       block("\\b(initial|final|always\\w*|task|function|endtask|module)\\b");
   std::string text = source.text;
@@ -98,13 +103,20 @@ void refuse_waits(const SourceText& source) {
   }
   const std::string plain = rtl::blanked(text);
   std::string in = "module";
+  std::size_t began = 0;
   std::vector<rtl::Match> blocks = block.all(plain);
   std::size_t next = 0;
   for (const rtl::Match& found : wait.all(plain)) {
     for (; next < blocks.size() && blocks[next].begin() < found.begin(); ++next) {
       in = blocks[next][1];
+      began = blocks[next].end();
     }
-    if (!in.starts_with("always") && in != "task") continue;
+    if (in == "initial") {
+      const std::size_t at = found.end(), end = behind_statement(plain, began);
+      if (at >= end || !assigns(std::string_view(plain).substr(at, end - at))) continue;
+    } else if (!in.starts_with("always") && in != "task") {
+      continue;
+    }
     throw InputError(fmt::format(
         "{}: a statement that waits; only q <= #1 d and assign #1 y = a, whose delays count for "
         "nothing, are read",

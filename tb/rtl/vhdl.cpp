@@ -60,9 +60,10 @@ class Ghdl {
     static const Regex error("^\\S+:[0-9]+:[0-9]+:"), kind("^(note|warning)"),
         anew("[0-9]+: redeclaration of non-object alias (\"\\S+\").*");
     static const Regex column("^(\\S+:[0-9]+):[0-9]{4,}:");  // of what is put into a line
-    std::vector<std::string> words{"sh",           "-c",   "cd \"$0\" && exec \"$@\" > out 2> said",
-                                   work_.string(), "ghdl", command,
-                                   "--std=08",    "-fsynopsys"};
+    std::vector<std::string> words{
+        "sh",           "-c",        "cd \"$0\" && exec \"$@\" > out 2> said",
+        work_.string(), "ghdl",      command,
+        "--std=08",     "-fsynopsys"};
     words.insert(words.end(), arguments.begin(), arguments.end());
     const int status = run_(words).status;
     if (status == 0) return text_of(work_ / "out");
@@ -79,6 +80,9 @@ class Ghdl {
       if (first.empty() && line.front() != '*' && !trimmed(line).empty()) first = line;
     }
     if (first.empty()) first = "ghdl says nothing";
+    if (text.find("GHDL Bug occurred") != std::string::npos) {
+      first = "GHDL ends in an error of its own; it names no line";
+    }
     throw InputError(column.replaced(
         own_names(anew.replaced(first, " declares \\1 of numeric_std anew: give it another name")),
         "\\1:"));

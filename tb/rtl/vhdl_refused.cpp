@@ -31,20 +31,22 @@ void refuse_metavalues(const std::string& file, const std::string& text) {
   static const std::string bits =
                                "\"[01]*(-[01-]*|x[01x]*|z[01z]*|u[01u]*|w[01w]*|l[01l]*|h[01h]*)\"",
                            value = "('[-xzuwlh]'|" + bits + ")";
-  static const Regex behind("(^|[^<>:/=?])/?=\\s*" + value, REG_ICASE),
-      before(value + "\\s*/?=[^>=]", REG_ICASE), assertion("\\bassert\\b", REG_ICASE);
-  for (const Regex* compared : {&behind, &before}) {
-    for (const Match& found : compared->all(text)) {
-      const std::size_t last = text.find_last_of(';', found.begin());
-      const std::size_t from = last == std::string::npos ? 0 : last;
-      if (assertion.find(text.substr(from, found.begin() - from))) continue;
-      std::string what = found[0];
-      what.erase(0, what.find_first_of("'\""));
-      refuse(file, text, found.begin() + 1,
-             "GHDL misreads a comparison with " + what.substr(0, what.find_last_of("'\"") + 1) +
-                 ", which no signal of 0 and 1 is equal to");
-    }
-  }
+  static const Regex constant("\\bconstant\\s+(\\w+)\\s*:[^;:]*:=\\s*" + value + "\\s*;",
+                              REG_ICASE),
+      assertion("\\bassert\\b", REG_ICASE);
+  std::string values = value;
+  for (const Match& one : constant.all(text)) values += "|\\b" + one[1] + "\\b";
+  const Regex behind("(^|[^<>:/=?])/?=\\s*(" + values + ")", REG_ICASE),
+      before("(" + values + ")\\s*/?=[^>=]", REG_ICASE);
+  const auto refuse_in = [&](const Match& found, const std::string& what) {
+    const std::size_t last = text.find_last_of(';', found.begin());
+    const std::size_t from = last == std::string::npos ? 0 : last;
+    if (assertion.find(text.substr(from, found.begin() - from))) return;
+    refuse(file, text, found.begin() + 1,
+           "GHDL misreads a comparison with " + what + ", which no signal of 0 and 1 is equal to");
+  };
+  for (const Match& found : behind.all(text)) refuse_in(found, found[2]);
+  for (const Match& found : before.all(text)) refuse_in(found, found[1]);
 }
 
 }  // namespace

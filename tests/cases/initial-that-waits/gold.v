@@ -1,0 +1,1 @@
+module t(input clk,input [7:0] d,output reg [7:0] q); reg [3:0] k; initial begin k=0; #1000 k=5; end always @(posedge clk) begin q<=d^k; end endmodule

@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -202,6 +203,28 @@ void refuse_two_valued_beyond(const SourceText& source) {
   }
 }
 
+// A parameter that two defparams set, one of them from further above: the last one counts, and
+// front ends and simulators take another one.
+void refuse_rival_defparams(const SourceText& source) {
+  static const rtl::Regex statement("\\bdefparam\\b([^;]*);"), path("([^=,]+)=[^,]*,?"),
+      unneeded("\\[[^]]*\\]|\\s+"), parts("^(.*\\.)?([^.]+\\.[^.]+)$");
+  const std::string plain = rtl::blanked(source.text);
+  std::map<std::string, int> paths;  // to the last two names
+  std::set<std::string> far;         // those that a longer path leads to
+  for (const rtl::Match& set : statement.all(plain)) {
+    const std::string all = set[1];
+    for (const rtl::Match& one : path.all(all)) {
+      const std::string whole = unneeded.replaced(one[1], "");
+      const rtl::Match names = parts.find(whole);
+      if (!names) continue;
+      if (!names[1].empty()) far.insert(names[2]);
+      if (++paths[names[2]] < 2 || !far.contains(names[2])) continue;
+      throw InputError(fmt::format("{}: another defparam sets {}, too",
+                                   place_in(source, set.begin()), names[2]));
+    }
+  }
+}
+
 void refuse_misread_by_yosys(const std::vector<SourceText>& sources) {
   for (const SourceText& one : sources) {
     if (!one.is_included) continue;  // the others are written otherwise
@@ -235,6 +258,7 @@ void refuse_misread(const std::vector<SourceText>& sources, FrontEnd front_end) 
     refuse_acting_assertions(one);
     refuse_waits(one);
     refuse_two_valued_beyond(one);
+    refuse_rival_defparams(one);
   }
   if (front_end == FrontEnd::yosys) return refuse_misread_by_yosys(sources);
   // Of a net that has one driver all other strengths are the same.

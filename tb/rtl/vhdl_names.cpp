@@ -29,15 +29,16 @@ void name_parts(const std::string& text, const std::set<std::string>& registers,
     const std::string list = m[2];
     int at = widths[m[1]];
     for (const Match& one : part.all(list)) {
-      const Match number = constant.find(one[0]);
-      const int width = number ? std::stoi(number[1]) : widths[one[0]];
+      const std::string net = one[0];
+      const Match number = constant.find(net);
+      const int width = number ? std::stoi(number[1]) : widths[net];
       if (width == 0) break;
       at -= width;
       const std::string place =
           std::to_string(at + width - 1) + (width > 1 ? '_' + std::to_string(at) : "");
       const std::string name = owner->second + '_' + place;
-      if (registers.contains(one[0]) && !names.contains(one[0]) && words.insert(name).second) {
-        names[one[0]] = name;
+      if (registers.contains(net) && !names.contains(net) && words.insert(name).second) {
+        names[net] = name;
       }
     }
   }

@@ -267,8 +267,8 @@ void add_equiv(const Command& program) {
   add_html(command, o->common, "the wave of a difference");
   add_failures(command, o->common);
   command.footer(
-      fmt::format("Needs yosys and Icarus Verilog, for most SystemVerilog slang too. Exit status: 0 equal, 1 different, 2 bad input, "
-                  "3 undecided.\n"
+      fmt::format("Needs yosys and Icarus Verilog, for most SystemVerilog slang too.\n"
+                  "Exit status: 0 equal, 1 different, 2 bad input, 3 undecided.\n"
                   "Example: {} equiv old/uart.v uart.v",
                   program_name()));
   command.action([o] { return run(*o); });

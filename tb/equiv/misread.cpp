@@ -28,19 +28,6 @@ std::vector<std::pair<std::size_t, std::size_t>> hidden_in(const std::string& te
   return all;
 }
 
-// Behind a statement, or a list of them in begin and end, that begins at `at`.
-std::size_t behind_statement(std::string_view plain, std::size_t at) {
-  static const rtl::Regex word("\\b(begin|end)\\b|;");
-  int depth = 0;
-  while (const rtl::Match found = word.find(plain.substr(at))) {
-    at += found.end();
-    if (found[1] == "begin") ++depth;
-    if (found[1] == "end") --depth;
-    if (depth <= 0) return at;
-  }
-  return plain.size();
-}
-
 // Whether it assigns; what is in brackets counts not.
 bool assigns(std::string_view statement) {
   int depth = 0;
@@ -113,7 +100,7 @@ void refuse_waits(const SourceText& source) {
       began = blocks[next].end();
     }
     if (in == "initial") {
-      const std::size_t at = found.end(), end = behind_statement(plain, began);
+      const std::size_t at = found.end(), end = behind_statement(plain, began, true);
       if (at >= end || !assigns(std::string_view(plain).substr(at, end - at))) continue;
     } else if (!in.starts_with("always") && in != "task") {
       continue;
@@ -253,12 +240,28 @@ void refuse_misread_by_yosys(const std::vector<SourceText>& sources) {
 
 }  // namespace
 
+std::size_t behind_statement(std::string_view plain, std::size_t at, bool with_else) {
+  static const rtl::Regex word("\\b(begin|case[xz]?|fork|end|endcase|join\\w*)\\b|[();]"),
+      otherwise("^\\s*else\\b");
+  int depth = 0;
+  while (const rtl::Match found = word.find(plain.substr(at))) {
+    at += found.end();
+    const std::string is = found[0];
+    if (is == "(" || is == "begin" || is == "fork" || is.starts_with("case")) ++depth;
+    if (is == ")" || is.starts_with("end") || is.starts_with("join")) --depth;
+    if (depth > 0 || is == ")") continue;
+    if (!with_else || !otherwise.find(plain.substr(at))) return at;
+  }
+  return plain.size();
+}
+
 void refuse_misread(const std::vector<SourceText>& sources, FrontEnd front_end) {
   for (const SourceText& one : sources) {
     refuse_acting_assertions(one);
     refuse_waits(one);
     refuse_two_valued_beyond(one);
     refuse_rival_defparams(one);
+    refuse_deaf_blocks(one);
   }
   if (front_end == FrontEnd::yosys) return refuse_misread_by_yosys(sources);
   // Of a net that has one driver all other strengths are the same.

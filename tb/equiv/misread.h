@@ -2,7 +2,9 @@
 // text it is refused or written otherwise: a simulation finds it only if it happens there.
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tb/equiv/side.h"
@@ -12,6 +14,15 @@ namespace cosim::equiv {
 
 /// InputError "FILE:LINE: ...".
 void refuse_misread(const std::vector<SourceText>& sources, FrontEnd front_end);
+
+/// The same of always @*, which waits for what its own statements read, and not for what a function
+/// or a task reads besides: front ends and Verilator make gates of it that do. A part of the
+/// former.
+void refuse_deaf_blocks(const SourceText& source);
+
+/// Behind a statement that begins at `at` of a blanked text (lexer.h), begin and end included; with
+/// the `else` of an `if`, where asked for.
+std::size_t behind_statement(std::string_view plain, std::size_t at, bool with_else = false);
 
 /// The text without the comments translate_off and translate_on: yosys leaves out what is between
 /// them, and Verilog does not.

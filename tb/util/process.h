@@ -19,13 +19,12 @@ struct Ended {
 };
 
 /// Runs a program, found as a shell finds it, with nothing to read. `env` may stand before it, with
-/// "-C FOLDER",
-/// "-u NAME" and "NAME=VALUE". After `limit` seconds of
-/// processor time it is stopped; 0 is no limit. A program that only waits is stopped after many
-/// times the limit, and as at its limit when `no_more` becomes true. What it leaves running when it
-/// ends is ended; TMPDIR is a folder of its own, removed with it. When interrupted (interrupt.h)
-/// the program is stopped and Interrupted is thrown. InputError where no room is left for temporary
-/// files: what the program says then is of no use.
+/// "-C FOLDER", "-u NAME" and "NAME=VALUE". After `limit` seconds of processor time it is stopped;
+/// 0 is no limit. A program that only waits is stopped after many times the limit, and as at its
+/// limit when `no_more` becomes true. What it leaves running when it ends is ended; TMPDIR is a
+/// folder of its own, removed with it. When interrupted (interrupt.h) the program is stopped and
+/// Interrupted is thrown. InputError where no room is left for temporary files: what the program
+/// says then is of no use.
 Ended run_program(const std::vector<std::string>& words, int limit = 0,
                   const std::atomic<bool>* no_more = nullptr);
 

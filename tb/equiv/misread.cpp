@@ -261,7 +261,7 @@ void refuse_misread(const std::vector<SourceText>& sources, FrontEnd front_end) 
     refuse_waits(one);
     refuse_two_valued_beyond(one);
     refuse_rival_defparams(one);
-    refuse_deaf_blocks(one);
+    refuse_routines(one);
   }
   if (front_end == FrontEnd::yosys) return refuse_misread_by_yosys(sources);
   // Of a net that has one driver all other strengths are the same.

@@ -15,10 +15,10 @@ namespace cosim::equiv {
 /// InputError "FILE:LINE: ...".
 void refuse_misread(const std::vector<SourceText>& sources, FrontEnd front_end);
 
-/// The same of always @*, which waits for what its own statements read, and not for what a function
-/// or a task reads besides: front ends and Verilator make gates of it that do. A part of the
-/// former.
-void refuse_deaf_blocks(const SourceText& source);
+/// The same of functions and tasks: always @* and assign wait for what their own text reads, and not
+/// for what a function reads besides, and gates do; a function that writes a signal is called only
+/// where && and the like come to it. A part of the former.
+void refuse_routines(const SourceText& source);
 
 /// Behind a statement that begins at `at` of a blanked text (lexer.h), begin and end included; with
 /// the `else` of an `if`, where asked for.

@@ -48,7 +48,7 @@ std::string for_yosys(const fs::path& file, const Shown& shown) {
   const bool is_sv = Reading::extension(file) == ".sv";
   const std::string own = read_file(file.string());
   std::string text = with_casts_apart(is_sv ? without_assertions(own) : own);
-  text = without_macro_of_yosys(text);
+  text = with_resets_apart(without_macro_of_yosys(text));
   if (shown.pragmas) text = without_pragmas(text);
   return shown.prints ? text : simpler(text);
 }

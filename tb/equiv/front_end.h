@@ -36,4 +36,9 @@ std::string slang_hint();
 /// |5'(x) as (|5)'(x), but |(5'(x)) as it is written. Text in comments and strings stays as it is.
 std::string with_casts_apart(const std::string& text);
 
+/// A text of Verilog, on the same lines, in which an asynchronous reset that is asked together with
+/// something else, as in if (!rst_n || clear), is asked first, and the rest behind it: front ends
+/// read that alone.
+std::string with_resets_apart(std::string text);
+
 }  // namespace cosim::equiv

@@ -292,7 +292,8 @@ std::string without_macro_of_yosys(const std::string& text) {
 }
 
 std::string revealed(const std::string& text) {
-  return without_macro_of_yosys(hides_simulation(text) ? text : without_pragmas(text));
+  const std::string seen = hides_simulation(text) ? text : without_pragmas(text);
+  return with_resets_apart(without_macro_of_yosys(seen));
 }
 
 bool has_rows(const std::vector<SourceText>& sources) {

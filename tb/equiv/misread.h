@@ -15,9 +15,9 @@ namespace cosim::equiv {
 /// InputError "FILE:LINE: ...".
 void refuse_misread(const std::vector<SourceText>& sources, FrontEnd front_end);
 
-/// The same of functions and tasks: always @* and assign wait for what their own text reads, and not
-/// for what a function reads besides, and gates do; a function that writes a signal is called only
-/// where && and the like come to it. A part of the former.
+/// The same of functions and tasks: always @* and assign wait for what their own text reads, and
+/// not for what a function reads besides, and gates do; a function that writes a signal is called
+/// only where && and the like come to it. A part of the former.
 void refuse_routines(const SourceText& source);
 
 /// Behind a statement that begins at `at` of a blanked text (lexer.h), begin and end included; with
@@ -32,7 +32,8 @@ bool hides_simulation(const std::string& text);
 /// The text, where it asks for the macro YOSYS, which yosys alone has, without that, on the same
 /// lines.
 std::string without_macro_of_yosys(const std::string& text);
-/// The text without that macro, and without such comments where they hide more than simulation.
+/// The text without that macro, without such comments where they hide more than simulation, and
+/// with asynchronous resets that are asked alone (front_end.h).
 std::string revealed(const std::string& text);
 
 /// Whether Icarus Verilog 11 may take a word for another one, as yosys does: in an array of several

@@ -126,7 +126,8 @@ bool has_parameter(const std::vector<SourceText>& sources, const std::string& mo
 // How slang is given the text of a file.
 std::string for_slang(const fs::path& file, bool has_unique) {
   const std::string own = read_file(file.string());
-  const std::string text = file.extension() == ".sv" ? without_assertions(own) : own;
+  const std::string text =
+      with_resets_apart(file.extension() == ".sv" ? without_assertions(own) : own);
   return has_unique ? text : without_unique(text);
 }
 

@@ -173,6 +173,8 @@ equiv::Side read_side(const EquivOptions& o, const SideFiles& own, const Named& 
     const Sources needed =
         sources_of({all.top, own.files, own.libraries, own.include_dirs, all.top});
     for (const SourceFile& file : needed.files) verilog.push_back(file.from.string());
+  } else {
+    verilog = in_order(std::move(verilog));
   }
   verilog = with(verilog, own.cells);
   // A file that is named twice, as by a pattern and itself, is one.

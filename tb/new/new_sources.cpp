@@ -254,4 +254,30 @@ Sources sources_of(const GivenRtl& given) {
   return sources;
 }
 
+std::vector<std::string> in_order(std::vector<std::string> files) {
+  const Pool pool({.name = "", .files = files});
+  Order order(pool);
+  for (std::size_t i = 0; i < files.size(); ++i) order.need(i);
+  const auto uses_one_behind = [&](std::size_t i) {
+    return std::ranges::any_of(pool.all[i].words.units, [&](const VerilogUnit& unit) {
+      return std::ranges::any_of(order.packages, [&](std::size_t package) {
+        const auto& all = pool.all[package].words.units;
+        return package > i && std::ranges::any_of(all, [&](const VerilogUnit& one) {
+                 return one.is_package && unit.uses.contains(one.name);
+               });
+      });
+    });
+  };
+  std::vector<std::size_t> places = order.packages;
+  bool is_needed = false;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    is_needed = is_needed || uses_one_behind(i);
+    if (std::ranges::find(order.packages, i) == order.packages.end()) places.push_back(i);
+  }
+  if (!is_needed) return files;
+  std::vector<std::string> sorted;
+  for (const std::size_t place : places) sorted.push_back(files[place]);
+  return sorted;
+}
+
 }  // namespace cosim::cli

@@ -37,4 +37,8 @@ struct Sources {
 /// InputError, one line, where the top cannot be told and for a file that cannot be read.
 Sources sources_of(const GivenRtl& given);
 
+/// The files as they are named; but if one of them uses a package of a file behind it, the packages
+/// before all others.
+std::vector<std::string> in_order(std::vector<std::string> files);
+
 }  // namespace cosim::cli

@@ -1,0 +1,3 @@
+package b_pkg;
+  localparam int W = 5;
+endpackage

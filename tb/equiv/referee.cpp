@@ -246,7 +246,7 @@ Refereed refereed(const Side& side, const Referee& how) {
   try {
     second = Match(side, how, Simulator::verilator).judged();
   } catch (const OutOfTime&) {
-    second.wrong = "Verilator needs more time to build it";
+    second.wrong = "Verilator needs more time to build it: give --seconds N";
   }
   if (second.by.empty()) second.wrong = first.wrong + "; " + second.wrong;
   return second;

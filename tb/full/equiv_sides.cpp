@@ -74,6 +74,10 @@ SideFiles old_files(const EquivOptions& o, const std::filesystem::path& scratch)
     if (revision.has(file)) continue;
     fmt::print("{}: in another repository: as it is today on both sides\n", one_line(file));
   }
+  for (const std::string& list : with(o.lists, o.own_lists)) {
+    if (revision.old(list)) continue;
+    throw InputError(fmt::format("--rev: {} has no list of files {}", in_quotes(*o.rev), list));
+  }
   const auto was = [&](const fs::path& path) { return revision.old(path); };
   const rtl::FileList list = listed(o, o.files, true, was, was);
   SideFiles old = side_of(list, o);

@@ -9,6 +9,7 @@
 #include "tb/equiv/assertions.h"
 #include "tb/equiv/for_icarus.h"
 #include "tb/equiv/sources.h"
+#include "tb/equiv/verilated.h"
 #include "tb/rtl/design.h"
 #include "tb/rtl/verilog.h"
 #include "tb/util/output_file.h"
@@ -81,7 +82,7 @@ Program::Program(const Side& side, Stimulus stimulus, Simulator simulator,
     for (int i = 0; i < attempts; ++i) {
       std::map<std::size_t, std::string> line_of;
       write_file(own_ + "/cosim_replay.v", testbench(side_, stimulus_, bench_, own_, line_of));
-      const Ended built = run_until(command(generation), until);
+      const Ended built = build(generation, until);
       if (built.timed_out) throw OutOfTime();
       why_not_.clear();
       if (built.status == 0) return;
@@ -174,24 +175,33 @@ void Program::find_arrays(std::chrono::steady_clock::time_point until) {
 std::vector<std::string> Program::command(const std::string& generation) const {
   std::vector<std::string> words{"env", "-C", own_ + "/empty"};
   const bool is_icarus = simulator_ == Simulator::icarus;
-  const std::vector<std::string> begins = words_in(
-      is_icarus
-          ? "iverilog -grelative-include -DSYNTHESIS -s " + bench_ + " -o " + own_ + "/built.vvp " +
-                generation
-          : "verilator --binary --build-jobs 2 -Wno-fatal -Wno-lint -Wno-style --x-initial unique "
-            "--x-assign unique --timescale 1ns/1ps --top-module " +
-                bench_ + " --prefix Vcosim_replay +define+SYNTHESIS --Mdir " + own_ + "/built" +
-                (stimulus_.vcd.empty() ? "" : " --trace"));
+  const std::vector<std::string> begins =
+      words_in(is_icarus ? "iverilog -grelative-include -DSYNTHESIS -s " + bench_ + " -o " + own_ +
+                               "/built.vvp " + generation
+                         : "verilator --cc --exe --main --timing -Wno-fatal -Wno-lint -Wno-style "
+                           "--x-initial unique "
+                           "--x-assign unique --timescale 1ns/1ps --top-module " +
+                               bench_ + " --prefix Vcosim_replay +define+SYNTHESIS --Mdir " + own_ +
+                               "/built" + (stimulus_.vcd.empty() ? "" : " --trace"));
   words.insert(words.end(), begins.begin(), begins.end());
   const auto more = sources(is_icarus ? "-D" : "+define+", is_icarus ? "-I" : "+incdir+");
   words.insert(words.end(), more.begin(), more.end());
   words.push_back(own_ + "/cosim_replay.v");
-  if (!is_icarus) {
-    for (const char* word : {"-MAKEFLAGS", "OPT_FAST= OPT_GLOBAL="}) words.emplace_back(word);
-    // Verilator's own library is the same each time.
-    if (is_installed("ccache")) words.insert(words.begin() + 3, "OBJCACHE=ccache");
-  }
   return words;
+}
+
+// Runs the compiler of the simulator.
+Ended Program::build(const std::string& generation,
+                     std::chrono::steady_clock::time_point until) const {
+  Ended made = run_until(command(generation), until);
+  if (made.status != 0 || made.timed_out || simulator_ == Simulator::icarus) return made;
+  const std::string built = own_ + "/built";
+  const VerilatedLibrary library(built);
+  library.put();
+  made = run_until(
+      words_in("make -s -C " + built + " -f Vcosim_replay.mk -j2 OPT_FAST= OPT_GLOBAL="), until);
+  if (made.status == 0) library.keep();
+  return made;
 }
 
 // Those of which a line of the testbench is wrong; whether there are any.

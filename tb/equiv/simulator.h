@@ -45,6 +45,7 @@ class Program {
 
  private:
   std::vector<std::string> command(const std::string& generation) const;
+  Ended build(const std::string& generation, std::chrono::steady_clock::time_point until) const;
   std::vector<std::string> sources(const char* define, const char* folder) const;
   void find_arrays(std::chrono::steady_clock::time_point until);
   void copy_simpler();

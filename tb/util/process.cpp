@@ -227,13 +227,14 @@ Ended run_all_the_same(const std::vector<std::string>& words) {
   return ended;
 }
 
-bool is_installed(const std::string& program) {
+std::string path_of(const std::string& program) {
   const char* path = std::getenv("PATH");
   std::istringstream folders(path == nullptr ? "" : path);
   for (std::string folder; std::getline(folders, folder, ':');) {
-    if (access(((folder.empty() ? "." : folder) + '/' + program).c_str(), X_OK) == 0) return true;
+    const std::string file = (folder.empty() ? "." : folder) + '/' + program;
+    if (access(file.c_str(), X_OK) == 0) return file;
   }
-  return false;
+  return "";
 }
 
 }  // namespace cosim

@@ -36,7 +36,8 @@ Ended run_until(const std::vector<std::string>& words, std::chrono::steady_clock
 /// then. Status 127 where it cannot be run.
 Ended run_all_the_same(const std::vector<std::string>& words);
 
-/// Whether a shell would find the program; it is not run.
-bool is_installed(const std::string& program);
+/// Where a shell would find the program; "" where it would not. It is not run.
+std::string path_of(const std::string& program);
+inline bool is_installed(const std::string& program) { return !path_of(program).empty(); }
 
 }  // namespace cosim

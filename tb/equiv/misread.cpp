@@ -42,6 +42,19 @@ bool assigns(std::string_view statement) {
   return false;
 }
 
+bool counts(const std::string& text) {
+  return text.find("++") != std::string::npos || text.find("--") != std::string::npos;
+}
+
+// Whether a statement does more than system tasks and macros, which may stand in `if`.
+bool acts(std::string statement) {
+  static const rtl::Regex call("[$`]\\w+|\\bif\\b"), word("\\b(begin|end|else)\\b|\\b\\w+\\s*:");
+  for (rtl::Match found = call.find(statement); found; found = call.find(statement)) {
+    blank(statement, found.begin(), behind_arguments(statement, found.end()));
+  }
+  return word.replaced(statement, "").find_first_not_of(" \t\r\n;") != std::string::npos;
+}
+
 // An assertion that does more than print, by its action or its condition: front ends do neither.
 void refuse_acting_assertions(const SourceText& source) {
   static const rtl::Regex assertion(
@@ -68,11 +81,26 @@ void refuse_acting_assertions(const SourceText& source) {
       if (!is_empty && over_else()) at = behind_statement(plain, at);
     }
     const std::string condition = plain.substr(found.end(), from - found.end());
-    const bool counts =
-        condition.find("++") != std::string::npos || condition.find("--") != std::string::npos;
-    if (!counts && !assigns(std::string_view(plain).substr(from, at - from))) continue;
-    throw InputError(fmt::format("{}: an assertion that assigns, which no front end reads",
-                                 place_in(source, found.begin(2))));
+    if (!counts(condition) && !acts(plain.substr(from, at - from))) continue;
+    throw InputError(fmt::format(
+        "{}: an assertion that does more than print, which no front end reads: its condition "
+        "counts, or its action assigns or calls something",
+        place_in(source, found.begin(2))));
+  }
+}
+
+// What is printed, if it counts or assigns: front ends leave it out.
+void refuse_acting_prints(const SourceText& source) {
+  static const rtl::Regex task("\\$\\w+\\s*\\("), assignment("[^=!<>]=[^=]");
+  const std::string plain = rtl::blanked(source.text);
+  for (const rtl::Match& found : task.all(plain)) {
+    const std::size_t end = behind_arguments(plain, found.end() - 1);
+    const std::string arguments = plain.substr(found.end(), end - found.end());
+    if (!counts(arguments) && !assignment.find(arguments)) continue;
+    throw InputError(
+        fmt::format("{}: an argument that counts or assigns, which no front end reads where it is "
+                    "printed",
+                    place_in(source, found.begin())));
   }
 }
 
@@ -83,7 +111,7 @@ void refuse_waits(const SourceText& source) {
       "(\\)|;|\\bbegin|\\belse|\\bend|\\binitial|:|[^<>=!]=)\\s*#\\s*[0-9A-Za-z_`]|(\\)|\\bbegin|"
       "\\belse|"
       "\\binitial)\\s*#"
-      "\\s*\\("),
+      "\\s*\\(|\\bwait\\s*\\("),
       block("\\b(initial|final|always\\w*|task|function|endtask|module)\\b");
   std::string text = source.text;
   if (hides_simulation(text)) {
@@ -212,6 +240,12 @@ void refuse_rival_defparams(const SourceText& source) {
   }
 }
 
+void refuse_where(const std::vector<SourceText>& sources, const std::string& expression,
+                  const char* what) {
+  const std::string place = place_of(sources, expression);
+  if (!place.empty()) throw InputError(fmt::format("{}: {}", place, what));
+}
+
 void refuse_misread_by_yosys(const std::vector<SourceText>& sources) {
   for (const SourceText& one : sources) {
     if (!one.is_included) continue;  // the others are written otherwise
@@ -227,15 +261,12 @@ void refuse_misread_by_yosys(const std::vector<SourceText>& sources) {
           one.file.string()));
     }
   }
-  const auto refuse = [&](const char* expression, const char* what) {
-    const std::string place = place_of(sources, expression);
-    if (!place.empty()) throw InputError(fmt::format("{}: yosys misreads {}", place, what));
-  };
-  refuse("\\btask\\b[^;(]*\\([^;)]*\\binout\\b", "a task with an inout argument");
-  refuse("\\btask\\b[^;(]*;(\\s*(input|output|reg|integer)\\b[^;]*;)*\\s*inout\\b",
-         "a task with an inout argument");
-  refuse("\\bbind\\s+[A-Za-z_]", "bind");
-  refuse("\\b(tri0|tri1|trireg)\\b", "tri0, tri1 and trireg");
+  const std::string begins = "\\btask\\b[^;(]*", argument = "\\binout\\b",
+                    arguments = ";(\\s*(input|output|reg|integer)\\b[^;]*;)*\\s*";
+  refuse_where(sources, begins + "(\\([^;)]*|" + arguments + ")" + argument,
+               "yosys misreads a task with an inout argument");
+  refuse_where(sources, "\\bbind\\s+[A-Za-z_]", "yosys misreads bind");
+  refuse_where(sources, "\\b(tri0|tri1|trireg)\\b", "yosys misreads tri0, tri1 and trireg");
 }
 
 }  // namespace
@@ -258,16 +289,26 @@ std::size_t behind_statement(std::string_view plain, std::size_t at, bool with_e
 void refuse_misread(const std::vector<SourceText>& sources, FrontEnd front_end) {
   for (const SourceText& one : sources) {
     refuse_acting_assertions(one);
+    refuse_acting_prints(one);
     refuse_waits(one);
     refuse_two_valued_beyond(one);
     refuse_rival_defparams(one);
     refuse_routines(one);
   }
+  refuse_where(sources, "\\[[^]]*(\\+\\+|--)[^]]*\\]\\s*([-+*/%&|^]|<<<?|>>>?)=[^=]",
+               "an index that counts, before +=, is read as if it stood there twice");
   if (front_end == FrontEnd::yosys) return refuse_misread_by_yosys(sources);
   // Of a net that has one driver all other strengths are the same.
-  const std::string place = place_of(sources, "\\bhighz[01]\\b");
-  if (!place.empty()) {
-    throw InputError(fmt::format("{}: slang misreads the strengths highz0 and highz1", place));
+  refuse_where(sources, "\\bhighz[01]\\b", "slang misreads the strengths highz0 and highz1");
+  refuse_where(sources, "[(,;]\\s*(const\\s+)?ref\\s+\\w",
+               "slang misreads an argument that is a reference: ref");
+  refuse_where(sources, "(^|;|\\bend\\w*)\\s*program\\s+\\w+\\s*[;(#]",
+               "slang leaves out a program");
+  for (const SourceText& one : sources) {
+    const std::size_t at = one.text.find("__slang__");
+    if (at == std::string::npos) continue;
+    throw InputError(
+        fmt::format("{}: asks for the macro __slang__, which slang alone has", place_in(one, at)));
   }
 }
 

@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <optional>
 #include <set>
 
@@ -68,6 +70,7 @@ class Match {
       compare(ran.clocks[t], t);
       if (!is_late) ++is.clocks;
     }
+    if (wrong_.empty() && !vague_.empty()) find_values_lost(program, ran);
     is.wrong = wrong_;
     if (wrong_.empty() && !ran.is_complete && ran.clocks.size() < enough) {
       is.by.clear();
@@ -155,6 +158,36 @@ class Match {
     }
   }
 
+  // Verilator has no x. What the netlist does not know on many clocks, and is the same in Verilator
+  // whatever has no value there is, is a value that the front end has lost. Division by zero, which
+  // is 0 in Verilator, is not.
+  void find_values_lost(const Program& program, const Simulated& ran) {
+    static const std::set<std::string> divisions{"$div", "$mod", "$divfloor", "$modfloor"};
+    if (std::ranges::any_of(side_.module().cells,
+                            [](const Cell& cell) { return divisions.contains(cell.type); })) {
+      return;
+    }
+    constexpr std::size_t many = 8;
+    const Simulated ones = program.run(how_.until, "1"), others = program.run(how_.until, "2");
+    if (ones.clocks.size() != ran.clocks.size() || others.clocks.size() != ran.clocks.size())
+      return;
+    for (const auto& [bit, clocks] : vague_) {
+      const auto& [port, i] = bit;
+      const auto is_known_at = [&](std::size_t t) {
+        const char is = ran.clocks[t][port][i];
+        return ones.clocks[t][port][i] == is && others.clocks[t][port][i] == is;
+      };
+      if (clocks.size() * many < ran.clocks.size() || !std::ranges::all_of(clocks, is_known_at)) {
+        continue;
+      }
+      const auto name = std::next(side_.outputs.begin(), std::ptrdiff_t(port))->first;
+      const std::string& source = ran.clocks[clocks.front()][port];
+      std::string netlist = source;
+      netlist[i] = 'x';
+      return say_wrong(name, source, netlist, true, clocks.front());
+    }
+  }
+
   void compare(const std::vector<std::string>& words, std::size_t t) {
     std::size_t at = side_.outputs.size();
     std::set<std::string> x;
@@ -169,7 +202,11 @@ class Match {
     sources_->clock(std::move(x));
     at = 0;
     for (const auto& [port, width] : side_.outputs) {
-      compare(port, words[at++], netlist_word(port, width), true, t);
+      const std::string netlist = netlist_word(port, width);
+      for (std::size_t i = 0; simulator_ == Simulator::verilator && i < netlist.size(); ++i) {
+        if (!is_known(netlist[i])) vague_[{at, i}].push_back(t);
+      }
+      compare(port, words[at++], netlist, true, t);
     }
     for (const Variable& one : variables_) {
       compare(one.name, words[at++], netlist_word(one), false, t);
@@ -223,6 +260,8 @@ class Match {
   std::vector<Variable> variables_;
   std::map<std::string, const std::vector<std::size_t>*> registers_of_;
   std::optional<XSources> sources_;
+  /// In Verilator: the clocks on which the netlist does not know a digit of an output.
+  std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> vague_;
   std::vector<std::string> loads_;
   std::size_t first_load_ = 0;
   bool is_lenient_ = false;  ///< the state is perhaps never reached

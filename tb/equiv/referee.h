@@ -56,6 +56,7 @@ class RefereeInputs {
   /// Bits of ports, and the digit of each.
   using Compared = std::vector<std::pair<Name, char>>;
   void find_compared();
+  void find_written();
   std::string digits(const std::string& port, std::size_t width, const Row& row);
 
   const Side& side_;

@@ -1,14 +1,39 @@
 #include "tb/equiv/referee.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cstdlib>
 #include <map>
 #include <set>
 
+#include "tb/equiv/sources.h"
+#include "tb/rtl/lexer.h"
+#include "tb/rtl/regex.h"
+
 namespace cosim::equiv {
+namespace {
+
+// The binary digits of a number that is written as 32'hdead_beef: its width, base and digits.
+// Nothing where it has more than 64 bits.
+std::string digits_of(const std::string& width, char base, std::string number) {
+  std::erase(number, '_');
+  const bool is_short = width.size() < 3 && number.size() <= (base == 'b' ? 64U : 16U);
+  const unsigned long size = is_short ? std::stoul(width) : 0;
+  if (size == 0 || size > 64) return "";
+  char* end = nullptr;
+  const int radix = base == 'b' ? 2 : base == 'o' ? 8 : base == 'd' ? 10 : 16;
+  const std::uint64_t value = std::strtoull(number.c_str(), &end, radix);
+  std::string digits;
+  for (std::size_t i = size; *end == '\0' && i-- > 0;) digits += (value >> i & 1U) != 0 ? '1' : '0';
+  return digits;
+}
+
+}  // namespace
 
 RefereeInputs::RefereeInputs(const Side& side, const Referee& how)
     : side_(side), how_(how), random_(Random::for_case(1989, 0)) {
   find_compared();
+  find_written();
 }
 
 // Of each comparison with a constant, the bits that are inputs. A word of none, which may be an
@@ -44,6 +69,30 @@ void RefereeInputs::find_compared() {
         }
       }
       if (own.size() > 1) compared_.push_back(std::move(own));
+    }
+  }
+}
+
+// Numbers of the source, for inputs of their width: what a front end leaves out has no comparison
+// in the netlist.
+void RefereeInputs::find_written() {
+  static const rtl::Regex number("\\b([0-9]+)\\s*'[sS]?([bBoOdDhH])\\s*([0-9a-fA-F_]+)");
+  constexpr std::size_t most = 200;
+  std::set<std::string> all;  // digits, the highest bit first
+  for (const SourceText& source : sources_of(side_.files())) {
+    const std::string plain = rtl::blanked(source.text);
+    for (const rtl::Match& found : number.all(plain)) {
+      const char base = static_cast<char>(std::tolower(found[2].front()));
+      const std::string digits = digits_of(found[1], base, found[3]);
+      if (digits.size() > 4 && all.size() < most) all.insert(digits);
+    }
+  }
+  for (const std::string& digits : all) {
+    for (const auto& [port, width] : side_.inputs) {
+      if (static_cast<std::size_t>(width) != digits.size()) continue;
+      Compared& own = compared_.emplace_back();
+      for (int i = 0; i < width; ++i)
+        own.emplace_back(Name(port, i), digits[std::size_t(width - 1 - i)]);
     }
   }
 }

@@ -107,7 +107,8 @@ Elaborated by_yosys(const Files& files, const std::string& what, const Budget& b
           given.replaced(yosys_message(said, ended.status, reading.names()), "--param $1: ");
       throw InputError(fmt::format("{}: yosys cannot read it: {}", what, why));
     }
-    const std::string wrong = misread(ended.text, reading);
+    std::string wrong = misread(ended.text, reading);
+    if (wrong.empty()) wrong = cut_on_a_port(ended.text, sources_of(files));
     if (!wrong.empty()) throw InputError(fmt::format("{}: yosys cannot read it: {}", what, wrong));
   };
   const fs::path empty = own / "empty";

@@ -294,6 +294,7 @@ void refuse_misread(const std::vector<SourceText>& sources, FrontEnd front_end) 
     refuse_two_valued_beyond(one);
     refuse_rival_defparams(one);
     refuse_routines(one);
+    refuse_mixed_assignments(one);
   }
   refuse_where(sources, "\\[[^]]*(\\+\\+|--)[^]]*\\]\\s*([-+*/%&|^]|<<<?|>>>?)=[^=]",
                "an index that counts, before +=, is read as if it stood there twice");

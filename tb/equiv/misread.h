@@ -19,6 +19,15 @@ void refuse_misread(const std::vector<SourceText>& sources, FrontEnd front_end);
 /// not for what a function reads besides, and gates do; a function that writes a signal is called
 /// only where && and the like come to it. A part of the former.
 void refuse_routines(const SourceText& source);
+/// The same of a variable that a block assigns by = and by <=, or by <= with other delays. A part
+/// of the first one.
+void refuse_mixed_assignments(const SourceText& source);
+
+/// What yosys has `said` of expressions on ports that are wider: one line, with the place of the
+/// first that it reads in too few bits; "" where there is none.
+std::string cut_on_a_port(const std::string& said, const std::vector<SourceText>& sources);
+/// Whether there may be such a port; Icarus Verilog reads it as yosys does.
+bool may_be_cut_on_ports(const std::vector<SourceText>& sources);
 
 /// Behind a statement that begins at `at` of a blanked text (lexer.h), begin and end included; with
 /// the `else` of an `if`, where asked for.

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <deque>
+#include <initializer_list>
 #include <optional>
 
 #include "tb/equiv/clocks.h"
+#include "tb/equiv/misread.h"
 #include "tb/equiv/simulator.h"
+#include "tb/equiv/sources.h"
 #include "tb/util/parallel.h"
 #include "tb/util/process.h"
 
@@ -188,7 +191,15 @@ Replay replayed(const Question& q, const Answer& a) {
       const Replay zeros = replay(q, a, Simulator::icarus, '0');
       if (zeros.shown && replay(q, a, Simulator::icarus, '1').shown) first = zeros;
     }
-    if (first.shown || first.refuted || !q.verilator || !is_installed("verilator")) return first;
+    // Icarus Verilog misreads some RTL itself.
+    const bool is_refuted =
+        first.refuted && std::ranges::none_of(std::initializer_list<const Side*>{&q.gold, &q.gate},
+                                              [](const Side* side) {
+                                                const auto sources = sources_of(side->files());
+                                                return has_rows(sources) ||
+                                                       may_be_cut_on_ports(sources);
+                                              });
+    if (first.shown || is_refuted || !q.verilator || !is_installed("verilator")) return first;
     return replay(q, a, Simulator::verilator);
   } catch (const OutOfTime&) {
     return {false, false, "on the netlists: no time was left for a simulator", "", {}, {}};

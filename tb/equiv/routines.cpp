@@ -113,8 +113,9 @@ std::map<std::string, Routine> routines_in(const std::string& plain) {
         if (signals.contains(word) && !own.contains(word)) to.insert(word);
       }
     };
-    take(words_of(is.body), is.reads);
     take(assigned_in(is.body), is.writes);
+    own.insert(is.writes.begin(), is.writes.end());
+    take(words_of(is.body), is.reads);
   }
   for (std::size_t depth = 1; depth < all.size(); ++depth) {
     for (auto& [name, is] : all) {

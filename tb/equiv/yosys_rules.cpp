@@ -23,7 +23,7 @@ const std::vector<Rule>& yosys_rules() {
            "requested port (\\d+)\\.",
            "module $1 has $4 ports, and its instance $3 in $2 connects a port $5"),
       rule("Module (\\S+) not found!", "no file has the module $1"),
-      rule("Re-definition of module (\\S+?)!?", "module $1 is there twice"),
+      rule("Re-definition of module ([^\\s!]+)!?", "module $1 is there twice"),
       rule("Can't find object for defparam \\$(\\d+)!",
            "an instance gives more parameters than its module has: number $1"),
       rule("Can't find object for defparam (\\S+)!", "a parameter is given that no module has: $1"),

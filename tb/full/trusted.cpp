@@ -163,10 +163,13 @@ ReadAs judged(const nets::Model& model, const proof::Source& source) {
     if (w.code.size() == 1) how.resets[net_path(w.field.net).path] = w.code.front() == nets::yes;
   }
   const proof::RtlNets gates(source);
-  ReadAs first;  // what the first front end comes to, where no other does better
+  // What the first front end comes to that does not refuse the RTL.
+  ReadAs first;
+  bool is_refused = true;
   for (const equiv::FrontEnd front_end : {equiv::FrontEnd::yosys, equiv::FrontEnd::slang}) {
     if (front_end == equiv::FrontEnd::slang && !equiv::has_slang()) break;
     ReadAs one;
+    bool is_read = true;
     try {
       equiv::Side side(files_of(source), "the RTL", front_end, budget);
       side.make_gates(equiv::Memories::registers, steps, budget);
@@ -184,11 +187,13 @@ ReadAs judged(const nets::Model& model, const proof::Source& source) {
         return one;
       }
     } catch (const InputError& error) {
-      one.why = error.what();
+      one = {"", error.what(), true};
+      is_read = false;
     } catch (const equiv::OutOfTime&) {
       one.why = fmt::format("not in {} s", time_for_one);
     }
-    if (first.why.empty()) first = one;
+    if (first.why.empty() || (is_refused && is_read)) first = one;
+    is_refused = is_refused && !is_read;
   }
   return first;
 }
@@ -218,7 +223,9 @@ ReadAs read_as(const nets::Model& model, const proof::Source& source) {
 void require_read(const nets::Model& model, const proof::Source& source) {
   const ReadAs is = read_as(model, source);
   if (!is.is_wrong) return;
-  throw InputError(fmt::format("{}: the RTL is misread: {}", source.top, is.why));
+  const bool is_refused = is.why.starts_with("the RTL: ");
+  throw InputError(
+      fmt::format("{}: {}{}", source.top, is_refused ? "" : "the RTL is misread: ", is.why));
 }
 
 }  // namespace cosim::cli

@@ -1,0 +1,1 @@
+module t(input [7:0] a, input [7:0] b, input e, output [15:0] y); assign y={8'd0,a}+{8'd0,b}; endmodule

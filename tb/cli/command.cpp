@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -55,12 +56,24 @@ bool is_design(const CLI::App& program, const std::string& word) {
 
 std::string unexpected(const CLI::App& app, const std::string& argument) {
   if (argument.starts_with('-')) {
+    for (const CLI::App* design : subcommands(app)) {
+      if (app.get_parent() == nullptr || design->get_option_no_throw(argument) == nullptr) continue;
+      return fmt::format("{}{} comes behind the design: {} {} {}", prefix(app), argument,
+                         app.get_name(), design->get_name(), argument);
+    }
     return fmt::format("{}no such option: {}", prefix(app), in_quotes(argument));
   }
   const std::string commands = commands_of(app);
   if (commands.empty()) return fmt::format("{}takes no {}", prefix(app), in_quotes(argument));
   if (app.get_parent() == nullptr && is_design(app, argument)) {
     return fmt::format("{} is a design: a command comes before it: {}", argument, commands);
+  }
+  // Commands that the program of the package has not.
+  static const std::set<std::string> of_projects{"sweep", "prove",  "mutate",  "cover",
+                                                 "job",   "replay", "regress", "list"};
+  if (app.get_parent() == nullptr && of_projects.contains(argument)) {
+    return fmt::format("{} is a command of the program of a project, as build/NAME_cosim",
+                       argument);
   }
   return fmt::format("{}no such {}: {}; there are {}", prefix(app), kind_of_words(app),
                      in_quotes(argument), commands);

@@ -60,7 +60,7 @@ void require_named(const Question& q) {
     }
     const int width = is_old ? q.gold.inputs.at(pin) : q.gate.inputs.at(other);
     if (value.size() > static_cast<std::size_t>(width)) {
-      throw InputError(fmt::format("--tie: {} has {}, and the value {}", in_quotes(pin),
+      throw InputError(fmt::format("--tie: {} has {}, and the value needs {}", in_quotes(pin),
                                    count(static_cast<std::uint64_t>(width), "bit"), value.size()));
     }
     const bool is_clock = q.gold.clocks.contains(pin) || q.gate.clocks.contains(other);

@@ -108,7 +108,7 @@ TEST(Equiv, AnInputIsHeldAtAValueOfAnyWidth) {
   expect_equal(rtl("d"), rtl("70'h3f_8000_0001_0000_0000"), {"--tie", "d=0x3f8000000100000000"});
   expect_different(rtl("d"), rtl("70'd5"), "q is ", {"--tie", "d=4"});
   expect_refused(equiv(rtl("d"), rtl("d"), {"--tie", "d=0x400000000000000000"}),
-                 "--tie: 'd' has 70 bits, and the value 71");
+                 "--tie: 'd' has 70 bits, and the value needs 71");
 }
 
 TEST(Equiv, OptionsNamePortsThatThereAre) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <deque>
-#include <initializer_list>
 #include <optional>
 
 #include "tb/equiv/clocks.h"
@@ -114,6 +113,13 @@ std::string values_of(const Answer& a, const Lines& gold, const Lines& gate) {
   return text;
 }
 
+// Whether something in one of the RTLs may have any value.
+bool has_unknown(const Question& q) {
+  return std::ranges::any_of(std::array{&q.gold, &q.gate}, [](const Side* side) {
+    return side->unknowns > 0 || std::ranges::any_of(side->registers, &Register::any);
+  });
+}
+
 // What has no initial value begins in Verilator as 0, as 1 and by chance.
 constexpr std::array beginnings{"0", "1", "2"};
 
@@ -165,12 +171,8 @@ Replay replay(const Question& q, const Answer& a, Simulator simulator, char fill
       return is;
     }
   }
-  const auto is_any = [](const Register& r) { return r.any; };
-  for (const Side* s : {&q.gold, &q.gate}) {
-    if (s->unknowns > 0 || std::ranges::any_of(s->registers, is_any)) {
-      return {false, false, "on the netlists: Verilator has other values for what is x",
-              "",    {},    {}};
-    }
+  if (has_unknown(q)) {
+    return {false, false, "on the netlists: Verilator has other values for what is x", "", {}, {}};
   }
   return {false, true, how, values_of(a, lines[0][0], lines[1][0]), {}, {}};
 }
@@ -191,14 +193,13 @@ Replay replayed(const Question& q, const Answer& a) {
       const Replay zeros = replay(q, a, Simulator::icarus, '0');
       if (zeros.shown && replay(q, a, Simulator::icarus, '1').shown) first = zeros;
     }
-    // Icarus Verilog misreads some RTL itself.
+    // Icarus Verilog misreads expressions on wider ports. Verilator has other values for what is x.
+    const auto misreads = [](const Side* side) {
+      return may_be_cut_on_ports(sources_of(side->files()));
+    };
+    const std::array sides{&q.gold, &q.gate};
     const bool is_refuted =
-        first.refuted && std::ranges::none_of(std::initializer_list<const Side*>{&q.gold, &q.gate},
-                                              [](const Side* side) {
-                                                const auto sources = sources_of(side->files());
-                                                return has_rows(sources) ||
-                                                       may_be_cut_on_ports(sources);
-                                              });
+        first.refuted && (has_unknown(q) || std::ranges::none_of(sides, misreads));
     if (first.shown || is_refuted || !q.verilator || !is_installed("verilator")) return first;
     return replay(q, a, Simulator::verilator);
   } catch (const OutOfTime&) {

@@ -26,14 +26,16 @@ Names words_of(const std::string& text) {
 // What a text declares, but for parameters.
 Names declared_in(const std::string& text) {
   static const std::string kinds = "(input|output|inout|reg|wire|logic|integer|bit|byte|int)";
-  static const rtl::Regex constant("\\b(parameter|localparam|genvar)\\b[^;)]*"),
+  static const rtl::Regex constant(
+      "\\b(parameter|localparam|genvar)\\b[^;)]*|\\btypedef\\b[^;{]*(\\{[^}]*\\})?[^;]*;"),
       no_name("\\[[^]]*\\]|=[^,;)]*|\\b(signed|unsigned|var)\\b|\\b" + kinds + "\\b"),
-      declaration("\\b" + kinds + "\\b([^;)]*)");
+      declaration("\\b" + kinds + "\\b([^;)]*)"), last("([A-Za-z_][A-Za-z0-9_$]*)\\s*(,|$)");
   const std::string variables = constant.replaced(text, " ");
   Names names;
   for (const rtl::Match& one : declaration.all(variables)) {
-    const Names more = words_of(no_name.replaced(one[2], " "));
-    names.insert(more.begin(), more.end());
+    // The last word of each: one before it is a type.
+    const std::string all = no_name.replaced(one[2], " ");
+    for (const rtl::Match& name : last.all(all)) names.insert(name[1]);
   }
   return names;
 }

@@ -172,7 +172,7 @@ class Match {
     if (ones.clocks.size() != ran.clocks.size() || others.clocks.size() != ran.clocks.size())
       return;
     for (const auto& [bit, clocks] : vague_) {
-      const auto& [port, i] = bit;
+      const std::size_t port = bit.first, i = bit.second;
       const auto is_known_at = [&](std::size_t t) {
         const char is = ran.clocks[t][port][i];
         return ones.clocks[t][port][i] == is && others.clocks[t][port][i] == is;

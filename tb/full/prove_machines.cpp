@@ -207,7 +207,7 @@ int prove_machines(const ProveOptions& o, const proof::Asking& asking, Verdicts&
         s.source = source_for(s.subject.model, source_of(o, s.subject));
         s.read = read_as(s.subject.model, s.source);
         if (s.read.is_wrong) {
-          throw InputError(fmt::format("{}: the RTL is misread: {}", s.subject.title, s.read.why));
+          throw InputError(fmt::format("{}: {}", s.subject.title, s.read.wrong()));
         }
         s.claims = claims_of(s.subject.model, s.source);
         s.source.keeps_statements = true;

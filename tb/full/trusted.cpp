@@ -223,9 +223,7 @@ ReadAs read_as(const nets::Model& model, const proof::Source& source) {
 void require_read(const nets::Model& model, const proof::Source& source) {
   const ReadAs is = read_as(model, source);
   if (!is.is_wrong) return;
-  const bool is_refused = is.why.starts_with("the RTL: ");
-  throw InputError(
-      fmt::format("{}: {}{}", source.top, is_refused ? "" : "the RTL is misread: ", is.why));
+  throw InputError(fmt::format("{}: {}", source.top, is.wrong()));
 }
 
 }  // namespace cosim::cli

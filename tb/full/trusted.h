@@ -15,7 +15,12 @@ struct ReadAs {
   std::string by;
   /// What differs, on which clock, both values; or, where nothing could be compared, why.
   std::string why;
-  bool is_wrong = false;  ///< something differs
+  bool is_wrong = false;  ///< something differs, or every front end refuses the RTL
+
+  /// What is said of it then.
+  std::string wrong() const {
+    return (why.starts_with("the RTL: ") ? "" : "the RTL is misread: ") + why;
+  }
 };
 
 /// Runs the cells that a front end of `equiv` reads beside the RTL in a simulator

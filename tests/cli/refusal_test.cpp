@@ -56,7 +56,9 @@ TEST_F(Refusal, OfCommands) {
   expect_unused({"list", "--csv", "x"}, "list: no such option: '--csv'");
   expect_unused({"sweep"}, "sweep: a design is needed: " + designs);
   expect_unused({"sweep", "spiral"}, "sweep: no such design: 'spiral'; there are " + designs);
-  expect_unused({"sweep", "--random", "5"}, "sweep: no such option: '--random'");
+  expect_unused({"sweep", "--random", "5"},
+                "sweep: --random comes behind the design: sweep linear --random");
+  expect_unused({"sweep", "--randoms", "5"}, "sweep: no such option: '--randoms'");
   expect_unused({"sweep", "linear", "circular"}, "sweep linear: takes no 'circular'");
 }
 

@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <set>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -68,15 +67,14 @@ std::string unexpected(const CLI::App& app, const std::string& argument) {
   if (app.get_parent() == nullptr && is_design(app, argument)) {
     return fmt::format("{} is a design: a command comes before it: {}", argument, commands);
   }
-  // Commands that the program of the package has not.
-  static const std::set<std::string> of_projects{"sweep", "prove",  "mutate",  "cover",
-                                                 "job",   "replay", "regress", "list"};
-  if (app.get_parent() == nullptr && of_projects.contains(argument)) {
-    return fmt::format("{} is a command of the program of a project, as build/NAME_cosim",
-                       argument);
-  }
-  return fmt::format("{}no such {}: {}; there are {}", prefix(app), kind_of_words(app),
-                     in_quotes(argument), commands);
+  // The program of the package has no designs.
+  const bool is_of_package = app.get_parent() == nullptr &&
+                             std::ranges::none_of(subcommands(app), [](const CLI::App* command) {
+                               return command->get_name() == "sweep";
+                             });
+  return fmt::format("{}no such {}: {}; there are {}{}", prefix(app), kind_of_words(app),
+                     in_quotes(argument), commands,
+                     is_of_package ? "; the program of a project, build/NAME_cosim, has more" : "");
 }
 
 // The option that such an error begins with: "--minor: ...", "table ..." of a flag.

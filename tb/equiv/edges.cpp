@@ -36,8 +36,8 @@ std::string with_resets_apart(std::string text) {
   static const rtl::Regex block(
       "\\balways(_ff)?\\s*@\\s*\\(([^()]*)\\)\\s*(begin\\s*(:\\s*\\w+\\s*)?)?if\\s*\\("),
       edge("\\b(pos|neg)edge\\s+(\\w+)"), reset("^[ (!~]*(\\w+)\\s*(==\\s*1'[bB][01])?[ )]*$"),
-      single("^\\s*(begin\\b|\\w+\\s*(\\[[^;=]*\\]\\s*)?<?=)"),
-      named("\\bbegin\\s*:|`|\\blabel\\b"), line_end("\\s+");
+      single("^\\s*(begin\\b|\\w+\\s*(\\[[^;=]*\\]\\s*)?<?=)"), named("\\bbegin\\s*:"),
+      line_end("\\s+");
   const std::string plain = rtl::blanked(text);
   const std::vector<rtl::Match> blocks = block.all(plain);
   for (auto found = blocks.rbegin(); found != blocks.rend(); ++found) {
@@ -57,8 +57,9 @@ std::string with_resets_apart(std::string text) {
     }
     const std::size_t end = behind_statement(plain, close);
     const std::string statement = plain.substr(close, end - close);
+    // A blanked text has no strings and no `ifdef.
     if (first.empty() || others.empty() || !single.find(statement) || named.find(statement) ||
-        text.find('"', close) < end) {
+        text.find_first_of("\"`", open) < end) {
       continue;
     }
     const std::string again = line_end.replaced(first + ") " + statement + " else if (", " ");

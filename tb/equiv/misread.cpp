@@ -42,68 +42,6 @@ bool assigns(std::string_view statement) {
   return false;
 }
 
-bool counts(const std::string& text) {
-  return text.find("++") != std::string::npos || text.find("--") != std::string::npos;
-}
-
-// Whether a statement does more than system tasks and macros, which may stand in `if`.
-bool acts(std::string statement) {
-  static const rtl::Regex call("[$`]\\w+|\\bif\\b"), word("\\b(begin|end|else)\\b|\\b\\w+\\s*:");
-  for (rtl::Match found = call.find(statement); found; found = call.find(statement)) {
-    blank(statement, found.begin(), behind_arguments(statement, found.end()));
-  }
-  return word.replaced(statement, "").find_first_not_of(" \t\r\n;") != std::string::npos;
-}
-
-// An assertion that does more than print, by its action or its condition: front ends do neither.
-void refuse_acting_assertions(const SourceText& source) {
-  static const rtl::Regex assertion(
-      "(^|[^`$._[:alnum:]])(assert|assume|cover)\\b\\s*(property\\b|sequence\\b|final\\b|#\\s*0)?"
-      "\\s*"
-      "\\("),
-      otherwise("^\\s*else\\b");
-  const std::string plain = rtl::blanked(source.text);
-  for (const rtl::Match& found : assertion.all(plain)) {
-    const std::size_t from = behind_arguments(plain, found.end() - 1);
-    std::size_t at = from;
-    const auto over_else = [&] {
-      const rtl::Match word = otherwise.find(std::string_view(plain).substr(at));
-      if (word) at += word.end();
-      return bool(word);
-    };
-    if (over_else()) {
-      at = behind_statement(plain, at);
-    } else {
-      // Behind an empty one an else is of an if.
-      at = behind_statement(plain, at);
-      const bool is_empty =
-          plain.substr(from, at - from).find_first_not_of(" \t\r\n") == at - from - 1;
-      if (!is_empty && over_else()) at = behind_statement(plain, at);
-    }
-    const std::string condition = plain.substr(found.end(), from - found.end());
-    if (!counts(condition) && !acts(plain.substr(from, at - from))) continue;
-    throw InputError(fmt::format(
-        "{}: an assertion that does more than print, which no front end reads: its condition "
-        "counts, or its action assigns or calls something",
-        place_in(source, found.begin(2))));
-  }
-}
-
-// What is printed, if it counts or assigns: front ends leave it out.
-void refuse_acting_prints(const SourceText& source) {
-  static const rtl::Regex task("\\$\\w+\\s*\\("), assignment("[^=!<>]=[^=]");
-  const std::string plain = rtl::blanked(source.text);
-  for (const rtl::Match& found : task.all(plain)) {
-    const std::size_t end = behind_arguments(plain, found.end() - 1);
-    const std::string arguments = plain.substr(found.end(), end - found.end());
-    if (!counts(arguments) && !assignment.find(arguments)) continue;
-    throw InputError(
-        fmt::format("{}: an argument that counts or assigns, which no front end reads where it is "
-                    "printed",
-                    place_in(source, found.begin())));
-  }
-}
-
 // A statement that waits: front ends take no time for it, and so no `if` before it. In `initial` it
 // is one that something is assigned behind; the others check parameters, or print.
 void refuse_waits(const SourceText& source) {
@@ -288,8 +226,7 @@ std::size_t behind_statement(std::string_view plain, std::size_t at, bool with_e
 
 void refuse_misread(const std::vector<SourceText>& sources, FrontEnd front_end) {
   for (const SourceText& one : sources) {
-    refuse_acting_assertions(one);
-    refuse_acting_prints(one);
+    refuse_acting_statements(one);
     refuse_waits(one);
     refuse_two_valued_beyond(one);
     refuse_rival_defparams(one);

@@ -19,6 +19,9 @@ void refuse_misread(const std::vector<SourceText>& sources, FrontEnd front_end);
 /// not for what a function reads besides, and gates do; a function that writes a signal is called
 /// only where && and the like come to it. A part of the former.
 void refuse_routines(const SourceText& source);
+/// The same of assertions and system tasks that assign, count or call what does. A part of the
+/// first one.
+void refuse_acting_statements(const SourceText& source);
 /// The same of a variable that a block assigns by = and by <=, or by <= with other delays. A part
 /// of the first one.
 void refuse_mixed_assignments(const SourceText& source);

@@ -1,0 +1,7 @@
+package p; typedef struct packed {logic [3:0] a; logic b;} s_t; endpackage
+module sub import p::*; (input logic clk, input s_t d, input logic e, output s_t q);
+  always_ff @(posedge clk) q <= '{a: d.a + 1, b: d.b ^ e};
+endmodule
+module t import p::*; (input logic clk, input s_t d, output s_t q);
+  sub u(.clk, .d, .e(1'b0), .q);
+endmodule

@@ -111,6 +111,7 @@ struct Counter {
     return out;
   }
 };
+#pragma push_macro("TEST")  // those of the files behind this one in a unity build are run
 #undef TEST
 #define TEST(suite, name) [[maybe_unused]] void suite##name()
 TEST(Counter, Counts) {
@@ -119,6 +120,7 @@ TEST(Counter, Counts) {
   bench.clocks(5);
   EXPECT_EQ(bench.clock().count, 5);
 }
+#pragma pop_macro("TEST")
 
 }  // namespace
 }  // namespace cosim

@@ -24,6 +24,9 @@ class Graph {
     return nodes_[id].op == Op::constant ? &values_[nodes_[id].a] : nullptr;
   }
 
+  /// Is called at each 65,536th node that is made, new or not.
+  void (*watch)() = nullptr;
+
   Id input(int width) { return intern({Op::input, width, inputs_++}); }
   /// The constant of the lower `width` bits of value.
   Id constant(int width, const Wide& value) {
@@ -38,6 +41,7 @@ class Graph {
   Id constant(int width, std::uint64_t value) { return constant(width, Wide(value)); }
   /// One of this width, as simple as it is known to be.
   Id make(Op op, int width, Id a, Id b = 0) {
+    if (++made_ % watched == 0 && watch != nullptr) watch();
     if (is_commutative(op) && (known(a) != nullptr || (known(b) == nullptr && b < a)))
       std::swap(a, b);
     const Node n{op, width, a, b};
@@ -57,6 +61,7 @@ class Graph {
   }
 
  private:
+  static constexpr std::uint64_t watched = 65'536;
   static bool is_commutative(Op op) {
     return op == Op::add || op == Op::mul || op == Op::band || op == Op::bor || op == Op::bxor ||
            op == Op::eq;
@@ -90,6 +95,7 @@ class Graph {
   std::unordered_map<Node, Id, Hash> slices_;
   std::map<std::pair<int, Wide>, Id> constants_;
   Id inputs_ = 0;
+  std::uint64_t made_ = 0;
 };
 
 inline Graph graph;

@@ -51,6 +51,7 @@ class Ways {
     keeps_ = false;
     name_ = std::move(name);
     begun_ = std::clock();
+    graph.watch = nullptr;
   }
 
   /// The next join() keeps its ways and branches.
@@ -98,6 +99,7 @@ class Ways {
   std::vector<Id> join(Run run) {
     Script outer = script_;
     ++depth_;
+    graph.watch = watch;
     std::vector<Fork>& forks = script_.forks;
     forks.clear();
     std::vector<Id> nodes;
@@ -130,7 +132,10 @@ class Ways {
       if (here != 0) all = all == 0 ? here : graph.make(Op::bor, 1, all, here);
     }
     script_ = std::move(outer);
-    if (--depth_ == 0) keeps_ = false;
+    if (--depth_ == 0) {
+      keeps_ = false;
+      graph.watch = nullptr;
+    }
     return nodes;
   }
   /// As join(). InputError where a second time gives other nodes.
@@ -215,6 +220,7 @@ class Ways {
     }
     if (n.op == Op::eq && yes && graph.known(n.b) != nullptr) script_.values[n.a] = n.b;
   }
+  static void watch();  // a loop may ask no symbol
   void check(bool is_too_many) const {
     if (!is_too_many && double(std::clock() - begun_) < most_seconds * CLOCKS_PER_SEC) return;
     auto most = asked_.begin();
@@ -229,6 +235,8 @@ class Ways {
           (script_.forks.size() > most->second / 2
                ? " times, one after the other: the loop or recursion that it ends may not end"
                : " times: take mux(), or join the ways of its block by merge(*this, [&] { ... })");
+    } else {
+      line += ": a loop may not end";
     }
     throw InputError(line);
   }
@@ -250,5 +258,6 @@ class Ways {
 };
 
 inline Ways ways;
+inline void Ways::watch() { ways.check(false); }
 
 }  // namespace cosim::clocked

@@ -236,6 +236,7 @@ BegunProject begin_project(const NewOptions& o, const Draft& project) {
   Sources rtl = sources_of(
       {name, given, o.libraries, o.includes, name_in("--top", o.top), value_words(o.parameters)});
   require_files(name, rtl);
+  require_homes(rtl, given);
   BegunProject begun;
   begun.headers = header_folder(rtl);
   begun.left_out = rtl.left_out;

@@ -16,6 +16,7 @@
 #include "tb/rtl/plain_verilog.h"
 #include "tb/util/output_file.h"
 #include "tb/util/parallel.h"
+#include "tb/util/pattern.h"
 #include "tb/util/process.h"
 #include "tb/util/read_file.h"
 #include "tb/util/words.h"
@@ -157,6 +158,23 @@ struct Named {
   const std::vector<std::string>& parameters;
 };
 
+// What a front end says of a top or a parameter that is not there, with the option that gives it.
+std::string in_our_words(const std::string& error, const EquivOptions& o, const Named& named,
+                         const std::string& top, const char* option) {
+  static const Pattern parameter("a parameter is given that no module has: ([^ ]+)$");
+  if (error.ends_with("no file has the module " + top)) {
+    const char* const own = named.what == std::string("the old RTL") ? "--gold-top" : "--gate-top";
+    return named.top
+               ? fmt::format("{}: no file of {} has a module {}", own, named.what, in_quotes(top))
+           : o.top ? fmt::format("--top: no file of {} has a module {}", named.what, in_quotes(top))
+                   : fmt::format("{}: no file has a module {}: {} names its top", named.what,
+                                 in_quotes(top), own);
+  }
+  const auto found = parameter.all(error);
+  return found.empty() ? error
+                       : fmt::format("{}: {} has no parameter {}", option, top, found[0][1]);
+}
+
 equiv::Side read_side(const EquivOptions& o, const SideFiles& own, const Named& named,
                       const std::string& top, const std::filesystem::path& made,
                       const equiv::Budget& budget) {
@@ -204,7 +222,11 @@ equiv::Side read_side(const EquivOptions& o, const SideFiles& own, const Named& 
     require_room(made.parent_path());
     throw InputError(fmt::format("equiv: {}", error.what()));
   }
-  return equiv::read(all, named.what, budget);
+  try {
+    return equiv::read(all, named.what, budget);
+  } catch (const InputError& error) {
+    throw InputError(in_our_words(error.what(), o, named, all.top, option));
+  }
 }
 
 }  // namespace

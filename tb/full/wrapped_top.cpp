@@ -10,7 +10,9 @@
 #include "tb/cli/named_values.h"
 #include "tb/new/verilog_words.h"
 #include "tb/new/wrapper.h"
+#include "tb/rtl/lexer.h"
 #include "tb/rtl/plain_verilog.h"
+#include "tb/rtl/regex.h"
 #include "tb/util/output_file.h"
 #include "tb/util/pattern.h"
 #include "tb/util/scratch.h"
@@ -127,6 +129,23 @@ std::optional<TopHead> head_in(const Sources& rtl) {
   return head;
 }
 
+// InputError for a word that is given to a parameter which is a number in the text of its file.
+void require_texts(const std::vector<FoundParameter>& given, const Sources& rtl) {
+  for (const FoundParameter& one : given) {
+    if (!one.is_text) continue;
+    const std::string named = R"((^|[^A-Za-z0-9_.$]))" + one.name + R"([ \t\r\n]*=[ \t\r\n]*)";
+    const rtl::Regex number(named + "(-?[0-9][0-9a-zA-Z_']*)"), text(named + "\"");
+    for (const SourceFile& file : rtl.files) {
+      if (rtl::is_vhdl(file.from)) continue;
+      const std::string blank = rtl::blanked(file.text);
+      const rtl::Match is = number.find(blank);
+      if (!is || text.find(file.text)) continue;
+      throw InputError(fmt::format("--param: {0}: {1} is no number, as {0} = {2} in {3} is",
+                                   one.name, in_quotes(one.value), is[2], file.name));
+    }
+  }
+}
+
 }  // namespace
 
 bool needs_wrapper(const std::vector<std::string>& words, const Sources& rtl) {
@@ -151,6 +170,7 @@ std::vector<FoundParameter> with_wrapper(const std::string& name,
         fmt::format("--param: {}={}: a type or an expression needs a top in Verilog, and {} is not",
                     given.code.begin()->first, given.code.begin()->second, rtl.top));
   }
+  require_texts(given.shape, rtl);
   if (!head) return given.shape;
   const std::vector<OpenedPort> opened = opened_in(*head, given, rtl, asked);
   if (given.code.empty() && opened.empty()) return given.shape;

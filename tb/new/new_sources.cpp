@@ -254,6 +254,21 @@ Sources sources_of(const GivenRtl& given) {
   return sources;
 }
 
+void require_homes(const Sources& sources, const std::vector<std::string>& named) {
+  std::map<std::string, const SourceFile*> home;
+  for (const SourceFile& file : sources.files) {
+    if (std::ranges::find(named, file.from.string()) == named.end()) continue;
+    if (file.text.find("`if") != std::string::npos) continue;  // it may be for another tool
+    for (const VerilogUnit& unit : verilog_words(file.text).units) {
+      const auto [other, is_new] = home.try_emplace(unit.name, &file);
+      if (is_new || unit.name.empty() || other->second == &file) continue;
+      throw InputError(fmt::format("new: {} and {}: {} is in both",
+                                   in_quotes(other->second->from.string()),
+                                   in_quotes(file.from.string()), unit.name));
+    }
+  }
+}
+
 std::vector<std::string> in_order(std::vector<std::string> files) {
   const Pool pool({.name = "", .files = files});
   Order order(pool);

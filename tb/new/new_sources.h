@@ -37,6 +37,9 @@ struct Sources {
 /// InputError, one line, where the top cannot be told and for a file that cannot be read.
 Sources sources_of(const GivenRtl& given);
 
+/// InputError for a module, an interface or a package that is in two of the files that are named.
+void require_homes(const Sources& sources, const std::vector<std::string>& named);
+
 /// The files as they are named; but if one of them uses a package of a file behind it, the packages
 /// before all others.
 std::vector<std::string> in_order(std::vector<std::string> files);

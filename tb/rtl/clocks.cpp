@@ -48,6 +48,20 @@ std::string likely_clock(const Elaborated& design, const Process& p) {
 
 }  // namespace
 
+void require_one_edge(const Elaborated& design, const Process& p) {
+  const auto input_or_net = [&](const EdgeOf& edge) {
+    const std::string input = design.input_of(edge.net, false);
+    return input.empty() ? edge.net : input;
+  };
+  std::map<std::string, std::string> ways;
+  for (const EdgeOf& edge : p.edges) {
+    const std::string net = input_or_net(edge);
+    if (edge.way == "BOTH" || ways.try_emplace(net, edge.way).first->second != edge.way) {
+      throw InputError(p.first_held() + ": a register on both edges of " + net);
+    }
+  }
+}
+
 std::vector<std::string> found_clocks(const Elaborated& design) {
   std::set<std::string> clocks;
   std::vector<const Process*> open;

@@ -9,11 +9,14 @@
 
 namespace cosim::rtl {
 
+/// InputError where its registers change on both edges of one net.
+void require_one_edge(const Elaborated& design, const Process& p);
+
 /// All of them, by name. InputError where it cannot be told which edge of a process is the clock's.
 std::vector<std::string> found_clocks(const Elaborated& design);
 
 /// Gives each process its clock, one of those, and leaves its other edges: the way of each clock,
-/// POS or NEG. InputError where a process has none of them, where both edges of one are taken, and
+/// POS or NEG. InputError where a process has none of them, where two have other edges of one, and
 /// on a falling edge if it is to be one rising clock.
 std::map<std::string, std::string> give_clocks(Elaborated& design,
                                                const std::vector<std::string>& clocks, bool is_one);

@@ -68,6 +68,7 @@ class RegisterReader {
     }
     for (Process& p : all_.clocked) p.held = held_by(p);
     std::erase_if(all_.clocked, [](const Process& p) { return p.held.empty(); });
+    for (const Process& p : all_.clocked) require_one_edge(all_, p);
     if (is_asked) clocks_ = found_clocks(all_);
     if (!all_.clocked.empty() && clocks_.empty()) {
       throw InputError(all_.clocked.front().first_held() +

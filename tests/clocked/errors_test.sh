@@ -73,6 +73,7 @@ using namespace cosim::clocked;
     Out clock(const In& in) { __VA_ARGS__ }  \
   };
 MODEL(Loop, UInt<8> x = in.a; while (x != 3) x += 2; return {.x = x};)
+MODEL(Endless, UInt<8> x = in.a; while (true) x += 3;)
 MODEL(Recursion, return {.x = deep(in.a)};)
 MODEL(Shift, return {.x = in.a >> -1};)
 MODEL(Index, return {.x = r[4]};)
@@ -85,6 +86,7 @@ void write(const std::string& folder, const char* name) {
 }
 int main(int, char** words) {
   write<Loop>(words[1], "Loop");
+  write<Endless>(words[1], "Endless");
   write<Recursion>(words[1], "Recursion");
   write<Shift>(words[1], "Shift");
   write<Index>(words[1], "Index");
@@ -100,7 +102,8 @@ while IFS=: read -r model words; do
 done << END
 Loop:models.cpp:14 forks most
 Loop:the loop or recursion that it ends may not end
-Recursion:models.cpp:15 forks most
+Endless:Endless: 0 ways through clock() and more: a loop may not end
+Recursion:models.cpp:16 forks most
 Recursion:the loop or recursion that it ends may not end
 Shift:the model throws: a shift or an index is below 0
 Index:the model throws: an Array of 4 elements has no element 4

@@ -1,0 +1,3 @@
+module a(input x, output y);
+  assign y = x;
+endmodule

@@ -1,0 +1,3 @@
+module b(input x, output y);
+  assign y = x;
+endmodule

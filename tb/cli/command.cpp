@@ -63,7 +63,13 @@ std::string unexpected(const CLI::App& app, const std::string& argument) {
     return fmt::format("{}no such option: {}", prefix(app), in_quotes(argument));
   }
   const std::string commands = commands_of(app);
-  if (commands.empty()) return fmt::format("{}takes no {}", prefix(app), in_quotes(argument));
+  if (commands.empty()) {
+    const bool is_of_design = app.get_parent() != nullptr &&
+                              app.get_parent()->get_parent() != nullptr &&
+                              argument.find('=') != std::string::npos;
+    return fmt::format("{}takes no {}{}", prefix(app), in_quotes(argument),
+                       is_of_design ? ": it runs every configuration" : "");
+  }
   if (app.get_parent() == nullptr && is_design(app, argument)) {
     return fmt::format("{} is a design: a command comes before it: {}", argument, commands);
   }

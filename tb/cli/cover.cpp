@@ -243,10 +243,11 @@ int run(const CoverOptions& o, const Registry& registry) {
   o.seconds_each();
   check_outputs(o.common);
   std::error_code error;
-  if (o.counts && (fs::exists(*o.counts, error) ||
-                   !fs::is_directory(fs::absolute(*o.counts, error).parent_path(), error))) {
-    throw InputError("--counts: " + one_line(*o.counts) +
-                     ": is not a new folder in one that is there");
+  if (o.counts && fs::exists(*o.counts, error)) {
+    throw InputError("--counts: " + one_line(*o.counts) + ": exists; name a new folder");
+  }
+  if (o.counts && !fs::is_directory(fs::absolute(*o.counts, error).parent_path(), error)) {
+    throw InputError("--counts: " + one_line(*o.counts) + ": the folder around it is not there");
   }
   if (o.close) {
     check_stimuli(o.stimuli_folder());

@@ -47,6 +47,7 @@ class Course {
   Course(const Subject& subject, unsigned threads, Checkpoint& checkpoint, const Part& part)
       : subject_(subject), threads_(threads), checkpoint_(checkpoint) {
     const std::size_t all = subject.mutants().size();
+    if (all == 0) throw InputError("yosys can plant no mutant in it");
     if (part.first > all) throw InputError("there is no such mutant");
     campaign_.first = part.first;
     campaign_.outcomes.resize(std::min<std::size_t>(part.count, all - part.first + 1));

@@ -50,7 +50,8 @@ Planted::Planted(proof::Source source, unsigned count) : source_(std::move(sourc
                             [&](const auto& of) { return line.find(of) != std::string::npos; })) {
       continue;
     }
-    commands_.push_back(line);
+    static const Pattern place_in_file(R"( -src .*?:\d+\.\d+-\d+\.\d+)");
+    commands_.push_back(place_in_file.replaced(line, ""));  // a path may have a blank
     std::string words = said.replaced(line, "");
     if (!source_.written.empty()) {  // places of the RTL follow those of what is written of it
       static const Pattern place(R"( -src /\S+|folder\d+/)");

@@ -60,11 +60,13 @@ TEST_F(Refusal, OfCommands) {
                 "sweep: --random comes behind the design: sweep linear --random");
   expect_unused({"sweep", "--randoms", "5"}, "sweep: no such option: '--randoms'");
   expect_unused({"sweep", "linear", "circular"}, "sweep linear: takes no 'circular'");
+  expect_unused({"sweep", "linear", "M=7"},
+                "sweep linear: takes no 'M=7': it runs every configuration");
 }
 
 TEST_F(Refusal, OfProofs) {
-  expect_unused({"prove", "spiral"}, "spiral: is not built; see cosim list");
-  expect_unused({"prove", "linear", "M=7"}, "linear M=7: is not built; see cosim list");
+  expect_unused({"prove", "spiral"}, "'spiral' is not built; see cosim list");
+  expect_unused({"prove", "linear", "M=7"}, "'linear M=7' is not built; see cosim list");
   expect_unused({"prove", "--limit", "0"}, "--limit: '0' is not a whole number from 1 to 86400");
   expect_unused({"prove", "--count", "5"}, "--count: belongs to --mutants");
   expect_unused({"prove", "--mutant", "5"}, "--mutant: belongs to --mutants");

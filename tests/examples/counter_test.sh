@@ -12,9 +12,9 @@ says_not never
 grep -q '"never_reached": \[\]' all.json || fails "the report says so"
 verilator_coverage --write-info left.info left/counter/*/V* > /dev/null || fails "Verilator reads the counts"
 ends 2 cover counter W=4 --counts left
-says "--counts: left: is not a new folder in one that is there"
+says "--counts: left: exists; name a new folder"
 ends 2 cover counter W=4 --counts none/left
-says "--counts: none/left: is not a new folder in one that is there"
+says "--counts: none/left: the folder around it is not there"
 # Of a clock there is no second one, after which a count could change.
 ends 1 cover counter W=4 --hostile 1 --report one.json
 says_like '/counter\.v:[0-9]+: never toggles: .*total\[3\]'

@@ -16,7 +16,7 @@ refuses() {
 
 # Its own name.
 refuses "'uart D=5' is not built; see uart_cosim list" lint uart D=5
-refuses "nothing: is not built; see uart_cosim list" prove nothing
+refuses "'nothing' is not built; see uart_cosim list" prove nothing
 ends 0 --help
 says "uart_cosim COMMAND --help"
 ends 0 sweep uart --help
@@ -46,7 +46,7 @@ ends 0 wave uart D=16 --hostile 20 --out hostile.fst
 says "uart D=16: hostile clocks, seed 1"
 refuses "there is no display; --shot FILE.png and --out FILE.fst draw without one" wave uart
 refuses "none.stim: no such file" wave none.stim
-refuses "failures: there is no failure in it" wave --out it.fst
+refuses "failures: no failure is kept there; name a stimulus or a design" wave --out it.fst
 refuses "--hostile: needs a design, not a file" wave quiet.stim --hostile 5 --out it.fst
 refuses "--hostile: '0' is not a whole number from 1 to 2000000" wave uart --hostile 0 --out it.fst
 

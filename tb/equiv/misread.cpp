@@ -240,6 +240,7 @@ void refuse_misread(const std::vector<SourceText>& sources, FrontEnd front_end) 
   refuse_where(sources, "\\bhighz[01]\\b", "slang misreads the strengths highz0 and highz1");
   refuse_where(sources, "[(,;]\\s*(const\\s+)?ref\\s+\\w",
                "slang misreads an argument that is a reference: ref");
+  refuse_where(sources, "\\b(tri0|tri1|trireg)\\b", "slang does not read tri0, tri1 and trireg");
   refuse_where(sources, "(^|;|\\bend\\w*)\\s*program\\s+\\w+\\s*[;(#]",
                "slang leaves out a program");
   for (const SourceText& one : sources) {

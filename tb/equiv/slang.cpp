@@ -87,8 +87,16 @@ std::string slang_message(const Ended& ended, const fs::path& own, const Reading
   static const Pattern colours("\x1b\\[[0-9;]*m");
   static const Pattern error(R"(([^\n]+:\d+):\d+: error: ([^\n]+)\n([^\n]*))");
   static const Pattern source_line(R"(Source line ([^\n]+:\d+):\d+: *([^\n]*))");
+  static const Pattern no_wire(R"(wire for symbol (\S+) is missing)"),
+      fault("ERROR: (Internal frontend error|Abort in|Assert )");
   const std::string plain = colours.replaced(ended.text, "");
   const auto found = error.all(plain);
+  if (const auto lacks = no_wire.all(plain); found.empty() && !lacks.empty()) {
+    return fmt::format("{}: a variable of a package, or of no module", lacks[0][1]);
+  }
+  if (found.empty() && !fault.all(plain).empty()) {
+    return "it ends with a fault of its own, and names no line";
+  }
   if (const auto lines = source_line.all(plain); found.empty() && !lines.empty()) {
     return one_line(fmt::format("{}: it does not support this: {}",
                                 reading.by_own_names((own / lines.back()[1]).string()),

@@ -46,10 +46,17 @@ for header in "$root"/model/{circular/circular,dda/dda,linear/linear}.h "$root"/
   ends 0 names stamp "$root" "$header"
   grep -qF "$(basename "$header")" stamp.d || fails "ninja is told of $header"
 done
-# A model none of whose headers reads the language is refused.
-printf '%s\n' 'set(VERILATOR_ROOT x)' "include($root/tb/package/design.cmake)" \
-  "cosim_add_design(queue SOURCES model.h MODEL other.h)" > add.cmake
-echo '#include "model.h"' > other.h
-if cmake -P add.cmake > said 2>&1; then fails "a model without the language is refused"; fi
-says_like 'MODEL: no header has #include <cosim/model.h> or'
+# What CMake refuses of a model, before a compiler says it in 90 lines: LINE MODEL [WORDS].
+configured() {
+  printf '%s\n' 'set(VERILATOR_ROOT x)' "include($root/tb/package/design.cmake)" \
+    "cosim_add_design(queue SOURCES model.h MODEL other.h ${3-})" > add.cmake
+  printf '%s\n' "$2" > other.h
+  if cmake -P add.cmake > said 2>&1; then fails "a model is refused: $2"; fi
+  says_like "$1"
+}
+reads='#include <cosim/model.h>'
+configured 'MODEL: no header has #include <cosim/model.h> or' '#include "model.h"'
+configured 'MODEL: has no struct Queue; STRUCT names' "$reads"$'\nstruct QUEUE {'
+configured 'Queue is a template: SHAPES gives' "$reads"$'\ntemplate <int W>\nstruct Queue {'
+configured 'Queue is no template, but SHAPES gives' "$reads"$'\nstruct Queue {' 'SHAPES "W=8"'
 echo "as it should be"

@@ -45,7 +45,8 @@ fs::path newest_failure(const fs::path& root) {
     if (!is_one || entry.path().filename().string()[0] == '.') continue;
     if (!newest || entry.last_write_time() > newest->last_write_time()) newest = entry;
   }
-  if (!newest) throw InputError(root.string() + ": no failure is kept there; name a stimulus or a design");
+  if (!newest)
+    throw InputError(root.string() + ": no failure is kept there; name a stimulus or a design");
   return newest->path();
 }
 

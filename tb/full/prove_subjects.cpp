@@ -40,7 +40,8 @@ std::vector<ProveSubject> subjects_of(const std::vector<std::string>& words) {
     }
   }
   if (all.empty()) {
-    throw InputError(fmt::format("{} is not built; see {} list", in_quotes(wanted), program_name()));
+    throw InputError(
+        fmt::format("{} is not built; see {} list", in_quotes(wanted), program_name()));
   }
   return all;
 }

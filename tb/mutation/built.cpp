@@ -250,7 +250,8 @@ std::vector<std::string> registers_of(const AnyBench& bench) {
 template <class All, class IsIt>
 const auto& one_of(const All& all, const std::string& title, IsIt is_it) {
   const auto found = std::ranges::find_if(all, is_it);
-  if (found == all.end()) throw InputError(fmt::format("{} is not built; see {} list", in_quotes(title), program_name()));
+  if (found == all.end())
+    throw InputError(fmt::format("{} is not built; see {} list", in_quotes(title), program_name()));
   return *found;
 }
 

@@ -16,7 +16,7 @@ void require_one_edge(const Elaborated& design, const Process& p);
 std::vector<std::string> found_clocks(const Elaborated& design);
 
 /// Gives each process its clock, one of those, and leaves its other edges: the way of each clock,
-/// POS or NEG. InputError where a process has none of them, where two have other edges of one, and
+/// POS or NEG. InputError where a process has none of them, where two take other edges of one, and
 /// on a falling edge if it is to be one rising clock.
 std::map<std::string, std::string> give_clocks(Elaborated& design,
                                                const std::vector<std::string>& clocks, bool is_one);

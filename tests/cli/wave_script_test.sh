@@ -49,7 +49,7 @@ if [[ $1 == "$root/build/cosim" ]]; then
   rendered arc "$script" arc --radius 12
   rendered folder "$script" "$folder/failure"
   cmp "$folder/folder.png" "$folder/wave.png"
-  refused "cosim: $folder/none: there is no failure in it" "$script" "${shot[@]}"
+  refused "cosim: $folder/none: no failure is kept there; name a stimulus or a design" "$script" "${shot[@]}"
   refused "cosim: --radius: is needed, or --radius2" "$script" "${shot[@]}" arc
 fi
 

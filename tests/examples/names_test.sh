@@ -59,4 +59,7 @@ configured 'MODEL: no header has #include <cosim/model.h> or' '#include "model.h
 configured 'MODEL: has no struct Queue; STRUCT names' "$reads"$'\nstruct QUEUE {'
 configured 'Queue is a template: SHAPES gives' "$reads"$'\ntemplate <int W>\nstruct Queue {'
 configured 'Queue is no template, but SHAPES gives' "$reads"$'\nstruct Queue {' 'SHAPES "W=8"'
+printf '%s\n' "include($root/tb/package/design.cmake)" 'cosim_add_tests(queue)' > add.cmake
+if cmake -P add.cmake > said 2>&1; then fails "tests of no program are refused"; fi
+says_like 'cosim_add_tests\(queue\): no program of this name'
 echo "as it should be"

@@ -4,7 +4,7 @@
 #include <deque>
 #include <vector>
 
-#include "tb/sweep/directed.h"
+#include "tb/sim/directed.h"
 #include "uart_rx.h"
 
 namespace {

@@ -7,7 +7,7 @@
 #include "model/core/input_error.h"
 
 #include "tb/cli/number.h"
-#include "tb/sweep/failure.h"
+#include "tb/sim/failure.h"
 
 namespace cosim::cli {
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "model/core/input_error.h"
-#include "tb/sweep/failure.h"
+#include "tb/sim/failure.h"
 #include "tb/util/output_file.h"
 #include "tb/util/words.h"
 

@@ -7,7 +7,7 @@
 
 #include "tb/cli/common.h"
 #include "tb/cli/wave.h"
-#include "tb/sweep/report.h"
+#include "tb/sim/report.h"
 
 namespace cosim::cli {
 

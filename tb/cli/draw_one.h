@@ -17,8 +17,8 @@
 #include "tb/show/plot.h"
 #include "tb/sim/bench.h"
 #include "tb/sim/job_check.h"
+#include "tb/sim/progress.h"
 #include "tb/sim/table.h"
-#include "tb/sweep/progress.h"
 #include "tb/util/output_file.h"
 
 namespace cosim::cli {

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "tb/cli/command.h"
-#include "tb/sweep/asked.h"
-#include "tb/sweep/sweep.h"
+#include "tb/sim/asked.h"
+#include "tb/sim/sweep.h"
 
 namespace cosim::cli {
 

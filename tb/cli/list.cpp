@@ -8,7 +8,7 @@
 #include "tb/cli/chosen.h"
 #include "tb/cli/commands.h"
 #include "tb/cli/registry.h"
-#include "tb/sweep/report.h"
+#include "tb/sim/report.h"
 #include "tb/util/words.h"
 
 namespace cosim::cli {

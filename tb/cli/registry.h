@@ -14,7 +14,7 @@
 
 #include "tb/cli/command.h"
 #include "tb/cli/shape.h"
-#include "tb/sweep/sweep.h"
+#include "tb/sim/sweep.h"
 
 namespace cosim::cli {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tb/sim/bench.h"
-#include "tb/sweep/result.h"
+#include "tb/sim/result.h"
 #include "tb/util/json_at.h"
 
 namespace cosim::cli {

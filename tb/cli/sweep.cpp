@@ -14,7 +14,7 @@
 #include "tb/cli/sweep_checkpoint.h"
 #include "tb/cli/sweeps.h"
 #include "tb/cli/verdicts.h"
-#include "tb/sweep/progress.h"
+#include "tb/sim/progress.h"
 #include "tb/util/interrupt.h"
 #include "tb/util/parallel.h"
 #include "tb/util/words.h"

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "tb/sim/bench.h"
-#include "tb/sweep/checkpoint.h"
-#include "tb/sweep/sweep.h"
+#include "tb/sim/checkpoint.h"
+#include "tb/sim/sweep.h"
 
 namespace cosim::cli {
 

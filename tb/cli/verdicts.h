@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "tb/cli/common.h"
-#include "tb/sweep/ci.h"
-#include "tb/sweep/report.h"
+#include "tb/sim/ci.h"
+#include "tb/sim/report.h"
 
 namespace cosim::cli {
 

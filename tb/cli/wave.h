@@ -7,7 +7,7 @@
 
 #include "tb/cli/common.h"
 #include "tb/sim/bench.h"
-#include "tb/sweep/page.h"
+#include "tb/sim/page.h"
 
 namespace cosim::cli {
 

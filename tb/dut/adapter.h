@@ -17,7 +17,7 @@
 #include "model/core/fields.h"
 #include "tb/dut/counts.h"
 #include "tb/dut/port_net.h"
-#include "tb/dut/signal.h"
+#include "tb/show/signal.h"
 
 namespace cosim {
 

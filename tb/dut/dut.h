@@ -15,7 +15,7 @@
 
 #include "model/core/fields.h"
 #include "tb/dut/said.h"
-#include "tb/dut/signal.h"
+#include "tb/show/signal.h"
 
 namespace cosim {
 

@@ -7,6 +7,7 @@
 #include "model/core/input_error.h"
 #include "tb/equiv/clocks.h"
 #include "tb/equiv/product.h"
+#include "tb/equiv/referee.h"
 #include "tb/proof/reach.h"
 #include "tb/util/output_file.h"
 #include "tb/util/pattern.h"
@@ -75,7 +76,13 @@ Assumption made(const std::string& text, std::size_t number, const Side& gold,
     Side logic({{file}, module, {}, {}, {}, "."}, "", FrontEnd::yosys, budget);
     logic.make_gates(Memories::registers, false, budget);
     if (logic.unknowns > 0)
-      refuse(text, "is x: it contains an x, or a bit that the port does not have");
+      refuse(text,
+             "is x for some values: it contains an x, a division by 0, or a bit that a port does "
+             "not have");
+    const Refereed is = refereed(logic, {false, {}, true, false, budget.ends()});
+    if (!is.agrees) {
+      refuse(text, (is.by.empty() ? "no simulator reads it: " : "is misread: ") + is.wrong);
+    }
     return {text, logic, verilog, module, names, of_outputs};
   } catch (const InputError& error) {
     static const Pattern place(R"(cannot read it: (?:\S*assume\.v:\d+: )?(.*))");

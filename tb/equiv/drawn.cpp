@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "tb/dut/signal.h"
 #include "tb/equiv/testbench.h"
+#include "tb/show/signal.h"
 #include "tb/show/wave.h"
 #include "tb/util/pattern.h"
 

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "model/core/input_error.h"
-#include "tb/equiv/cells.h"
 #include "tb/equiv/side.h"
+#include "tb/nets/cells.h"
 #include "tb/util/words.h"
 
 namespace cosim::equiv {
@@ -191,7 +191,7 @@ class Side::Builder {
   Side& side_;
   Memories how_;
   bool steps_;
-  Cells cells_;
+  nets::CellGates cells_;
   std::map<int, std::set<Name>> names_;
   std::map<int, bool> first_;
   std::map<int, std::size_t> register_of_;

@@ -16,6 +16,20 @@
 #include "tb/util/pattern.h"
 
 namespace cosim::equiv {
+
+std::vector<std::string> indices_at(std::string_view plain, std::size_t at) {
+  std::vector<std::string> all;
+  for (;;) {
+    at = plain.find_first_not_of(" \t\r\n", at);
+    if (at == std::string_view::npos || plain[at] != '[') return all;
+    const std::size_t from = ++at;
+    for (int depth = 1; at < plain.size() && depth > 0; ++at) {
+      depth += plain[at] == '[' ? 1 : plain[at] == ']' ? -1 : 0;
+    }
+    all.emplace_back(plain.substr(from, at - from - 1));
+  }
+}
+
 namespace {
 
 // What stands between comments translate_off and translate_on: where each part begins and ends.
@@ -88,20 +102,6 @@ bool has_beyond(const std::string& dimension) {
   if (last.size() + part[3].size() > 9) return true;
   const unsigned long size = last.empty() ? std::stoul(part[3]) : std::stoul(last) + 1;
   return (size & (size - 1)) != 0;
-}
-
-// The indices that stand behind a name, each without its brackets.
-std::vector<std::string> indices_at(std::string_view plain, std::size_t at) {
-  std::vector<std::string> all;
-  for (;;) {
-    at = plain.find_first_not_of(" \t\r\n", at);
-    if (at == std::string_view::npos || plain[at] != '[') return all;
-    const std::size_t from = ++at;
-    for (int depth = 1; at < plain.size() && depth > 0; ++at) {
-      depth += plain[at] == '[' ? 1 : plain[at] == ']' ? -1 : 0;
-    }
-    all.emplace_back(plain.substr(from, at - from - 1));
-  }
 }
 
 // Words whose values are known when the RTL is read: of loops, parameters and the like.
@@ -231,6 +231,7 @@ void refuse_misread(const std::vector<SourceText>& sources, FrontEnd front_end) 
     refuse_two_valued_beyond(one);
     refuse_rival_defparams(one);
     refuse_routines(one);
+    refuse_wide_indices(one);
     refuse_mixed_assignments(one);
   }
   refuse_where(sources, "\\[[^]]*(\\+\\+|--)[^]]*\\]\\s*([-+*/%&|^]|<<<?|>>>?)=[^=]",

@@ -19,6 +19,9 @@ void refuse_misread(const std::vector<SourceText>& sources, FrontEnd front_end);
 /// not for what a function reads besides, and gates do; a function that writes a signal is called
 /// only where && and the like come to it. A part of the former.
 void refuse_routines(const SourceText& source);
+void refuse_wide_indices(const SourceText& source);
+/// The indices that stand behind a name, which ends at `at`, each without its brackets.
+std::vector<std::string> indices_at(std::string_view plain, std::size_t at);
 /// The same of assertions and system tasks that assign, count or call what does. A part of the
 /// first one.
 void refuse_acting_statements(const SourceText& source);

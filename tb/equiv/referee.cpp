@@ -13,6 +13,8 @@
 #include "tb/equiv/simulator.h"
 #include "tb/equiv/sources.h"
 #include "tb/equiv/stepped.h"
+#include "tb/rtl/lexer.h"
+#include "tb/rtl/regex.h"
 #include "tb/util/words.h"
 
 namespace cosim::equiv {
@@ -74,7 +76,8 @@ class Match {
     is.wrong = wrong_;
     if (wrong_.empty() && !ran.is_complete && ran.clocks.size() < enough) {
       is.by.clear();
-      is.wrong = fmt::format("{} came to clock {} only", name_of(simulator_), ran.clocks.size());
+      is.wrong = fmt::format("{} came to clock {} only{}{}", name_of(simulator_), ran.clocks.size(),
+                             ran.why.empty() ? "" : ": ", ran.why);
     }
     is.agrees = !is.by.empty() && is.wrong.empty();
     return is;
@@ -270,6 +273,19 @@ class Match {
   std::string wrong_;
 };
 
+// Whether a block waits for signals by a list of its own: Icarus Verilog alone does so.
+bool has_lists(const std::vector<SourceText>& sources) {
+  static const rtl::Regex list("@\\s*\\(([^)]*)\\)"), edge("\\b(posedge|negedge)\\b|^\\s*[*]\\s*$");
+  for (const SourceText& source : sources) {
+    const std::string plain = rtl::blanked(source.text);
+    for (const rtl::Match& one : list.all(plain)) {
+      const std::string events = one[1];
+      if (!edge.find(events)) return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 Refereed refereed(const Side& side, const Referee& how) {
@@ -280,7 +296,8 @@ Refereed refereed(const Side& side, const Referee& how) {
   } else {
     first = Match(side, how, Simulator::icarus).judged();
     const bool may_be_wrong = !first.agrees && side.front_end() == FrontEnd::slang &&
-                              may_be_cut_on_ports(sources_of(side.files()));
+                              may_be_cut_on_ports(sources_of(side.files())) &&
+                              !has_lists(sources_of(side.files()));
     if ((!first.by.empty() && !may_be_wrong) || !how.verilator) return first;
   }
   Refereed second;

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "tb/equiv/clocks.h"
-#include "tb/sweep/page.h"
+#include "tb/sim/page.h"
 #include "tb/util/draft.h"
 #include "tb/util/json.h"
 #include "tb/util/quoted.h"

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "model/core/input_error.h"
-#include "tb/equiv/cells.h"
 #include "tb/equiv/front_end.h"
 #include "tb/equiv/sources.h"
+#include "tb/nets/cells.h"
 #include "tb/util/pattern.h"
 #include "tb/util/read_file.h"
 #include "tb/util/words.h"
@@ -87,10 +87,10 @@ Side::Side(const Files& files, std::string what, FrontEnd front_end, const Budge
   has_zeros_by_type_ = front_end == FrontEnd::slang && has_types_of_two_values(sources);
   const Elaborated text = elaborated(files_, what_, front_end_, budget);
   has_unique_ = text.has_unique;
-  Module module = module_of(text.json);
-  connect_clocks(module);
+  Module module = netlist::module_of(text.json);
+  nets::connect_clocks(module);
   module_ = std::make_shared<const Module>(std::move(module));
-  form_ = form_of(text.rtlil);
+  form_ = netlist::form_of(text.rtlil);
   ports();
   static const std::string x = "'[sS]?[bBoOhHdD]?[0-9a-fA-F_]*[xX]";
   // An x that is written nowhere is what a function returns where it assigns nothing.

@@ -11,12 +11,18 @@
 #include <utility>
 #include <vector>
 
-#include "tb/equiv/netlist.h"
+#include "model/core/input_error.h"
 #include "tb/nets/graph.h"
+#include "tb/rtl/netlist.h"
 #include "tb/util/process.h"
 
 namespace cosim::equiv {
 
+using netlist::Cell;
+using netlist::Module;
+using netlist::Net;
+using netlist::Port;
+using enum netlist::Constant;
 using nets::Bit;
 using nets::Bits;
 using nets::Graph;
@@ -24,6 +30,11 @@ using nets::no;
 using nets::yes;
 
 struct OutOfTime {};
+
+/// RTL that no netlist can stand for, whoever reads it.
+struct Refused : InputError {
+  using InputError::InputError;
+};
 
 /// How much time is left for a question, by the clock on the wall.
 class Budget {

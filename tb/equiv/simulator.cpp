@@ -30,6 +30,9 @@ bool is_system_verilog(const Files& files) {
 
 // The first line that says what is wrong.
 std::string reason(const std::string& said, const std::string& own) {
+  if (said.find("Verilator internal fault") != std::string::npos) {
+    return "it ends with a fault of its own, and names no line";
+  }
   for (std::string line : lines_in(said)) {
     if (line.find("rror") == std::string::npos && line.find("sorry") == std::string::npos) continue;
     if (line.starts_with(own + "/cosim_replay.v")) continue;
@@ -268,6 +271,7 @@ Simulated Program::run(std::chrono::steady_clock::time_point until, const char* 
   const std::size_t many =
       stimulus_.outputs.size() + stimulus_.further.size() + stimulus_.variables.size();
   while (!is.clocks.empty() && is.clocks.back().size() != many) is.clocks.pop_back();
+  if (!is.is_complete) is.why = by_own_names(reason(ended.text, own_));
   return is;
 }
 

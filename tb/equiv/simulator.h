@@ -24,6 +24,7 @@ struct Simulated {
   std::map<std::string, std::string> after;
   std::map<std::string, std::vector<std::string>> memories;
   bool is_complete = false;  ///< it came to the last clock
+  std::string why{};         ///< where it did not, what it said of that; empty where nothing
 };
 
 class Program {

@@ -110,8 +110,14 @@ std::string slang_message(const Ended& ended, const fs::path& own, const Reading
                                          : ""));
   }
   if (found.empty()) return yosys_message(plain, ended.status, reading.names());
-  return one_line(fmt::format("{}: {}: {}", reading.by_own_names((own / found[0][1]).string()),
-                              found[0][2], found[0][3]));
+  const std::string place = reading.by_own_names((own / found[0][1]).string());
+  static const Pattern no_module(R"(^unknown module '([^']+)'$)");
+  if (const auto lacks = no_module.all(found[0][2]); !lacks.empty()) {
+    return fmt::format(
+        "{0}: no file has the module {1}. Give a file that has it, or --blackbox {1}", place,
+        lacks[0][1]);
+  }
+  return one_line(fmt::format("{}: {}: {}", place, found[0][2], found[0][3]));
 }
 
 // Whether the module declares it; true of one whose declarations may be in a file that it includes.

@@ -16,7 +16,8 @@ struct SourceText {
 };
 
 /// The files of a side in their order, then the files that they include, as far as the names of
-/// these are found beside a file or in the folders of --include.
+/// these are found beside a file or in the folders of --include. Blanks stand in place of what is
+/// behind `ifdef of a macro that no text, option or tool defines.
 std::vector<SourceText> sources_of(const Files& files);
 
 /// "FILE:LINE" of a place in a text.

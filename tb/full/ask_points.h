@@ -1,7 +1,7 @@
 // The points of a design's coverage that no sweep reached, asked of the engine from reset on.
 #pragma once
 
-#include "tb/sweep/asked.h"
+#include "tb/sim/asked.h"
 
 namespace cosim::cli {
 

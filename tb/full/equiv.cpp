@@ -18,7 +18,7 @@
 #include "tb/full/commands.h"
 #include "tb/full/equiv_sides.h"
 #include "tb/new/verilog_words.h"
-#include "tb/sweep/progress.h"
+#include "tb/sim/progress.h"
 #include "tb/util/draft.h"
 #include "tb/util/interrupt.h"
 #include "tb/util/output_file.h"
@@ -121,6 +121,12 @@ int conclude(const EquivOptions& o, const std::string& top, const equiv::Questio
   return end_with(a.verdict, top, verdict + assumed + '\n', verdicts);
 }
 
+// A text with the files of --rev as git calls them, REV:FILE.
+std::string as_in_git(const EquivOptions& o, const std::string& text) {
+  static const Pattern exported(R"(\S*/cosim\.\w+/\d+/tree/)");
+  return o.rev ? exported.replaced(text, *o.rev + ":") : text;
+}
+
 int compare(const EquivOptions& o, Verdicts& verdicts) {
   const InterruptGuard interrupts;
   const Scratch scratch;
@@ -170,11 +176,12 @@ int compare(const EquivOptions& o, Verdicts& verdicts) {
   } catch (const equiv::OutOfTime&) {
     return undecided("yosys does not read --assume");
   }
-  const equiv::Answer answer = [&] {
+  equiv::Answer answer = [&] {
     StateLine line;
     line.show(fmt::format("{}: asked from reset, at most {} s", top, seconds));
     return equiv::compare(q);
   }();
+  answer.left = as_in_git(o, answer.left);
   return conclude(o, top, q, answer, verdicts);
 }
 
@@ -210,7 +217,13 @@ int run(const EquivOptions& o) {
   check_outputs(o.common, files_read(files_named(o), o.include_dirs));
   const std::string top = o.top.value_or(o.gate_top.value_or(""));
   return with_verdicts(equiv_command.name, top.empty() ? "?" : top, o.common,
-                       [&](Verdicts& verdicts) { return compare(o, verdicts); });
+                       [&](Verdicts& verdicts) {
+                         try {
+                           return compare(o, verdicts);
+                         } catch (const InputError& error) {
+                           throw InputError(as_in_git(o, error.what()));
+                         }
+                       });
 }
 
 }  // namespace

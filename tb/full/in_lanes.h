@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "tb/cli/command.h"
-#include "tb/sweep/sweep.h"
+#include "tb/sim/sweep.h"
 
 namespace cosim::cli {
 

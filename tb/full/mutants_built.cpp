@@ -7,7 +7,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/full/machine_of.h"
-#include "tb/sweep/failure.h"
+#include "tb/sim/failure.h"
 #include "tb/util/output_file.h"
 #include "tb/util/quoted.h"
 

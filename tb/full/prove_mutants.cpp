@@ -10,7 +10,7 @@
 #include "tb/full/mutants_built.h"
 #include "tb/full/prove.h"
 #include "tb/proof/judge.h"
-#include "tb/sweep/progress.h"
+#include "tb/sim/progress.h"
 #include "tb/util/words.h"
 
 namespace cosim::cli {

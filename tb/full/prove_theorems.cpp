@@ -6,7 +6,7 @@
 #include "model/core/input_error.h"
 #include "tb/full/prove.h"
 #include "tb/proof/theorems.h"
-#include "tb/sweep/progress.h"
+#include "tb/sim/progress.h"
 #include "tb/util/parallel.h"
 #include "tb/util/words.h"
 

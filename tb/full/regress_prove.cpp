@@ -12,7 +12,7 @@
 #include "tb/full/regress_kinds.h"
 #include "tb/full/trusted.h"
 #include "tb/proof/decide.h"
-#include "tb/sweep/failure.h"
+#include "tb/sim/failure.h"
 #include "tb/util/interrupt.h"
 #include "tb/util/json.h"
 #include "tb/util/output_file.h"

@@ -3,7 +3,7 @@
 
 #include "tb/lanes/built.h"
 #include "tb/sim/bench.h"
-#include "tb/sweep/sweep.h"
+#include "tb/sim/sweep.h"
 
 namespace cosim::lanes {
 

@@ -12,7 +12,7 @@
 #include "tb/nets/played.h"
 #include "tb/proof/yosys.h"
 #include "tb/sim/bench.h"
-#include "tb/sweep/sweep.h"
+#include "tb/sim/sweep.h"
 
 namespace cosim::lanes {
 

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "model/core/input_error.h"
-#include "tb/sweep/report.h"
+#include "tb/sim/report.h"
 #include "tb/util/json.h"
 #include "tb/util/parallel.h"
 #include "tb/util/words.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "tb/mutation/subject.h"
-#include "tb/sweep/checkpoint.h"
+#include "tb/sim/checkpoint.h"
 
 namespace cosim::mutation {
 

@@ -12,7 +12,7 @@
 
 #include "tb/mutation/mutants.h"
 #include "tb/sim/replay.h"
-#include "tb/sweep/sweep.h"
+#include "tb/sim/sweep.h"
 
 namespace cosim::mutation {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "tb/nets/hostile_draw.h"
 #include "tb/nets/number.h"
-#include "tb/sim/hostile_draw.h"
 
 namespace cosim::nets {
 

@@ -10,7 +10,7 @@
 
 #include "tb/new/found.h"
 #include "tb/rtl/run.h"
-#include "tb/sweep/progress.h"
+#include "tb/sim/progress.h"
 #include "tb/util/process.h"
 
 namespace cosim::cli {

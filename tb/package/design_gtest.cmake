@@ -1,6 +1,6 @@
 # cosim_add_gtest(TARGET PROGRAM program SOURCES file.cpp...)
 #
-# An executable of tests by hand, tb/sweep/directed.h, in GoogleTest, on the designs of a program that
+# An executable of tests by hand, tb/sim/directed.h, in GoogleTest, on the designs of a program that
 # cosim_add_program() has made: nothing of them is compiled again. Each of its tests is a CTest test
 # with the label directed.
 function(cosim_add_gtest NAME)

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "model/core/input_error.h"
-#include "tb/equiv/cells.h"
+#include "tb/nets/cells.h"
 #include "tb/util/pattern.h"
 #include "tb/util/process.h"
 #include "tb/util/read_file.h"
@@ -59,7 +59,7 @@ std::map<std::string, Order> declared_arrays(const std::vector<std::filesystem::
 // The module becomes a graph, of which what its named nets read is kept.
 class RtlNets::Maker {
  public:
-  Maker(RtlNets& made, const equiv::Module& module, const Source& source)
+  Maker(RtlNets& made, const netlist::Module& module, const Source& source)
       : made_(made),
         module_(module),
         is_stepped_(source.clocks_are_inputs),
@@ -70,11 +70,11 @@ class RtlNets::Maker {
 
   void make() {
     read_ports();
-    for (const equiv::Cell& cell : module_.cells) {
+    for (const netlist::Cell& cell : module_.cells) {
       if (cell.is_register()) hold(cell);
     }
     read_nets();
-    for (const equiv::Cell& cell : module_.cells) {
+    for (const netlist::Cell& cell : module_.cells) {
       if (cell.is_register()) clock(cell);
       if (cell.type == "$assert" || cell.type == "$cover") state(cell);
     }
@@ -85,7 +85,7 @@ class RtlNets::Maker {
   Bit free() { return free_.emplace_back(graph_.input()); }
 
   void read_ports() {
-    for (const equiv::Port& port : module_.ports) {
+    for (const netlist::Port& port : module_.ports) {
       made_.wires_[port.name].way = port.way;
       for (const int bit : port.bits) {
         if (port.way != "input" || bit < 0) continue;
@@ -95,7 +95,7 @@ class RtlNets::Maker {
     }
   }
 
-  void hold(const equiv::Cell& cell) {
+  void hold(const netlist::Cell& cell) {
     if (cell.type.find("latch") != std::string::npos || !cell.has("D")) {
       throw InputError(fmt::format("{}: {} is no flip-flop", made_.name_, cell.name));
     }
@@ -107,7 +107,7 @@ class RtlNets::Maker {
   }
 
   void read_nets() {
-    for (const equiv::Net& net : module_.nets) {
+    for (const netlist::Net& net : module_.nets) {
       const int width = static_cast<int>(net.bits.size());
       for (std::size_t i = 0; i < net.init.size() && i < net.bits.size(); ++i) {
         const char digit = net.init[net.init.size() - 1 - i];
@@ -123,7 +123,7 @@ class RtlNets::Maker {
     }
   }
 
-  void clock(const equiv::Cell& cell) {
+  void clock(const netlist::Cell& cell) {
     const nets::Bits next = gates_.next(cell, is_stepped_);
     for (std::size_t i = 0; i < next.size(); ++i) {
       FlipFlop& own = flip_flops_[place_.at(cell.pins.at("Q")[i])];
@@ -135,7 +135,7 @@ class RtlNets::Maker {
     }
   }
 
-  void state(const equiv::Cell& cell) {
+  void state(const netlist::Cell& cell) {
     const bool asserts = cell.type == "$assert";
     const Bit is = gates_.of(cell.pins.at("A").front());
     (asserts ? unmet_ : covered_)
@@ -179,11 +179,11 @@ class RtlNets::Maker {
   }
 
   RtlNets& made_;
-  const equiv::Module& module_;
+  const netlist::Module& module_;
   bool is_stepped_;
   nets::Graph graph_;
   nets::Bits inputs_, free_;
-  equiv::Cells gates_;
+  nets::CellGates gates_;
   std::vector<FlipFlop> flip_flops_;
   std::map<int, std::size_t> place_;  // of the flip-flop whose pin Q a bit is
   std::map<std::string, Bit> named_;
@@ -194,7 +194,7 @@ std::string command_to_write_nets(const fs::path& folder) {
   return fmt::format("; write_json {}", (folder / kNets).string());
 }
 RtlNets written_nets(const fs::path& folder, const Source& source) {
-  return {equiv::module_of(read_file((folder / kNets).string())), source};
+  return {netlist::module_of(read_file((folder / kNets).string())), source};
 }
 
 RtlNets::RtlNets(const Source& source)
@@ -212,7 +212,7 @@ RtlNets::RtlNets(const Source& source)
         return nets;
       }()) {}
 
-RtlNets::RtlNets(const equiv::Module& module, const Source& source)
+RtlNets::RtlNets(const netlist::Module& module, const Source& source)
     : is_reset_asynchronous_(source.asynchronous_reset) {
   Maker(*this, module, source).make();
   find_flip_flops();

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "tb/equiv/netlist.h"
 #include "tb/nets/graph.h"
 #include "tb/proof/yosys.h"
+#include "tb/rtl/netlist.h"
 
 namespace cosim::proof {
 
@@ -39,7 +39,7 @@ class RtlNets {
   /// Makes gates of the top of `source` as yosys wrote it, with its memories as registers. What the
   /// RTL leaves open is free, and what an operator does is 0: a quotient by 0, what is beyond the
   /// end of a word.
-  RtlNets(const equiv::Module& module, const Source& source);
+  RtlNets(const netlist::Module& module, const Source& source);
 
   /// All that its nets and flip-flops read; each of its latches is a flip-flop.
   const nets::Graph& graph() const { return graph_; }

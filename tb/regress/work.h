@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tb/regress/plan.h"
-#include "tb/sweep/checkpoint.h"
+#include "tb/sim/checkpoint.h"
 #include "tb/util/json_at.h"
 #include "tb/util/words.h"
 

@@ -55,7 +55,7 @@ void Lexer::skip() {
   }
 }
 
-std::string blanked(std::string_view text) {
+std::string code_of(std::string_view text) {
   std::string plain(text);
   for (char& c : plain) c = c == '\n' ? c : ' ';
   Lexer lexer(text);
@@ -63,6 +63,15 @@ std::string blanked(std::string_view text) {
     const auto at = static_cast<std::size_t>(word.data() - text.data());
     if (word.front() != '"') plain.replace(at, word.size(), word);
   }
+  // A macro goes on in the next line.
+  for (std::size_t at = plain.find("\\\n"); at != plain.npos; at = plain.find("\\\n", at)) {
+    plain[at] = ' ';
+  }
+  return plain;
+}
+
+std::string blanked(std::string_view text) {
+  const std::string plain = code_of(text);
   static const Regex directive(
       "(^|\n)[ \t]*`(ifn?def|els\\w+|endif|define|undef|include|timescale|default_nettype|"
       "resetall)[^\n]*");

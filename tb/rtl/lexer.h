@@ -21,8 +21,10 @@ class Lexer {
   std::size_t at_ = 0;
 };
 
-/// The text with blanks in place of its comments, attributes and strings, and of the directives
-/// that have a line of their own but use no macro: places and lines stay.
+/// The text with blanks in place of its comments, attributes and strings, and of what joins two
+/// lines: places and lines stay.
+std::string code_of(std::string_view text);
+/// The same without the directives that have a line of their own but use no macro.
 std::string blanked(std::string_view text);
 
 }  // namespace cosim::rtl

@@ -1,138 +1,137 @@
 #include "tb/rtl/netlist.h"
 
-#include <deque>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <set>
+#include <sstream>
+#include <utility>
 
 #include "model/core/input_error.h"
-#include "tb/rtl/files.h"
 
-namespace cosim::rtl {
+namespace cosim::netlist {
 namespace {
 
-using JsonOfNetlist = nlohmann::ordered_json;
+using Json = nlohmann::ordered_json;
 
-// The text of a number or, in quotation marks, of a constant 0, 1, x or z.
-std::string bit_of(const JsonOfNetlist& bit) { return bit.dump(); }
-bool is_constant(const std::string& bit) { return bit.starts_with('"'); }
+std::vector<int> bits_of(const Json& bits) {
+  std::vector<int> all;
+  all.reserve(bits.size());
+  for (const Json& bit : bits) {
+    if (bit.is_number()) {
+      all.push_back(bit.get<int>());
+      continue;
+    }
+    const char digit = bit.get_ref<const std::string&>().front();
+    all.push_back(digit == '0' ? zero : digit == '1' ? one : digit == 'z' ? is_z : is_x);
+  }
+  return all;
+}
 
-class Netlist {
- public:
-  explicit Netlist(const JsonOfNetlist& module) : module_(module) {
-    for (const auto& [name, net] : module.at("netnames").items()) {
-      if (net.value("hide_name", 0) != 0) continue;
-      const auto& bits = net.at("bits");
-      for (std::size_t i = 0; i < bits.size(); ++i) {
-        names_[bit_of(bits[i])].push_back(
-            {name, static_cast<long>(i), static_cast<long>(bits.size())});
-      }
-    }
-    for (auto& [bit, names] : names_) std::ranges::stable_sort(names, {}, &NamedBit::net);
-    for (const auto& cell : module.at("cells")) {
-      if (type_of(cell).starts_with("$memwr")) writers_[memory_of(cell)].push_back(&cell);
-      for_each_bit(cell, "input", [&](const std::string& bit) { drivers_[bit] = &cell; });
-    }
-    follow_outputs();
-  }
+std::string text_of(const Json& value) {
+  return value.is_string() ? value.get<std::string>() : value.dump();
+}
 
-  Held held() const {
-    Held all;
-    all.memories.assign(memories_.begin(), memories_.end());
-    for (const auto& cell : module_.at("cells")) {
-      const std::string& kind = kind_of(type_of(cell));
-      if (kind.empty() || (kind == "latch" && is_open(cell))) continue;
-      const auto q = bits_of(cell, "Q"), d = bits_of(cell, "D");
-      for (std::size_t i = 0; i < q.size(); ++i) {
-        // A constant that is driven besides is no place where one holds anything.
-        if (is_constant(q[i]) || !live_.contains(q[i]) || !names_.contains(q[i])) continue;
-        // What takes the same number on every clock, as the variable of a loop, holds nothing.
-        if (type_of(cell) == "$dff" && is_constant(d[i]) && d[i] != "\"z\"") continue;
-        (kind == "latch" ? all.latches : all.registers).push_back(names_.at(q[i]));
-      }
-    }
-    return all;
-  }
+std::string attribute(const Json& of, const char* name) {
+  const auto all = of.find("attributes");
+  if (all == of.end() || !all->contains(name)) return "";
+  return text_of(all->at(name));
+}
 
- private:
-  static std::string type_of(const JsonOfNetlist& cell) { return cell.at("type"); }
-  static std::string memory_of(const JsonOfNetlist& cell) {
-    const std::string id = cell.at("parameters").value("MEMID", "");
-    return id.starts_with('\\') ? id.substr(1) : id;
+std::string declaration(const Json& port) {
+  const auto width = static_cast<int>(port.at("bits").size());
+  const int low = port.value("offset", 0);
+  const bool rises = port.value("upto", 0) != 0;
+  std::string text = port.value("signed", 0) != 0 ? "signed " : "";
+  if (width > 1 || low != 0) {
+    const std::string lowest = std::to_string(low), highest = std::to_string(low + width - 1);
+    text += '[' + (rises ? lowest + ':' + highest : highest + ':' + lowest) + ']';
   }
-  static std::vector<std::string> bits_of(const JsonOfNetlist& cell, const char* port) {
-    std::vector<std::string> all;
-    if (!cell.at("connections").contains(port)) return all;
-    for (const auto& bit : cell.at("connections").at(port)) all.push_back(bit_of(bit));
-    return all;
-  }
-  // Of all ports but those of that direction.
-  template <class Visit>
-  static void for_each_bit(const JsonOfNetlist& cell, const char* direction, const Visit& visit) {
-    for (const auto& [port, bits] : cell.at("connections").items()) {
-      if (cell.at("port_directions").at(port) == direction) continue;
-      for (const auto& bit : bits) visit(bit_of(bit));
-    }
-  }
-  // "ff", "latch" or "sr", the last of them that the type has.
-  static std::string kind_of(const std::string& type) {
-    std::string kind;
-    std::size_t last = 0;
-    for (const char* one : {"ff", "latch", "sr"}) {
-      const std::size_t at = type.rfind(one);
-      if (!type.starts_with('$') || at == type.npos || at < last) continue;
-      kind = one;
-      last = at;
-    }
-    return kind;
-  }
-  // Of a latch: at all times.
-  static bool is_open(const JsonOfNetlist& cell) {
-    const std::string polarity = cell.at("parameters").value("EN_POLARITY", "x");
-    const auto enable = bits_of(cell, "EN");
-    return !enable.empty() && enable[0] == '"' + polarity.substr(polarity.size() - 1) + '"';
-  }
-  void follow_outputs() {
-    std::deque<std::string> left;
-    for (const auto& port : module_.at("ports")) {
-      if (port.at("direction") == "input") continue;
-      for (const auto& bit : port.at("bits")) left.push_back(bit_of(bit));
-    }
-    std::set<const JsonOfNetlist*> seen;
-    for (; !left.empty(); left.pop_front()) {
-      const auto driver = drivers_.find(left.front());
-      if (!live_.insert(left.front()).second || driver == drivers_.end()) continue;
-      std::vector<const JsonOfNetlist*> cells{driver->second};
-      if (type_of(*cells[0]).starts_with("$memrd")) {
-        const auto writers = writers_.find(memory_of(*cells[0]));
-        if (writers != writers_.end()) {
-          cells.insert(cells.end(), writers->second.begin(), writers->second.end());
-          memories_.insert(writers->first);
-        }
-      }
-      for (const JsonOfNetlist* cell : cells) {
-        if (!seen.insert(cell).second) continue;
-        for_each_bit(*cell, "output", [&](const std::string& bit) { left.push_back(bit); });
-      }
-    }
-  }
-
-  const JsonOfNetlist& module_;
-  std::map<std::string, std::vector<NamedBit>> names_;
-  std::map<std::string, const JsonOfNetlist*> drivers_;
-  std::map<std::string, std::vector<const JsonOfNetlist*>> writers_;  // of memories
-  std::set<std::string> live_, memories_;
-};
+  return text;
+}
 
 }  // namespace
 
-Held read_held(const std::filesystem::path& file) {
-  const auto json = JsonOfNetlist::parse(text_of(file), nullptr, false);
-  if (!json.is_object()) throw InputError(file.string() + ": is no JSON of yosys");
-  for (const auto& module : json.at("modules")) {
-    if (module.at("attributes").contains("top")) return Netlist(module).held();
-  }
-  return {};
+const std::string& Cell::parameter(const std::string& called) const {
+  static const std::string none = "0";
+  const auto at = parameters.find(called);
+  return at == parameters.end() || at->second.empty() ? none : at->second;
 }
 
-}  // namespace cosim::rtl
+unsigned Cell::number(const std::string& called) const {
+  const std::string& text = parameter(called);
+  if (text.find_first_not_of("01") != std::string::npos) return 0;
+  return static_cast<unsigned>(std::stoul(text, nullptr, 2));
+}
+
+Module module_of(const std::string& json) {
+  const Json read = Json::parse(json, nullptr, false);
+  if (!read.is_object()) throw InputError("yosys has written no JSON");
+  for (const Json& from : read.at("modules")) {
+    if (!from.at("attributes").contains("top")) continue;
+    Module module;
+    for (const auto& [name, port] : from.at("ports").items()) {
+      module.ports.push_back(
+          {name, port.at("direction"), declaration(port), bits_of(port.at("bits"))});
+    }
+    for (const auto& [name, cell] : from.at("cells").items()) {
+      Cell made{name, cell.at("type"), attribute(cell, "src"), {}, {}, {}};
+      for (const auto& [key, value] : cell.at("parameters").items()) {
+        made.parameters[key] = text_of(value);
+      }
+      for (const auto& [pin, bits] : cell.at("connections").items()) {
+        made.pins[pin] = bits_of(bits);
+      }
+      for (const auto& [pin, way] : cell.at("port_directions").items()) {
+        if (way != "input") made.outputs.push_back(pin);
+      }
+      module.cells.push_back(std::move(made));
+    }
+    for (const auto& [name, net] : from.at("netnames").items()) {
+      module.nets.push_back({name, bits_of(net.at("bits")), attribute(net, "init"),
+                             net.value("hide_name", 0) == 0, net.value("offset", 0),
+                             net.value("upto", 0) != 0});
+    }
+    return module;
+  }
+  throw InputError("yosys has written no top");
+}
+
+namespace {
+
+// Of the attributes that are left once processes are cells, those that yosys takes a meaning from.
+bool is_meant(const std::string& attribute) {
+  return attribute == "\\init" || attribute == "\\blackbox" || attribute == "\\whitebox";
+}
+
+}  // namespace
+
+std::string form_of(const std::string& rtlil) {
+  std::map<std::string, std::size_t> numbers;
+  std::string form;
+  std::istringstream lines(rtlil);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string first, word;
+    if (!(words >> first) || first == "autoidx" || first == "module" || first.starts_with('#')) {
+      continue;
+    }
+    // Text may hold anything, and stays as it is. What a person or a synthesizer is told in an
+    // attribute is no part of what the RTL does.
+    if (first == "attribute") words >> word;
+    if (first == "parameter" || (first == "attribute" && is_meant(word))) form += line + '\n';
+    if (first == "parameter" || first == "attribute") continue;
+    form += first;
+    if (first == "cell" && words >> word) form += ' ' + word;  // of which kind
+    while (words >> word) {
+      form += ' ';
+      if (word.starts_with('$')) {
+        form += '$' + std::to_string(numbers.try_emplace(word, numbers.size()).first->second);
+      } else {
+        form += word;
+      }
+    }
+    form += '\n';
+  }
+  return form;
+}
+
+}  // namespace cosim::netlist

@@ -5,7 +5,7 @@
 #include "model/core/input_error.h"
 #include "tb/rtl/clocks.h"
 #include "tb/rtl/files.h"
-#include "tb/rtl/netlist.h"
+#include "tb/rtl/held.h"
 #include "tb/rtl/regex.h"
 #include "tb/rtl/resets.h"
 

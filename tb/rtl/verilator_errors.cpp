@@ -38,6 +38,7 @@ const Meaning meanings[] = {
     {"PLACE Unsupported in C: Variable has same name as instance: '([^']+)'",
      "\\1: \\2 is the name of a signal and of its module, which Verilator cannot simulate: rename "
      "one"},
+    {"Verilator internal fault", "Verilator ends with a fault of its own, and names no line"},
 };
 
 }  // namespace

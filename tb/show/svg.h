@@ -1,5 +1,5 @@
 // A wave as SVG for a page: the names, which stay where they are, and beside them the clocks, which
-// scroll. All text is text. The style is in tb/sweep/page.css.
+// scroll. All text is text. The style is in tb/sim/page.css.
 #pragma once
 
 #include <cstdint>

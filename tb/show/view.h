@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "tb/show/wave.h"
+#include "tb/show/wave_shape.h"
 
 namespace cosim {
 

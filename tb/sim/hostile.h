@@ -7,8 +7,8 @@
 
 #include "model/core/design.h"
 #include "model/core/input_error.h"
-#include "tb/sim/hostile_draw.h"
-#include "tb/sim/legal.h"
+#include "tb/nets/hostile_draw.h"
+#include "tb/nets/legal.h"
 #include "tb/util/random.h"
 
 namespace cosim {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "tb/dut/dut.h"
+#include "tb/nets/legal.h"
 #include "tb/sim/cells.h"
-#include "tb/sim/legal.h"
 #include "tb/sim/lockstep.h"
 #include "tb/sim/mismatch.h"
 #include "tb/sim/transactions.h"

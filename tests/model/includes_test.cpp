@@ -93,7 +93,7 @@ TEST(Includes, AreToldApart) {
           "tb/studies/comparison/contest.h", "tests/support/root.h"});
   expect(true, "tb/designs/dda/figures.h",
          {"model/dda/job.h", "model/core/fields.h", "model/plane/point.h",
-          "tb/designs/dda/sweeps.h", "tb/sweep/sweep.h"});
+          "tb/designs/dda/sweeps.h", "tb/sim/sweep.h"});
   expect(false, "tb/designs/dda/figures.h",
          {"model/linear/job.h", "model/toolpath/plan.h", "tb/designs/linear/figures.h",
           "tb/studies/comparison/contest.h"});

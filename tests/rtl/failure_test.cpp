@@ -1,7 +1,7 @@
 // What a planted fault leaves behind: the folder is whole, its wave shows the difference where an
 // independent run finds it, and the smallest stimulus is small, fails there and not on good RTL.
 // Needs: circular
-#include "tb/sweep/failure.h"
+#include "tb/sim/failure.h"
 
 #include <gtest/gtest.h>
 

@@ -56,9 +56,10 @@ TYPED_TEST_SUITE(OnAGpu, Designs, DesignNames);
 
 TYPED_TEST(OnAGpu, GoodRtlMatches) {
   const auto& all = variants<TypeParam>();
-  const auto good =
-      std::ranges::find_if(all, [](const auto& v) { return v.name.starts_with("shipped/"); });
-  ASSERT_NE(good, all.end());
+  // The last one by name has few bits: of 16 PoCL takes a minute to compile the kernel.
+  const auto good = std::find_if(all.rbegin(), all.rend(),
+                                 [](const auto& v) { return v.name.starts_with("shipped/"); });
+  ASSERT_NE(good, all.rend());
   expect_as_alone(*good, {1, 1000, 70'123}, false);
 }
 

@@ -10,7 +10,7 @@ cosim=$(realpath "$1")
 tree=$folder/tree bin=$folder/bin
 mkdir "$tree" "$bin"
 cp -r "$root"/{scripts,rtl,docs,examples,tests,CMakeLists.txt} "$tree"
-mkdir -p "$tree/tb/sweep" && cp "$root/tb/sweep/page.css" "$tree/tb/sweep"
+mkdir -p "$tree/tb/sim" && cp "$root/tb/sim/page.css" "$tree/tb/sim"
 unset COSIM_RECORDED COSIM_FAILURES COSIM CXX DISPLAY WAYLAND_DISPLAY "${!CCACHE_@}" "${!CMAKE_@}"
 
 # packages SET...: the packages of these sets, by what setup says where there are none of Debian.

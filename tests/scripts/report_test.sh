@@ -6,9 +6,9 @@ source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 tree=$folder
 unset COSIM_RECORDED COSIM_FAILURES
 
-mkdir -p "$tree"/{scripts,model,rtl,tests,examples,tb/sweep}
+mkdir -p "$tree"/{scripts,model,rtl,tests,examples,tb/sim}
 cp "$root"/scripts/{lib.sh,report} "$tree/scripts"
-cp "$root/tb/sweep/page.css" "$tree/tb/sweep"
+cp "$root/tb/sim/page.css" "$tree/tb/sim"
 touch "$tree/CMakeLists.txt"
 # script NAME TITLE LINES: a script that is recorded.
 # shellcheck disable=SC2016 # its lines are its own

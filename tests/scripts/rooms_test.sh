@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # What tb/rooms.cmake finds in a small project: designs in the order of shipped.txt, studies by name, and
 # without those that need something missing, each reported in a line. Files of tb include only their own
-# folder, those beside it and those below it in docs/pictures/rooms.svg, and docs/project/architecture.md
-# names the same folders. First on a tree where each is wrong, then on the project.
+# folder and those below it in docs/pictures/rooms.svg, and docs/project/architecture.md names the same
+# folders. First on a tree where each is wrong, then on the project.
 # Status: 0 so it is, 1 not.
 source "$(dirname "${BASH_SOURCE[0]}")/../support/head.sh"
 cd "$folder"
@@ -65,7 +65,7 @@ finds() {
   # What a template includes by @NAME@ belongs to its user.
   { grep -rnoE '^#include "tb/[a-z]+/' tb || true; } | LC_ALL=C sort |
     awk -F '[/:"]' 'NR == FNR { split($0, one, " "); height[one[1]] = one[2]; next }
-      height[$(NF - 1)] < height[$2] { print }' "$folder/heights" - |
+      $(NF - 1) != $2 && height[$(NF - 1)] <= height[$2] { print }' "$folder/heights" - |
     grep -vE '^tb/[a-z]+/[a-z_]+[.]cpp[.]in:' || true
 }
 
@@ -82,6 +82,7 @@ diff - <(finds tree) <<- 'END'
 	docs/project/architecture.md: no gone
 	docs/project/architecture.md: too much: extra
 	tb/below/x.h:1:#include "tb/beside/
+	tb/one/x.h:2:#include "tb/beside/
 END
 found=$(finds "$root")
 [[ ! $found ]] || { echo "$found" && exit 1; }

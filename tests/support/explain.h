@@ -7,8 +7,8 @@
 #include <exception>
 #include <string>
 
-#include "tb/sweep/failure.h"
-#include "tb/sweep/sweep.h"
+#include "tb/sim/failure.h"
+#include "tb/sim/sweep.h"
 
 namespace cosim::test {
 

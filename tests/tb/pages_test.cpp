@@ -3,7 +3,7 @@
 
 #include <cosim/stream.h>
 
-#include "tb/sweep/directed.h"
+#include "tb/sim/directed.h"
 
 namespace cosim {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "model/circular/oracle.h"
 #include "tb/designs/circular/design.h"
-#include "tb/sweep/path_figures.h"
+#include "tb/sim/path_figures.h"
 
 namespace cosim::circular {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "tb/designs/circular/figures.h"
-#include "tb/sweep/drawn_sweep.h"
+#include "tb/sim/drawn_sweep.h"
 
 namespace cosim::circular {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "model/dda/equation.h"
 #include "tb/designs/dda/design.h"
-#include "tb/sweep/path_figures.h"
+#include "tb/sim/path_figures.h"
 
 namespace cosim::dda {
 

@@ -10,7 +10,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/designs/dda/figures.h"
-#include "tb/sweep/drawn_sweep.h"
+#include "tb/sim/drawn_sweep.h"
 
 namespace cosim::dda {
 namespace {

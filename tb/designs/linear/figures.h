@@ -5,7 +5,7 @@
 #include <bit>
 
 #include "tb/designs/linear/design.h"
-#include "tb/sweep/path_figures.h"
+#include "tb/sim/path_figures.h"
 
 namespace cosim::linear {
 

@@ -5,7 +5,7 @@
 #include "model/linear/control_code.h"
 #include "model/linear/oracle.h"
 #include "tb/designs/linear/figures.h"
-#include "tb/sweep/drawn_sweep.h"
+#include "tb/sim/drawn_sweep.h"
 
 namespace cosim::linear {
 

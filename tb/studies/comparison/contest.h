@@ -9,8 +9,8 @@
 #include "tb/designs/dda/design.h"
 #include "tb/designs/linear/design.h"
 #include "tb/sim/bench.h"
+#include "tb/sim/sweep.h"
 #include "tb/studies/comparison/figures.h"
-#include "tb/sweep/sweep.h"
 
 namespace cosim::compare {
 

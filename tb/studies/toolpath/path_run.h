@@ -10,7 +10,7 @@
 #include "tb/designs/circular/design.h"
 #include "tb/designs/linear/design.h"
 #include "tb/sim/bench.h"
-#include "tb/sweep/sweep.h"
+#include "tb/sim/sweep.h"
 
 namespace cosim {
 

@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "tb/cli/result_json.h"
-#include "tb/sweep/report.h"
+#include "tb/sim/report.h"
 #include "tests/designs/linear/records.h"
 #include "tests/fuzz/machines.h"
 #include "tests/fuzz/run.h"

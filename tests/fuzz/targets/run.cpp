@@ -1,7 +1,7 @@
 // run.json with hashes that fit: the run is one that can be gone on with, or is refused.
 #include "tests/fuzz/run.h"
 
-#include "tb/sweep/checkpoint.h"
+#include "tb/sim/checkpoint.h"
 
 namespace cosim::fuzz {
 

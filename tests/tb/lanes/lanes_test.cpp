@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tb/lanes/player.h"
-#include "tb/sweep/sweep.h"
+#include "tb/sim/sweep.h"
 #include "tb/util/parallel.h"
 #include "tb/util/process.h"
 #include "tests/support/designs.h"

@@ -108,12 +108,12 @@ TEST_F(StandIn, ThatGivesUpOrIsMissingSaysSo) {
 
 // The lowest bit is bit 0, whatever range the RTL gives its net.
 TEST(RtlNets, CountBitsFromTheLowest) {
-  equiv::Module module;
+  netlist::Module module;
   module.nets = {{"down", {2, 3}, "", true, 2, false},
                  {"up", {4, 5}, "", true, 2, true},
                  {"one", {6}, "", true},
                  {"$made", {7}, "", false}};
-  for (const equiv::Net& net : module.nets)
+  for (const netlist::Net& net : module.nets)
     module.ports.push_back({net.name, "input", "", net.bits});
   module.ports.pop_back();
   const RtlNets rtl(module, {{}, "top", {}});
@@ -134,9 +134,9 @@ TEST(RtlNets, CountBitsFromTheLowest) {
 }
 
 // Flip-flops a and b, and what rests on them.
-equiv::Module flip_flops() {
+netlist::Module flip_flops() {
   enum : int { clk = 2, rst, a, b, reset, two, next };
-  equiv::Module module;
+  netlist::Module module;
   module.ports = {{"clk", "input", "", {clk}}, {"rst", "input", "", {rst}}};
   const auto net = [&](const char* name, int bit) {
     module.nets.push_back({name, {bit}, "", true});

@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "tb/sweep/result.h"
+#include "tb/sim/result.h"
 
 namespace cosim {
 namespace {

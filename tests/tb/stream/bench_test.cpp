@@ -11,7 +11,7 @@
 
 #include "model/core/input_error.h"
 #include "tb/show/picture.h"
-#include "tb/sweep/report.h"
+#include "tb/sim/report.h"
 #include "tests/support/folder.h"
 #include "tests/support/vcd.h"
 #include "tests/tb/stream/queue.h"

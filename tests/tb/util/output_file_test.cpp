@@ -7,7 +7,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "tb/sweep/report.h"
+#include "tb/sim/report.h"
 #include "tests/support/error_of.h"
 #include "tests/support/folder.h"
 

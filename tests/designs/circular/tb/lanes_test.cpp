@@ -4,7 +4,7 @@
 #include "model/core/input_error.h"
 #include "tb/designs/circular/figures.h"
 #include "tb/designs/circular/sweeps.h"
-#include "tb/sweep/drawn_sweep.h"
+#include "tb/sim/drawn_sweep.h"
 #include "tests/support/lane_sweeps.h"
 
 namespace cosim::circular {

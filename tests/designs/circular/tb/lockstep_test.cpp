@@ -1,7 +1,7 @@
 // The RTL of the circular interpolator in lockstep with its model, every register and output on
 // every clock, and against the oracle.
 #include "tb/designs/circular/figures.h"
-#include "tb/sweep/drawn_sweep.h"
+#include "tb/sim/drawn_sweep.h"
 #include "tests/designs/circular/counts.h"
 #include "tests/designs/circular/printed.h"
 #include "tests/tb/shape.h"

@@ -4,7 +4,7 @@
 
 #include "tb/designs/linear/figures.h"
 #include "tb/designs/linear/sweeps.h"
-#include "tb/sweep/drawn_sweep.h"
+#include "tb/sim/drawn_sweep.h"
 #include "tests/designs/linear/counts.h"
 #include "tests/designs/linear/printed.h"
 #include "tests/support/lane_sweeps.h"

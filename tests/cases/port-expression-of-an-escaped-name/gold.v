@@ -1,0 +1,2 @@
+module ps(input [8:0] \x! , output [15:0] y); assign y = \x! ; endmodule
+module t(input [7:0] a, input [7:0] b, output [15:0] y); ps \u! (.\x! (a + b), .y(y)); endmodule

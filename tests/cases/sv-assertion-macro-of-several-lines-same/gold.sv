@@ -1,0 +1,7 @@
+`include "checks.svh"
+module t(input logic clk, input logic rst, input logic [3:0] d, output logic [3:0] q);
+  always_ff @(posedge clk) if (rst) q <= 0; else q <= d + 1;
+`ifndef SYNTHESIS
+  `CHECK(small, q < 16, clk, rst)
+`endif
+endmodule

@@ -14,9 +14,9 @@ reads() {
 # is EXPECTED ACTUAL
 is() { [[ $1 == "$2" ]] || fails "it reads $2, and not just $1"; }
 
-is "sim/by_hand.h sim/list.h sim/stimulus.h sweep/directed.h sweep/present_test.h" \
+is "sim/by_hand.h sim/directed.h sim/list.h sim/present_test.h sim/stimulus.h" \
   "$(reads '#include "tb/sim/directed.h"')"
-is "sweep/present_test.h" "$(reads "$(grep '#include "tb' "$root/tb/package/named_gtest.h.in")")"
+is "sim/present_test.h" "$(reads "$(grep '#include "tb' "$root/tb/package/named_gtest.h.in")")"
 is "sim/list.h" "$(reads "$(cat "$root/tb/package/benches.cpp.in")")"
 is "cli/built.h" "$(reads "$(cat "$root/tb/package/program.cpp.in")")"
 bench='#include "tb/package/named_bench.h"'

@@ -18,23 +18,21 @@ constexpr unsigned long most = 32;
 // The bits of signals that are declared with numbers.
 using Widths = std::map<std::string, unsigned long>;
 
-Widths widths_in(const std::string& plain) {
+Widths widths_in(const std::string& module) {
   static const rtl::Regex range("\\[\\s*([0-9]{1,6})\\s*:\\s*([0-9]{1,6})\\s*\\]\\s*([^][;()=]*)"),
-      type("\\b(longint|time)\\s+(unsigned\\s+|signed\\s+)?([^][;()=]*)"),
       name("^\\s*([A-Za-z_][A-Za-z0-9_$]*)\\s*(,|$)");
   Widths widths;
-  const auto add = [&](std::string names, unsigned long bits) {
-    while (const rtl::Match one = name.find(names)) {
-      unsigned long& most_bits = widths[one[1]];
-      most_bits = std::max(most_bits, bits);
-      names = names.substr(one.end());
-    }
-  };
-  for (const rtl::Match& one : range.all(plain)) {
+  for (const rtl::Match& one : range.all(module)) {
     const unsigned long a = std::stoul(one[1]), b = std::stoul(one[2]);
-    add(one[3], (a > b ? a - b : b - a) + 1);
+    const unsigned long bits = (a > b ? a - b : b - a) + 1;
+    std::string names = one[3];
+    while (const rtl::Match next = name.find(names)) {
+      // Of two with one name, as in functions, the one that has fewer.
+      unsigned long& known = widths.try_emplace(next[1], bits).first->second;
+      known = std::min(known, bits);
+      names = names.substr(next.end());
+    }
   }
-  for (const rtl::Match& one : type.all(plain)) add(one[3], 64);
   return widths;
 }
 
@@ -62,16 +60,21 @@ bool is_wide(const std::string& index, const Widths& widths) {
 
 void refuse_wide_indices(const SourceText& source) {
   static const rtl::Regex use("[A-Za-z0-9_$]\\s*\\["), part("[+-]:.*");
-  const std::string plain = rtl::blanked(source.text);
-  const Widths widths = widths_in(plain);
-  for (const rtl::Match& found : use.all(plain)) {
-    for (const std::string& whole : indices_at(plain, found.end() - 1)) {
-      const std::string index = part.replaced(whole, "");
-      if (index.find(':') != std::string::npos || !is_wide(index, widths)) continue;
-      throw InputError(
-          fmt::format("{}: an index of more than 32 bits: front ends and simulators take its lower "
-                      "32 alone: give it as many as it needs",
-                      place_in(source, found.begin())));
+  static const rtl::Regex module("\\bmodule\\b");
+  const std::string all = rtl::blanked(source.text);
+  for (const rtl::Match& begin : module.all(all)) {
+    const std::size_t from = begin.begin();
+    const std::string plain = all.substr(from, all.find("endmodule", from) - from);
+    const Widths widths = widths_in(plain);
+    for (const rtl::Match& found : use.all(plain)) {
+      for (const std::string& whole : indices_at(plain, found.end() - 1)) {
+        const std::string index = part.replaced(whole, "");
+        if (index.find(':') != std::string::npos || !is_wide(index, widths)) continue;
+        throw InputError(fmt::format(
+            "{}: an index of more than 32 bits: front ends and simulators take its lower 32 alone: "
+            "give it as many as it needs",
+            place_in(source, from + found.begin())));
+      }
     }
   }
 }

@@ -26,8 +26,7 @@ const std::vector<Rule>& yosys_rules() {
       rule("Re-definition of module ([^\\s!]+)!?", "module $1 is there twice"),
       rule("Can't find object for defparam \\$(\\d+)!",
            "an instance gives parameter number $1 in order, and its module has not so many, or a "
-           "defparam "
-           "gives one of them besides"),
+           "defparam gives one of them besides"),
       rule("Can't find object for defparam (\\S+)!", "a parameter is given that no module has: $1"),
       rule("Array cell (\\S+) has invalid port vs\\. signal size for port (\\S+?)\\.",
            "an array of instances, $1: port $2 has a width that does not go with its signal's"),
